@@ -1,0 +1,2 @@
+//! `pilotage`: the jobs of the app without a screen.
+fn main() {}

@@ -1,0 +1,50 @@
+//! Attitude and pose of the vehicle.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::{Point3, Rotation3};
+use serde::{Deserialize, Serialize};
+
+/// The angle brought into (-π, π].
+pub fn wrap_pi(angle: f64) -> f64 {
+    let wrapped = (angle + PI).rem_euclid(TAU) - PI;
+    if wrapped == -PI { PI } else { wrapped }
+}
+
+/// Roll (right wing down positive), pitch (nose up positive) and yaw (clockwise from north), radians.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Attitude {
+    /// Roll, radians, right wing down positive.
+    pub roll: f64,
+    /// Pitch, radians, nose up positive.
+    pub pitch: f64,
+    /// Yaw, radians, clockwise from north.
+    pub yaw: f64,
+}
+
+impl Attitude {
+    /// Wings level, heading `yaw` radians.
+    pub fn level(yaw: f64) -> Self {
+        Self {
+            roll: 0.0,
+            pitch: 0.0,
+            yaw,
+        }
+    }
+
+    /// Rotation that takes body vectors (forward-right-down) to world vectors (NED).
+    ///
+    /// DeAngelo 2016, eqs 34-36, transposed and with north-east-down axes.
+    pub fn world_from_body(&self) -> Rotation3<f64> {
+        Rotation3::from_euler_angles(self.roll, self.pitch, self.yaw)
+    }
+}
+
+/// Where the vehicle is and how it is turned.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Pose {
+    /// Position in world NED, metres (down is negative above the origin's level).
+    pub position_in_world: Point3<f64>,
+    /// Attitude of the body.
+    pub attitude: Attitude,
+}

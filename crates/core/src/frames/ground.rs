@@ -1,0 +1,125 @@
+//! Points and rectangles on the ground plane.
+
+use nalgebra::Vector2;
+use serde::{Deserialize, Serialize};
+
+/// A point on the ground in the world frame, metres north and east of the origin.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct GroundPoint {
+    /// Metres north of the origin.
+    pub north: f64,
+    /// Metres east of the origin.
+    pub east: f64,
+}
+
+impl GroundPoint {
+    /// The point `north`, `east` metres from the origin.
+    pub const fn new(north: f64, east: f64) -> Self {
+        Self { north, east }
+    }
+
+    /// Distance to `other`, metres.
+    pub fn distance(&self, other: &Self) -> f64 {
+        (self.north - other.north).hypot(self.east - other.east)
+    }
+
+    /// As a vector (north, east), metres.
+    pub fn to_vector(self) -> Vector2<f64> {
+        Vector2::new(self.north, self.east)
+    }
+}
+
+impl From<Vector2<f64>> for GroundPoint {
+    fn from(v: Vector2<f64>) -> Self {
+        Self::new(v.x, v.y)
+    }
+}
+
+/// A north-aligned rectangle on the ground, metres in the world frame.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GroundRect {
+    /// Southern edge, metres north of the origin.
+    pub south: f64,
+    /// Northern edge, metres north of the origin.
+    pub north: f64,
+    /// Western edge, metres east of the origin.
+    pub west: f64,
+    /// Eastern edge, metres east of the origin.
+    pub east: f64,
+}
+
+impl GroundRect {
+    /// The rectangle around `center` with the given extents, metres.
+    pub fn centered(center: GroundPoint, north_extent: f64, east_extent: f64) -> Self {
+        Self {
+            south: center.north - 0.5 * north_extent,
+            north: center.north + 0.5 * north_extent,
+            west: center.east - 0.5 * east_extent,
+            east: center.east + 0.5 * east_extent,
+        }
+    }
+
+    /// The smallest rectangle that holds all `points`, or `None` for no points.
+    pub fn around(points: impl IntoIterator<Item = GroundPoint>) -> Option<Self> {
+        points.into_iter().fold(None, |rect: Option<Self>, p| {
+            let own = Self {
+                south: p.north,
+                north: p.north,
+                west: p.east,
+                east: p.east,
+            };
+            Some(rect.map_or(own, |r| r.union(&own)))
+        })
+    }
+
+    /// Centre of the rectangle.
+    pub fn center(&self) -> GroundPoint {
+        GroundPoint::new(
+            0.5 * (self.south + self.north),
+            0.5 * (self.west + self.east),
+        )
+    }
+
+    /// North-south extent, metres.
+    pub fn height(&self) -> f64 {
+        self.north - self.south
+    }
+
+    /// East-west extent, metres.
+    pub fn width(&self) -> f64 {
+        self.east - self.west
+    }
+
+    /// Whether `p` lies inside or on the edge.
+    pub fn contains(&self, p: &GroundPoint) -> bool {
+        (self.south..=self.north).contains(&p.north) && (self.west..=self.east).contains(&p.east)
+    }
+
+    /// The rectangle grown by `margin` metres on every side.
+    pub fn grown(&self, margin: f64) -> Self {
+        Self {
+            south: self.south - margin,
+            north: self.north + margin,
+            west: self.west - margin,
+            east: self.east + margin,
+        }
+    }
+
+    /// The smallest rectangle that holds both.
+    pub fn union(&self, other: &Self) -> Self {
+        Self {
+            south: self.south.min(other.south),
+            north: self.north.max(other.north),
+            west: self.west.min(other.west),
+            east: self.east.max(other.east),
+        }
+    }
+
+    /// Whether the rectangles share a point.
+    pub fn overlaps(&self, other: &Self) -> bool {
+        self.south <= other.north
+            && other.south <= self.north
+            && self.west <= other.east
+            && other.west <= self.east
+    }
+}

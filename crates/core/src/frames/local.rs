@@ -1,0 +1,123 @@
+//! WGS 84 and the local tangent plane.
+
+use nalgebra::{Point3, Rotation3, Vector3};
+use serde::{Deserialize, Serialize};
+
+const SEMI_MAJOR: f64 = 6_378_137.0;
+const FLATTENING: f64 = 1.0 / 298.257_223_563;
+const ECCENTRICITY_SQUARED: f64 = FLATTENING * (2.0 - FLATTENING);
+
+/// A geodetic position on WGS 84.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Geodetic {
+    /// Latitude, radians, north positive.
+    pub latitude: f64,
+    /// Longitude, radians, east positive.
+    pub longitude: f64,
+    /// Height above the ellipsoid, metres.
+    pub height: f64,
+}
+
+impl Geodetic {
+    /// From degrees and metres.
+    pub fn from_degrees(latitude: f64, longitude: f64, height: f64) -> Self {
+        Self {
+            latitude: latitude.to_radians(),
+            longitude: longitude.to_radians(),
+            height,
+        }
+    }
+
+    fn to_ecef(self) -> Vector3<f64> {
+        let (sin_lat, cos_lat) = self.latitude.sin_cos();
+        let (sin_lon, cos_lon) = self.longitude.sin_cos();
+        let n = SEMI_MAJOR / (1.0 - ECCENTRICITY_SQUARED * sin_lat * sin_lat).sqrt();
+        Vector3::new(
+            (n + self.height) * cos_lat * cos_lon,
+            (n + self.height) * cos_lat * sin_lon,
+            (n * (1.0 - ECCENTRICITY_SQUARED) + self.height) * sin_lat,
+        )
+    }
+
+    /// Iterates the latitude to convergence; three rounds reach a nanometre near the surface.
+    fn from_ecef(p: Vector3<f64>) -> Self {
+        let longitude = p.y.atan2(p.x);
+        let r = p.x.hypot(p.y);
+        let mut latitude = p.z.atan2(r * (1.0 - ECCENTRICITY_SQUARED));
+        let mut height = 0.0;
+        for _ in 0..6 {
+            let sin_lat = latitude.sin();
+            let n = SEMI_MAJOR / (1.0 - ECCENTRICITY_SQUARED * sin_lat * sin_lat).sqrt();
+            height = r * latitude.cos() + p.z * sin_lat
+                - n * (1.0 - ECCENTRICITY_SQUARED * sin_lat * sin_lat);
+            latitude =
+                p.z.atan2(r * (1.0 - ECCENTRICITY_SQUARED * n / (n + height)));
+        }
+        Self {
+            latitude,
+            longitude,
+            height,
+        }
+    }
+}
+
+/// The local tangent plane (NED) at an origin on WGS 84.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LocalFrame {
+    /// Where north, east and down are zero.
+    pub origin: Geodetic,
+}
+
+impl LocalFrame {
+    /// The frame with its origin there.
+    pub fn new(origin: Geodetic) -> Self {
+        Self { origin }
+    }
+
+    fn ecef_from_ned(&self) -> Rotation3<f64> {
+        let (sin_lat, cos_lat) = self.origin.latitude.sin_cos();
+        let (sin_lon, cos_lon) = self.origin.longitude.sin_cos();
+        Rotation3::from_matrix_unchecked(nalgebra::Matrix3::new(
+            -sin_lat * cos_lon,
+            -sin_lon,
+            -cos_lat * cos_lon,
+            -sin_lat * sin_lon,
+            cos_lon,
+            -cos_lat * sin_lon,
+            cos_lat,
+            0.0,
+            -sin_lat,
+        ))
+    }
+
+    /// World position (NED, metres) of a geodetic position.
+    pub fn world_from_geodetic(&self, position: &Geodetic) -> Point3<f64> {
+        let offset = position.to_ecef() - self.origin.to_ecef();
+        Point3::from(self.ecef_from_ned().inverse() * offset)
+    }
+
+    /// Geodetic position of a world position (NED, metres).
+    pub fn geodetic_from_world(&self, position: &Point3<f64>) -> Geodetic {
+        Geodetic::from_ecef(self.origin.to_ecef() + self.ecef_from_ned() * position.coords)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn geodetic_survives_the_round_trip_to_a_nanometre() {
+        let frame = LocalFrame::new(Geodetic::from_degrees(46.84, -91.99, 200.0));
+        let p = Point3::new(1234.5, -987.6, -321.0);
+        let back = frame.world_from_geodetic(&frame.geodetic_from_world(&p));
+        assert!((back - p).norm() < 1e-8, "{back}");
+    }
+
+    #[test]
+    fn a_minute_of_latitude_is_about_a_nautical_mile() {
+        let frame = LocalFrame::new(Geodetic::from_degrees(45.0, 10.0, 0.0));
+        let p = frame.world_from_geodetic(&Geodetic::from_degrees(45.0 + 1.0 / 60.0, 10.0, 0.0));
+        assert!((p.x - 1852.2).abs() < 0.5, "{p}");
+    }
+}

@@ -1,0 +1,14 @@
+//! Frames, angles and units.
+//!
+//! World is local north-east-down (NED) at the mission's origin, metres; body is
+//! forward-right-down; camera is x right, y down, z out of the lens. Angles are radians, yaw
+//! clockwise from north. A point on the ground plane is a [`GroundPoint`] (north, east).
+
+mod attitude;
+mod ground;
+mod local;
+pub mod units;
+
+pub use attitude::{Attitude, Pose, wrap_pi};
+pub use ground::{GroundPoint, GroundRect};
+pub use local::{Geodetic, LocalFrame};

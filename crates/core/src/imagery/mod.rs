@@ -1,0 +1,79 @@
+//! Whatever can be a map: one trait, one file per source.
+//!
+//! Nothing above this folder knows where the pixels come from.
+
+use serde::{Deserialize, Serialize};
+
+use crate::frames::{GroundPoint, GroundRect};
+use crate::raster::{Raster, Rgba};
+
+/// A north-up window of the ground at one ground sample distance.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Window {
+    /// Metres north of the origin of the window's top edge.
+    pub north_edge: f64,
+    /// Metres east of the origin of the window's left edge.
+    pub west_edge: f64,
+    /// Ground sample distance, metres per pixel.
+    pub gsd: f64,
+    /// Pixels from west to east.
+    pub width: usize,
+    /// Pixels from north to south.
+    pub height: usize,
+}
+
+impl Window {
+    /// The window that covers `rect` at `gsd` metres per pixel (its size is rounded up).
+    pub fn covering(rect: &GroundRect, gsd: f64) -> Self {
+        Self {
+            north_edge: rect.north,
+            west_edge: rect.west,
+            gsd,
+            width: (rect.width() / gsd).ceil().max(1.0) as usize,
+            height: (rect.height() / gsd).ceil().max(1.0) as usize,
+        }
+    }
+
+    /// Ground point at pixel (x, y), pixel centres at half integers.
+    pub fn ground_at(&self, x: f64, y: f64) -> GroundPoint {
+        GroundPoint::new(
+            self.north_edge - y * self.gsd,
+            self.west_edge + x * self.gsd,
+        )
+    }
+
+    /// Pixel (x, y) of a ground point, pixel centres at half integers.
+    pub fn pixel_at(&self, p: &GroundPoint) -> (f64, f64) {
+        (
+            (p.east - self.west_edge) / self.gsd,
+            (self.north_edge - p.north) / self.gsd,
+        )
+    }
+
+    /// The ground that the window covers.
+    pub fn rect(&self) -> GroundRect {
+        GroundRect {
+            north: self.north_edge,
+            south: self.north_edge - self.height as f64 * self.gsd,
+            west: self.west_edge,
+            east: self.west_edge + self.width as f64 * self.gsd,
+        }
+    }
+}
+
+/// A picture of the ground from which any window can be asked at any scale.
+pub trait Imagery: Send + Sync {
+    /// A short name for people.
+    fn name(&self) -> &str;
+
+    /// The ground that has pixels.
+    fn bounds(&self) -> GroundRect;
+
+    /// The finest ground sample distance that carries detail, metres per pixel.
+    fn native_gsd(&self) -> f64;
+
+    /// The pixels of `window`, anti-aliased for its ground sample distance.
+    ///
+    /// Pixels without data are transparent black.
+    fn window(&self, window: &Window) -> Raster<Rgba>;
+}

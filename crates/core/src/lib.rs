@@ -1,0 +1,16 @@
+//! The method of Pilotage without a screen: frames, pictures, cameras, filter, vehicles, imagery,
+//! landmarks, flights, the navigator, and a world to try it in.
+//!
+//! Modules are listed from the bottom up; a lower one never imports a higher one, and none of them
+//! reaches a screen, a clock, a file system or a thread. `cargo xtask test` checks both.
+
+pub mod camera;
+pub mod filter;
+pub mod flight;
+pub mod frames;
+pub mod imagery;
+pub mod landmark;
+pub mod navigator;
+pub mod raster;
+pub mod simulate;
+pub mod vehicle;

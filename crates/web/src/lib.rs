@@ -1,0 +1,2 @@
+//! The page and its workers.
+#![cfg(target_arch = "wasm32")]
