@@ -10,6 +10,7 @@ pub mod flight;
 pub mod frames;
 pub mod imagery;
 pub mod landmark;
+pub mod mission;
 pub mod navigator;
 pub mod raster;
 pub mod simulate;

@@ -95,6 +95,7 @@ impl GroundRect {
         (self.south..=self.north).contains(&p.north) && (self.west..=self.east).contains(&p.east)
     }
 
+    #[must_use]
     /// The rectangle grown by `margin` metres on every side.
     pub fn grown(&self, margin: f64) -> Self {
         Self {
@@ -105,6 +106,7 @@ impl GroundRect {
         }
     }
 
+    #[must_use]
     /// The smallest rectangle that holds both.
     pub fn union(&self, other: &Self) -> Self {
         Self {

@@ -1,0 +1,42 @@
+//! Camera frames of a flight.
+
+use serde::{Deserialize, Serialize};
+
+use crate::raster::Picture;
+
+/// A camera frame: when it was taken and how to find it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Frame {
+    /// Seconds in the flight's time base.
+    pub time: f64,
+    /// File name or number, for people and for the frame source.
+    pub name: String,
+    /// Turn of the stored picture against the mount, radians clockwise: π for a picture stored
+    /// upside down.
+    pub stored_turn: f64,
+}
+
+/// Why a frame cannot be shown.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum FrameError {
+    /// There is no such frame.
+    #[error("there is no frame number {0}")]
+    OutOfRange(usize),
+    /// The picture is missing or unreadable.
+    #[error("{name}: {cause}")]
+    Unreadable {
+        /// Name of the frame.
+        name: String,
+        /// What is wrong, and where.
+        cause: String,
+    },
+}
+
+/// Where the pictures of a flight come from: files, a zip, or the aerial camera simulator.
+pub trait FrameSource {
+    /// The picture of frame `index` of the flight.
+    fn picture(&mut self, index: usize) -> Result<Picture, FrameError>;
+
+    /// The same as JPEG or PNG bytes, as stored where it is stored.
+    fn encoded(&mut self, index: usize) -> Result<Vec<u8>, FrameError>;
+}

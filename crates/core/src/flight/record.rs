@@ -1,0 +1,76 @@
+//! A flight: one type whether it came from a log, a folder or the simulator.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Channel, ChannelName, Frame, Truth};
+use crate::camera::CameraModel;
+use crate::frames::{Attitude, GroundPoint, LocalFrame};
+
+/// The position with which navigation begins.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StartFix {
+    /// Seconds in the flight's time base.
+    pub time: f64,
+    /// Position in the world frame.
+    pub position: GroundPoint,
+    /// Standard deviation per axis, metres.
+    pub standard_deviation: f64,
+}
+
+/// What was measured; read-only for everybody above.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Flight {
+    /// What people call it.
+    pub name: String,
+    /// The world frame on the globe, where known.
+    pub frame_on_globe: Option<LocalFrame>,
+    /// The camera.
+    pub camera: CameraModel,
+    /// Down coordinate of the ground plane in the world frame, metres.
+    pub ground_down: f64,
+    /// Measured series.
+    pub channels: Vec<Channel>,
+    /// Frames in time order.
+    pub frames: Vec<Frame>,
+    /// Where navigation begins.
+    pub start: StartFix,
+    /// What really happened, where known.
+    pub truth: Option<Truth>,
+}
+
+impl Flight {
+    /// The series of that name.
+    pub fn channel(&self, name: ChannelName) -> Option<&Channel> {
+        self.channels.iter().find(|c| c.name == name)
+    }
+
+    /// Interpolated value of a series, `None` where there is none.
+    pub fn value(&self, name: ChannelName, time: f64) -> Option<f64> {
+        self.channel(name)?.interpolated(time)
+    }
+
+    /// Measured attitude at `time`; missing roll and pitch count as level.
+    pub fn attitude(&self, time: f64) -> Option<Attitude> {
+        Some(Attitude {
+            roll: self.value(ChannelName::Roll, time).unwrap_or(0.0),
+            pitch: self.value(ChannelName::Pitch, time).unwrap_or(0.0),
+            yaw: self.value(ChannelName::Heading, time)?,
+        })
+    }
+
+    /// First and last time at which anything was measured, seconds.
+    pub fn span(&self) -> (f64, f64) {
+        let channels = self
+            .channels
+            .iter()
+            .flat_map(|c| [c.times.first(), c.times.last()]);
+        let frames = [self.frames.first(), self.frames.last()];
+        channels
+            .flatten()
+            .copied()
+            .chain(frames.into_iter().flatten().map(|f| f.time))
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), t| {
+                (a.min(t), b.max(t))
+            })
+    }
+}

@@ -1,0 +1,50 @@
+//! The mission.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::camera::CameraModel;
+use crate::frames::Geodetic;
+use crate::landmark::Landmark;
+use crate::navigator::NavigatorSettings;
+
+/// Which map the mission was made on.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum MapReference {
+    /// A built-in scenario's generated scenery, by the scenario's name.
+    Scenario(String),
+    /// A picture file with a georeference, by file name.
+    Picture(String),
+}
+
+/// What is to be flown over and how it is to be navigated.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Mission {
+    /// What people call it.
+    pub name: String,
+    /// Origin of the world frame on the globe.
+    pub origin: Geodetic,
+    /// The map on which the landmarks were picked.
+    pub map: Option<MapReference>,
+    /// Landmarks, in the order of the list.
+    pub landmarks: Vec<Landmark>,
+    /// Camera, where the mission states one (otherwise the flight's).
+    pub camera: Option<CameraModel>,
+    /// How to navigate.
+    pub navigator: NavigatorSettings,
+    /// Members of the file that we do not know, by name, as JSON text.
+    pub properties: BTreeMap<String, String>,
+}
+
+impl Mission {
+    /// An id that no landmark of the mission has.
+    pub fn free_landmark_id(&self) -> u32 {
+        self.landmarks.iter().map(|l| l.id + 1).max().unwrap_or(1)
+    }
+
+    /// The landmark with that id.
+    pub fn landmark(&self, id: u32) -> Option<&Landmark> {
+        self.landmarks.iter().find(|l| l.id == id)
+    }
+}

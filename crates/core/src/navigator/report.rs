@@ -1,0 +1,239 @@
+//! What one step concluded, complete enough to explain itself.
+
+use nalgebra::{DMatrix, DVector, Matrix2, Point2, Vector2};
+use serde::{Deserialize, Serialize};
+
+use crate::frames::{GroundPoint, GroundRect, Pose};
+
+/// What drove the prediction.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Control {
+    /// True airspeed, m/s, where there is one.
+    pub airspeed: Option<f64>,
+    /// Heading, radians clockwise from north.
+    pub heading: f64,
+    /// Roll, radians.
+    pub roll: f64,
+    /// Pitch, radians.
+    pub pitch: f64,
+    /// Height above the ground plane, metres.
+    pub height: f64,
+}
+
+/// A state and its covariance; the first two components are north and east, metres.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Estimate {
+    /// Mean, n.
+    pub mean: DVector<f64>,
+    /// Covariance, n × n.
+    pub covariance: DMatrix<f64>,
+}
+
+impl Estimate {
+    /// Position part of the mean.
+    pub fn position(&self) -> GroundPoint {
+        GroundPoint::new(self.mean[0], self.mean[1])
+    }
+
+    /// Position part of the covariance (north, east), m².
+    pub fn position_covariance(&self) -> Matrix2<f64> {
+        self.covariance.fixed_view::<2, 2>(0, 0).into_owned()
+    }
+}
+
+/// Sigma points at the four moments of a step, n × (2n + 1) each; the first column is the centre.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SigmaSets {
+    /// Drawn from the estimate before the prediction.
+    pub before_predict: DMatrix<f64>,
+    /// The same after the process model.
+    pub after_predict: DMatrix<f64>,
+    /// Those the measurement model saw; `None` on steps without a measurement.
+    pub before_correct: Option<DMatrix<f64>>,
+    /// Drawn from the corrected estimate; `None` on steps without a measurement.
+    pub after_correct: Option<DMatrix<f64>>,
+}
+
+/// Milliseconds spent, by the caller's stopwatch.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct StepTiming {
+    /// Prediction.
+    pub predict: f64,
+    /// Rectification and matching.
+    pub see: f64,
+    /// Gating and correction.
+    pub update: f64,
+}
+
+/// Why a landmark was not used.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Refusal {
+    /// Its patch on the map has no texture to match.
+    Flat,
+    /// The best score is too low.
+    LowScore,
+    /// A second place looks nearly as good.
+    Ambiguous,
+    /// The best place lies at the edge of the search region.
+    AtSearchEdge,
+    /// The patch lies partly outside the picture at the best place.
+    OutOfPicture,
+    /// The innovation is too large for its covariance.
+    OutsideGate,
+    /// It contradicts the other landmarks of the frame.
+    Contradicted,
+}
+
+impl Refusal {
+    /// Every refusal, in the order in which people read them.
+    pub const ALL: [Self; 7] = [
+        Self::Flat,
+        Self::LowScore,
+        Self::Ambiguous,
+        Self::AtSearchEdge,
+        Self::OutOfPicture,
+        Self::OutsideGate,
+        Self::Contradicted,
+    ];
+
+    /// Short name in files and tables.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Flat => "flat",
+            Self::LowScore => "low_score",
+            Self::Ambiguous => "ambiguous",
+            Self::AtSearchEdge => "at_search_edge",
+            Self::OutOfPicture => "out_of_picture",
+            Self::OutsideGate => "outside_gate",
+            Self::Contradicted => "contradicted",
+        }
+    }
+
+    /// The reason in words.
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::Flat => "the map patch has no texture to match",
+            Self::LowScore => "the best score is too low",
+            Self::Ambiguous => "a second place looks nearly as good",
+            Self::AtSearchEdge => "the best place lies at the edge of the search region",
+            Self::OutOfPicture => "the patch is cut by the edge of the picture",
+            Self::OutsideGate => "the innovation is too large for its covariance",
+            Self::Contradicted => "it contradicts the other landmarks of the frame",
+        }
+    }
+}
+
+/// What became of a landmark in a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Outcome {
+    /// It corrected the estimate.
+    Accepted,
+    /// It was looked for and not used.
+    Refused(Refusal),
+}
+
+/// A landmark that the region manager let through, and what the detector and the gate said.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CandidateReport {
+    /// The landmark's id.
+    pub landmark: u32,
+    /// Where the reference point was expected, pixels.
+    pub predicted_pixel: Point2<f64>,
+    /// Innovation covariance at that place, pixels².
+    pub innovation_covariance: Matrix2<f64>,
+    /// Search region on the ground, metres.
+    pub search_region: GroundRect,
+    /// The search region's corners in the picture, pixels.
+    pub search_outline: Vec<Point2<f64>>,
+    /// Where it was found, pixels, if the detector named a place at all.
+    pub measured_pixel: Option<Point2<f64>>,
+    /// Covariance of the found place, pixels².
+    pub measurement_covariance: Option<Matrix2<f64>>,
+    /// Best score, -1 to 1.
+    pub score: f64,
+    /// Second-best peak's score.
+    pub second_score: f64,
+    /// Innovation: measured minus predicted, pixels.
+    pub innovation: Option<Vector2<f64>>,
+    /// Normalized innovation squared of this landmark alone, and the gate's threshold.
+    pub nis: Option<f64>,
+    /// Threshold of the gate for two degrees of freedom.
+    pub threshold: f64,
+    /// What became of it.
+    pub outcome: Outcome,
+}
+
+/// The correction by all accepted landmarks together.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct JointReport {
+    /// Normalized innovation squared of the stacked innovation.
+    pub nis: f64,
+    /// Its degrees of freedom, twice the number of landmarks.
+    pub degrees_of_freedom: usize,
+    /// Threshold of the gate.
+    pub threshold: f64,
+    /// Kalman gain, n × 2m.
+    pub gain: DMatrix<f64>,
+    /// Innovation, 2m, pixels.
+    pub innovation: DVector<f64>,
+    /// Innovation covariance, 2m × 2m, pixels².
+    pub innovation_covariance: DMatrix<f64>,
+}
+
+/// What was seen in a camera frame.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FrameReport {
+    /// Index of the frame in the flight.
+    pub index: usize,
+    /// The pose that the predicted state and the measured attitude gave.
+    pub assumed_pose: Pose,
+    /// Outline of the picture on the ground.
+    pub footprint: Vec<GroundPoint>,
+    /// Landmarks looked for.
+    pub candidates: Vec<CandidateReport>,
+    /// The correction, if any landmark was accepted.
+    pub joint: Option<JointReport>,
+    /// Why the frame could not be used at all, if so.
+    pub trouble: Option<String>,
+}
+
+impl FrameReport {
+    /// Landmarks that corrected the estimate.
+    pub fn accepted(&self) -> impl Iterator<Item = &CandidateReport> {
+        self.candidates
+            .iter()
+            .filter(|c| c.outcome == Outcome::Accepted)
+    }
+}
+
+/// What one step did.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StepReport {
+    /// Seconds in the flight's time base, at the end of the step.
+    pub time: f64,
+    /// Length of the prediction, seconds.
+    pub dt: f64,
+    /// What drove the prediction.
+    pub control: Control,
+    /// Before the prediction.
+    pub before: Estimate,
+    /// After the prediction.
+    pub predicted: Estimate,
+    /// After the correction; equal to `predicted` where there was none.
+    pub after: Estimate,
+    /// Sigma points.
+    pub sigma: SigmaSets,
+    /// Where dead reckoning alone, without any landmark, would believe to be.
+    pub dead_reckoned: GroundPoint,
+    /// The camera frame of this step, if any.
+    pub frame: Option<FrameReport>,
+    /// Time spent.
+    pub timing: StepTiming,
+}
+
+impl StepReport {
+    /// Whether a landmark corrected the estimate in this step.
+    pub fn corrected(&self) -> bool {
+        self.frame.as_ref().is_some_and(|f| f.joint.is_some())
+    }
+}

@@ -1,0 +1,51 @@
+//! The table of step reports; views only query it.
+
+use serde::{Deserialize, Serialize};
+
+use super::{NavigatorSettings, StepReport};
+use crate::landmark::Landmark;
+
+/// What the navigator concluded over a flight, so far.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Run {
+    /// What people call it.
+    pub name: String,
+    /// The settings it was made with.
+    pub settings: NavigatorSettings,
+    /// The landmarks it was made with.
+    pub landmarks: Vec<Landmark>,
+    /// Names of the state's components with their units, e.g. ("wind north", "m/s").
+    pub state_names: Vec<(String, String)>,
+    /// Steps in time order.
+    pub steps: Vec<StepReport>,
+}
+
+impl Run {
+    /// Index of the last step at or before `time`.
+    pub fn index_at(&self, time: f64) -> Option<usize> {
+        self.steps
+            .partition_point(|s| s.time <= time + 1e-9)
+            .checked_sub(1)
+    }
+
+    /// The last step at or before `time`.
+    pub fn step_at(&self, time: f64) -> Option<&StepReport> {
+        self.steps.get(self.index_at(time)?)
+    }
+
+    /// The last step with a camera frame at or before `time`.
+    pub fn frame_step_at(&self, time: f64) -> Option<&StepReport> {
+        let last = self.index_at(time)?;
+        self.steps[..=last].iter().rev().find(|s| s.frame.is_some())
+    }
+
+    /// First and last time, seconds, if there is any step.
+    pub fn span(&self) -> Option<(f64, f64)> {
+        Some((self.steps.first()?.time, self.steps.last()?.time))
+    }
+
+    /// Index of the state component of that name.
+    pub fn state_index(&self, name: &str) -> Option<usize> {
+        self.state_names.iter().position(|(n, _)| n == name)
+    }
+}

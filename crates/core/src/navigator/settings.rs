@@ -1,0 +1,160 @@
+//! What people can set about the navigator.
+
+use serde::{Deserialize, Serialize};
+
+use crate::landmark::TemplateSettings;
+
+/// Which process model the filter uses.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum VehicleChoice {
+    /// Position and wind, driven by airspeed and heading (DeAngelo 2016, eqs 25-30).
+    #[default]
+    AirplaneWind,
+    /// As before, with a gust of finite memory beside the mean wind.
+    AirplaneGust,
+    /// As before, with slowly varying biases of airspeed and heading.
+    AirplaneFull,
+    /// No airspeed: position driven by nothing but uncertainty.
+    RandomWalk,
+    /// No airspeed: nearly constant velocity.
+    ConstantVelocity,
+}
+
+impl VehicleChoice {
+    /// Every choice, in the order in which people read them.
+    pub const ALL: [Self; 5] = [
+        Self::AirplaneWind,
+        Self::AirplaneGust,
+        Self::AirplaneFull,
+        Self::RandomWalk,
+        Self::ConstantVelocity,
+    ];
+
+    /// Name for people.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::AirplaneWind => "Airplane + wind",
+            Self::AirplaneGust => "Airplane + wind + gust",
+            Self::AirplaneFull => "Airplane + wind + gust + sensor biases",
+            Self::RandomWalk => "No airspeed, random walk",
+            Self::ConstantVelocity => "No airspeed, nearly constant velocity",
+        }
+    }
+}
+
+/// Uncertainty at the start, standard deviations.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StartError {
+    /// Position per axis, metres.
+    pub position: f64,
+    /// Wind (or velocity, for models without airspeed) per axis, m/s.
+    pub wind: f64,
+    /// Error deliberately added to the start position, metres (north, east).
+    pub offset: [f64; 2],
+}
+
+/// Process noise as continuous-time densities, unless the thesis' per-step Q is chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ProcessNoise {
+    /// White noise of the airspeed seen by the position, (m/s)/√Hz.
+    pub airspeed: f64,
+    /// White noise of the heading seen by the position, rad/√Hz.
+    pub heading: f64,
+    /// White noise of the position itself, m/√s.
+    pub position: f64,
+    /// Random walk of the wind, (m/s)/√s.
+    pub wind: f64,
+    /// Standard deviation of the gust per axis, m/s.
+    pub gust: f64,
+    /// Correlation time of the gust, seconds.
+    pub gust_time: f64,
+    /// Standard deviation of the airspeed bias at the start, m/s.
+    pub airspeed_bias: f64,
+    /// Standard deviation of the heading bias at the start, radians.
+    pub heading_bias: f64,
+    /// White noise of the acceleration for the model of nearly constant velocity, (m/s²)/√Hz.
+    pub acceleration: f64,
+    /// Use DeAngelo's Table 4 (distinct landmarks) once per step, whatever the step.
+    pub thesis_per_step: bool,
+}
+
+/// Standard deviations of what the camera's pose is computed from, per frame.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SensorNoise {
+    /// Roll of the camera: sensor and mount vibration together, radians.
+    pub roll: f64,
+    /// Pitch of the camera, radians.
+    pub pitch: f64,
+    /// Yaw of the camera, radians.
+    pub yaw: f64,
+    /// Height above ground, metres.
+    pub height: f64,
+    /// Floor of the pixel noise per axis added to what the detector reports, pixels.
+    pub pixel: f64,
+}
+
+/// How to navigate.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct NavigatorSettings {
+    /// Process model.
+    pub vehicle: VehicleChoice,
+    /// Spread of the sigma points, 1e-4 to 1 (eq 10).
+    pub alpha: f64,
+    /// Prior knowledge of the distribution, 2 for Gaussian (eq 12).
+    pub beta: f64,
+    /// Draw the sigma points anew after the process noise was added (otherwise carry them through).
+    pub redraw: bool,
+    /// Confidence of the innovation gate, e.g. 0.99.
+    pub gate_confidence: f64,
+    /// Uncertainty at the start.
+    pub start: StartError,
+    /// Process noise.
+    pub process: ProcessNoise,
+    /// Noise of the camera's pose.
+    pub sensors: SensorNoise,
+    /// Factor on the whole measurement covariance R.
+    pub measurement_scale: f64,
+    /// The template detector.
+    pub detector: TemplateSettings,
+    /// Most landmarks looked for in one frame.
+    pub most_landmarks: usize,
+}
+
+impl Default for NavigatorSettings {
+    fn default() -> Self {
+        Self {
+            vehicle: VehicleChoice::default(),
+            alpha: 1.0,
+            beta: 2.0,
+            redraw: true,
+            gate_confidence: 0.997,
+            start: StartError {
+                position: 3.0,
+                wind: 4.0,
+                offset: [0.0, 0.0],
+            },
+            process: ProcessNoise {
+                airspeed: 0.1,
+                heading: 0.002,
+                position: 0.0,
+                wind: 0.05,
+                gust: 0.3,
+                gust_time: 12.0,
+                airspeed_bias: 0.2,
+                heading_bias: 0.5_f64.to_radians(),
+                acceleration: 1.0,
+                thesis_per_step: false,
+            },
+            sensors: SensorNoise {
+                roll: 1.05_f64.to_radians(),
+                pitch: 1.05_f64.to_radians(),
+                yaw: 1.15_f64.to_radians(),
+                height: 0.6,
+                pixel: 0.2,
+            },
+            measurement_scale: 1.0,
+            detector: TemplateSettings::default(),
+            most_landmarks: 8,
+        }
+    }
+}
