@@ -1,0 +1,98 @@
+//! What people can ask for: one enum feeds menu, palette, shortcuts and the help sheet.
+
+use pilotage_core::frames::GroundRect;
+use pilotage_core::navigator::NavigatorSettings;
+
+/// Something to do, sent by a view and carried out by the app at the end of the frame.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// Play or pause.
+    TogglePlay,
+    /// Move the time cursor to a time of the flight, seconds.
+    SeekTo(f64),
+    /// Move the time cursor by camera frames.
+    StepFrames(i32),
+    /// Move the time cursor by seconds.
+    Jump(f64),
+    /// Move the time cursor to the first time.
+    GoToStart,
+    /// Move the time cursor to the last time.
+    GoToEnd,
+    /// Playback speed, times real time.
+    SetSpeed(f64),
+    /// Repeat at the end, or not.
+    ToggleLoop,
+    /// Drop a bookmark at the cursor, or take it away.
+    ToggleBookmark,
+    /// Go to the previous bookmark.
+    PreviousBookmark,
+    /// Go to the next bookmark.
+    NextBookmark,
+    /// Select a landmark by id, or none.
+    SelectLandmark(Option<u32>),
+    /// Begin to draw a landmark on the map, or stop.
+    TogglePickTool,
+    /// Add a landmark with this box.
+    AddLandmark(GroundRect),
+    /// Give a landmark another box; `finished` is false while the drag goes on.
+    ReshapeLandmark {
+        /// Landmark id.
+        id: u32,
+        /// Its new box.
+        bounds: GroundRect,
+        /// Whether the drag is over (one undo step).
+        finished: bool,
+    },
+    /// Name a landmark.
+    RenameLandmark {
+        /// Landmark id.
+        id: u32,
+        /// Its new name.
+        name: String,
+    },
+    /// Switch a landmark on or off.
+    EnableLandmark {
+        /// Landmark id.
+        id: u32,
+        /// Whether the navigator looks for it.
+        enabled: bool,
+    },
+    /// Delete a landmark.
+    DeleteLandmark(u32),
+    /// Navigate with other settings; the run recomputes.
+    SetNavigator(Box<NavigatorSettings>),
+    /// Take the last edit back.
+    Undo,
+    /// Make the edit taken back again.
+    Redo,
+    /// Compute the run again.
+    FlyAgain,
+    /// Stop what is being computed.
+    CancelJob,
+    /// Show or hide the command palette.
+    TogglePalette,
+    /// Show or hide the sheet of shortcuts.
+    ToggleHelp,
+    /// Show or hide the dialog that simulates a flight.
+    ToggleSimulate,
+    /// Show or hide the filter settings.
+    ToggleSettings,
+    /// Open files.
+    Open,
+    /// Save the mission as a file.
+    SaveMission,
+    /// Save the run as a file.
+    SaveRun,
+    /// North up or track up.
+    ToggleTrackUp,
+    /// Show the whole flight on the map.
+    FitMap,
+    /// Dark or light.
+    ToggleTheme,
+    /// Metric or aviation units.
+    ToggleUnits,
+    /// Start the guided tour, or leave it.
+    ToggleTour,
+    /// Go back to the built-in demo.
+    OpenDemo,
+}

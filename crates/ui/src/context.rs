@@ -1,0 +1,36 @@
+//! What a view is given to draw one frame.
+
+use pilotage_core::flight::Flight;
+use pilotage_core::mission::Mission;
+use pilotage_core::navigator::Run;
+
+use crate::command::Command;
+use crate::tokens::Tokens;
+use crate::units::Units;
+
+/// Everything a view may query, and where it sends its commands. Views keep only their own zoom,
+/// scroll and textures; documents are never copied into them.
+pub struct ViewContext<'a> {
+    /// What people author.
+    pub mission: &'a Mission,
+    /// What was measured.
+    pub flight: Option<&'a Flight>,
+    /// What the navigator concluded so far.
+    pub run: Option<&'a Run>,
+    /// The run before the last change, for comparison.
+    pub ghost: Option<&'a Run>,
+    /// The time cursor, seconds in the flight's time base.
+    pub time: f64,
+    /// Whether the cursor is moving by itself.
+    pub playing: bool,
+    /// The selected landmark's id.
+    pub selection: Option<u32>,
+    /// Encoded camera pictures (JPEG or PNG) by frame index, where they have arrived.
+    pub pictures: &'a dyn Fn(usize) -> Option<std::sync::Arc<[u8]>>,
+    /// The look.
+    pub tokens: &'a Tokens,
+    /// The user's units.
+    pub units: Units,
+    /// Where commands go.
+    pub commands: &'a mut Vec<Command>,
+}

@@ -1,0 +1,50 @@
+//! What the shell (the page, or a test) gives the app.
+
+use crate::jobs::{Job, JobEvent, JobId};
+
+/// A file that the user chose or dropped.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OpenedFile {
+    /// Path within what was dropped, with `/`.
+    pub path: String,
+    /// Its bytes.
+    pub bytes: std::sync::Arc<[u8]>,
+}
+
+/// The shell's services.
+pub trait Host {
+    /// Milliseconds of a clock that never goes back.
+    fn now(&self) -> f64;
+
+    /// Starts a job in a worker; events arrive by [`Host::events`].
+    fn start(&mut self, job: Job) -> JobId;
+
+    /// Asks a job to stop; its last event is `Cancelled`.
+    fn cancel(&mut self, job: JobId);
+
+    /// Takes the events that have arrived, in order.
+    fn events(&mut self) -> Vec<(JobId, JobEvent)>;
+
+    /// Files dropped or chosen since the last call.
+    fn opened(&mut self) -> Vec<Vec<OpenedFile>>;
+
+    /// Shows the dialog that opens files; they arrive by [`Host::opened`].
+    fn ask_for_files(&mut self);
+
+    /// Offers bytes to the user as a file.
+    fn save_file(&mut self, name: &str, bytes: &[u8]);
+
+    /// Remembers bytes under a key in the browser's own storage.
+    fn store(&mut self, key: &str, bytes: &[u8]);
+
+    /// Bytes remembered under a key, if loaded before the app started.
+    fn recall(&self, key: &str) -> Option<Vec<u8>>;
+
+    /// Times a worker died and was started anew since the last call.
+    fn lost_workers(&mut self) -> usize {
+        0
+    }
+
+    /// A short text of what is on screen, for screen readers.
+    fn announce(&mut self, _text: &str) {}
+}

@@ -1,0 +1,213 @@
+//! The messages between page and worker; both ends are this program, encoded with postcard.
+
+use pilotage_core::flight::Flight;
+use pilotage_core::frames::{GroundPoint, GroundRect};
+use pilotage_core::imagery::Window;
+use pilotage_core::mission::Mission;
+use pilotage_core::navigator::{Run, StepReport};
+use pilotage_core::raster::{Gray, Raster, Rgba};
+use serde::{Deserialize, Serialize};
+
+/// Number of a job, unique within a page.
+pub type JobId = u64;
+
+/// What the user may change about a built-in scenario.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SimulationOptions {
+    /// Scenario name.
+    pub scenario: String,
+    /// Seed of all noise.
+    pub seed: u64,
+    /// Whether the camera sees another day than the map.
+    pub other_day: bool,
+    /// Direction the wind comes from, radians, and its speed, m/s; the scenario's own if `None`.
+    pub wind: Option<(f64, f64)>,
+    /// Height above ground, metres; the scenario's own if `None`.
+    pub height: Option<f64>,
+}
+
+/// Where a map comes from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum MapSource {
+    /// The generated scenery that the built-in scenarios use as their map.
+    Scenery,
+    /// Files that the page gave to the worker under this key (see [`Job::Provide`]).
+    Files(String),
+}
+
+/// Where a flight comes from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum FlightSource {
+    /// A simulated flight.
+    Simulated(SimulationOptions),
+    /// Files that the page gave to the worker under this key.
+    Files(String),
+}
+
+/// Something to do in a worker.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Job {
+    /// Keep these files under a key; sent to every worker, again after a restart.
+    Provide {
+        /// Key that later jobs name.
+        key: String,
+        /// Path and bytes of each.
+        files: Vec<(String, Vec<u8>)>,
+    },
+    /// Say what provided files are: events `Opened`, or `Failed`.
+    Open {
+        /// Key of the files.
+        key: String,
+    },
+    /// Fly and navigate: events `Flight`, `Mission` (if none was given), `RunStarted`, then `Steps` and `FramePicture`.
+    Fly {
+        /// The flight.
+        flight: FlightSource,
+        /// The map.
+        map: MapSource,
+        /// The mission; the scenario's own if `None`.
+        mission: Option<Mission>,
+    },
+    /// Describe a map: event `MapInfo`.
+    DescribeMap(MapSource),
+    /// Pixels of a map: event `Tile`.
+    Tile {
+        /// The map.
+        map: MapSource,
+        /// Which part at which scale.
+        window: Window,
+    },
+    /// How distinct a box of the map is: event `Distinctness`.
+    Distinctness {
+        /// The map.
+        map: MapSource,
+        /// The box.
+        bounds: GroundRect,
+        /// How far around it to look for look-alikes, metres.
+        radius: f64,
+    },
+    /// Pictures that explain a match: event `Match`.
+    ExplainMatch {
+        /// The flight.
+        flight: FlightSource,
+        /// The map.
+        map: MapSource,
+        /// The mission.
+        mission: Mission,
+        /// The step whose frame is meant.
+        step: Box<StepReport>,
+        /// The landmark.
+        landmark: u32,
+    },
+}
+
+/// What is known of a map.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MapInfo {
+    /// Name for people.
+    pub name: String,
+    /// The ground that has pixels.
+    pub bounds: GroundRect,
+    /// Finest ground sample distance, metres per pixel.
+    pub native_gsd: f64,
+}
+
+/// How distinct a box of the map is.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Distinctness {
+    /// The box.
+    pub bounds: GroundRect,
+    /// Correlation of the box with the map around it.
+    pub surface: Gray,
+    /// Ground that the surface covers.
+    pub surface_rect: GroundRect,
+    /// Centre of the strongest look-alike, and its score.
+    pub look_alike: Option<(GroundPoint, f64)>,
+    /// Standard deviation of the patch's grey values, 0 to 255.
+    pub contrast: f64,
+    /// Whether the detector would refuse the patch as flat.
+    pub flat: bool,
+    /// One sentence for people.
+    pub verdict: String,
+}
+
+/// Pictures that explain a match.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MatchPictures {
+    /// Time of the step.
+    pub time: f64,
+    /// The landmark.
+    pub landmark: u32,
+    /// The map patch.
+    pub patch: Gray,
+    /// The camera picture rectified to a north-up ground view over the search region.
+    pub rectified: Gray,
+    /// Score at every offset of the patch in the rectified picture.
+    pub surface: Gray,
+    /// Best offset (column, row) in `surface`, sub-pixel.
+    pub peak: Option<(f64, f64)>,
+    /// Second-best offset.
+    pub second: Option<(f64, f64)>,
+    /// Metres per pixel of all three.
+    pub gsd: f64,
+}
+
+/// What provided files turned out to be.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Opened {
+    /// Key of the files.
+    pub key: String,
+    /// A flight, if there is one.
+    pub flight: Option<Flight>,
+    /// A map, if there is one.
+    pub map: Option<MapInfo>,
+    /// A mission, if there is one.
+    pub mission: Option<Mission>,
+    /// A saved run, if there is one.
+    pub run: Option<Run>,
+    /// What was skipped, in words.
+    pub remarks: Vec<String>,
+}
+
+/// What a worker says of a job.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum JobEvent {
+    /// How far it is, 0 to 1, and what it is doing.
+    Progress(f32, String),
+    /// The flight.
+    Flight(Box<Flight>),
+    /// The mission that is flown.
+    Mission(Box<Mission>),
+    /// The run's head, without steps.
+    RunStarted(Box<Run>),
+    /// More steps of the run.
+    Steps(Vec<StepReport>),
+    /// A camera picture, encoded.
+    FramePicture {
+        /// Index in the flight.
+        index: usize,
+        /// JPEG or PNG bytes.
+        encoded: Vec<u8>,
+    },
+    /// What is known of a map.
+    MapInfo(MapInfo),
+    /// Pixels of a map.
+    Tile {
+        /// Which part.
+        window: Window,
+        /// Its pixels.
+        pixels: Raster<Rgba>,
+    },
+    /// How distinct a box is.
+    Distinctness(Box<Distinctness>),
+    /// Pictures that explain a match.
+    Match(Box<MatchPictures>),
+    /// What provided files are.
+    Opened(Box<Opened>),
+    /// Done.
+    Finished,
+    /// Stopped as asked.
+    Cancelled,
+    /// Impossible; the text names the file, the place, and what to do.
+    Failed(String),
+}

@@ -1,0 +1,96 @@
+//! Colours, sizes and spacing in one place, for dark and light.
+
+use egui::Color32;
+
+/// The look: every colour and measure that views use.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tokens {
+    /// Whether this is the dark set.
+    pub dark: bool,
+    /// Behind everything.
+    pub background: Color32,
+    /// Panels.
+    pub surface: Color32,
+    /// Raised parts of panels.
+    pub raised: Color32,
+    /// Thin lines between things.
+    pub line: Color32,
+    /// Text.
+    pub text: Color32,
+    /// Units, captions.
+    pub muted: Color32,
+    /// The one accent colour.
+    pub accent: Color32,
+    /// Something is wrong.
+    pub warning: Color32,
+    /// Truth: green.
+    pub truth: Color32,
+    /// The estimate when corrected: red.
+    pub corrected: Color32,
+    /// The estimate while dead reckoning: blue.
+    pub dead_reckoning: Color32,
+    /// Dead reckoning alone, without any landmark.
+    pub unaided: Color32,
+    /// Sigma points and possible landmarks: white (dark outline on light ground).
+    pub sigma: Color32,
+    /// Observed landmarks: buildings.
+    pub observed: Color32,
+    /// Refused matches.
+    pub refused: Color32,
+    /// The previous run, shown for comparison.
+    pub ghost: Color32,
+    /// The spacing unit, points; everything is a multiple.
+    pub space: f32,
+    /// Small, normal and large text, points.
+    pub text_sizes: [f32; 3],
+    /// Corner radius, points.
+    pub radius: f32,
+}
+
+impl Tokens {
+    /// The dark set.
+    pub fn dark() -> Self {
+        Self {
+            dark: true,
+            background: Color32::from_rgb(12, 16, 20),
+            surface: Color32::from_rgb(20, 26, 32),
+            raised: Color32::from_rgb(30, 38, 46),
+            line: Color32::from_rgb(46, 56, 66),
+            text: Color32::from_rgb(226, 232, 238),
+            muted: Color32::from_rgb(140, 152, 164),
+            accent: Color32::from_rgb(240, 180, 41),
+            warning: Color32::from_rgb(240, 120, 70),
+            truth: Color32::from_rgb(60, 190, 130),
+            corrected: Color32::from_rgb(232, 72, 85),
+            dead_reckoning: Color32::from_rgb(86, 156, 255),
+            unaided: Color32::from_rgb(170, 130, 220),
+            sigma: Color32::from_rgb(250, 250, 250),
+            observed: Color32::from_rgb(90, 200, 250),
+            refused: Color32::from_rgb(240, 120, 70),
+            ghost: Color32::from_rgb(120, 130, 140),
+            space: 8.0,
+            text_sizes: [11.0, 13.0, 18.0],
+            radius: 6.0,
+        }
+    }
+
+    /// The light set.
+    pub fn light() -> Self {
+        Self {
+            dark: false,
+            background: Color32::from_rgb(236, 239, 242),
+            surface: Color32::from_rgb(250, 251, 252),
+            raised: Color32::from_rgb(255, 255, 255),
+            line: Color32::from_rgb(208, 214, 220),
+            text: Color32::from_rgb(24, 30, 36),
+            muted: Color32::from_rgb(98, 108, 118),
+            accent: Color32::from_rgb(176, 112, 0),
+            warning: Color32::from_rgb(190, 70, 20),
+            truth: Color32::from_rgb(0, 128, 80),
+            corrected: Color32::from_rgb(200, 30, 50),
+            dead_reckoning: Color32::from_rgb(20, 90, 210),
+            unaided: Color32::from_rgb(110, 60, 170),
+            ..Self::dark()
+        }
+    }
+}
