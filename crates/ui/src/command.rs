@@ -3,6 +3,9 @@
 use pilotage_core::frames::GroundRect;
 use pilotage_core::navigator::NavigatorSettings;
 
+use crate::jobs::SimulationOptions;
+use serde::{Deserialize, Serialize};
+
 /// Something to do, sent by a view and carried out by the app at the end of the frame.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
@@ -59,6 +62,15 @@ pub enum Command {
     },
     /// Delete a landmark.
     DeleteLandmark(u32),
+    /// Ask for the pictures that explain a match; may be sent every frame, asked once.
+    ExplainMatch {
+        /// Time of the step, seconds.
+        time: f64,
+        /// Landmark id.
+        landmark: u32,
+    },
+    /// Simulate a flight and navigate it.
+    Simulate(Box<SimulationOptions>),
     /// Navigate with other settings; the run recomputes.
     SetNavigator(Box<NavigatorSettings>),
     /// Take the last edit back.
@@ -95,4 +107,38 @@ pub enum Command {
     ToggleTour,
     /// Go back to the built-in demo.
     OpenDemo,
+    /// Show a workspace.
+    ShowWorkspace(Workspace),
+    /// Show or hide the column at the right.
+    ToggleSide,
+    /// Show or hide the plots.
+    TogglePlots,
+    /// Keep the aircraft in the middle of the map, or not.
+    ToggleFollow,
+}
+
+/// The three workspaces over the same documents.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Workspace {
+    /// Landmarks on the map.
+    Plan,
+    /// A flight run through the navigator.
+    #[default]
+    Replay,
+    /// The method step by step.
+    Learn,
+}
+
+impl Workspace {
+    /// Every workspace, in the order of the tabs.
+    pub const ALL: [Self; 3] = [Self::Replay, Self::Plan, Self::Learn];
+
+    /// Name on the tab.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Plan => "Plan",
+            Self::Replay => "Replay",
+            Self::Learn => "Learn",
+        }
+    }
 }

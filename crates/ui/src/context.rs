@@ -5,6 +5,7 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::Run;
 
 use crate::command::Command;
+use crate::jobs::MatchPictures;
 use crate::tokens::Tokens;
 use crate::units::Units;
 
@@ -27,6 +28,9 @@ pub struct ViewContext<'a> {
     pub selection: Option<u32>,
     /// Encoded camera pictures (JPEG or PNG) by frame index, where they have arrived.
     pub pictures: &'a dyn Fn(usize) -> Option<std::sync::Arc<[u8]>>,
+    /// The pictures that explain a match, last asked for by [`Command::ExplainMatch`]; check its
+    /// time and landmark before showing it.
+    pub match_pictures: Option<&'a MatchPictures>,
     /// The look.
     pub tokens: &'a Tokens,
     /// The user's units.
