@@ -1,1 +1,10 @@
 //! Shared helpers of the end-to-end checks.
+//!
+//! - [`data`] finds the recorded flights and other people's test vectors, which lie beside the
+//!   repository and are never part of it;
+//! - [`oracle`] asks another program (FilterPy, OpenCV) for its answer to the same question;
+//! - [`house`] reads the sources and reports where they break a rule of the house.
+
+pub mod data;
+pub mod house;
+pub mod oracle;

@@ -1,0 +1,115 @@
+//! What a crate must not reach: `core` no screen, clock, file or thread; `ui` no browser.
+
+use super::{Violation, sources::Source, tokens::named_paths};
+
+/// What `core` must not name outside its tests. Time, files and threads come in as values from
+/// the caller, so that the same flight gives the same run on every platform.
+pub const FORBIDDEN_IN_CORE: [&[&str]; 25] = [
+    &["std", "time", "Instant"],
+    &["std", "time", "SystemTime"],
+    &["std", "fs"],
+    &["std", "env"],
+    &["std", "net"],
+    &["std", "os"],
+    &["std", "process"],
+    &["std", "thread"],
+    &["std", "io", "stdin"],
+    &["std", "io", "stdout"],
+    &["std", "io", "stderr"],
+    &["println!"],
+    &["print!"],
+    &["eprintln!"],
+    &["eprint!"],
+    &["dbg!"],
+    &["egui"],
+    &["eframe"],
+    &["web_sys"],
+    &["js_sys"],
+    &["wasm_bindgen"],
+    &["rayon"],
+    &["pilotage_ui"],
+    &["pilotage_web"],
+    &["rand", "rng"],
+];
+
+/// What `ui` must not name: it runs natively under test, without page or window.
+pub const FORBIDDEN_IN_UI: [&[&str]; 9] = [
+    &["eframe"],
+    &["web_sys"],
+    &["js_sys"],
+    &["wasm_bindgen"],
+    &["wasm_bindgen_futures"],
+    &["pilotage_web"],
+    &["std", "fs"],
+    &["std", "thread"],
+    &["std", "net"],
+];
+
+/// Places outside test code where `source` names one of `forbidden`.
+pub fn forbidden_paths(source: &Source, forbidden: &[&[&str]]) -> Vec<Violation> {
+    if is_test_file(&source.path) {
+        return Vec::new();
+    }
+    named_paths(&source.text)
+        .iter()
+        .filter(|path| !path.in_test && forbidden.iter().any(|other| path.reaches(other)))
+        .map(|path| Violation {
+            file: source.path.clone(),
+            line: path.line,
+            complaint: format!("`{}` is out of reach for this crate", path.text()),
+        })
+        .collect()
+}
+
+/// Whether a whole file is test code: `tests.rs`, or anything in a folder `tests`.
+fn is_test_file(path: &str) -> bool {
+    path.split('/')
+        .any(|part| part == "tests" || part == "tests.rs")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn in_core(text: &str) -> usize {
+        let source = Source {
+            path: "filter/mod.rs".to_owned(),
+            text: text.to_owned(),
+        };
+        forbidden_paths(&source, &FORBIDDEN_IN_CORE).len()
+    }
+
+    #[test]
+    fn a_clock_a_file_a_thread_and_a_screen_are_noticed_in_core() {
+        assert_eq!(in_core("use std::time::{Duration, Instant};"), 1);
+        assert_eq!(
+            in_core("fn f() { let now = std::time::SystemTime::now(); }"),
+            1
+        );
+        assert_eq!(in_core("use std::{fs, io};"), 1);
+        assert_eq!(in_core("use std::time::*;"), 1);
+        assert_eq!(in_core("fn f() { std::thread::spawn(g); }"), 1);
+        assert_eq!(in_core("fn f() { println!(\"{x}\"); }"), 1);
+        assert_eq!(in_core("use egui::Ui;"), 1);
+    }
+
+    #[test]
+    fn durations_and_byte_streams_are_within_reach_of_core() {
+        assert_eq!(in_core("use std::{io::Read, time::Duration};"), 0);
+    }
+
+    #[test]
+    fn tests_of_core_may_read_files() {
+        assert_eq!(in_core("#[cfg(test)]\nmod tests { use std::fs; }"), 0);
+    }
+
+    #[test]
+    fn the_window_system_is_noticed_in_ui() {
+        let text = "use eframe::App; fn f() { web_sys::window(); }".to_owned();
+        let source = Source {
+            path: "map/mod.rs".to_owned(),
+            text,
+        };
+        assert_eq!(forbidden_paths(&source, &FORBIDDEN_IN_UI).len(), 2);
+    }
+}
