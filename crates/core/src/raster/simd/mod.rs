@@ -1,0 +1,152 @@
+//! Inner loops written for the processor's vector registers, with a scalar twin.
+//!
+//! The instruction set is chosen at run time on x86-64 and by the build on WebAssembly. Everything
+//! here works on buffers padded by the caller, so that no loop has a ragged end.
+
+mod scalar;
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+mod wasm;
+#[cfg(target_arch = "x86_64")]
+mod x86;
+
+/// Rows of output that one block computes.
+pub(super) const BLOCK_ROWS: usize = 4;
+/// Columns of output that one block computes at most; a search row is padded by as many.
+pub(super) const BLOCK_COLUMNS: usize = 24;
+
+/// A correlation kernel cut for blocks of [`BLOCK_ROWS`] output rows.
+///
+/// `taps[(s, x)][r]` is the kernel's pixel (x, s - r), zero outside of it: the weight that search
+/// row s of a block carries towards the block's output row r.
+#[derive(Clone, Debug)]
+pub(super) struct BlockKernel {
+    pub width: usize,
+    pub height: usize,
+    pub taps: Vec<[f32; BLOCK_ROWS]>,
+}
+
+impl BlockKernel {
+    /// Cuts a kernel given row by row.
+    pub fn new(kernel: &[f32], width: usize, height: usize) -> Self {
+        let mut taps = vec![[0.0; BLOCK_ROWS]; (height + BLOCK_ROWS - 1) * width];
+        for (index, &value) in kernel.iter().enumerate() {
+            let (x, y) = (index % width, index / width);
+            for r in 0..BLOCK_ROWS {
+                taps[(y + r) * width + x][r] = value;
+            }
+        }
+        Self {
+            width,
+            height,
+            taps,
+        }
+    }
+}
+
+/// A picture with zeros to the right and below, so that blocks may read past its edge.
+#[derive(Clone, Debug)]
+pub(super) struct PaddedRows {
+    pub stride: usize,
+    pub pixels: Vec<f32>,
+}
+
+impl PaddedRows {
+    /// Pads `pixels`, `width` in each row.
+    pub fn new(pixels: &[f32], width: usize) -> Self {
+        let stride = width + BLOCK_COLUMNS;
+        let height = pixels.len().checked_div(width).unwrap_or(0);
+        let mut padded = vec![0.0; stride * (height + BLOCK_ROWS)];
+        for (target, source) in padded
+            .chunks_exact_mut(stride)
+            .zip(pixels.chunks_exact(width.max(1)))
+        {
+            target[..width].copy_from_slice(source);
+        }
+        Self {
+            stride,
+            pixels: padded,
+        }
+    }
+}
+
+/// Which twin to run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Instructions {
+    /// The fastest that this machine has.
+    Best,
+    /// Plain loops.
+    #[cfg(test)]
+    Scalar,
+}
+
+/// Cross-correlation of `columns` × `rows` offsets: `out[(y, x)] = Σ kernel(i, j) search(x+i, y+j)`.
+///
+/// `out` has the returned stride, which is `columns` rounded up to whole blocks; rows beyond `rows`
+/// and columns beyond `columns` hold nothing of use.
+pub(super) fn correlate(
+    search: &PaddedRows,
+    kernel: &BlockKernel,
+    columns: usize,
+    rows: usize,
+    instructions: Instructions,
+) -> (usize, Vec<f32>) {
+    let stride = columns.next_multiple_of(8);
+    let mut out = vec![0.0; stride * rows.next_multiple_of(BLOCK_ROWS)];
+    match instructions {
+        #[cfg(test)]
+        Instructions::Scalar => scalar::correlate(search, kernel, &mut out, stride, rows),
+        Instructions::Best => {
+            #[cfg(target_arch = "x86_64")]
+            if x86::correlate(search, kernel, &mut out, stride, rows) {
+                return (stride, out);
+            }
+            #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+            wasm::correlate(search, kernel, &mut out, stride, rows);
+            #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+            scalar::correlate(search, kernel, &mut out, stride, rows);
+        }
+    }
+    (stride, out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn the_vector_loops_agree_with_the_scalar_ones(
+            width in 1usize..70,
+            height in 1usize..20,
+            kernel_width in 1usize..20,
+            kernel_height in 1usize..12,
+            seed in any::<u32>(),
+        ) {
+            let (kw, kh) = (kernel_width.min(width), kernel_height.min(height));
+            let mut state = seed | 1;
+            let mut next = || {
+                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+                (state >> 8) as f32 / 16_777_216.0 - 0.5
+            };
+            let pixels: Vec<f32> = (0..width * height).map(|_| next()).collect();
+            let taps: Vec<f32> = (0..kw * kh).map(|_| next()).collect();
+            let search = PaddedRows::new(&pixels, width);
+            let kernel = BlockKernel::new(&taps, kw, kh);
+            let (columns, rows) = (width - kw + 1, height - kh + 1);
+            let (stride, best) = correlate(&search, &kernel, columns, rows, Instructions::Best);
+            let (_, plain) = correlate(&search, &kernel, columns, rows, Instructions::Scalar);
+            for y in 0..rows {
+                for x in 0..columns {
+                    let sum: f64 = (0..kh)
+                        .flat_map(|j| (0..kw).map(move |i| (i, j)))
+                        .map(|(i, j)| f64::from(taps[j * kw + i])
+                            * f64::from(pixels[(y + j) * width + x + i]))
+                        .sum();
+                    prop_assert!((f64::from(plain[y * stride + x]) - sum).abs() < 1e-5);
+                    prop_assert!((f64::from(best[y * stride + x]) - sum).abs() < 1e-5);
+                }
+            }
+        }
+    }
+}
