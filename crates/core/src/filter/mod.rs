@@ -1,1 +1,39 @@
-//! filter
+//! The unscented Kalman filter, gates, consistency and the bound that no estimator beats.
+//!
+//! Knows no aircraft and no camera. One step reads:
+//! ```
+//! use nalgebra::{Matrix1, Matrix2, Vector1, Vector2};
+//! use pilotage_core::filter::{Gate, Gaussian, Ukf, UnscentedSettings};
+//!
+//! // Position and speed on a line; the position is measured.
+//! let prior = Gaussian::new(Vector2::new(0.0, 1.0), Matrix2::identity());
+//! let mut filter = Ukf::new(prior, UnscentedSettings::default())?;
+//! let dt = 0.5;
+//! filter.predict(|x| Vector2::new(x[0] + dt * x[1], x[1]), &(Matrix2::identity() * 0.01))?;
+//! let predicted = filter.predict_measurement(|x| Some(Vector1::new(x[0])), &Matrix1::new(0.1))?;
+//! let measured = Vector1::new(0.7);
+//! if Gate::default().judge(&predicted, &measured).accepted {
+//!     let correction = filter.correct(&predicted, &measured)?;
+//!     assert!(correction.after.covariance[(0, 0)] < correction.before.covariance[(0, 0)]);
+//! }
+//! # Ok::<(), pilotage_core::filter::FilterError>(())
+//! ```
+
+mod chi_square;
+mod correction;
+mod error;
+mod gate;
+mod gaussian;
+mod measurement;
+mod root;
+mod sigma;
+mod ukf;
+
+pub use chi_square::{chi_square_probability, chi_square_quantile};
+pub use correction::Correction;
+pub use error::FilterError;
+pub use gate::{Gate, GateReason, Verdict};
+pub use gaussian::Gaussian;
+pub use measurement::PredictedMeasurement;
+pub use sigma::{Redraw, SigmaPoints, UnscentedSettings, Weights};
+pub use ukf::{Prediction, Ukf};

@@ -1,1 +1,26 @@
-//! vehicle
+//! How vehicles move: process models for the filter, listed in one registry.
+
+mod airplane;
+mod airplane_full;
+mod airplane_wind;
+mod airplane_wind_bias;
+mod airplane_wind_gust;
+mod constant_velocity;
+mod model;
+mod noise;
+mod parts;
+mod random_walk;
+mod registry;
+mod thesis_noise;
+
+pub use airplane::AirData;
+pub use airplane_full::AirplaneFull;
+pub use airplane_wind::AirplaneWind;
+pub use airplane_wind_bias::AirplaneWindBias;
+pub use airplane_wind_gust::AirplaneWindGust;
+pub use constant_velocity::ConstantVelocity;
+pub use model::{ControlInput, VehicleModel};
+pub use parts::{AirDataBiases, Gusts};
+pub use random_walk::RandomWalk;
+pub use registry::{VehicleSettings, VehicleVisitor, all_vehicles};
+pub use thesis_noise::ThesisNoise;

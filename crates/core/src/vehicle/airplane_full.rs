@@ -1,0 +1,109 @@
+//! Airplane in a steady wind with gusts and biased air data.
+
+use nalgebra::{SMatrix, SVector};
+use serde::{Deserialize, Serialize};
+
+use super::airplane::AirData;
+use super::parts::{AirDataBiases, Gusts, add_velocity_noise};
+use super::{ControlInput, VehicleModel};
+use crate::filter::Gaussian;
+use crate::frames::GroundPoint;
+
+/// Airplane in wind and gusts whose airspeed and heading read slowly wrong.
+///
+/// State: north, east (m), wind north, wind east, gust north, gust east, airspeed bias (m/s),
+/// heading bias (rad); see [`super::AirplaneWindGust`] and [`super::AirplaneWindBias`].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct AirplaneFull {
+    /// Trust in the air data.
+    pub air_data: AirData,
+    /// Random walk of the steady wind, m/s/√s, on each axis.
+    pub wind_noise_density: f64,
+    /// Standard deviation of the unknown wind at the start, m/s on each axis.
+    pub start_wind_deviation: f64,
+    /// Wind that changes by the second.
+    pub gusts: Gusts,
+    /// Slow errors of the air data.
+    pub biases: AirDataBiases,
+}
+
+impl Default for AirplaneFull {
+    fn default() -> Self {
+        Self {
+            air_data: AirData::default(),
+            wind_noise_density: 0.02,
+            start_wind_deviation: 4.0,
+            gusts: Gusts::default(),
+            biases: AirDataBiases::default(),
+        }
+    }
+}
+
+impl VehicleModel<8> for AirplaneFull {
+    fn propagate(&self, state: &SVector<f64, 8>, input: &ControlInput, dt: f64) -> SVector<f64, 8> {
+        let air = self.air_data.motion(input, state[6], state[7]).velocity();
+        let mut next = *state;
+        next[0] += (air.x + state[2]) * dt;
+        next[1] += (air.y + state[3]) * dt;
+        self.gusts.propagate(&mut next, 4, dt);
+        next
+    }
+
+    fn process_noise(
+        &self,
+        state: &SVector<f64, 8>,
+        input: &ControlInput,
+        dt: f64,
+    ) -> SMatrix<f64, 8, 8> {
+        let motion = self.air_data.motion(input, state[6], state[7]);
+        let mut noise = SMatrix::<f64, 8, 8>::zeros();
+        noise
+            .fixed_view_mut::<2, 2>(0, 0)
+            .copy_from(&self.air_data.position_noise(&motion, dt));
+        add_velocity_noise(&mut noise, 2, self.wind_noise_density, dt);
+        self.gusts.add_noise(&mut noise, 4, dt);
+        self.biases.add_noise(&mut noise, 6, &motion, dt);
+        noise
+    }
+
+    fn state_names(&self) -> [&'static str; 8] {
+        [
+            "north",
+            "east",
+            "wind north",
+            "wind east",
+            "gust north",
+            "gust east",
+            "airspeed bias",
+            "heading bias",
+        ]
+    }
+
+    fn state_units(&self) -> [&'static str; 8] {
+        ["m", "m", "m/s", "m/s", "m/s", "m/s", "m/s", "rad"]
+    }
+
+    fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<8> {
+        let (p, w) = (position_deviation, self.start_wind_deviation);
+        let g = self.gusts.deviation;
+        let mut mean = SVector::zeros();
+        mean[0] = position.north;
+        mean[1] = position.east;
+        let deviations = SVector::from([
+            p,
+            p,
+            w,
+            w,
+            g,
+            g,
+            self.biases.start_airspeed_bias_deviation,
+            self.biases.start_heading_bias_deviation,
+        ]);
+        Gaussian::from_standard_deviations(mean, &deviations)
+    }
+
+    fn wind_index(&self) -> Option<usize> {
+        Some(2)
+    }
+}

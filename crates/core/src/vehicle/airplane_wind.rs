@@ -1,0 +1,100 @@
+//! Airplane in a steady wind: position and wind.
+
+use nalgebra::{Matrix4, SMatrix, SVector, Vector4};
+use serde::{Deserialize, Serialize};
+
+use super::airplane::AirData;
+use super::parts::add_velocity_noise;
+use super::{ControlInput, ThesisNoise, VehicleModel};
+use crate::filter::Gaussian;
+use crate::frames::GroundPoint;
+
+/// Airplane that flies its airspeed along its heading in a slowly changing wind.
+///
+/// State: north, east (m), wind north, wind east (m/s, velocity of the air). DeAngelo 2016,
+/// eqs 25-30, with x east and y south turned into north and east:
+/// `north' = V cos ψ + wind_north`, `east' = V sin ψ + wind_east`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct AirplaneWind {
+    /// Trust in the air data.
+    pub air_data: AirData,
+    /// Random walk of the wind, m/s/√s, on each axis.
+    pub wind_noise_density: f64,
+    /// Standard deviation of the unknown wind at the start, m/s on each axis.
+    pub start_wind_deviation: f64,
+    /// The thesis' noise per step in place of the densities.
+    pub thesis_noise: Option<ThesisNoise>,
+}
+
+impl Default for AirplaneWind {
+    fn default() -> Self {
+        Self {
+            air_data: AirData::default(),
+            wind_noise_density: 0.05,
+            start_wind_deviation: 4.0,
+            thesis_noise: None,
+        }
+    }
+}
+
+impl AirplaneWind {
+    /// With the process noise of DeAngelo 2016, Table 4.
+    pub fn with_thesis_noise(noise: ThesisNoise) -> Self {
+        Self {
+            thesis_noise: Some(noise),
+            ..Self::default()
+        }
+    }
+}
+
+impl VehicleModel<4> for AirplaneWind {
+    fn propagate(&self, state: &SVector<f64, 4>, input: &ControlInput, dt: f64) -> Vector4<f64> {
+        let air = self.air_data.motion(input, 0.0, 0.0).velocity();
+        Vector4::new(
+            state[0] + (air.x + state[2]) * dt,
+            state[1] + (air.y + state[3]) * dt,
+            state[2],
+            state[3],
+        )
+    }
+
+    fn process_noise(
+        &self,
+        _state: &SVector<f64, 4>,
+        input: &ControlInput,
+        dt: f64,
+    ) -> SMatrix<f64, 4, 4> {
+        if let Some(thesis) = self.thesis_noise {
+            let (position, wind) = (thesis.position_variance(), thesis.wind_variance());
+            return Matrix4::from_diagonal(&Vector4::new(position, position, wind, wind));
+        }
+        let mut noise = Matrix4::zeros();
+        let motion = self.air_data.motion(input, 0.0, 0.0);
+        noise
+            .fixed_view_mut::<2, 2>(0, 0)
+            .copy_from(&self.air_data.position_noise(&motion, dt));
+        add_velocity_noise(&mut noise, 2, self.wind_noise_density, dt);
+        noise
+    }
+
+    fn state_names(&self) -> [&'static str; 4] {
+        ["north", "east", "wind north", "wind east"]
+    }
+
+    fn state_units(&self) -> [&'static str; 4] {
+        ["m", "m", "m/s", "m/s"]
+    }
+
+    fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<4> {
+        let (p, w) = (position_deviation, self.start_wind_deviation);
+        Gaussian::from_standard_deviations(
+            Vector4::new(position.north, position.east, 0.0, 0.0),
+            &Vector4::new(p, p, w, w),
+        )
+    }
+
+    fn wind_index(&self) -> Option<usize> {
+        Some(2)
+    }
+}

@@ -1,0 +1,94 @@
+//! Airplane in a steady wind with gusts.
+
+use nalgebra::{SMatrix, SVector};
+use serde::{Deserialize, Serialize};
+
+use super::airplane::AirData;
+use super::parts::{Gusts, add_velocity_noise};
+use super::{ControlInput, VehicleModel};
+use crate::filter::Gaussian;
+use crate::frames::GroundPoint;
+
+/// Airplane in a wind with two parts: one nearly steady, one that comes and goes in seconds.
+///
+/// State: north, east (m), wind north, wind east, gust north, gust east (m/s). The velocity of the
+/// air is wind + gust; the gust is a first-order Gauss-Markov process, integrated exactly.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct AirplaneWindGust {
+    /// Trust in the air data.
+    pub air_data: AirData,
+    /// Random walk of the steady wind, m/s/√s, on each axis.
+    pub wind_noise_density: f64,
+    /// Standard deviation of the unknown wind at the start, m/s on each axis.
+    pub start_wind_deviation: f64,
+    /// Wind that changes by the second.
+    pub gusts: Gusts,
+}
+
+impl Default for AirplaneWindGust {
+    fn default() -> Self {
+        Self {
+            air_data: AirData::default(),
+            wind_noise_density: 0.02,
+            start_wind_deviation: 4.0,
+            gusts: Gusts::default(),
+        }
+    }
+}
+
+impl VehicleModel<6> for AirplaneWindGust {
+    fn propagate(&self, state: &SVector<f64, 6>, input: &ControlInput, dt: f64) -> SVector<f64, 6> {
+        let air = self.air_data.motion(input, 0.0, 0.0).velocity();
+        let mut next = *state;
+        next[0] += (air.x + state[2]) * dt;
+        next[1] += (air.y + state[3]) * dt;
+        self.gusts.propagate(&mut next, 4, dt);
+        next
+    }
+
+    fn process_noise(
+        &self,
+        _state: &SVector<f64, 6>,
+        input: &ControlInput,
+        dt: f64,
+    ) -> SMatrix<f64, 6, 6> {
+        let motion = self.air_data.motion(input, 0.0, 0.0);
+        let mut noise = SMatrix::<f64, 6, 6>::zeros();
+        noise
+            .fixed_view_mut::<2, 2>(0, 0)
+            .copy_from(&self.air_data.position_noise(&motion, dt));
+        add_velocity_noise(&mut noise, 2, self.wind_noise_density, dt);
+        self.gusts.add_noise(&mut noise, 4, dt);
+        noise
+    }
+
+    fn state_names(&self) -> [&'static str; 6] {
+        [
+            "north",
+            "east",
+            "wind north",
+            "wind east",
+            "gust north",
+            "gust east",
+        ]
+    }
+
+    fn state_units(&self) -> [&'static str; 6] {
+        ["m", "m", "m/s", "m/s", "m/s", "m/s"]
+    }
+
+    fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<6> {
+        let (p, w) = (position_deviation, self.start_wind_deviation);
+        let g = self.gusts.deviation;
+        let mut mean = SVector::zeros();
+        mean[0] = position.north;
+        mean[1] = position.east;
+        let deviations = SVector::from([p, p, w, w, g, g]);
+        Gaussian::from_standard_deviations(mean, &deviations)
+    }
+
+    fn wind_index(&self) -> Option<usize> {
+        Some(2)
+    }
+}

@@ -1,0 +1,81 @@
+//! What a vehicle is to the filter.
+
+use nalgebra::{SMatrix, SVector, Vector2};
+use serde::{Deserialize, Serialize};
+
+use crate::filter::Gaussian;
+use crate::frames::{Attitude, GroundPoint};
+
+/// What the vehicle's own instruments say at a moment; DeAngelo 2016, eq. 26, and the attitude.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ControlInput {
+    /// True airspeed, m/s, where it is measured.
+    pub airspeed: Option<f64>,
+    /// Attitude; its yaw is the heading, radians clockwise from north.
+    pub attitude: Attitude,
+}
+
+impl ControlInput {
+    /// Airspeed in m/s and attitude.
+    pub fn new(airspeed: f64, attitude: Attitude) -> Self {
+        Self {
+            airspeed: Some(airspeed),
+            attitude,
+        }
+    }
+
+    /// Attitude of a vehicle whose airspeed nobody measures.
+    pub fn without_airspeed(attitude: Attitude) -> Self {
+        Self {
+            airspeed: None,
+            attitude,
+        }
+    }
+
+    /// Heading, radians clockwise from north.
+    pub fn heading(&self) -> f64 {
+        self.attitude.yaw
+    }
+}
+
+/// How a vehicle moves: a process model over `N` state components.
+///
+/// Components 0 and 1 are always the position, metres north and east of the world's origin.
+pub trait VehicleModel<const N: usize> {
+    /// The state `dt` seconds later if nothing unexpected happens.
+    fn propagate(&self, state: &SVector<f64, N>, input: &ControlInput, dt: f64) -> SVector<f64, N>;
+
+    /// Covariance of what unexpected things add to the state in `dt` seconds.
+    fn process_noise(
+        &self,
+        state: &SVector<f64, N>,
+        input: &ControlInput,
+        dt: f64,
+    ) -> SMatrix<f64, N, N>;
+
+    /// Names of the components, with [`Self::state_units`].
+    fn state_names(&self) -> [&'static str; N];
+
+    /// SI units of the components.
+    fn state_units(&self) -> [&'static str; N];
+
+    /// Belief at the start: the position as given, with standard deviation `position_deviation`
+    /// (metres) on each axis, and everything else as the model's settings say.
+    fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<N>;
+
+    /// Index of the wind's north component, its east component follows; `None` without wind.
+    fn wind_index(&self) -> Option<usize> {
+        None
+    }
+
+    /// The steady wind of a state: velocity of the air, m/s north and east.
+    fn wind(&self, state: &SVector<f64, N>) -> Option<Vector2<f64>> {
+        self.wind_index()
+            .map(|i| Vector2::new(state[i], state[i + 1]))
+    }
+
+    /// The position of a state.
+    fn position(&self, state: &SVector<f64, N>) -> GroundPoint {
+        GroundPoint::new(state[0], state[1])
+    }
+}

@@ -1,0 +1,137 @@
+//! State components that several airplane models share: gusts and instrument biases.
+
+use nalgebra::{SMatrix, SVector, Vector2};
+use serde::{Deserialize, Serialize};
+
+use super::airplane::AirMotion;
+use super::noise::{GaussMarkov, add_integrated_random_walk};
+
+/// Wind that changes by the second: each axis an exponentially correlated velocity of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Gusts {
+    /// Standard deviation on each axis, m/s.
+    pub deviation: f64,
+    /// Correlation time τ, seconds.
+    pub correlation_time: f64,
+}
+
+impl Default for Gusts {
+    fn default() -> Self {
+        Self {
+            deviation: 0.7,
+            correlation_time: 5.0,
+        }
+    }
+}
+
+impl Gusts {
+    /// Noise that moves one axis over `dt` seconds.
+    pub(super) fn over(&self, dt: f64) -> GaussMarkov {
+        GaussMarkov::over(self.deviation, self.correlation_time, dt)
+    }
+
+    /// Lets the gusts of `state` at `first` move the position and fade, over `dt` seconds.
+    pub(super) fn propagate<const N: usize>(
+        &self,
+        state: &mut SVector<f64, N>,
+        first: usize,
+        dt: f64,
+    ) {
+        let step = self.over(dt);
+        for axis in 0..2 {
+            state[axis] += step.travel * state[first + axis];
+            state[first + axis] *= step.persistence;
+        }
+    }
+
+    /// Adds their noise.
+    pub(super) fn add_noise<const N: usize>(
+        &self,
+        noise: &mut SMatrix<f64, N, N>,
+        first: usize,
+        dt: f64,
+    ) {
+        let step = self.over(dt);
+        for axis in 0..2 {
+            step.add_to(noise, axis, first + axis);
+        }
+    }
+}
+
+/// Slow errors of airspeed and heading: reading minus truth, each a random walk.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct AirDataBiases {
+    /// Random walk of the airspeed's bias, m/s/√s.
+    pub airspeed_bias_noise_density: f64,
+    /// Random walk of the heading's bias, rad/√s.
+    pub heading_bias_noise_density: f64,
+    /// Standard deviation of the airspeed's bias at the start, m/s.
+    pub start_airspeed_bias_deviation: f64,
+    /// Standard deviation of the heading's bias at the start, radians.
+    pub start_heading_bias_deviation: f64,
+}
+
+impl Default for AirDataBiases {
+    fn default() -> Self {
+        Self {
+            airspeed_bias_noise_density: 0.01,
+            heading_bias_noise_density: 0.0005,
+            start_airspeed_bias_deviation: 0.5,
+            start_heading_bias_deviation: 0.03,
+        }
+    }
+}
+
+impl AirDataBiases {
+    /// Adds their noise, with airspeed bias at `first` and heading bias after it.
+    ///
+    /// Truth is reading minus bias, so that a growing airspeed bias pulls the position back along
+    /// the heading and a growing heading bias pulls it to the left at the airspeed.
+    pub(super) fn add_noise<const N: usize>(
+        &self,
+        noise: &mut SMatrix<f64, N, N>,
+        first: usize,
+        motion: &AirMotion,
+        dt: f64,
+    ) {
+        let effects = [
+            (self.airspeed_bias_noise_density, -motion.ahead),
+            (
+                self.heading_bias_noise_density,
+                -motion.right() * motion.airspeed,
+            ),
+        ];
+        for (k, (density, velocity)) in effects.into_iter().enumerate() {
+            add_integrated_random_walk(noise, first + k, &position_effect(velocity), density, dt);
+        }
+    }
+}
+
+/// Velocity (m/s north and east per unit) as an effect on the state.
+pub(super) fn position_effect<const N: usize>(velocity: Vector2<f64>) -> SVector<f64, N> {
+    let mut effect = SVector::zeros();
+    effect[0] = velocity.x;
+    effect[1] = velocity.y;
+    effect
+}
+
+/// Adds the noise of a velocity (wind, or over ground) at `first` that walks at `density` (m/s/√s)
+/// and moves the position.
+pub(super) fn add_velocity_noise<const N: usize>(
+    noise: &mut SMatrix<f64, N, N>,
+    first: usize,
+    density: f64,
+    dt: f64,
+) {
+    for (axis, direction) in [Vector2::x(), Vector2::y()].into_iter().enumerate() {
+        add_integrated_random_walk(
+            noise,
+            first + axis,
+            &position_effect(direction),
+            density,
+            dt,
+        );
+    }
+}

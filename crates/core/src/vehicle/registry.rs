@@ -1,0 +1,120 @@
+//! The vehicle models that there are.
+
+use serde::{Deserialize, Serialize};
+
+use super::{
+    AirplaneFull, AirplaneWind, AirplaneWindBias, AirplaneWindGust, ConstantVelocity, RandomWalk,
+    ThesisNoise, VehicleModel,
+};
+
+/// Something that wants to work with a vehicle model of any state size.
+///
+/// The filter's size is fixed at compile time, and this is the door from [`VehicleSettings`], which
+/// is known only at run time, to code that is generic over it.
+pub trait VehicleVisitor {
+    /// What it makes of the model.
+    type Output;
+
+    /// Works with the model.
+    fn visit<const N: usize, V>(self, model: V) -> Self::Output
+    where
+        V: VehicleModel<N> + Clone + Send + Sync + 'static;
+}
+
+macro_rules! registry {
+    ($($(#[$doc:meta])* $variant:ident = $key:literal, $label:literal, $kept:literal;)+) => {
+        /// A vehicle model with its settings, by name in files and messages.
+        #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+        #[serde(tag = "model", rename_all = "kebab-case")]
+        pub enum VehicleSettings {
+            $($(#[$doc])* $variant($variant),)+
+        }
+
+        /// Every model with its default settings, in the order of a menu.
+        pub fn all_vehicles() -> Vec<VehicleSettings> {
+            vec![$(VehicleSettings::$variant($variant::default()),)+]
+        }
+
+        impl VehicleSettings {
+            /// Name in files and on the command line.
+            pub fn key(&self) -> &'static str {
+                match self { $(Self::$variant(_) => $key,)+ }
+            }
+
+            /// Name on screen.
+            pub fn label(&self) -> &'static str {
+                match self { $(Self::$variant(_) => $label,)+ }
+            }
+
+            /// What it assumes, in a sentence.
+            pub fn description(&self) -> &'static str {
+                match self { $(Self::$variant(_) => $kept,)+ }
+            }
+
+            /// Opens the door to code that is generic over the state size.
+            pub fn visit<V: VehicleVisitor>(&self, visitor: V) -> V::Output {
+                match self { $(Self::$variant(model) => visitor.visit(*model),)+ }
+            }
+        }
+    };
+}
+
+registry! {
+    /// Steady wind.
+    AirplaneWind = "airplane-wind", "Airplane, wind",
+        "Flies its airspeed along its heading in a slowly changing wind.";
+    /// Steady wind and gusts.
+    AirplaneWindGust = "airplane-wind-gust", "Airplane, wind and gusts",
+        "As airplane in wind, with gusts that come and go in seconds.";
+    /// Steady wind and biased air data.
+    AirplaneWindBias = "airplane-wind-bias", "Airplane, wind and biases",
+        "As airplane in wind, with airspeed and heading that read slowly wrong.";
+    /// Steady wind, gusts and biased air data.
+    AirplaneFull = "airplane-full", "Airplane, wind, gusts and biases",
+        "As airplane in wind, with gusts and with air data that read slowly wrong.";
+    /// Position only.
+    RandomWalk = "random-walk", "Random walk",
+        "Nothing is known but that the position changes slowly.";
+    /// Position and velocity over ground.
+    ConstantVelocity = "constant-velocity", "Nearly constant velocity",
+        "Keeps its velocity over ground but for small accelerations.";
+}
+
+impl Default for VehicleSettings {
+    fn default() -> Self {
+        Self::AirplaneWind(AirplaneWind::default())
+    }
+}
+
+impl VehicleSettings {
+    /// The airplane of DeAngelo 2016, with the process noise of Table 4.
+    pub fn thesis(noise: ThesisNoise) -> Self {
+        Self::AirplaneWind(AirplaneWind::with_thesis_noise(noise))
+    }
+
+    /// The model with this key and its default settings.
+    pub fn from_key(key: &str) -> Option<Self> {
+        all_vehicles().into_iter().find(|v| v.key() == key)
+    }
+
+    /// Names and SI units of the state components.
+    pub fn state_components(&self) -> Vec<(&'static str, &'static str)> {
+        struct Components;
+        impl VehicleVisitor for Components {
+            type Output = Vec<(&'static str, &'static str)>;
+            fn visit<const N: usize, V: VehicleModel<N>>(self, model: V) -> Self::Output {
+                model
+                    .state_names()
+                    .into_iter()
+                    .zip(model.state_units())
+                    .collect()
+            }
+        }
+        self.visit(Components)
+    }
+
+    /// Whether the model uses a measured airspeed.
+    pub fn uses_airspeed(&self) -> bool {
+        !matches!(self, Self::RandomWalk(_) | Self::ConstantVelocity(_))
+    }
+}
