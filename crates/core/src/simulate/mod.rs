@@ -1,1 +1,16 @@
-//! simulate
+//! A world to try the method in: flights with sensors, and the built-in scenarios.
+
+mod dryden;
+mod flight;
+mod flight_airframe;
+mod guidance;
+mod route;
+mod scenario;
+mod sensors;
+
+pub use dryden::{DrydenGust, Turbulence};
+pub use flight::FlightPlan;
+pub use flight_airframe::{AircraftState, Airframe, Command};
+pub use guidance::{GuidanceSettings, PathFollower};
+pub use scenario::{Overrides, Scenario, Wind};
+pub use sensors::{SensorError, SensorSpec};

@@ -1,0 +1,296 @@
+//! A flight along a path, and what was measured on it.
+
+use nalgebra::{Point3, Vector2};
+
+use super::dryden::{DrydenGust, Turbulence};
+use super::flight_airframe::{AircraftState, Airframe, Command};
+use super::guidance::{GuidanceSettings, PathFollower};
+use super::sensors::{self, SensorSpec, Stream};
+use crate::camera::CameraModel;
+use crate::flight::{Flight, Frame, FrameTruth, StartFix, Truth, TruthState};
+use crate::frames::{GroundPoint, LocalFrame};
+
+/// Integration steps per second.
+const STEPS_PER_SECOND: usize = 100;
+/// Steps between two recorded states; 20 Hz.
+const STEPS_PER_RECORD: usize = 5;
+
+/// What to fly.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlightPlan {
+    /// Name of the flight.
+    pub name: String,
+    /// Way-points over the ground; the flight begins at the first, on the course of the first leg.
+    pub way_points: Vec<GroundPoint>,
+    /// Height above ground, metres.
+    pub height: f64,
+    /// Mean wind: velocity of the air (north, east), m/s.
+    pub wind: Vector2<f64>,
+    /// Longest time, seconds, in case the wind is too strong to get on.
+    pub longest: f64,
+    /// The aircraft.
+    pub airframe: Airframe,
+    /// Its sensors.
+    pub sensors: SensorSpec,
+    /// Its camera.
+    pub camera: CameraModel,
+    /// The world frame on the globe.
+    pub frame_on_globe: LocalFrame,
+    /// Down coordinate of the ground plane, metres.
+    pub ground_down: f64,
+}
+
+/// The true flight, recorded at 20 Hz.
+struct TrueFlight {
+    states: Vec<TruthState>,
+    airspeeds: Vec<f64>,
+}
+
+impl FlightPlan {
+    /// Flies the plan and measures. The same plan and seed give the same flight to the bit.
+    ///
+    /// Returns `None` for a path of fewer than two different way-points.
+    pub fn simulate(&self, seed: u64) -> Option<Flight> {
+        let flown = self.fly(seed)?;
+        let channels = sensors::measure(
+            &self.sensors,
+            seed,
+            &flown.states,
+            &flown.airspeeds,
+            self.ground_down,
+        );
+        let records_per_frame = (f64::from(STEPS_PER_SECOND as u32)
+            / f64::from(STEPS_PER_RECORD as u32)
+            / self.sensors.frame_rate)
+            .round()
+            .max(1.0) as usize;
+        let frame_states = || flown.states.iter().step_by(records_per_frame);
+        let frames = frame_states()
+            .enumerate()
+            .map(|(number, state)| Frame {
+                time: state.time,
+                name: format!("{number:05}.jpg"),
+                stored_turn: 0.0,
+            })
+            .collect();
+        let frame_truth = frame_states()
+            .enumerate()
+            .map(|(number, state)| FrameTruth {
+                position: state.position,
+                camera_attitude: state
+                    .attitude
+                    .map(|body| sensors::camera_attitude(&self.sensors, seed, number, &body)),
+            })
+            .collect();
+        let first = flown.states.first()?;
+        let begin = GroundPoint::new(first.position.x, first.position.y);
+        Some(Flight {
+            name: self.name.clone(),
+            frame_on_globe: Some(self.frame_on_globe),
+            camera: self.camera.clone(),
+            ground_down: self.ground_down,
+            channels,
+            frames,
+            start: StartFix {
+                time: first.time,
+                position: sensors::start_fix(&self.sensors, seed, begin),
+                standard_deviation: self.sensors.start_position,
+            },
+            truth: Some(Truth {
+                states: flown.states,
+                frames: frame_truth,
+            }),
+        })
+    }
+
+    fn fly(&self, seed: u64) -> Option<TrueFlight> {
+        let dt = 1.0 / STEPS_PER_SECOND as f64;
+        let guidance = GuidanceSettings {
+            bank_limit: self.airframe.bank_limit,
+            ..GuidanceSettings::default()
+        };
+        let mut path = PathFollower::new(&self.way_points, guidance)?;
+        let mut random = Stream::Gust.random(seed);
+        let turbulence = Turbulence::low_altitude(self.height, self.wind.norm());
+        let mut gust = DrydenGust::new(&turbulence, self.airframe.cruise, dt, &mut random);
+        let level = self.height - self.ground_down;
+        let mut aircraft = AircraftState::cruising(
+            &self.airframe,
+            path.start(),
+            level,
+            self.crab_heading(path.initial_course()),
+        );
+        aircraft.gust = gust.step(&mut random);
+
+        let mut states = Vec::new();
+        let mut airspeeds = Vec::new();
+        let longest = (self.longest * STEPS_PER_SECOND as f64) as usize;
+        for step in 0..=longest {
+            let position = Vector2::new(aircraft.position.x, aircraft.position.y);
+            if step % STEPS_PER_RECORD == 0 {
+                states.push(TruthState {
+                    time: step as f64 / STEPS_PER_SECOND as f64,
+                    position: Point3::from(aircraft.position),
+                    attitude: Some(aircraft.attitude(&self.airframe)),
+                    wind: Some(self.wind),
+                });
+                airspeeds.push(aircraft.airspeed);
+            }
+            if path.finished(&position) {
+                break;
+            }
+            let ground_velocity = aircraft.ground_velocity(&self.wind);
+            let command = Command {
+                bank: path.bank(&position, &ground_velocity.xy()),
+                airspeed: self.airframe.cruise,
+                height: level,
+            };
+            let next_gust = gust.step(&mut random);
+            aircraft.step(&self.airframe, &command, &self.wind, next_gust, dt);
+        }
+        Some(TrueFlight { states, airspeeds })
+    }
+
+    /// Heading that holds `course` over the ground in the mean wind, as far as the wind allows.
+    fn crab_heading(&self, course: f64) -> f64 {
+        let across = -course.sin() * self.wind.x + course.cos() * self.wind.y;
+        course - (across / self.airframe.cruise).clamp(-1.0, 1.0).asin()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::scenario::{Overrides, Scenario, Wind};
+    use super::*;
+    use crate::flight::ChannelName;
+    use crate::frames::units::{feet, knots};
+
+    fn plan(way_points: &[(f64, f64)], wind: Wind) -> FlightPlan {
+        FlightPlan {
+            way_points: way_points
+                .iter()
+                .map(|(n, e)| GroundPoint::new(*n, *e))
+                .collect(),
+            wind: wind.velocity(),
+            ..Scenario::all()[0].plan(&Overrides::default())
+        }
+    }
+
+    fn truth(plan: &FlightPlan, seed: u64) -> Vec<TruthState> {
+        plan.simulate(seed).unwrap().truth.unwrap().states
+    }
+
+    /// The thesis: 40 s for the first leg in calm air, 55 s against ten knots (2475 ft).
+    #[test]
+    fn the_first_leg_takes_the_times_of_the_thesis() {
+        let leg = [(0.0, 0.0), (0.0, feet(2475.0))];
+        let calm = truth(&plan(&leg, Wind::default()), 1).last().unwrap().time;
+        assert!((calm - 40.0).abs() < 0.7, "{calm}");
+        let against = Wind {
+            from: 82.0_f64.to_radians(),
+            speed: knots(10.0),
+        };
+        let slow = truth(&plan(&leg, against), 1).last().unwrap().time;
+        assert!((slow - 55.0).abs() < 1.5, "{slow}");
+    }
+
+    #[test]
+    fn an_aircraft_in_a_crosswind_stays_on_its_leg_and_points_into_the_wind() {
+        let wind = Wind {
+            from: 0.0,
+            speed: 5.0,
+        };
+        let states = truth(&plan(&[(0.0, 0.0), (0.0, 900.0)], wind), 3);
+        assert!(states.iter().all(|s| s.position.x.abs() < 6.0));
+        let mean_heading =
+            states.iter().map(|s| s.attitude.unwrap().yaw).sum::<f64>() / states.len() as f64;
+        let crab = 90.0 - mean_heading.to_degrees();
+        // asin(5 / 18.87) = 15.4 degrees to the left of east.
+        assert!((crab - 15.4).abs() < 1.0, "{crab}");
+    }
+
+    #[test]
+    fn a_right_turn_has_a_radius_of_about_65_metres_and_keeps_its_height() {
+        let states = truth(
+            &plan(
+                &[(0.0, 0.0), (0.0, 300.0), (-900.0, 300.0)],
+                Wind::default(),
+            ),
+            5,
+        );
+        let easternmost = states.iter().map(|s| s.position.y).fold(0.0, f64::max);
+        assert!(
+            (300.0 - 5.0..300.0 + 12.0).contains(&easternmost),
+            "{easternmost}"
+        );
+        let begin = states.iter().find(|s| s.position.x < -1.5).unwrap();
+        let end = states
+            .iter()
+            .find(|s| s.attitude.unwrap().yaw > 170.0_f64.to_radians())
+            .unwrap();
+        let extent = end.position.y - begin.position.y;
+        assert!((50.0..80.0).contains(&extent), "{extent}");
+        assert!(
+            states
+                .iter()
+                .all(|s| (-s.position.z - feet(400.0)).abs() < 2.0)
+        );
+    }
+
+    #[test]
+    fn the_ground_velocity_is_that_through_the_air_plus_wind_and_a_small_gust() {
+        let wind = Wind {
+            from: 307.0_f64.to_radians(),
+            speed: knots(10.0),
+        };
+        let flight = plan(&[(0.0, 0.0), (0.0, 900.0)], wind).simulate(9).unwrap();
+        let states = &flight.truth.as_ref().unwrap().states;
+        let mut sum = Vector2::zeros();
+        for pair in states.windows(2) {
+            let ground = (pair[1].position - pair[0].position).xy() / (pair[1].time - pair[0].time);
+            let yaw = pair[0].attitude.unwrap().yaw;
+            let airspeed = flight.value(ChannelName::Airspeed, pair[0].time).unwrap();
+            sum += ground - airspeed * Vector2::new(yaw.cos(), yaw.sin());
+        }
+        let mean = sum / (states.len() - 1) as f64;
+        // Gusts and the bias of the airspeed sensor remain.
+        assert!((mean - wind.velocity()).norm() < 1.0, "{mean}");
+    }
+
+    #[test]
+    fn the_same_seed_gives_the_same_flight_and_another_seed_another() {
+        let scenario = &Scenario::all()[1];
+        let flight = scenario.fly(4, &Overrides::default());
+        assert_eq!(flight, scenario.fly(4, &Overrides::default()));
+        assert_ne!(flight, scenario.fly(5, &Overrides::default()));
+    }
+
+    #[test]
+    fn frames_come_every_half_second_each_with_its_true_pose() {
+        let flight = Scenario::all()[0].fly(4, &Overrides::default());
+        let truth = flight.truth.as_ref().unwrap();
+        assert_eq!(flight.frames.len(), truth.frames.len());
+        for (i, (frame, pose)) in flight.frames.iter().zip(&truth.frames).enumerate() {
+            assert_eq!(frame.time, 0.5 * i as f64);
+            assert_eq!(truth.position(frame.time).unwrap(), pose.position);
+        }
+        let shake: Vec<f64> = truth
+            .frames
+            .iter()
+            .zip(truth.states.iter().step_by(10))
+            .map(|(f, s)| f.camera_attitude.unwrap().roll - s.attitude.unwrap().roll)
+            .collect();
+        let variance = shake.iter().map(|s| s * s).sum::<f64>() / shake.len() as f64;
+        assert!((0.8..1.2).contains(&variance.sqrt().to_degrees()));
+    }
+
+    #[test]
+    fn every_scenario_stays_over_the_scenery() {
+        for scenario in Scenario::all() {
+            let flight = scenario.fly(2, &Overrides::default());
+            for s in &flight.truth.as_ref().unwrap().states {
+                assert!(s.position.x.abs() <= 900.0 && s.position.y.abs() <= 900.0);
+            }
+        }
+    }
+}
