@@ -1,7 +1,16 @@
 //! Landmarks on the map and how they are found in the picture.
 
+mod alignment;
+mod detector;
 mod distinct;
+mod features;
+mod patch;
+mod peak;
+mod rectify;
 mod settings;
+mod template;
 
+pub use detector::{Detection, Detector, FrameView, Refusal, SearchRequest, Sighting};
 pub use distinct::Landmark;
 pub use settings::TemplateSettings;
+pub use template::{MatchEvidence, TemplateDetector};

@@ -1,12 +1,19 @@
 //! The pipeline: predict → choose landmarks → see → associate → gate → update → report.
 
+mod engine;
+mod geometry;
+mod pipeline;
+mod region;
 mod report;
 mod run;
+mod see;
 mod settings;
 
 pub use report::{
-    CandidateReport, Control, Estimate, FrameReport, JointReport, Outcome, Refusal, SigmaSets,
+    CandidateReport, Control, Estimate, FrameReport, JointReport, Outcome, SigmaSets,
     StepReport, StepTiming,
 };
+pub use crate::landmark::Refusal;
+pub use pipeline::{Navigator, NavigatorError, explain};
 pub use run::Run;
 pub use settings::{NavigatorSettings, ProcessNoise, SensorNoise, StartError, VehicleChoice};

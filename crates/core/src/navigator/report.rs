@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector, Matrix2, Point2, Vector2};
 use serde::{Deserialize, Serialize};
 
 use crate::frames::{GroundPoint, GroundRect, Pose};
+use crate::landmark::Refusal;
 
 /// What drove the prediction.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -63,64 +64,6 @@ pub struct StepTiming {
     pub see: f64,
     /// Gating and correction.
     pub update: f64,
-}
-
-/// Why a landmark was not used.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Refusal {
-    /// Its patch on the map has no texture to match.
-    Flat,
-    /// The best score is too low.
-    LowScore,
-    /// A second place looks nearly as good.
-    Ambiguous,
-    /// The best place lies at the edge of the search region.
-    AtSearchEdge,
-    /// The patch lies partly outside the picture at the best place.
-    OutOfPicture,
-    /// The innovation is too large for its covariance.
-    OutsideGate,
-    /// It contradicts the other landmarks of the frame.
-    Contradicted,
-}
-
-impl Refusal {
-    /// Every refusal, in the order in which people read them.
-    pub const ALL: [Self; 7] = [
-        Self::Flat,
-        Self::LowScore,
-        Self::Ambiguous,
-        Self::AtSearchEdge,
-        Self::OutOfPicture,
-        Self::OutsideGate,
-        Self::Contradicted,
-    ];
-
-    /// Short name in files and tables.
-    pub fn key(self) -> &'static str {
-        match self {
-            Self::Flat => "flat",
-            Self::LowScore => "low_score",
-            Self::Ambiguous => "ambiguous",
-            Self::AtSearchEdge => "at_search_edge",
-            Self::OutOfPicture => "out_of_picture",
-            Self::OutsideGate => "outside_gate",
-            Self::Contradicted => "contradicted",
-        }
-    }
-
-    /// The reason in words.
-    pub fn reason(self) -> &'static str {
-        match self {
-            Self::Flat => "the map patch has no texture to match",
-            Self::LowScore => "the best score is too low",
-            Self::Ambiguous => "a second place looks nearly as good",
-            Self::AtSearchEdge => "the best place lies at the edge of the search region",
-            Self::OutOfPicture => "the patch is cut by the edge of the picture",
-            Self::OutsideGate => "the innovation is too large for its covariance",
-            Self::Contradicted => "it contradicts the other landmarks of the frame",
-        }
-    }
 }
 
 /// What became of a landmark in a frame.

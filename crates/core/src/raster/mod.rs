@@ -9,8 +9,10 @@ mod image;
 mod integral;
 mod peak;
 mod simd;
+mod pyramid;
 
 pub use correlation::{SearchSpectrum, Template};
 pub use image::{Gray, Picture, Raster, Rgb, Rgba, luminance};
 pub use integral::IntegralImage;
 pub use peak::{Peak, highest_peak, refine_peak, rival_peak};
+pub use pyramid::{Pyramid, bilinear};

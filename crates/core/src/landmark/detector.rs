@@ -1,0 +1,153 @@
+//! What every detector is asked and what it answers.
+
+use nalgebra::Matrix2;
+use serde::{Deserialize, Serialize};
+
+use super::Landmark;
+use crate::camera::CameraModel;
+use crate::frames::{GroundPoint, GroundRect, Pose};
+use crate::raster::Pyramid;
+
+/// A camera picture and the pose that is assumed for it.
+#[derive(Clone, Copy, Debug)]
+pub struct FrameView<'a> {
+    /// The camera, any turn of the stored picture included.
+    pub camera: &'a CameraModel,
+    /// The pose from the predicted state and the measured attitude.
+    pub pose: Pose,
+    /// Down coordinate of the ground plane, metres.
+    pub ground_down: f64,
+    /// Luminance of the picture.
+    pub luminance: &'a Pyramid,
+}
+
+/// A landmark and how far from its expected place it may appear.
+#[derive(Clone, Copy, Debug)]
+pub struct SearchRequest<'a> {
+    /// What to look for.
+    pub landmark: &'a Landmark,
+    /// Covariance (north, east) of the difference between the place at which the landmark will
+    /// appear under the assumed pose and its place on the map, m²: the innovation covariance carried
+    /// to the ground.
+    pub displacement_covariance: Matrix2<f64>,
+}
+
+impl SearchRequest<'_> {
+    /// Half extents (north, east) of the search region, metres, at `sigmas` standard deviations.
+    pub fn half_extents(&self, sigmas: f64) -> (f64, f64) {
+        let c = &self.displacement_covariance;
+        (sigmas * c[(0, 0)].max(0.0).sqrt(), sigmas * c[(1, 1)].max(0.0).sqrt())
+    }
+
+    /// Ground that the landmark's box may cover under the assumed pose.
+    pub fn region(&self, sigmas: f64) -> GroundRect {
+        let (north, east) = self.half_extents(sigmas);
+        let b = self.landmark.bounds;
+        GroundRect {
+            south: b.south - north,
+            north: b.north + north,
+            west: b.west - east,
+            east: b.east + east,
+        }
+    }
+}
+
+/// Where a landmark was found.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Detection {
+    /// Ground point at which the reference point appears under the assumed pose.
+    pub ground: GroundPoint,
+    /// Covariance (north, east) of that place from the shape of the peak, m².
+    pub covariance: Matrix2<f64>,
+    /// Score of the best place, -1 to 1.
+    pub score: f64,
+    /// Score of the best place elsewhere in the search region.
+    pub second_score: f64,
+    /// Turn of the picture against the map at the peak, radians clockwise.
+    pub rotation: f64,
+    /// Size in the picture relative to the map at the peak.
+    pub scale: f64,
+}
+
+/// Why a landmark was not used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum Refusal {
+    /// Its patch on the map has no texture to match.
+    Flat,
+    /// The best score is too low.
+    LowScore,
+    /// A second place looks nearly as good.
+    Ambiguous,
+    /// The best place lies at the edge of the search region.
+    AtSearchEdge,
+    /// The patch lies partly outside the picture wherever it was looked for.
+    OutOfPicture,
+    /// The innovation is too large for its covariance.
+    OutsideGate,
+    /// It contradicts the other landmarks of the frame.
+    Contradicted,
+}
+
+impl Refusal {
+    /// Every refusal, in the order in which people read them.
+    pub const ALL: [Self; 7] = [
+        Self::Flat,
+        Self::LowScore,
+        Self::Ambiguous,
+        Self::AtSearchEdge,
+        Self::OutOfPicture,
+        Self::OutsideGate,
+        Self::Contradicted,
+    ];
+
+    /// Short name in files and tables.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Flat => "flat",
+            Self::LowScore => "low_score",
+            Self::Ambiguous => "ambiguous",
+            Self::AtSearchEdge => "at_search_edge",
+            Self::OutOfPicture => "out_of_picture",
+            Self::OutsideGate => "outside_gate",
+            Self::Contradicted => "contradicted",
+        }
+    }
+
+    /// The reason in words.
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::Flat => "the map patch has no texture to match",
+            Self::LowScore => "the best score is too low",
+            Self::Ambiguous => "a second place looks nearly as good",
+            Self::AtSearchEdge => "the best place lies at the edge of the search region",
+            Self::OutOfPicture => "the patch is cut by the edge of the picture",
+            Self::OutsideGate => "the innovation is too large for its covariance",
+            Self::Contradicted => "it contradicts the other landmarks of the frame",
+        }
+    }
+}
+
+/// What a detector says of one landmark in one picture.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Sighting {
+    /// It is there.
+    Found(Detection),
+    /// It may not be used; the best place, if any, is kept for people to see.
+    Refused(Refusal, Option<Detection>),
+}
+
+impl Sighting {
+    /// The best place, used or not.
+    pub fn best(&self) -> Option<&Detection> {
+        match self {
+            Self::Found(detection) => Some(detection),
+            Self::Refused(_, best) => best.as_ref(),
+        }
+    }
+}
+
+/// Something that finds landmarks in pictures.
+pub trait Detector: Send {
+    /// Looks for the landmark of `request` in `view`.
+    fn detect(&mut self, view: &FrameView<'_>, request: &SearchRequest<'_>) -> Sighting;
+}

@@ -1,0 +1,82 @@
+//! The camera picture as a north-up ground view at the map's scale.
+
+use nalgebra::Point3;
+
+use super::FrameView;
+use crate::camera::{Distortion, Lens};
+use crate::imagery::Window;
+use crate::raster::{Gray, bilinear};
+
+/// A rectified picture and how much of it the camera saw.
+#[derive(Clone, Debug)]
+pub struct GroundView {
+    /// Which ground the pixels show, under the assumed pose.
+    pub window: Window,
+    /// Luminance; the mean of the seen part where nothing was seen.
+    pub luminance: Gray,
+    /// Bounds in rows and columns where everything was seen, or `None` if a pixel is missing.
+    pub complete: bool,
+    /// One where the camera saw the ground, zero elsewhere; empty if complete.
+    pub seen: Gray,
+}
+
+/// Rectifies the part of the picture that shows `window`: every ground pixel is projected with the
+/// assumed pose and sampled at the pyramid level that fits the scale.
+pub fn rectify(view: &FrameView<'_>, window: &Window) -> GroundView {
+    let camera = view.camera;
+    let rotation = camera.camera_from_world(&view.pose);
+    let in_camera = |x: f64, y: f64| {
+        let p = window.ground_at(x, y);
+        rotation * (Point3::new(p.north, p.east, view.ground_down) - view.pose.position_in_world)
+    };
+    // On the plane, camera coordinates are affine in the ground pixel.
+    let origin = in_camera(0.5, 0.5);
+    let along_x = in_camera(1.5, 0.5) - origin;
+    let along_y = in_camera(0.5, 1.5) - origin;
+    let middle = in_camera(0.5 * window.width as f64, 0.5 * window.height as f64);
+    let camera_pixels = window.gsd * camera.focal / middle.z.max(1e-3);
+    let level = view.luminance.level_for(camera_pixels);
+    let source = view.luminance.level(level);
+    let shrink = 0.5_f64.powi(level as i32);
+    let plain = camera.lens == Lens::Pinhole && camera.distortion == Distortion::default();
+
+    let mut luminance = Gray::filled(window.width, window.height, 0.0);
+    let mut seen = Gray::filled(window.width, window.height, 1.0);
+    let (mut missing, mut sum) = (0_usize, 0.0_f64);
+    for row in 0..window.height {
+        let start = origin + along_y * row as f64;
+        for column in 0..window.width {
+            let p = start + along_x * column as f64;
+            let pixel = if plain {
+                (p.z > 1e-6).then(|| {
+                    let scale = camera.focal / p.z;
+                    (scale * p.x + camera.principal.x, scale * p.y + camera.principal.y)
+                })
+            } else {
+                camera.pixel_from_camera(&p).map(|q| (q.x, q.y))
+            };
+            let value = pixel
+                .and_then(|(x, y)| bilinear(source, (x * shrink) as f32, (y * shrink) as f32));
+            if let Some(value) = value {
+                luminance.set(column, row, value);
+                sum += f64::from(value);
+            } else {
+                seen.set(column, row, 0.0);
+                missing += 1;
+            }
+        }
+    }
+    let complete = missing == 0;
+    if complete {
+        seen = Gray::filled(0, 0, 0.0);
+    } else {
+        let count = window.width * window.height - missing;
+        let mean = if count > 0 { (sum / count as f64) as f32 } else { 0.0 };
+        for (pixel, seen) in luminance.pixels_mut().iter_mut().zip(seen.pixels()) {
+            if *seen == 0.0 {
+                *pixel = mean;
+            }
+        }
+    }
+    GroundView { window: *window, luminance, complete, seen }
+}

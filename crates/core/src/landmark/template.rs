@@ -1,0 +1,348 @@
+//! The template detector: matches a landmark's map patch in the rectified camera picture.
+//!
+//! Coarse over the whole search region, then fine around the best few places over small turns and
+//! scales, then sub-pixel. Scores are the mean of zero-mean normalized correlations on intensity and
+//! on edges (see [`super::features`]).
+
+use std::sync::Arc;
+
+use nalgebra::{Matrix2, Vector2};
+
+use super::alignment::alignment_covariance;
+use super::features::Features;
+use super::patch::{FLAT_CONTRAST, PatchBank, gsd_of, level_of};
+use super::peak::{FORBIDDEN, Peak, best_peaks, refine};
+use super::rectify::{GroundView, rectify};
+use super::{
+    Detection, Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting, TemplateSettings,
+};
+use crate::frames::{GroundPoint, GroundRect};
+use crate::imagery::{Imagery, Window};
+use crate::raster::Gray;
+
+/// Longer side of the patch at the fine scale, pixels.
+const FINE_PIXELS: f64 = 64.0;
+/// Scale levels between fine and coarse: two levels are one octave.
+const COARSE_LEVELS: i32 = 2;
+/// Places that the coarse search hands to the fine one.
+const MOST_CANDIDATES: usize = 4;
+/// Share of the patch that the camera must have seen.
+const LEAST_COVERAGE: f32 = 0.995;
+/// Fine offsets tried on either side of a coarse place.
+const FINE_REACH: usize = 2;
+
+/// Finds landmarks by their map patches.
+pub struct TemplateDetector {
+    bank: PatchBank,
+    settings: TemplateSettings,
+}
+
+/// One try of the fine search.
+#[derive(Clone, Copy, Debug)]
+struct Fit {
+    /// Centre of the patch on the ground under the assumed pose.
+    center: GroundPoint,
+    score: f64,
+    rotation: f64,
+    scale: f64,
+}
+
+/// Pictures that explain a search.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MatchEvidence {
+    /// The map patch.
+    pub patch: Gray,
+    /// The rectified picture over the search region.
+    pub rectified: Gray,
+    /// Combined score at every offset of the patch.
+    pub surface: Gray,
+    /// Best places of the surface, best first: (column, row).
+    pub peaks: Vec<(f64, f64)>,
+    /// Metres per pixel.
+    pub gsd: f64,
+}
+
+impl TemplateDetector {
+    /// A detector that cuts its patches from `map`.
+    pub fn new(map: Arc<dyn Imagery>, settings: TemplateSettings) -> Self {
+        Self { bank: PatchBank::new(map), settings }
+    }
+
+    /// The fine level for a landmark seen at `camera_gsd` metres per pixel.
+    fn fine_level(&self, landmark: &Landmark, camera_gsd: f64) -> i32 {
+        let longer = landmark.bounds.width().max(landmark.bounds.height());
+        level_of((longer / FINE_PIXELS).max(camera_gsd).max(self.bank.native_gsd()))
+    }
+
+    /// The window in which the patch (of `size` pixels) may be moved by `reach` pixels around `center`.
+    fn window(center: GroundPoint, gsd: f64, size: (usize, usize), reach: (usize, usize)) -> Window {
+        Window {
+            north_edge: center.north + (0.5 * size.1 as f64 + reach.1 as f64) * gsd,
+            west_edge: center.east - (0.5 * size.0 as f64 + reach.0 as f64) * gsd,
+            gsd,
+            width: size.0 + 2 * reach.0,
+            height: size.1 + 2 * reach.1,
+        }
+    }
+
+    /// The coarse surface over the whole search region, and the window it was made from.
+    fn coarse(
+        &mut self,
+        view: &FrameView<'_>,
+        request: &SearchRequest<'_>,
+    ) -> Result<(Gray, GroundView, (usize, usize)), Refusal> {
+        let landmark = request.landmark;
+        let camera_gsd = camera_gsd(view);
+        let level = self.fine_level(landmark, camera_gsd) + COARSE_LEVELS;
+        let gsd = gsd_of(level);
+        let (north, east) = request.half_extents(self.settings.search_sigmas);
+        let patch = self.bank.level(landmark, level);
+        let size = patch.size;
+        if patch.contrast < FLAT_CONTRAST {
+            return Err(Refusal::Flat);
+        }
+        let template = patch.template(0.0, 1.0).ok_or(Refusal::Flat)?;
+        let reach = ((east / gsd).ceil() as usize + 1, (north / gsd).ceil() as usize + 1);
+        let window = Self::window(landmark.bounds.center(), gsd, size, reach);
+        let ground = rectify(view, &window);
+        let mut surface = template.correlate(&Features::new(ground.luminance.clone()));
+        forbid_unseen(&mut surface, &ground, size);
+        if surface.pixels().iter().all(|score| *score <= FORBIDDEN) {
+            return Err(Refusal::OutOfPicture);
+        }
+        Ok((surface, ground, size))
+    }
+
+    /// The best place within [`FINE_REACH`] fine pixels of `center`, for one turn and scale.
+    fn fit(
+        &mut self,
+        view: &FrameView<'_>,
+        landmark: &Landmark,
+        level: i32,
+        center: GroundPoint,
+        variants: &[(f64, f64)],
+    ) -> Option<Fit> {
+        let patch = self.bank.level(landmark, level);
+        let (gsd, size) = (patch.gsd, patch.size);
+        let window = Self::window(center, gsd, size, (FINE_REACH + 1, FINE_REACH + 1));
+        let ground = rectify(view, &window);
+        if !ground.complete && coverage(&ground) < LEAST_COVERAGE {
+            return None;
+        }
+        let features = Features::new(ground.luminance);
+        let mut best: Option<Fit> = None;
+        for (rotation, scale) in variants {
+            let Some(template) = patch.template(*rotation, *scale) else { continue };
+            let surface = template.correlate(&features);
+            let Some(peak) = best_peaks(&surface, 1, 1).into_iter().next() else { continue };
+            let (offset, score) = refine(&surface, peak.column, peak.row);
+            if best.is_none_or(|b| score > b.score) {
+                let x = peak.column as f64 + offset.x + 0.5 * size.0 as f64;
+                let y = peak.row as f64 + offset.y + 0.5 * size.1 as f64;
+                let center = window.ground_at(x, y);
+                best = Some(Fit { center, score, rotation: *rotation, scale: *scale });
+            }
+        }
+        best
+    }
+
+    /// Improves turn and scale around a fit by parabolas through the neighbouring variants.
+    fn polish(
+        &mut self,
+        view: &FrameView<'_>,
+        landmark: &Landmark,
+        level: i32,
+        start: Fit,
+    ) -> Fit {
+        let (dr, ds) = (0.5 * self.settings.rotation_range, 0.5 * self.settings.scale_range);
+        let mut best = start;
+        for round in 0..2 {
+            let shrink = 0.5_f64.powi(round);
+            let (r, s) = (best.rotation, best.scale);
+            let variants = [
+                (r - dr * shrink, s),
+                (r + dr * shrink, s),
+                (r, s * (1.0 - ds * shrink)),
+                (r, s * (1.0 + ds * shrink)),
+            ]
+            .map(|(r, s)| {
+                let limit = self.settings.rotation_range;
+                let (low, high) = (1.0 - self.settings.scale_range, 1.0 + self.settings.scale_range);
+                (r.clamp(-limit, limit), s.clamp(low, high))
+            });
+            if let Some(fit) = self.fit(view, landmark, level, best.center, &variants)
+                && fit.score > best.score
+            {
+                best = fit;
+            }
+        }
+        best
+    }
+
+    /// Place, turn and covariance of the reference point for a fit of the patch's centre.
+    fn detection(
+        &mut self,
+        view: &FrameView<'_>,
+        landmark: &Landmark,
+        level: i32,
+        fit: &Fit,
+        second_score: f64,
+    ) -> Detection {
+        let patch = self.bank.level(landmark, level);
+        let (gsd, size) = (patch.gsd, patch.size);
+        let picture = rectify(view, &Self::window(fit.center, gsd, size, (0, 0)));
+        let template = patch.patch(fit.rotation, fit.scale);
+        // Pixels are (east, south); the world is (north, east).
+        let pixels = alignment_covariance(&template, &picture.luminance);
+        let c = pixels * (gsd * gsd);
+        let covariance = Matrix2::new(c[(1, 1)], -c[(0, 1)], -c[(0, 1)], c[(0, 0)]);
+        let arm = landmark.reference.to_vector() - landmark.bounds.center().to_vector();
+        let (sin, cos) = fit.rotation.sin_cos();
+        let turned = fit.scale * Vector2::new(cos * arm.x - sin * arm.y, sin * arm.x + cos * arm.y);
+        Detection {
+            ground: (fit.center.to_vector() + turned).into(),
+            covariance,
+            score: fit.score,
+            second_score,
+            rotation: fit.rotation,
+            scale: fit.scale,
+        }
+    }
+
+    /// Pictures that explain the search for people: patch, rectified picture and score surface.
+    pub fn explain(
+        &mut self,
+        view: &FrameView<'_>,
+        request: &SearchRequest<'_>,
+    ) -> Result<MatchEvidence, Refusal> {
+        let (surface, ground, size) = self.coarse(view, request)?;
+        let level = self.fine_level(request.landmark, camera_gsd(view)) + COARSE_LEVELS;
+        let peaks = best_peaks(&surface, separation(size), 2)
+            .into_iter()
+            .map(|p| {
+                let (offset, _) = refine(&surface, p.column, p.row);
+                (p.column as f64 + offset.x, p.row as f64 + offset.y)
+            })
+            .collect();
+        let patch = self.bank.level(request.landmark, level);
+        Ok(MatchEvidence {
+            patch: patch.patch(0.0, 1.0).as_ref().clone(),
+            rectified: ground.luminance,
+            surface,
+            peaks,
+            gsd: patch.gsd,
+        })
+    }
+}
+
+impl Detector for TemplateDetector {
+    fn detect(&mut self, view: &FrameView<'_>, request: &SearchRequest<'_>) -> Sighting {
+        let landmark = request.landmark;
+        let (surface, ground, size) = match self.coarse(view, request) {
+            Ok(found) => found,
+            Err(refusal) => return Sighting::Refused(refusal, None),
+        };
+        let level = self.fine_level(landmark, camera_gsd(view));
+        let turn = self.settings.rotation_range * 0.7;
+        let variants = [(-turn, 1.0), (0.0, 1.0), (turn, 1.0)];
+        let mut fits: Vec<(Fit, Peak)> = Vec::new();
+        for peak in best_peaks(&surface, separation(size), MOST_CANDIDATES) {
+            let (offset, _) = refine(&surface, peak.column, peak.row);
+            let x = peak.column as f64 + offset.x + 0.5 * size.0 as f64;
+            let y = peak.row as f64 + offset.y + 0.5 * size.1 as f64;
+            let center = ground.window.ground_at(x, y);
+            if let Some(fit) = self.fit(view, landmark, level, center, &variants) {
+                fits.push((fit, peak));
+            }
+        }
+        fits.sort_by(|a, b| b.0.score.total_cmp(&a.0.score));
+        let Some((fit, peak)) = fits.first().copied() else {
+            return Sighting::Refused(Refusal::OutOfPicture, None);
+        };
+        let apart = 0.25 * landmark.bounds.width().min(landmark.bounds.height());
+        let second = fits[1..]
+            .iter()
+            .filter(|(other, _)| other.center.distance(&fit.center) > apart)
+            .map(|(other, _)| other.score)
+            .fold(0.0, f64::max);
+        let fit = self.polish(view, landmark, level, fit);
+        let detection = self.detection(view, landmark, level, &fit, second);
+        let refusal = if detection.score < self.settings.least_score {
+            Some(Refusal::LowScore)
+        } else if second > self.settings.greatest_ambiguity * detection.score {
+            Some(Refusal::Ambiguous)
+        } else if at_edge(&surface, &peak) {
+            Some(Refusal::AtSearchEdge)
+        } else {
+            None
+        };
+        match refusal {
+            Some(refusal) => Sighting::Refused(refusal, Some(detection)),
+            None => Sighting::Found(detection),
+        }
+    }
+}
+
+/// Ground sample distance of the camera in the middle of the picture, metres per pixel.
+fn camera_gsd(view: &FrameView<'_>) -> f64 {
+    (view.ground_down - view.pose.position_in_world.z).max(0.1) / view.camera.focal
+}
+
+/// Places closer than this to a better one belong to it: a quarter of the patch.
+fn separation(size: (usize, usize)) -> usize {
+    (size.0.min(size.1) / 4).max(2)
+}
+
+fn at_edge(surface: &Gray, peak: &Peak) -> bool {
+    peak.column == 0
+        || peak.row == 0
+        || peak.column + 1 == surface.width()
+        || peak.row + 1 == surface.height()
+}
+
+/// Share of the ground view that the camera saw.
+fn coverage(ground: &GroundView) -> f32 {
+    if ground.complete {
+        return 1.0;
+    }
+    ground.seen.pixels().iter().sum::<f32>() / ground.seen.pixels().len() as f32
+}
+
+/// Forbids offsets at which the patch would cover ground that the camera did not see.
+fn forbid_unseen(surface: &mut Gray, ground: &GroundView, size: (usize, usize)) {
+    if ground.complete {
+        return;
+    }
+    // Sums over the patch by a table of cumulative sums.
+    let (width, height) = (ground.seen.width(), ground.seen.height());
+    let mut table = vec![0.0_f64; (width + 1) * (height + 1)];
+    for row in 0..height {
+        let mut line = 0.0;
+        for column in 0..width {
+            line += f64::from(ground.seen.get(column, row));
+            table[(row + 1) * (width + 1) + column + 1] = table[row * (width + 1) + column + 1] + line;
+        }
+    }
+    let at = |column: usize, row: usize| table[row * (width + 1) + column];
+    let least = f64::from(LEAST_COVERAGE) * (size.0 * size.1) as f64;
+    for row in 0..surface.height() {
+        for column in 0..surface.width() {
+            let (right, below) = (column + size.0, row + size.1);
+            let seen = at(right, below) - at(column, below) - at(right, row) + at(column, row);
+            if seen < least {
+                surface.set(column, row, FORBIDDEN);
+            }
+        }
+    }
+}
+
+/// The ground rectangle of a match surface: where the patch's centre lies at its first and last offset.
+pub fn surface_rect(window: &Window, size: (usize, usize), surface: &Gray) -> GroundRect {
+    let first = window.ground_at(0.5 * size.0 as f64, 0.5 * size.1 as f64);
+    GroundRect {
+        north: first.north,
+        west: first.east,
+        south: first.north - surface.height().saturating_sub(1) as f64 * window.gsd,
+        east: first.east + surface.width().saturating_sub(1) as f64 * window.gsd,
+    }
+}

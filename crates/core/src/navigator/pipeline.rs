@@ -1,0 +1,382 @@
+//! The navigator: one call a step.
+
+use std::sync::Arc;
+
+use nalgebra::{DVector, Point3};
+
+use super::engine::{Engine, MeasurementModel, engine};
+use super::see::{Measurement, PixelModel, Seer};
+use super::{
+    CandidateReport, Control, FrameReport, JointReport, NavigatorSettings, Run, SigmaSets,
+    StepReport, StepTiming,
+};
+use crate::camera::CameraModel;
+use crate::filter::FilterError;
+use crate::flight::{ChannelName, Flight, FrameSource};
+use crate::frames::{Attitude, GroundPoint};
+use crate::imagery::Imagery;
+use crate::landmark::{Detector, Landmark, SearchRequest, TemplateDetector};
+use crate::raster::{Picture, Pyramid};
+use crate::vehicle::ControlInput;
+
+/// Times closer than this are one step, seconds.
+const SAME_TIME: f64 = 1e-6;
+/// Levels of the picture pyramid.
+const PYRAMID_LEVELS: usize = 6;
+
+/// Why navigation cannot begin or go on.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum NavigatorError {
+    /// The flight lacks something.
+    #[error("flight \"{flight}\" has no {what}; {remedy}")]
+    Missing {
+        /// Name of the flight.
+        flight: String,
+        /// What is missing.
+        what: String,
+        /// What to do about it.
+        remedy: String,
+    },
+    /// The filter cannot go on.
+    #[error("the filter stopped at {time:.2} s: {cause}")]
+    Filter {
+        /// Time of the step, seconds.
+        time: f64,
+        /// What went wrong.
+        cause: FilterError,
+    },
+}
+
+/// One step of the plan: when, and which frame if any.
+#[derive(Clone, Copy, Debug)]
+struct Tick {
+    time: f64,
+    frame: Option<usize>,
+}
+
+/// Runs a flight through the estimator, one step a call.
+pub struct Navigator {
+    flight: Arc<Flight>,
+    landmarks: Vec<Landmark>,
+    settings: NavigatorSettings,
+    engine: Box<dyn Engine>,
+    detector: Box<dyn Detector>,
+    ticks: Vec<Tick>,
+    next: usize,
+    time: f64,
+    unaided: DVector<f64>,
+}
+
+impl Navigator {
+    /// Prepares to navigate `flight` by `landmarks`, whose patches are cut from `map`.
+    pub fn new(
+        flight: Arc<Flight>,
+        landmarks: &[Landmark],
+        map: Arc<dyn Imagery>,
+        settings: &NavigatorSettings,
+    ) -> Result<Self, NavigatorError> {
+        let detector = Box::new(TemplateDetector::new(map, settings.detector));
+        Self::with_detector(flight, landmarks, detector, settings)
+    }
+
+    /// As [`Navigator::new`], with another detector.
+    pub fn with_detector(
+        flight: Arc<Flight>,
+        landmarks: &[Landmark],
+        detector: Box<dyn Detector>,
+        settings: &NavigatorSettings,
+    ) -> Result<Self, NavigatorError> {
+        for (name, remedy) in [
+            (ChannelName::Heading, "add a heading channel"),
+            (ChannelName::HeightAboveGround, "add a height channel"),
+        ] {
+            if flight.channel(name).is_none_or(|c| c.times.is_empty()) {
+                return Err(NavigatorError::Missing {
+                    flight: flight.name.clone(),
+                    what: format!("channel {}", name.key()),
+                    remedy: remedy.to_owned(),
+                });
+            }
+        }
+        let start = flight.start;
+        let [north, east] = settings.start.offset;
+        let position = GroundPoint::new(start.position.north + north, start.position.east + east);
+        let deviation = start.standard_deviation.max(settings.start.position);
+        let engine = engine(settings, position, deviation)
+            .map_err(|cause| NavigatorError::Filter { time: start.time, cause })?;
+        let unaided = engine.state().mean;
+        let ticks = ticks(&flight);
+        Ok(Self {
+            landmarks: landmarks.to_vec(),
+            settings: settings.clone(),
+            engine,
+            detector,
+            ticks,
+            next: 0,
+            time: start.time,
+            unaided,
+            flight,
+        })
+    }
+
+    /// The run without its steps.
+    pub fn run_head(&self) -> Run {
+        Run {
+            name: self.flight.name.clone(),
+            settings: self.settings.clone(),
+            landmarks: self.landmarks.clone(),
+            state_names: self.engine.components(),
+            steps: Vec::new(),
+        }
+    }
+
+    /// Steps done, and steps in all.
+    pub fn progress(&self) -> (usize, usize) {
+        (self.next, self.ticks.len())
+    }
+
+    /// Index of the frame of the next step, if it has one.
+    pub fn next_frame(&self) -> Option<usize> {
+        self.ticks.get(self.next)?.frame
+    }
+
+    /// Takes the next step; `None` when the flight is over.
+    ///
+    /// `stopwatch` gives milliseconds of any clock that never goes back.
+    pub fn advance(
+        &mut self,
+        frames: &mut dyn FrameSource,
+        stopwatch: &dyn Fn() -> f64,
+    ) -> Option<Result<StepReport, NavigatorError>> {
+        let tick = *self.ticks.get(self.next)?;
+        let picture = tick.frame.map(|index| (index, frames.picture(index)));
+        self.next += 1;
+        let step = self.step(tick.time, picture, stopwatch);
+        if step.is_err() {
+            self.next = self.ticks.len();
+        }
+        Some(step.map_err(|cause| NavigatorError::Filter { time: tick.time, cause }))
+    }
+
+    fn step(
+        &mut self,
+        time: f64,
+        picture: Option<(usize, Result<Picture, crate::flight::FrameError>)>,
+        stopwatch: &dyn Fn() -> f64,
+    ) -> Result<StepReport, FilterError> {
+        let begun = stopwatch();
+        let dt = time - self.time;
+        let (input, control) = self.control(self.time + 0.5 * dt, time);
+        let predicted = self.engine.predict(&input, dt)?;
+        self.unaided = self.engine.dead_reckon(&self.unaided, &input, dt);
+        self.time = time;
+        let mut report = StepReport {
+            time,
+            dt,
+            control,
+            before: predicted.before,
+            after: predicted.after.clone(),
+            predicted: predicted.after,
+            sigma: SigmaSets {
+                before_predict: predicted.sigma_before,
+                after_predict: predicted.sigma_after,
+                before_correct: None,
+                after_correct: None,
+            },
+            dead_reckoned: GroundPoint::new(self.unaided[0], self.unaided[1]),
+            frame: None,
+            timing: StepTiming { predict: stopwatch() - begun, see: 0.0, update: 0.0 },
+        };
+        if let Some((index, picture)) = picture {
+            match picture {
+                Ok(picture) => self.look(index, &picture, &mut report, stopwatch)?,
+                Err(trouble) => {
+                    report.frame = Some(self.blind(index, &report, trouble.to_string()));
+                }
+            }
+        }
+        Ok(report)
+    }
+
+    /// Input for the prediction (at the middle of the step) and the control at its end.
+    fn control(&self, middle: f64, end: f64) -> (ControlInput, Control) {
+        let value = |name, time| self.flight.value(name, time);
+        let attitude = self.flight.attitude(middle).unwrap_or_default();
+        let airspeed = value(ChannelName::Airspeed, middle);
+        let input = airspeed.map_or_else(
+            || ControlInput::without_airspeed(attitude),
+            |airspeed| ControlInput::new(airspeed, attitude),
+        );
+        let now = self.flight.attitude(end).unwrap_or_default();
+        let control = Control {
+            airspeed: value(ChannelName::Airspeed, end),
+            heading: now.yaw,
+            roll: now.roll,
+            pitch: now.pitch,
+            height: value(ChannelName::HeightAboveGround, end).unwrap_or(0.0),
+        };
+        (input, control)
+    }
+
+    fn pixel_model<'a>(&self, camera: &'a CameraModel, control: &Control) -> PixelModel<'a> {
+        PixelModel {
+            camera,
+            attitude: Attitude { roll: control.roll, pitch: control.pitch, yaw: control.heading },
+            camera_down: self.flight.ground_down - control.height,
+            ground_down: self.flight.ground_down,
+        }
+    }
+
+    /// The camera as it took frame `index`: a picture stored turned is one from a turned mount.
+    fn camera_of_frame(&self, index: usize) -> CameraModel {
+        let mut camera = self.flight.camera.clone();
+        camera.mount.yaw += self.flight.frames[index].stored_turn;
+        camera
+    }
+
+    fn footprint(&self, model: &PixelModel<'_>, report: &StepReport) -> Vec<GroundPoint> {
+        let pose = model.pose(report.predicted.position(), self.engine.heading_bias());
+        let (w, h) = (model.camera.width as f64, model.camera.height as f64);
+        [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)]
+            .into_iter()
+            .filter_map(|(x, y)| {
+                model.camera.ground_at(&pose, &nalgebra::Point2::new(x, y), model.ground_down)
+            })
+            .collect()
+    }
+
+    fn blind(&self, index: usize, report: &StepReport, trouble: String) -> FrameReport {
+        let camera = self.camera_of_frame(index);
+        let model = self.pixel_model(&camera, &report.control);
+        FrameReport {
+            index,
+            assumed_pose: model.pose(report.predicted.position(), self.engine.heading_bias()),
+            footprint: self.footprint(&model, report),
+            candidates: Vec::new(),
+            joint: None,
+            trouble: Some(trouble),
+        }
+    }
+
+    /// See, associate, gate, update.
+    fn look(
+        &mut self,
+        index: usize,
+        picture: &Picture,
+        report: &mut StepReport,
+        stopwatch: &dyn Fn() -> f64,
+    ) -> Result<(), FilterError> {
+        let begun = stopwatch();
+        let camera = self.camera_of_frame(index);
+        let model = self.pixel_model(&camera, &report.control);
+        let pose = model.pose(report.predicted.position(), self.engine.heading_bias());
+        let seer = Seer { settings: &self.settings, engine: self.engine.as_ref(), model, pose };
+        let candidates = seer.candidates(&self.landmarks);
+        let mut reports: Vec<CandidateReport> = Vec::with_capacity(candidates.len());
+        let mut measurements: Vec<Measurement<'_>> = Vec::new();
+        let luminance = (!candidates.is_empty())
+            .then(|| Pyramid::new(picture.to_gray(), PYRAMID_LEVELS));
+        if let Some(luminance) = &luminance {
+            for (landmark, mut candidate) in candidates {
+                let place = seer.look(landmark, &mut candidate, luminance, self.detector.as_mut());
+                let found = place
+                    .and_then(|p| seer.judge(landmark, &mut candidate, reports.len(), p));
+                measurements.extend(found);
+                reports.push(candidate);
+            }
+        }
+        let seen = stopwatch();
+        let (agreed, nis, threshold) = seer.agree(measurements, &mut reports)?;
+        let mut joint = None;
+        if !agreed.is_empty() {
+            let (stacked, noise) = seer.stack(&agreed);
+            let landmarks: Vec<&Landmark> = agreed.iter().map(|m| m.landmark).collect();
+            let pixels: &MeasurementModel<'_> =
+                &|position, bias| model.pixels(&landmarks, position, bias);
+            let step = self.engine.correct(pixels, &noise, &stacked)?;
+            report.after = step.after;
+            report.sigma.before_correct = Some(step.sigma_before);
+            report.sigma.after_correct = Some(step.sigma_after);
+            joint = Some(JointReport {
+                nis,
+                degrees_of_freedom: stacked.len(),
+                threshold,
+                gain: step.gain,
+                innovation: step.innovation,
+                innovation_covariance: step.innovation_covariance,
+            });
+        }
+        report.frame = Some(FrameReport {
+            index,
+            assumed_pose: pose,
+            footprint: self.footprint(&model, report),
+            candidates: reports,
+            joint,
+            trouble: None,
+        });
+        report.timing.see = seen - begun;
+        report.timing.update = stopwatch() - seen;
+        Ok(())
+    }
+}
+
+/// Looks at a past step again for people: the pictures that explain what the detector did.
+///
+/// `None` if the landmark is unknown or was not looked for in that step.
+pub fn explain(
+    flight: &Flight,
+    map: Arc<dyn Imagery>,
+    run_settings: &NavigatorSettings,
+    landmark: &Landmark,
+    step: &StepReport,
+    picture: &Picture,
+) -> Option<Result<crate::landmark::MatchEvidence, crate::landmark::Refusal>> {
+    let frame = step.frame.as_ref()?;
+    let candidate = frame.candidates.iter().find(|c| c.landmark == landmark.id)?;
+    let mut camera = flight.camera.clone();
+    camera.mount.yaw += flight.frames.get(frame.index)?.stored_turn;
+    let pose = frame.assumed_pose;
+    let jacobian = super::geometry::ground_jacobian(
+        &camera,
+        &pose,
+        &candidate.predicted_pixel,
+        flight.ground_down,
+    )?;
+    let covariance = jacobian * candidate.innovation_covariance * jacobian.transpose();
+    let luminance = Pyramid::new(picture.to_gray(), PYRAMID_LEVELS);
+    let view = crate::landmark::FrameView {
+        camera: &camera,
+        pose,
+        ground_down: flight.ground_down,
+        luminance: &luminance,
+    };
+    let request = SearchRequest { landmark, displacement_covariance: covariance };
+    Some(TemplateDetector::new(map, run_settings.detector).explain(&view, &request))
+}
+
+/// Every time at which a measurement or a frame arrives after the start.
+fn ticks(flight: &Flight) -> Vec<Tick> {
+    let start = flight.start.time;
+    let mut ticks: Vec<Tick> = flight
+        .frames
+        .iter()
+        .enumerate()
+        .map(|(index, frame)| Tick { time: frame.time, frame: Some(index) })
+        .collect();
+    for name in [ChannelName::Airspeed, ChannelName::Heading] {
+        let times = flight.channel(name).map_or(&[][..], |c| &c.times);
+        ticks.extend(times.iter().map(|time| Tick { time: *time, frame: None }));
+    }
+    ticks.retain(|tick| tick.time >= start - SAME_TIME);
+    // Frames first among equals, so that the merge keeps them.
+    ticks.sort_by(|a, b| {
+        a.time.total_cmp(&b.time).then(b.frame.is_some().cmp(&a.frame.is_some()))
+    });
+    ticks.dedup_by(|later, kept| later.frame.is_none() && later.time - kept.time < SAME_TIME);
+    ticks
+}
+
+/// A point on the ground as a world point.
+pub fn on_ground(point: GroundPoint, ground_down: f64) -> Point3<f64> {
+    Point3::new(point.north, point.east, ground_down)
+}

@@ -1,0 +1,70 @@
+//! The region manager: which landmarks can be in view, given position, covariance, attitude and camera.
+//!
+//! DeAngelo 2016, chapter 2, asks for landmarks within a distance of the estimate. Here the distance
+//! follows from the picture: a landmark is looked for if its whole box may lie in the picture at some
+//! place within the search region.
+
+use nalgebra::{Matrix2, Point2, Point3};
+
+use crate::camera::CameraModel;
+use crate::frames::Pose;
+use crate::landmark::Landmark;
+
+/// Standard deviations by which the expected place may be off.
+const REACH: f64 = 3.0;
+
+/// Whether `landmark`, expected at `pixel` with innovation covariance `covariance` (pixels²), may lie
+/// wholly in the picture.
+pub fn may_be_in_view(
+    camera: &CameraModel,
+    pose: &Pose,
+    landmark: &Landmark,
+    ground_down: f64,
+    covariance: &Matrix2<f64>,
+) -> bool {
+    let b = landmark.bounds;
+    let corners = [(b.north, b.west), (b.north, b.east), (b.south, b.east), (b.south, b.west)];
+    let mut low = Point2::new(f64::INFINITY, f64::INFINITY);
+    let mut high = Point2::new(f64::NEG_INFINITY, f64::NEG_INFINITY);
+    for (north, east) in corners {
+        let Some(pixel) = camera.project(pose, &Point3::new(north, east, ground_down)) else {
+            return false;
+        };
+        low = Point2::new(low.x.min(pixel.x), low.y.min(pixel.y));
+        high = Point2::new(high.x.max(pixel.x), high.y.max(pixel.y));
+    }
+    let reach_x = REACH * covariance[(0, 0)].max(0.0).sqrt();
+    let reach_y = REACH * covariance[(1, 1)].max(0.0).sqrt();
+    let fits = |low: f64, high: f64, size: f64, reach: f64| {
+        high - low <= size && low + reach >= 0.0 && high - reach <= size
+    };
+    fits(low.x, high.x, camera.width as f64, reach_x)
+        && fits(low.y, high.y, camera.height as f64, reach_y)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::frames::{Attitude, GroundPoint, GroundRect};
+
+    fn seen(north: f64, sigma_pixels: f64) -> bool {
+        let camera = CameraModel::pinhole(640, 480, 60_f64.to_radians());
+        let pose =
+            Pose { position_in_world: Point3::new(0.0, 0.0, -100.0), attitude: Attitude::level(0.0) };
+        let bounds = GroundRect::centered(GroundPoint::new(north, 0.0), 20.0, 20.0);
+        let covariance = Matrix2::identity() * (sigma_pixels * sigma_pixels);
+        may_be_in_view(&camera, &pose, &Landmark::new(1, "barn", bounds), 0.0, &covariance)
+    }
+
+    #[test]
+    fn a_landmark_below_is_looked_for_and_one_far_ahead_is_not() {
+        assert!(seen(0.0, 5.0));
+        assert!(!seen(150.0, 5.0));
+    }
+
+    #[test]
+    fn an_uncertain_position_widens_the_region() {
+        assert!(!seen(70.0, 5.0));
+        assert!(seen(70.0, 80.0));
+    }
+}

@@ -1,0 +1,294 @@
+//! See, associate, gate: from a picture to the measurements that may correct the estimate.
+
+use nalgebra::{DMatrix, DVector, Matrix2, Matrix2x4, Matrix4, Point2, Point3, Vector2};
+
+use super::engine::{Engine, MeasurementModel};
+use super::geometry::{ground_jacobian, joint_noise, pose_covariance, pose_jacobian};
+use super::region::may_be_in_view;
+use super::{CandidateReport, NavigatorSettings, Outcome};
+use crate::camera::CameraModel;
+use crate::filter::{FilterError, Gate};
+use crate::frames::{Attitude, GroundPoint, Pose};
+use crate::landmark::{Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting};
+use crate::raster::Pyramid;
+
+/// What is needed to predict a pixel from a state.
+#[derive(Clone, Copy)]
+pub struct PixelModel<'a> {
+    pub camera: &'a CameraModel,
+    /// As measured; the heading's bias is still in it.
+    pub attitude: Attitude,
+    /// Down coordinate of the camera in the world, metres.
+    pub camera_down: f64,
+    pub ground_down: f64,
+}
+
+impl PixelModel<'_> {
+    /// The pose for a state.
+    pub fn pose(&self, position: GroundPoint, heading_bias: f64) -> Pose {
+        Pose {
+            position_in_world: Point3::new(position.north, position.east, self.camera_down),
+            attitude: Attitude { yaw: self.attitude.yaw - heading_bias, ..self.attitude },
+        }
+    }
+
+    /// Pixels of the landmarks' reference points for a state, stacked.
+    pub fn pixels(
+        &self,
+        landmarks: &[&Landmark],
+        position: GroundPoint,
+        heading_bias: f64,
+    ) -> Option<DVector<f64>> {
+        let pose = self.pose(position, heading_bias);
+        let mut stacked = DVector::zeros(2 * landmarks.len());
+        for (i, landmark) in landmarks.iter().enumerate() {
+            let pixel = self.camera.project(&pose, &landmark.reference_in_world(self.ground_down))?;
+            stacked.fixed_rows_mut::<2>(2 * i).copy_from(&pixel.coords);
+        }
+        Some(stacked)
+    }
+}
+
+/// A landmark that was found and passed its own gate.
+pub struct Measurement<'a> {
+    pub landmark: &'a Landmark,
+    /// Index of its report.
+    pub report: usize,
+    pub pixel: Point2<f64>,
+    pub covariance: Matrix2<f64>,
+    pub jacobian: Matrix2x4<f64>,
+}
+
+/// Everything that stays the same while a frame is worked on.
+pub struct Seer<'a> {
+    pub settings: &'a NavigatorSettings,
+    pub engine: &'a dyn Engine,
+    pub model: PixelModel<'a>,
+    pub pose: Pose,
+}
+
+impl<'a> Seer<'a> {
+    fn pose_covariance(&self) -> Matrix4<f64> {
+        pose_covariance(&self.settings.sensors)
+    }
+
+    fn floor(&self) -> Matrix2<f64> {
+        Matrix2::identity() * self.settings.sensors.pixel.powi(2)
+    }
+
+    fn noise(&self, own: &[Matrix2<f64>], jacobians: &[Matrix2x4<f64>]) -> DMatrix<f64> {
+        joint_noise(own, jacobians, &self.pose_covariance(), self.settings.measurement_scale)
+    }
+
+    /// Landmarks that may be in view, the most central first, with the reports begun.
+    pub fn candidates(&self, landmarks: &'a [Landmark]) -> Vec<(&'a Landmark, CandidateReport)> {
+        let camera = self.model.camera;
+        let mut found: Vec<(f64, &Landmark, CandidateReport)> = Vec::new();
+        for landmark in landmarks.iter().filter(|l| l.enabled) {
+            let Some(report) = self.begin(landmark) else { continue };
+            let covariance = &report.innovation_covariance;
+            if may_be_in_view(camera, &self.pose, landmark, self.model.ground_down, covariance) {
+                let off_center = (report.predicted_pixel - camera.principal).norm();
+                found.push((off_center, landmark, report));
+            }
+        }
+        found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        found.truncate(self.settings.most_landmarks);
+        found.into_iter().map(|(_, landmark, report)| (landmark, report)).collect()
+    }
+
+    /// The report of a landmark before it is looked for; `None` if it cannot be in front of the lens.
+    fn begin(&self, landmark: &Landmark) -> Option<CandidateReport> {
+        let model = self.model;
+        let point = landmark.reference_in_world(model.ground_down);
+        let jacobian = pose_jacobian(model.camera, &self.pose, &point)?;
+        let noise = self.noise(&[self.floor()], &[jacobian]);
+        let pixels: &MeasurementModel<'_> =
+            &|position, bias| model.pixels(&[landmark], position, bias);
+        let expected = self.engine.expect(pixels, &noise).ok()?;
+        let covariance = expected.covariance.fixed_view::<2, 2>(0, 0).into_owned();
+        Some(CandidateReport {
+            landmark: landmark.id,
+            predicted_pixel: Point2::new(expected.mean[0], expected.mean[1]),
+            innovation_covariance: covariance,
+            search_region: landmark.bounds,
+            search_outline: Vec::new(),
+            measured_pixel: None,
+            measurement_covariance: None,
+            score: 0.0,
+            second_score: 0.0,
+            innovation: None,
+            nis: None,
+            threshold: self.gate().threshold(2),
+            outcome: Outcome::Refused(Refusal::OutOfPicture),
+        })
+    }
+
+    fn gate(&self) -> Gate {
+        Gate { confidence: self.settings.gate_confidence }
+    }
+
+    /// The request for a detector: the innovation covariance carried to the ground.
+    pub fn request<'l>(
+        &self,
+        landmark: &'l Landmark,
+        report: &CandidateReport,
+    ) -> Option<SearchRequest<'l>> {
+        let model = &self.model;
+        let jacobian =
+            ground_jacobian(model.camera, &self.pose, &report.predicted_pixel, model.ground_down)?;
+        let covariance = jacobian * report.innovation_covariance * jacobian.transpose();
+        Some(SearchRequest { landmark, displacement_covariance: covariance })
+    }
+
+    /// What a detector is shown.
+    pub fn view(&self, luminance: &'a Pyramid) -> FrameView<'a> {
+        FrameView {
+            camera: self.model.camera,
+            pose: self.pose,
+            ground_down: self.model.ground_down,
+            luminance,
+        }
+    }
+
+    /// Looks for one landmark and fills in its report.
+    pub fn look(
+        &self,
+        landmark: &'a Landmark,
+        report: &mut CandidateReport,
+        luminance: &'a Pyramid,
+        detector: &mut dyn Detector,
+    ) -> Option<(Point2<f64>, Matrix2<f64>)> {
+        let request = self.request(landmark, report)?;
+        let region = request.region(self.settings.detector.search_sigmas);
+        let (camera, ground_down) = (self.model.camera, self.model.ground_down);
+        report.search_region = region;
+        report.search_outline = [
+            (region.north, region.west),
+            (region.north, region.east),
+            (region.south, region.east),
+            (region.south, region.west),
+        ]
+        .into_iter()
+        .filter_map(|(n, e)| camera.project(&self.pose, &Point3::new(n, e, ground_down)))
+        .collect();
+        let sighting = detector.detect(&self.view(luminance), &request);
+        let place = sighting.best().and_then(|best| {
+            report.score = best.score;
+            report.second_score = best.second_score;
+            let point = Point3::new(best.ground.north, best.ground.east, ground_down);
+            let pixel = camera.project(&self.pose, &point)?;
+            let to_ground = ground_jacobian(camera, &self.pose, &pixel, ground_down)?;
+            let to_pixel = to_ground.try_inverse()?;
+            let covariance = to_pixel * best.covariance * to_pixel.transpose() + self.floor();
+            report.measured_pixel = Some(pixel);
+            report.measurement_covariance = Some(covariance);
+            report.innovation = Some(pixel - report.predicted_pixel);
+            Some((pixel, covariance))
+        });
+        match sighting {
+            Sighting::Found(_) => place,
+            Sighting::Refused(refusal, _) => {
+                report.outcome = Outcome::Refused(refusal);
+                None
+            }
+        }
+    }
+
+    /// Judges a found place by its own innovation.
+    pub fn judge(
+        &self,
+        landmark: &'a Landmark,
+        report: &mut CandidateReport,
+        index: usize,
+        (pixel, covariance): (Point2<f64>, Matrix2<f64>),
+    ) -> Option<Measurement<'a>> {
+        let model = self.model;
+        let point = landmark.reference_in_world(model.ground_down);
+        let jacobian = pose_jacobian(model.camera, &self.pose, &point)?;
+        let noise = self.noise(&[covariance], &[jacobian]);
+        let pixels: &MeasurementModel<'_> =
+            &|position, bias| model.pixels(&[landmark], position, bias);
+        let expected = self.engine.expect(pixels, &noise).ok()?;
+        let innovation = Vector2::new(pixel.x - expected.mean[0], pixel.y - expected.mean[1]);
+        let inverse = expected.covariance.clone().try_inverse()?;
+        let nis = innovation.dot(&(inverse.fixed_view::<2, 2>(0, 0) * innovation));
+        report.innovation = Some(innovation);
+        report.innovation_covariance = expected.covariance.fixed_view::<2, 2>(0, 0).into_owned();
+        report.nis = Some(nis);
+        if nis > report.threshold {
+            report.outcome = Outcome::Refused(Refusal::OutsideGate);
+            return None;
+        }
+        report.outcome = Outcome::Accepted;
+        Some(Measurement { landmark, report: index, pixel, covariance, jacobian })
+    }
+
+    /// Stacked measurement with its joint noise.
+    pub fn stack(&self, measurements: &[Measurement<'_>]) -> (DVector<f64>, DMatrix<f64>) {
+        let mut stacked = DVector::zeros(2 * measurements.len());
+        for (i, m) in measurements.iter().enumerate() {
+            stacked.fixed_rows_mut::<2>(2 * i).copy_from(&m.pixel.coords);
+        }
+        let own: Vec<_> = measurements.iter().map(|m| m.covariance).collect();
+        let jacobians: Vec<_> = measurements.iter().map(|m| m.jacobian).collect();
+        (stacked, self.noise(&own, &jacobians))
+    }
+
+    /// Normalized innovation squared of several landmarks together.
+    fn joint_nis(&self, measurements: &[Measurement<'_>]) -> Result<f64, FilterError> {
+        let landmarks: Vec<&Landmark> = measurements.iter().map(|m| m.landmark).collect();
+        let (stacked, noise) = self.stack(measurements);
+        let model = self.model;
+        let pixels: &MeasurementModel<'_> =
+            &|position, bias| model.pixels(&landmarks, position, bias);
+        let expected = self.engine.expect(pixels, &noise)?;
+        let innovation = stacked - expected.mean;
+        let root = expected
+            .covariance
+            .cholesky()
+            .ok_or(FilterError::NotFinite { place: "joint innovation covariance" })?;
+        Ok(root.solve(&innovation).dot(&innovation))
+    }
+
+    /// Takes out landmarks until the rest agree with each other and with the prediction.
+    ///
+    /// The errors of position and attitude are common to all landmarks of a frame, so that a wrong one
+    /// stands out against two right ones far more than against its own gate. Of two that contradict
+    /// each other nobody knows which is wrong: both go.
+    pub fn agree(
+        &self,
+        mut measurements: Vec<Measurement<'a>>,
+        reports: &mut [CandidateReport],
+    ) -> Result<(Vec<Measurement<'a>>, f64, f64), FilterError> {
+        let gate = self.gate();
+        loop {
+            if measurements.is_empty() {
+                return Ok((measurements, 0.0, 0.0));
+            }
+            let nis = self.joint_nis(&measurements)?;
+            let threshold = gate.threshold(2 * measurements.len());
+            if nis <= threshold {
+                return Ok((measurements, nis, threshold));
+            }
+            let refused: Vec<usize> = if measurements.len() <= 2 {
+                measurements.iter().map(|m| m.report).collect()
+            } else {
+                let mut best: Option<(f64, usize)> = None;
+                for i in 0..measurements.len() {
+                    let left_out = measurements.remove(i);
+                    let nis = self.joint_nis(&measurements)?;
+                    if best.is_none_or(|(least, _)| nis < least) {
+                        best = Some((nis, left_out.report));
+                    }
+                    measurements.insert(i, left_out);
+                }
+                best.map(|(_, report)| report).into_iter().collect()
+            };
+            for index in &refused {
+                reports[*index].outcome = Outcome::Refused(Refusal::Contradicted);
+            }
+            measurements.retain(|m| !refused.contains(&m.report));
+        }
+    }
+}
