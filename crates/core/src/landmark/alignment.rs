@@ -25,7 +25,11 @@ pub fn alignment_covariance(template: &Gray, picture: &Gray) -> Matrix2<f64> {
     let mut blocks = vec![Vector2::<f64>::zeros(); BLOCKS * BLOCKS];
     let mut residual_energy = 0.0;
     for row in 1..height.saturating_sub(1) {
-        let (above, here, below) = (template.row(row - 1), template.row(row), template.row(row + 1));
+        let (above, here, below) = (
+            template.row(row - 1),
+            template.row(row),
+            template.row(row + 1),
+        );
         let seen = picture.row(row);
         let block_row = (row * BLOCKS / height) * BLOCKS;
         for column in 1..width - 1 {
@@ -41,8 +45,12 @@ pub fn alignment_covariance(template: &Gray, picture: &Gray) -> Matrix2<f64> {
     let n = (width * height) as f64;
     // A direction without gradients keeps a tiny curvature, so that its variance is huge, not infinite.
     let ridge = 1e-6 * n + 1e-3 * residual_energy / n.max(1.0);
-    let inverse = (shape + Matrix2::identity() * ridge).try_inverse().unwrap_or_else(Matrix2::identity);
-    let middle = blocks.iter().fold(Matrix2::zeros(), |sum, b| sum + b * b.transpose());
+    let inverse = (shape + Matrix2::identity() * ridge)
+        .try_inverse()
+        .unwrap_or_else(Matrix2::identity);
+    let middle = blocks
+        .iter()
+        .fold(Matrix2::zeros(), |sum, b| sum + b * b.transpose());
     let white = Matrix2::identity() * (residual_energy / n) * ridge;
     let covariance = inverse * (middle + white) * inverse;
     0.5 * (covariance + covariance.transpose()) + Matrix2::identity() * (FLOOR * FLOOR)
@@ -68,7 +76,9 @@ mod tests {
     use super::*;
 
     fn stripes(phase: f32) -> Gray {
-        Gray::from_fn(48, 48, |c, _| 100.0 + 40.0 * ((c as f32 + phase) * 0.5).sin())
+        Gray::from_fn(48, 48, |c, _| {
+            100.0 + 40.0 * ((c as f32 + phase) * 0.5).sin()
+        })
     }
 
     #[test]

@@ -36,7 +36,10 @@ impl SearchRequest<'_> {
     /// Half extents (north, east) of the search region, metres, at `sigmas` standard deviations.
     pub fn half_extents(&self, sigmas: f64) -> (f64, f64) {
         let c = &self.displacement_covariance;
-        (sigmas * c[(0, 0)].max(0.0).sqrt(), sigmas * c[(1, 1)].max(0.0).sqrt())
+        (
+            sigmas * c[(0, 0)].max(0.0).sqrt(),
+            sigmas * c[(1, 1)].max(0.0).sqrt(),
+        )
     }
 
     /// Ground that the landmark's box may cover under the assumed pose.

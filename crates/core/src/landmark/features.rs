@@ -32,19 +32,9 @@ impl Features {
                 sines[column] = 2.0 * gx * gy / magnitude;
             }
         }
-        Self { channels: [luminance, cosine, sine] }
-    }
-
-    /// The part that begins at (column, row).
-    pub fn crop(&self, column: usize, row: usize, width: usize, height: usize) -> Option<Self> {
-        let [a, b, c] = &self.channels;
-        Some(Self {
-            channels: [
-                a.crop(column, row, width, height)?,
-                b.crop(column, row, width, height)?,
-                c.crop(column, row, width, height)?,
-            ],
-        })
+        Self {
+            channels: [luminance, cosine, sine],
+        }
     }
 }
 
@@ -67,7 +57,10 @@ impl FeatureTemplate {
         let edges = (1.0 - INTENSITY_SHARE) / (cosine + sine).max(1e-6);
         let channels = [0, 1, 2].map(|i| Template::new(&patch.channels[i]));
         channels[0].as_ref()?;
-        Some(Self { channels, shares: [INTENSITY_SHARE, edges * cosine, edges * sine] })
+        Some(Self {
+            channels,
+            shares: [INTENSITY_SHARE, edges * cosine, edges * sine],
+        })
     }
 
     /// Combined score at every offset of the patch in `search`.

@@ -63,7 +63,12 @@ impl PatchLevel {
         let patch = level.patch(0.0, 1.0);
         let n = patch.pixels().len() as f64;
         let mean = patch.pixels().iter().map(|v| f64::from(*v)).sum::<f64>() / n;
-        let variance = patch.pixels().iter().map(|v| (f64::from(*v) - mean).powi(2)).sum::<f64>() / n;
+        let variance = patch
+            .pixels()
+            .iter()
+            .map(|v| (f64::from(*v) - mean).powi(2))
+            .sum::<f64>()
+            / n;
         level.contrast = variance.sqrt();
         level
     }
@@ -81,7 +86,11 @@ impl PatchLevel {
                 bilinear(surroundings, u as f32, v as f32).unwrap_or(0.0)
             }))
         };
-        Arc::clone(self.patches.entry(key(rotation, scale)).or_insert_with(make))
+        Arc::clone(
+            self.patches
+                .entry(key(rotation, scale))
+                .or_insert_with(make),
+        )
     }
 
     /// The same as a template, `None` if it is flat.
@@ -99,7 +108,10 @@ impl PatchLevel {
 
 /// Turns to a tenth of a milliradian and scales to a ten-thousandth are the same patch.
 fn key(rotation: f64, scale: f64) -> (i32, i32) {
-    ((rotation * 1e4).round() as i32, (scale * 1e4).round() as i32)
+    (
+        (rotation * 1e4).round() as i32,
+        (scale * 1e4).round() as i32,
+    )
 }
 
 /// The patches of all landmarks, made on first use.
@@ -111,7 +123,10 @@ pub struct PatchBank {
 impl PatchBank {
     /// Patches from `map`.
     pub fn new(map: Arc<dyn Imagery>) -> Self {
-        Self { map, levels: HashMap::new() }
+        Self {
+            map,
+            levels: HashMap::new(),
+        }
     }
 
     /// Finest ground sample distance that the map carries, metres per pixel.
@@ -122,8 +137,16 @@ impl PatchBank {
     /// The landmark at a scale level; a box that has changed since is cut anew.
     pub fn level(&mut self, landmark: &Landmark, level: i32) -> &mut PatchLevel {
         let map = self.map.as_ref();
-        let fresh = || (landmark.bounds, PatchLevel::new(map, &landmark.bounds, gsd_of(level)));
-        let entry = self.levels.entry((landmark.id, level)).or_insert_with(fresh);
+        let fresh = || {
+            (
+                landmark.bounds,
+                PatchLevel::new(map, &landmark.bounds, gsd_of(level)),
+            )
+        };
+        let entry = self
+            .levels
+            .entry((landmark.id, level))
+            .or_insert_with(fresh);
         if entry.0 != landmark.bounds {
             *entry = fresh();
         }

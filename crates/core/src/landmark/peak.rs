@@ -30,14 +30,23 @@ pub fn best_peaks(surface: &Gray, separation: usize, most: usize) -> Vec<Peak> {
             .enumerate()
             .filter(|(_, (_, taken))| !**taken)
             .max_by(|a, b| a.1.0.total_cmp(b.1.0));
-        let Some((index, (score, _))) = best else { break };
+        let Some((index, (score, _))) = best else {
+            break;
+        };
         let (column, row) = (index % surface.width(), index / surface.width());
         if is_local_maximum(surface, column, row) {
-            peaks.push(Peak { column, row, score: *score });
+            peaks.push(Peak {
+                column,
+                row,
+                score: *score,
+            });
         }
-        let columns = column.saturating_sub(separation)..(column + separation + 1).min(surface.width());
+        let columns =
+            column.saturating_sub(separation)..(column + separation + 1).min(surface.width());
         let rows = row.saturating_sub(separation)..(row + separation + 1).min(surface.height());
-        let local = peaks.last().is_some_and(|p| (p.column, p.row) == (column, row));
+        let local = peaks
+            .last()
+            .is_some_and(|p| (p.column, p.row) == (column, row));
         if local {
             for r in rows {
                 taken.row_mut(r)[columns.clone()].fill(true);
@@ -54,7 +63,8 @@ fn is_local_maximum(surface: &Gray, column: usize, row: usize) -> bool {
     let here = surface.get(column, row);
     let columns = column.saturating_sub(1)..=(column + 1).min(surface.width() - 1);
     let rows = row.saturating_sub(1)..=(row + 1).min(surface.height() - 1);
-    rows.flat_map(|r| columns.clone().map(move |c| (c, r))).all(|(c, r)| surface.get(c, r) <= here)
+    rows.flat_map(|r| columns.clone().map(move |c| (c, r)))
+        .all(|(c, r)| surface.get(c, r) <= here)
 }
 
 /// Offset (x, y) of the true maximum from the sample at (column, row) and the height there, from the
@@ -71,7 +81,10 @@ pub fn refine(surface: &Gray, column: usize, row: usize) -> (Vector2<f64>, f64) 
         f64::from(surface.get(column.wrapping_add_signed(dx), row.wrapping_add_signed(dy)))
     };
     let sum = |f: &dyn Fn(isize, isize) -> f64| {
-        (-1..=1).flat_map(|y| (-1..=1).map(move |x| (x, y))).map(|(x, y)| f(x, y) * at(x, y)).sum::<f64>()
+        (-1..=1)
+            .flat_map(|y| (-1..=1).map(move |x| (x, y)))
+            .map(|(x, y)| f(x, y) * at(x, y))
+            .sum::<f64>()
     };
     let gradient = Vector2::new(sum(&|x, _| x as f64 / 6.0), sum(&|_, y| y as f64 / 6.0));
     let second = |x: isize| if x == 0 { -2.0 / 3.0 } else { 1.0 / 3.0 };
@@ -82,7 +95,9 @@ pub fn refine(surface: &Gray, column: usize, row: usize) -> (Vector2<f64>, f64) 
     if !(hxx < 0.0 && hessian.determinant() > 0.0) {
         return (Vector2::zeros(), here);
     }
-    let Some(inverse) = hessian.try_inverse() else { return (Vector2::zeros(), here) };
+    let Some(inverse) = hessian.try_inverse() else {
+        return (Vector2::zeros(), here);
+    };
     let step = -(inverse * gradient);
     let limited = step.map(|v| v.clamp(-1.0, 1.0));
     (limited, here.max(here + 0.5 * gradient.dot(&limited)))
@@ -100,7 +115,10 @@ mod tests {
         });
         let peak = best_peaks(&surface, 2, 1)[0];
         let (offset, height) = refine(&surface, peak.column, peak.row);
-        assert!((peak.column as f64 + offset.x - 4.3).abs() < 1e-4, "{offset}");
+        assert!(
+            (peak.column as f64 + offset.x - 4.3).abs() < 1e-4,
+            "{offset}"
+        );
         assert!((peak.row as f64 + offset.y - 3.8).abs() < 1e-4, "{offset}");
         assert!((height - 0.9).abs() < 1e-2);
     }

@@ -50,13 +50,16 @@ pub fn rectify(view: &FrameView<'_>, window: &Window) -> GroundView {
             let pixel = if plain {
                 (p.z > 1e-6).then(|| {
                     let scale = camera.focal / p.z;
-                    (scale * p.x + camera.principal.x, scale * p.y + camera.principal.y)
+                    (
+                        scale * p.x + camera.principal.x,
+                        scale * p.y + camera.principal.y,
+                    )
                 })
             } else {
                 camera.pixel_from_camera(&p).map(|q| (q.x, q.y))
             };
-            let value = pixel
-                .and_then(|(x, y)| bilinear(source, (x * shrink) as f32, (y * shrink) as f32));
+            let value =
+                pixel.and_then(|(x, y)| bilinear(source, (x * shrink) as f32, (y * shrink) as f32));
             if let Some(value) = value {
                 luminance.set(column, row, value);
                 sum += f64::from(value);
@@ -71,12 +74,21 @@ pub fn rectify(view: &FrameView<'_>, window: &Window) -> GroundView {
         seen = Gray::filled(0, 0, 0.0);
     } else {
         let count = window.width * window.height - missing;
-        let mean = if count > 0 { (sum / count as f64) as f32 } else { 0.0 };
+        let mean = if count > 0 {
+            (sum / count as f64) as f32
+        } else {
+            0.0
+        };
         for (pixel, seen) in luminance.pixels_mut().iter_mut().zip(seen.pixels()) {
             if *seen == 0.0 {
                 *pixel = mean;
             }
         }
     }
-    GroundView { window: *window, luminance, complete, seen }
+    GroundView {
+        window: *window,
+        luminance,
+        complete,
+        seen,
+    }
 }

@@ -16,7 +16,7 @@ use super::rectify::{GroundView, rectify};
 use super::{
     Detection, Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting, TemplateSettings,
 };
-use crate::frames::{GroundPoint, GroundRect};
+use crate::frames::GroundPoint;
 use crate::imagery::{Imagery, Window};
 use crate::raster::Gray;
 
@@ -65,17 +65,29 @@ pub struct MatchEvidence {
 impl TemplateDetector {
     /// A detector that cuts its patches from `map`.
     pub fn new(map: Arc<dyn Imagery>, settings: TemplateSettings) -> Self {
-        Self { bank: PatchBank::new(map), settings }
+        Self {
+            bank: PatchBank::new(map),
+            settings,
+        }
     }
 
     /// The fine level for a landmark seen at `camera_gsd` metres per pixel.
     fn fine_level(&self, landmark: &Landmark, camera_gsd: f64) -> i32 {
         let longer = landmark.bounds.width().max(landmark.bounds.height());
-        level_of((longer / FINE_PIXELS).max(camera_gsd).max(self.bank.native_gsd()))
+        level_of(
+            (longer / FINE_PIXELS)
+                .max(camera_gsd)
+                .max(self.bank.native_gsd()),
+        )
     }
 
     /// The window in which the patch (of `size` pixels) may be moved by `reach` pixels around `center`.
-    fn window(center: GroundPoint, gsd: f64, size: (usize, usize), reach: (usize, usize)) -> Window {
+    fn window(
+        center: GroundPoint,
+        gsd: f64,
+        size: (usize, usize),
+        reach: (usize, usize),
+    ) -> Window {
         Window {
             north_edge: center.north + (0.5 * size.1 as f64 + reach.1 as f64) * gsd,
             west_edge: center.east - (0.5 * size.0 as f64 + reach.0 as f64) * gsd,
@@ -102,7 +114,10 @@ impl TemplateDetector {
             return Err(Refusal::Flat);
         }
         let template = patch.template(0.0, 1.0).ok_or(Refusal::Flat)?;
-        let reach = ((east / gsd).ceil() as usize + 1, (north / gsd).ceil() as usize + 1);
+        let reach = (
+            (east / gsd).ceil() as usize + 1,
+            (north / gsd).ceil() as usize + 1,
+        );
         let window = Self::window(landmark.bounds.center(), gsd, size, reach);
         let ground = rectify(view, &window);
         let mut surface = template.correlate(&Features::new(ground.luminance.clone()));
@@ -132,29 +147,35 @@ impl TemplateDetector {
         let features = Features::new(ground.luminance);
         let mut best: Option<Fit> = None;
         for (rotation, scale) in variants {
-            let Some(template) = patch.template(*rotation, *scale) else { continue };
+            let Some(template) = patch.template(*rotation, *scale) else {
+                continue;
+            };
             let surface = template.correlate(&features);
-            let Some(peak) = best_peaks(&surface, 1, 1).into_iter().next() else { continue };
+            let Some(peak) = best_peaks(&surface, 1, 1).into_iter().next() else {
+                continue;
+            };
             let (offset, score) = refine(&surface, peak.column, peak.row);
             if best.is_none_or(|b| score > b.score) {
                 let x = peak.column as f64 + offset.x + 0.5 * size.0 as f64;
                 let y = peak.row as f64 + offset.y + 0.5 * size.1 as f64;
                 let center = window.ground_at(x, y);
-                best = Some(Fit { center, score, rotation: *rotation, scale: *scale });
+                best = Some(Fit {
+                    center,
+                    score,
+                    rotation: *rotation,
+                    scale: *scale,
+                });
             }
         }
         best
     }
 
     /// Improves turn and scale around a fit by parabolas through the neighbouring variants.
-    fn polish(
-        &mut self,
-        view: &FrameView<'_>,
-        landmark: &Landmark,
-        level: i32,
-        start: Fit,
-    ) -> Fit {
-        let (dr, ds) = (0.5 * self.settings.rotation_range, 0.5 * self.settings.scale_range);
+    fn polish(&mut self, view: &FrameView<'_>, landmark: &Landmark, level: i32, start: Fit) -> Fit {
+        let (dr, ds) = (
+            0.5 * self.settings.rotation_range,
+            0.5 * self.settings.scale_range,
+        );
         let mut best = start;
         for round in 0..2 {
             let shrink = 0.5_f64.powi(round);
@@ -167,7 +188,10 @@ impl TemplateDetector {
             ]
             .map(|(r, s)| {
                 let limit = self.settings.rotation_range;
-                let (low, high) = (1.0 - self.settings.scale_range, 1.0 + self.settings.scale_range);
+                let (low, high) = (
+                    1.0 - self.settings.scale_range,
+                    1.0 + self.settings.scale_range,
+                );
                 (r.clamp(-limit, limit), s.clamp(low, high))
             });
             if let Some(fit) = self.fit(view, landmark, level, best.center, &variants)
@@ -320,7 +344,8 @@ fn forbid_unseen(surface: &mut Gray, ground: &GroundView, size: (usize, usize)) 
         let mut line = 0.0;
         for column in 0..width {
             line += f64::from(ground.seen.get(column, row));
-            table[(row + 1) * (width + 1) + column + 1] = table[row * (width + 1) + column + 1] + line;
+            table[(row + 1) * (width + 1) + column + 1] =
+                table[row * (width + 1) + column + 1] + line;
         }
     }
     let at = |column: usize, row: usize| table[row * (width + 1) + column];
@@ -333,16 +358,5 @@ fn forbid_unseen(surface: &mut Gray, ground: &GroundView, size: (usize, usize)) 
                 surface.set(column, row, FORBIDDEN);
             }
         }
-    }
-}
-
-/// The ground rectangle of a match surface: where the patch's centre lies at its first and last offset.
-pub fn surface_rect(window: &Window, size: (usize, usize), surface: &Gray) -> GroundRect {
-    let first = window.ground_at(0.5 * size.0 as f64, 0.5 * size.1 as f64);
-    GroundRect {
-        north: first.north,
-        west: first.east,
-        south: first.north - surface.height().saturating_sub(1) as f64 * window.gsd,
-        east: first.east + surface.width().saturating_sub(1) as f64 * window.gsd,
     }
 }

@@ -32,7 +32,6 @@ pub struct CorrectedStep {
     pub gain: DMatrix<f64>,
     pub innovation: DVector<f64>,
     pub innovation_covariance: DMatrix<f64>,
-    pub nis: f64,
     pub sigma_before: DMatrix<f64>,
     pub sigma_after: DMatrix<f64>,
     pub after: Estimate,
@@ -86,8 +85,10 @@ impl<const N: usize, V: VehicleModel<N>> UkfEngine<N, V> {
 }
 
 fn matrix<const N: usize>(points: &SigmaPoints<N>) -> DMatrix<f64> {
-    let columns: Vec<DVector<f64>> =
-        points.iter().map(|p| DVector::from_column_slice(p.as_slice())).collect();
+    let columns: Vec<DVector<f64>> = points
+        .iter()
+        .map(|p| DVector::from_column_slice(p.as_slice()))
+        .collect();
     DMatrix::from_columns(&columns)
 }
 
@@ -97,18 +98,27 @@ impl<const N: usize, V: VehicleModel<N> + Send> Engine for UkfEngine<N, V> {
     }
 
     fn components(&self) -> Vec<(String, String)> {
-        let names = self.model.state_names().into_iter().zip(self.model.state_units());
-        names.map(|(name, unit)| (name.to_owned(), unit.to_owned())).collect()
+        let names = self
+            .model
+            .state_names()
+            .into_iter()
+            .zip(self.model.state_units());
+        names
+            .map(|(name, unit)| (name.to_owned(), unit.to_owned()))
+            .collect()
     }
 
     fn heading_bias(&self) -> f64 {
-        self.heading_bias_index.map_or(0.0, |i| self.filter.mean()[i])
+        self.heading_bias_index
+            .map_or(0.0, |i| self.filter.mean()[i])
     }
 
     fn predict(&mut self, input: &ControlInput, dt: f64) -> Result<PredictedStep, FilterError> {
         let noise = self.model.process_noise(self.filter.mean(), input, dt);
         let model = &self.model;
-        let step = self.filter.predict(|x| model.propagate(x, input, dt), &noise)?;
+        let step = self
+            .filter
+            .predict(|x| model.propagate(x, input, dt), &noise)?;
         Ok(PredictedStep {
             before: estimate(&step.before),
             after: estimate(&step.after),
@@ -127,8 +137,13 @@ impl<const N: usize, V: VehicleModel<N> + Send> Engine for UkfEngine<N, V> {
         model: &MeasurementModel<'_>,
         noise: &DMatrix<f64>,
     ) -> Result<Expectation, FilterError> {
-        let predicted = self.filter.predict_measurement::<Dyn>(self.measure(model), noise)?;
-        Ok(Expectation { mean: predicted.mean, covariance: predicted.innovation_covariance })
+        let predicted = self
+            .filter
+            .predict_measurement::<Dyn>(self.measure(model), noise)?;
+        Ok(Expectation {
+            mean: predicted.mean,
+            covariance: predicted.innovation_covariance,
+        })
     }
 
     fn correct(
@@ -138,13 +153,14 @@ impl<const N: usize, V: VehicleModel<N> + Send> Engine for UkfEngine<N, V> {
         measurement: &DVector<f64>,
     ) -> Result<CorrectedStep, FilterError> {
         let sigma_before = matrix(&self.filter.measurement_points());
-        let predicted = self.filter.predict_measurement::<Dyn>(self.measure(model), noise)?;
+        let predicted = self
+            .filter
+            .predict_measurement::<Dyn>(self.measure(model), noise)?;
         let step = self.filter.correct(&predicted, measurement)?;
         Ok(CorrectedStep {
             gain: DMatrix::from_column_slice(N, measurement.len(), step.gain.as_slice()),
             innovation: step.innovation,
             innovation_covariance: step.innovation_covariance,
-            nis: step.nis,
             sigma_before,
             sigma_after: matrix(&self.filter.sigma_points()),
             after: estimate(&step.after),
@@ -168,7 +184,10 @@ pub fn vehicle(settings: &NavigatorSettings) -> VehicleSettings {
         position_noise_density: p.position,
         ..AirData::default()
     };
-    let gusts = Gusts { deviation: p.gust, correlation_time: p.gust_time };
+    let gusts = Gusts {
+        deviation: p.gust,
+        correlation_time: p.gust_time,
+    };
     let start_wind_deviation = settings.start.wind;
     match settings.vehicle {
         VehicleChoice::AirplaneWind => VehicleSettings::AirplaneWind(AirplaneWind {
@@ -195,9 +214,9 @@ pub fn vehicle(settings: &NavigatorSettings) -> VehicleSettings {
                 heading_bias_noise_density: 0.0,
             },
         }),
-        VehicleChoice::RandomWalk => {
-            VehicleSettings::RandomWalk(RandomWalk { position_noise_density: p.position })
-        }
+        VehicleChoice::RandomWalk => VehicleSettings::RandomWalk(RandomWalk {
+            position_noise_density: p.position,
+        }),
         VehicleChoice::ConstantVelocity => VehicleSettings::ConstantVelocity(ConstantVelocity {
             velocity_noise_density: p.acceleration,
             start_velocity_deviation: start_wind_deviation,
@@ -224,16 +243,27 @@ pub fn engine(
             V: VehicleModel<N> + Clone + Send + Sync + 'static,
         {
             let prior = model.prior(self.position, self.deviation);
-            let heading_bias_index = model.state_names().iter().position(|n| *n == "heading bias");
+            let heading_bias_index = model
+                .state_names()
+                .iter()
+                .position(|n| *n == "heading bias");
             let filter = Ukf::new(prior, self.unscented)?;
-            Ok(Box::new(UkfEngine { filter, model, heading_bias_index }))
+            Ok(Box::new(UkfEngine {
+                filter,
+                model,
+                heading_bias_index,
+            }))
         }
     }
     vehicle(settings).visit(Build {
         unscented: UnscentedSettings {
             alpha: settings.alpha,
             beta: settings.beta,
-            redraw: if settings.redraw { Redraw::AfterProcessNoise } else { Redraw::CarriedThrough },
+            redraw: if settings.redraw {
+                Redraw::AfterProcessNoise
+            } else {
+                Redraw::CarriedThrough
+            },
         },
         position,
         deviation,

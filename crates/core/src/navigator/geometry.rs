@@ -8,7 +8,11 @@ use crate::frames::{GroundPoint, Pose};
 
 /// Change of the pixel of `point` with roll, pitch, yaw (radians) and height (metres): 2 × 4, by
 /// central differences; `None` where the point is not in front of the lens.
-pub fn pose_jacobian(camera: &CameraModel, pose: &Pose, point: &Point3<f64>) -> Option<Matrix2x4<f64>> {
+pub fn pose_jacobian(
+    camera: &CameraModel,
+    pose: &Pose,
+    point: &Point3<f64>,
+) -> Option<Matrix2x4<f64>> {
     let moved = |step: Vector4<f64>| {
         let mut pose = *pose;
         pose.attitude.roll += step[0];
@@ -50,7 +54,9 @@ pub fn joint_noise(
             if i == j {
                 block += own[i];
             }
-            noise.fixed_view_mut::<2, 2>(2 * i, 2 * j).copy_from(&(block * scale));
+            noise
+                .fixed_view_mut::<2, 2>(2 * i, 2 * j)
+                .copy_from(&(block * scale));
         }
     }
     noise
@@ -80,15 +86,24 @@ mod tests {
     use crate::frames::Attitude;
 
     fn pose(height: f64) -> Pose {
-        Pose { position_in_world: Point3::new(0.0, 0.0, -height), attitude: Attitude::level(0.3) }
+        Pose {
+            position_in_world: Point3::new(0.0, 0.0, -height),
+            attitude: Attitude::level(0.3),
+        }
     }
 
     #[test]
     fn a_degree_of_roll_moves_the_nadir_point_by_the_focal_length_times_the_angle() {
         let camera = CameraModel::pinhole(640, 480, 60_f64.to_radians());
         let j = pose_jacobian(&camera, &pose(100.0), &Point3::origin()).unwrap();
-        assert!((j.column(0).norm() - camera.focal).abs() < 1e-3 * camera.focal, "{j}");
-        assert!(j.column(3).norm() < 1e-9, "height does not move the nadir point: {j}");
+        assert!(
+            (j.column(0).norm() - camera.focal).abs() < 1e-3 * camera.focal,
+            "{j}"
+        );
+        assert!(
+            j.column(3).norm() < 1e-9,
+            "height does not move the nadir point: {j}"
+        );
     }
 
     #[test]
@@ -96,7 +111,13 @@ mod tests {
         let camera = CameraModel::pinhole(640, 480, 60_f64.to_radians());
         let points = [Point3::new(10.0, 5.0, 0.0), Point3::new(-8.0, 12.0, 0.0)];
         let jacobians = points.map(|p| pose_jacobian(&camera, &pose(100.0), &p).unwrap());
-        let noise = SensorNoise { roll: 0.02, pitch: 0.02, yaw: 0.02, height: 0.5, pixel: 0.1 };
+        let noise = SensorNoise {
+            roll: 0.02,
+            pitch: 0.02,
+            yaw: 0.02,
+            height: 0.5,
+            pixel: 0.1,
+        };
         let own = [Matrix2::identity() * 0.04; 2];
         let joint = joint_noise(&own, &jacobians, &pose_covariance(&noise), 1.0);
         let correlation = joint[(0, 2)] / (joint[(0, 0)] * joint[(2, 2)]).sqrt();

@@ -9,11 +9,11 @@ mod run;
 mod see;
 mod settings;
 
-pub use report::{
-    CandidateReport, Control, Estimate, FrameReport, JointReport, Outcome, SigmaSets,
-    StepReport, StepTiming,
-};
 pub use crate::landmark::Refusal;
 pub use pipeline::{Navigator, NavigatorError, explain};
+pub use report::{
+    CandidateReport, Control, Estimate, FrameReport, JointReport, Outcome, SigmaSets, StepReport,
+    StepTiming,
+};
 pub use run::Run;
 pub use settings::{NavigatorSettings, ProcessNoise, SensorNoise, StartError, VehicleChoice};

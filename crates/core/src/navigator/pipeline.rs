@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::{DVector, Point3};
+use nalgebra::DVector;
 
 use super::engine::{Engine, MeasurementModel, engine};
 use super::see::{Measurement, PixelModel, Seer};
@@ -102,8 +102,11 @@ impl Navigator {
         let [north, east] = settings.start.offset;
         let position = GroundPoint::new(start.position.north + north, start.position.east + east);
         let deviation = start.standard_deviation.max(settings.start.position);
-        let engine = engine(settings, position, deviation)
-            .map_err(|cause| NavigatorError::Filter { time: start.time, cause })?;
+        let engine =
+            engine(settings, position, deviation).map_err(|cause| NavigatorError::Filter {
+                time: start.time,
+                cause,
+            })?;
         let unaided = engine.state().mean;
         let ticks = ticks(&flight);
         Ok(Self {
@@ -155,7 +158,10 @@ impl Navigator {
         if step.is_err() {
             self.next = self.ticks.len();
         }
-        Some(step.map_err(|cause| NavigatorError::Filter { time: tick.time, cause }))
+        Some(step.map_err(|cause| NavigatorError::Filter {
+            time: tick.time,
+            cause,
+        }))
     }
 
     fn step(
@@ -185,7 +191,11 @@ impl Navigator {
             },
             dead_reckoned: GroundPoint::new(self.unaided[0], self.unaided[1]),
             frame: None,
-            timing: StepTiming { predict: stopwatch() - begun, see: 0.0, update: 0.0 },
+            timing: StepTiming {
+                predict: stopwatch() - begun,
+                see: 0.0,
+                update: 0.0,
+            },
         };
         if let Some((index, picture)) = picture {
             match picture {
@@ -221,7 +231,11 @@ impl Navigator {
     fn pixel_model<'a>(&self, camera: &'a CameraModel, control: &Control) -> PixelModel<'a> {
         PixelModel {
             camera,
-            attitude: Attitude { roll: control.roll, pitch: control.pitch, yaw: control.heading },
+            attitude: Attitude {
+                roll: control.roll,
+                pitch: control.pitch,
+                yaw: control.heading,
+            },
             camera_down: self.flight.ground_down - control.height,
             ground_down: self.flight.ground_down,
         }
@@ -240,7 +254,9 @@ impl Navigator {
         [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)]
             .into_iter()
             .filter_map(|(x, y)| {
-                model.camera.ground_at(&pose, &nalgebra::Point2::new(x, y), model.ground_down)
+                model
+                    .camera
+                    .ground_at(&pose, &nalgebra::Point2::new(x, y), model.ground_down)
             })
             .collect()
     }
@@ -270,17 +286,22 @@ impl Navigator {
         let camera = self.camera_of_frame(index);
         let model = self.pixel_model(&camera, &report.control);
         let pose = model.pose(report.predicted.position(), self.engine.heading_bias());
-        let seer = Seer { settings: &self.settings, engine: self.engine.as_ref(), model, pose };
+        let seer = Seer {
+            settings: &self.settings,
+            engine: self.engine.as_ref(),
+            model,
+            pose,
+        };
         let candidates = seer.candidates(&self.landmarks);
         let mut reports: Vec<CandidateReport> = Vec::with_capacity(candidates.len());
         let mut measurements: Vec<Measurement<'_>> = Vec::new();
-        let luminance = (!candidates.is_empty())
-            .then(|| Pyramid::new(picture.to_gray(), PYRAMID_LEVELS));
+        let luminance =
+            (!candidates.is_empty()).then(|| Pyramid::new(picture.to_gray(), PYRAMID_LEVELS));
         if let Some(luminance) = &luminance {
             for (landmark, mut candidate) in candidates {
                 let place = seer.look(landmark, &mut candidate, luminance, self.detector.as_mut());
-                let found = place
-                    .and_then(|p| seer.judge(landmark, &mut candidate, reports.len(), p));
+                let found =
+                    place.and_then(|p| seer.judge(landmark, &mut candidate, reports.len(), p));
                 measurements.extend(found);
                 reports.push(candidate);
             }
@@ -290,7 +311,12 @@ impl Navigator {
         let mut joint = None;
         if !agreed.is_empty() {
             let (stacked, noise) = seer.stack(&agreed);
-            let landmarks: Vec<&Landmark> = agreed.iter().map(|m| m.landmark).collect();
+            let ids: Vec<u32> = agreed.iter().map(|m| m.landmark.id).collect();
+            drop(agreed);
+            let landmarks: Vec<&Landmark> = ids
+                .iter()
+                .filter_map(|id| self.landmarks.iter().find(|l| l.id == *id))
+                .collect();
             let pixels: &MeasurementModel<'_> =
                 &|position, bias| model.pixels(&landmarks, position, bias);
             let step = self.engine.correct(pixels, &noise, &stacked)?;
@@ -332,7 +358,10 @@ pub fn explain(
     picture: &Picture,
 ) -> Option<Result<crate::landmark::MatchEvidence, crate::landmark::Refusal>> {
     let frame = step.frame.as_ref()?;
-    let candidate = frame.candidates.iter().find(|c| c.landmark == landmark.id)?;
+    let candidate = frame
+        .candidates
+        .iter()
+        .find(|c| c.landmark == landmark.id)?;
     let mut camera = flight.camera.clone();
     camera.mount.yaw += flight.frames.get(frame.index)?.stored_turn;
     let pose = frame.assumed_pose;
@@ -350,7 +379,10 @@ pub fn explain(
         ground_down: flight.ground_down,
         luminance: &luminance,
     };
-    let request = SearchRequest { landmark, displacement_covariance: covariance };
+    let request = SearchRequest {
+        landmark,
+        displacement_covariance: covariance,
+    };
     Some(TemplateDetector::new(map, run_settings.detector).explain(&view, &request))
 }
 
@@ -361,22 +393,25 @@ fn ticks(flight: &Flight) -> Vec<Tick> {
         .frames
         .iter()
         .enumerate()
-        .map(|(index, frame)| Tick { time: frame.time, frame: Some(index) })
+        .map(|(index, frame)| Tick {
+            time: frame.time,
+            frame: Some(index),
+        })
         .collect();
     for name in [ChannelName::Airspeed, ChannelName::Heading] {
         let times = flight.channel(name).map_or(&[][..], |c| &c.times);
-        ticks.extend(times.iter().map(|time| Tick { time: *time, frame: None }));
+        ticks.extend(times.iter().map(|time| Tick {
+            time: *time,
+            frame: None,
+        }));
     }
     ticks.retain(|tick| tick.time >= start - SAME_TIME);
     // Frames first among equals, so that the merge keeps them.
     ticks.sort_by(|a, b| {
-        a.time.total_cmp(&b.time).then(b.frame.is_some().cmp(&a.frame.is_some()))
+        a.time
+            .total_cmp(&b.time)
+            .then(b.frame.is_some().cmp(&a.frame.is_some()))
     });
     ticks.dedup_by(|later, kept| later.frame.is_none() && later.time - kept.time < SAME_TIME);
     ticks
-}
-
-/// A point on the ground as a world point.
-pub fn on_ground(point: GroundPoint, ground_down: f64) -> Point3<f64> {
-    Point3::new(point.north, point.east, ground_down)
 }

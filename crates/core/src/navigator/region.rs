@@ -23,7 +23,12 @@ pub fn may_be_in_view(
     covariance: &Matrix2<f64>,
 ) -> bool {
     let b = landmark.bounds;
-    let corners = [(b.north, b.west), (b.north, b.east), (b.south, b.east), (b.south, b.west)];
+    let corners = [
+        (b.north, b.west),
+        (b.north, b.east),
+        (b.south, b.east),
+        (b.south, b.west),
+    ];
     let mut low = Point2::new(f64::INFINITY, f64::INFINITY);
     let mut high = Point2::new(f64::NEG_INFINITY, f64::NEG_INFINITY);
     for (north, east) in corners {
@@ -49,11 +54,19 @@ mod tests {
 
     fn seen(north: f64, sigma_pixels: f64) -> bool {
         let camera = CameraModel::pinhole(640, 480, 60_f64.to_radians());
-        let pose =
-            Pose { position_in_world: Point3::new(0.0, 0.0, -100.0), attitude: Attitude::level(0.0) };
+        let pose = Pose {
+            position_in_world: Point3::new(0.0, 0.0, -100.0),
+            attitude: Attitude::level(0.0),
+        };
         let bounds = GroundRect::centered(GroundPoint::new(north, 0.0), 20.0, 20.0);
         let covariance = Matrix2::identity() * (sigma_pixels * sigma_pixels);
-        may_be_in_view(&camera, &pose, &Landmark::new(1, "barn", bounds), 0.0, &covariance)
+        may_be_in_view(
+            &camera,
+            &pose,
+            &Landmark::new(1, "barn", bounds),
+            0.0,
+            &covariance,
+        )
     }
 
     #[test]

@@ -28,7 +28,10 @@ impl PixelModel<'_> {
     pub fn pose(&self, position: GroundPoint, heading_bias: f64) -> Pose {
         Pose {
             position_in_world: Point3::new(position.north, position.east, self.camera_down),
-            attitude: Attitude { yaw: self.attitude.yaw - heading_bias, ..self.attitude },
+            attitude: Attitude {
+                yaw: self.attitude.yaw - heading_bias,
+                ..self.attitude
+            },
         }
     }
 
@@ -42,7 +45,9 @@ impl PixelModel<'_> {
         let pose = self.pose(position, heading_bias);
         let mut stacked = DVector::zeros(2 * landmarks.len());
         for (i, landmark) in landmarks.iter().enumerate() {
-            let pixel = self.camera.project(&pose, &landmark.reference_in_world(self.ground_down))?;
+            let pixel = self
+                .camera
+                .project(&pose, &landmark.reference_in_world(self.ground_down))?;
             stacked.fixed_rows_mut::<2>(2 * i).copy_from(&pixel.coords);
         }
         Some(stacked)
@@ -77,7 +82,12 @@ impl<'a> Seer<'a> {
     }
 
     fn noise(&self, own: &[Matrix2<f64>], jacobians: &[Matrix2x4<f64>]) -> DMatrix<f64> {
-        joint_noise(own, jacobians, &self.pose_covariance(), self.settings.measurement_scale)
+        joint_noise(
+            own,
+            jacobians,
+            &self.pose_covariance(),
+            self.settings.measurement_scale,
+        )
     }
 
     /// Landmarks that may be in view, the most central first, with the reports begun.
@@ -85,16 +95,27 @@ impl<'a> Seer<'a> {
         let camera = self.model.camera;
         let mut found: Vec<(f64, &Landmark, CandidateReport)> = Vec::new();
         for landmark in landmarks.iter().filter(|l| l.enabled) {
-            let Some(report) = self.begin(landmark) else { continue };
+            let Some(report) = self.begin(landmark) else {
+                continue;
+            };
             let covariance = &report.innovation_covariance;
-            if may_be_in_view(camera, &self.pose, landmark, self.model.ground_down, covariance) {
+            if may_be_in_view(
+                camera,
+                &self.pose,
+                landmark,
+                self.model.ground_down,
+                covariance,
+            ) {
                 let off_center = (report.predicted_pixel - camera.principal).norm();
                 found.push((off_center, landmark, report));
             }
         }
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
         found.truncate(self.settings.most_landmarks);
-        found.into_iter().map(|(_, landmark, report)| (landmark, report)).collect()
+        found
+            .into_iter()
+            .map(|(_, landmark, report)| (landmark, report))
+            .collect()
     }
 
     /// The report of a landmark before it is looked for; `None` if it cannot be in front of the lens.
@@ -125,7 +146,9 @@ impl<'a> Seer<'a> {
     }
 
     fn gate(&self) -> Gate {
-        Gate { confidence: self.settings.gate_confidence }
+        Gate {
+            confidence: self.settings.gate_confidence,
+        }
     }
 
     /// The request for a detector: the innovation covariance carried to the ground.
@@ -135,10 +158,17 @@ impl<'a> Seer<'a> {
         report: &CandidateReport,
     ) -> Option<SearchRequest<'l>> {
         let model = &self.model;
-        let jacobian =
-            ground_jacobian(model.camera, &self.pose, &report.predicted_pixel, model.ground_down)?;
+        let jacobian = ground_jacobian(
+            model.camera,
+            &self.pose,
+            &report.predicted_pixel,
+            model.ground_down,
+        )?;
         let covariance = jacobian * report.innovation_covariance * jacobian.transpose();
-        Some(SearchRequest { landmark, displacement_covariance: covariance })
+        Some(SearchRequest {
+            landmark,
+            displacement_covariance: covariance,
+        })
     }
 
     /// What a detector is shown.
@@ -221,14 +251,22 @@ impl<'a> Seer<'a> {
             return None;
         }
         report.outcome = Outcome::Accepted;
-        Some(Measurement { landmark, report: index, pixel, covariance, jacobian })
+        Some(Measurement {
+            landmark,
+            report: index,
+            pixel,
+            covariance,
+            jacobian,
+        })
     }
 
     /// Stacked measurement with its joint noise.
     pub fn stack(&self, measurements: &[Measurement<'_>]) -> (DVector<f64>, DMatrix<f64>) {
         let mut stacked = DVector::zeros(2 * measurements.len());
         for (i, m) in measurements.iter().enumerate() {
-            stacked.fixed_rows_mut::<2>(2 * i).copy_from(&m.pixel.coords);
+            stacked
+                .fixed_rows_mut::<2>(2 * i)
+                .copy_from(&m.pixel.coords);
         }
         let own: Vec<_> = measurements.iter().map(|m| m.covariance).collect();
         let jacobians: Vec<_> = measurements.iter().map(|m| m.jacobian).collect();
@@ -247,7 +285,9 @@ impl<'a> Seer<'a> {
         let root = expected
             .covariance
             .cholesky()
-            .ok_or(FilterError::NotFinite { place: "joint innovation covariance" })?;
+            .ok_or(FilterError::NotFinite {
+                place: "joint innovation covariance",
+            })?;
         Ok(root.solve(&innovation).dot(&innovation))
     }
 

@@ -8,8 +8,8 @@ mod correlation;
 mod image;
 mod integral;
 mod peak;
-mod simd;
 mod pyramid;
+mod simd;
 
 pub use correlation::{SearchSpectrum, Template};
 pub use image::{Gray, Picture, Raster, Rgb, Rgba, luminance};

@@ -69,7 +69,10 @@ pub fn bilinear(picture: &Gray, x: f32, y: f32) -> Option<f32> {
     let cx = (x - 0.5).clamp(0.0, width - 1.0);
     let cy = (y - 0.5).clamp(0.0, height - 1.0);
     let (c0, r0) = (cx as usize, cy as usize);
-    let (c1, r1) = ((c0 + 1).min(picture.width() - 1), (r0 + 1).min(picture.height() - 1));
+    let (c1, r1) = (
+        (c0 + 1).min(picture.width() - 1),
+        (r0 + 1).min(picture.height() - 1),
+    );
     let (fx, fy) = (cx - c0 as f32, cy - r0 as f32);
     let (upper, lower) = (picture.row(r0), picture.row(r1));
     let top = upper[c0] + fx * (upper[c1] - upper[c0]);
