@@ -1,5 +1,14 @@
 //! How points of the world come to lie in the picture, and back.
 
+mod distortion;
+mod footprint;
+mod jacobian;
 mod model;
+mod rays;
+#[cfg(test)]
+mod tests;
 
-pub use model::{CameraModel, Distortion, Lens, Mount};
+pub use distortion::Distortion;
+pub use footprint::FARTHEST_HEIGHTS;
+pub use model::{CameraModel, Lens, Mount};
+pub use rays::RayTable;

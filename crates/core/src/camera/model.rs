@@ -3,7 +3,11 @@
 use nalgebra::{Matrix3, Point2, Point3, Rotation3, Vector3};
 use serde::{Deserialize, Serialize};
 
+use super::Distortion;
 use crate::frames::{GroundPoint, Pose};
+
+/// A point nearer to the lens plane than this, metres, is behind the lens.
+const NEAREST: f64 = 1e-9;
 
 /// How a direction becomes a pixel before distortion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -11,29 +15,16 @@ pub enum Lens {
     /// A pinhole; the working model.
     #[default]
     Pinhole,
-    /// The thesis' printed perspective with one λ in pixels and metres (eqs 38-42): a pinhole whose
-    /// centre is moved λ along the axis. `lambda` is in world units (metres).
+    /// The thesis' printed perspective with one λ as pixels and as metres (eqs 38-42): a pinhole of
+    /// λ pixels whose centre is moved λ metres along the axis. The camera's `focal` is not used.
     Lambda {
-        /// λ of eq 40, metres and pixels at once.
+        /// λ of eq 40; the same number counts pixels in the picture and metres in the world.
         lambda: f64,
     },
-    /// Appendix A: pixels proportional to angles (eqs 57-66).
+    /// Appendix A: pixels proportional to the angles of azimuth and depression (eqs 57-66). The
+    /// angles of view follow from the camera's `focal`, so that it agrees with the pinhole at the
+    /// middle of each edge.
     Angular,
-}
-
-/// Brown-Conrady distortion in OpenCV's order.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Distortion {
-    /// Radial coefficient of r².
-    pub k1: f64,
-    /// Radial coefficient of r⁴.
-    pub k2: f64,
-    /// First tangential coefficient.
-    pub p1: f64,
-    /// Second tangential coefficient.
-    pub p2: f64,
-    /// Radial coefficient of r⁶.
-    pub k3: f64,
 }
 
 /// How the camera sits in the body: zero looks straight down with the picture's top forward.
@@ -84,7 +75,8 @@ impl CameraModel {
 
     /// Rotation that takes body vectors to camera vectors.
     ///
-    /// DeAngelo 2016, eq 37, with the mount angles before it.
+    /// DeAngelo 2016, eq 37, with the mount angles before it; a mount pitch is his rotation of a
+    /// forward-looking camera.
     pub fn camera_from_body(&self) -> Rotation3<f64> {
         // Camera x is body right, camera y is body backward, camera z is body down.
         let nominal = Rotation3::from_matrix_unchecked(Matrix3::new(
@@ -102,7 +94,8 @@ impl CameraModel {
         self.camera_from_body() * pose.attitude.world_from_body().inverse()
     }
 
-    /// Pixel at which `point_in_world` appears, or `None` if it lies behind the lens.
+    /// Pixel at which `point_in_world` appears, or `None` if it lies behind the lens or so far
+    /// outside the view that the distortion folds back.
     ///
     /// The pixel may lie outside the picture. DeAngelo 2016, eqs 32-46, with a pinhole in place of
     /// his λ.
@@ -111,23 +104,76 @@ impl CameraModel {
         self.pixel_from_camera(&p)
     }
 
-    /// Pixel of a point in camera coordinates, or `None` if it lies behind the lens.
+    /// Pixel of a point in camera coordinates (metres); `None` as in [`Self::project`].
     pub fn pixel_from_camera(&self, p: &Vector3<f64>) -> Option<Point2<f64>> {
-        (p.z > 1e-9).then(|| {
-            Point2::new(
-                self.focal * p.x / p.z + self.principal.x,
-                self.focal * p.y / p.z + self.principal.y,
-            )
-        })
+        let depth = p.z - self.centre_along_axis();
+        // Also refuses what is not a number.
+        if !(depth > NEAREST && p.x.is_finite() && p.y.is_finite() && depth.is_finite()) {
+            return None;
+        }
+        let ideal = Point2::new(p.x / depth, p.y / depth);
+        if !self.distortion.is_valid_at(&ideal) {
+            return None;
+        }
+        let seen = self.distortion.distort(&ideal);
+        let (scale_x, scale_y) = self.pixels_per_unit();
+        let offset = match self.lens {
+            Lens::Pinhole | Lens::Lambda { .. } => seen,
+            Lens::Angular => Point2::new(seen.x.atan(), seen.y.atan()),
+        };
+        let pixel = Point2::new(
+            scale_x * offset.x + self.principal.x,
+            scale_y * offset.y + self.principal.y,
+        );
+        (pixel.x.is_finite() && pixel.y.is_finite()).then_some(pixel)
     }
 
     /// Direction in camera coordinates (z = 1) that is seen at `pixel`.
+    ///
+    /// The ray starts at the centre of the lens, which [`Lens::Lambda`] puts λ metres along the axis.
     pub fn ray_in_camera(&self, pixel: &Point2<f64>) -> Vector3<f64> {
-        Vector3::new(
-            (pixel.x - self.principal.x) / self.focal,
-            (pixel.y - self.principal.y) / self.focal,
-            1.0,
-        )
+        let seen = self.seen_at(pixel);
+        let ideal = self.distortion.undistort(&seen);
+        Vector3::new(ideal.x, ideal.y, 1.0)
+    }
+
+    /// Pixel to the distorted place in units of the focal length.
+    pub(super) fn seen_at(&self, pixel: &Point2<f64>) -> Point2<f64> {
+        let (scale_x, scale_y) = self.pixels_per_unit();
+        let x = (pixel.x - self.principal.x) / scale_x;
+        let y = (pixel.y - self.principal.y) / scale_y;
+        match self.lens {
+            Lens::Pinhole | Lens::Lambda { .. } => Point2::new(x, y),
+            // A right angle is at infinity: stop just before.
+            Lens::Angular => Point2::new(x.clamp(-1.57, 1.57).tan(), y.clamp(-1.57, 1.57).tan()),
+        }
+    }
+
+    /// Centre of the lens in camera coordinates, metres along the axis.
+    fn centre_along_axis(&self) -> f64 {
+        match self.lens {
+            Lens::Lambda { lambda } => lambda,
+            Lens::Pinhole | Lens::Angular => 0.0,
+        }
+    }
+
+    /// Pixels per unit of tangent (pinhole) or of angle (Appendix A), across and down.
+    fn pixels_per_unit(&self) -> (f64, f64) {
+        let per_angle = |pixels: usize| {
+            let half = 0.5 * pixels as f64;
+            half / (half / self.focal).atan()
+        };
+        match self.lens {
+            Lens::Pinhole => (self.focal, self.focal),
+            Lens::Lambda { lambda } => (lambda, lambda),
+            Lens::Angular => (per_angle(self.width), per_angle(self.height)),
+        }
+    }
+
+    /// Centre of the lens in the world, metres.
+    pub fn lens_in_world(&self, pose: &Pose) -> Point3<f64> {
+        let axis = self.camera_from_world(pose).inverse() * Vector3::z();
+        pose.position_in_world + self.centre_along_axis() * axis
     }
 
     /// Where the ray through `pixel` meets the horizontal plane `ground_down` metres below the
@@ -139,13 +185,11 @@ impl CameraModel {
         ground_down: f64,
     ) -> Option<GroundPoint> {
         let ray = self.camera_from_world(pose).inverse() * self.ray_in_camera(pixel);
-        let height = ground_down - pose.position_in_world.z;
+        let lens = self.lens_in_world(pose);
+        let height = ground_down - lens.z;
         (ray.z > 1e-6 * ray.norm() && height > 0.0).then(|| {
             let scale = height / ray.z;
-            GroundPoint::new(
-                pose.position_in_world.x + scale * ray.x,
-                pose.position_in_world.y + scale * ray.y,
-            )
+            GroundPoint::new(lens.x + scale * ray.x, lens.y + scale * ray.y)
         })
     }
 
