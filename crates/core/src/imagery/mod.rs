@@ -2,6 +2,12 @@
 //!
 //! Nothing above this folder knows where the pixels come from.
 
+mod georeference;
+mod georeferenced;
+
+pub use georeference::{Georeference, GeoreferenceError, GroundFromPixel, Similarity, WorldFile};
+pub use georeferenced::{GeoreferencedPicture, opaque, without_black_border};
+
 use serde::{Deserialize, Serialize};
 
 use crate::frames::{GroundPoint, GroundRect};

@@ -1,0 +1,333 @@
+//! Where the pixels of a picture lie on the ground: world files and fitted similarities.
+
+use nalgebra::{Matrix2, Point2, Vector2};
+use serde::{Deserialize, Serialize};
+
+use crate::frames::{Geodetic, GroundPoint, LocalFrame};
+
+/// Radius of the sphere on which the fitted similarities count their metres.
+const SPHERE_RADIUS: f64 = 6_378_137.0;
+
+/// Ground coordinates (north, east) as an affine function of the pixel, centres at half integers.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GroundFromPixel {
+    /// Change of (north, east) per pixel: first column per pixel to the right, second per pixel down.
+    pub matrix: Matrix2<f64>,
+    /// (north, east) of the outer corner of the top-left pixel, metres.
+    pub corner: Vector2<f64>,
+}
+
+/// Why a georeference cannot be used.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum GeoreferenceError {
+    /// A world file has six numbers, one per line.
+    #[error("line {line}: a world file has six numbers, one per line; {cause}")]
+    WorldFile {
+        /// Line, counted from one.
+        line: usize,
+        /// What is wrong.
+        cause: String,
+    },
+    /// The JSON does not have the expected members.
+    #[error("line {line}, column {column}: {cause}")]
+    Json {
+        /// Line, counted from one.
+        line: usize,
+        /// Column, counted from one.
+        column: usize,
+        /// What is wrong.
+        cause: String,
+    },
+    /// The pixels do not span an area.
+    #[error("the numbers do not span an area on the ground; check for zeros")]
+    Degenerate,
+}
+
+/// What a picture's side file says, before a world frame is chosen.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Georeference {
+    /// East and north in metres of the world frame itself, per pixel with centres at integers.
+    Metres(WorldFile),
+    /// Longitude and latitude in degrees, per pixel with centres at integers.
+    Degrees(WorldFile),
+    /// A similarity to metres on a sphere around an origin.
+    Similarity(Similarity),
+}
+
+/// The six numbers of a world file: x = a·column + b·row + c, y = d·column + e·row + f for the
+/// centre of the pixel in that column and row, counted from zero.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct WorldFile {
+    /// x per column.
+    pub a: f64,
+    /// y per column.
+    pub d: f64,
+    /// x per row.
+    pub b: f64,
+    /// y per row.
+    pub e: f64,
+    /// x of the centre of the top-left pixel.
+    pub c: f64,
+    /// y of the centre of the top-left pixel.
+    pub f: f64,
+}
+
+/// (east, north) = gsd · R · (column, -row) + T for pixel centres at integers, metres on a sphere of
+/// radius 6,378,137 m around the origin.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Similarity {
+    /// Latitude of the origin, degrees.
+    pub origin_lat: f64,
+    /// Longitude of the origin, degrees.
+    pub origin_lon: f64,
+    /// Ground sample distance, metres per pixel.
+    #[serde(alias = "gsd_m_per_px")]
+    pub gsd: f64,
+    /// Rotation.
+    #[serde(rename = "R")]
+    pub rotation: [[f64; 2]; 2],
+    /// East and north of the centre of the top-left pixel, metres.
+    #[serde(rename = "T")]
+    pub translation: [f64; 2],
+}
+
+impl Georeference {
+    /// Reads a world file (.jgw, .pgw, .tfw, .wld).
+    ///
+    /// Such a file does not name its unit: numbers that fit longitude and latitude with pixels below
+    /// a thousandth of a degree are taken for degrees, others for metres of the world frame.
+    pub fn from_world_file(text: &str) -> Result<Self, GeoreferenceError> {
+        let mut numbers = [0.0; 6];
+        let mut count = 0;
+        for (i, line) in text.lines().enumerate() {
+            let line_number = i + 1;
+            let word = line.trim().trim_start_matches('\u{feff}');
+            if word.is_empty() {
+                continue;
+            }
+            let value: f64 = word.parse().map_err(|_| GeoreferenceError::WorldFile {
+                line: line_number,
+                cause: format!("\"{}\" is not a number", abbreviated(word)),
+            })?;
+            if count == 6 || !value.is_finite() {
+                return Err(GeoreferenceError::WorldFile {
+                    line: line_number,
+                    cause: if count == 6 {
+                        "there are more".to_owned()
+                    } else {
+                        format!("{word} is not finite")
+                    },
+                });
+            }
+            numbers[count] = value;
+            count += 1;
+        }
+        if count < 6 {
+            return Err(GeoreferenceError::WorldFile {
+                line: text.lines().count().max(1),
+                cause: format!("the file ends after {count}"),
+            });
+        }
+        let [a, d, b, e, c, f] = numbers;
+        let file = WorldFile { a, d, b, e, c, f };
+        let small = [a, b, d, e].into_iter().all(|v| v.abs() < 1e-3);
+        Ok(if small && c.abs() <= 360.0 && f.abs() <= 90.0 {
+            Self::Degrees(file)
+        } else {
+            Self::Metres(file)
+        })
+    }
+
+    /// Reads a fitted similarity: JSON with `origin_lat`, `origin_lon`, `gsd`, `R` and `T`; other
+    /// members are ignored.
+    pub fn from_json(text: &str) -> Result<Self, GeoreferenceError> {
+        serde_json::from_str(text)
+            .map(Self::Similarity)
+            .map_err(|e| GeoreferenceError::Json {
+                line: e.line(),
+                column: e.column(),
+                cause: e.to_string(),
+            })
+    }
+
+    /// Reads either kind, by the first character.
+    pub fn from_text(text: &str) -> Result<Self, GeoreferenceError> {
+        if text.trim_start().starts_with('{') {
+            Self::from_json(text)
+        } else {
+            Self::from_world_file(text)
+        }
+    }
+
+    /// A place on the globe for the origin of a world frame, if the georeference names any: the
+    /// similarity's own origin, or the middle of a picture of the given size.
+    pub fn origin(&self, width: usize, height: usize) -> Option<Geodetic> {
+        match self {
+            Self::Metres(_) => None,
+            Self::Degrees(file) => {
+                let (x, y) = file.at(0.5 * width as f64, 0.5 * height as f64);
+                Some(Geodetic::from_degrees(y, x, 0.0))
+            }
+            Self::Similarity(s) => Some(Geodetic::from_degrees(s.origin_lat, s.origin_lon, 0.0)),
+        }
+    }
+
+    /// Ground point of a pixel, centres at half integers.
+    fn ground_at(&self, frame: &LocalFrame, x: f64, y: f64) -> GroundPoint {
+        let geodetic = |latitude: f64, longitude: f64| {
+            let height = frame.origin.height;
+            let p = frame.world_from_geodetic(&Geodetic::from_degrees(latitude, longitude, height));
+            GroundPoint::new(p.x, p.y)
+        };
+        match self {
+            Self::Metres(file) => {
+                let (east, north) = file.at(x, y);
+                GroundPoint::new(north, east)
+            }
+            Self::Degrees(file) => {
+                let (longitude, latitude) = file.at(x, y);
+                geodetic(latitude, longitude)
+            }
+            Self::Similarity(s) => {
+                let (column, row) = (x - 0.5, y - 0.5);
+                let [[r00, r01], [r10, r11]] = s.rotation;
+                let east = s.gsd * (r00 * column - r01 * row) + s.translation[0];
+                let north = s.gsd * (r10 * column - r11 * row) + s.translation[1];
+                let cosine = s.origin_lat.to_radians().cos();
+                geodetic(
+                    s.origin_lat + (north / SPHERE_RADIUS).to_degrees(),
+                    s.origin_lon + (east / (SPHERE_RADIUS * cosine)).to_degrees(),
+                )
+            }
+        }
+    }
+
+    /// The affine map for a picture of the given size in the world frame `frame`.
+    ///
+    /// Longitude and latitude are not affine in the tangent plane; over a kilometre the difference
+    /// is below a decimetre, and the middle and two sides of the picture are met.
+    pub fn in_world(
+        &self,
+        frame: &LocalFrame,
+        width: usize,
+        height: usize,
+    ) -> Result<GroundFromPixel, GeoreferenceError> {
+        let (w, h) = (width.max(1) as f64, height.max(1) as f64);
+        let at = |x: f64, y: f64| self.ground_at(frame, x, y).to_vector();
+        let per_x = (at(w, 0.5 * h) - at(0.0, 0.5 * h)) / w;
+        let per_y = (at(0.5 * w, h) - at(0.5 * w, 0.0)) / h;
+        let map = GroundFromPixel {
+            matrix: Matrix2::from_columns(&[per_x, per_y]),
+            corner: at(0.5 * w, 0.5 * h) - 0.5 * w * per_x - 0.5 * h * per_y,
+        };
+        let area = map.matrix.determinant().abs();
+        if area.is_finite() && area > 1e-12 && map.corner.norm().is_finite() {
+            Ok(map)
+        } else {
+            Err(GeoreferenceError::Degenerate)
+        }
+    }
+}
+
+impl WorldFile {
+    /// (x, y) at a pixel with centres at half integers.
+    fn at(&self, x: f64, y: f64) -> (f64, f64) {
+        let (column, row) = (x - 0.5, y - 0.5);
+        (
+            self.a * column + self.b * row + self.c,
+            self.d * column + self.e * row + self.f,
+        )
+    }
+}
+
+impl GroundFromPixel {
+    /// A north-up picture with its top-left corner at `corner` and square pixels of `gsd` metres.
+    pub fn north_up(corner: GroundPoint, gsd: f64) -> Self {
+        Self {
+            matrix: Matrix2::new(0.0, -gsd, gsd, 0.0),
+            corner: corner.to_vector(),
+        }
+    }
+
+    /// Ground point of a pixel, centres at half integers.
+    pub fn ground_at(&self, pixel: &Point2<f64>) -> GroundPoint {
+        GroundPoint::from(self.matrix * pixel.coords + self.corner)
+    }
+
+    /// Pixel of a ground point, centres at half integers; `None` if the map does not span an area.
+    pub fn pixel_at(&self, ground: &GroundPoint) -> Option<Point2<f64>> {
+        let inverse = self.matrix.try_inverse()?;
+        Some(Point2::from(inverse * (ground.to_vector() - self.corner)))
+    }
+
+    /// Ground sample distance: the side of a square with a pixel's area, metres.
+    pub fn gsd(&self) -> f64 {
+        self.matrix.determinant().abs().sqrt()
+    }
+}
+
+fn abbreviated(word: &str) -> String {
+    word.chars().take(40).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BRIGHTON: &str = r#"{"origin_lat": 46.84265666666667, "origin_lon": -91.99400802469137,
+        "gsd": 0.08566359690280188,
+        "R": [[0.9999642049944301, 0.008461012342369262], [-0.008461012342369236, 0.99996420499443]],
+        "T": [-68.76551123546528, 34.52891982244265], "size": [1865, 1085]}"#;
+
+    #[test]
+    fn a_similarity_puts_the_centre_of_the_first_pixel_at_its_translation() {
+        let georeference = Georeference::from_json(BRIGHTON).unwrap();
+        let frame = LocalFrame::new(georeference.origin(1865, 1085).unwrap());
+        let map = georeference.in_world(&frame, 1865, 1085).unwrap();
+        let p = map.ground_at(&Point2::new(0.5, 0.5));
+        // The sphere's metres differ from those of WGS 84 by 0.14 % northward, -0.18 % eastward.
+        assert!((p.north - 34.52892 * 0.998_63).abs() < 0.01, "{p:?}");
+        assert!((p.east + 68.76551 * 1.001_78).abs() < 0.01, "{p:?}");
+        let right = map.ground_at(&Point2::new(1000.5, 0.5));
+        assert!((right.east - p.east - 85.66 * 1.001_78).abs() < 0.02);
+        assert!((right.north - p.north + 0.7248).abs() < 0.01);
+    }
+
+    #[test]
+    fn a_world_file_in_metres_counts_from_the_centre_of_the_first_pixel() {
+        let georeference = Georeference::from_world_file("0.5\n0\n0\n-0.5\n100\n200\n").unwrap();
+        let frame = LocalFrame::new(Geodetic::from_degrees(0.0, 0.0, 0.0));
+        let map = georeference.in_world(&frame, 10, 10).unwrap();
+        let corner = map.ground_at(&Point2::new(0.0, 0.0));
+        assert_eq!((corner.north, corner.east), (200.25, 99.75));
+    }
+
+    #[test]
+    fn a_world_file_in_degrees_meets_the_tangent_plane() {
+        let text = "0.000001\n0\n0\n-0.000001\n10.0\n45.0\n";
+        let georeference = Georeference::from_world_file(text).unwrap();
+        assert!(matches!(georeference, Georeference::Degrees(_)));
+        let frame = LocalFrame::new(Geodetic::from_degrees(45.0, 10.0, 0.0));
+        let map = georeference.in_world(&frame, 1000, 1000).unwrap();
+        let p = map.ground_at(&Point2::new(0.5, 0.5));
+        assert!(p.north.abs() < 1e-3 && p.east.abs() < 1e-3, "{p:?}");
+        assert!((map.gsd() - (0.111_13_f64 * 0.078_85).sqrt()).abs() < 1e-3);
+    }
+
+    #[test]
+    fn a_broken_world_file_names_the_line() {
+        let wrong = Georeference::from_world_file("1\n0\n0\nminus one\n0\n0\n").unwrap_err();
+        assert!(
+            matches!(wrong, GeoreferenceError::WorldFile { line: 4, .. }),
+            "{wrong}"
+        );
+        assert!(Georeference::from_world_file("1\n0\n0\n").is_err());
+        assert!(Georeference::from_json("{\"gsd\": 1}").is_err());
+        let flat = Georeference::from_world_file("0\n0\n0\n0\n1000\n0\n").unwrap();
+        let frame = LocalFrame::new(Geodetic::from_degrees(0.0, 0.0, 0.0));
+        assert_eq!(
+            flat.in_world(&frame, 9, 9),
+            Err(GeoreferenceError::Degenerate)
+        );
+    }
+}
