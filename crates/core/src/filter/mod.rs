@@ -20,20 +20,31 @@
 //! ```
 
 mod chi_square;
+mod consistency;
 mod correction;
+mod cramer_rao;
 mod error;
 mod gate;
 mod gaussian;
 mod measurement;
+mod reference;
 mod root;
 mod sigma;
+#[cfg(test)]
+mod tests;
 mod ukf;
 
 pub use chi_square::{chi_square_probability, chi_square_quantile};
+pub use consistency::{Consistency, ConsistencySummary, chi_square_interval, mean_interval};
 pub use correction::Correction;
+pub use cramer_rao::{CramerRao, numerical_jacobian};
 pub use error::FilterError;
 pub use gate::{Gate, GateReason, Verdict};
 pub use gaussian::Gaussian;
 pub use measurement::PredictedMeasurement;
+pub use reference::{
+    ReferenceStep, reference_flight, reference_loop, reference_measurement,
+    reference_measurement_noise, reference_prior, reference_process, reference_process_noise,
+};
 pub use sigma::{Redraw, SigmaPoints, UnscentedSettings, Weights};
 pub use ukf::{Prediction, Ukf};

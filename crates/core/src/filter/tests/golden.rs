@@ -1,0 +1,112 @@
+//! Stored answers of FilterPy 2.0.0: a vehicle with range and bearing to landmarks, 200 steps.
+
+use approx::assert_relative_eq;
+use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
+use serde::Deserialize;
+
+use crate::filter::*;
+use crate::frames::wrap_pi;
+
+const VECTORS: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../../shared/data/kalman_golden/filterpy_ukf_vectors.json"
+);
+
+#[derive(Deserialize)]
+struct Vectors {
+    landmarks: Vec<[f64; 2]>,
+    rb_x0: [f64; 3],
+    #[serde(rename = "rb_P0")]
+    rb_p0: [f64; 3],
+    #[serde(rename = "rb_Q")]
+    rb_q: [f64; 3],
+    #[serde(rename = "rb_R")]
+    rb_r: [f64; 2],
+    rb_steps: Vec<Step>,
+}
+
+#[derive(Deserialize)]
+struct Step {
+    lm: Option<usize>,
+    z: Option<[f64; 2]>,
+    nis: Option<f64>,
+    x: [f64; 3],
+    #[serde(rename = "P")]
+    p: [[f64; 3]; 3],
+}
+
+#[test]
+fn the_stored_steps_of_filterpy_are_reproduced() {
+    let Ok(text) = std::fs::read_to_string(VECTORS) else {
+        println!("skipped: no shared data");
+        return;
+    };
+    let vectors: Vectors = serde_json::from_str(&text).unwrap();
+    let prior = Gaussian::new(
+        Vector3::from(vectors.rb_x0),
+        Matrix3::from_diagonal(&Vector3::from(vectors.rb_p0)),
+    );
+    let settings = UnscentedSettings {
+        alpha: 0.5,
+        beta: 2.0,
+        redraw: Redraw::AfterProcessNoise,
+    };
+    let mut filter = Ukf::with_kappa(prior, settings, 0.0).unwrap();
+    let process_noise = Matrix3::from_diagonal(&Vector3::from(vectors.rb_q));
+    let measurement_noise = Matrix2::from_diagonal(&Vector2::from(vectors.rb_r));
+    let (speed, turn_rate, dt) = (15.0, 0.12, 0.1);
+    let mut measured = 0;
+    for (k, step) in vectors.rb_steps.iter().enumerate() {
+        filter
+            .predict(
+                |x| {
+                    x + Vector3::new(
+                        speed * x[2].cos() * dt,
+                        speed * x[2].sin() * dt,
+                        turn_rate * dt,
+                    )
+                },
+                &process_noise,
+            )
+            .unwrap();
+        if let (Some(landmark), Some(z)) = (step.lm, step.z) {
+            let landmark = Vector2::from(vectors.landmarks[landmark]);
+            let model = |x: &Vector3<f64>| {
+                let line = landmark - x.xy();
+                Some(Vector2::new(
+                    line.norm(),
+                    wrap_pi(line.y.atan2(line.x) - x[2]),
+                ))
+            };
+            let difference =
+                |a: &Vector2<f64>, b: &Vector2<f64>| Vector2::new(a.x - b.x, wrap_pi(a.y - b.y));
+            let predicted = filter
+                .predict_measurement_with(model, &measurement_noise, difference)
+                .unwrap();
+            let innovation = difference(&Vector2::from(z), &predicted.mean);
+            let correction = filter.correct_by(&predicted, innovation).unwrap();
+            assert_relative_eq!(correction.nis, step.nis.unwrap(), max_relative = 1e-9);
+            measured += 1;
+        }
+        let state = filter.state();
+        for i in 0..3 {
+            assert_relative_eq!(
+                state.mean[i],
+                step.x[i],
+                max_relative = 1e-9,
+                epsilon = 1e-11
+            );
+            for j in 0..3 {
+                let (ours, theirs) = (state.covariance[(i, j)], step.p[i][j]);
+                assert!(
+                    (ours - theirs).abs() <= 1e-9 * (step.p[i][i] * step.p[j][j]).sqrt(),
+                    "step {k} ({i}, {j}): {ours} {theirs}"
+                );
+            }
+        }
+    }
+    assert!(
+        measured >= 40,
+        "only {measured} of the steps have a measurement"
+    );
+}

@@ -1,0 +1,8 @@
+//! The filter against mathematics it must reproduce.
+
+mod golden;
+mod honesty;
+mod invariants;
+mod linear;
+mod robustness;
+mod table_3;
