@@ -6,6 +6,7 @@ mod flight_airframe;
 mod guidance;
 mod route;
 mod scenario;
+pub mod scenery;
 mod sensors;
 
 pub use dryden::{DrydenGust, Turbulence};

@@ -1,0 +1,140 @@
+//! What the scenery knows about itself.
+
+use serde::{Deserialize, Serialize};
+
+use super::parcels::Cover;
+use super::shape::Outline;
+use super::things::{Form, Ground, Habit, RoadClass};
+use super::world::{World, ground_polygon};
+use crate::frames::{GroundPoint, GroundRect};
+
+/// What a labelled thing is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum SceneKind {
+    /// A large building, or a part of one.
+    Building,
+    /// A dwelling house or a small outbuilding.
+    House,
+    /// One tree crown.
+    Tree,
+    /// A field or meadow.
+    Field,
+    /// A parcel of woodland.
+    Wood,
+    /// A sealed road.
+    Road,
+    /// An unsealed track.
+    Track,
+    /// A pedestrian crossing.
+    Crossing,
+    /// A swimming pool.
+    Pool,
+    /// A pond.
+    Pond,
+    /// A stream.
+    Stream,
+    /// A parked car.
+    Car,
+    /// A car park.
+    CarPark,
+    /// A farm or works yard.
+    Yard,
+    /// A tank or silo.
+    Tank,
+    /// A playing field, cemetery, quarry or other open place.
+    Place,
+}
+
+/// One labelled outline.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SceneLabel {
+    /// What it is.
+    pub kind: SceneKind,
+    /// Its name, if it has one.
+    pub name: Option<String>,
+    /// Its outline on the ground, world metres, in order.
+    pub polygon: Vec<GroundPoint>,
+}
+
+/// A place that can serve as a landmark.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct DistinctFeature {
+    /// Plain English name, the same for every seed.
+    pub name: String,
+    /// What it is.
+    pub kind: SceneKind,
+    /// Outline of the feature itself, world metres.
+    pub outline: Vec<GroundPoint>,
+    /// The box to use as a landmark: the feature with its surroundings.
+    pub landmark_box: GroundRect,
+}
+
+/// All labels whose outline's bounding box touches `rect`.
+pub(super) fn labels(world: &World, rect: &GroundRect) -> Vec<SceneLabel> {
+    let mut labels = Vec::new();
+    let mut add = |kind, name: Option<&str>, polygon: Vec<GroundPoint>| {
+        if GroundRect::around(polygon.iter().copied()).is_some_and(|b| b.overlaps(rect)) {
+            labels.push(SceneLabel {
+                kind,
+                name: name.map(ToOwned::to_owned),
+                polygon,
+            });
+        }
+    };
+    for feature in &world.plan.features {
+        add(feature.kind, Some(&feature.name), feature.outline.clone());
+    }
+    for parcel in &world.parcels.parcels {
+        let kind = if parcel.cover == Cover::Floor {
+            SceneKind::Wood
+        } else {
+            SceneKind::Field
+        };
+        add(
+            kind,
+            None,
+            parcel.corners.iter().map(|c| c.ground()).collect(),
+        );
+    }
+    for surface in &world.plan.surfaces {
+        let kind = match (surface.label, surface.ground) {
+            (Some(kind), _) => kind,
+            (None, Ground::Stalls) => SceneKind::CarPark,
+            (None, Ground::Zebra) => SceneKind::Crossing,
+            _ => continue,
+        };
+        add(kind, None, ground_polygon(&surface.outline));
+    }
+    for segment in &world.segments {
+        let kind = if segment.class == RoadClass::Track {
+            SceneKind::Track
+        } else {
+            SceneKind::Road
+        };
+        let side = segment.axis.right() * segment.half_width;
+        let (a, b) = (segment.start, segment.end());
+        let polygon = [a - side, b - side, b + side, a + side];
+        let name = world.plan.roads[segment.road as usize].name;
+        add(kind, name, polygon.map(|c| c.ground()).to_vec());
+    }
+    for solid in &world.plan.solids {
+        add(solid.label, None, ground_polygon(&solid.outline()));
+    }
+    for prop in world.plan.props.iter().filter(|p| p.form == Form::Car) {
+        add(
+            SceneKind::Car,
+            None,
+            ground_polygon(&Outline::Slab(prop.slab)),
+        );
+    }
+    for crown in &world.plan.crowns {
+        if crown.habit != Habit::Shrub {
+            add(
+                SceneKind::Tree,
+                None,
+                ground_polygon(&Outline::Disc(crown.center, crown.radius)),
+            );
+        }
+    }
+    labels
+}

@@ -1,0 +1,279 @@
+//! The road network: fixed curves, named for people.
+
+use super::plan::{Plan, leg_one};
+use super::shape::{Spot, smooth_curve, spot};
+use super::things::RoadClass::{Main, Street, Track};
+use super::things::{Road, RoadClass};
+
+fn road(plan: &mut Plan, name: &'static str, class: RoadClass, controls: &[Spot]) {
+    let half_width = match class {
+        Main => 3.6,
+        Street => 2.9,
+        RoadClass::Drive => 1.5,
+        Track => 1.35,
+    };
+    plan.roads.push(Road {
+        class,
+        curve: smooth_curve(controls, 5.0),
+        half_width,
+        name: Some(name),
+    });
+}
+
+/// Lays all roads.
+pub(super) fn build(plan: &mut Plan) {
+    let s = spot;
+    // The straight piece from (-40, 230) to (-720, -450) runs under the second leg.
+    road(
+        plan,
+        "South Road",
+        Main,
+        &[
+            s(-1300.0, -780.0),
+            s(-1010.0, -690.0),
+            s(-830.0, -560.0),
+            s(-720.0, -450.0),
+            s(-380.0, -110.0),
+            s(-40.0, 230.0),
+            s(150.0, 420.0),
+            s(300.0, 520.0),
+            s(414.0, 606.0),
+        ],
+    );
+    road(
+        plan,
+        "North Road",
+        Main,
+        &[
+            s(442.0, 628.0),
+            s(620.0, 720.0),
+            s(820.0, 740.0),
+            s(1020.0, 860.0),
+            s(1300.0, 900.0),
+        ],
+    );
+    road(
+        plan,
+        "East Road",
+        Main,
+        &[
+            s(418.0, 634.0),
+            s(350.0, 800.0),
+            s(380.0, 980.0),
+            s(300.0, 1300.0),
+        ],
+    );
+    road(
+        plan,
+        "West Road",
+        Main,
+        &[
+            s(436.0, 602.0),
+            s(480.0, 480.0),
+            s(470.0, 340.0),
+            s(640.0, 0.0),
+            s(650.0, -340.0),
+            s(590.0, -700.0),
+            s(700.0, -1300.0),
+        ],
+    );
+    road(
+        plan,
+        "Mill Lane",
+        Street,
+        &[
+            s(650.0, -340.0),
+            s(520.0, -470.0),
+            s(400.0, -560.0),
+            s(200.0, -620.0),
+            s(-100.0, -760.0),
+            s(-480.0, -820.0),
+            s(-760.0, -700.0),
+            s(-900.0, -620.0),
+        ],
+    );
+    road(
+        plan,
+        "Quarry Lane",
+        Street,
+        &[
+            s(-720.0, -450.0),
+            s(-760.0, -240.0),
+            s(-690.0, 60.0),
+            s(-620.0, 300.0),
+            s(-640.0, 700.0),
+            s(-540.0, 1300.0),
+        ],
+    );
+    road(
+        plan,
+        "Orchard Lane",
+        Street,
+        &[
+            s(-620.0, 300.0),
+            s(-420.0, 420.0),
+            s(-240.0, 520.0),
+            s(-20.0, 500.0),
+            s(150.0, 420.0),
+        ],
+    );
+    let l = leg_one;
+    road(
+        plan,
+        "High Street",
+        Street,
+        &[
+            s(520.0, -470.0),
+            l(-20.0, 66.0),
+            l(100.0, 52.0),
+            l(217.0, 47.0),
+            l(330.0, 54.0),
+            l(450.0, 49.0),
+            l(600.0, 51.0),
+            l(771.0, 47.0),
+        ],
+    );
+    road(
+        plan,
+        "Back Street",
+        Street,
+        &[
+            l(100.0, 52.0),
+            l(112.0, -10.0),
+            l(150.0, -52.0),
+            l(300.0, -48.0),
+            l(420.0, -54.0),
+            l(600.0, -50.0),
+            l(771.0, -58.0),
+        ],
+    );
+    for (name, along, from, to) in [
+        ("Church Street", 257.0, 190.0, -48.0),
+        ("School Street", 335.0, 54.0, -170.0),
+        ("Market Street", 488.0, 230.0, -210.0),
+        ("Tank Street", 645.0, 51.0, -50.0),
+    ] {
+        road(
+            plan,
+            name,
+            Street,
+            &[
+                l(along, from),
+                l(along - 2.0, 0.5 * (from + to)),
+                l(along, to),
+            ],
+        );
+    }
+    road(
+        plan,
+        "Low Street",
+        Street,
+        &[
+            l(257.0, 190.0),
+            l(340.0, 150.0),
+            l(488.0, 142.0),
+            l(600.0, 150.0),
+            l(645.0, 51.0),
+        ],
+    );
+    road(
+        plan,
+        "Upper Street",
+        Street,
+        &[
+            l(335.0, -170.0),
+            l(400.0, -150.0),
+            l(488.0, -146.0),
+            l(560.0, -140.0),
+            l(600.0, -50.0),
+        ],
+    );
+    road(
+        plan,
+        "Track Street",
+        Street,
+        &[
+            l(488.0, -210.0),
+            s(300.0, 170.0),
+            s(420.0, 250.0),
+            s(520.0, 290.0),
+        ],
+    );
+    for (name, controls) in [
+        (
+            "north track",
+            vec![
+                s(650.0, -340.0),
+                s(760.0, -320.0),
+                s(900.0, -420.0),
+                s(1050.0, -380.0),
+                s(1300.0, -460.0),
+            ],
+        ),
+        (
+            "wood track",
+            vec![
+                s(-480.0, -820.0),
+                s(-420.0, -950.0),
+                s(-300.0, -1050.0),
+                s(-320.0, -1300.0),
+            ],
+        ),
+        (
+            "mill track",
+            vec![
+                s(-100.0, -760.0),
+                s(-160.0, -600.0),
+                s(-120.0, -450.0),
+                s(-200.0, -330.0),
+                s(-300.0, -240.0),
+            ],
+        ),
+        (
+            "quarry track",
+            vec![s(-640.0, 540.0), s(-700.0, 560.0), s(-760.0, 600.0)],
+        ),
+        (
+            "south track",
+            vec![
+                s(-690.0, 60.0),
+                s(-820.0, 90.0),
+                s(-960.0, 20.0),
+                s(-1300.0, 80.0),
+            ],
+        ),
+        (
+            "east track",
+            vec![
+                s(-240.0, 520.0),
+                s(-220.0, 700.0),
+                s(-120.0, 820.0),
+                s(-160.0, 1000.0),
+                s(-60.0, 1300.0),
+            ],
+        ),
+        (
+            "pond track",
+            vec![
+                s(150.0, 420.0),
+                s(80.0, 560.0),
+                s(120.0, 700.0),
+                s(60.0, 860.0),
+                s(140.0, 1000.0),
+            ],
+        ),
+        (
+            "hill track",
+            vec![
+                s(820.0, 740.0),
+                s(860.0, 560.0),
+                s(820.0, 380.0),
+                s(900.0, 160.0),
+                s(860.0, -60.0),
+                s(900.0, -420.0),
+            ],
+        ),
+    ] {
+        road(plan, name, Track, &controls);
+    }
+}

@@ -1,0 +1,70 @@
+//! The pond and the stream.
+
+use super::labels::SceneKind;
+use super::plan::Plan;
+use super::shape::{Outline, Slab, Spot, smooth_curve, spot};
+use super::things::Ground;
+
+/// Lays the pond and the stream that feeds and leaves it.
+pub(super) fn build(plan: &mut Plan) {
+    let s = spot;
+    let course = [
+        s(1250.0, 330.0),
+        s(980.0, 420.0),
+        s(760.0, 500.0),
+        s(640.0, 560.0),
+        s(520.0, 850.0),
+        s(250.0, 760.0),
+        s(170.0, 640.0),
+        s(20.0, 700.0),
+        s(-120.0, 640.0),
+        s(-330.0, 660.0),
+        s(-470.0, 560.0),
+        s(-560.0, 380.0),
+        s(-830.0, 330.0),
+        s(-1250.0, 420.0),
+    ];
+    let curve = smooth_curve(&course, 7.0);
+    let wander = |i: usize| 3.0 * (i as f32 * 0.9).sin() + 2.0 * (i as f32 * 0.37).cos();
+    let points: Vec<Spot> = curve
+        .iter()
+        .enumerate()
+        .map(|(i, &p)| p + spot(wander(i), wander(i + 40)))
+        .collect();
+    for w in points.windows(2) {
+        let axis = (w[1] - w[0]).unit();
+        let piece = Slab {
+            center: (w[0] + w[1]) * 0.5,
+            axis,
+            half_along: 0.5 * (w[1] - w[0]).length() + 1.4,
+            half_across: 1.7,
+        };
+        plan.lay(
+            Outline::Slab(piece),
+            Ground::Pond,
+            axis,
+            0.7,
+            Some(SceneKind::Stream),
+        );
+    }
+    let pond = Slab::new(s(215.0, 690.0), 0.7, 92.0, 58.0);
+    let shore: Vec<Spot> = (0..30)
+        .map(|i| {
+            let (sin, cos) = (i as f32 * std::f32::consts::TAU / 30.0).sin_cos();
+            let wobble = 1.0 + 0.13 * (i as f32 * 1.3).sin() + 0.09 * (i as f32 * 2.9).cos();
+            pond.at(
+                pond.half_along * cos * wobble,
+                pond.half_across * sin * wobble,
+            )
+        })
+        .collect();
+    plan.reserved.push(pond.grown(10.0));
+    plan.lay(
+        Outline::Polygon(shore.clone()),
+        Ground::Pond,
+        pond.axis,
+        1.6,
+        Some(SceneKind::Pond),
+    );
+    plan.announce("pond", SceneKind::Pond, shore, &pond.grown(12.0));
+}

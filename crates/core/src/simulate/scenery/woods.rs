@@ -1,0 +1,154 @@
+//! Where trees grow: woods, hedges, road sides, water sides and single trees.
+
+use super::grid::{Grid, REACH};
+use super::noise::{Dice, hash2, unit, value_noise};
+use super::parcels::{Parcels, Use};
+use super::plan::{Plan, Segment};
+use super::shape::{Spot, spot};
+use super::things::Habit;
+
+/// What keeps trees away, looked up by cells.
+pub(super) struct Ground<'a> {
+    pub(super) segments: &'a [Segment],
+    pub(super) segment_grid: &'a Grid,
+    pub(super) surface_grid: &'a Grid,
+    pub(super) solid_grid: &'a Grid,
+}
+
+impl Ground<'_> {
+    /// Whether a crown of that radius may stand there.
+    fn is_open(&self, plan: &Plan, p: Spot, radius: f32) -> bool {
+        let clear_of_roads = self.segment_grid.at(p).iter().all(|&i| {
+            let s = &self.segments[i as usize];
+            s.measure(p).0 > s.half_width + (0.75 * radius).min(4.0) + 0.6
+        });
+        clear_of_roads
+            && self
+                .surface_grid
+                .at(p)
+                .iter()
+                .all(|&i| plan.surfaces[i as usize].outline.distance(p) > 0.4 * radius)
+            && self
+                .solid_grid
+                .at(p)
+                .iter()
+                .all(|&i| plan.solids[i as usize].distance(p) > radius)
+    }
+}
+
+/// Plants woods and hedges on the parcels, with a few single trees.
+pub(super) fn plant(plan: &mut Plan, parcels: &Parcels, ground: &Ground, seed: u64) {
+    let mut dice = Dice::new(seed, 31);
+    let pitch = 4.6;
+    let count = (2.0 * REACH / pitch) as i32;
+    for row in 0..count {
+        for column in 0..count {
+            let h = hash2(row, column, seed as u32);
+            let p = spot(
+                (row as f32 + 0.9 * unit(h)) * pitch - REACH,
+                (column as f32 + 0.9 * unit(h.wrapping_mul(0x9e37_79b1))) * pitch - REACH,
+            );
+            let located = parcels.locate(p);
+            let parcel = &parcels.parcels[located.parcel as usize];
+            let wobble = 5.0 * value_noise(p.n * 0.05, p.e * 0.05, 77);
+            let habit = match parcel.use_ {
+                Use::Wood if located.edge > 3.0 + wobble => {
+                    if dice.chance(0.12) {
+                        Habit::Conifer
+                    } else {
+                        Habit::Broadleaf
+                    }
+                }
+                Use::ConiferWood if located.edge > 3.0 + wobble => {
+                    if dice.chance(0.9) {
+                        Habit::Conifer
+                    } else {
+                        Habit::Broadleaf
+                    }
+                }
+                Use::Orchard if located.edge > 6.0 => continue,
+                _ => {
+                    let lone = unit(h.rotate_left(9)) < 0.0035;
+                    if lone && parcel.use_ == Use::Grassland {
+                        Habit::Broadleaf
+                    } else {
+                        continue;
+                    }
+                }
+            };
+            // Glades, and groups of bigger and smaller trees.
+            let stand = value_noise(p.n * 0.023, p.e * 0.023, 78);
+            if stand < -0.72 || dice.chance(0.04) {
+                continue;
+            }
+            let radius = match habit {
+                Habit::Conifer => dice.range(1.4, 2.7) + 0.4 * stand,
+                _ => dice.range(2.0, 4.2) + 0.9 * stand,
+            };
+            let habit = if dice.chance(0.012) {
+                Habit::Dead
+            } else {
+                habit
+            };
+            if ground.is_open(plan, p, radius) {
+                plan.plant(p, radius.max(1.1), habit, &mut dice);
+            }
+        }
+    }
+    hedges(plan, parcels, ground, &mut dice);
+    orchards(plan, parcels, ground, &mut dice);
+}
+
+fn hedges(plan: &mut Plan, parcels: &Parcels, ground: &Ground, dice: &mut Dice) {
+    for parcel in &parcels.parcels {
+        if !parcel.hedged {
+            continue;
+        }
+        for i in 0..parcel.corners.len() {
+            let (a, b) = (
+                parcel.corners[i],
+                parcel.corners[(i + 1) % parcel.corners.len()],
+            );
+            if dice.chance(0.35) {
+                continue;
+            }
+            let axis = (b - a).unit();
+            let length = (b - a).length();
+            let mut along = dice.range(0.0, 6.0);
+            let thick = dice.range(0.0, 1.0);
+            while along < length {
+                let p = a + axis * along + axis.right() * dice.range(-0.9, 0.9);
+                let gap = value_noise(p.n * 0.03, p.e * 0.03, 91) < -0.35;
+                let tree = dice.chance(0.07 + 0.15 * thick);
+                let r = if tree {
+                    dice.range(2.2, 4.6)
+                } else {
+                    dice.range(0.8, 1.6)
+                };
+                let habit = if tree { Habit::Broadleaf } else { Habit::Shrub };
+                if !gap && ground.is_open(plan, p, r) {
+                    plan.plant(p, r, habit, dice);
+                }
+                along += if gap { 5.0 } else { dice.range(0.9, 1.9) };
+            }
+        }
+    }
+}
+
+fn orchards(plan: &mut Plan, parcels: &Parcels, ground: &Ground, dice: &mut Dice) {
+    for parcel in parcels.parcels.iter().filter(|p| p.use_ == Use::Orchard) {
+        let center = super::parcels::center_of(&parcel.corners);
+        for i in -40..40 {
+            for j in -40..40 {
+                let p = center
+                    + parcel.axis * (i as f32 * 5.0 + dice.range(-0.4, 0.4))
+                    + parcel.axis.right() * (j as f32 * 6.0 + dice.range(-0.3, 0.3));
+                let inside = super::shape::polygon_distance(&parcel.corners, p) < -6.0;
+                let r = dice.range(1.3, 2.2);
+                if inside && !dice.chance(0.06) && ground.is_open(plan, p, r) {
+                    plan.plant(p, r, Habit::Broadleaf, dice);
+                }
+            }
+        }
+    }
+}
