@@ -4,15 +4,26 @@
 //! pixel, so that pixel (column c, row r) has its centre at (c + ½, r + ½). Everything in Pilotage
 //! uses this convention; OpenCV's (centres at integers) differs by half a pixel.
 
+mod blur;
+mod codec;
 mod correlation;
+mod gradient;
+mod halve;
 mod image;
 mod integral;
 mod peak;
 mod pyramid;
 mod simd;
+mod warp;
 
+pub use blur::{box_blur, gaussian_blur, gaussian_blur_colour};
+pub use codec::{
+    CodecError, decode_picture, decode_picture_with_coverage, encode_jpeg, encode_png,
+};
 pub use correlation::{SearchSpectrum, Template};
+pub use gradient::Gradient;
 pub use image::{Gray, Picture, Raster, Rgb, Rgba, luminance};
 pub use integral::IntegralImage;
 pub use peak::{Peak, highest_peak, refine_peak, rival_peak};
 pub use pyramid::{Pyramid, bilinear};
+pub use warp::{Sample, warp_projective, warp_similar};

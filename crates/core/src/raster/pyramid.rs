@@ -17,7 +17,7 @@ impl Pyramid {
             if last.width().min(last.height()) < 32 {
                 break;
             }
-            let next = halved(last);
+            let next = last.halved();
             levels.push(next);
         }
         Self { levels }
@@ -43,21 +43,6 @@ impl Pyramid {
         let index = (pixels.max(1.0) * 1.01).log2().floor() as usize;
         index.min(self.levels.len() - 1)
     }
-}
-
-/// The area average of each 2×2 block; an odd last row or column is dropped.
-fn halved(picture: &Gray) -> Gray {
-    let (width, height) = (picture.width() / 2, picture.height() / 2);
-    let mut out = Gray::filled(width, height, 0.0);
-    for row in 0..height {
-        let upper = picture.row(2 * row);
-        let lower = picture.row(2 * row + 1);
-        for (column, pixel) in out.row_mut(row).iter_mut().enumerate() {
-            let c = 2 * column;
-            *pixel = 0.25 * (upper[c] + upper[c + 1] + lower[c] + lower[c + 1]);
-        }
-    }
-    out
 }
 
 /// Bilinear sample at continuous pixel (x, y), centres at half integers; `None` outside the picture.

@@ -1,0 +1,142 @@
+//! Smoothing.
+
+use super::{Gray, Raster, Rgb};
+
+/// The picture smoothed by a Gaussian of standard deviation `sigma` pixels (cut at 3 σ); edges are
+/// continued. A `sigma` that is not positive changes nothing.
+pub fn gaussian_blur(picture: &Gray, sigma: f64) -> Gray {
+    if !(sigma > 0.0 && sigma.is_finite()) || picture.is_empty() {
+        return picture.clone();
+    }
+    let weights = gaussian_weights(sigma);
+    let mut out = picture.clone();
+    blur_planes(out.pixels_mut(), picture.width(), 1, &weights);
+    out
+}
+
+/// [`gaussian_blur`] of each colour.
+pub fn gaussian_blur_colour(picture: &Raster<Rgb>, sigma: f64) -> Raster<Rgb> {
+    if !(sigma > 0.0 && sigma.is_finite()) || picture.is_empty() {
+        return picture.clone();
+    }
+    let weights = gaussian_weights(sigma);
+    let mut samples: Vec<f32> = picture
+        .pixels()
+        .iter()
+        .flat_map(|rgb| rgb.map(f32::from))
+        .collect();
+    blur_planes(&mut samples, picture.width(), 3, &weights);
+    let mut out = picture.clone();
+    for (pixel, sample) in out.pixels_mut().iter_mut().zip(samples.chunks_exact(3)) {
+        for (value, &sample) in pixel.iter_mut().zip(sample) {
+            *value = (sample + 0.5) as u8;
+        }
+    }
+    out
+}
+
+/// The mean over a window of `2·radius + 1` pixels a side, cut at the edges of the picture.
+pub fn box_blur(picture: &Gray, radius: usize) -> Gray {
+    let table = super::IntegralImage::new(picture);
+    let (width, height) = (picture.width(), picture.height());
+    Gray::from_fn(width, height, |x, y| {
+        let (left, top) = (x.saturating_sub(radius), y.saturating_sub(radius));
+        let (w, h) = (
+            (x + radius + 1).min(width) - left,
+            (y + radius + 1).min(height) - top,
+        );
+        (table.sum(left, top, w, h) / (w * h) as f64) as f32
+    })
+}
+
+/// Weights of one side, the middle first, normalized over both sides.
+pub(crate) fn gaussian_weights(sigma: f64) -> Vec<f32> {
+    let radius = (3.0 * sigma).ceil().clamp(1.0, 200.0) as i32;
+    let weight = |i: i32| (-0.5 * (f64::from(i) / sigma).powi(2)).exp();
+    let total: f64 = (-radius..=radius).map(weight).sum();
+    (0..=radius).map(|i| (weight(i) / total) as f32).collect()
+}
+
+/// Smooths interleaved samples, `channels` per pixel, first across and then down, in place.
+pub(crate) fn blur_planes(samples: &mut [f32], width: usize, channels: usize, weights: &[f32]) {
+    let radius = weights.len() - 1;
+    let row_length = width * channels;
+    let height = samples.len() / row_length;
+    let mut padded = vec![0.0f32; (width + 2 * radius) * channels];
+    for line in samples.chunks_exact_mut(row_length) {
+        padded[radius * channels..][..row_length].copy_from_slice(line);
+        for i in 0..radius {
+            for c in 0..channels {
+                padded[i * channels + c] = line[c];
+                padded[(radius + width + i) * channels + c] = line[row_length - channels + c];
+            }
+        }
+        let middle = &padded[radius * channels..][..row_length];
+        for (value, &here) in line.iter_mut().zip(middle) {
+            *value = weights[0] * here;
+        }
+        for (i, &weight) in weights.iter().enumerate().skip(1) {
+            let left = &padded[(radius - i) * channels..][..row_length];
+            let right = &padded[(radius + i) * channels..][..row_length];
+            for ((value, &l), &r) in line.iter_mut().zip(left).zip(right) {
+                *value += weight * (l + r);
+            }
+        }
+    }
+    // Down the columns, from a copy of what is smoothed across.
+    let source = samples.to_vec();
+    let row = |y: usize| &source[y * row_length..][..row_length];
+    for (y, line) in samples.chunks_exact_mut(row_length).enumerate() {
+        for value in line.iter_mut() {
+            *value *= weights[0];
+        }
+        for (i, &weight) in weights.iter().enumerate().skip(1) {
+            let above = row(y.saturating_sub(i));
+            let below = row((y + i).min(height - 1));
+            for ((value, &a), &b) in line.iter_mut().zip(above).zip(below) {
+                *value += weight * (a + b);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_dot_spreads_to_the_given_width_and_keeps_its_light() {
+        let mut dot = Gray::filled(41, 41, 0.0);
+        dot.set(20, 20, 100.0);
+        let out = gaussian_blur(&dot, 2.5);
+        let total: f32 = out.pixels().iter().sum();
+        assert!((total - 100.0).abs() < 1e-3, "{total}");
+        let spread: f32 = (0..41 * 41)
+            .map(|i| out.pixels()[i] * ((i % 41) as f32 - 20.0).powi(2))
+            .sum();
+        assert!(
+            ((spread / total).sqrt() - 2.5).abs() < 0.05,
+            "{}",
+            (spread / total).sqrt()
+        );
+    }
+
+    #[test]
+    fn an_even_picture_stays_even_up_to_its_edges() {
+        let even = Gray::filled(7, 5, 31.0);
+        for out in [gaussian_blur(&even, 3.0), box_blur(&even, 4)] {
+            assert!(out.pixels().iter().all(|v| (v - 31.0).abs() < 1e-4));
+        }
+        let colour = Raster::filled(7, 5, [10, 200, 30]);
+        assert_eq!(gaussian_blur_colour(&colour, 1.2), colour);
+    }
+
+    #[test]
+    fn the_box_averages_its_window() {
+        let ramp = Gray::from_fn(9, 9, |x, y| (x * x + y) as f32);
+        let expected: f32 = (2..5)
+            .flat_map(|x| (3..6).map(move |y| (x * x + y) as f32))
+            .sum();
+        assert!((box_blur(&ramp, 1).get(3, 4) - expected / 9.0).abs() < 1e-4);
+    }
+}
