@@ -1,2 +1,62 @@
-//! Build, serve and test.
-fn main() {}
+//! Build, serve, pack and test, without a tool to install: `cargo xtask COMMAND`.
+
+mod arguments;
+mod failure;
+mod page;
+mod places;
+mod process;
+mod progress;
+mod serve;
+mod test;
+
+use std::process::ExitCode;
+
+use arguments::Arguments;
+use failure::Failure;
+
+const USAGE: &str = "\
+cargo xtask serve [--port N] [--profile web-quick|web] [--no-build] [--dist FOLDER]
+    builds the page and serves it on this machine (port 8080; 0 takes a free one)
+cargo xtask dist [--dist FOLDER]
+    packs the page into a folder that any file server can host, and prints its sizes
+cargo xtask test [--quick]
+    runs every check; --quick leaves out the documentation, the oracles and the browser";
+
+fn main() -> ExitCode {
+    let arguments = std::env::args().skip(1);
+    match run(Arguments::new(arguments)) {
+        Ok(code) => code,
+        Err(failure) => {
+            eprintln!("xtask: {failure}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(mut arguments: Arguments) -> Result<ExitCode, Failure> {
+    match arguments.command().as_deref() {
+        Some("serve") => {
+            let options = serve::Options::read(&mut arguments)?;
+            arguments.finish()?;
+            serve::build_and_serve(&options)?;
+            Ok(ExitCode::SUCCESS)
+        }
+        Some("dist") => {
+            let dist = arguments.folder("--dist")?.unwrap_or_else(places::dist);
+            arguments.finish()?;
+            page::pack(&dist)?;
+            Ok(ExitCode::SUCCESS)
+        }
+        Some("test") => {
+            let quick = arguments.flag("--quick");
+            arguments.finish()?;
+            Ok(test::run(quick))
+        }
+        Some("help" | "--help" | "-h") => {
+            println!("{USAGE}");
+            Ok(ExitCode::SUCCESS)
+        }
+        Some(other) => Err(Failure::Usage(format!("`{other}` is no command\n{USAGE}"))),
+        None => Err(Failure::Usage(format!("which command?\n{USAGE}"))),
+    }
+}

@@ -1,0 +1,86 @@
+//! The page: a folder of plain files made from the wasm crate, `index.html` and `www/`.
+//!
+//! Layout: `index.html` and the content of `www/` at the root, the module and its glue in `pkg/`,
+//! beside each text and module a `.br` and a `.gz`, and `build.json` with what was built.
+
+mod compress;
+mod files;
+mod offline;
+mod sizes;
+mod wasm;
+
+use std::path::Path;
+
+pub use wasm::{TARGET, ensure_target, without_flags};
+
+use crate::{failure::Failure, progress::step};
+
+/// Name of the module in `pkg/`, without its endings.
+pub const MODULE: &str = "pilotage_web";
+
+/// How a page is built.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Profile {
+    /// Quick to link, for working on it and for the browser's journeys.
+    Quick,
+    /// Small and fast, for shipping.
+    Shipped,
+}
+
+impl Profile {
+    /// The profile of that name.
+    pub fn named(name: &str) -> Result<Self, Failure> {
+        match name {
+            "web-quick" => Ok(Self::Quick),
+            "web" => Ok(Self::Shipped),
+            _ => Err(Failure::Usage(format!(
+                "no profile `{name}`; there are web-quick and web"
+            ))),
+        }
+    }
+
+    /// Its name in `Cargo.toml`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Quick => "web-quick",
+            Self::Shipped => "web",
+        }
+    }
+
+    /// Brotli's quality from 0 to 11: the last grades cost many seconds and are for shipping.
+    fn brotli_quality(self) -> u32 {
+        match self {
+            Self::Quick => 5,
+            Self::Shipped => 11,
+        }
+    }
+}
+
+/// Builds the page into `dist`, replacing a page that is there.
+pub fn build(profile: Profile, dist: &Path) -> Result<(), Failure> {
+    wasm::ensure_target()?;
+    let module = step(&format!("compiling the page ({})", profile.name()), || {
+        wasm::compile(profile)
+    })?;
+    step("putting the page together", || {
+        files::clear(dist)?;
+        wasm::bind(&module, dist)?;
+        files::copy_shell(dist)?;
+        offline::stamp(dist)
+    })?;
+    step("compressing", || {
+        compress::folder(dist, profile.brotli_quality())
+    })
+}
+
+/// Builds the page for shipping and prints its sizes.
+pub fn pack(dist: &Path) -> Result<(), Failure> {
+    build(Profile::Shipped, dist)?;
+    println!();
+    sizes::print(dist)?;
+    println!(
+        "\n{} can be put under any path of any file server.",
+        dist.display()
+    );
+    Ok(())
+}

@@ -1,0 +1,51 @@
+//! The sizes of the page, as it is stored and as it travels.
+
+use std::{fs, path::Path};
+
+use super::{MODULE, compress::beside, files};
+use crate::failure::Failure;
+
+/// What the module may weigh with brotli, in bytes.
+const MODULE_BAR: u64 = 1_600_000;
+
+/// Prints a table of the files of `dist` and the module's size against its bar.
+pub fn print(dist: &Path) -> Result<(), Failure> {
+    println!(
+        "{:<28}{:>12}{:>12}{:>12}",
+        "file", "bytes", "gzip", "brotli"
+    );
+    let mut sums = [0; 3];
+    for file in files::below(dist)? {
+        let ending = file.extension().and_then(|ending| ending.to_str());
+        if matches!(ending, Some("br" | "gz")) {
+            continue;
+        }
+        let place = dist.join(&file);
+        let raw = size(&place)?;
+        let gzip = size(&beside(&place, "gz")).unwrap_or(raw);
+        let brotli = size(&beside(&place, "br")).unwrap_or(raw);
+        println!(
+            "{:<28}{raw:>12}{gzip:>12}{brotli:>12}",
+            files::address(&file)
+        );
+        for (sum, one) in sums.iter_mut().zip([raw, gzip, brotli]) {
+            *sum += one;
+        }
+    }
+    println!(
+        "{:<28}{:>12}{:>12}{:>12}",
+        "together", sums[0], sums[1], sums[2]
+    );
+    let module = size(&dist.join("pkg").join(format!("{MODULE}_bg.wasm.br")))?;
+    let verdict = if module <= MODULE_BAR {
+        "within"
+    } else {
+        "OVER"
+    };
+    println!("\nmodule with brotli: {module} bytes, {verdict} the bar of {MODULE_BAR}");
+    Ok(())
+}
+
+fn size(place: &Path) -> Result<u64, Failure> {
+    Ok(fs::metadata(place).map_err(Failure::file(place))?.len())
+}

@@ -1,0 +1,66 @@
+//! The module: compiled for WebAssembly, then given its glue for the browser.
+
+use std::path::{Path, PathBuf};
+
+use wasm_bindgen_cli_support::Bindgen;
+
+use super::{MODULE, Profile};
+use crate::{failure::Failure, places, process, progress::step};
+
+/// The target of the page.
+pub const TARGET: &str = "wasm32-unknown-unknown";
+
+/// Has rustup bring the target's standard library if this compiler lacks it.
+pub fn ensure_target() -> Result<(), Failure> {
+    let advice = "install Rust with rustup (https://rustup.rs)";
+    let asked = process::capture(
+        process::program("rustc").args(["--print", "target-libdir", "--target", TARGET]),
+        advice,
+    )?;
+    let folder = PathBuf::from(String::from_utf8_lossy(&asked.stdout).trim());
+    if asked.status.success() && folder.is_dir() {
+        return Ok(());
+    }
+    step(&format!("adding the target {TARGET}"), || {
+        process::run(
+            process::program("rustup").args(["target", "add", TARGET]),
+            advice,
+        )
+    })
+}
+
+/// Compiles the page's crate and returns the module.
+pub fn compile(profile: Profile) -> Result<PathBuf, Failure> {
+    let mut cargo = process::cargo(&["build", "--locked", "-p", "pilotage-web", "--lib"]);
+    cargo.args(["--target", TARGET, "--profile", profile.name()]);
+    without_flags(&mut cargo);
+    process::run(&mut cargo, "cargo came with rustup")?;
+    Ok(places::target()
+        .join(TARGET)
+        .join(profile.name())
+        .join(format!("{MODULE}.wasm")))
+}
+
+/// Takes away compiler flags from the environment: they would replace those of
+/// `.cargo/config.toml`, and with them the vector instructions of the kernels.
+pub fn without_flags(cargo: &mut std::process::Command) {
+    cargo
+        .env_remove("RUSTFLAGS")
+        .env_remove("CARGO_ENCODED_RUSTFLAGS");
+}
+
+/// Writes `pkg/pilotage_web.js` and `pkg/pilotage_web_bg.wasm` into `dist`.
+pub fn bind(module: &Path, dist: &Path) -> Result<(), Failure> {
+    let mut bindgen = Bindgen::new();
+    let made = bindgen.input_path(module).web(true).and_then(|bindgen| {
+        bindgen
+            .typescript(false)
+            .remove_name_section(true)
+            .remove_producers_section(true)
+            .generate(dist.join("pkg"))
+    });
+    made.map_err(|error| Failure::Bindings {
+        module: module.to_owned(),
+        reason: format!("{error:#}"),
+    })
+}

@@ -1,0 +1,110 @@
+//! The tests that ask other people's programs (`tests/tests/oracle_*.rs`).
+
+use std::{
+    fs,
+    io::Write,
+    path::{Path, PathBuf},
+    process::Command,
+};
+
+use super::{install, native::PACKAGES};
+use crate::{
+    failure::Failure,
+    places,
+    process::{capture, cargo, on_path, program, run, succeed, succeeds},
+};
+
+/// What an oracle test prints when it had no interpreter (`tests/src/oracle.rs`).
+const SKIPPED: &str = "skipped: no oracle interpreter";
+/// The variable that names the interpreter.
+const INTERPRETER: &str = "PILOTAGE_PYTHON";
+/// Oldest Python that has the pinned versions.
+const IS_USABLE: &str = "import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 11))";
+
+/// Prepares the interpreter and runs the tests; a test that skips is a failure here.
+pub fn check() -> Result<(), Failure> {
+    let python = interpreter()?;
+    let mut tests = cargo(&["test", "--no-fail-fast"]);
+    tests
+        .args(PACKAGES)
+        .args(["--test", "oracle_*", "--", "--nocapture"]);
+    tests
+        .env(INTERPRETER, python)
+        .stderr(std::process::Stdio::inherit());
+    let output = capture(&mut tests, "cargo came with rustup")?;
+    // A closed pipe is no reason to stop.
+    let _ = std::io::stdout().write_all(&output.stdout);
+    succeed(&tests, output.status)?;
+    if String::from_utf8_lossy(&output.stdout).contains(SKIPPED) {
+        return Err(Failure::Check(
+            "a test skipped its oracle, see above".to_owned(),
+        ));
+    }
+    Ok(())
+}
+
+/// The Python of `target/oracles`, with everything in `tests/oracles/requirements.txt`.
+fn interpreter() -> Result<PathBuf, Failure> {
+    let home = places::target().join("oracles");
+    let python = home.join(if cfg!(windows) {
+        "Scripts/python.exe"
+    } else {
+        "bin/python"
+    });
+    let wanted_file = places::root().join("tests/oracles/requirements.txt");
+    let wanted = fs::read(&wanted_file).map_err(Failure::file(&wanted_file))?;
+    let installed_file = home.join("installed.txt");
+    let is_ready = fs::read(&installed_file).is_ok_and(|installed| installed == wanted)
+        && succeeds(program(&python).args(["-c", "import sys"]));
+    if is_ready {
+        return Ok(python);
+    }
+    println!("installing the oracles into {} …", home.display());
+    let advice = "Python 3.11 or newer with venv";
+    run(
+        program(system_python()?)
+            .args(["-m", "venv", "--clear"])
+            .arg(&home),
+        advice,
+    )?;
+    run(pip(&python).arg("-r").arg(&wanted_file), advice)?;
+    fs::write(&installed_file, wanted).map_err(Failure::file(&installed_file))?;
+    Ok(python)
+}
+
+fn pip(python: &Path) -> Command {
+    let mut pip = program(python);
+    pip.args([
+        "-m",
+        "pip",
+        "install",
+        "--disable-pip-version-check",
+        "--quiet",
+        "--no-input",
+    ]);
+    pip
+}
+
+/// A Python of the system that can make environments; installs Debian's if it may.
+fn system_python() -> Result<PathBuf, Failure> {
+    let find = || {
+        [
+            "python3",
+            "python3.13",
+            "python3.12",
+            "python3.11",
+            "python",
+        ]
+        .iter()
+        .filter_map(|name| on_path(&[name]))
+        .find(|python| succeeds(program(python).args(["-c", IS_USABLE])))
+    };
+    if let Some(python) = find() {
+        return Ok(python);
+    }
+    install::debian_packages(&["python3", "python3-venv"])?;
+    find().ok_or_else(|| Failure::Missing {
+        program: "Python 3.11 or newer with venv",
+        advice: "install it (Debian and Ubuntu: `apt-get install python3 python3-venv`)".to_owned(),
+    })
+}

@@ -1,0 +1,116 @@
+//! The checks that ran, how they ended and how long they took.
+
+use std::{process::ExitCode, time::Instant};
+
+use crate::{failure::Failure, progress};
+
+/// One line per check.
+#[derive(Debug, Default)]
+pub struct Table {
+    lines: Vec<Line>,
+}
+
+#[derive(Debug)]
+struct Line {
+    name: String,
+    seconds: f64,
+    /// Why it failed, if it did.
+    failure: Option<String>,
+}
+
+impl Table {
+    /// Runs one check under a heading; returns whether it passed.
+    pub fn check(&mut self, name: &str, work: impl FnOnce() -> Result<(), Failure>) -> bool {
+        println!("\n━━ {name}");
+        progress::flush();
+        let start = Instant::now();
+        let failure = work().err().map(|failure| failure.to_string());
+        let seconds = start.elapsed().as_secs_f64();
+        match &failure {
+            None => println!("━━ {name}: passed, {seconds:.1} s"),
+            Some(reason) => println!("━━ {name}: FAILED, {seconds:.1} s\n{reason}"),
+        }
+        progress::flush();
+        let passed = failure.is_none();
+        self.lines.push(Line {
+            name: name.to_owned(),
+            seconds,
+            failure,
+        });
+        passed
+    }
+
+    /// Notes a check that could not run because of another one that failed.
+    pub fn blocked(&mut self, name: &str, reason: &str) {
+        println!("\n━━ {name}: not run, {reason}");
+        let failure = Some(format!("not run: {reason}"));
+        self.lines.push(Line {
+            name: name.to_owned(),
+            seconds: 0.0,
+            failure,
+        });
+    }
+
+    /// Prints the table; the last line is `N passed, N failed`.
+    pub fn finish(&self) -> ExitCode {
+        print!("\n{}", self.text());
+        progress::flush();
+        let all_passed = self.lines.iter().all(|line| line.failure.is_none());
+        if all_passed {
+            ExitCode::SUCCESS
+        } else {
+            ExitCode::FAILURE
+        }
+    }
+
+    fn text(&self) -> String {
+        use std::fmt::Write;
+        let mut text = String::new();
+        for Line {
+            name,
+            seconds,
+            failure,
+        } in &self.lines
+        {
+            let verdict = if failure.is_none() {
+                "passed"
+            } else {
+                "FAILED"
+            };
+            let first = failure.as_deref().and_then(|reason| reason.lines().next());
+            let reason = first
+                .map(|reason| format!("  {reason}"))
+                .unwrap_or_default();
+            // Writing into a text cannot fail.
+            let _ = writeln!(text, "{verdict}  {seconds:>7.1} s  {name}{reason}");
+        }
+        let together: f64 = self.lines.iter().map(|line| line.seconds).sum();
+        let failed = self
+            .lines
+            .iter()
+            .filter(|line| line.failure.is_some())
+            .count();
+        let passed = self.lines.len() - failed;
+        let _ = writeln!(text, "        {together:>7.1} s  together");
+        let _ = writeln!(text, "{passed} passed, {failed} failed");
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_line_counts_the_checks() {
+        let mut table = Table::default();
+        assert!(table.check("one", || Ok(())));
+        assert!(!table.check("two", || Err(Failure::Check(
+            "found something\nlong".to_owned()
+        ))));
+        table.blocked("three", "two failed");
+        let text = table.text();
+        assert_eq!(text.lines().last(), Some("1 passed, 2 failed"));
+        assert!(text.contains("two  found something\n"), "{text}");
+    }
+}
