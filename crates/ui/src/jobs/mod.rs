@@ -1,8 +1,25 @@
 //! Heavy work as messages: what to do, what came of it. Runs in a worker.
+//!
+//! A [`Job`] becomes a [`RunningJob`] that advances in slices, so that a worker stays able to
+//! listen; a [`JobRunner`] holds the jobs of one worker; a [`Crew`] shares jobs out among workers
+//! and replaces one that died; [`InlineHost`] does all of it on the calling thread, for tests.
 
+mod crew;
+mod fly;
+mod inline;
+mod messages;
 mod protocol;
+mod runner;
+mod running;
+mod workshop;
 
+pub use crew::{Crew, WorkerPort};
+pub use inline::InlineHost;
+pub use messages::{Reply, Request};
 pub use protocol::{
     Distinctness, FlightSource, Job, JobEvent, JobId, MapInfo, MapSource, MatchPictures, Opened,
     SimulationOptions,
 };
+pub use runner::JobRunner;
+pub use running::{Advance, RunningJob};
+pub use workshop::Workshop;

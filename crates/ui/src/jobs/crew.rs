@@ -1,0 +1,269 @@
+//! The workers of a page: who does what, and what happens when one dies.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::{FlightSource, Job, JobEvent, JobId, MapSource, Reply, Request};
+
+/// Time without an answer after which a worker counts as dead, milliseconds.
+const SILENCE: f64 = 10_000.0;
+/// Ticks of the page's timer that must have passed as well: a page that slept accuses nobody.
+const SILENT_TICKS: u32 = 6;
+/// Times that a job is begun anew after its worker died under it.
+const RESTARTS: u8 = 1;
+
+/// A line to one worker.
+pub trait WorkerPort {
+    /// Sends a request.
+    fn send(&mut self, request: Request);
+
+    /// Ends the worker, whatever it is doing.
+    fn close(&mut self);
+}
+
+struct Seat<P> {
+    port: Option<P>,
+    /// Keys of the files that this worker holds.
+    holds: BTreeSet<String>,
+    /// When the unanswered ping was sent, and ticks since.
+    unanswered: Option<(f64, u32)>,
+}
+
+struct Assigned {
+    seat: usize,
+    job: Job,
+    restarts: u8,
+}
+
+/// Shares jobs out among workers: one for flights, one for map tiles, one for questions. Workers
+/// are opened when first needed. Files that jobs name are kept here and given to a worker before
+/// the first job that names them.
+pub struct Crew<P> {
+    open: Box<dyn FnMut(usize) -> P>,
+    seats: [Seat<P>; 3],
+    jobs: BTreeMap<JobId, Assigned>,
+    files: BTreeMap<String, Vec<(String, Vec<u8>)>>,
+    events: Vec<(JobId, JobEvent)>,
+    last_job: JobId,
+    lost: usize,
+}
+
+impl<P: WorkerPort> Crew<P> {
+    /// A crew whose workers are opened by `open`, which gets the number of the seat.
+    pub fn new(open: impl FnMut(usize) -> P + 'static) -> Self {
+        let seat = || Seat {
+            port: None,
+            holds: BTreeSet::new(),
+            unanswered: None,
+        };
+        Self {
+            open: Box::new(open),
+            seats: [seat(), seat(), seat()],
+            jobs: BTreeMap::new(),
+            files: BTreeMap::new(),
+            events: Vec::new(),
+            last_job: 0,
+            lost: 0,
+        }
+    }
+
+    /// Opens every worker before it is needed.
+    pub fn warm_up(&mut self) {
+        for seat in 0..self.seats.len() {
+            self.open_seat(seat);
+        }
+    }
+
+    /// Begins a job.
+    pub fn start(&mut self, job: Job) -> JobId {
+        self.last_job += 1;
+        let id = self.last_job;
+        if let Job::Provide { key, files } = job {
+            for seat in &mut self.seats {
+                seat.holds.remove(&key);
+            }
+            self.files.insert(key, files);
+            self.events.push((id, JobEvent::Finished));
+        } else {
+            self.assign(id, job, 0);
+        }
+        id
+    }
+
+    /// Asks a job to stop.
+    pub fn cancel(&mut self, id: JobId) {
+        if let Some(assigned) = self.jobs.get(&id)
+            && let Some(port) = &mut self.seats[assigned.seat].port
+        {
+            port.send(Request::Cancel(id));
+        }
+    }
+
+    /// Takes what the worker on a seat said.
+    pub fn receive(&mut self, seat: usize, reply: Reply) {
+        self.seats[seat].unanswered = None;
+        let Reply::Event(id, event) = reply else {
+            return;
+        };
+        if !self.jobs.contains_key(&id) {
+            return;
+        }
+        if matches!(
+            event,
+            JobEvent::Finished | JobEvent::Cancelled | JobEvent::Failed(_)
+        ) {
+            self.jobs.remove(&id);
+        }
+        self.events.push((id, event));
+    }
+
+    /// Called by a timer of the page, about twice a second, with a clock in milliseconds: asks
+    /// whether the workers listen and replaces one that does not. True if one was replaced.
+    pub fn tick(&mut self, now: f64) -> bool {
+        let mut replaced = false;
+        for seat in 0..self.seats.len() {
+            let it = &mut self.seats[seat];
+            let Some(port) = &mut it.port else { continue };
+            match &mut it.unanswered {
+                None => {
+                    it.unanswered = Some((now, 0));
+                    port.send(Request::Ping);
+                }
+                Some((since, ticks)) => {
+                    *ticks += 1;
+                    if *ticks >= SILENT_TICKS && now - *since >= SILENCE {
+                        self.worker_died(seat);
+                        replaced = true;
+                    }
+                }
+            }
+        }
+        replaced
+    }
+
+    /// Replaces the worker on a seat; its jobs begin anew, or fail if that happened before.
+    pub fn worker_died(&mut self, seat: usize) {
+        let Some(mut port) = self.seats[seat].port.take() else {
+            return;
+        };
+        port.close();
+        self.seats[seat].holds.clear();
+        self.seats[seat].unanswered = None;
+        self.lost += 1;
+        let interrupted: Vec<_> = self
+            .jobs
+            .iter()
+            .filter(|(_, assigned)| assigned.seat == seat)
+            .map(|(id, _)| *id)
+            .collect();
+        for id in interrupted {
+            let Some(assigned) = self.jobs.remove(&id) else {
+                continue;
+            };
+            if assigned.restarts < RESTARTS {
+                let text = "Begun anew after the worker stopped".to_owned();
+                self.events.push((id, JobEvent::Progress(0.0, text)));
+                self.assign(id, assigned.job, assigned.restarts + 1);
+            } else {
+                let text = "The work stopped twice without an answer, perhaps for lack of memory. \
+                    Your documents are safe; try a smaller map or fewer frames."
+                    .to_owned();
+                self.events.push((id, JobEvent::Failed(text)));
+            }
+        }
+    }
+
+    /// Ends the worker on a seat without telling anybody, as a crash would. For tests.
+    pub fn silence(&mut self, seat: usize) {
+        if let Some(port) = self.seats.get_mut(seat).and_then(|s| s.port.as_mut()) {
+            port.close();
+        }
+    }
+
+    /// The line to the worker on a seat, if it is open.
+    pub fn port(&self, seat: usize) -> Option<&P> {
+        self.seats.get(seat)?.port.as_ref()
+    }
+
+    /// Takes the events that have arrived.
+    pub fn take_events(&mut self) -> Vec<(JobId, JobEvent)> {
+        std::mem::take(&mut self.events)
+    }
+
+    /// Whether events have arrived.
+    pub fn has_events(&self) -> bool {
+        !self.events.is_empty()
+    }
+
+    /// Workers that died since the last call.
+    pub fn take_lost(&mut self) -> usize {
+        std::mem::take(&mut self.lost)
+    }
+
+    fn open_seat(&mut self, seat: usize) -> &mut P {
+        let open = &mut self.open;
+        self.seats[seat].port.get_or_insert_with(|| open(seat))
+    }
+
+    fn assign(&mut self, id: JobId, job: Job, restarts: u8) {
+        let seat = seat_for(&job);
+        self.open_seat(seat);
+        for key in file_keys(&job) {
+            if let Some(files) = self.files.get(key)
+                && self.seats[seat].holds.insert(key.to_owned())
+            {
+                let provide = Job::Provide {
+                    key: key.to_owned(),
+                    files: files.clone(),
+                };
+                self.open_seat(seat).send(Request::Start(0, provide));
+            }
+        }
+        self.open_seat(seat).send(Request::Start(id, job.clone()));
+        let assigned = Assigned {
+            seat,
+            job,
+            restarts,
+        };
+        self.jobs.insert(id, assigned);
+    }
+}
+
+fn seat_for(job: &Job) -> usize {
+    match job {
+        Job::Fly { .. } => 0,
+        Job::Tile { .. } | Job::DescribeMap(_) => 1,
+        Job::Provide { .. }
+        | Job::Open { .. }
+        | Job::Distinctness { .. }
+        | Job::ExplainMatch { .. } => 2,
+    }
+}
+
+/// Keys of the files that a job names.
+fn file_keys(job: &Job) -> Vec<&str> {
+    let mut keys = Vec::new();
+    let (flight, map) = match job {
+        Job::Provide { .. } => (None, None),
+        Job::Open { key } => {
+            keys.push(key.as_str());
+            (None, None)
+        }
+        Job::Fly { flight, map, .. } | Job::ExplainMatch { flight, map, .. } => {
+            (Some(flight), Some(map))
+        }
+        Job::DescribeMap(map) | Job::Tile { map, .. } | Job::Distinctness { map, .. } => {
+            (None, Some(map))
+        }
+    };
+    if let Some(FlightSource::Files(key)) = flight {
+        keys.push(key);
+    }
+    if let Some(MapSource::Files(key)) = map {
+        keys.push(key);
+    }
+    keys
+}
+
+#[cfg(test)]
+#[path = "crew_tests.rs"]
+mod tests;

@@ -1,0 +1,127 @@
+//! A host without a browser: jobs run on the calling thread, files and storage are plain maps.
+
+use std::cell::Cell;
+use std::collections::{BTreeMap, VecDeque};
+
+use super::{Job, JobEvent, JobId, JobRunner, Reply, Request};
+use crate::host::{Host, OpenedFile};
+
+/// Runs jobs a slice at a time whenever the app asks for events, with a clock of its own.
+#[derive(Default)]
+pub struct InlineHost {
+    runner: JobRunner,
+    next_job: JobId,
+    waiting: Vec<(JobId, JobEvent)>,
+    clock: Cell<f64>,
+    /// Files to hand to the app at its next question.
+    pub drops: VecDeque<Vec<OpenedFile>>,
+    /// What the app stored, by key; fill it before the app starts to play a reload.
+    pub stored: BTreeMap<String, Vec<u8>>,
+    /// Files that the app offered to the user, in order.
+    pub saved: Vec<(String, Vec<u8>)>,
+    /// Times the app asked for the file dialog.
+    pub dialogs: usize,
+    /// The last announcement.
+    pub announced: String,
+    /// Workers to report as lost at the app's next question.
+    pub lost: usize,
+}
+
+impl InlineHost {
+    /// A host with nothing stored.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Moves the clock forward by milliseconds.
+    pub fn pass_time(&mut self, milliseconds: f64) {
+        self.clock.set(self.clock.get() + milliseconds);
+    }
+
+    /// The runner, to put maps into its workshop.
+    pub fn runner_mut(&mut self) -> &mut JobRunner {
+        &mut self.runner
+    }
+
+    /// Whether jobs are unfinished or events not yet taken.
+    pub fn busy(&self) -> bool {
+        self.runner.busy() || !self.waiting.is_empty()
+    }
+
+    /// Works until every job is done.
+    pub fn finish_jobs(&mut self) {
+        while self.turn() {}
+    }
+
+    fn turn(&mut self) -> bool {
+        // A clock that moves while work is done, so that slices end.
+        let ticks = Cell::new(0.0);
+        let clock = || {
+            ticks.set(ticks.get() + 1.0);
+            ticks.get()
+        };
+        let waiting = &mut self.waiting;
+        self.runner.turn(&clock, &mut |reply| keep(waiting, reply))
+    }
+}
+
+fn keep(waiting: &mut Vec<(JobId, JobEvent)>, reply: Reply) {
+    if let Reply::Event(id, event) = reply {
+        waiting.push((id, event));
+    }
+}
+
+impl Host for InlineHost {
+    fn now(&self) -> f64 {
+        self.clock.get()
+    }
+
+    fn start(&mut self, job: Job) -> JobId {
+        self.next_job += 1;
+        let waiting = &mut self.waiting;
+        self.runner
+            .receive(Request::Start(self.next_job, job), &mut |reply| {
+                keep(waiting, reply);
+            });
+        self.next_job
+    }
+
+    fn cancel(&mut self, job: JobId) {
+        let waiting = &mut self.waiting;
+        self.runner
+            .receive(Request::Cancel(job), &mut |reply| keep(waiting, reply));
+    }
+
+    fn events(&mut self) -> Vec<(JobId, JobEvent)> {
+        self.turn();
+        std::mem::take(&mut self.waiting)
+    }
+
+    fn opened(&mut self) -> Vec<Vec<OpenedFile>> {
+        self.drops.drain(..).collect()
+    }
+
+    fn ask_for_files(&mut self) {
+        self.dialogs += 1;
+    }
+
+    fn save_file(&mut self, name: &str, bytes: &[u8]) {
+        self.saved.push((name.to_owned(), bytes.to_vec()));
+    }
+
+    fn store(&mut self, key: &str, bytes: &[u8]) {
+        self.stored.insert(key.to_owned(), bytes.to_vec());
+    }
+
+    fn recall(&self, key: &str) -> Option<Vec<u8>> {
+        self.stored.get(key).cloned()
+    }
+
+    fn lost_workers(&mut self) -> usize {
+        std::mem::take(&mut self.lost)
+    }
+
+    fn announce(&mut self, text: &str) {
+        text.clone_into(&mut self.announced);
+    }
+}

@@ -1,0 +1,79 @@
+//! The jobs of one worker.
+
+use super::{Advance, Job, JobEvent, JobId, Reply, Request, RunningJob, Workshop};
+
+struct Entry {
+    id: JobId,
+    urgency: u8,
+    job: Box<dyn RunningJob>,
+}
+
+/// Takes requests and works on the most urgent job, the eldest among equals, a slice at a time.
+#[derive(Default)]
+pub struct JobRunner {
+    workshop: Workshop,
+    entries: Vec<Entry>,
+}
+
+impl JobRunner {
+    /// A runner without jobs.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// What the jobs share.
+    pub fn workshop_mut(&mut self) -> &mut Workshop {
+        &mut self.workshop
+    }
+
+    /// Whether a slice would do anything.
+    pub fn busy(&self) -> bool {
+        !self.entries.is_empty()
+    }
+
+    /// Takes a request; what it answers at once is emitted.
+    pub fn receive(&mut self, request: Request, emit: &mut dyn FnMut(Reply)) {
+        match request {
+            Request::Start(id, job) => {
+                let urgency = urgency(&job);
+                let job = self.workshop.start(job);
+                let place = self.entries.partition_point(|e| e.urgency <= urgency);
+                self.entries.insert(place, Entry { id, urgency, job });
+            }
+            Request::Cancel(id) => {
+                let before = self.entries.len();
+                self.entries.retain(|e| e.id != id);
+                if self.entries.len() < before {
+                    emit(Reply::Event(id, JobEvent::Cancelled));
+                }
+            }
+            Request::Ping => emit(Reply::Alive),
+        }
+    }
+
+    /// Works for one slice; false once there is nothing to do.
+    pub fn turn(&mut self, clock: &dyn Fn() -> f64, emit: &mut dyn FnMut(Reply)) -> bool {
+        let Some(entry) = self.entries.first_mut() else {
+            return false;
+        };
+        let id = entry.id;
+        let advance = entry.job.advance(&mut self.workshop, clock, &mut |event| {
+            emit(Reply::Event(id, event));
+        });
+        if advance == Advance::Done {
+            self.entries.remove(0);
+        }
+        self.busy()
+    }
+}
+
+/// Smaller is sooner: what people wait for with a finger on the map comes before a flight.
+fn urgency(job: &Job) -> u8 {
+    match job {
+        Job::Provide { .. } => 0,
+        Job::DescribeMap(_) | Job::Open { .. } => 1,
+        Job::Distinctness { .. } | Job::ExplainMatch { .. } => 2,
+        Job::Tile { .. } => 3,
+        Job::Fly { .. } => 4,
+    }
+}

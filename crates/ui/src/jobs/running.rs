@@ -1,0 +1,50 @@
+//! A job that is under way.
+
+use super::{JobEvent, Workshop};
+
+/// Longest time that a slice of work should take, milliseconds.
+pub const SLICE: f64 = 25.0;
+
+/// Whether a job has more to do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Advance {
+    /// Call again.
+    More,
+    /// The last event was sent.
+    Done,
+}
+
+/// A job as a state machine: whoever owns it calls [`RunningJob::advance`] until it is done, and
+/// drops it to cancel it.
+pub trait RunningJob {
+    /// Works for about a slice (25 ms by `clock`, milliseconds) and emits what came of it.
+    fn advance(
+        &mut self,
+        workshop: &mut Workshop,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Advance;
+}
+
+/// A job that is one piece of work, done in one call.
+pub struct Once<F>(pub Option<F>);
+
+impl<F> RunningJob for Once<F>
+where
+    F: FnOnce(&mut Workshop, &mut dyn FnMut(JobEvent)) -> Result<(), String>,
+{
+    fn advance(
+        &mut self,
+        workshop: &mut Workshop,
+        _clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Advance {
+        if let Some(work) = self.0.take() {
+            match work(workshop, emit) {
+                Ok(()) => emit(JobEvent::Finished),
+                Err(cause) => emit(JobEvent::Failed(cause)),
+            }
+        }
+        Advance::Done
+    }
+}

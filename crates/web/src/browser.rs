@@ -1,0 +1,30 @@
+//! What this crate uses of the browser beside `web-sys`.
+
+use js_sys::Uint8Array;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen]
+extern "C" {
+    /// Milliseconds since the page or worker began, never going back.
+    #[wasm_bindgen(js_namespace = performance, js_name = now)]
+    pub fn now() -> f64;
+
+    /// The page's services, an object of `www/shell.js`.
+    pub type Shell;
+
+    /// Shows the dialog that opens files.
+    #[wasm_bindgen(method, js_name = askForFiles)]
+    pub fn ask_for_files(this: &Shell);
+
+    /// Offers bytes as a download.
+    #[wasm_bindgen(method, js_name = saveFile)]
+    pub fn save_file(this: &Shell, name: &str, bytes: Uint8Array);
+
+    /// Remembers bytes in the browser's storage, soon.
+    #[wasm_bindgen(method)]
+    pub fn store(this: &Shell, key: &str, bytes: Uint8Array);
+
+    /// Puts a text where screen readers read it out.
+    #[wasm_bindgen(method)]
+    pub fn announce(this: &Shell, text: &str);
+}

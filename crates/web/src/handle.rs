@@ -1,0 +1,148 @@
+//! The page's entry.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+use js_sys::{Array, Uint8Array};
+use pilotage_ui::host::OpenedFile;
+use wasm_bindgen::prelude::*;
+use web_sys::HtmlCanvasElement;
+
+use crate::accessibility::{KeptTree, tree_json};
+use crate::app::PageApp;
+use crate::browser::Shell;
+use crate::host::PageHost;
+
+/// What `www/main.js` drives, and `window.app` for tests.
+#[wasm_bindgen]
+#[derive(Clone)]
+pub struct WebHandle {
+    runner: eframe::WebRunner,
+    remembered: Rc<RefCell<HashMap<String, Vec<u8>>>>,
+    running: Rc<RefCell<Option<(egui::Context, PageHost)>>>,
+}
+
+#[wasm_bindgen]
+impl WebHandle {
+    /// A page that has not started.
+    #[wasm_bindgen(constructor)]
+    #[expect(clippy::new_without_default, reason = "constructed from JavaScript")]
+    pub fn new() -> Self {
+        Self {
+            runner: eframe::WebRunner::new(),
+            remembered: Rc::default(),
+            running: Rc::default(),
+        }
+    }
+
+    /// Tells, before the start, what the browser remembered under a key.
+    pub fn remember(&self, key: String, bytes: &[u8]) {
+        self.remembered.borrow_mut().insert(key, bytes.to_vec());
+    }
+
+    /// Starts the app on a canvas.
+    pub async fn start(&self, canvas: HtmlCanvasElement, shell: Shell) -> Result<(), JsValue> {
+        let remembered = self.remembered.take();
+        let running = self.running.clone();
+        let create: eframe::AppCreator<'static> = Box::new(move |creation| {
+            let context = creation.egui_ctx.clone();
+            context.add_plugin(KeptTree::default());
+            let host = PageHost::new(shell, context.clone(), remembered);
+            *running.borrow_mut() = Some((context.clone(), host.clone()));
+            Ok(Box::new(PageApp::new(&context, host)))
+        });
+        self.runner
+            .start(canvas, eframe::WebOptions::default(), create)
+            .await
+    }
+
+    /// Gives files to the app: paths and byte arrays, one for one.
+    pub fn open_files(&self, paths: &Array, contents: &Array) {
+        let files = paths
+            .iter()
+            .zip(contents.iter())
+            .map(|(path, bytes)| OpenedFile {
+                path: path.as_string().unwrap_or_default(),
+                bytes: Uint8Array::new(&bytes).to_vec().into(),
+            });
+        if let Some((_, host)) = &*self.running.borrow() {
+            host.open_files(files.collect());
+        }
+    }
+
+    /// To be called twice a second: looks whether the workers are alive.
+    pub fn tick(&self) {
+        if let Some((_, host)) = &*self.running.borrow() {
+            host.tick();
+        }
+    }
+
+    /// The app's state as JSON; empty once it has panicked.
+    pub fn state(&self) -> String {
+        self.runner
+            .app_mut::<PageApp>()
+            .map(|page| page.app.state_json())
+            .unwrap_or_default()
+    }
+
+    /// The accessibility tree of the last frame as JSON; see [`WebHandle::enable_a11y`].
+    pub fn a11y(&self) -> String {
+        match &*self.running.borrow() {
+            Some((context, _)) => tree_json(context),
+            None => "[]".to_owned(),
+        }
+    }
+
+    /// Begins to make the accessibility tree.
+    pub fn enable_a11y(&self) {
+        if let Some((context, _)) = &*self.running.borrow() {
+            context.enable_accesskit();
+            context.request_repaint();
+        }
+    }
+
+    /// What the app died of, if it did.
+    pub fn panic_message(&self) -> Option<String> {
+        self.runner.panic_summary().map(|p| p.message())
+    }
+
+    /// Bytes of memory that the page's instance has taken.
+    pub fn memory_bytes(&self) -> f64 {
+        let memory: js_sys::WebAssembly::Memory = wasm_bindgen::memory().unchecked_into();
+        memory
+            .buffer()
+            .unchecked_into::<js_sys::ArrayBuffer>()
+            .byte_length()
+            .into()
+    }
+
+    /// The app's own milliseconds per frame as JSON.
+    pub fn cpu_ms(&self) -> String {
+        self.runner
+            .app_mut::<PageApp>()
+            .map(|page| page.times.json())
+            .unwrap_or_default()
+    }
+
+    /// Measures milliseconds per frame from now on.
+    pub fn forget_cpu_ms(&self) {
+        if let Some(mut page) = self.runner.app_mut::<PageApp>() {
+            page.times.forget();
+        }
+    }
+
+    /// Ends a worker without a word, as a browser short of memory does; for tests.
+    pub fn kill_worker(&self, index: usize) {
+        if let Some((_, host)) = &*self.running.borrow() {
+            host.silence_worker(index);
+        }
+    }
+
+    /// Makes a worker run into a fault; for tests.
+    pub fn crash_worker(&self, index: usize) {
+        if let Some((_, host)) = &*self.running.borrow() {
+            host.crash_worker(index);
+        }
+    }
+}

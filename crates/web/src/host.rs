@@ -1,0 +1,162 @@
+//! The page's services for the app.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
+
+use js_sys::Uint8Array;
+use pilotage_ui::host::{Host, OpenedFile};
+use pilotage_ui::jobs::{Crew, Job, JobEvent, JobId, Reply};
+
+use crate::browser::{Shell, now};
+use crate::port::{BrowserPort, Inbox, Notice};
+
+/// Longest time spent in one frame on reading what workers said, milliseconds.
+const READING: f64 = 3.0;
+
+/// The page's services; every clone is the same.
+#[derive(Clone)]
+pub struct PageHost {
+    inner: Rc<RefCell<Inner>>,
+}
+
+struct Inner {
+    shell: Shell,
+    crew: Crew<BrowserPort>,
+    inbox: Inbox,
+    remembered: HashMap<String, Vec<u8>>,
+    opened: Vec<Vec<OpenedFile>>,
+    announced: String,
+}
+
+impl PageHost {
+    /// Services for a page with these remembered documents.
+    pub fn new(shell: Shell, context: egui::Context, remembered: HashMap<String, Vec<u8>>) -> Self {
+        let inbox = Inbox {
+            notices: Rc::default(),
+            context,
+        };
+        let line = inbox.clone();
+        let mut crew = Crew::new(move |seat| BrowserPort::open(seat, line.clone()));
+        crew.warm_up();
+        let inner = Inner {
+            shell,
+            crew,
+            inbox,
+            remembered,
+            opened: Vec::new(),
+            announced: String::new(),
+        };
+        Self {
+            inner: Rc::new(RefCell::new(inner)),
+        }
+    }
+
+    /// Files that the user chose or dropped.
+    pub fn open_files(&self, files: Vec<OpenedFile>) {
+        let mut inner = self.inner.borrow_mut();
+        inner.opened.push(files);
+        inner.inbox.context.request_repaint();
+    }
+
+    /// Called by a timer: looks whether the workers are alive.
+    pub fn tick(&self) {
+        let mut inner = self.inner.borrow_mut();
+        inner.read_notices();
+        inner.crew.tick(now());
+        if inner.crew.has_events() {
+            inner.inbox.context.request_repaint();
+        }
+    }
+
+    /// Ends a worker without a word; for tests.
+    pub fn silence_worker(&self, seat: usize) {
+        self.inner.borrow_mut().crew.silence(seat);
+    }
+
+    /// Makes a worker run into a fault; for tests.
+    pub fn crash_worker(&self, seat: usize) {
+        if let Some(port) = self.inner.borrow().crew.port(seat) {
+            port.crash();
+        }
+    }
+}
+
+impl Inner {
+    fn read_notices(&mut self) {
+        let begun = now();
+        while now() - begun < READING {
+            let Some(notice) = self.inbox.notices.borrow_mut().pop_front() else {
+                return;
+            };
+            match notice {
+                Notice::Said(seat, bytes) => {
+                    if let Ok(reply) = postcard::from_bytes::<Reply>(&bytes) {
+                        self.crew.receive(seat, reply);
+                    }
+                }
+                Notice::Died(seat) => {
+                    let of_seat = |n: &Notice| matches!(n, Notice::Said(s, _) | Notice::Died(s) if *s == seat);
+                    self.inbox.notices.borrow_mut().retain(|n| !of_seat(n));
+                    self.crew.worker_died(seat);
+                }
+            }
+        }
+        self.inbox.context.request_repaint();
+    }
+}
+
+impl Host for PageHost {
+    fn now(&self) -> f64 {
+        now()
+    }
+
+    fn start(&mut self, job: Job) -> JobId {
+        self.inner.borrow_mut().crew.start(job)
+    }
+
+    fn cancel(&mut self, job: JobId) {
+        self.inner.borrow_mut().crew.cancel(job);
+    }
+
+    fn events(&mut self) -> Vec<(JobId, JobEvent)> {
+        let mut inner = self.inner.borrow_mut();
+        inner.read_notices();
+        inner.crew.take_events()
+    }
+
+    fn opened(&mut self) -> Vec<Vec<OpenedFile>> {
+        std::mem::take(&mut self.inner.borrow_mut().opened)
+    }
+
+    fn ask_for_files(&mut self) {
+        self.inner.borrow().shell.ask_for_files();
+    }
+
+    fn save_file(&mut self, name: &str, bytes: &[u8]) {
+        let bytes = Uint8Array::from(bytes);
+        self.inner.borrow().shell.save_file(name, bytes);
+    }
+
+    fn store(&mut self, key: &str, bytes: &[u8]) {
+        let mut inner = self.inner.borrow_mut();
+        inner.remembered.insert(key.to_owned(), bytes.to_vec());
+        inner.shell.store(key, Uint8Array::from(bytes));
+    }
+
+    fn recall(&self, key: &str) -> Option<Vec<u8>> {
+        self.inner.borrow().remembered.get(key).cloned()
+    }
+
+    fn lost_workers(&mut self) -> usize {
+        self.inner.borrow_mut().crew.take_lost()
+    }
+
+    fn announce(&mut self, text: &str) {
+        let mut inner = self.inner.borrow_mut();
+        if inner.announced != text {
+            text.clone_into(&mut inner.announced);
+            inner.shell.announce(text);
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! The page's end of the line to one worker.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+
+use js_sys::{Object, Reflect, Uint8Array};
+use pilotage_ui::jobs::{Request, WorkerPort};
+use wasm_bindgen::prelude::*;
+use web_sys::{ErrorEvent, MessageEvent, Worker, WorkerOptions, WorkerType};
+
+use crate::worker::encode;
+
+/// What came from the worker on a seat.
+pub enum Notice {
+    /// An encoded reply.
+    Said(usize, Vec<u8>),
+    /// It is no more.
+    Died(usize),
+}
+
+/// Notices in the order in which they came, and how to wake the page for them.
+#[derive(Clone)]
+pub struct Inbox {
+    /// Not yet read.
+    pub notices: Rc<RefCell<std::collections::VecDeque<Notice>>>,
+    /// To repaint when something comes.
+    pub context: egui::Context,
+}
+
+impl Inbox {
+    fn put(&self, notice: Notice) {
+        self.notices.borrow_mut().push_back(notice);
+        self.context.request_repaint();
+    }
+}
+
+/// A running worker; ended when dropped.
+pub struct BrowserPort {
+    worker: Option<Worker>,
+    seat: usize,
+    inbox: Inbox,
+    _on_message: Closure<dyn FnMut(MessageEvent)>,
+    _on_error: Closure<dyn FnMut(ErrorEvent)>,
+}
+
+impl BrowserPort {
+    /// Starts a worker that holds a second instance of this very module.
+    pub fn open(seat: usize, inbox: Inbox) -> Self {
+        let on_message = Closure::<dyn FnMut(MessageEvent)>::new({
+            let inbox = inbox.clone();
+            move |event: MessageEvent| {
+                if let Some(bytes) = event.data().dyn_ref::<Uint8Array>() {
+                    inbox.put(Notice::Said(seat, bytes.to_vec()));
+                }
+            }
+        });
+        let on_error = Closure::<dyn FnMut(ErrorEvent)>::new({
+            let inbox = inbox.clone();
+            move |event: ErrorEvent| {
+                event.prevent_default();
+                web_sys::console::warn_2(&"worker stopped:".into(), &event.message().into());
+                inbox.put(Notice::Died(seat));
+            }
+        });
+        let worker = start_worker(&on_message, &on_error)
+            .inspect_err(|_| inbox.put(Notice::Died(seat)))
+            .ok();
+        Self {
+            worker,
+            seat,
+            inbox,
+            _on_message: on_message,
+            _on_error: on_error,
+        }
+    }
+
+    /// Makes the worker run into a fault; for tests.
+    pub fn crash(&self) {
+        if let Some(worker) = &self.worker {
+            let _ = worker.post_message(&"crash".into());
+        }
+    }
+}
+
+fn start_worker(
+    on_message: &Closure<dyn FnMut(MessageEvent)>,
+    on_error: &Closure<dyn FnMut(ErrorEvent)>,
+) -> Result<Worker, JsValue> {
+    let options = WorkerOptions::new();
+    options.set_type(WorkerType::Module);
+    let worker = Worker::new_with_options("./worker.js", &options)?;
+    worker.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
+    worker.set_onerror(Some(on_error.as_ref().unchecked_ref()));
+    worker.set_onmessageerror(Some(on_error.as_ref().unchecked_ref()));
+    let first = Object::new();
+    Reflect::set(&first, &"module".into(), &wasm_bindgen::module())?;
+    worker.post_message(&first)?;
+    Ok(worker)
+}
+
+impl WorkerPort for BrowserPort {
+    fn send(&mut self, request: Request) {
+        let Some(worker) = &self.worker else { return };
+        let sent = encode(request)
+            .map_err(JsValue::from)
+            .and_then(|message| worker.post_message(&message));
+        if sent.is_err() {
+            self.inbox.put(Notice::Died(self.seat));
+        }
+    }
+
+    fn close(&mut self) {
+        if let Some(worker) = &self.worker {
+            worker.set_onmessage(None);
+            worker.set_onerror(None);
+            worker.set_onmessageerror(None);
+            worker.terminate();
+        }
+    }
+}
+
+impl Drop for BrowserPort {
+    fn drop(&mut self) {
+        self.close();
+    }
+}

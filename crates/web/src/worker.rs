@@ -1,0 +1,106 @@
+//! The worker's end: a job runner behind messages.
+
+use js_sys::{Array, Function, Object, Reflect, Uint8Array};
+use pilotage_ui::jobs::{Job, JobRunner, Reply, Request};
+use wasm_bindgen::prelude::*;
+
+use crate::browser::now;
+
+/// What `www/worker.js` drives: it passes messages in, calls [`WorkerHandle::turn`] as long as
+/// that says there is more, and posts what comes out.
+#[wasm_bindgen]
+pub struct WorkerHandle {
+    runner: JobRunner,
+    post: Function,
+    last_word: f64,
+}
+
+#[wasm_bindgen]
+impl WorkerHandle {
+    /// A worker that says things by calling `post` with a byte array that may be transferred.
+    #[wasm_bindgen(constructor)]
+    pub fn new(post: Function) -> Self {
+        console_error_panic_hook::set_once();
+        Self {
+            runner: JobRunner::new(),
+            post,
+            last_word: now(),
+        }
+    }
+
+    /// Takes a message of the page.
+    pub fn receive(&mut self, message: &JsValue) -> Result<(), JsError> {
+        let request = decode(message)?;
+        let post = &self.post;
+        self.runner.receive(request, &mut |reply| say(post, &reply));
+        Ok(())
+    }
+
+    /// Works for a slice; true if there is more to do.
+    pub fn turn(&mut self) -> bool {
+        let post = &self.post;
+        self.runner.turn(&now, &mut |reply| say(post, &reply));
+        self.runner.busy()
+    }
+
+    /// Dies as a fault in the program would; for tests.
+    pub fn crash(&self) {
+        panic!("asked to crash after {:.0} ms", now() - self.last_word);
+    }
+}
+
+fn say(post: &Function, reply: &Reply) {
+    if let Ok(bytes) = postcard::to_stdvec(reply) {
+        // A page that is gone hears nothing; there is nobody to tell.
+        let _ = post.call1(&JsValue::NULL, &Uint8Array::from(bytes.as_slice()));
+    }
+}
+
+/// Makes the message for a request. Files travel as byte arrays beside the rest, because encoding
+/// megabytes would hold up the page.
+pub fn encode(request: Request) -> Result<JsValue, JsError> {
+    if let Request::Start(_, Job::Provide { key, files }) = request {
+        let (paths, contents) = (Array::new(), Array::new());
+        for (path, bytes) in files {
+            paths.push(&path.into());
+            contents.push(&Uint8Array::from(bytes.as_slice()));
+        }
+        let message = Object::new();
+        for (name, value) in [
+            ("provide", JsValue::from(key)),
+            ("paths", paths.into()),
+            ("contents", contents.into()),
+        ] {
+            Reflect::set(&message, &name.into(), &value)
+                .map_err(|_| JsError::new("cannot build a message"))?;
+        }
+        return Ok(message.into());
+    }
+    Ok(Uint8Array::from(postcard::to_stdvec(&request)?.as_slice()).into())
+}
+
+fn decode(message: &JsValue) -> Result<Request, JsError> {
+    if let Some(bytes) = message.dyn_ref::<Uint8Array>() {
+        return Ok(postcard::from_bytes(&bytes.to_vec())?);
+    }
+    let field = |name: &str| {
+        Reflect::get(message, &name.into())
+            .map_err(|_| JsError::new("a message without its fields"))
+    };
+    let key = field("provide")?
+        .as_string()
+        .ok_or_else(|| JsError::new("a message of an unknown kind"))?;
+    let (paths, contents) = (
+        Array::from(&field("paths")?),
+        Array::from(&field("contents")?),
+    );
+    let files = paths
+        .iter()
+        .zip(contents.iter())
+        .map(|(path, bytes)| {
+            let path = path.as_string().unwrap_or_default();
+            (path, Uint8Array::new(&bytes).to_vec())
+        })
+        .collect();
+    Ok(Request::Start(0, Job::Provide { key, files }))
+}

@@ -1,0 +1,74 @@
+// Starts the page: loads the program with a visible progress, hands it its services, and takes
+// over with a readable message if it cannot run.
+import init, { WebHandle } from "./pkg/pilotage_web.js";
+import { openStorage } from "./storage.js";
+import { shellServices, watchDrops } from "./shell.js";
+import { showTrouble, showStage, uncover } from "./cover.js";
+import { registerOffline } from "./offline.js";
+
+const root = document.documentElement;
+
+/** The program's bytes, with progress told as they come; still compiled while they stream in. */
+async function program() {
+  const response = await fetch(new URL("./pkg/pilotage_web_bg.wasm", import.meta.url), { credentials: "same-origin" });
+  if (!response.ok) throw new Error(`The program could not be loaded (${response.status} ${response.statusText}).`);
+  const coded = response.headers.get("content-encoding");
+  const total = coded ? 0 : Number(response.headers.get("content-length"));
+  let received = 0;
+  const counted = response.body.pipeThrough(new TransformStream({
+    transform(chunk, out) {
+      received += chunk.byteLength;
+      showStage(`Loading the program: ${(received / 1e6).toFixed(1)} MB`, total ? received / total : undefined);
+      out.enqueue(chunk);
+    },
+    flush() { showStage("Starting…"); },
+  }));
+  return new Response(counted, { headers: { "content-type": "application/wasm" } });
+}
+
+function hasGraphics() {
+  const context = document.createElement("canvas").getContext("webgl2");
+  context?.getExtension("WEBGL_lose_context")?.loseContext();
+  return Boolean(context);
+}
+
+/** Looks after the workers, and notices a panic of the program. */
+function keepWatch(app) {
+  const timer = setInterval(() => {
+    const panic = app.panic_message();
+    if (panic === undefined) return app.tick();
+    clearInterval(timer);
+    root.dataset.ready = "panicked";
+    showTrouble("Pilotage has stopped", "A fault in the program ended it. Your documents are safe in this browser and will be here when the page has loaded again.", panic);
+  }, 500);
+}
+
+async function start() {
+  if (!hasGraphics()) {
+    root.dataset.ready = "no-graphics";
+    showTrouble("This browser cannot draw the map", "Pilotage draws with WebGL 2, which is missing or switched off here. Switch on hardware acceleration in the browser's settings, or use a current version of Chrome, Edge, Firefox or Safari.");
+    return;
+  }
+  const begun = performance.now();
+  const [storage] = await Promise.all([openStorage(), init({ module_or_path: program() })]);
+  const loaded = performance.now();
+  const app = new WebHandle();
+  for (const [key, bytes] of storage.loaded) app.remember(key, bytes);
+  const canvas = document.getElementById("app");
+  const shell = shellServices(storage, (paths, contents) => app.open_files(paths, contents));
+  await app.start(canvas, shell);
+  window.app = app;
+  window.page = { storage, boot: { load_ms: loaded - begun, start_ms: performance.now() - loaded, ready_ms: performance.now() } };
+  watchDrops((paths, contents) => app.open_files(paths, contents));
+  keepWatch(app);
+  canvas.focus();
+  uncover();
+  root.dataset.ready = "1";
+  registerOffline();
+}
+
+start().catch((error) => {
+  root.dataset.ready = "error";
+  showTrouble("Pilotage could not start", "Load the page again. If that does not help, the browser may be too old or short of memory.", String(error?.stack ?? error));
+  console.error(error);
+});

@@ -1,0 +1,51 @@
+// What the app asks of the browser: files in and out, storage, words for screen readers.
+import { readDropped, readChosen } from "./files.js";
+
+export function shellServices(storage, openFiles) {
+  const input = document.getElementById("files");
+  const summary = document.getElementById("summary");
+  const canvas = document.getElementById("app");
+  input.addEventListener("change", async () => {
+    const files = await readChosen(input.files);
+    input.value = "";
+    canvas.focus();
+    if (files.paths.length) openFiles(files.paths, files.contents);
+  });
+  input.addEventListener("cancel", () => canvas.focus());
+  return {
+    askForFiles() { input.click(); },
+    saveFile(name, bytes) {
+      const address = URL.createObjectURL(new Blob([bytes], { type: "application/octet-stream" }));
+      const link = Object.assign(document.createElement("a"), { href: address, download: name });
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(address), 60_000);
+    },
+    store(key, bytes) { storage.put(key, bytes); },
+    announce(text) { summary.textContent = text; },
+  };
+}
+
+/** Files and folders dropped anywhere on the page go to `openFiles`. */
+export function watchDrops(openFiles) {
+  const hint = document.getElementById("drop");
+  const withFiles = (event) => event.dataTransfer?.types.includes("Files");
+  let hiding;
+  const take = (event) => { event.preventDefault(); event.stopImmediatePropagation(); };
+  const over = (event) => {
+    if (!withFiles(event)) return;
+    take(event);
+    event.dataTransfer.dropEffect = "copy";
+    hint.hidden = false;
+    clearTimeout(hiding);
+    hiding = setTimeout(() => { hint.hidden = true; }, 400);
+  };
+  addEventListener("dragenter", over, true);
+  addEventListener("dragover", over, true);
+  addEventListener("drop", async (event) => {
+    if (!withFiles(event)) return;
+    take(event);
+    hint.hidden = true;
+    const files = await readDropped(event.dataTransfer);
+    if (files.paths.length) openFiles(files.paths, files.contents);
+  }, true);
+}

@@ -1,0 +1,36 @@
+// Documents kept in this browser (IndexedDB), all loaded before the app starts.
+const DATABASE = "pilotage";
+const TABLE = "documents";
+
+const done = (request) => new Promise((resolve, reject) => {
+  request.onsuccess = () => resolve(request.result);
+  request.onerror = () => reject(request.error);
+});
+
+async function openDatabase() {
+  const request = indexedDB.open(DATABASE, 1);
+  request.onupgradeneeded = () => request.result.createObjectStore(TABLE);
+  return done(request);
+}
+
+/** Never fails: without a database, documents live as long as the page, and the console says so. */
+export async function openStorage() {
+  const storage = { loaded: new Map(), pending: 0, failures: 0, put() {} };
+  try {
+    const database = await openDatabase();
+    const table = database.transaction(TABLE, "readonly").objectStore(TABLE);
+    const [keys, values] = await Promise.all([done(table.getAllKeys()), done(table.getAll())]);
+    keys.forEach((key, i) => storage.loaded.set(String(key), new Uint8Array(values[i])));
+    storage.put = (key, bytes) => {
+      storage.pending += 1;
+      const write = database.transaction(TABLE, "readwrite");
+      write.objectStore(TABLE).put(bytes.buffer, key);
+      write.oncomplete = () => { storage.pending -= 1; };
+      write.onabort = () => { storage.pending -= 1; storage.failures += 1; console.warn(`could not store ${key}:`, write.error); };
+      write.commit?.();
+    };
+  } catch (error) {
+    console.warn("documents cannot be kept in this browser:", error);
+  }
+  return storage;
+}

@@ -1,0 +1,22 @@
+// Serves the page without a network after the first visit. `cargo xtask dist` fills in the two names.
+const BUILD = "__BUILD_ID__";
+const FILES = __FILES__;
+const CACHE = `pilotage-${BUILD}`;
+const here = (path) => new URL(path, self.registration.scope).href;
+
+self.addEventListener("install", (event) => {
+  const wanted = new Set(["./", ...FILES].map(here));
+  event.waitUntil(caches.open(CACHE).then((cache) => cache.addAll([...wanted].map((url) => new Request(url, { cache: "no-cache" })))));
+});
+
+self.addEventListener("activate", (event) => {
+  const old = (names) => names.filter((name) => name.startsWith("pilotage-") && name !== CACHE);
+  event.waitUntil(caches.keys().then((names) => Promise.all(old(names).map((name) => caches.delete(name)))).then(() => self.clients.claim()));
+});
+
+self.addEventListener("fetch", (event) => {
+  const { request } = event;
+  if (request.method !== "GET" || !request.url.startsWith(self.registration.scope)) return;
+  const wanted = request.mode === "navigate" ? here("./") : request;
+  event.respondWith(caches.open(CACHE).then(async (cache) => (await cache.match(wanted, { ignoreSearch: true, ignoreVary: true })) ?? fetch(request)));
+});
