@@ -136,9 +136,11 @@ where
     for (i, row) in blocks.iter_mut().enumerate() {
         for k in 0..predicted.dof() {
             let gain = gain_transposed[(k, i)];
-            for j in 0..N {
-                row[0][j] -= gain * predicted.odd[(k, j)];
-                row[1][j] -= gain * predicted.even[(k, j)];
+            for (j, value) in row[0].iter_mut().enumerate() {
+                *value -= gain * predicted.odd[(k, j)];
+            }
+            for (j, value) in row[1].iter_mut().enumerate() {
+                *value -= gain * predicted.even[(k, j)];
             }
             row[2][0] -= gain * predicted.shift[k];
         }

@@ -157,8 +157,8 @@ impl<const N: usize> SigmaPoints<N> {
     /// The points in the order of DeAngelo 2016, eq. 9: centre, plus, minus.
     pub fn iter(&self) -> impl Iterator<Item = SVector<f64, N>> + '_ {
         std::iter::once(self.centre)
-            .chain(self.plus.column_iter().map(|c| c.into_owned()))
-            .chain(self.minus.column_iter().map(|c| c.into_owned()))
+            .chain(self.plus.column_iter().map(nalgebra::Matrix::into_owned))
+            .chain(self.minus.column_iter().map(nalgebra::Matrix::into_owned))
     }
 
     /// How many points there are.

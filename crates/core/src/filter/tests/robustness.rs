@@ -4,9 +4,22 @@ use nalgebra::{Matrix2, Matrix4, Vector2, Vector4};
 
 use crate::filter::*;
 
+const STEP: f64 = 0.1;
+
+/// Circles with drag, pulled to the origin and pushed by a changing force.
+fn turn(x: &Vector4<f64>, t: f64) -> Vector4<f64> {
+    let speed = x[2].hypot(x[3]);
+    let pull = 10.0 / (x[0].hypot(x[1]) + 1.0) / 900.0;
+    Vector4::new(
+        x[0] + STEP * x[2],
+        x[1] + STEP * x[3],
+        x[2] - STEP * (x[0] * pull + 0.01 * speed * x[2] - 0.1 * (0.01 * t).sin()),
+        x[3] - STEP * (x[1] * pull + 0.01 * speed * x[3] - 0.1 * (0.013 * t).cos()),
+    )
+}
+
 /// A nonlinear system that turns, looks from near and far, and goes without measurements at times.
 fn a_million_steps(alpha: f64, redraw: Redraw) {
-    let dt = 0.1;
     let settings = UnscentedSettings {
         alpha,
         beta: 2.0,
@@ -22,19 +35,9 @@ fn a_million_steps(alpha: f64, redraw: Redraw) {
     let mut truth = prior.mean;
     let mut worst_error = 0.0_f64;
     for k in 0..1_000_000_u32 {
-        let t = f64::from(k) * dt;
-        let turn = |x: &Vector4<f64>| {
-            let speed = x[2].hypot(x[3]);
-            let pull = 100.0 / (x[0].hypot(x[1]) + 1.0) / 900.0;
-            Vector4::new(
-                x[0] + dt * x[2],
-                x[1] + dt * x[3],
-                x[2] - dt * (x[0] * pull * 0.1 + 0.01 * speed * x[2] - 0.1 * (0.01 * t).sin()),
-                x[3] - dt * (x[1] * pull * 0.1 + 0.01 * speed * x[3] - 0.1 * (0.013 * t).cos()),
-            )
-        };
-        truth = turn(&truth);
-        filter.predict(turn, &process_noise).unwrap();
+        let t = f64::from(k) * STEP;
+        truth = turn(&truth, t);
+        filter.predict(|x| turn(x, t), &process_noise).unwrap();
         if k % 1000 < 900 {
             let sharp = if k % 3 == 0 { 1e-8 } else { 25.0 };
             let model = |x: &Vector4<f64>| {

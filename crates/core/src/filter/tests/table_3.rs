@@ -75,7 +75,7 @@ impl Table3 {
         let seen = seen - &expected * ones;
         let pzz = &seen * &wc * seen.transpose() + r;
         let pxz = state * wc * seen.transpose();
-        let gain = &pxz * pzz.clone().try_inverse().unwrap();
+        let gain = &pxz * pzz.try_inverse().unwrap();
         let z = DVector::from_column_slice(z.as_slice());
         self.mean += &gain * (z - expected);
         self.covariance -= &gain * pzz * gain.transpose();
