@@ -1,6 +1,5 @@
 //! The filter against mathematics it must reproduce.
 
-mod golden;
 mod honesty;
 mod invariants;
 mod linear;
