@@ -603,7 +603,7 @@ fn pool(plan: &mut Plan) {
 }
 
 fn warehouse(plan: &mut Plan) {
-    let b = Board::new(spot(395.0, 700.0), 0.3);
+    let b = Board::new(spot(548.0, 572.0), 0.3);
     plan.lay_slab(b.slab(0.0, 4.0, 84.0, 66.0), Ground::Asphalt, 0.8);
     plan.raise(
         b.slab(0.0, -8.0, 68.0, 36.0),
@@ -646,7 +646,7 @@ fn warehouse(plan: &mut Plan) {
 }
 
 fn running_track(plan: &mut Plan) {
-    let b = Board::new(spot(560.0, 130.0), 0.45);
+    let b = Board::new(spot(715.0, 195.0), 0.45);
     let oval = |grow: f32| {
         let mut corners = Vec::new();
         for (center, from) in [(42.0_f32, -FRAC_PI_2), (-42.0, FRAC_PI_2)] {

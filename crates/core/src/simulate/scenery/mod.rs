@@ -5,8 +5,10 @@
 //! geometry and differ in light, season, crops and parked cars. The distinct places lie where the
 //! built-in flight scenarios expect them, whatever the seed.
 
+mod crowns;
 mod day;
 mod distinct;
+mod fields;
 mod grid;
 mod labels;
 mod light;
@@ -16,9 +18,15 @@ mod paint;
 mod parcels;
 mod plan;
 mod render;
+mod roadway;
+mod roofs;
 mod settlement;
+mod shadows;
 mod shape;
+mod surfaces;
+mod texture;
 mod things;
+mod vehicles;
 mod water;
 mod woods;
 mod world;

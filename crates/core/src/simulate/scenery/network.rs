@@ -17,6 +17,7 @@ fn road(plan: &mut Plan, name: &'static str, class: RoadClass, controls: &[Spot]
         curve: smooth_curve(controls, 5.0),
         half_width,
         name: Some(name),
+        village: name.ends_with("Street"),
     });
 }
 

@@ -206,12 +206,12 @@ impl Segment {
 }
 
 /// The grid over road segments.
-pub(super) fn segment_grid(segments: &[Segment], margin: f32) -> Grid {
+pub(super) fn segment_grid(segments: &[Segment]) -> Grid {
     Grid::new(
         segments,
-        margin + 6.0,
+        9.5,
         |s| vec![s.start, s.end()],
-        |s, center, reach| s.measure(center).0 < s.half_width + reach,
+        |s, center, reach| s.measure(center).0 < reach,
     )
 }
 

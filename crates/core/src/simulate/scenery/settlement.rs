@@ -482,6 +482,7 @@ fn farm(plan: &mut Plan, center: Spot, angle: f32, dice: &mut Dice) {
             curve: super::shape::smooth_curve(&[end, middle, center], 5.0),
             half_width: 1.6,
             name: None,
+            village: false,
         });
     }
 }

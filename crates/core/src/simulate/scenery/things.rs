@@ -228,4 +228,6 @@ pub(super) struct Road {
     pub(super) curve: Vec<Spot>,
     pub(super) half_width: f32,
     pub(super) name: Option<&'static str>,
+    /// Whether it has pavements on both sides.
+    pub(super) village: bool,
 }

@@ -1,60 +1,18 @@
 //! The plan made ready for painting: grids over everything and the shadows of the day.
 
+use super::crowns::Foliage;
 use super::day::Day;
+use super::day::Season;
 use super::grid::{Grid, REACH};
 use super::light::Light;
 use super::noise::{hash2, unit};
 use super::parcels::Parcels;
 use super::plan::{Plan, Segment, segment_grid};
-use super::shape::{Outline, Slab, Spot, convex_hull, spot};
-use super::things::{Crown, Form, Habit, Prop};
+use super::shadows::{CrownShadow, Shadow, prop_vertices};
+use super::shape::{Outline, Slab, Spot, spot};
+use super::texture::{self, Texture};
+use super::things::Form;
 use super::{distinct, network, settlement, water, woods};
-
-/// The shadow of a solid or prop on level ground: a convex polygon as half planes.
-#[derive(Clone, Debug)]
-pub(super) struct Shadow {
-    /// `normal · p - offset` is positive outside.
-    pub(super) planes: Vec<(Spot, f32)>,
-    pub(super) corners: Vec<Spot>,
-    /// Height of the caster's top, metres.
-    pub(super) top: f32,
-    /// Number of the solid that casts it, or `u32::MAX`.
-    pub(super) caster: u32,
-}
-
-impl Shadow {
-    /// Signed distance, metres, negative inside the shadow.
-    #[inline]
-    pub(super) fn distance(&self, p: Spot) -> f32 {
-        self.planes
-            .iter()
-            .map(|(normal, offset)| normal.dot(p) - offset)
-            .fold(f32::MIN, f32::max)
-    }
-
-    fn cast(points: &[(Spot, f32)], light: &Light, caster: u32) -> Self {
-        let away = light.toward * -light.shadow_per_height;
-        let corners = convex_hull(points.iter().map(|&(p, h)| p + away * h).collect());
-        let center = super::parcels::center_of(&corners);
-        let planes = (0..corners.len())
-            .map(|i| {
-                let (a, b) = (corners[i], corners[(i + 1) % corners.len()]);
-                let mut normal = (b - a).unit().right();
-                if normal.dot(center - a) > 0.0 {
-                    normal = normal * -1.0;
-                }
-                (normal, normal.dot(a))
-            })
-            .collect();
-        let top = points.iter().map(|&(_, h)| h).fold(0.0, f32::max);
-        Self {
-            planes,
-            corners,
-            top,
-            caster,
-        }
-    }
-}
 
 /// The plan, its grids, and the light of the day.
 #[derive(Clone, Debug)]
@@ -70,6 +28,11 @@ pub(super) struct World {
     pub(super) shadows: Vec<Shadow>,
     pub(super) shadow_grid: Grid,
     pub(super) crown_shadow_grid: Grid,
+    pub(super) crown_shadows: Vec<CrownShadow>,
+    pub(super) foliage: Foliage,
+    pub(super) foliage_texture: Texture,
+    pub(super) grain_texture: Texture,
+    pub(super) growth: u32,
     pub(super) light: Light,
 }
 
@@ -87,7 +50,7 @@ impl World {
         settlement::build(&mut plan, seed);
         let parcels = Parcels::new(seed, day);
         let segments = plan.segments();
-        let segment_grid = segment_grid(&segments, 3.0);
+        let segment_grid = segment_grid(&segments);
         let surface_grid = Grid::new(
             &plan.surfaces,
             2.0,
@@ -113,8 +76,8 @@ impl World {
         let crown_grid = Grid::new(
             &plan.crowns,
             1.0,
-            |c| square(c.center, c.radius * 1.15),
-            |c, center, reach| (c.center - center).length() < c.radius * 1.15 + reach,
+            |c| square(c.center, c.radius * 1.14),
+            |c, center, reach| (c.center - center).length() < c.radius * 1.14 + reach,
         );
         let prop_grid = Grid::new(
             &plan.props,
@@ -139,14 +102,17 @@ impl World {
             |s| s.corners.clone(),
             |s, center, reach| s.distance(center) < reach,
         );
+        let bare = day.season == Season::LateWinter;
+        let crown_shadows: Vec<CrownShadow> = plan
+            .crowns
+            .iter()
+            .map(|c| CrownShadow::new(c, &light, bare))
+            .collect();
         let crown_shadow_grid = Grid::new(
-            &plan.crowns,
-            1.0,
-            |c| {
-                let shadow = crown_shadow(c, &light);
-                shadow.grown(0.2 * c.radius).corners().to_vec()
-            },
-            |c, center, reach| crown_shadow(c, &light).distance(center) < reach + 0.2 * c.radius,
+            &crown_shadows,
+            0.5,
+            |s| s.slab(&light).corners().to_vec(),
+            |s, center, reach| s.slab(&light).distance(center) < reach,
         );
         Self {
             plan,
@@ -160,43 +126,13 @@ impl World {
             shadows,
             shadow_grid,
             crown_shadow_grid,
+            crown_shadows,
+            foliage: Foliage::new(day.season, day.growth_seed),
+            foliage_texture: texture::foliage(seed as u32 ^ 0x51),
+            grain_texture: texture::grain(seed as u32 ^ 0x52),
+            growth: day.growth_seed as u32,
             light,
         }
-    }
-}
-
-fn prop_vertices(p: &Prop) -> Vec<(Spot, f32)> {
-    let corners = p.slab.corners();
-    let low = if p.form == Form::Car {
-        0.55 * p.height
-    } else {
-        p.height
-    };
-    let cabin = Slab {
-        half_along: 0.6 * p.slab.half_along,
-        ..p.slab
-    };
-    corners
-        .iter()
-        .map(|&c| (c, 0.0))
-        .chain(corners.iter().map(|&c| (c, low)))
-        .chain(cabin.corners().into_iter().map(|c| (c, p.height)))
-        .collect()
-}
-
-/// The ellipse of a crown's shadow: the crown is an ellipsoid in its upper part.
-pub(super) fn crown_shadow(c: &Crown, light: &Light) -> Slab {
-    let semi = match c.habit {
-        Habit::Conifer => 0.42 * c.height,
-        Habit::Broadleaf | Habit::Dead => 0.36 * c.height,
-        Habit::Shrub => 0.5 * c.height,
-    };
-    let k = light.shadow_per_height;
-    Slab {
-        center: c.center - light.toward * (k * (c.height - semi)),
-        axis: light.toward,
-        half_along: c.radius.hypot(semi * k),
-        half_across: c.radius,
     }
 }
 

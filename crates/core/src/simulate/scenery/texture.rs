@@ -1,0 +1,210 @@
+//! Tileable detail, made once from the seed: four channels with a mip pyramid.
+//!
+//! Costly patterns (foliage, tufts of grass) are looked up instead of computed for every pixel;
+//! individual offsets and turns hide the repetition.
+
+use super::noise::{hash2, unit};
+use super::shape::{Spot, spot};
+
+/// Side of a texel at the finest level, metres.
+const TEXEL: f32 = 0.125;
+
+/// A periodic picture of four channels from -1 to 1.
+#[derive(Clone, Debug)]
+pub(super) struct Texture {
+    levels: Vec<Vec<[i8; 4]>>,
+    side: usize,
+}
+
+impl Texture {
+    /// A texture of `side` (a power of two) texels, computed texel by texel.
+    pub(super) fn from_fn(side: usize, f: impl Fn(f32, f32) -> [f32; 4]) -> Self {
+        let finest = (0..side * side)
+            .map(|i| {
+                let (x, y) = ((i / side) as f32 + 0.5, (i % side) as f32 + 0.5);
+                f(x * TEXEL, y * TEXEL).map(|v| (v.clamp(-1.0, 1.0) * 127.0).round() as i8)
+            })
+            .collect();
+        let mut levels: Vec<Vec<[i8; 4]>> = vec![finest];
+        let mut n = side;
+        while n > 1 {
+            n /= 2;
+            let finer = &levels[levels.len() - 1];
+            let coarser = (0..n * n)
+                .map(|i| {
+                    let (x, y) = (2 * (i / n), 2 * (i % n));
+                    std::array::from_fn(|c| {
+                        let at =
+                            |dx: usize, dy: usize| i16::from(finer[(x + dx) * 2 * n + y + dy][c]);
+                        ((at(0, 0) + at(0, 1) + at(1, 0) + at(1, 1)) as f32 * 0.25).round() as i8
+                    })
+                })
+                .collect();
+            levels.push(coarser);
+        }
+        Self { levels, side }
+    }
+
+    /// Channels at a place, averaged over about `gsd` metres.
+    #[inline]
+    pub(super) fn sample(&self, p: Spot, gsd: f32) -> [f32; 4] {
+        let level = if gsd < 0.18 {
+            0
+        } else {
+            ((gsd / 0.18).log2().ceil() as usize).min(self.levels.len() - 1)
+        };
+        let n = self.side >> level;
+        let mask = n as i32 - 1;
+        let k = 1.0 / (TEXEL * (1 << level) as f32);
+        let (x, y) = (p.n * k - 0.5, p.e * k - 0.5);
+        let (fx, fy) = (x.floor(), y.floor());
+        let (tx, ty) = (x - fx, y - fy);
+        let (ix, iy) = (fx as i32, fy as i32);
+        let row = |i: i32| ((i & mask) as usize) * n;
+        let column = |i: i32| (i & mask) as usize;
+        let texels = &self.levels[level];
+        let (a, b) = (
+            texels[row(ix) + column(iy)],
+            texels[row(ix + 1) + column(iy)],
+        );
+        let (c, d) = (
+            texels[row(ix) + column(iy + 1)],
+            texels[row(ix + 1) + column(iy + 1)],
+        );
+        std::array::from_fn(|i| {
+            let (a, b) = (f32::from(a[i]), f32::from(b[i]));
+            let (c, d) = (f32::from(c[i]), f32::from(d[i]));
+            let left = a + (b - a) * tx;
+            let right = c + (d - c) * tx;
+            (left + (right - left) * ty) * (1.0 / 127.0)
+        })
+    }
+}
+
+/// Periodic smooth noise from -1 to 1; `cells` lattice cells in `period` metres.
+fn periodic(x: f32, y: f32, cells: i32, period: f32, seed: u32) -> f32 {
+    let k = cells as f32 / period;
+    let (x, y) = (x * k, y * k);
+    let (fx, fy) = (x.floor(), y.floor());
+    let (tx, ty) = (x - fx, y - fy);
+    let (sx, sy) = (tx * tx * (3.0 - 2.0 * tx), ty * ty * (3.0 - 2.0 * ty));
+    let at = |dx: i32, dy: i32| {
+        unit(hash2(
+            (fx as i32 + dx).rem_euclid(cells),
+            (fy as i32 + dy).rem_euclid(cells),
+            seed,
+        ))
+    };
+    let top = at(0, 0) + (at(1, 0) - at(0, 0)) * sx;
+    let bottom = at(0, 1) + (at(1, 1) - at(0, 1)) * sx;
+    2.0 * (top + (bottom - top) * sy) - 1.0
+}
+
+/// Periodic cells: distance to the nearest seed point in cell sides, and that point's own number.
+fn cells(x: f32, y: f32, count: i32, period: f32, seed: u32) -> (f32, f32) {
+    let k = count as f32 / period;
+    let (x, y) = (x * k, y * k);
+    let (ix, iy) = (x.floor() as i32, y.floor() as i32);
+    let mut best = (9.0_f32, 0.0);
+    for i in -1..=1 {
+        for j in -1..=1 {
+            let h = hash2((ix + i).rem_euclid(count), (iy + j).rem_euclid(count), seed);
+            let dx = (ix + i) as f32 + unit(h) - x;
+            let dy = (iy + j) as f32 + unit(h.wrapping_mul(0x9e37_79b1)) - y;
+            let d = dx.hypot(dy);
+            if d < best.0 {
+                best = (d, unit(h.rotate_left(11)));
+            }
+        }
+    }
+    best
+}
+
+const FOLIAGE_SIDE: usize = 256;
+
+/// Foliage: height 0 to 1 (as -1 to 1), slopes north and east (in units of 2.5), tone.
+pub(super) fn foliage(seed: u32) -> Texture {
+    let period = FOLIAGE_SIDE as f32 * TEXEL;
+    let dome = |d: f32| (1.0 - d * d).max(0.0).sqrt();
+    let raw = |x: f32, y: f32| {
+        let warp = 0.35 * periodic(x, y, 24, period, seed ^ 1);
+        let (big, big_tone) = cells(x + warp, y - warp, 20, period, seed ^ 2);
+        let (small, small_tone) = cells(x - warp, y + warp, 46, period, seed ^ 3);
+        let leaf = periodic(x, y, 128, period, seed ^ 4);
+        let fine = periodic(x, y, 62, period, seed ^ 5);
+        let height = 0.46 * dome(big * 0.95)
+            + 0.27 * dome(small)
+            + 0.16 * (0.5 + 0.5 * leaf)
+            + 0.11 * (0.5 + 0.5 * fine);
+        let tone = 0.9 * (big_tone - 0.5) + 0.9 * (small_tone - 0.5) + 0.4 * leaf;
+        (height, tone)
+    };
+    let mut heights = vec![(0.0, 0.0); FOLIAGE_SIDE * FOLIAGE_SIDE];
+    for (i, h) in heights.iter_mut().enumerate() {
+        let (x, y) = (
+            (i / FOLIAGE_SIDE) as f32 + 0.5,
+            (i % FOLIAGE_SIDE) as f32 + 0.5,
+        );
+        *h = raw(x * TEXEL, y * TEXEL);
+    }
+    Texture::from_fn(FOLIAGE_SIDE, |x, y| {
+        let (i, j) = ((x / TEXEL) as usize, (y / TEXEL) as usize);
+        let at = |i: usize, j: usize| heights[(i % FOLIAGE_SIDE) * FOLIAGE_SIDE + j % FOLIAGE_SIDE];
+        let (height, tone) = at(i, j);
+        let slope = |a: f32, b: f32| (a - b) / (2.0 * TEXEL) * 1.1 / 2.5;
+        [
+            2.0 * height - 1.0,
+            slope(at(i + 1, j).0, at(i + FOLIAGE_SIDE - 1, j).0),
+            slope(at(i, j + 1).0, at(i, j + FOLIAGE_SIDE - 1).0),
+            tone,
+        ]
+    })
+}
+
+const GRAIN_SIDE: usize = 512;
+
+/// Ground detail: speckle, clumps of half a metre, patches of some metres, thin veins.
+pub(super) fn grain(seed: u32) -> Texture {
+    let period = GRAIN_SIDE as f32 * TEXEL;
+    Texture::from_fn(GRAIN_SIDE, |x, y| {
+        let speckle =
+            0.6 * periodic(x, y, 512, period, seed) + 0.5 * periodic(x, y, 301, period, seed ^ 6);
+        let clumps = 0.6 * periodic(x, y, 150, period, seed ^ 7)
+            + 0.45 * periodic(x, y, 83, period, seed ^ 8)
+            + 0.3 * periodic(x, y, 240, period, seed ^ 9);
+        let patches = 0.55 * periodic(x, y, 13, period, seed ^ 10)
+            + 0.4 * periodic(x, y, 27, period, seed ^ 11)
+            + 0.3 * periodic(x, y, 49, period, seed ^ 12);
+        let bend = 1.5 * periodic(x, y, 20, period, seed ^ 13);
+        let ridge = periodic(x + bend, y - bend, 16, period, seed ^ 14).abs();
+        let veins = 1.0 - (ridge * 14.0).min(1.0);
+        [speckle, clumps, patches, veins]
+    })
+}
+
+/// A place seen through an individual offset and quarter turn, so that neighbours differ.
+#[inline]
+pub(super) fn individual(p: Spot, variant: u32) -> Spot {
+    let offset = spot(
+        (variant & 0xff) as f32 * 0.37,
+        (variant >> 8 & 0xff) as f32 * 0.41,
+    );
+    let q = p + offset;
+    match variant >> 30 {
+        0 => q,
+        1 => spot(q.e, -q.n),
+        2 => spot(-q.n, -q.e),
+        _ => spot(-q.e, q.n),
+    }
+}
+
+/// Turns a slope found through [`individual`] back into world directions.
+#[inline]
+pub(super) fn turned_back(slope: Spot, variant: u32) -> Spot {
+    match variant >> 30 {
+        0 => slope,
+        1 => spot(-slope.e, slope.n),
+        2 => spot(-slope.n, -slope.e),
+        _ => spot(slope.e, -slope.n),
+    }
+}
