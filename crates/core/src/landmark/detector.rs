@@ -1,6 +1,6 @@
 //! What every detector is asked and what it answers.
 
-use nalgebra::Matrix2;
+use nalgebra::{Matrix2, Matrix4};
 use serde::{Deserialize, Serialize};
 
 use super::Landmark;
@@ -60,8 +60,8 @@ impl SearchRequest<'_> {
 pub struct Detection {
     /// Ground point at which the reference point appears under the assumed pose.
     pub ground: GroundPoint,
-    /// Covariance (north, east) of that place from the shape of the peak, m².
-    pub covariance: Matrix2<f64>,
+    /// Covariance of (north, east, rotation, log scale) from the shape of the peak, metres and radians.
+    pub covariance: Matrix4<f64>,
     /// Score of the best place, -1 to 1.
     pub score: f64,
     /// Score of the best place elsewhere in the search region.

@@ -6,9 +6,9 @@
 
 use std::sync::Arc;
 
-use nalgebra::{Matrix2, Vector2};
+use nalgebra::{Matrix4, Vector2};
 
-use super::alignment::alignment_covariance;
+use super::alignment::{Alignment, Similarity, align};
 use super::features::Features;
 use super::patch::{FLAT_CONTRAST, PatchBank, gsd_of, level_of};
 use super::peak::{FORBIDDEN, Peak, best_peaks, refine};
@@ -203,7 +203,8 @@ impl TemplateDetector {
         best
     }
 
-    /// Place, turn and covariance of the reference point for a fit of the patch's centre.
+    /// Place, turn, scale and covariance of the reference point, by alignment from a fit of the
+    /// patch's centre; the fit itself with the covariance of its grid where the alignment fails.
     fn detection(
         &mut self,
         view: &FrameView<'_>,
@@ -214,22 +215,40 @@ impl TemplateDetector {
     ) -> Detection {
         let patch = self.bank.level(landmark, level);
         let (gsd, size) = (patch.gsd, patch.size);
-        let picture = rectify(view, &Self::window(fit.center, gsd, size, (0, 0)));
-        let template = patch.patch(fit.rotation, fit.scale);
+        let margin = |pixels: usize| pixels / 12 + 4;
+        let window = Self::window(fit.center, gsd, size, (margin(size.0), margin(size.1)));
+        let picture = rectify(view, &window);
+        let start = Similarity {
+            x: 0.0,
+            y: 0.0,
+            rotation: fit.rotation,
+            log_scale: fit.scale.ln(),
+        };
+        let aligned = align(&patch.patch(0.0, 1.0), &picture.luminance, start)
+            .unwrap_or_else(|| unaligned(start, size));
+        let found = aligned.similarity;
+        let center = window.ground_at(
+            0.5 * window.width as f64 + found.x,
+            0.5 * window.height as f64 + found.y,
+        );
         // Pixels are (east, south); the world is (north, east).
-        let pixels = alignment_covariance(&template, &picture.luminance);
-        let c = pixels * (gsd * gsd);
-        let covariance = Matrix2::new(c[(1, 1)], -c[(0, 1)], -c[(0, 1)], c[(0, 0)]);
+        let to_world = Matrix4::new(
+            0.0, -gsd, 0.0, 0.0, //
+            gsd, 0.0, 0.0, 0.0, //
+            0.0, 0.0, 1.0, 0.0, //
+            0.0, 0.0, 0.0, 1.0,
+        );
         let arm = landmark.reference.to_vector() - landmark.bounds.center().to_vector();
-        let (sin, cos) = fit.rotation.sin_cos();
-        let turned = fit.scale * Vector2::new(cos * arm.x - sin * arm.y, sin * arm.x + cos * arm.y);
+        let (sin, cos) = found.rotation.sin_cos();
+        let scale = found.log_scale.exp();
+        let turned = scale * Vector2::new(cos * arm.x - sin * arm.y, sin * arm.x + cos * arm.y);
         Detection {
-            ground: (fit.center.to_vector() + turned).into(),
-            covariance,
+            ground: (center.to_vector() + turned).into(),
+            covariance: to_world * aligned.covariance * to_world.transpose(),
             score: fit.score,
             second_score,
-            rotation: fit.rotation,
-            scale: fit.scale,
+            rotation: found.rotation,
+            scale,
         }
     }
 
@@ -358,5 +377,15 @@ fn forbid_unseen(surface: &mut Gray, ground: &GroundView, size: (usize, usize)) 
                 surface.set(column, row, FORBIDDEN);
             }
         }
+    }
+}
+
+/// Where alignment fails, the place is known to a pixel, turn and scale to the step of their grid.
+fn unaligned(similarity: Similarity, size: (usize, usize)) -> Alignment {
+    let lever = 0.25 * (size.0 + size.1) as f64;
+    let angle = (1.5 / lever).powi(2);
+    Alignment {
+        similarity,
+        covariance: Matrix4::from_diagonal(&nalgebra::Vector4::new(1.0, 1.0, angle, angle)),
     }
 }

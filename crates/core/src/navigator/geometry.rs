@@ -1,28 +1,61 @@
 //! How errors of the camera's pose and of the ground become errors in the picture.
 
-use nalgebra::{DMatrix, Matrix2, Matrix2x4, Matrix4, Point2, Point3, Vector2, Vector4};
+use nalgebra::{DMatrix, Matrix2, Matrix4, Point2, Point3, Vector2, Vector4};
 
 use super::SensorNoise;
 use crate::camera::CameraModel;
 use crate::frames::{GroundPoint, Pose};
 
-/// Change of the pixel of `point` with roll, pitch, yaw (radians) and height (metres): 2 × 4, by
-/// central differences; `None` where the point is not in front of the lens.
+/// Components of what is measured of one landmark: pixel x, pixel y, rotation, log scale.
+pub const COMPONENTS: usize = 4;
+
+/// How a landmark appears to a camera at `pose`, to somebody who believes `assumed`: pixel (x, y) of
+/// its reference point, and the turn (radians clockwise) and log scale of its surroundings in the
+/// picture rectified with the assumed pose. `None` where it is not in front of the lens.
+pub fn appearance(
+    camera: &CameraModel,
+    pose: &Pose,
+    assumed: &Pose,
+    point: &Point3<f64>,
+) -> Option<Vector4<f64>> {
+    /// Half the size of the surroundings, metres; the plane is flat, so that it hardly matters.
+    const ARM: f64 = 5.0;
+    let pixel = camera.project(pose, point)?;
+    let seen = |north: f64, east: f64| {
+        let pixel = camera.project(pose, &(point + nalgebra::Vector3::new(north, east, 0.0)))?;
+        camera
+            .ground_at(assumed, &pixel, point.z)
+            .map(GroundPoint::to_vector)
+    };
+    let along_north = (seen(ARM, 0.0)? - seen(-ARM, 0.0)?) / (2.0 * ARM);
+    let along_east = (seen(0.0, ARM)? - seen(0.0, -ARM)?) / (2.0 * ARM);
+    // The similarity next to the map (north, east) → (north, east) seen.
+    let rotation = (along_north.y - along_east.x).atan2(along_north.x + along_east.y);
+    let log_scale = 0.5
+        * (along_north.x * along_east.y - along_north.y * along_east.x)
+            .abs()
+            .max(1e-12)
+            .ln();
+    Some(Vector4::new(pixel.x, pixel.y, rotation, log_scale))
+}
+
+/// Change of the appearance of `point` with the true roll, pitch, yaw (radians) and height (metres),
+/// by central differences; `None` where the point is not in front of the lens.
 pub fn pose_jacobian(
     camera: &CameraModel,
     pose: &Pose,
     point: &Point3<f64>,
-) -> Option<Matrix2x4<f64>> {
+) -> Option<Matrix4<f64>> {
     let moved = |step: Vector4<f64>| {
-        let mut pose = *pose;
-        pose.attitude.roll += step[0];
-        pose.attitude.pitch += step[1];
-        pose.attitude.yaw += step[2];
-        pose.position_in_world.z -= step[3];
-        camera.project(&pose, point)
+        let mut moved = *pose;
+        moved.attitude.roll += step[0];
+        moved.attitude.pitch += step[1];
+        moved.attitude.yaw += step[2];
+        moved.position_in_world.z -= step[3];
+        appearance(camera, &moved, pose, point)
     };
     let steps = [1e-4, 1e-4, 1e-4, 1e-2];
-    let mut jacobian = Matrix2x4::zeros();
+    let mut jacobian = Matrix4::zeros();
     for (axis, size) in steps.into_iter().enumerate() {
         let mut step = Vector4::zeros();
         step[axis] = size;
@@ -38,16 +71,16 @@ pub fn pose_covariance(noise: &SensorNoise) -> Matrix4<f64> {
     Matrix4::from_diagonal(&Vector4::from(variances))
 }
 
-/// Noise of the pixels of several landmarks in one picture: their own covariance on the diagonal, and
-/// what the common error of the camera's pose does to all of them, everywhere.
+/// Noise of what is measured of several landmarks in one picture: their own covariance on the
+/// diagonal, and what the common error of the camera's pose does to all of them, everywhere.
 pub fn joint_noise(
-    own: &[Matrix2<f64>],
-    jacobians: &[Matrix2x4<f64>],
+    own: &[Matrix4<f64>],
+    jacobians: &[Matrix4<f64>],
     pose: &Matrix4<f64>,
     scale: f64,
 ) -> DMatrix<f64> {
     let n = own.len();
-    let mut noise = DMatrix::zeros(2 * n, 2 * n);
+    let mut noise = DMatrix::zeros(COMPONENTS * n, COMPONENTS * n);
     for i in 0..n {
         for j in 0..n {
             let mut block = jacobians[i] * pose * jacobians[j].transpose();
@@ -55,7 +88,7 @@ pub fn joint_noise(
                 block += own[i];
             }
             noise
-                .fixed_view_mut::<2, 2>(2 * i, 2 * j)
+                .fixed_view_mut::<COMPONENTS, COMPONENTS>(COMPONENTS * i, COMPONENTS * j)
                 .copy_from(&(block * scale));
         }
     }
@@ -107,6 +140,17 @@ mod tests {
     }
 
     #[test]
+    fn a_camera_turned_clockwise_sees_its_surroundings_turned_back() {
+        let camera = CameraModel::pinhole(640, 480, 60_f64.to_radians());
+        let j = pose_jacobian(&camera, &pose(100.0), &Point3::new(12.0, -7.0, 0.0)).unwrap();
+        assert!((j[(2, 2)] + 1.0).abs() < 1e-3, "{j}");
+        assert!(
+            (j[(3, 3)] + 1.0 / 100.0).abs() < 1e-4,
+            "higher means smaller: {j}"
+        );
+    }
+
+    #[test]
     fn two_landmarks_share_the_error_of_the_attitude() {
         let camera = CameraModel::pinhole(640, 480, 60_f64.to_radians());
         let points = [Point3::new(10.0, 5.0, 0.0), Point3::new(-8.0, 12.0, 0.0)];
@@ -118,9 +162,9 @@ mod tests {
             height: 0.5,
             pixel: 0.1,
         };
-        let own = [Matrix2::identity() * 0.04; 2];
+        let own = [Matrix4::identity() * 1e-4; 2];
         let joint = joint_noise(&own, &jacobians, &pose_covariance(&noise), 1.0);
-        let correlation = joint[(0, 2)] / (joint[(0, 0)] * joint[(2, 2)]).sqrt();
+        let correlation = joint[(0, 4)] / (joint[(0, 0)] * joint[(4, 4)]).sqrt();
         assert!(correlation > 0.9, "{joint}");
         assert!(joint.cholesky().is_some());
     }

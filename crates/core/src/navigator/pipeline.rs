@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::DVector;
 
 use super::engine::{Engine, MeasurementModel, engine};
-use super::see::{Measurement, PixelModel, Seer};
+use super::see::{AppearanceModel, Measurement, Seer};
 use super::{
     CandidateReport, Control, FrameReport, JointReport, NavigatorSettings, Run, SigmaSets,
     StepReport, StepTiming,
@@ -228,8 +228,12 @@ impl Navigator {
         (input, control)
     }
 
-    fn pixel_model<'a>(&self, camera: &'a CameraModel, control: &Control) -> PixelModel<'a> {
-        PixelModel {
+    fn appearance_model<'a>(
+        &self,
+        camera: &'a CameraModel,
+        control: &Control,
+    ) -> AppearanceModel<'a> {
+        AppearanceModel {
             camera,
             attitude: Attitude {
                 roll: control.roll,
@@ -248,7 +252,7 @@ impl Navigator {
         camera
     }
 
-    fn footprint(&self, model: &PixelModel<'_>, report: &StepReport) -> Vec<GroundPoint> {
+    fn footprint(&self, model: &AppearanceModel<'_>, report: &StepReport) -> Vec<GroundPoint> {
         let pose = model.pose(report.predicted.position(), self.engine.heading_bias());
         let (w, h) = (model.camera.width as f64, model.camera.height as f64);
         [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)]
@@ -263,7 +267,7 @@ impl Navigator {
 
     fn blind(&self, index: usize, report: &StepReport, trouble: String) -> FrameReport {
         let camera = self.camera_of_frame(index);
-        let model = self.pixel_model(&camera, &report.control);
+        let model = self.appearance_model(&camera, &report.control);
         FrameReport {
             index,
             assumed_pose: model.pose(report.predicted.position(), self.engine.heading_bias()),
@@ -284,7 +288,7 @@ impl Navigator {
     ) -> Result<(), FilterError> {
         let begun = stopwatch();
         let camera = self.camera_of_frame(index);
-        let model = self.pixel_model(&camera, &report.control);
+        let model = self.appearance_model(&camera, &report.control);
         let pose = model.pose(report.predicted.position(), self.engine.heading_bias());
         let seer = Seer {
             settings: &self.settings,
@@ -317,9 +321,9 @@ impl Navigator {
                 .iter()
                 .filter_map(|id| self.landmarks.iter().find(|l| l.id == *id))
                 .collect();
-            let pixels: &MeasurementModel<'_> =
-                &|position, bias| model.pixels(&landmarks, position, bias);
-            let step = self.engine.correct(pixels, &noise, &stacked)?;
+            let expectation: &MeasurementModel<'_> =
+                &|position, bias| model.appearances(&landmarks, &pose, position, bias);
+            let step = self.engine.correct(expectation, &noise, &stacked)?;
             report.after = step.after;
             report.sigma.before_correct = Some(step.sigma_before);
             report.sigma.after_correct = Some(step.sigma_after);

@@ -1,6 +1,6 @@
 //! What one step concluded, complete enough to explain itself.
 
-use nalgebra::{DMatrix, DVector, Matrix2, Point2, Vector2};
+use nalgebra::{DMatrix, DVector, Matrix2, Matrix4, Point2, Vector2};
 use serde::{Deserialize, Serialize};
 
 use crate::frames::{GroundPoint, GroundRect, Pose};
@@ -90,17 +90,22 @@ pub struct CandidateReport {
     pub search_outline: Vec<Point2<f64>>,
     /// Where it was found, pixels, if the detector named a place at all.
     pub measured_pixel: Option<Point2<f64>>,
-    /// Covariance of the found place, pixels².
-    pub measurement_covariance: Option<Matrix2<f64>>,
+    /// Turn of its surroundings against the rectified expectation, radians clockwise.
+    pub rotation: Option<f64>,
+    /// Log scale of its surroundings against the rectified expectation.
+    pub log_scale: Option<f64>,
+    /// Covariance of (pixel x, pixel y, rotation, log scale), pixels and radians, without the error of
+    /// the camera's pose.
+    pub measurement_covariance: Option<Matrix4<f64>>,
     /// Best score, -1 to 1.
     pub score: f64,
     /// Second-best peak's score.
     pub second_score: f64,
     /// Innovation: measured minus predicted, pixels.
     pub innovation: Option<Vector2<f64>>,
-    /// Normalized innovation squared of this landmark alone, and the gate's threshold.
+    /// Normalized innovation squared of this landmark alone, over pixel, rotation and log scale.
     pub nis: Option<f64>,
-    /// Threshold of the gate for two degrees of freedom.
+    /// Threshold of the gate for its four degrees of freedom.
     pub threshold: f64,
     /// What became of it.
     pub outcome: Outcome,
@@ -111,15 +116,15 @@ pub struct CandidateReport {
 pub struct JointReport {
     /// Normalized innovation squared of the stacked innovation.
     pub nis: f64,
-    /// Its degrees of freedom, twice the number of landmarks.
+    /// Its degrees of freedom, four times the number m of landmarks.
     pub degrees_of_freedom: usize,
     /// Threshold of the gate.
     pub threshold: f64,
-    /// Kalman gain, n × 2m.
+    /// Kalman gain, n × 4m; per landmark pixel x, pixel y, rotation, log scale.
     pub gain: DMatrix<f64>,
-    /// Innovation, 2m, pixels.
+    /// Innovation, 4m, pixels and radians.
     pub innovation: DVector<f64>,
-    /// Innovation covariance, 2m × 2m, pixels².
+    /// Innovation covariance, 4m × 4m, pixels and radians.
     pub innovation_covariance: DMatrix<f64>,
 }
 

@@ -1,9 +1,11 @@
 //! See, associate, gate: from a picture to the measurements that may correct the estimate.
 
-use nalgebra::{DMatrix, DVector, Matrix2, Matrix2x4, Matrix4, Point2, Point3, Vector2};
+use nalgebra::{DMatrix, DVector, Matrix4, Point2, Point3, Vector2, Vector4};
 
 use super::engine::{Engine, MeasurementModel};
-use super::geometry::{ground_jacobian, joint_noise, pose_covariance, pose_jacobian};
+use super::geometry::{
+    COMPONENTS, appearance, ground_jacobian, joint_noise, pose_covariance, pose_jacobian,
+};
 use super::region::may_be_in_view;
 use super::{CandidateReport, NavigatorSettings, Outcome};
 use crate::camera::CameraModel;
@@ -12,9 +14,9 @@ use crate::frames::{Attitude, GroundPoint, Pose};
 use crate::landmark::{Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting};
 use crate::raster::Pyramid;
 
-/// What is needed to predict a pixel from a state.
+/// What is needed to predict how landmarks appear from a state.
 #[derive(Clone, Copy)]
-pub struct PixelModel<'a> {
+pub struct AppearanceModel<'a> {
     pub camera: &'a CameraModel,
     /// As measured; the heading's bias is still in it.
     pub attitude: Attitude,
@@ -23,7 +25,7 @@ pub struct PixelModel<'a> {
     pub ground_down: f64,
 }
 
-impl PixelModel<'_> {
+impl AppearanceModel<'_> {
     /// The pose for a state.
     pub fn pose(&self, position: GroundPoint, heading_bias: f64) -> Pose {
         Pose {
@@ -35,20 +37,22 @@ impl PixelModel<'_> {
         }
     }
 
-    /// Pixels of the landmarks' reference points for a state, stacked.
-    pub fn pixels(
+    /// Appearances of the landmarks for a state, stacked, to somebody who assumes `assumed`.
+    pub fn appearances(
         &self,
         landmarks: &[&Landmark],
+        assumed: &Pose,
         position: GroundPoint,
         heading_bias: f64,
     ) -> Option<DVector<f64>> {
         let pose = self.pose(position, heading_bias);
-        let mut stacked = DVector::zeros(2 * landmarks.len());
+        let mut stacked = DVector::zeros(COMPONENTS * landmarks.len());
         for (i, landmark) in landmarks.iter().enumerate() {
-            let pixel = self
-                .camera
-                .project(&pose, &landmark.reference_in_world(self.ground_down))?;
-            stacked.fixed_rows_mut::<2>(2 * i).copy_from(&pixel.coords);
+            let point = landmark.reference_in_world(self.ground_down);
+            let seen = appearance(self.camera, &pose, assumed, &point)?;
+            stacked
+                .fixed_rows_mut::<COMPONENTS>(COMPONENTS * i)
+                .copy_from(&seen);
         }
         Some(stacked)
     }
@@ -59,16 +63,17 @@ pub struct Measurement<'a> {
     pub landmark: &'a Landmark,
     /// Index of its report.
     pub report: usize,
-    pub pixel: Point2<f64>,
-    pub covariance: Matrix2<f64>,
-    pub jacobian: Matrix2x4<f64>,
+    /// Pixel, rotation and log scale.
+    pub seen: Vector4<f64>,
+    pub covariance: Matrix4<f64>,
+    pub jacobian: Matrix4<f64>,
 }
 
 /// Everything that stays the same while a frame is worked on.
 pub struct Seer<'a> {
     pub settings: &'a NavigatorSettings,
     pub engine: &'a dyn Engine,
-    pub model: PixelModel<'a>,
+    pub model: AppearanceModel<'a>,
     pub pose: Pose,
 }
 
@@ -77,11 +82,17 @@ impl<'a> Seer<'a> {
         pose_covariance(&self.settings.sensors)
     }
 
-    fn floor(&self) -> Matrix2<f64> {
-        Matrix2::identity() * self.settings.sensors.pixel.powi(2)
+    /// Least covariance of what is measured of `landmark`: the pixel floor, and what it means for turn
+    /// and scale over the half size of the patch.
+    fn floor(&self, landmark: &Landmark) -> Matrix4<f64> {
+        let pixel = self.settings.sensors.pixel;
+        let height = (self.model.ground_down - self.model.camera_down).max(1.0);
+        let half = 0.25 * (landmark.bounds.width() + landmark.bounds.height());
+        let angle = pixel / (half * self.model.camera.focal / height).max(1.0);
+        Matrix4::from_diagonal(&Vector4::new(pixel, pixel, angle, angle).map(|sd| sd * sd))
     }
 
-    fn noise(&self, own: &[Matrix2<f64>], jacobians: &[Matrix2x4<f64>]) -> DMatrix<f64> {
+    fn noise(&self, own: &[Matrix4<f64>], jacobians: &[Matrix4<f64>]) -> DMatrix<f64> {
         joint_noise(
             own,
             jacobians,
@@ -123,10 +134,10 @@ impl<'a> Seer<'a> {
         let model = self.model;
         let point = landmark.reference_in_world(model.ground_down);
         let jacobian = pose_jacobian(model.camera, &self.pose, &point)?;
-        let noise = self.noise(&[self.floor()], &[jacobian]);
-        let pixels: &MeasurementModel<'_> =
-            &|position, bias| model.pixels(&[landmark], position, bias);
-        let expected = self.engine.expect(pixels, &noise).ok()?;
+        let noise = self.noise(&[self.floor(landmark)], &[jacobian]);
+        let expectation: &MeasurementModel<'_> =
+            &|position, bias| model.appearances(&[landmark], &self.pose, position, bias);
+        let expected = self.engine.expect(expectation, &noise).ok()?;
         let covariance = expected.covariance.fixed_view::<2, 2>(0, 0).into_owned();
         Some(CandidateReport {
             landmark: landmark.id,
@@ -140,7 +151,9 @@ impl<'a> Seer<'a> {
             second_score: 0.0,
             innovation: None,
             nis: None,
-            threshold: self.gate().threshold(2),
+            rotation: None,
+            log_scale: None,
+            threshold: self.gate().threshold(COMPONENTS),
             outcome: Outcome::Refused(Refusal::OutOfPicture),
         })
     }
@@ -188,7 +201,7 @@ impl<'a> Seer<'a> {
         report: &mut CandidateReport,
         luminance: &'a Pyramid,
         detector: &mut dyn Detector,
-    ) -> Option<(Point2<f64>, Matrix2<f64>)> {
+    ) -> Option<(Vector4<f64>, Matrix4<f64>)> {
         let request = self.request(landmark, report)?;
         let region = request.region(self.settings.detector.search_sigmas);
         let (camera, ground_down) = (self.model.camera, self.model.ground_down);
@@ -210,11 +223,17 @@ impl<'a> Seer<'a> {
             let pixel = camera.project(&self.pose, &point)?;
             let to_ground = ground_jacobian(camera, &self.pose, &pixel, ground_down)?;
             let to_pixel = to_ground.try_inverse()?;
-            let covariance = to_pixel * best.covariance * to_pixel.transpose() + self.floor();
+            let mut to_picture = Matrix4::identity();
+            to_picture.fixed_view_mut::<2, 2>(0, 0).copy_from(&to_pixel);
+            let own = to_picture * best.covariance * to_picture.transpose();
+            let covariance = own + self.floor(landmark);
             report.measured_pixel = Some(pixel);
+            report.rotation = Some(best.rotation);
+            report.log_scale = Some(best.scale.ln());
             report.measurement_covariance = Some(covariance);
             report.innovation = Some(pixel - report.predicted_pixel);
-            Some((pixel, covariance))
+            let seen = Vector4::new(pixel.x, pixel.y, best.rotation, best.scale.ln());
+            Some((seen, covariance))
         });
         match sighting {
             Sighting::Found(_) => place,
@@ -231,19 +250,23 @@ impl<'a> Seer<'a> {
         landmark: &'a Landmark,
         report: &mut CandidateReport,
         index: usize,
-        (pixel, covariance): (Point2<f64>, Matrix2<f64>),
+        (seen, covariance): (Vector4<f64>, Matrix4<f64>),
     ) -> Option<Measurement<'a>> {
         let model = self.model;
         let point = landmark.reference_in_world(model.ground_down);
         let jacobian = pose_jacobian(model.camera, &self.pose, &point)?;
         let noise = self.noise(&[covariance], &[jacobian]);
-        let pixels: &MeasurementModel<'_> =
-            &|position, bias| model.pixels(&[landmark], position, bias);
-        let expected = self.engine.expect(pixels, &noise).ok()?;
-        let innovation = Vector2::new(pixel.x - expected.mean[0], pixel.y - expected.mean[1]);
-        let inverse = expected.covariance.clone().try_inverse()?;
-        let nis = innovation.dot(&(inverse.fixed_view::<2, 2>(0, 0) * innovation));
-        report.innovation = Some(innovation);
+        let expectation: &MeasurementModel<'_> =
+            &|position, bias| model.appearances(&[landmark], &self.pose, position, bias);
+        let expected = self.engine.expect(expectation, &noise).ok()?;
+        let innovation = DVector::from_column_slice(seen.as_slice()) - &expected.mean;
+        let nis = expected
+            .covariance
+            .clone()
+            .cholesky()?
+            .solve(&innovation)
+            .dot(&innovation);
+        report.innovation = Some(Vector2::new(innovation[0], innovation[1]));
         report.innovation_covariance = expected.covariance.fixed_view::<2, 2>(0, 0).into_owned();
         report.nis = Some(nis);
         if nis > report.threshold {
@@ -254,7 +277,7 @@ impl<'a> Seer<'a> {
         Some(Measurement {
             landmark,
             report: index,
-            pixel,
+            seen,
             covariance,
             jacobian,
         })
@@ -262,11 +285,11 @@ impl<'a> Seer<'a> {
 
     /// Stacked measurement with its joint noise.
     pub fn stack(&self, measurements: &[Measurement<'_>]) -> (DVector<f64>, DMatrix<f64>) {
-        let mut stacked = DVector::zeros(2 * measurements.len());
+        let mut stacked = DVector::zeros(COMPONENTS * measurements.len());
         for (i, m) in measurements.iter().enumerate() {
             stacked
-                .fixed_rows_mut::<2>(2 * i)
-                .copy_from(&m.pixel.coords);
+                .fixed_rows_mut::<COMPONENTS>(COMPONENTS * i)
+                .copy_from(&m.seen);
         }
         let own: Vec<_> = measurements.iter().map(|m| m.covariance).collect();
         let jacobians: Vec<_> = measurements.iter().map(|m| m.jacobian).collect();
@@ -278,9 +301,9 @@ impl<'a> Seer<'a> {
         let landmarks: Vec<&Landmark> = measurements.iter().map(|m| m.landmark).collect();
         let (stacked, noise) = self.stack(measurements);
         let model = self.model;
-        let pixels: &MeasurementModel<'_> =
-            &|position, bias| model.pixels(&landmarks, position, bias);
-        let expected = self.engine.expect(pixels, &noise)?;
+        let expectation: &MeasurementModel<'_> =
+            &|position, bias| model.appearances(&landmarks, &self.pose, position, bias);
+        let expected = self.engine.expect(expectation, &noise)?;
         let innovation = stacked - expected.mean;
         let root = expected
             .covariance
@@ -307,7 +330,7 @@ impl<'a> Seer<'a> {
                 return Ok((measurements, 0.0, 0.0));
             }
             let nis = self.joint_nis(&measurements)?;
-            let threshold = gate.threshold(2 * measurements.len());
+            let threshold = gate.threshold(COMPONENTS * measurements.len());
             if nis <= threshold {
                 return Ok((measurements, nis, threshold));
             }
