@@ -1,8 +1,14 @@
 //! The views and commands of Pilotage, without a window system, so that tests drive them natively.
 
+pub mod app;
 pub mod command;
 pub mod context;
+pub mod dialogs;
+pub mod documents;
 pub mod host;
 pub mod jobs;
+pub mod map;
+pub mod shell;
+pub mod timeline;
 pub mod tokens;
 pub mod units;

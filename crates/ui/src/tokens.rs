@@ -1,6 +1,6 @@
 //! Colours, sizes and spacing in one place, for dark and light.
 
-use egui::Color32;
+use egui::{Color32, FontId};
 
 /// The look: every colour and measure that views use.
 #[derive(Clone, Debug, PartialEq)]
@@ -92,5 +92,45 @@ impl Tokens {
             unaided: Color32::from_rgb(110, 60, 170),
             ..Self::dark()
         }
+    }
+
+    /// Behind a widget under the pointer.
+    pub fn hover(&self) -> Color32 {
+        if self.dark {
+            Color32::from_rgb(40, 50, 60)
+        } else {
+            Color32::from_rgb(228, 233, 238)
+        }
+    }
+
+    /// Behind controls and labels that lie on the map.
+    pub fn over_map(&self) -> Color32 {
+        let [r, g, b, _] = self.surface.to_array();
+        Color32::from_rgba_unmultiplied(r, g, b, 232)
+    }
+
+    /// Outline of light drawings on the map.
+    pub fn outline(&self) -> Color32 {
+        Color32::from_black_alpha(190)
+    }
+
+    /// Captions and units.
+    pub fn small(&self) -> FontId {
+        FontId::proportional(self.text_sizes[0])
+    }
+
+    /// Running text.
+    pub fn normal(&self) -> FontId {
+        FontId::proportional(self.text_sizes[1])
+    }
+
+    /// Titles.
+    pub fn large(&self) -> FontId {
+        FontId::proportional(self.text_sizes[2])
+    }
+
+    /// Figures of equal width, as large as captions.
+    pub fn figures(&self) -> FontId {
+        FontId::monospace(self.text_sizes[0])
     }
 }

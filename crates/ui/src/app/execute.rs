@@ -1,0 +1,308 @@
+//! Commands carried out, once a frame, after everything is drawn.
+
+use super::{App, SideTab};
+use crate::command::{Command, Workspace};
+use crate::documents::{Session, encode_run};
+use crate::host::Host;
+use crate::units::Units;
+
+impl App {
+    pub(super) fn execute(
+        &mut self,
+        command: Command,
+        context: &egui::Context,
+        host: &mut dyn Host,
+    ) {
+        let now = host.now();
+        match command {
+            Command::TogglePlay
+            | Command::SeekTo(_)
+            | Command::StepFrames(_)
+            | Command::Jump(_)
+            | Command::GoToStart
+            | Command::GoToEnd
+            | Command::SetSpeed(_)
+            | Command::ToggleLoop
+            | Command::ToggleBookmark
+            | Command::PreviousBookmark
+            | Command::NextBookmark => self.play(&command),
+            Command::SelectLandmark(_)
+            | Command::TogglePickTool
+            | Command::AddLandmark(_)
+            | Command::ReshapeLandmark { .. }
+            | Command::RenameLandmark { .. }
+            | Command::EnableLandmark { .. }
+            | Command::DeleteLandmark(_)
+            | Command::Undo
+            | Command::Redo => self.edit(command, now),
+            Command::ExplainMatch { time, landmark } => self.explain(host, time, landmark),
+            Command::SetNavigator(settings) => {
+                let continues = context.input(|i| i.pointer.any_down());
+                if self.documents.set_navigator(&settings, continues) {
+                    self.run_is_stale(now);
+                }
+            }
+            Command::Simulate(_)
+            | Command::FlyAgain
+            | Command::CancelJob
+            | Command::Open
+            | Command::SaveMission
+            | Command::SaveRun
+            | Command::OpenDemo => self.file(command, host),
+            other => self.look(&other, context),
+        }
+        if !context.input(|i| i.pointer.any_down()) {
+            self.documents.history.finish_drag(&self.documents.mission);
+        }
+    }
+
+    fn play(&mut self, command: &Command) {
+        let span = self.documents.span();
+        let playback = &mut self.playback;
+        match *command {
+            Command::TogglePlay => {
+                playback.playing = !playback.playing;
+                let at_end = span.is_some_and(|(_, last)| playback.time >= last - 1e-6);
+                if playback.playing && at_end {
+                    playback.seek(f64::NEG_INFINITY, span);
+                }
+            }
+            Command::SeekTo(time) => playback.seek(time, span),
+            Command::StepFrames(count) => self.step_frames(count),
+            Command::Jump(seconds) => playback.seek(playback.time + seconds, span),
+            Command::GoToStart => playback.seek(f64::NEG_INFINITY, span),
+            Command::GoToEnd => {
+                playback.seek(f64::INFINITY, span);
+                playback.playing = false;
+            }
+            Command::SetSpeed(speed) => playback.set_speed(speed),
+            Command::ToggleLoop => playback.looping = !playback.looping,
+            Command::ToggleBookmark => {
+                let time = playback.time;
+                let marks = &mut self.documents.bookmarks;
+                let before = marks.len();
+                marks.retain(|b| (b - time).abs() > 0.05);
+                if marks.len() == before {
+                    marks.push(time);
+                    marks.sort_by(f64::total_cmp);
+                }
+                self.desk.document_changed = true;
+            }
+            Command::PreviousBookmark => {
+                let marks = self.documents.bookmarks.iter().rev();
+                if let Some(mark) = marks.copied().find(|b| *b < playback.time - 0.05) {
+                    playback.seek(mark, span);
+                }
+            }
+            Command::NextBookmark => {
+                let marks = self.documents.bookmarks.iter();
+                if let Some(mark) = marks.copied().find(|b| *b > playback.time + 0.05) {
+                    playback.seek(mark, span);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Moves the cursor by camera frames and pauses.
+    fn step_frames(&mut self, count: i32) {
+        self.playback.playing = false;
+        let Some(flight) = &self.documents.flight else {
+            return;
+        };
+        let time = self.playback.time;
+        let frames = &flight.frames;
+        let after = frames.partition_point(|f| f.time <= time + 1e-6);
+        let index = if count > 0 {
+            after as i64 + i64::from(count) - 1
+        } else {
+            let before = frames.partition_point(|f| f.time < time - 1e-6);
+            before as i64 + i64::from(count)
+        };
+        let last = frames.len() as i64 - 1;
+        if let Some(frame) = frames.get(index.clamp(0, last.max(0)) as usize) {
+            self.playback.seek(frame.time, self.documents.span());
+        }
+    }
+
+    fn edit(&mut self, command: Command, now: f64) {
+        self.desk.document_changed |= !matches!(
+            command,
+            Command::SelectLandmark(_) | Command::TogglePickTool
+        );
+        match command {
+            Command::SelectLandmark(id) => {
+                self.selection = id.filter(|id| self.documents.mission.landmark(*id).is_some());
+                if self.selection.is_some() {
+                    self.side_tab = SideTab::Landmarks;
+                    self.examine_soon(now);
+                }
+            }
+            Command::TogglePickTool => {
+                self.views.map.picking = !self.views.map.picking;
+            }
+            Command::AddLandmark(bounds) => {
+                let id = self.documents.add_landmark(bounds);
+                self.selection = Some(id);
+                self.side_tab = SideTab::Landmarks;
+                let name = self.documents.mission.landmark(id).map(|l| l.name.clone());
+                self.views.map.name_new(id, &name.unwrap_or_default());
+                self.examine_soon(now);
+                self.run_is_stale(now);
+            }
+            Command::ReshapeLandmark {
+                id,
+                bounds,
+                finished,
+            } => {
+                if self.documents.reshape_landmark(id, bounds, finished) {
+                    self.examine_soon(now);
+                    self.run_is_stale(now);
+                }
+            }
+            Command::RenameLandmark { id, name } => self.documents.rename_landmark(id, name),
+            Command::EnableLandmark { id, enabled } => {
+                if self.documents.enable_landmark(id, enabled) {
+                    self.run_is_stale(now);
+                }
+            }
+            Command::DeleteLandmark(id) => {
+                if self.documents.delete_landmark(id) {
+                    self.selection = self.selection.filter(|s| *s != id);
+                    self.run_is_stale(now);
+                }
+            }
+            Command::Undo | Command::Redo => {
+                let affected = if command == Command::Undo {
+                    self.documents.undo()
+                } else {
+                    self.documents.redo()
+                };
+                let mission = &self.documents.mission;
+                self.selection = self.selection.filter(|id| mission.landmark(*id).is_some());
+                self.examine_soon(now);
+                if affected == Some(true) {
+                    self.run_is_stale(now);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn file(&mut self, command: Command, host: &mut dyn Host) {
+        let now = host.now();
+        match command {
+            Command::Simulate(options) => {
+                let flight = crate::jobs::FlightSource::Simulated(*options);
+                self.fly_new(host, flight, crate::jobs::MapSource::Scenery, None);
+            }
+            Command::OpenDemo => {
+                let demo = Session::demo();
+                self.fly_new(host, demo.flight, demo.map, None);
+            }
+            Command::FlyAgain => self.fly_again(host),
+            Command::CancelJob => {
+                self.stop_flying(host);
+                self.toasts
+                    .note(now, "Stopped", "What had been computed stays on screen.");
+            }
+            Command::Open => host.ask_for_files(),
+            Command::SaveMission => self.save_mission(host),
+            Command::SaveRun => match self.documents.run.as_ref().map(encode_run) {
+                Some(Ok(bytes)) => {
+                    let name = format!("{}.run", self.file_stem());
+                    host.save_file(&name, &bytes);
+                    self.toasts.note(now, "Run saved", name);
+                }
+                Some(Err(error)) => {
+                    self.toasts
+                        .trouble(now, "The run was not saved", error.to_string());
+                }
+                None => self
+                    .toasts
+                    .note(now, "No run to save", "Simulate or open a flight first."),
+            },
+            _ => {}
+        }
+    }
+
+    fn file_stem(&self) -> String {
+        let name = &self.documents.mission.name;
+        let stem: String = name
+            .chars()
+            .map(|c| {
+                if c.is_alphanumeric() || c == '-' {
+                    c
+                } else {
+                    '-'
+                }
+            })
+            .collect();
+        if stem.is_empty() {
+            "pilotage".to_owned()
+        } else {
+            stem
+        }
+    }
+
+    fn save_mission(&mut self, host: &mut dyn Host) {
+        let now = host.now();
+        match serde_json::to_vec_pretty(&self.documents.mission) {
+            Ok(bytes) => {
+                let name = format!("{}.mission.json", self.file_stem());
+                host.save_file(&name, &bytes);
+                self.toasts.note(now, "Mission saved", name);
+            }
+            Err(error) => {
+                self.toasts
+                    .trouble(now, "The mission was not saved", error.to_string());
+            }
+        }
+    }
+
+    fn look(&mut self, command: &Command, context: &egui::Context) {
+        match command {
+            Command::TogglePalette => self.dialogs.palette.toggle(),
+            Command::ToggleHelp => self.dialogs.help = !self.dialogs.help,
+            Command::ToggleSimulate => self.dialogs.simulate.toggle(),
+            Command::ToggleSettings => self.dialogs.settings = !self.dialogs.settings,
+            Command::ToggleTrackUp => {
+                let map = &mut self.views.map;
+                map.track_up = !map.track_up;
+                if !map.track_up {
+                    map.camera.up = 0.0;
+                }
+            }
+            Command::FitMap => {
+                if let Some(ground) = self.flight_ground() {
+                    self.views.map.fit(ground);
+                }
+            }
+            Command::ToggleFollow => self.views.map.follow = !self.views.map.follow,
+            Command::ToggleTheme => {
+                self.view.dark = !self.view.dark;
+                self.restyle(context);
+            }
+            Command::ToggleUnits => {
+                self.view.units = match self.view.units {
+                    Units::Metric => Units::Aviation,
+                    Units::Aviation => Units::Metric,
+                };
+            }
+            Command::ToggleTour => {
+                self.view.workspace = if self.learning() {
+                    Workspace::Replay
+                } else {
+                    Workspace::Learn
+                };
+            }
+            Command::ShowWorkspace(workspace) => self.view.workspace = *workspace,
+            Command::ToggleSide => self.view.side_open = !self.view.side_open,
+            Command::TogglePlots => {
+                let tall = context.content_rect().height() >= 760.0;
+                self.view.plots_open = Some(!self.view.plots_open.unwrap_or(tall));
+            }
+            _ => {}
+        }
+    }
+}

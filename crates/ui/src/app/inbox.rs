@@ -1,0 +1,300 @@
+//! What the workers and the user's files bring.
+
+use super::App;
+use super::desk::Opening;
+use crate::host::{Host, OpenedFile};
+use crate::jobs::{FlightSource, Job, JobEvent, JobId, MapSource, Opened};
+use pilotage_core::frames::{GroundPoint, GroundRect};
+
+impl App {
+    pub(super) fn receive(&mut self, context: &egui::Context, host: &mut dyn Host) {
+        if host.lost_workers() > 0 {
+            self.toasts.trouble(
+                host.now(),
+                "A worker stopped and was started anew",
+                "Everything you have open is still here. What it was computing begins again by itself.",
+            );
+        }
+        for (id, event) in host.events() {
+            self.event(context, host, id, event);
+        }
+        for batch in host.opened() {
+            self.open_files(host, batch);
+        }
+    }
+
+    fn open_files(&mut self, host: &mut dyn Host, batch: Vec<OpenedFile>) {
+        if batch.is_empty() {
+            return;
+        }
+        self.desk.opened_batches += 1;
+        let key = format!("opened-{}", self.desk.opened_batches);
+        let name = match batch.as_slice() {
+            [one] => one.path.clone(),
+            [first, rest @ ..] => {
+                let folder = first.path.split('/').next().unwrap_or_default();
+                format!("{folder} and {} more files", rest.len())
+            }
+            [] => return,
+        };
+        let files = batch
+            .into_iter()
+            .map(|f| (f.path, f.bytes.to_vec()))
+            .collect();
+        host.start(Job::Provide {
+            key: key.clone(),
+            files,
+        });
+        let id = host.start(Job::Open { key: key.clone() });
+        self.desk.opening.insert(id, Opening { key, name });
+    }
+
+    fn event(&mut self, context: &egui::Context, host: &mut dyn Host, id: JobId, event: JobEvent) {
+        if self.desk.fly.as_ref().is_some_and(|f| f.id == id) {
+            self.fly_event(host, event);
+        } else if self.desk.tiles.contains_key(&id) {
+            self.tile_event(context, id, event);
+        } else if self.desk.describe == Some(id) {
+            self.map_event(host, event);
+        } else if let Some((_, landmark)) = self.desk.distinctness.filter(|d| d.0 == id) {
+            match event {
+                JobEvent::Distinctness(found) => {
+                    self.documents.distinctness.insert(landmark, *found);
+                }
+                JobEvent::Failed(why) => {
+                    self.desk.distinctness = None;
+                    self.toasts
+                        .trouble(host.now(), "The landmark could not be examined", why);
+                }
+                JobEvent::Finished | JobEvent::Cancelled => self.desk.distinctness = None,
+                _ => {}
+            }
+        } else if let Some((_, time, landmark)) = self.desk.explain.filter(|e| e.0 == id) {
+            match event {
+                JobEvent::Match(pictures) => self.documents.match_pictures = Some(*pictures),
+                JobEvent::Failed(_) => {
+                    self.desk.explain = None;
+                    self.desk.unexplained = Some((time, landmark));
+                }
+                JobEvent::Finished | JobEvent::Cancelled => self.desk.explain = None,
+                _ => {}
+            }
+        } else if self.desk.opening.contains_key(&id) {
+            self.open_event(host, id, event);
+        }
+    }
+
+    fn tile_event(&mut self, context: &egui::Context, id: JobId, event: JobEvent) {
+        match event {
+            JobEvent::Tile { window, pixels } => {
+                self.views.map.tiles.insert(context, &window, &pixels);
+                self.desk.tiles.remove(&id);
+            }
+            JobEvent::Finished | JobEvent::Cancelled => {
+                self.desk.tiles.remove(&id);
+            }
+            JobEvent::Failed(_) => {
+                // An empty tile is not asked for again; the map stays usable without it.
+                if let Some(key) = self.desk.tiles.remove(&id) {
+                    let empty = pilotage_core::raster::Raster::filled(0, 0, [0; 4]);
+                    self.views.map.tiles.insert(context, &key.window(), &empty);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn map_event(&mut self, host: &mut dyn Host, event: JobEvent) {
+        match event {
+            JobEvent::MapInfo(info) => {
+                if self.documents.run.is_none() && self.documents.flight.is_none() {
+                    self.views.map.camera.center = info.bounds.center();
+                }
+                self.documents.map = Some(info);
+            }
+            JobEvent::Failed(why) => {
+                self.desk.describe = None;
+                self.toasts
+                    .trouble(host.now(), "The map cannot be shown", why);
+            }
+            JobEvent::Finished | JobEvent::Cancelled => self.desk.describe = None,
+            _ => {}
+        }
+    }
+
+    fn fly_event(&mut self, host: &mut dyn Host, event: JobEvent) {
+        let Some(fly) = &mut self.desk.fly else {
+            return;
+        };
+        match event {
+            JobEvent::Progress(fraction, words) => {
+                fly.progress = fraction;
+                fly.words = words;
+            }
+            JobEvent::Flight(flight) => fly.staged.flight = Some(*flight),
+            JobEvent::Mission(mission) => {
+                if !fly.again {
+                    fly.staged.mission = Some(*mission);
+                }
+            }
+            JobEvent::RunStarted(head) => {
+                let again = fly.again;
+                let given = fly.staged.mission.is_some() && self.documents.mission_edited;
+                let staged = std::mem::take(&mut fly.staged);
+                let (flight, map) = (fly.flight.clone(), fly.map.clone());
+                let first = !fly.began;
+                fly.began = true;
+                let edited = self.documents.mission_edited && given && !again;
+                self.documents.begin_run(*head, again, staged);
+                if edited && self.documents.flight_source == flight {
+                    self.documents.mission_edited = true;
+                }
+                if !again {
+                    self.documents.flight_source = flight;
+                    self.desk.document_changed = true;
+                    self.change_map(host, map);
+                    if first {
+                        self.show_new_flight();
+                    }
+                }
+            }
+            JobEvent::Steps(mut steps) => {
+                if let Some(run) = &mut self.documents.run {
+                    run.steps.append(&mut steps);
+                }
+            }
+            JobEvent::FramePicture { index, encoded } => {
+                self.documents.pictures.insert(index, encoded.into());
+            }
+            JobEvent::Finished => {
+                self.documents.run_complete = true;
+                self.desk.fly = None;
+            }
+            JobEvent::Cancelled => self.desk.fly = None,
+            JobEvent::Failed(why) => {
+                let began = fly.began;
+                self.desk.fly = None;
+                let kept = if began {
+                    "What had been computed stays."
+                } else {
+                    "Everything open stays as it was."
+                };
+                let title = "The flight cannot be flown";
+                self.toasts
+                    .trouble(host.now(), title, format!("{why} {kept}"));
+            }
+            _ => {}
+        }
+    }
+
+    /// Puts the cursor at the start and the map over the flight.
+    fn show_new_flight(&mut self) {
+        self.selection = None;
+        if let Some((first, _)) = self.documents.span() {
+            self.playback.time = first;
+        }
+        self.playback.playing = true;
+        self.views.map.follow = true;
+        if let Some(flight) = &self.documents.flight {
+            self.views.map.camera.center = flight.start.position;
+        }
+    }
+
+    /// The ground over which the flight goes, with its landmarks.
+    pub(super) fn flight_ground(&self) -> Option<GroundRect> {
+        let documents = &self.documents;
+        let truth = documents.flight.iter().flat_map(|f| &f.truth);
+        let truth = truth
+            .flat_map(|t| t.states.iter().step_by(20))
+            .map(|s| GroundPoint::new(s.position.x, s.position.y));
+        let steps = documents
+            .run
+            .iter()
+            .flat_map(|r| r.steps.iter().step_by(20));
+        let estimate = steps.map(|s| s.after.position());
+        let landmarks = documents.mission.landmarks.iter().map(|l| l.reference);
+        GroundRect::around(truth.chain(estimate).chain(landmarks))
+            .or_else(|| documents.map.as_ref().map(|m| m.bounds))
+    }
+
+    fn open_event(&mut self, host: &mut dyn Host, id: JobId, event: JobEvent) {
+        let now = host.now();
+        match event {
+            JobEvent::Opened(opened) => {
+                if let Some(opening) = self.desk.opening.remove(&id) {
+                    self.take_opened(host, &opening, *opened);
+                }
+            }
+            JobEvent::Failed(why) => {
+                let name = self.desk.opening.remove(&id).map(|o| o.name);
+                let title = format!("{} was not opened", name.unwrap_or_default());
+                let text = format!("{why} Everything open stays as it was.");
+                self.toasts.trouble(now, title, text);
+            }
+            JobEvent::Finished | JobEvent::Cancelled => {
+                self.desk.opening.remove(&id);
+            }
+            _ => {}
+        }
+    }
+
+    fn take_opened(&mut self, host: &mut dyn Host, opening: &Opening, opened: Opened) {
+        let now = host.now();
+        let Opened {
+            key: _,
+            flight,
+            map,
+            mission,
+            run,
+            remarks,
+        } = opened;
+        let mut parts = Vec::new();
+        let has_flight = flight.is_some();
+        let map_source = if map.is_some() {
+            parts.push("a map");
+            MapSource::Files(opening.key.clone())
+        } else {
+            self.documents.map_source.clone()
+        };
+        if has_flight {
+            parts.push("a flight");
+            let mission_given = mission.is_some();
+            if mission_given {
+                parts.push("a mission");
+            }
+            let source = FlightSource::Files(opening.key.clone());
+            self.fly_new(host, source, map_source, mission);
+        } else {
+            if map.is_some() {
+                self.change_map(host, map_source);
+                if let Some(info) = &map {
+                    self.views.map.fit(info.bounds);
+                }
+                self.documents.map = map;
+            }
+            if let Some(mission) = mission {
+                parts.push("a mission");
+                self.documents.history.remember(&self.documents.mission);
+                self.documents.mission = mission;
+                self.documents.mission_edited = true;
+                self.selection = None;
+                self.run_is_stale(now);
+            }
+            if let Some(run) = run {
+                parts.push("a run");
+                self.stop_flying(host);
+                self.documents
+                    .begin_run(run, true, crate::documents::Staged::default());
+                self.documents.run_complete = true;
+            }
+        }
+        if parts.is_empty() {
+            let text = remarks.join(" ");
+            let title = format!("{} holds nothing that can be shown", opening.name);
+            self.toasts.trouble(now, title, text);
+        } else {
+            let title = format!("Opened {} from {}", parts.join(", "), opening.name);
+            self.toasts.note(now, title, remarks.join(" "));
+        }
+    }
+}

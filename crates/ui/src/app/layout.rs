@@ -1,0 +1,390 @@
+//! Where everything stands: top bar, map, side column, plots, timeline; reflowed for narrow windows.
+
+use std::sync::Arc;
+
+use egui::{Frame, Margin, Panel, Stroke, Ui, vec2};
+
+use super::{App, SideTab, Views};
+use crate::command::{Command, Workspace};
+use crate::context::ViewContext;
+use crate::dialogs::settings_sheet;
+use crate::documents::Documents;
+use crate::map::MapExtra;
+use crate::shell::{TopBar, help_sheet, icon_button, icons::Icon, tab, top_bar};
+use crate::timeline::TimelineExtra;
+use crate::tokens::Tokens;
+
+/// Windows narrower than this stack the side column below the map.
+const NARROW: f32 = 900.0;
+const BAR_HEIGHT: f32 = 48.0;
+
+/// What the views are drawn from: everything but the views themselves.
+struct Scene<'a> {
+    documents: &'a Documents,
+    tokens: &'a Tokens,
+    view: &'a mut crate::documents::ViewState,
+    playback: &'a crate::timeline::Playback,
+    selection: Option<u32>,
+    side_tab: &'a mut SideTab,
+    settings: &'a mut bool,
+    job_words: Option<String>,
+}
+
+impl Scene<'_> {
+    /// Lends the documents to a view.
+    fn with_context<R>(
+        &self,
+        commands: &mut Vec<Command>,
+        show: impl FnOnce(&mut ViewContext<'_>) -> R,
+    ) -> R {
+        let pictures =
+            |index: usize| -> Option<Arc<[u8]>> { self.documents.pictures.get(&index).cloned() };
+        show(&mut ViewContext {
+            mission: &self.documents.mission,
+            flight: self.documents.flight.as_ref(),
+            run: self.documents.run.as_ref(),
+            ghost: self.documents.ghost.as_ref(),
+            time: self.playback.time,
+            playing: self.playback.playing,
+            selection: self.selection,
+            pictures: &pictures,
+            match_pictures: self.documents.match_pictures.as_ref(),
+            tokens: self.tokens,
+            units: self.view.units,
+            commands,
+        })
+    }
+}
+
+impl App {
+    pub(super) fn layout(&mut self, ui: &mut Ui, now: f64, commands: &mut Vec<Command>) {
+        let tokens = self.tokens.clone();
+        let screen = ui.ctx().content_rect();
+        let narrow = screen.width() < NARROW;
+        let plots_open = self.view.plots_open.unwrap_or(screen.height() >= 760.0);
+        let title = self.documents.title();
+        bar(&tokens, BAR_HEIGHT).show(ui, |ui| {
+            let bar = TopBar {
+                workspace: self.view.workspace,
+                title: &title,
+                progress: self.desk.progress(),
+                units: self.view.units,
+                settings_open: self.dialogs.settings,
+                side_open: self.view.side_open,
+                plots_open,
+            };
+            ui.horizontal_centered(|ui| top_bar(ui, &tokens, &bar, commands));
+        });
+        let Self {
+            documents,
+            playback,
+            view,
+            selection,
+            side_tab,
+            dialogs,
+            views,
+            desk,
+            ..
+        } = self;
+        let mut scene = Scene {
+            documents,
+            tokens: &tokens,
+            view,
+            playback,
+            selection: *selection,
+            side_tab,
+            settings: &mut dialogs.settings,
+            job_words: desk.progress().map(|(_, words)| words.to_owned()),
+        };
+        timeline(ui, &scene, views, commands, narrow);
+        if scene.view.side_open || *scene.settings {
+            if narrow {
+                lower(ui, &mut scene, views, commands);
+            } else {
+                side(ui, &mut scene, views, commands);
+            }
+        }
+        if plots_open && !narrow {
+            plots(ui, &scene, views, commands);
+        }
+        map(ui, &mut scene, views, commands);
+        self.overlays(ui, &tokens, now, commands, narrow);
+    }
+
+    fn overlays(
+        &mut self,
+        ui: &mut Ui,
+        tokens: &Tokens,
+        now: f64,
+        commands: &mut Vec<Command>,
+        narrow: bool,
+    ) {
+        self.dialogs.palette.show(ui, tokens, commands);
+        let units = self.view.units;
+        self.dialogs
+            .simulate
+            .show(ui.ctx(), tokens, units, commands);
+        if self.dialogs.help && help_sheet(ui.ctx(), tokens) {
+            self.dialogs.help = false;
+        }
+        let bottom = if narrow { 112.0 } else { 80.0 };
+        self.toasts.show(ui, tokens, now, bottom);
+    }
+}
+
+fn plain_frame(tokens: &Tokens, margin: Margin) -> Frame {
+    Frame::new().fill(tokens.surface).inner_margin(margin)
+}
+
+fn bar(tokens: &Tokens, height: f32) -> Panel {
+    Panel::top("top bar")
+        .exact_size(height)
+        .frame(plain_frame(tokens, Margin::symmetric(8, 0)))
+}
+
+fn timeline(
+    ui: &mut Ui,
+    scene: &Scene<'_>,
+    views: &mut Views,
+    commands: &mut Vec<Command>,
+    narrow: bool,
+) {
+    let height = if narrow { 96.0 } else { 64.0 };
+    Panel::bottom("timeline")
+        .exact_size(height)
+        .frame(plain_frame(scene.tokens, Margin::symmetric(8, 8)))
+        .show(ui, |ui| {
+            let extra = TimelineExtra {
+                playback: scene.playback,
+                span: scene.documents.span(),
+                complete: scene.documents.run_complete,
+                generation: scene.documents.run_generation,
+                bookmarks: &scene.documents.bookmarks,
+            };
+            scene.with_context(commands, |context| views.timeline.show(ui, context, &extra));
+        });
+}
+
+fn plots(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+    let screen = ui.ctx().content_rect();
+    Panel::bottom("plots")
+        .resizable(true)
+        .default_size(176.0)
+        .size_range(96.0..=0.5 * screen.height())
+        .frame(plain_frame(scene.tokens, Margin::symmetric(8, 8)))
+        .show(ui, |ui| {
+            scene.with_context(commands, |context| views.plots.show(ui, context));
+            ui.take_available_space();
+        });
+}
+
+fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+    let width = ui.ctx().content_rect().width();
+    let default = if width >= 1280.0 { 376.0 } else { 320.0 };
+    let tokens = scene.tokens;
+    Panel::right("side")
+        .resizable(true)
+        .default_size(default)
+        .size_range(288.0..=0.45 * width)
+        .frame(plain_frame(tokens, Margin::ZERO))
+        .show(ui, |ui| {
+            let inner = Frame::new().inner_margin(Margin::symmetric(12, 8));
+            if *scene.settings {
+                inner.show(ui, |ui| settings(ui, scene, commands));
+                return;
+            }
+            match scene.view.workspace {
+                Workspace::Replay => {
+                    camera(ui, scene, views, commands);
+                    inner.show(ui, |ui| {
+                        let tabs = [SideTab::Match, SideTab::Filter, SideTab::Landmarks];
+                        tabbed(ui, scene, views, commands, &tabs);
+                    });
+                }
+                Workspace::Plan => {
+                    inner.show(ui, |ui| landmarks(ui, scene, views, commands));
+                }
+                Workspace::Learn => {
+                    let height = 0.58 * ui.available_height();
+                    let size = vec2(ui.available_width(), height);
+                    ui.allocate_ui(size, |ui| {
+                        inner.show(ui, |ui| {
+                            ui.set_min_height(height - 16.0);
+                            tour(ui, scene, views, commands);
+                        });
+                    });
+                    camera(ui, scene, views, commands);
+                }
+            }
+            ui.take_available_space();
+        });
+}
+
+/// The part below the map in a narrow window.
+fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+    let height = ui.ctx().content_rect().height();
+    Panel::bottom("lower")
+        .resizable(true)
+        .default_size(0.40 * height)
+        .size_range(160.0..=0.7 * height)
+        .frame(plain_frame(scene.tokens, Margin::symmetric(12, 8)))
+        .show(ui, |ui| {
+            if *scene.settings {
+                settings(ui, scene, commands);
+            } else {
+                match scene.view.workspace {
+                    Workspace::Learn => tour(ui, scene, views, commands),
+                    Workspace::Plan => landmarks(ui, scene, views, commands),
+                    Workspace::Replay => {
+                        let tabs = [
+                            SideTab::Camera,
+                            SideTab::Match,
+                            SideTab::Filter,
+                            SideTab::Plots,
+                            SideTab::Landmarks,
+                        ];
+                        tabbed(ui, scene, views, commands, &tabs);
+                    }
+                }
+            }
+            ui.take_available_space();
+        });
+}
+
+fn settings(ui: &mut Ui, scene: &mut Scene<'_>, commands: &mut Vec<Command>) {
+    let close = scene.with_context(commands, |context| settings_sheet(ui, context));
+    if close {
+        *scene.settings = false;
+    }
+}
+
+fn camera(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+    let width = ui.available_width();
+    let aspect = scene.documents.flight.as_ref().map_or(0.75, |f| {
+        f.camera.height as f32 / f.camera.width.max(1) as f32
+    });
+    let height = (width * aspect).min(0.5 * ui.available_height().max(120.0));
+    let (rect, _) = ui.allocate_exact_size(vec2(width, height), egui::Sense::hover());
+    let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rect).id_salt("camera"));
+    inside.set_clip_rect(rect.intersect(ui.clip_rect()));
+    scene.with_context(commands, |context| views.camera.show(&mut inside, context));
+}
+
+fn tabbed(
+    ui: &mut Ui,
+    scene: &mut Scene<'_>,
+    views: &mut Views,
+    commands: &mut Vec<Command>,
+    tabs: &[SideTab],
+) {
+    let tokens = scene.tokens;
+    if !tabs.contains(scene.side_tab) {
+        *scene.side_tab = tabs[0];
+    }
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 0.0;
+        for choice in tabs {
+            let label = match choice {
+                SideTab::Match => "Match",
+                SideTab::Filter => "Filter",
+                SideTab::Landmarks => "Landmarks",
+                SideTab::Camera => "Camera",
+                SideTab::Plots => "Plots",
+            };
+            if tab(ui, tokens, label, choice == scene.side_tab, 32.0).clicked() {
+                *scene.side_tab = *choice;
+            }
+        }
+    });
+    let line = ui.max_rect().x_range();
+    let y = ui.cursor().top() - 4.0;
+    ui.painter().hline(line, y, Stroke::new(1.0, tokens.line));
+    match *scene.side_tab {
+        SideTab::Match => scene.with_context(commands, |c| views.matching.show(ui, c)),
+        SideTab::Filter => scene.with_context(commands, |c| views.inspector.show(ui, c)),
+        SideTab::Landmarks => landmarks(ui, scene, views, commands),
+        SideTab::Camera => scene.with_context(commands, |c| views.camera.show(ui, c)),
+        SideTab::Plots => scene.with_context(commands, |c| views.plots.show(ui, c)),
+    }
+}
+
+fn landmarks(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+    let (past, future) = scene.documents.history.depth();
+    let found = scene
+        .selection
+        .and_then(|id| scene.documents.distinctness_of(id));
+    egui::ScrollArea::vertical()
+        .id_salt("landmarks")
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            scene.with_context(commands, |context| {
+                let can_undo = (past > 0, future > 0);
+                views.landmarks.show(ui, context, found, can_undo);
+            });
+        });
+}
+
+fn tour(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+    scene.with_context(commands, |context| views.tour.show(ui, context));
+}
+
+fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+    let tokens = scene.tokens;
+    egui::CentralPanel::default()
+        .frame(Frame::new().fill(tokens.background))
+        .show(ui, |ui| {
+            let rect = ui.available_rect_before_wrap();
+            let extra = MapExtra {
+                map: scene.documents.map.as_ref(),
+                run_generation: scene.documents.run_generation,
+                ghost_generation: scene.documents.ghost_generation,
+                distinctness: scene
+                    .selection
+                    .and_then(|id| scene.documents.distinctness_of(id)),
+            };
+            scene.with_context(commands, |context| views.map.show(ui, context, &extra));
+            advice(ui, rect, scene, commands);
+        });
+}
+
+/// One line on what is seen and what to try first.
+fn advice(ui: &mut Ui, rect: egui::Rect, scene: &mut Scene<'_>, commands: &mut Vec<Command>) {
+    if scene.view.advice_dismissed || scene.view.workspace == Workspace::Learn {
+        return;
+    }
+    let tokens = scene.tokens;
+    let text = if scene.documents.run.is_some() {
+        "This aircraft finds its way without GPS. White dots are where it may be: they spread in the \
+         dark and shrink when the camera recognises a landmark. Drag the time below, or press N and \
+         draw a landmark of your own."
+            .to_owned()
+    } else if let Some(words) = &scene.job_words {
+        format!("Preparing the demo flight: {words}")
+    } else {
+        "Nothing is flown yet. Simulate a flight, or drop a flight folder and a map here."
+            .to_owned()
+    };
+    let width = (rect.width() - 96.0).min(720.0);
+    let at = egui::Rect::from_min_size(rect.left_top() + vec2(16.0, 16.0), vec2(width, 64.0));
+    let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(at).id_salt("advice"));
+    Frame::new()
+        .fill(tokens.over_map())
+        .stroke(Stroke::new(1.0, tokens.line))
+        .corner_radius(tokens.radius)
+        .inner_margin(Margin::symmetric(12, 4))
+        .show(&mut inside, |ui| {
+            ui.horizontal(|ui| {
+                let room = ui.available_width() - 150.0;
+                ui.scope(|ui| {
+                    ui.set_max_width(room);
+                    ui.add(egui::Label::new(egui::RichText::new(text).color(tokens.text)).wrap());
+                });
+                if crate::shell::text_button(ui, tokens, None, "Take the tour", false).clicked() {
+                    commands.push(Command::ShowWorkspace(Workspace::Learn));
+                }
+                if icon_button(ui, tokens, Icon::Close, "Dismiss the advice").clicked() {
+                    scene.view.advice_dismissed = true;
+                }
+            });
+        });
+}

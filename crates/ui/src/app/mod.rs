@@ -1,0 +1,135 @@
+//! The app: one object that the shell draws every frame.
+
+mod desk;
+mod execute;
+mod inbox;
+mod layout;
+mod report;
+mod stand_ins;
+mod start;
+mod work;
+
+use crate::command::{Command, Workspace};
+use crate::dialogs::SimulateDialog;
+use crate::documents::{Documents, ViewState};
+use crate::host::Host;
+use crate::map::MapView;
+use crate::shell::keys::ShortcutListener;
+use crate::shell::{LandmarkList, Palette, Toasts, apply_theme};
+use crate::timeline::{Playback, Timeline};
+use crate::tokens::Tokens;
+
+use desk::Desk;
+use stand_ins::{CameraView, InspectorView, MatchView, PlotsView, Tour};
+
+/// What the column at the right shows below the camera picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SideTab {
+    /// How a landmark was matched.
+    #[default]
+    Match,
+    /// What the filter did.
+    Filter,
+    /// The list of landmarks.
+    Landmarks,
+    /// The camera picture (narrow windows only).
+    Camera,
+    /// The plots (narrow windows only).
+    Plots,
+}
+
+/// Which dialogs are open.
+#[derive(Debug, Default)]
+struct Dialogs {
+    palette: Palette,
+    simulate: SimulateDialog,
+    help: bool,
+    settings: bool,
+}
+
+/// The views that show the run at the time cursor.
+#[derive(Default)]
+struct Views {
+    map: MapView,
+    timeline: Timeline,
+    camera: CameraView,
+    matching: MatchView,
+    plots: PlotsView,
+    inspector: InspectorView,
+    tour: Tour,
+    landmarks: LandmarkList,
+}
+
+/// The app.
+pub struct App {
+    documents: Documents,
+    playback: Playback,
+    view: ViewState,
+    tokens: Tokens,
+    selection: Option<u32>,
+    side_tab: SideTab,
+    dialogs: Dialogs,
+    toasts: Toasts,
+    views: Views,
+    desk: Desk,
+    commands: Vec<Command>,
+    started: bool,
+    last_now: Option<f64>,
+    stored_session: Vec<u8>,
+    stored_view: Vec<u8>,
+    dirty_since: Option<f64>,
+}
+
+impl App {
+    /// Draws one frame and does what was asked.
+    pub fn ui(&mut self, ui: &mut egui::Ui, host: &mut dyn Host) {
+        let now = host.now();
+        if !self.started {
+            self.started = true;
+            self.start(host);
+        }
+        self.receive(ui.ctx(), host);
+        self.tick(now);
+        let mut commands = ShortcutListener::take(ui.ctx());
+        commands.append(&mut self.commands);
+        self.layout(ui, now, &mut commands);
+        for command in commands {
+            self.execute(command, ui.ctx(), host);
+        }
+        self.work(ui.ctx(), host);
+        self.remember(host);
+        if self.playback.playing && self.documents.run.is_some() {
+            ui.ctx().request_repaint();
+        }
+    }
+
+    fn tick(&mut self, now: f64) {
+        let elapsed = self.last_now.map_or(0.0, |last| 1e-3 * (now - last));
+        self.last_now = Some(now);
+        let span = self.documents.span();
+        let streamed = self
+            .documents
+            .run
+            .as_ref()
+            .and_then(pilotage_core::navigator::Run::span)
+            .map(|s| s.1);
+        if let Some(streamed) = streamed {
+            let complete = self.documents.run_complete;
+            self.playback.advance(elapsed, span, streamed, complete);
+        }
+    }
+
+    /// Whether the guided tour is on.
+    fn learning(&self) -> bool {
+        self.view.workspace == Workspace::Learn
+    }
+
+    fn restyle(&mut self, context: &egui::Context) {
+        self.tokens = if self.view.dark {
+            Tokens::dark()
+        } else {
+            Tokens::light()
+        };
+        apply_theme(context, &self.tokens);
+    }
+}

@@ -1,0 +1,159 @@
+//! The app's state in words and as JSON, for screen readers and for journeys in the browser.
+
+use egui::Rect;
+use serde_json::{Value, json};
+
+use super::App;
+use crate::timeline::clock_text;
+
+fn rect_json(rect: Option<Rect>) -> Value {
+    rect.map_or(Value::Null, |r| {
+        json!([r.left(), r.top(), r.right(), r.bottom()])
+    })
+}
+
+impl App {
+    /// What is on screen, as JSON. Places on screen are in points; times in seconds; boxes in metres.
+    pub fn state_json(&self) -> String {
+        let documents = &self.documents;
+        let run = documents.run.as_ref();
+        let step = run.and_then(|r| r.step_at(self.playback.time));
+        let landmarks: Vec<Value> = documents
+            .mission
+            .landmarks
+            .iter()
+            .map(|l| {
+                json!({
+                    "id": l.id,
+                    "name": l.name,
+                    "enabled": l.enabled,
+                    "south": l.bounds.south,
+                    "north": l.bounds.north,
+                    "west": l.bounds.west,
+                    "east": l.bounds.east,
+                })
+            })
+            .collect();
+        let toasts: Vec<Value> = self
+            .toasts
+            .list()
+            .iter()
+            .map(|t| json!({"title": t.title, "text": t.text, "trouble": t.trouble}))
+            .collect();
+        let map = &self.views.map;
+        json!({
+            "time": self.playback.time,
+            "span": documents.span().map(|(a, b)| [a, b]),
+            "playing": self.playback.playing,
+            "speed": self.playback.speed,
+            "loop": self.playback.looping,
+            "bookmarks": documents.bookmarks,
+            "workspace": self.view.workspace.label(),
+            "title": documents.title(),
+            "dark": self.view.dark,
+            "units": format!("{:?}", self.view.units),
+            "job": self.desk.progress().map(|(f, w)| json!({"progress": f, "words": w})),
+            "flight": documents.flight.as_ref().map(|f| f.name.clone()),
+            "frames": documents.flight.as_ref().map_or(0, |f| f.frames.len()),
+            "pictures": documents.pictures.len(),
+            "run_steps": run.map_or(0, |r| r.steps.len()),
+            "run_complete": documents.run_complete,
+            "run_generation": documents.run_generation,
+            "run_landmarks": run.map_or(0, |r| r.landmarks.iter().filter(|l| l.enabled).count()),
+            "accepted": run.map_or(0, |r| {
+                r.steps.iter().filter_map(|s| s.frame.as_ref()).map(|f| f.accepted().count()).sum::<usize>()
+            }),
+            "ghost_steps": documents.ghost.as_ref().map_or(0, |r| r.steps.len()),
+            "step": step.map(|s| json!({
+                "time": s.time,
+                "north": s.after.position().north,
+                "east": s.after.position().east,
+                "frame": s.frame.as_ref().map(|f| f.index),
+            })),
+            "landmarks": landmarks,
+            "selection": self.selection,
+            "distinctness": self.selection
+                .and_then(|id| documents.distinctness_of(id))
+                .map(|d| d.verdict.clone()),
+            "undo": documents.history.depth().0,
+            "redo": documents.history.depth().1,
+            "navigator": {
+                "alpha": documents.mission.navigator.alpha,
+                "gate_confidence": documents.mission.navigator.gate_confidence,
+            },
+            "toasts": toasts,
+            "dialogs": {
+                "palette": self.dialogs.palette.is_open(),
+                "help": self.dialogs.help,
+                "simulate": self.dialogs.simulate.is_open(),
+                "settings": self.dialogs.settings,
+            },
+            "map": {
+                "rect": rect_json(map.rect()),
+                "center": [map.camera.center.north, map.camera.center.east],
+                "metres_per_point": map.camera.metres_per_point,
+                "up": map.camera.up,
+                "picking": map.picking,
+                "follow": map.follow,
+                "track_up": map.track_up,
+                "tiles": map.tiles.len(),
+                "tiles_wanted": map.tiles.wanted().len(),
+                "known": documents.map.is_some(),
+            },
+            "timeline": rect_json(self.views.timeline.track()),
+            "match": documents.match_pictures.as_ref().map(|m| json!({"time": m.time, "landmark": m.landmark})),
+        })
+        .to_string()
+    }
+
+    /// What is on screen, in a sentence or three.
+    pub fn summary_text(&self) -> String {
+        let documents = &self.documents;
+        let mut text = format!(
+            "{} workspace. {}.",
+            self.view.workspace.label(),
+            documents.title()
+        );
+        if let Some((fraction, words)) = self.desk.progress() {
+            text += &format!(" Computing, {:.0} percent: {words}.", 100.0 * fraction);
+        }
+        if let (Some(run), Some((first, last))) = (&documents.run, documents.span()) {
+            let now = self.playback.time;
+            text += &format!(
+                " Time {} of {}, {}.",
+                clock_text(now - first),
+                clock_text(last - first),
+                if self.playback.playing {
+                    "playing"
+                } else {
+                    "paused"
+                }
+            );
+            if let Some(step) = run.step_at(now) {
+                let (factor, unit) = self.view.units.length();
+                let deviation = step.after.position_covariance().trace().max(0.0).sqrt();
+                let state = if run
+                    .frame_step_at(now)
+                    .is_some_and(pilotage_core::navigator::StepReport::corrected)
+                {
+                    "corrected by landmarks"
+                } else {
+                    "dead reckoning"
+                };
+                text += &format!(
+                    " The aircraft is {state}, its position known to {:.1} {unit}.",
+                    deviation * factor
+                );
+            }
+        } else {
+            text += " No run yet.";
+        }
+        if let Some(landmark) = self.selection.and_then(|id| documents.mission.landmark(id)) {
+            text += &format!(" Landmark {} is selected.", landmark.name);
+        }
+        if let Some(toast) = self.toasts.list().last() {
+            text += &format!(" Notice: {}. {}", toast.title, toast.text);
+        }
+        text
+    }
+}

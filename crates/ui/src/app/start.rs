@@ -1,0 +1,95 @@
+//! The first moments, and what is remembered of an earlier visit.
+
+use super::App;
+use super::desk::Desk;
+use crate::documents::{Documents, SESSION_KEY, Session, VIEW_KEY, ViewState};
+use crate::host::Host;
+use crate::shell::keys::ShortcutListener;
+use crate::shell::{Toasts, apply_theme};
+use crate::timeline::Playback;
+use crate::tokens::Tokens;
+
+/// How long a change waits before it is stored, milliseconds.
+const STORE_AFTER: f64 = 600.0;
+
+impl App {
+    /// The app as it was left, or with the built-in demo.
+    pub fn new(context: &egui::Context, host: &dyn Host) -> Self {
+        let session = host
+            .recall(SESSION_KEY)
+            .and_then(|bytes| Session::decode(&bytes))
+            .unwrap_or_else(Session::demo);
+        let view = host
+            .recall(VIEW_KEY)
+            .map(|bytes| ViewState::decode(&bytes))
+            .unwrap_or_default();
+        let tokens = if view.dark {
+            Tokens::dark()
+        } else {
+            Tokens::light()
+        };
+        apply_theme(context, &tokens);
+        context.add_plugin(ShortcutListener::default());
+        let mut app = Self {
+            documents: Documents::new(&session),
+            playback: Playback {
+                speed: view.speed,
+                looping: view.looping,
+                ..Playback::default()
+            },
+            tokens,
+            selection: None,
+            side_tab: super::SideTab::default(),
+            dialogs: super::Dialogs::default(),
+            toasts: Toasts::default(),
+            views: super::Views::default(),
+            desk: Desk::default(),
+            commands: Vec::new(),
+            started: false,
+            last_now: None,
+            stored_session: session.encode(),
+            stored_view: view.encode(),
+            dirty_since: None,
+            view,
+        };
+        app.views.map.follow = true;
+        app.views.map.camera.metres_per_point = 0.7;
+        app.views.map.layers.hide_names(&app.view.hidden_layers);
+        app
+    }
+
+    pub(super) fn start(&mut self, host: &mut dyn Host) {
+        self.describe_map(host);
+        let session = self.documents.session();
+        self.fly_new(host, session.flight, session.map, session.mission);
+    }
+
+    /// Stores the document and the view a moment after they changed.
+    pub(super) fn remember(&mut self, host: &mut dyn Host) {
+        self.view.speed = self.playback.speed;
+        self.view.looping = self.playback.looping;
+        self.view.hidden_layers = self.views.map.layers.hidden_names();
+        let view = self.view.encode();
+        let view_changed = view != self.stored_view;
+        let session_changed = self.desk.document_changed;
+        if !view_changed && !session_changed {
+            return;
+        }
+        let now = host.now();
+        let since = *self.dirty_since.get_or_insert(now);
+        if now - since < STORE_AFTER {
+            return;
+        }
+        self.dirty_since = None;
+        self.desk.document_changed = false;
+        if view_changed {
+            host.store(VIEW_KEY, &view);
+            self.stored_view = view;
+        }
+        let session = self.documents.session().encode();
+        if session != self.stored_session {
+            host.store(SESSION_KEY, &session);
+            self.stored_session = session;
+        }
+    }
+}

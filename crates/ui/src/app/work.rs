@@ -1,0 +1,212 @@
+//! What is asked of the workers, and when.
+
+use pilotage_core::mission::Mission;
+
+use super::App;
+use super::desk::FlyJob;
+use crate::documents::Staged;
+use crate::host::Host;
+use crate::jobs::{FlightSource, Job, MapSource};
+
+/// How long changes may follow each other before the run is computed again, milliseconds.
+const FLY_AGAIN_AFTER: f64 = 350.0;
+/// How long a landmark must rest before it is examined, milliseconds.
+const EXAMINE_AFTER: f64 = 120.0;
+/// How far around a landmark look-alikes are looked for, metres.
+const EXAMINE_RADIUS: f64 = 120.0;
+/// Most tiles asked for at a time.
+const TILES_AT_A_TIME: usize = 4;
+
+impl App {
+    /// Flies another flight; what is open stays until it begins.
+    pub(super) fn fly_new(
+        &mut self,
+        host: &mut dyn Host,
+        flight: FlightSource,
+        map: MapSource,
+        mission: Option<Mission>,
+    ) {
+        let staged = Staged {
+            flight: None,
+            mission: mission.clone(),
+        };
+        self.begin(host, flight, map, mission, staged, false);
+    }
+
+    /// Flies the same flight again with the mission as it is now.
+    pub(super) fn fly_again(&mut self, host: &mut dyn Host) {
+        self.desk.fly_again_at = None;
+        let again = self.documents.run.is_some();
+        let mission = Some(self.documents.mission.clone());
+        let flight = self.documents.flight_source.clone();
+        let map = self.documents.map_source.clone();
+        self.begin(host, flight, map, mission, Staged::default(), again);
+    }
+
+    fn begin(
+        &mut self,
+        host: &mut dyn Host,
+        flight: FlightSource,
+        map: MapSource,
+        mission: Option<Mission>,
+        staged: Staged,
+        again: bool,
+    ) {
+        self.stop_flying(host);
+        let id = host.start(Job::Fly {
+            flight: flight.clone(),
+            map: map.clone(),
+            mission,
+        });
+        self.desk.fly = Some(FlyJob {
+            id,
+            again,
+            flight,
+            map,
+            staged,
+            progress: 0.0,
+            words: "Starting …".to_owned(),
+            began: false,
+        });
+    }
+
+    /// Stops what is being flown; what has streamed in stays.
+    pub(super) fn stop_flying(&mut self, host: &mut dyn Host) {
+        self.desk.fly_again_at = None;
+        if let Some(fly) = self.desk.fly.take() {
+            host.cancel(fly.id);
+        }
+    }
+
+    pub(super) fn describe_map(&mut self, host: &mut dyn Host) {
+        let source = self.documents.map_source.clone();
+        self.desk.describe = Some(host.start(Job::DescribeMap(source)));
+    }
+
+    /// Another map is shown: nothing of the old one is of use.
+    pub(super) fn change_map(&mut self, host: &mut dyn Host, map: MapSource) {
+        if self.documents.map_source == map && self.documents.map.is_some() {
+            return;
+        }
+        for id in self.desk.tiles.drain().map(|(id, _)| id) {
+            host.cancel(id);
+        }
+        self.documents.map_source = map;
+        self.documents.map = None;
+        self.documents.distinctness.clear();
+        self.views.map.tiles.clear();
+        self.describe_map(host);
+    }
+
+    /// The mission changed in a way that changes the run.
+    pub(super) fn run_is_stale(&mut self, now: f64) {
+        self.desk.fly_again_at = Some(now + FLY_AGAIN_AFTER);
+        self.desk.document_changed = true;
+    }
+
+    /// A landmark is to be examined soon.
+    pub(super) fn examine_soon(&mut self, now: f64) {
+        self.desk.examine_at = Some(now + EXAMINE_AFTER);
+    }
+
+    /// Starts what is due.
+    pub(super) fn work(&mut self, context: &egui::Context, host: &mut dyn Host) {
+        let now = host.now();
+        if self.desk.fly_again_at.is_some_and(|at| at <= now) {
+            self.fly_again(host);
+        }
+        if self.desk.examine_at.is_some_and(|at| at <= now) {
+            self.desk.examine_at = None;
+            self.examine(host);
+        }
+        self.ask_for_tiles(host);
+        let waiting = self.desk.fly_again_at.is_some()
+            || self.desk.examine_at.is_some()
+            || self.dirty_since.is_some();
+        if waiting {
+            context.request_repaint_after(std::time::Duration::from_millis(60));
+        }
+    }
+
+    fn examine(&mut self, host: &mut dyn Host) {
+        let Some(id) = self.selection else { return };
+        if self.documents.distinctness_of(id).is_some() {
+            return;
+        }
+        let Some(bounds) = self.documents.mission.landmark(id).map(|l| l.bounds) else {
+            return;
+        };
+        if let Some((job, _)) = self.desk.distinctness.take() {
+            host.cancel(job);
+        }
+        let job = host.start(Job::Distinctness {
+            map: self.documents.map_source.clone(),
+            bounds,
+            radius: EXAMINE_RADIUS,
+        });
+        self.desk.distinctness = Some((job, id));
+    }
+
+    fn ask_for_tiles(&mut self, host: &mut dyn Host) {
+        let wanted = self.views.map.tiles.wanted();
+        let stale: Vec<_> = self
+            .desk
+            .tiles
+            .iter()
+            .filter(|(_, key)| !wanted.contains(key))
+            .map(|(id, _)| *id)
+            .collect();
+        for id in stale {
+            self.desk.tiles.remove(&id);
+            host.cancel(id);
+        }
+        let under_way: Vec<_> = self.desk.tiles.values().copied().collect();
+        let room = TILES_AT_A_TIME.saturating_sub(under_way.len());
+        let next: Vec<_> = wanted
+            .iter()
+            .filter(|key| !under_way.contains(key))
+            .take(room)
+            .copied()
+            .collect();
+        for key in next {
+            let id = host.start(Job::Tile {
+                map: self.documents.map_source.clone(),
+                window: key.window(),
+            });
+            self.desk.tiles.insert(id, key);
+        }
+    }
+
+    /// Asks for the pictures of a match, once.
+    pub(super) fn explain(&mut self, host: &mut dyn Host, time: f64, landmark: u32) {
+        let known = self
+            .documents
+            .match_pictures
+            .as_ref()
+            .is_some_and(|m| m.time == time && m.landmark == landmark);
+        let asked = self
+            .desk
+            .explain
+            .is_some_and(|(_, t, l)| t == time && l == landmark);
+        // One question at a time: while the flight plays, the latest match is asked for next.
+        let busy = self.desk.explain.is_some() && self.playback.playing;
+        if known || asked || busy || self.desk.unexplained == Some((time, landmark)) {
+            return;
+        }
+        let step = self.documents.run.as_ref().and_then(|r| r.step_at(time));
+        let Some(step) = step.filter(|s| s.frame.is_some()) else {
+            return;
+        };
+        let job = Job::ExplainMatch {
+            flight: self.documents.flight_source.clone(),
+            map: self.documents.map_source.clone(),
+            mission: self.documents.mission.clone(),
+            step: Box::new(step.clone()),
+            landmark,
+        };
+        if let Some((old, ..)) = self.desk.explain.take() {
+            host.cancel(old);
+        }
+        self.desk.explain = Some((host.start(job), time, landmark));
+    }
+}

@@ -1,0 +1,323 @@
+//! The sheet of filter settings. Each has its unit and one line on what it means.
+
+use egui::{Response, Slider, Ui};
+use pilotage_core::navigator::{NavigatorSettings, VehicleChoice};
+
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::shell::{caption, icons::Icon, muted, text_button, title};
+use crate::tokens::Tokens;
+use crate::units::Units;
+
+/// Draws the sheet; true when it is to be closed.
+pub fn settings_sheet(ui: &mut Ui, context: &mut ViewContext<'_>) -> bool {
+    let tokens = context.tokens;
+    let close = title(ui, tokens, "Filter settings");
+    ui.label(muted(
+        tokens,
+        "A change flies the flight again; the run before it stays on the map as a ghost.",
+    ));
+    ui.add_space(tokens.space);
+    let mut settings = context.mission.navigator.clone();
+    egui::ScrollArea::vertical()
+        .auto_shrink([false, false])
+        .show(ui, |ui| {
+            vehicle(ui, tokens, &mut settings);
+            spread(ui, tokens, &mut settings);
+            process(ui, tokens, &mut settings, context.units);
+            measurement(ui, tokens, &mut settings, context.units);
+            start(ui, tokens, &mut settings, context.units);
+            ui.add_space(tokens.space);
+            if text_button(ui, tokens, Some(Icon::Undo), "Reset to default", false).clicked() {
+                settings = NavigatorSettings::default();
+            }
+            ui.add_space(2.0 * tokens.space);
+        });
+    if settings != context.mission.navigator {
+        context
+            .commands
+            .push(Command::SetNavigator(Box::new(settings)));
+    }
+    close
+}
+
+fn vehicle(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings) {
+    caption(ui, tokens, "Vehicle model");
+    egui::ComboBox::from_id_salt("vehicle")
+        .selected_text(settings.vehicle.label())
+        .width(ui.available_width() - 8.0)
+        .show_ui(ui, |ui| {
+            for choice in VehicleChoice::ALL {
+                ui.selectable_value(&mut settings.vehicle, choice, choice.label());
+            }
+        })
+        .response
+        .accessible_name("Vehicle model");
+    meaning(
+        ui,
+        tokens,
+        "How the filter believes the vehicle to move between two pictures.",
+    );
+}
+
+fn spread(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings) {
+    caption(ui, tokens, "Sigma points");
+    let slider = Slider::new(&mut settings.alpha, 1e-4..=1.0)
+        .logarithmic(true)
+        .custom_formatter(|v, _| format!("{v:.1e}").replace("e0", ""));
+    named(ui, "α", "", |ui| ui.add(slider));
+    meaning(
+        ui,
+        tokens,
+        "How far the sigma points stand from the mean: 1 is about one σ, 1e-4 is hardly apart.",
+    );
+    named(ui, "β", "", |ui| {
+        ui.add(Slider::new(&mut settings.beta, 0.0..=4.0).max_decimals(1))
+    });
+    meaning(
+        ui,
+        tokens,
+        "What is known of the distribution’s shape; 2 is best for a Gaussian.",
+    );
+    ui.checkbox(
+        &mut settings.redraw,
+        "Draw the points anew after the process noise",
+    );
+    meaning(
+        ui,
+        tokens,
+        "Otherwise the predicted points are carried through to the correction.",
+    );
+}
+
+fn process(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings, units: Units) {
+    caption(ui, tokens, "Process noise Q");
+    let (speed, speed_unit) = units.speed();
+    let process = &mut settings.process;
+    ui.checkbox(
+        &mut process.thesis_per_step,
+        "The thesis’ values, once per step",
+    );
+    meaning(
+        ui,
+        tokens,
+        "Otherwise densities in time, which do not depend on the length of a step.",
+    );
+    ui.add_enabled_ui(!process.thesis_per_step, |ui| {
+        let unit = format!("{speed_unit}/√Hz");
+        scaled(
+            ui,
+            "Airspeed noise",
+            &unit,
+            &mut process.airspeed,
+            speed,
+            0.01..=3.0,
+        );
+        meaning(
+            ui,
+            tokens,
+            "How much the measured airspeed wanders about the true one.",
+        );
+        let degrees = 1.0_f64.to_degrees();
+        scaled(
+            ui,
+            "Heading noise",
+            "°/√Hz",
+            &mut process.heading,
+            degrees,
+            0.001..=0.1,
+        );
+        meaning(
+            ui,
+            tokens,
+            "How much the measured heading wanders about the true one.",
+        );
+        let unit = format!("{speed_unit}/√s");
+        scaled(
+            ui,
+            "Wind drift",
+            &unit,
+            &mut process.wind,
+            speed,
+            0.001..=1.0,
+        );
+        meaning(
+            ui,
+            tokens,
+            "How fast the wind may change: more learns faster and forgets faster.",
+        );
+    });
+}
+
+fn measurement(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings, units: Units) {
+    caption(ui, tokens, "Measurement noise R and gate");
+    let (length, length_unit) = units.length();
+    scaled(
+        ui,
+        "Factor on R",
+        "×",
+        &mut settings.measurement_scale,
+        1.0,
+        0.05..=20.0,
+    );
+    meaning(ui, tokens, "Over 1 trusts the camera less, under 1 more.");
+    let degrees = 1.0_f64.to_degrees();
+    let sensors = &mut settings.sensors;
+    let mut tilt = 0.5 * (sensors.roll + sensors.pitch);
+    if scaled(ui, "Camera tilt σ", "°", &mut tilt, degrees, 0.001..=0.1) {
+        sensors.roll = tilt;
+        sensors.pitch = tilt;
+    }
+    meaning(
+        ui,
+        tokens,
+        "Roll and pitch of the camera: attitude sensor and mount vibration together.",
+    );
+    scaled(
+        ui,
+        "Camera yaw σ",
+        "°",
+        &mut sensors.yaw,
+        degrees,
+        0.001..=0.2,
+    );
+    meaning(
+        ui,
+        tokens,
+        "Error of the direction in which the picture’s top points.",
+    );
+    scaled(
+        ui,
+        "Height σ",
+        length_unit,
+        &mut sensors.height,
+        length,
+        0.05..=10.0,
+    );
+    meaning(ui, tokens, "Error of the height above ground.");
+    scaled(ui, "Pixel σ", "px", &mut sensors.pixel, 1.0, 0.05..=10.0);
+    meaning(
+        ui,
+        tokens,
+        "Least error of a found place, added to what the detector says.",
+    );
+    scaled(
+        ui,
+        "Gate confidence",
+        "%",
+        &mut settings.gate_confidence,
+        100.0,
+        0.5..=0.9999,
+    );
+    meaning(
+        ui,
+        tokens,
+        "A match this improbable for the filter is refused: lower refuses more.",
+    );
+}
+
+fn start(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings, units: Units) {
+    caption(ui, tokens, "Start");
+    let (length, length_unit) = units.length();
+    let (speed, speed_unit) = units.speed();
+    let start = &mut settings.start;
+    scaled(
+        ui,
+        "Position σ",
+        length_unit,
+        &mut start.position,
+        length,
+        0.1..=200.0,
+    );
+    meaning(
+        ui,
+        tokens,
+        "How uncertain the filter believes the first position to be, per axis.",
+    );
+    scaled(ui, "Wind σ", speed_unit, &mut start.wind, speed, 0.1..=20.0);
+    meaning(
+        ui,
+        tokens,
+        "How uncertain the wind is at the start, per axis.",
+    );
+    linear(
+        ui,
+        "Error north",
+        length_unit,
+        &mut start.offset[0],
+        length,
+        60.0,
+    );
+    linear(
+        ui,
+        "Error east",
+        length_unit,
+        &mut start.offset[1],
+        length,
+        60.0,
+    );
+    meaning(
+        ui,
+        tokens,
+        "An error put into the start on purpose: does the filter find back?",
+    );
+}
+
+fn meaning(ui: &mut Ui, tokens: &Tokens, text: &str) {
+    ui.label(muted(tokens, text));
+    ui.add_space(4.0);
+}
+
+/// A row: the name at the left, the widget at the right, its unit behind it.
+fn named(ui: &mut Ui, name: &str, unit: &str, add: impl FnOnce(&mut Ui) -> Response) -> bool {
+    ui.horizontal(|ui| {
+        let label = ui.label(name);
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            let tokens_muted = ui.visuals().weak_text_color();
+            let (rect, _) = ui.allocate_exact_size(egui::vec2(44.0, 20.0), egui::Sense::hover());
+            ui.painter().text(
+                rect.left_center(),
+                egui::Align2::LEFT_CENTER,
+                unit,
+                egui::TextStyle::Small.resolve(ui.style()),
+                tokens_muted,
+            );
+            ui.spacing_mut().slider_width = 96.0;
+            add(ui).labelled_by(label.id).changed()
+        })
+        .inner
+    })
+    .inner
+}
+
+/// A logarithmic slider of a value shown `factor` times as large.
+fn scaled(
+    ui: &mut Ui,
+    name: &str,
+    unit: &str,
+    value: &mut f64,
+    factor: f64,
+    range: std::ops::RangeInclusive<f64>,
+) -> bool {
+    let mut shown = *value * factor;
+    let range = range.start() * factor..=range.end() * factor;
+    let slider = Slider::new(&mut shown, range)
+        .logarithmic(true)
+        .max_decimals(3);
+    let changed = named(ui, name, unit, |ui| ui.add(slider));
+    if changed {
+        *value = shown / factor;
+    }
+    changed
+}
+
+/// A slider about zero of a value shown `factor` times as large.
+fn linear(ui: &mut Ui, name: &str, unit: &str, value: &mut f64, factor: f64, most: f64) -> bool {
+    let mut shown = *value * factor;
+    let slider = Slider::new(&mut shown, -most * factor..=most * factor).max_decimals(1);
+    let changed = named(ui, name, unit, |ui| ui.add(slider));
+    if changed {
+        *value = shown / factor;
+    }
+    changed
+}

@@ -1,0 +1,217 @@
+//! The dialog that simulates a flight.
+
+use egui::{DragValue, Frame, Id, Modal, RichText, Ui};
+use pilotage_core::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
+
+use super::scenarios::SCENARIOS;
+use crate::command::Command;
+use crate::jobs::SimulationOptions;
+use crate::shell::{caption, icons::Icon, muted, text_button, title};
+use crate::tokens::Tokens;
+use crate::units::Units;
+
+/// What is being set up.
+#[derive(Clone, Debug)]
+pub struct SimulateDialog {
+    open: bool,
+    scenario: usize,
+    seed: u64,
+    other_day: bool,
+    own_wind: bool,
+    wind_from: f64,
+    wind_speed: f64,
+    own_height: bool,
+    height: f64,
+}
+
+impl Default for SimulateDialog {
+    fn default() -> Self {
+        let mut dialog = Self {
+            open: false,
+            scenario: 0,
+            seed: 1,
+            other_day: true,
+            own_wind: false,
+            wind_from: 0.0,
+            wind_speed: 0.0,
+            own_height: false,
+            height: 0.0,
+        };
+        dialog.adopt();
+        dialog
+    }
+}
+
+impl SimulateDialog {
+    /// Opens or closes the dialog.
+    pub fn toggle(&mut self) {
+        self.open = !self.open;
+    }
+
+    /// Whether it is open.
+    pub fn is_open(&self) -> bool {
+        self.open
+    }
+
+    /// Takes wind and height of the chosen scenario where the user did not set them.
+    fn adopt(&mut self) {
+        let scenario = &SCENARIOS[self.scenario];
+        if !self.own_wind {
+            self.wind_from = scenario.wind.0.to_radians();
+            self.wind_speed = scenario.wind.1 * MPS_PER_KNOT;
+        }
+        if !self.own_height {
+            self.height = scenario.height * METRES_PER_FOOT;
+        }
+    }
+
+    fn options(&self) -> SimulationOptions {
+        SimulationOptions {
+            scenario: SCENARIOS[self.scenario].name.to_owned(),
+            seed: self.seed,
+            other_day: self.other_day,
+            wind: self.own_wind.then_some((self.wind_from, self.wind_speed)),
+            height: self.own_height.then_some(self.height),
+        }
+    }
+
+    /// Draws the dialog.
+    pub fn show(
+        &mut self,
+        context: &egui::Context,
+        tokens: &Tokens,
+        units: Units,
+        commands: &mut Vec<Command>,
+    ) {
+        if !self.open {
+            return;
+        }
+        let screen = context.content_rect();
+        let response = Modal::new(Id::unique("simulate"))
+            .frame(Frame::window(&context.global_style()).inner_margin(24))
+            .show(context, |ui| {
+                ui.set_width(520.0_f32.min(screen.width() - 96.0));
+                let mut close = title(ui, tokens, "Simulate a flight");
+                egui::ScrollArea::vertical()
+                    .max_height(screen.height() - 220.0)
+                    .show(ui, |ui| self.contents(ui, tokens, units));
+                ui.add_space(2.0 * tokens.space);
+                ui.horizontal(|ui| {
+                    if text_button(ui, tokens, Some(Icon::Play), "Fly", true).clicked() {
+                        commands.push(Command::Simulate(Box::new(self.options())));
+                        close = true;
+                    }
+                    if text_button(ui, tokens, None, "Cancel", false).clicked() {
+                        close = true;
+                    }
+                    ui.label(muted(
+                        tokens,
+                        "The present flight is replaced once this one begins.",
+                    ));
+                });
+                close
+            });
+        if response.inner || response.should_close() {
+            self.open = false;
+        }
+    }
+
+    fn contents(&mut self, ui: &mut Ui, tokens: &Tokens, units: Units) {
+        caption(ui, tokens, "Scenario");
+        for (index, scenario) in SCENARIOS.iter().enumerate() {
+            if ui.radio(self.scenario == index, scenario.name).clicked() {
+                self.scenario = index;
+            }
+            if self.scenario == index {
+                ui.indent(index, |ui| {
+                    ui.label(muted(tokens, scenario.description));
+                });
+            }
+        }
+        self.adopt();
+        ui.add_space(tokens.space);
+        caption(ui, tokens, "Day");
+        ui.horizontal(|ui| {
+            ui.radio_value(&mut self.other_day, true, "Another day than the map");
+            ui.radio_value(&mut self.other_day, false, "The same day");
+        });
+        ui.label(muted(
+            tokens,
+            "On another day sun, haze, season and parked cars differ from the map: an honest test.",
+        ));
+        ui.add_space(tokens.space);
+        self.wind(ui, tokens, units);
+        ui.add_space(tokens.space);
+        self.rest(ui, tokens, units);
+    }
+
+    fn wind(&mut self, ui: &mut Ui, tokens: &Tokens, units: Units) {
+        caption(ui, tokens, "Wind");
+        ui.checkbox(&mut self.own_wind, "Another wind than the scenario’s");
+        ui.add_enabled_ui(self.own_wind, |ui| {
+            ui.horizontal(|ui| {
+                let mut degrees = self.wind_from.to_degrees();
+                let label = ui.label("From");
+                if ui
+                    .add(
+                        DragValue::new(&mut degrees)
+                            .range(0.0..=360.0)
+                            .suffix("°")
+                            .speed(1.0)
+                            .max_decimals(0),
+                    )
+                    .labelled_by(label.id)
+                    .changed()
+                {
+                    self.wind_from = degrees.to_radians();
+                }
+                let (factor, unit) = units.speed();
+                let mut speed = self.wind_speed * factor;
+                let label = ui.label("at");
+                if ui
+                    .add(
+                        DragValue::new(&mut speed)
+                            .range(0.0..=12.0 * factor)
+                            .suffix(format!(" {unit}"))
+                            .speed(0.1)
+                            .max_decimals(1),
+                    )
+                    .labelled_by(label.id)
+                    .on_hover_text("Wind speed")
+                    .changed()
+                {
+                    self.wind_speed = speed / factor;
+                }
+            });
+        });
+    }
+
+    fn rest(&mut self, ui: &mut Ui, tokens: &Tokens, units: Units) {
+        caption(ui, tokens, "Height above ground");
+        ui.checkbox(&mut self.own_height, "Another height than the scenario’s");
+        ui.add_enabled_ui(self.own_height, |ui| {
+            let (factor, unit) = units.length();
+            let mut height = self.height * factor;
+            let field = ui.add(
+                DragValue::new(&mut height)
+                    .range(60.0 * factor..=600.0 * factor)
+                    .suffix(format!(" {unit}"))
+                    .max_decimals(0),
+            );
+            if field.accessible_name("Height above ground").changed() {
+                self.height = height / factor;
+            }
+        });
+        ui.add_space(tokens.space);
+        caption(ui, tokens, "Seed of all chance");
+        ui.horizontal(|ui| {
+            ui.add(DragValue::new(&mut self.seed).range(0..=999_999))
+                .accessible_name("Seed");
+            ui.label(
+                RichText::new("The same seed gives the same flight, gust for gust.")
+                    .font(tokens.small())
+                    .color(tokens.muted),
+            );
+        });
+    }
+}

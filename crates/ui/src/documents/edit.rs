@@ -1,0 +1,164 @@
+//! Edits of the mission. Each says whether the run must be computed again.
+
+use pilotage_core::frames::GroundRect;
+use pilotage_core::landmark::Landmark;
+use pilotage_core::navigator::NavigatorSettings;
+
+use super::Documents;
+
+impl Documents {
+    /// Adds a landmark with this box; its id.
+    pub fn add_landmark(&mut self, bounds: GroundRect) -> u32 {
+        self.history.remember(&self.mission);
+        let id = self.mission.free_landmark_id();
+        let name = format!("Landmark {id}");
+        self.mission.landmarks.push(Landmark::new(id, name, bounds));
+        self.mission_edited = true;
+        id
+    }
+
+    /// Gives a landmark another box; the reference point keeps its place in it. True once the drag
+    /// is over.
+    pub fn reshape_landmark(&mut self, id: u32, bounds: GroundRect, finished: bool) -> bool {
+        self.history.begin_drag(&self.mission);
+        if let Some(landmark) = self.mission.landmarks.iter_mut().find(|l| l.id == id) {
+            let old = landmark.bounds;
+            let (height, width) = (old.height().max(1e-6), old.width().max(1e-6));
+            let north = (landmark.reference.north - old.south) / height;
+            let east = (landmark.reference.east - old.west) / width;
+            landmark.bounds = bounds;
+            landmark.reference.north = bounds.south + north * bounds.height();
+            landmark.reference.east = bounds.west + east * bounds.width();
+            self.mission_edited = true;
+        }
+        if finished {
+            self.history.finish_drag(&self.mission);
+        }
+        finished
+    }
+
+    /// Names a landmark.
+    pub fn rename_landmark(&mut self, id: u32, name: String) {
+        let known = self.mission.landmark(id).is_some_and(|l| l.name != name);
+        if !known {
+            return;
+        }
+        self.history.remember(&self.mission);
+        if let Some(landmark) = self.mission.landmarks.iter_mut().find(|l| l.id == id) {
+            landmark.name = name;
+            self.mission_edited = true;
+        }
+    }
+
+    /// Switches a landmark on or off; true if that changed anything.
+    pub fn enable_landmark(&mut self, id: u32, enabled: bool) -> bool {
+        let changes = self
+            .mission
+            .landmark(id)
+            .is_some_and(|l| l.enabled != enabled);
+        if changes {
+            self.history.remember(&self.mission);
+            for landmark in self.mission.landmarks.iter_mut().filter(|l| l.id == id) {
+                landmark.enabled = enabled;
+            }
+            self.mission_edited = true;
+        }
+        changes
+    }
+
+    /// Deletes a landmark; true if there was one.
+    pub fn delete_landmark(&mut self, id: u32) -> bool {
+        let known = self.mission.landmark(id).is_some();
+        if known {
+            self.history.remember(&self.mission);
+            self.mission.landmarks.retain(|l| l.id != id);
+            self.mission_edited = true;
+        }
+        known
+    }
+
+    /// Navigates with other settings; true if they differ. `continues` joins the change to the
+    /// drag under way.
+    pub fn set_navigator(&mut self, settings: &NavigatorSettings, continues: bool) -> bool {
+        if self.mission.navigator == *settings {
+            return false;
+        }
+        if continues {
+            self.history.begin_drag(&self.mission);
+        } else {
+            self.history.remember(&self.mission);
+        }
+        self.mission.navigator = settings.clone();
+        self.mission_edited = true;
+        true
+    }
+
+    /// Takes the last edit back; `None` if there was none, else whether the run is affected.
+    pub fn undo(&mut self) -> Option<bool> {
+        let before = self.history.undo(&self.mission)?;
+        Some(self.replace_mission(before))
+    }
+
+    /// Makes the edit taken back again; `None` if there was none, else whether the run is affected.
+    pub fn redo(&mut self) -> Option<bool> {
+        let after = self.history.redo(&self.mission)?;
+        Some(self.replace_mission(after))
+    }
+
+    fn replace_mission(&mut self, mission: pilotage_core::mission::Mission) -> bool {
+        let affected = self.mission.navigator != mission.navigator
+            || self.mission.landmarks.len() != mission.landmarks.len()
+            || std::iter::zip(&self.mission.landmarks, &mission.landmarks).any(|(a, b)| {
+                (a.id, a.bounds, a.enabled, a.reference) != (b.id, b.bounds, b.enabled, b.reference)
+            });
+        self.mission = mission;
+        self.mission_edited = true;
+        affected
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::documents::Session;
+
+    fn box_of(size: f64) -> GroundRect {
+        GroundRect::centered(
+            pilotage_core::frames::GroundPoint::new(0.0, 0.0),
+            size,
+            size,
+        )
+    }
+
+    #[test]
+    fn an_added_landmark_is_gone_after_undo_and_back_after_redo() {
+        let mut documents = Documents::new(&Session::demo());
+        let id = documents.add_landmark(box_of(20.0));
+        assert_eq!(documents.undo(), Some(true));
+        assert!(documents.mission.landmark(id).is_none());
+        assert_eq!(documents.redo(), Some(true));
+        assert!(documents.mission.landmark(id).is_some());
+    }
+
+    #[test]
+    fn a_new_name_does_not_affect_the_run() {
+        let mut documents = Documents::new(&Session::demo());
+        let id = documents.add_landmark(box_of(20.0));
+        documents.rename_landmark(id, "Barn".into());
+        assert_eq!(documents.undo(), Some(false));
+    }
+
+    #[test]
+    fn the_reference_point_moves_with_its_box() {
+        let mut documents = Documents::new(&Session::demo());
+        let id = documents.add_landmark(box_of(20.0));
+        let moved = GroundRect::centered(
+            pilotage_core::frames::GroundPoint::new(5.0, -3.0),
+            20.0,
+            20.0,
+        );
+        documents.reshape_landmark(id, moved, true);
+        let reference = documents.mission.landmark(id).map(|l| l.reference);
+        assert_eq!(reference, Some(moved.center()));
+    }
+}

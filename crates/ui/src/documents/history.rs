@@ -1,0 +1,118 @@
+//! Undo and redo by snapshots of the mission; a drag is one step.
+
+use pilotage_core::mission::Mission;
+
+/// Most snapshots kept.
+const DEPTH: usize = 100;
+
+/// Snapshots of the mission before and after each edit.
+#[derive(Clone, Debug, Default)]
+pub struct History {
+    past: Vec<Mission>,
+    future: Vec<Mission>,
+    dragging: Option<Mission>,
+}
+
+impl History {
+    /// Remembers `mission` as it is before an edit that is about to be made.
+    pub fn remember(&mut self, mission: &Mission) {
+        self.push(mission.clone());
+    }
+
+    /// Remembers `mission` as it is before a drag; only the first call of a drag counts.
+    pub fn begin_drag(&mut self, mission: &Mission) {
+        if self.dragging.is_none() {
+            self.dragging = Some(mission.clone());
+        }
+    }
+
+    /// Ends a drag: one step, unless nothing changed. `mission` is as the drag left it.
+    pub fn finish_drag(&mut self, mission: &Mission) {
+        if let Some(before) = self.dragging.take().filter(|before| before != mission) {
+            self.push(before);
+        }
+    }
+
+    fn push(&mut self, mission: Mission) {
+        if self.past.len() >= DEPTH {
+            self.past.remove(0);
+        }
+        self.past.push(mission);
+        self.future.clear();
+    }
+
+    /// The mission before the last edit; `mission` is kept for redo.
+    pub fn undo(&mut self, mission: &Mission) -> Option<Mission> {
+        self.finish_drag(mission);
+        let before = self.past.pop()?;
+        self.future.push(mission.clone());
+        Some(before)
+    }
+
+    /// The mission after the edit that was undone last.
+    pub fn redo(&mut self, mission: &Mission) -> Option<Mission> {
+        let after = self.future.pop()?;
+        self.past.push(mission.clone());
+        Some(after)
+    }
+
+    /// Steps that can be undone and redone.
+    pub fn depth(&self) -> (usize, usize) {
+        (self.past.len(), self.future.len())
+    }
+
+    /// Forgets everything: another document was opened.
+    pub fn clear(&mut self) {
+        *self = Self::default();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::documents::Documents;
+
+    fn named(name: &str) -> Mission {
+        Mission {
+            name: name.into(),
+            ..Documents::empty_mission()
+        }
+    }
+
+    #[test]
+    fn an_edit_undone_and_redone_is_the_edit() {
+        let mut history = History::default();
+        history.remember(&named("before"));
+        let before = history.undo(&named("after")).expect("one step");
+        assert_eq!(before.name, "before");
+        let after = history.redo(&before).expect("one step");
+        assert_eq!(after.name, "after");
+    }
+
+    #[test]
+    fn a_drag_is_one_step() {
+        let mut history = History::default();
+        for _ in 0..20 {
+            history.begin_drag(&named("before"));
+        }
+        history.finish_drag(&named("after"));
+        assert_eq!(history.depth(), (1, 0));
+    }
+
+    #[test]
+    fn a_drag_that_changes_nothing_is_no_step() {
+        let mut history = History::default();
+        history.begin_drag(&named("same"));
+        history.finish_drag(&named("same"));
+        assert_eq!(history.depth(), (0, 0));
+    }
+
+    #[test]
+    fn a_hundred_steps_are_kept() {
+        let mut history = History::default();
+        for index in 0..150 {
+            history.remember(&named(&index.to_string()));
+        }
+        assert_eq!(history.depth(), (100, 0));
+    }
+}

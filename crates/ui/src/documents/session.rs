@@ -1,0 +1,146 @@
+//! What is remembered between visits.
+
+use pilotage_core::mission::Mission;
+use serde::{Deserialize, Serialize};
+
+use crate::command::Workspace;
+use crate::jobs::{FlightSource, MapSource, SimulationOptions};
+use crate::units::Units;
+
+/// Key of the document in the browser's storage.
+pub const SESSION_KEY: &str = "session";
+/// Key of the view in the browser's storage.
+pub const VIEW_KEY: &str = "view";
+
+/// The document: what was flown, over which map, with which mission.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Session {
+    /// The flight.
+    pub flight: FlightSource,
+    /// The map.
+    pub map: MapSource,
+    /// The mission, if it was changed from the scenario's own.
+    pub mission: Option<Mission>,
+    /// Bookmarks, seconds in the flight's time base.
+    pub bookmarks: Vec<f64>,
+}
+
+impl Session {
+    /// The built-in demo.
+    pub fn demo() -> Self {
+        Self {
+            flight: FlightSource::Simulated(SimulationOptions {
+                scenario: "distinct-400ft-wind".into(),
+                seed: 1,
+                other_day: true,
+                wind: None,
+                height: None,
+            }),
+            map: MapSource::Scenery,
+            mission: None,
+            bookmarks: Vec::new(),
+        }
+    }
+
+    /// As bytes for the storage.
+    pub fn encode(&self) -> Vec<u8> {
+        postcard::to_extend(self, vec![1]).unwrap_or_default()
+    }
+
+    /// From the storage; `None` if it was written by another version, is damaged, or names files
+    /// that only the earlier visit had.
+    pub fn decode(bytes: &[u8]) -> Option<Self> {
+        let body = bytes.strip_prefix(&[1])?;
+        let session: Self = postcard::from_bytes(body).ok()?;
+        matches!(
+            (&session.flight, &session.map),
+            (FlightSource::Simulated(_), MapSource::Scenery)
+        )
+        .then_some(session)
+    }
+}
+
+/// How the user likes to see things.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a switch of its own on screen"
+)]
+pub struct ViewState {
+    /// Dark colours.
+    pub dark: bool,
+    /// The user's units.
+    pub units: Units,
+    /// The open workspace.
+    pub workspace: Workspace,
+    /// Whether the column at the right is open.
+    pub side_open: bool,
+    /// Whether the plots are open; by the window's height if the user never said.
+    pub plots_open: Option<bool>,
+    /// Whether the first line of advice was dismissed.
+    pub advice_dismissed: bool,
+    /// Playback speed, times real time.
+    pub speed: f64,
+    /// Repeat at the end.
+    pub looping: bool,
+    /// Map layers that are switched off, by name.
+    pub hidden_layers: Vec<String>,
+}
+
+impl Default for ViewState {
+    fn default() -> Self {
+        Self {
+            dark: true,
+            units: Units::default(),
+            workspace: Workspace::default(),
+            side_open: true,
+            plots_open: None,
+            advice_dismissed: false,
+            speed: 2.0,
+            looping: true,
+            hidden_layers: Vec::new(),
+        }
+    }
+}
+
+impl ViewState {
+    /// As bytes for the storage.
+    pub fn encode(&self) -> Vec<u8> {
+        serde_json::to_vec(self).unwrap_or_default()
+    }
+
+    /// From the storage; the default if there is nothing readable.
+    pub fn decode(bytes: &[u8]) -> Self {
+        serde_json::from_slice(bytes).unwrap_or_default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_session_survives_the_storage() {
+        let session = Session {
+            mission: Some(crate::documents::Documents::empty_mission()),
+            bookmarks: vec![1.5],
+            ..Session::demo()
+        };
+        assert_eq!(Session::decode(&session.encode()), Some(session));
+    }
+
+    #[test]
+    fn a_session_over_files_is_not_restored() {
+        let session = Session {
+            map: MapSource::Files("gone".into()),
+            ..Session::demo()
+        };
+        assert_eq!(Session::decode(&session.encode()), None);
+    }
+
+    #[test]
+    fn a_damaged_view_is_the_default_one() {
+        assert_eq!(ViewState::decode(b"{"), ViewState::default());
+    }
+}

@@ -1,0 +1,174 @@
+//! The open documents. Nothing else remembers what is shown.
+
+use std::collections::{BTreeMap, HashMap};
+use std::sync::Arc;
+
+use pilotage_core::flight::Flight;
+use pilotage_core::frames::Geodetic;
+use pilotage_core::mission::Mission;
+use pilotage_core::navigator::{NavigatorSettings, Run};
+
+use super::{History, Session};
+use crate::jobs::{Distinctness, FlightSource, MapInfo, MapSource, MatchPictures};
+
+/// What a new flight brings before its run begins; swapped in at once, so that a flight that fails
+/// early leaves everything as it was.
+#[derive(Debug, Default)]
+pub struct Staged {
+    /// The flight.
+    pub flight: Option<Flight>,
+    /// The mission.
+    pub mission: Option<Mission>,
+}
+
+/// Everything that is open.
+#[derive(Debug)]
+pub struct Documents {
+    /// What people author.
+    pub mission: Mission,
+    /// Whether the mission differs from the scenario's own.
+    pub mission_edited: bool,
+    /// Its undo steps.
+    pub history: History,
+    /// What was measured.
+    pub flight: Option<Flight>,
+    /// What the navigator concluded so far.
+    pub run: Option<Run>,
+    /// Whether the run is complete.
+    pub run_complete: bool,
+    /// Counts runs, so that caches know when another one is shown.
+    pub run_generation: u64,
+    /// The run before the last change.
+    pub ghost: Option<Run>,
+    /// The ghost's generation.
+    pub ghost_generation: u64,
+    /// Encoded camera pictures by frame index.
+    pub pictures: HashMap<usize, Arc<[u8]>>,
+    /// Where the flight came from.
+    pub flight_source: FlightSource,
+    /// Where the map comes from.
+    pub map_source: MapSource,
+    /// What is known of the map.
+    pub map: Option<MapInfo>,
+    /// How distinct landmarks are, by id; true only while the box is the same.
+    pub distinctness: HashMap<u32, Distinctness>,
+    /// The pictures of the match asked for last.
+    pub match_pictures: Option<MatchPictures>,
+    /// Bookmarks in time order, seconds in the flight's time base.
+    pub bookmarks: Vec<f64>,
+}
+
+impl Documents {
+    /// A mission with nothing in it.
+    pub fn empty_mission() -> Mission {
+        Mission {
+            name: "New mission".into(),
+            origin: Geodetic::from_degrees(0.0, 0.0, 0.0),
+            map: None,
+            landmarks: Vec::new(),
+            camera: None,
+            navigator: NavigatorSettings::default(),
+            properties: BTreeMap::new(),
+        }
+    }
+
+    /// Nothing flown yet; sources as the session says.
+    pub fn new(session: &Session) -> Self {
+        Self {
+            mission: session.mission.clone().unwrap_or_else(Self::empty_mission),
+            mission_edited: session.mission.is_some(),
+            history: History::default(),
+            flight: None,
+            run: None,
+            run_complete: false,
+            run_generation: 0,
+            ghost: None,
+            ghost_generation: 0,
+            pictures: HashMap::new(),
+            flight_source: session.flight.clone(),
+            map_source: session.map.clone(),
+            map: None,
+            distinctness: HashMap::new(),
+            match_pictures: None,
+            bookmarks: session.bookmarks.clone(),
+        }
+    }
+
+    /// What is worth remembering until the next visit.
+    pub fn session(&self) -> Session {
+        Session {
+            flight: self.flight_source.clone(),
+            map: self.map_source.clone(),
+            mission: self.mission_edited.then(|| self.mission.clone()),
+            bookmarks: self.bookmarks.clone(),
+        }
+    }
+
+    /// Title for the top bar.
+    pub fn title(&self) -> String {
+        let flight = match &self.flight_source {
+            FlightSource::Simulated(options) => {
+                let day = if options.other_day {
+                    "another day"
+                } else {
+                    "same day"
+                };
+                format!("{} · {day} · seed {}", options.scenario, options.seed)
+            }
+            FlightSource::Files(_) => self
+                .flight
+                .as_ref()
+                .map_or_else(|| "Opened files".to_owned(), |f| f.name.clone()),
+        };
+        if self.mission_edited {
+            format!("{flight} · edited")
+        } else {
+            flight
+        }
+    }
+
+    /// A run begins. `again` keeps the finished run as the ghost; otherwise there is none.
+    pub fn begin_run(&mut self, head: Run, again: bool, staged: Staged) {
+        if again {
+            if self.run_complete
+                && let Some(old) = self.run.take()
+            {
+                self.ghost = Some(old);
+                self.ghost_generation = self.run_generation;
+            }
+        } else {
+            self.ghost = None;
+            self.history.clear();
+            self.distinctness.clear();
+            self.pictures.clear();
+        }
+        if let Some(flight) = staged.flight {
+            self.flight = Some(flight);
+        }
+        if let Some(mission) = staged.mission {
+            self.mission = mission;
+            self.mission_edited = false;
+        }
+        self.match_pictures = None;
+        self.run = Some(head);
+        self.run_complete = false;
+        self.run_generation += 1;
+    }
+
+    /// First and last time of the flight, or of the run if there is no flight.
+    pub fn span(&self) -> Option<(f64, f64)> {
+        let flight = self.flight.as_ref().map(Flight::span);
+        let run = self.run.as_ref().and_then(Run::span);
+        match (flight, run) {
+            (Some((a, b)), Some((c, _))) if a.is_finite() => Some((a.max(c), b)),
+            (Some((a, b)), None) if a.is_finite() => Some((a, b)),
+            (_, run) => run,
+        }
+    }
+
+    /// The distinctness of a landmark, while its box is still the one that was examined.
+    pub fn distinctness_of(&self, id: u32) -> Option<&Distinctness> {
+        let bounds = self.mission.landmark(id)?.bounds;
+        self.distinctness.get(&id).filter(|d| d.bounds == bounds)
+    }
+}

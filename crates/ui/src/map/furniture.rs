@@ -1,0 +1,177 @@
+//! Scale bar, north arrow, cursor coordinates, and the lens that magnifies the uncertainty.
+
+use egui::{Align2, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
+use pilotage_core::frames::{GroundPoint, LocalFrame};
+use pilotage_core::navigator::StepReport;
+
+use super::symbols::{paint_ellipses, paint_sigma, sigma_points};
+use super::transform::ScreenFromWorld;
+use crate::tokens::Tokens;
+use crate::units::Units;
+
+/// The largest of 1, 2, 5 × 10ⁿ that is not above `most`.
+pub fn round_length(most: f64) -> f64 {
+    let power = 10.0_f64.powf(most.max(1e-9).log10().floor());
+    [5.0, 2.0, 1.0]
+        .into_iter()
+        .map(|d| d * power)
+        .find(|v| *v <= most * (1.0 + 1e-9))
+        .unwrap_or(power)
+}
+
+/// A length with its unit, short.
+pub fn length_text(metres: f64, units: Units) -> String {
+    let (factor, unit) = units.length();
+    let value = metres * factor;
+    if units == Units::Metric && value >= 1000.0 {
+        format!("{} km", value / 1000.0)
+    } else if value >= 1.0 {
+        format!("{value:.0} {unit}")
+    } else {
+        format!("{value:.1} {unit}")
+    }
+}
+
+/// Draws the scale bar with its right end at `right_bottom`.
+pub fn paint_scale_bar(
+    painter: &Painter,
+    view: &ScreenFromWorld,
+    right_bottom: Pos2,
+    units: Units,
+    tokens: &Tokens,
+) {
+    let (factor, _) = units.length();
+    let length = round_length(120.0 * view.metres_per_point * factor) / factor;
+    let width = view.points(length);
+    let left = right_bottom - vec2(width, 0.0);
+    let bar = vec![
+        left - vec2(0.0, 6.0),
+        left,
+        right_bottom,
+        right_bottom - vec2(0.0, 6.0),
+    ];
+    painter.add(Shape::line(bar.clone(), Stroke::new(4.0, tokens.outline())));
+    painter.add(Shape::line(bar, Stroke::new(1.5, tokens.sigma)));
+    super::symbols::paint_halo_text(
+        painter,
+        pos2(left.x + 0.5 * width, left.y - 8.0),
+        Align2::CENTER_BOTTOM,
+        &length_text(length, units),
+        tokens.small(),
+        tokens.sigma,
+    );
+}
+
+/// Where the pointer is, in words.
+pub fn coordinates_text(p: &GroundPoint, frame: Option<&LocalFrame>, units: Units) -> String {
+    let (factor, unit) = units.length();
+    let side = |v: f64, positive: char, negative: char| {
+        let letter = if v < 0.0 { negative } else { positive };
+        format!("{letter} {:.0} {unit}", v.abs() * factor)
+    };
+    let local = format!("{}   {}", side(p.north, 'N', 'S'), side(p.east, 'E', 'W'));
+    match frame {
+        Some(frame) => {
+            let world = nalgebra::Point3::new(p.north, p.east, 0.0);
+            let place = frame.geodetic_from_world(&world);
+            format!(
+                "{local}   {:.6}°, {:.6}°",
+                place.latitude.to_degrees(),
+                place.longitude.to_degrees()
+            )
+        }
+        None => local,
+    }
+}
+
+/// Draws a lens at `rect` that magnifies the surroundings of the estimate, so that the sigma points
+/// are seen to breathe whatever the map's scale.
+pub fn paint_lens(
+    painter: &Painter,
+    map: &ScreenFromWorld,
+    rect: Rect,
+    step: &StepReport,
+    truth: Option<GroundPoint>,
+    units: Units,
+    tokens: &Tokens,
+) {
+    let color = if step.corrected() {
+        tokens.corrected
+    } else {
+        tokens.dead_reckoning
+    };
+    let covariance = step.after.position_covariance();
+    let largest = covariance.diagonal().max().max(1e-6).sqrt();
+    // Steps of a factor two, so that growth is seen as growth.
+    let reach = 2.0_f64.powf((3.6 * largest).log2().ceil());
+    let view = ScreenFromWorld {
+        center: step.after.position(),
+        metres_per_point: 2.0 * reach / f64::from(rect.width()),
+        up: map.up,
+        middle: rect.center(),
+    };
+    painter.rect_filled(rect, tokens.radius, tokens.over_map());
+    let inside = painter.with_clip_rect(rect.intersect(painter.clip_rect()));
+    let line = Stroke::new(1.0, tokens.line);
+    inside.hline(rect.x_range(), rect.center().y, line);
+    inside.vline(rect.center().x, rect.y_range(), line);
+    paint_ellipses(
+        &inside,
+        &view,
+        &step.after.position(),
+        &covariance,
+        color,
+        tokens,
+    );
+    if let Some(truth) = truth {
+        let at = view.apply(&truth);
+        let arm = 5.0;
+        let stroke = Stroke::new(2.0, tokens.truth);
+        inside.line_segment([at - vec2(arm, arm), at + vec2(arm, arm)], stroke);
+        inside.line_segment([at - vec2(arm, -arm), at + vec2(arm, -arm)], stroke);
+    }
+    paint_sigma(&inside, &view, sigma_points(step), tokens, 3.0);
+    painter.rect_stroke(
+        rect,
+        tokens.radius,
+        Stroke::new(1.0, tokens.line),
+        egui::StrokeKind::Inside,
+    );
+    let (factor, _) = units.length();
+    let bar = round_length(0.45 * reach * factor) / factor;
+    let width = view.points(bar);
+    let end = rect.right_bottom() - vec2(8.0, 8.0);
+    inside.line_segment([end, end - vec2(width, 0.0)], Stroke::new(1.5, tokens.text));
+    inside.text(
+        end - vec2(0.5 * width, 3.0),
+        Align2::CENTER_BOTTOM,
+        length_text(bar, units),
+        tokens.small(),
+        tokens.text,
+    );
+    inside.text(
+        rect.left_top() + vec2(8.0, 6.0),
+        Align2::LEFT_TOP,
+        "Uncertainty, magnified",
+        tokens.small(),
+        tokens.muted,
+    );
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scale_bars_have_round_lengths() {
+        assert_eq!(round_length(137.0), 100.0);
+        assert_eq!(round_length(51.0), 50.0);
+        assert_eq!(round_length(0.3), 0.2);
+    }
+
+    #[test]
+    fn aviators_read_feet() {
+        assert_eq!(length_text(30.48, Units::Aviation), "100 ft");
+        assert_eq!(length_text(2000.0, Units::Metric), "2 km");
+    }
+}

@@ -1,0 +1,270 @@
+//! What the pointer and the keyboard do to the map.
+
+use egui::{CursorIcon, Key, PointerButton, Rect, Response, Ui};
+
+use super::picking::{Drag, SMALLEST, box_between, handle_at, landmark_at, moved, resized};
+use super::view::MapView;
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::shell::paint_focus_ring;
+
+impl MapView {
+    pub(super) fn interact(
+        &mut self,
+        ui: &Ui,
+        rect: Rect,
+        response: &Response,
+        context: &mut ViewContext<'_>,
+    ) {
+        self.wheel(ui, rect, response);
+        self.keyboard(ui, rect, response, context);
+        if response.drag_started() {
+            self.begin_drag(rect, ui, response, context);
+        }
+        if response.dragged() {
+            self.carry_on(rect, response, context);
+        }
+        if response.drag_stopped() {
+            self.finish_drag(rect, response, context);
+        }
+        let view = self.camera.screen_from_world(rect);
+        if response.clicked()
+            && let Some(at) = response.interact_pointer_pos()
+        {
+            let hit = landmark_at(&context.mission.landmarks, &view, at);
+            context.commands.push(Command::SelectLandmark(hit));
+            self.naming = None;
+        }
+        if response.double_clicked()
+            && let Some(at) = response.interact_pointer_pos()
+            && let Some(id) = landmark_at(&context.mission.landmarks, &view, at)
+        {
+            self.begin_naming(id, context);
+        }
+        if let Some(icon) = self.cursor(rect, response, context) {
+            ui.ctx().set_cursor_icon(icon);
+        }
+    }
+
+    /// Opens the field that names a landmark in place.
+    pub fn begin_naming(&mut self, id: u32, context: &ViewContext<'_>) {
+        if let Some(landmark) = context.mission.landmark(id) {
+            self.name_draft.clone_from(&landmark.name);
+            self.naming = Some(id);
+        }
+    }
+
+    /// Opens the field that names a landmark called `name` in place.
+    pub fn name_new(&mut self, id: u32, name: &str) {
+        name.clone_into(&mut self.name_draft);
+        self.naming = Some(id);
+    }
+
+    fn wheel(&mut self, ui: &Ui, rect: Rect, response: &Response) {
+        let Some(pointer) = response.hover_pos().filter(|_| response.hovered()) else {
+            return;
+        };
+        let (scroll, pinch, turn) = ui.input(|i| {
+            (
+                i.smooth_scroll_delta().y,
+                i.zoom_delta(),
+                i.multi_touch().map_or(0.0, |m| m.rotation_delta),
+            )
+        });
+        let factor = f64::from(pinch) * (f64::from(scroll) * 0.004).exp();
+        if (factor - 1.0).abs() > 1e-6 {
+            let about = if self.follow { rect.center() } else { pointer };
+            self.camera.zoom(rect, factor, about);
+        }
+        if turn != 0.0 && !self.track_up {
+            self.camera.turn(rect, f64::from(turn), pointer);
+        }
+    }
+
+    fn keyboard(
+        &mut self,
+        ui: &Ui,
+        rect: Rect,
+        response: &Response,
+        context: &mut ViewContext<'_>,
+    ) {
+        let typing = ui.ctx().text_edit_focused();
+        let (closer, farther, left, right, escape, delete) = ui.input(|i| {
+            (
+                i.key_pressed(Key::Plus) || i.key_pressed(Key::Equals),
+                i.key_pressed(Key::Minus),
+                i.key_down(Key::Q),
+                i.key_down(Key::E),
+                i.key_pressed(Key::Escape),
+                i.key_pressed(Key::Delete) || i.key_pressed(Key::Backspace),
+            )
+        });
+        if typing {
+            return;
+        }
+        let middle = rect.center();
+        if closer {
+            self.camera.zoom(rect, 1.5, middle);
+        }
+        if farther {
+            self.camera.zoom(rect, 1.0 / 1.5, middle);
+        }
+        if (left || right) && !self.track_up {
+            let angle = if left { 0.02 } else { -0.02 };
+            self.camera.turn(rect, angle, middle);
+            ui.ctx().request_repaint();
+        }
+        if escape {
+            self.picking = false;
+            self.drag = Drag::None;
+        }
+        if delete && let Some(id) = context.selection {
+            context.commands.push(Command::DeleteLandmark(id));
+        }
+        if response.has_focus() {
+            paint_focus_ring(ui.painter(), rect.shrink(1.0), context.tokens);
+            self.arrow_keys(ui, rect, response);
+        }
+    }
+
+    /// Arrows move the map while it has the keyboard.
+    fn arrow_keys(&mut self, ui: &Ui, rect: Rect, response: &Response) {
+        ui.memory_mut(|m| {
+            m.set_focus_lock_filter(
+                response.id,
+                egui::EventFilter {
+                    horizontal_arrows: true,
+                    vertical_arrows: true,
+                    ..Default::default()
+                },
+            );
+        });
+        let delta = ui.input(|i| {
+            let along =
+                |minus: Key, plus: Key| i.num_presses(plus) as f32 - i.num_presses(minus) as f32;
+            egui::vec2(
+                along(Key::ArrowLeft, Key::ArrowRight),
+                along(Key::ArrowUp, Key::ArrowDown),
+            )
+        });
+        if delta != egui::Vec2::ZERO {
+            self.follow = false;
+            self.camera.pan(rect, -48.0 * delta);
+        }
+    }
+
+    fn begin_drag(&mut self, rect: Rect, ui: &Ui, response: &Response, context: &ViewContext<'_>) {
+        let view = self.camera.screen_from_world(rect);
+        // Where the button went down, not where egui was sure that it is a drag.
+        let at = ui
+            .input(|i| i.pointer.press_origin())
+            .or(response.interact_pointer_pos());
+        let Some(at) = at else { return };
+        let ground = view.inverse(at);
+        let primary = response.drag_started_by(PointerButton::Primary);
+        self.drag = Drag::Pan;
+        if primary && self.picking {
+            self.drag = Drag::Draw(ground);
+        } else if primary
+            && let Some(landmark) = context
+                .selection
+                .and_then(|id| context.mission.landmark(id))
+        {
+            let (id, bounds) = (landmark.id, landmark.bounds);
+            if let Some(handle) = handle_at(landmark, &view, at) {
+                self.drag = Drag::Resize { id, bounds, handle };
+            } else if bounds.contains(&ground) {
+                self.drag = Drag::Move {
+                    id,
+                    bounds,
+                    grip: ground,
+                };
+            }
+        }
+        if self.drag == Drag::Pan {
+            self.follow = false;
+        }
+    }
+
+    fn carry_on(&mut self, rect: Rect, response: &Response, context: &mut ViewContext<'_>) {
+        let view = self.camera.screen_from_world(rect);
+        let Some(to) = response.interact_pointer_pos().map(|p| view.inverse(p)) else {
+            return;
+        };
+        let change = match self.drag {
+            Drag::Pan => {
+                self.camera.pan(rect, response.drag_delta());
+                None
+            }
+            Drag::Move { id, bounds, grip } => Some((id, moved(&bounds, grip, to))),
+            Drag::Resize { id, bounds, handle } => Some((id, resized(&bounds, handle, to))),
+            Drag::None | Drag::Draw(_) => None,
+        };
+        if let Some((id, bounds)) = change {
+            context.commands.push(Command::ReshapeLandmark {
+                id,
+                bounds,
+                finished: false,
+            });
+        }
+    }
+
+    fn finish_drag(&mut self, rect: Rect, response: &Response, context: &mut ViewContext<'_>) {
+        let view = self.camera.screen_from_world(rect);
+        let to = response.interact_pointer_pos().map(|p| view.inverse(p));
+        match std::mem::take(&mut self.drag) {
+            Drag::Draw(from) => {
+                if let Some(bounds) = to.map(|to| box_between(from, to))
+                    && bounds.width() >= SMALLEST
+                    && bounds.height() >= SMALLEST
+                {
+                    context.commands.push(Command::AddLandmark(bounds));
+                    self.picking = false;
+                }
+            }
+            Drag::Move { id, .. } | Drag::Resize { id, .. } => {
+                if let Some(landmark) = context.mission.landmark(id) {
+                    context.commands.push(Command::ReshapeLandmark {
+                        id,
+                        bounds: landmark.bounds,
+                        finished: true,
+                    });
+                }
+            }
+            Drag::Pan | Drag::None => {}
+        }
+    }
+
+    fn cursor(
+        &self,
+        rect: Rect,
+        response: &Response,
+        context: &ViewContext<'_>,
+    ) -> Option<CursorIcon> {
+        let at = response.hover_pos()?;
+        let view = self.camera.screen_from_world(rect);
+        if self.picking {
+            return Some(CursorIcon::Crosshair);
+        }
+        if let Some(landmark) = context
+            .selection
+            .and_then(|id| context.mission.landmark(id))
+        {
+            if let Some(handle) = handle_at(landmark, &view, at) {
+                return Some(match handle {
+                    1 | 5 => CursorIcon::ResizeVertical,
+                    3 | 7 => CursorIcon::ResizeHorizontal,
+                    0 | 4 => CursorIcon::ResizeNwSe,
+                    _ => CursorIcon::ResizeNeSw,
+                });
+            }
+            if landmark.bounds.contains(&view.inverse(at)) {
+                return Some(CursorIcon::Move);
+            }
+        }
+        if landmark_at(&context.mission.landmarks, &view, at).is_some() {
+            return Some(CursorIcon::PointingHand);
+        }
+        matches!(self.drag, Drag::Pan).then_some(CursorIcon::Grabbing)
+    }
+}

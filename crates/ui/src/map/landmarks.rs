@@ -1,0 +1,199 @@
+//! Landmarks on the map: possible ones white, observed ones coloured, refused ones crossed; their
+//! names keep out of each other's way; accepted matches are joined to the aircraft by a line.
+
+use egui::{Align2, Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
+use pilotage_core::landmark::Landmark;
+use pilotage_core::navigator::{CandidateReport, Outcome, StepReport};
+
+use super::symbols::{paint_halo_text, paint_lifted_line};
+use super::transform::{ScreenFromWorld, topmost};
+use crate::tokens::Tokens;
+
+/// What became of a landmark in the frame at the time cursor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Seen {
+    /// Not looked for.
+    Possible,
+    /// It corrected the estimate.
+    Accepted,
+    /// It was looked for and not used.
+    Refused,
+    /// It is switched off.
+    Off,
+}
+
+/// What became of `landmark` in the frame of `step`.
+pub fn seen(landmark: &Landmark, step: Option<&StepReport>) -> (Seen, Option<f64>) {
+    if !landmark.enabled {
+        return (Seen::Off, None);
+    }
+    let report: Option<&CandidateReport> = step
+        .and_then(|s| s.frame.as_ref())
+        .and_then(|f| f.candidates.iter().find(|c| c.landmark == landmark.id));
+    match report {
+        None => (Seen::Possible, None),
+        Some(c) if c.outcome == Outcome::Accepted => (Seen::Accepted, Some(c.score)),
+        Some(c) => (Seen::Refused, Some(c.score)),
+    }
+}
+
+/// How landmarks are to be drawn.
+pub struct LandmarkScene<'a> {
+    /// All landmarks of the mission.
+    pub landmarks: &'a [Landmark],
+    /// The step whose frame is shown.
+    pub step: Option<&'a StepReport>,
+    /// The selected one.
+    pub selection: Option<u32>,
+    /// The one under the pointer.
+    pub hovered: Option<u32>,
+    /// Whether names are drawn.
+    pub names: bool,
+    /// Whether lines are drawn, and from where.
+    pub lines_from: Option<Pos2>,
+}
+
+/// Draws all landmarks.
+pub fn paint_landmarks(
+    painter: &Painter,
+    view: &ScreenFromWorld,
+    screen: Rect,
+    scene: &LandmarkScene<'_>,
+    tokens: &Tokens,
+) {
+    let room = screen.expand(32.0);
+    let mut labels: Vec<(u8, Pos2, String, Color32)> = Vec::new();
+    for landmark in scene.landmarks {
+        let corners = view.corners(&landmark.bounds);
+        let around = Rect::from_points(&corners);
+        if !room.intersects(around) {
+            continue;
+        }
+        let (state, score) = seen(landmark, scene.step);
+        let selected = scene.selection == Some(landmark.id);
+        let color = color_of(state, tokens);
+        if let (Seen::Accepted, Some(from)) = (state, scene.lines_from) {
+            let to = view.apply(&landmark.reference);
+            paint_lifted_line(painter, [from, to], 1.5, color, tokens);
+        }
+        paint_box(painter, &corners, state, selected, color, tokens);
+        if scene.names || selected || scene.hovered == Some(landmark.id) {
+            let text = match score {
+                Some(score) if around.width() > 12.0 => format!("{}  {score:.2}", landmark.name),
+                _ => landmark.name.clone(),
+            };
+            let rank = match state {
+                _ if selected => 0,
+                Seen::Accepted => 1,
+                Seen::Refused => 2,
+                _ => 3,
+            };
+            labels.push((rank, topmost(&corners), text, color));
+        }
+    }
+    paint_labels(painter, screen, labels, tokens);
+}
+
+fn color_of(state: Seen, tokens: &Tokens) -> Color32 {
+    match state {
+        Seen::Possible => tokens.sigma,
+        Seen::Accepted => tokens.observed,
+        Seen::Refused => tokens.refused,
+        Seen::Off => tokens.ghost,
+    }
+}
+
+fn paint_box(
+    painter: &Painter,
+    corners: &[Pos2; 4],
+    state: Seen,
+    selected: bool,
+    color: Color32,
+    tokens: &Tokens,
+) {
+    let outline = corners.to_vec();
+    let below = Stroke::new(
+        if selected { 5.0 } else { 3.5 },
+        tokens.outline().gamma_multiply(0.6),
+    );
+    painter.add(Shape::closed_line(outline.clone(), below));
+    if state == Seen::Accepted {
+        painter.add(Shape::convex_polygon(
+            outline.clone(),
+            color.gamma_multiply(0.22),
+            Stroke::NONE,
+        ));
+    }
+    let stroke = Stroke::new(if selected { 2.5 } else { 1.5 }, color);
+    if state == Seen::Off {
+        let mut closed = outline.clone();
+        closed.push(corners[0]);
+        painter.extend(Shape::dashed_line(&closed, stroke, 4.0, 4.0));
+    } else {
+        painter.add(Shape::closed_line(outline, stroke));
+    }
+    if state == Seen::Refused {
+        painter.line_segment([corners[0], corners[2]], stroke);
+        painter.line_segment([corners[1], corners[3]], stroke);
+    }
+    if selected {
+        for handle in handles(corners) {
+            painter.circle(
+                handle,
+                4.5,
+                tokens.sigma,
+                Stroke::new(1.5, tokens.outline()),
+            );
+        }
+    }
+}
+
+/// The eight handles of a box: corners and middles of edges, from the north-west clockwise.
+pub fn handles(corners: &[Pos2; 4]) -> [Pos2; 8] {
+    let middle = |a: usize, b: usize| corners[a] + 0.5 * (corners[b] - corners[a]);
+    [
+        corners[0],
+        middle(0, 1),
+        corners[1],
+        middle(1, 2),
+        corners[2],
+        middle(2, 3),
+        corners[3],
+        middle(3, 0),
+    ]
+}
+
+/// Writes each name beside its landmark where no earlier name is; names without a place are left out.
+fn paint_labels(
+    painter: &Painter,
+    screen: Rect,
+    mut labels: Vec<(u8, Pos2, String, Color32)>,
+    tokens: &Tokens,
+) {
+    labels.sort_by_key(|l| l.0);
+    let mut taken: Vec<Rect> = Vec::new();
+    for (rank, at, text, color) in labels {
+        let galley = painter.layout_no_wrap(text.clone(), tokens.small(), color);
+        let places = [
+            (at + vec2(0.0, -5.0), Align2::CENTER_BOTTOM),
+            (at + vec2(10.0, 4.0), Align2::LEFT_CENTER),
+            (at + vec2(-10.0, 4.0), Align2::RIGHT_CENTER),
+            (at + vec2(0.0, 24.0), Align2::CENTER_TOP),
+        ];
+        let free = places.into_iter().find(|(place, align)| {
+            let rect = align.anchor_size(*place, galley.size()).expand(3.0);
+            screen.contains_rect(rect) && taken.iter().all(|t| !t.intersects(rect))
+        });
+        let place = free.or((rank == 0).then_some(places[0]));
+        if let Some((place, align)) = place {
+            taken.push(paint_halo_text(
+                painter,
+                place,
+                align,
+                &text,
+                tokens.small(),
+                color,
+            ));
+        }
+    }
+}

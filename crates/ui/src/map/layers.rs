@@ -1,0 +1,269 @@
+//! What the map can show, and the legend that switches it.
+
+use egui::{
+    Color32, Frame, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
+
+use crate::shell::icons::Icon;
+use crate::tokens::Tokens;
+
+/// A layer of the map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Layer {
+    /// Where the aircraft really was.
+    Truth,
+    /// Where the navigator believed it to be.
+    Estimate,
+    /// Where dead reckoning alone would believe it to be.
+    Unaided,
+    /// The previous run.
+    Ghost,
+    /// Sigma points.
+    Sigma,
+    /// The 1-2-3 σ ellipses.
+    Ellipses,
+    /// What the camera sees.
+    Footprint,
+    /// Landmarks.
+    Landmarks,
+    /// Lines to accepted matches.
+    Matches,
+}
+
+impl Layer {
+    /// Every layer, in the order of the legend.
+    pub const ALL: [Self; 9] = [
+        Self::Truth,
+        Self::Estimate,
+        Self::Unaided,
+        Self::Ghost,
+        Self::Sigma,
+        Self::Ellipses,
+        Self::Footprint,
+        Self::Landmarks,
+        Self::Matches,
+    ];
+
+    /// Name in the legend.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Truth => "True track",
+            Self::Estimate => "Estimated track",
+            Self::Unaided => "Dead reckoning alone",
+            Self::Ghost => "Previous run",
+            Self::Sigma => "Sigma points",
+            Self::Ellipses => "1-2-3 σ ellipses",
+            Self::Footprint => "Camera footprint",
+            Self::Landmarks => "Landmarks",
+            Self::Matches => "Accepted matches",
+        }
+    }
+
+    fn swatch(self, painter: &Painter, rect: Rect, tokens: &Tokens) {
+        let (left, right) = (rect.left_center(), rect.right_center());
+        let line = |from: Pos2, to: Pos2, color: Color32, width: f32| {
+            painter.line_segment([from, to], Stroke::new(width, color));
+        };
+        let dashes = |color: Color32, dash: f32, gap: f32| {
+            painter.extend(Shape::dashed_line(
+                &[left, right],
+                Stroke::new(2.0, color),
+                dash,
+                gap,
+            ));
+        };
+        match self {
+            Self::Truth => line(left, right, tokens.truth, 2.0),
+            Self::Estimate => {
+                line(left, rect.center(), tokens.corrected, 2.5);
+                painter.extend(Shape::dashed_line(
+                    &[rect.center() + vec2(3.0, 0.0), right],
+                    Stroke::new(2.5, tokens.dead_reckoning),
+                    4.0,
+                    2.0,
+                ));
+            }
+            Self::Unaided => dashes(tokens.unaided, 6.0, 4.0),
+            Self::Ghost => dashes(tokens.ghost, 2.0, 3.0),
+            Self::Sigma => {
+                for x in [0.2, 0.5, 0.8] {
+                    let at = pos2(rect.left() + x * rect.width(), rect.center().y);
+                    painter.circle(at, 2.5, tokens.sigma, Stroke::new(1.0, tokens.outline()));
+                }
+            }
+            Self::Ellipses => {
+                for scale in [0.35, 0.65, 0.95] {
+                    let points = (0..24)
+                        .map(|i| {
+                            let a = std::f32::consts::TAU * i as f32 / 24.0;
+                            let half = 0.5 * scale * rect.size();
+                            rect.center() + vec2(half.x * a.cos(), half.y * 0.9 * a.sin())
+                        })
+                        .collect();
+                    painter.add(Shape::closed_line(
+                        points,
+                        Stroke::new(1.0, tokens.corrected),
+                    ));
+                }
+            }
+            Self::Footprint => {
+                let inner = Rect::from_center_size(rect.center(), vec2(16.0, 10.0));
+                painter.rect_stroke(
+                    inner,
+                    0.0,
+                    Stroke::new(1.25, tokens.accent),
+                    egui::StrokeKind::Middle,
+                );
+            }
+            Self::Landmarks => {
+                for (x, color, crossed) in [
+                    (0.15, tokens.text, false),
+                    (0.5, tokens.observed, false),
+                    (0.85, tokens.refused, true),
+                ] {
+                    let at = pos2(rect.left() + x * rect.width(), rect.center().y);
+                    let small = Rect::from_center_size(at, vec2(7.0, 7.0));
+                    painter.rect_stroke(
+                        small,
+                        0.0,
+                        Stroke::new(1.25, color),
+                        egui::StrokeKind::Middle,
+                    );
+                    if crossed {
+                        line(small.left_top(), small.right_bottom(), color, 1.0);
+                        line(small.right_top(), small.left_bottom(), color, 1.0);
+                    }
+                }
+            }
+            Self::Matches => {
+                line(left, right, tokens.observed, 1.5);
+                painter.circle_filled(left, 2.5, tokens.observed);
+            }
+        }
+    }
+}
+
+/// Which layers are on, and whether the legend is open.
+#[derive(Clone, Debug)]
+pub struct Layers {
+    hidden: Vec<Layer>,
+    /// Whether the legend is open.
+    pub open: bool,
+}
+
+impl Default for Layers {
+    fn default() -> Self {
+        Self {
+            hidden: Vec::new(),
+            open: true,
+        }
+    }
+}
+
+impl Layers {
+    /// Whether a layer is on.
+    pub fn shows(&self, layer: Layer) -> bool {
+        !self.hidden.contains(&layer)
+    }
+
+    /// Names of the layers that are off.
+    pub fn hidden_names(&self) -> Vec<String> {
+        self.hidden.iter().map(|l| l.label().to_owned()).collect()
+    }
+
+    /// Switches off exactly these layers.
+    pub fn hide_names(&mut self, names: &[String]) {
+        self.hidden = Layer::ALL
+            .into_iter()
+            .filter(|l| names.iter().any(|n| n == l.label()))
+            .collect();
+    }
+
+    fn toggle(&mut self, layer: Layer) {
+        if self.shows(layer) {
+            self.hidden.push(layer);
+        } else {
+            self.hidden.retain(|l| *l != layer);
+        }
+    }
+
+    /// Draws the legend; `present` says which layers have anything to show.
+    pub fn legend(&mut self, ui: &mut Ui, tokens: &Tokens, present: impl Fn(Layer) -> bool) {
+        Frame::new()
+            .fill(tokens.over_map())
+            .stroke(Stroke::new(1.0, tokens.line))
+            .corner_radius(tokens.radius)
+            .inner_margin(4)
+            .show(ui, |ui| {
+                ui.spacing_mut().item_spacing.y = 0.0;
+                let width = 176.0;
+                let icon = if self.open { Icon::Down } else { Icon::Right };
+                if row(ui, tokens, width, "Legend", None, |painter, rect| {
+                    icon.paint_sized(painter, rect.center(), 12.0, tokens.muted);
+                }) {
+                    self.open = !self.open;
+                }
+                if !self.open {
+                    return;
+                }
+                for layer in Layer::ALL.into_iter().filter(|l| present(*l)) {
+                    let on = self.shows(layer);
+                    if row(
+                        ui,
+                        tokens,
+                        width,
+                        layer.label(),
+                        Some(on),
+                        |painter, rect| {
+                            if on {
+                                layer.swatch(painter, rect, tokens);
+                            } else {
+                                Icon::EyeOff.paint_sized(
+                                    painter,
+                                    rect.center(),
+                                    12.0,
+                                    tokens.muted,
+                                );
+                            }
+                        },
+                    ) {
+                        self.toggle(layer);
+                    }
+                }
+            });
+    }
+}
+
+fn row(
+    ui: &mut Ui,
+    tokens: &Tokens,
+    width: f32,
+    label: &str,
+    on: Option<bool>,
+    paint: impl FnOnce(&Painter, Rect),
+) -> bool {
+    let (rect, response) = ui.allocate_exact_size(vec2(width, 22.0), Sense::click());
+    response.widget_info(|| match on {
+        Some(on) => WidgetInfo::selected(Role::CheckBox, true, on, label),
+        None => WidgetInfo::labeled(Role::Button, true, label),
+    });
+    let painter = ui.painter();
+    if response.hovered() || response.has_focus() {
+        painter.rect_filled(rect, tokens.radius, tokens.hover());
+    }
+    let swatch = Rect::from_min_size(rect.min + vec2(6.0, 5.0), vec2(30.0, 12.0));
+    paint(painter, swatch);
+    let color = if on == Some(false) {
+        tokens.muted
+    } else {
+        tokens.text
+    };
+    painter.text(
+        pos2(swatch.right() + 10.0, rect.center().y),
+        egui::Align2::LEFT_CENTER,
+        label,
+        tokens.small(),
+        color,
+    );
+    response.clicked()
+}

@@ -1,0 +1,21 @@
+//! The map: any imagery drawn as textured meshes under a typed screen-from-world transform, with
+//! the flight and the landmarks on it.
+
+mod controls;
+mod furniture;
+mod heat;
+mod interact;
+mod landmarks;
+mod layers;
+mod picking;
+mod symbols;
+mod tiles;
+mod tracks;
+mod transform;
+mod view;
+
+pub use heat::heat_image;
+pub use layers::{Layer, Layers};
+pub use tiles::{TileCache, TileKey};
+pub use transform::{MapCamera, ScreenFromWorld};
+pub use view::{MapExtra, MapView};

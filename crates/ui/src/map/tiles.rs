@@ -1,0 +1,283 @@
+//! The map's pixels: square tiles at power-of-two ground sample distances, asked for as they come
+//! into view and kept as textures. A coarser tile stands in while a finer one is on its way.
+
+use std::collections::{HashMap, HashSet};
+
+use egui::epaint::{Mesh, Vertex};
+use egui::{Color32, ColorImage, Painter, Rect, Shape, TextureHandle, TextureOptions, pos2};
+use pilotage_core::frames::GroundRect;
+use pilotage_core::imagery::Window;
+use pilotage_core::raster::{Raster, Rgba};
+
+use super::transform::ScreenFromWorld;
+use crate::jobs::MapInfo;
+
+/// Pixels on a tile's side.
+const SIDE: usize = 256;
+/// Textures kept.
+const CAPACITY: usize = 320;
+/// How many levels up a stand-in is looked for.
+const ANCESTORS: i32 = 6;
+
+/// A tile: its level (ground sample distance 2^level metres) and its place in the level's grid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct TileKey {
+    level: i32,
+    north: i64,
+    east: i64,
+}
+
+impl TileKey {
+    fn extent(level: i32) -> f64 {
+        SIDE as f64 * 2.0_f64.powi(level)
+    }
+
+    /// The window of the map that the tile shows.
+    pub fn window(&self) -> Window {
+        let extent = Self::extent(self.level);
+        Window {
+            north_edge: (self.north + 1) as f64 * extent,
+            west_edge: self.east as f64 * extent,
+            gsd: 2.0_f64.powi(self.level),
+            width: SIDE,
+            height: SIDE,
+        }
+    }
+
+    /// The tile that shows `window`, if it is one of ours.
+    pub fn of(window: &Window) -> Option<Self> {
+        let level = window.gsd.log2().round() as i32;
+        let extent = Self::extent(level);
+        let key = Self {
+            level,
+            north: (window.north_edge / extent).round() as i64 - 1,
+            east: (window.west_edge / extent).round() as i64,
+        };
+        (key.window() == *window).then_some(key)
+    }
+
+    fn parent(&self) -> Self {
+        Self {
+            level: self.level + 1,
+            north: self.north.div_euclid(2),
+            east: self.east.div_euclid(2),
+        }
+    }
+
+    /// The tiles of a level that touch `ground`.
+    fn covering(level: i32, ground: &GroundRect) -> Vec<Self> {
+        let extent = Self::extent(level);
+        let index = |v: f64| (v / extent).floor() as i64;
+        let (south, north) = (index(ground.south), index(ground.north));
+        let (west, east) = (index(ground.west), index(ground.east));
+        if (north - south + 1) * (east - west + 1) > 400 {
+            return Vec::new();
+        }
+        (south..=north)
+            .flat_map(|north| (west..=east).map(move |east| Self { level, north, east }))
+            .collect()
+    }
+}
+
+struct Held {
+    texture: TextureHandle,
+    last_used: u64,
+}
+
+/// The textures, and what is still missing.
+#[derive(Default)]
+pub struct TileCache {
+    held: HashMap<TileKey, Held>,
+    empty: HashSet<TileKey>,
+    wanted: Vec<TileKey>,
+    frame: u64,
+}
+
+impl TileCache {
+    /// Forgets everything: another map is shown.
+    pub fn clear(&mut self) {
+        *self = Self::default();
+    }
+
+    /// Tiles that are missing, the most urgent first.
+    pub fn wanted(&self) -> &[TileKey] {
+        &self.wanted
+    }
+
+    /// Textures that are kept.
+    pub fn len(&self) -> usize {
+        self.held.len()
+    }
+
+    /// Takes the pixels of a tile.
+    pub fn insert(&mut self, context: &egui::Context, window: &Window, pixels: &Raster<Rgba>) {
+        let Some(key) = TileKey::of(window) else {
+            return;
+        };
+        self.wanted.retain(|k| *k != key);
+        if pixels.is_empty() || pixels.pixels().iter().all(|p| p[3] == 0) {
+            self.empty.insert(key);
+            return;
+        }
+        let image = ColorImage::new(
+            [pixels.width(), pixels.height()],
+            pixels
+                .pixels()
+                .iter()
+                .map(|[r, g, b, a]| Color32::from_rgba_unmultiplied(*r, *g, *b, *a))
+                .collect(),
+        );
+        let name = format!("tile {} {} {}", key.level, key.north, key.east);
+        let texture = context.load_texture(name, image, TextureOptions::LINEAR);
+        let last_used = self.frame;
+        self.held.insert(key, Held { texture, last_used });
+    }
+
+    /// Draws the map in `screen` and notes what is missing.
+    pub fn paint(
+        &mut self,
+        painter: &Painter,
+        view: &ScreenFromWorld,
+        screen: Rect,
+        map: &MapInfo,
+    ) {
+        self.frame += 1;
+        let pixel = view.metres_per_point / f64::from(painter.pixels_per_point());
+        let finest = map.native_gsd.max(0.01).log2().floor() as i32;
+        let level = (pixel.log2() + 0.25).floor().max(f64::from(finest)) as i32;
+        let visible = view.visible(screen);
+        let Some(ground) = intersection(&visible, &map.bounds) else {
+            self.wanted.clear();
+            return;
+        };
+        let tiles = TileKey::covering(level, &ground);
+        let mut stand_ins: Vec<TileKey> = Vec::new();
+        let mut missing: Vec<TileKey> = Vec::new();
+        for key in &tiles {
+            if self.held.contains_key(key) || self.empty.contains(key) {
+                continue;
+            }
+            missing.push(*key);
+            let mut ancestor = *key;
+            for _ in 0..ANCESTORS {
+                ancestor = ancestor.parent();
+                if self.held.contains_key(&ancestor) {
+                    stand_ins.push(ancestor);
+                    break;
+                }
+            }
+        }
+        stand_ins.sort_by_key(|k| (-k.level, k.north, k.east));
+        stand_ins.dedup();
+        for key in stand_ins.iter().chain(&tiles) {
+            self.paint_tile(painter, view, *key);
+        }
+        self.note_missing(missing, view, &ground, level);
+        self.evict();
+    }
+
+    fn note_missing(
+        &mut self,
+        mut missing: Vec<TileKey>,
+        view: &ScreenFromWorld,
+        ground: &GroundRect,
+        level: i32,
+    ) {
+        let distance = |k: &TileKey| k.window().rect().center().distance(&view.center);
+        missing.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+        // A rough picture of everything first, where there is nothing at all yet.
+        let rough = level + 3;
+        let mut wanted: Vec<TileKey> = TileKey::covering(rough, ground)
+            .into_iter()
+            .filter(|k| !self.held.contains_key(k) && !self.empty.contains(k))
+            .collect();
+        wanted.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+        if missing.is_empty() {
+            wanted.clear();
+        }
+        wanted.extend(missing);
+        self.wanted = wanted;
+    }
+
+    fn paint_tile(&mut self, painter: &Painter, view: &ScreenFromWorld, key: TileKey) {
+        let Some(held) = self.held.get_mut(&key) else {
+            return;
+        };
+        held.last_used = self.frame;
+        let corners = view.corners(&key.window().rect());
+        let mut mesh = Mesh::with_texture(held.texture.id());
+        let uv = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+        for (pos, (u, v)) in corners.into_iter().zip(uv) {
+            mesh.vertices.push(Vertex {
+                pos,
+                uv: pos2(u, v),
+                color: Color32::WHITE,
+            });
+        }
+        mesh.add_triangle(0, 1, 2);
+        mesh.add_triangle(0, 2, 3);
+        painter.add(Shape::mesh(mesh));
+    }
+
+    fn evict(&mut self) {
+        if self.held.len() <= CAPACITY {
+            return;
+        }
+        let mut ages: Vec<u64> = self.held.values().map(|h| h.last_used).collect();
+        ages.sort_unstable();
+        let oldest_kept = ages[self.held.len() - CAPACITY * 3 / 4];
+        let now = self.frame;
+        self.held
+            .retain(|_, h| h.last_used >= oldest_kept || h.last_used == now);
+    }
+}
+
+fn intersection(a: &GroundRect, b: &GroundRect) -> Option<GroundRect> {
+    a.overlaps(b).then(|| GroundRect {
+        south: a.south.max(b.south),
+        north: a.north.min(b.north),
+        west: a.west.max(b.west),
+        east: a.east.min(b.east),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tile_is_found_again_by_its_window() {
+        for (level, north, east) in [(0, 3, -4), (-2, -7, 12), (3, 0, 0)] {
+            let key = TileKey { level, north, east };
+            assert_eq!(TileKey::of(&key.window()), Some(key));
+        }
+    }
+
+    #[test]
+    fn a_parent_covers_its_child() {
+        let child = TileKey {
+            level: -1,
+            north: -3,
+            east: 5,
+        };
+        let outer = child.parent().window().rect();
+        let inner = child.window().rect();
+        assert!(outer.contains(&inner.center()));
+        assert!((outer.width() - 2.0 * inner.width()).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_tiles_of_a_view_cover_it() {
+        let ground = GroundRect {
+            south: -100.0,
+            north: 300.0,
+            west: -20.0,
+            east: 700.0,
+        };
+        let tiles = TileKey::covering(0, &ground);
+        for corner in [(-100.0, -20.0), (300.0, 700.0), (0.0, 350.0)] {
+            let p = pilotage_core::frames::GroundPoint::new(corner.0, corner.1);
+            assert!(tiles.iter().any(|t| t.window().rect().contains(&p)));
+        }
+    }
+}

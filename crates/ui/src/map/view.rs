@@ -1,0 +1,393 @@
+//! The map view.
+
+use egui::{Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use pilotage_core::frames::{GroundPoint, GroundRect};
+use pilotage_core::navigator::{Run, StepReport};
+
+use super::furniture::{coordinates_text, paint_lens, paint_scale_bar};
+use super::landmarks::{LandmarkScene, paint_landmarks};
+use super::layers::{Layer, Layers};
+use super::picking::{Drag, box_between};
+use super::symbols::{
+    paint_aircraft, paint_ellipses, paint_footprint, paint_halo_text, paint_lifted_line,
+    paint_sigma, sigma_points,
+};
+use super::tiles::TileCache;
+use super::tracks::{ThinTrack, TrackStyle, paint_track};
+use super::transform::{MapCamera, ScreenFromWorld};
+use crate::context::ViewContext;
+use crate::jobs::{Distinctness, MapInfo};
+
+/// What the map needs beside what every view is given.
+pub struct MapExtra<'a> {
+    /// What is known of the map.
+    pub map: Option<&'a MapInfo>,
+    /// Which run this is; another number is another run.
+    pub run_generation: u64,
+    /// Which run the ghost is.
+    pub ghost_generation: u64,
+    /// How distinct the selected landmark is.
+    pub distinctness: Option<&'a Distinctness>,
+}
+
+/// The map's own state: how it is looked at, its textures and thinned tracks.
+#[derive(Default)]
+pub struct MapView {
+    /// How the user looks at the map.
+    pub camera: MapCamera,
+    /// The map's pixels.
+    pub tiles: TileCache,
+    /// Which layers are on.
+    pub layers: Layers,
+    /// Whether the flight's direction is kept at the top.
+    pub track_up: bool,
+    /// Whether the aircraft is kept in the middle.
+    pub follow: bool,
+    /// Whether the next drag draws a landmark.
+    pub picking: bool,
+    /// The landmark that is being named in place.
+    pub naming: Option<u32>,
+    pub(super) drag: Drag,
+    pub(super) name_draft: String,
+    estimate: ThinTrack,
+    unaided: ThinTrack,
+    truth: ThinTrack,
+    ghost: ThinTrack,
+    wants_fit: Option<GroundRect>,
+    rect: Option<Rect>,
+}
+
+impl MapView {
+    /// Shows all of `ground` in the next frame.
+    pub fn fit(&mut self, ground: GroundRect) {
+        self.wants_fit = Some(ground);
+        self.follow = false;
+    }
+
+    /// Where the map was drawn last.
+    pub fn rect(&self) -> Option<Rect> {
+        self.rect
+    }
+
+    /// The transform of the last frame.
+    pub fn screen_from_world(&self) -> Option<ScreenFromWorld> {
+        Some(self.camera.screen_from_world(self.rect?))
+    }
+
+    /// Draws the map over all of the space that is left, and takes the pointer.
+    pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, extra: &MapExtra<'_>) {
+        let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
+        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Map"));
+        if rect.width() < 8.0 || rect.height() < 8.0 {
+            return;
+        }
+        self.rect = Some(rect);
+        let step = context.run.and_then(|r| r.step_at(context.time));
+        if let Some(ground) = self.wants_fit.take() {
+            self.camera.fit(rect, &ground);
+        }
+        self.steer(step);
+        self.interact(ui, rect, &response, context);
+        let view = self.camera.screen_from_world(rect);
+        let painter = ui.painter_at(rect);
+        painter.rect_filled(rect, 0.0, context.tokens.background);
+        if let Some(map) = extra.map {
+            self.tiles.paint(&painter, &view, rect, map);
+        }
+        self.paint_tracks(&painter, &view, rect, context, extra);
+        self.paint_now(&painter, &view, rect, context, extra, &response);
+        self.paint_drawing(&painter, &view, &response, context);
+        self.paint_furniture(&painter, &view, rect, context, &response);
+        self.controls(ui, rect, context);
+        self.legend(ui, rect, context);
+        self.naming_field(ui, &view, rect, context);
+    }
+
+    /// Keeps the aircraft in the middle and its direction at the top, if so wished.
+    fn steer(&mut self, step: Option<&StepReport>) {
+        let Some(step) = step else { return };
+        if self.follow && self.drag == Drag::None {
+            self.camera.center = step.after.position();
+        }
+        if self.track_up {
+            self.camera.up = step.control.heading;
+        }
+    }
+
+    fn paint_tracks(
+        &mut self,
+        painter: &egui::Painter,
+        view: &ScreenFromWorld,
+        rect: Rect,
+        context: &ViewContext<'_>,
+        extra: &MapExtra<'_>,
+    ) {
+        let tokens = context.tokens;
+        let scale = view.metres_per_point;
+        let style = |color, width, dash| TrackStyle {
+            corrected: color,
+            other: color,
+            width,
+            dash,
+            other_dash: dash,
+            outlined: true,
+        };
+        let shown = |layer| self.layers.shows(layer);
+        let (show_ghost, show_truth) = (shown(Layer::Ghost), shown(Layer::Truth));
+        let (show_unaided, show_estimate) = (shown(Layer::Unaided), shown(Layer::Estimate));
+        if let Some(ghost) = context.ghost.filter(|_| show_ghost) {
+            self.ghost
+                .follow_run(ghost, extra.ghost_generation, scale, |s| s.after.position());
+            let look = style(tokens.ghost, 2.0, Some((2.0, 4.0)));
+            paint_track(
+                painter,
+                view,
+                rect,
+                &self.ghost,
+                context.time,
+                &look,
+                tokens,
+            );
+        }
+        let truth = context.flight.and_then(|f| f.truth.as_ref());
+        if let Some(truth) = truth.filter(|_| show_truth) {
+            self.truth.follow_truth(truth, extra.run_generation, scale);
+            let look = style(tokens.truth, 2.0, None);
+            paint_track(
+                painter,
+                view,
+                rect,
+                &self.truth,
+                context.time,
+                &look,
+                tokens,
+            );
+        }
+        let Some(run) = context.run else { return };
+        if show_unaided {
+            self.unaided
+                .follow_run(run, extra.run_generation, scale, |s| s.dead_reckoned);
+            let look = style(tokens.unaided, 2.0, Some((8.0, 5.0)));
+            paint_track(
+                painter,
+                view,
+                rect,
+                &self.unaided,
+                context.time,
+                &look,
+                tokens,
+            );
+        }
+        if show_estimate {
+            self.estimate
+                .follow_run(run, extra.run_generation, scale, |s| s.after.position());
+            let look = TrackStyle {
+                corrected: tokens.corrected,
+                other: tokens.dead_reckoning,
+                width: 2.5,
+                dash: None,
+                other_dash: Some((5.0, 3.0)),
+                outlined: true,
+            };
+            paint_track(
+                painter,
+                view,
+                rect,
+                &self.estimate,
+                context.time,
+                &look,
+                tokens,
+            );
+        }
+    }
+
+    /// Draws what belongs to the time cursor.
+    fn paint_now(
+        &mut self,
+        painter: &egui::Painter,
+        view: &ScreenFromWorld,
+        rect: Rect,
+        context: &ViewContext<'_>,
+        extra: &MapExtra<'_>,
+        response: &egui::Response,
+    ) {
+        let tokens = context.tokens;
+        let step = context.run.and_then(|r| r.step_at(context.time));
+        let frame_step = context.run.and_then(|r| recent_frame(r, context.time));
+        let shows = |layer| self.layers.shows(layer);
+        if let Some(frame) = frame_step.and_then(|s| s.frame.as_ref())
+            && shows(Layer::Footprint)
+        {
+            paint_footprint(painter, view, &frame.footprint, tokens);
+        }
+        let aircraft = step.map(|s| view.apply(&s.after.position()));
+        if shows(Layer::Landmarks) {
+            let hovered = response
+                .hover_pos()
+                .and_then(|p| super::picking::landmark_at(&context.mission.landmarks, view, p));
+            let scene = LandmarkScene {
+                landmarks: &context.mission.landmarks,
+                step: frame_step,
+                selection: context.selection,
+                hovered,
+                names: view.metres_per_point < 4.0,
+                lines_from: aircraft.filter(|_| shows(Layer::Matches)),
+            };
+            paint_landmarks(painter, view, rect, &scene, tokens);
+        }
+        if let Some(distinctness) = extra.distinctness {
+            paint_look_alike(painter, view, distinctness, tokens);
+        }
+        let Some(step) = step else { return };
+        let heading = step.control.heading;
+        if shows(Layer::Truth)
+            && let Some(truth) = truth_at(context, step.time)
+        {
+            paint_aircraft(
+                painter,
+                view,
+                view.apply(&truth),
+                heading,
+                13.0,
+                tokens.truth.gamma_multiply(0.35),
+                Stroke::new(1.5, tokens.truth),
+            );
+        }
+        let color = status_color(frame_step, tokens);
+        let covariance = step.after.position_covariance();
+        if shows(Layer::Ellipses) {
+            paint_ellipses(
+                painter,
+                view,
+                &step.after.position(),
+                &covariance,
+                color,
+                tokens,
+            );
+        }
+        let at = view.apply(&step.after.position());
+        let edge = Stroke::new(1.25, tokens.outline());
+        paint_aircraft(painter, view, at, heading, 15.0, color, edge);
+        if shows(Layer::Sigma) {
+            let spread = view.points(covariance.diagonal().max().max(0.0).sqrt());
+            if spread > 2.0 {
+                paint_sigma(painter, view, sigma_points(step), tokens, 2.75);
+            }
+        }
+    }
+
+    fn paint_drawing(
+        &self,
+        painter: &egui::Painter,
+        view: &ScreenFromWorld,
+        response: &egui::Response,
+        context: &ViewContext<'_>,
+    ) {
+        let tokens = context.tokens;
+        if let (Drag::Draw(from), Some(to)) = (self.drag, response.interact_pointer_pos()) {
+            let bounds = box_between(from, view.inverse(to));
+            let corners = view.corners(&bounds);
+            painter.add(egui::Shape::convex_polygon(
+                corners.to_vec(),
+                tokens.accent.gamma_multiply(0.18),
+                Stroke::new(2.0, tokens.accent),
+            ));
+            let (factor, unit) = context.units.length();
+            let text = format!(
+                "{:.0} × {:.0} {unit}",
+                bounds.width() * factor,
+                bounds.height() * factor
+            );
+            let at = Rect::from_points(&corners).center_bottom() + vec2(0.0, 8.0);
+            let align = egui::Align2::CENTER_TOP;
+            paint_halo_text(painter, at, align, &text, tokens.small(), tokens.sigma);
+        }
+    }
+
+    fn paint_furniture(
+        &self,
+        painter: &egui::Painter,
+        view: &ScreenFromWorld,
+        rect: Rect,
+        context: &ViewContext<'_>,
+        response: &egui::Response,
+    ) {
+        let tokens = context.tokens;
+        let corner = rect.right_bottom() - vec2(16.0, 16.0);
+        paint_scale_bar(painter, view, corner, context.units, tokens);
+        if let Some(pointer) = response.hover_pos() {
+            let frame = context.flight.and_then(|f| f.frame_on_globe.as_ref());
+            let text = coordinates_text(&view.inverse(pointer), frame, context.units);
+            paint_halo_text(
+                painter,
+                pos2(rect.right() - 18.0, rect.bottom() - 46.0),
+                egui::Align2::RIGHT_BOTTOM,
+                &text,
+                tokens.small(),
+                tokens.sigma,
+            );
+        }
+        let step = context.run.and_then(|r| r.step_at(context.time));
+        if let Some(step) = step
+            && self.layers.shows(Layer::Sigma)
+            && rect.width() > 620.0
+            && rect.height() > 420.0
+        {
+            let side = 152.0;
+            let lens = Rect::from_min_size(
+                pos2(rect.right() - side - 16.0, rect.bottom() - side - 72.0),
+                vec2(side, side),
+            );
+            let truth = truth_at(context, step.time).filter(|_| self.layers.shows(Layer::Truth));
+            paint_lens(painter, view, lens, step, truth, context.units, tokens);
+        }
+    }
+}
+
+/// The latest step with a camera frame, unless it is long past.
+fn recent_frame(run: &Run, time: f64) -> Option<&StepReport> {
+    run.frame_step_at(time).filter(|s| time - s.time < 3.0)
+}
+
+fn truth_at(context: &ViewContext<'_>, time: f64) -> Option<GroundPoint> {
+    let position = context.flight?.truth.as_ref()?.position(time)?;
+    Some(GroundPoint::new(position.x, position.y))
+}
+
+/// Red when the latest frame corrected the estimate, blue while dead reckoning.
+fn status_color(frame_step: Option<&StepReport>, tokens: &crate::tokens::Tokens) -> egui::Color32 {
+    if frame_step.is_some_and(StepReport::corrected) {
+        tokens.corrected
+    } else {
+        tokens.dead_reckoning
+    }
+}
+
+/// Marks the strongest look-alike of the selected landmark and joins the two.
+fn paint_look_alike(
+    painter: &egui::Painter,
+    view: &ScreenFromWorld,
+    distinctness: &Distinctness,
+    tokens: &crate::tokens::Tokens,
+) {
+    let Some((place, score)) = distinctness.look_alike else {
+        return;
+    };
+    let bounds = GroundRect::centered(
+        place,
+        distinctness.bounds.height(),
+        distinctness.bounds.width(),
+    );
+    let corners = view.corners(&bounds);
+    let from = view.apply(&distinctness.bounds.center());
+    let to: Pos2 = view.apply(&place);
+    paint_lifted_line(painter, [from, to], 1.0, tokens.warning, tokens);
+    let mut closed = corners.to_vec();
+    closed.push(corners[0]);
+    let stroke = Stroke::new(2.0, tokens.warning);
+    painter.extend(egui::Shape::dashed_line(&closed, stroke, 5.0, 3.0));
+    let text = format!("look-alike {score:.2}");
+    let at = super::transform::topmost(&corners) - vec2(0.0, 5.0);
+    let align = egui::Align2::CENTER_BOTTOM;
+    paint_halo_text(painter, at, align, &text, tokens.small(), tokens.warning);
+}

@@ -1,0 +1,327 @@
+//! What is known of every command: its words, its group and its keys. Menu, palette, shortcuts and
+//! the help sheet all read this one table.
+
+use egui::{Key, KeyboardShortcut, Modifiers};
+
+use crate::command::{Command, Workspace};
+
+/// Where a command stands in the help sheet and the palette.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Group {
+    /// Time and playback.
+    Playback,
+    /// Map and panels.
+    View,
+    /// Landmarks and undo.
+    Edit,
+    /// Flights, files, settings.
+    Document,
+}
+
+impl Group {
+    /// Every group, in reading order.
+    pub const ALL: [Self; 4] = [Self::Playback, Self::View, Self::Edit, Self::Document];
+
+    /// Name for people.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Playback => "Playback",
+            Self::View => "Map and panels",
+            Self::Edit => "Landmarks",
+            Self::Document => "Flight and files",
+        }
+    }
+}
+
+/// One row of the table.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// What it does, in words.
+    pub label: &'static str,
+    /// Its group.
+    pub group: Group,
+    /// Its keys, the first shown first.
+    pub shortcuts: Vec<KeyboardShortcut>,
+    /// What is sent.
+    pub command: Command,
+}
+
+impl Entry {
+    /// Its first shortcut as people read it, or an empty text.
+    pub fn keys(&self) -> String {
+        self.shortcuts.first().map(describe).unwrap_or_default()
+    }
+}
+
+/// A shortcut as people read it.
+pub fn describe(shortcut: &KeyboardShortcut) -> String {
+    let mut words = Vec::new();
+    if shortcut.modifiers.command {
+        words.push("Ctrl");
+    }
+    if shortcut.modifiers.shift {
+        words.push("Shift");
+    }
+    let key = match shortcut.logical_key {
+        Key::ArrowLeft => "←",
+        Key::ArrowRight => "→",
+        Key::OpenBracket => "[",
+        Key::CloseBracket => "]",
+        Key::Questionmark => "?",
+        Key::Plus => "+",
+        Key::Minus => "-",
+        other => other.name(),
+    };
+    words.push(key);
+    words.join(" ")
+}
+
+fn plain(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::NONE, key)
+}
+
+fn shift(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::SHIFT, key)
+}
+
+fn control(key: Key) -> KeyboardShortcut {
+    KeyboardShortcut::new(Modifiers::COMMAND, key)
+}
+
+/// Speeds set by the digits 1 to 9 and 0.
+pub const DIGIT_SPEEDS: [(Key, f64); 10] = [
+    (Key::Num1, 0.1),
+    (Key::Num2, 0.25),
+    (Key::Num3, 0.5),
+    (Key::Num4, 1.0),
+    (Key::Num5, 2.0),
+    (Key::Num6, 4.0),
+    (Key::Num7, 8.0),
+    (Key::Num8, 12.0),
+    (Key::Num9, 16.0),
+    (Key::Num0, 20.0),
+];
+
+/// The whole table, in reading order.
+pub fn catalog() -> Vec<Entry> {
+    let mut entries = playback();
+    entries.extend(view());
+    entries.extend(edit());
+    entries.extend(document());
+    entries
+}
+
+fn entry(
+    group: Group,
+    label: &'static str,
+    shortcuts: Vec<KeyboardShortcut>,
+    command: Command,
+) -> Entry {
+    Entry {
+        label,
+        group,
+        shortcuts,
+        command,
+    }
+}
+
+fn playback() -> Vec<Entry> {
+    let of = |label, shortcuts, command| entry(Group::Playback, label, shortcuts, command);
+    let mut entries = vec![
+        of(
+            "Play or pause",
+            vec![plain(Key::Space)],
+            Command::TogglePlay,
+        ),
+        of(
+            "Previous frame",
+            vec![plain(Key::ArrowLeft)],
+            Command::StepFrames(-1),
+        ),
+        of(
+            "Next frame",
+            vec![plain(Key::ArrowRight)],
+            Command::StepFrames(1),
+        ),
+        of(
+            "Back 5 seconds",
+            vec![shift(Key::ArrowLeft)],
+            Command::Jump(-5.0),
+        ),
+        of(
+            "On 5 seconds",
+            vec![shift(Key::ArrowRight)],
+            Command::Jump(5.0),
+        ),
+        of(
+            "Go to the start",
+            vec![plain(Key::Home)],
+            Command::GoToStart,
+        ),
+        of("Go to the end", vec![plain(Key::End)], Command::GoToEnd),
+        of(
+            "Repeat at the end",
+            vec![plain(Key::L)],
+            Command::ToggleLoop,
+        ),
+        of(
+            "Set or remove a bookmark",
+            vec![plain(Key::B)],
+            Command::ToggleBookmark,
+        ),
+        of(
+            "Previous bookmark",
+            vec![plain(Key::OpenBracket)],
+            Command::PreviousBookmark,
+        ),
+        of(
+            "Next bookmark",
+            vec![plain(Key::CloseBracket)],
+            Command::NextBookmark,
+        ),
+    ];
+    let labels = [
+        "Speed 0.1×",
+        "Speed 0.25×",
+        "Speed 0.5×",
+        "Speed 1×",
+        "Speed 2×",
+        "Speed 4×",
+        "Speed 8×",
+        "Speed 12×",
+        "Speed 16×",
+        "Speed 20×",
+    ];
+    for ((key, speed), label) in DIGIT_SPEEDS.into_iter().zip(labels) {
+        entries.push(of(label, vec![plain(key)], Command::SetSpeed(speed)));
+    }
+    entries
+}
+
+fn view() -> Vec<Entry> {
+    let of = |label, shortcuts, command| entry(Group::View, label, shortcuts, command);
+    vec![
+        of(
+            "Show the whole flight",
+            vec![plain(Key::F)],
+            Command::FitMap,
+        ),
+        of(
+            "Follow the aircraft",
+            vec![plain(Key::A)],
+            Command::ToggleFollow,
+        ),
+        of(
+            "Turn the map with the track",
+            vec![plain(Key::T)],
+            Command::ToggleTrackUp,
+        ),
+        of(
+            "Show or hide the side column",
+            vec![plain(Key::V)],
+            Command::ToggleSide,
+        ),
+        of(
+            "Show or hide the plots",
+            vec![plain(Key::G)],
+            Command::TogglePlots,
+        ),
+        of(
+            "Show Replay",
+            vec![],
+            Command::ShowWorkspace(Workspace::Replay),
+        ),
+        of("Show Plan", vec![], Command::ShowWorkspace(Workspace::Plan)),
+        of("Show Learn: the guided tour", vec![], Command::ToggleTour),
+        of("Dark or light", vec![], Command::ToggleTheme),
+        of(
+            "Metric or aviation units",
+            vec![plain(Key::U)],
+            Command::ToggleUnits,
+        ),
+        of(
+            "Find a command",
+            vec![control(Key::K), plain(Key::P), control(Key::P)],
+            Command::TogglePalette,
+        ),
+        of(
+            "Show all shortcuts",
+            vec![plain(Key::Questionmark), shift(Key::Questionmark)],
+            Command::ToggleHelp,
+        ),
+    ]
+}
+
+fn edit() -> Vec<Entry> {
+    let of = |label, shortcuts, command| entry(Group::Edit, label, shortcuts, command);
+    vec![
+        of(
+            "Draw a landmark",
+            vec![plain(Key::N)],
+            Command::TogglePickTool,
+        ),
+        of("Undo", vec![control(Key::Z)], Command::Undo),
+        of(
+            "Redo",
+            vec![
+                KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z),
+                control(Key::Y),
+            ],
+            Command::Redo,
+        ),
+        of("Select nothing", vec![], Command::SelectLandmark(None)),
+        of(
+            "Fly again over these landmarks",
+            vec![plain(Key::R)],
+            Command::FlyAgain,
+        ),
+    ]
+}
+
+fn document() -> Vec<Entry> {
+    let of = |label, shortcuts, command| entry(Group::Document, label, shortcuts, command);
+    vec![
+        of(
+            "Simulate a flight…",
+            vec![plain(Key::M)],
+            Command::ToggleSimulate,
+        ),
+        of(
+            "Filter settings",
+            vec![plain(Key::S)],
+            Command::ToggleSettings,
+        ),
+        of(
+            "Open a flight, map, mission or run…",
+            vec![control(Key::O)],
+            Command::Open,
+        ),
+        of(
+            "Save the mission",
+            vec![control(Key::S)],
+            Command::SaveMission,
+        ),
+        of("Save the run", vec![], Command::SaveRun),
+        of("Stop computing", vec![], Command::CancelJob),
+        of("Go back to the built-in demo", vec![], Command::OpenDemo),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_two_commands_share_a_shortcut() {
+        let entries = catalog();
+        let mut seen: Vec<(KeyboardShortcut, &str)> = Vec::new();
+        for entry in &entries {
+            for shortcut in &entry.shortcuts {
+                if let Some((_, other)) = seen.iter().find(|(s, _)| s == shortcut) {
+                    panic!("{} and {other} share {}", entry.label, describe(shortcut));
+                }
+                seen.push((*shortcut, entry.label));
+            }
+        }
+    }
+}

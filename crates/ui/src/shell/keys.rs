@@ -1,0 +1,104 @@
+//! Shortcuts, taken before egui moves its focus with the arrows, but never from a text field.
+
+use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, Plugin, RawInput};
+
+use super::catalog::catalog;
+use crate::command::Command;
+
+/// Listens to the keyboard ahead of every widget.
+pub struct ShortcutListener {
+    table: Vec<(KeyboardShortcut, Command)>,
+    pending: Vec<Command>,
+}
+
+impl Default for ShortcutListener {
+    fn default() -> Self {
+        let table = catalog()
+            .into_iter()
+            .flat_map(|e| {
+                let command = e.command;
+                e.shortcuts.into_iter().map(move |s| (s, command.clone()))
+            })
+            .collect();
+        Self {
+            table,
+            pending: Vec::new(),
+        }
+    }
+}
+
+impl ShortcutListener {
+    /// The commands asked for since the last call.
+    pub fn take(context: &Context) -> Vec<Command> {
+        context
+            .with_plugin(|listener: &mut Self| std::mem::take(&mut listener.pending))
+            .unwrap_or_default()
+    }
+
+    fn command_for(&self, key: Key, modifiers: Modifiers) -> Option<&Command> {
+        let control = modifiers.command || modifiers.ctrl;
+        self.table
+            .iter()
+            .find(|(shortcut, _)| {
+                shortcut.logical_key == key
+                    && shortcut.modifiers.command == control
+                    && shortcut.modifiers.shift == modifiers.shift
+                    && !modifiers.alt
+            })
+            .map(|(_, command)| command)
+    }
+}
+
+/// Keys that a focused widget (button, slider, list row) needs for itself.
+fn belongs_to_focus(key: Key) -> bool {
+    matches!(
+        key,
+        Key::Space
+            | Key::Enter
+            | Key::ArrowLeft
+            | Key::ArrowRight
+            | Key::ArrowUp
+            | Key::ArrowDown
+            | Key::Home
+            | Key::End
+    )
+}
+
+impl Plugin for ShortcutListener {
+    fn debug_name(&self) -> &'static str {
+        "pilotage shortcuts"
+    }
+
+    fn input_hook(&mut self, context: &Context, input: &mut RawInput) {
+        let typing = context.text_edit_focused();
+        let focused = context.memory(|memory| memory.focused().is_some());
+        let mut pending = Vec::new();
+        let mut took_letter = false;
+        input.events.retain(|event| {
+            let Event::Key {
+                key,
+                pressed: true,
+                modifiers,
+                ..
+            } = event
+            else {
+                return true;
+            };
+            let Some(command) = self.command_for(*key, *modifiers) else {
+                return true;
+            };
+            let everywhere = matches!(command, Command::TogglePalette) && modifiers.command;
+            if (typing && !everywhere) || (focused && belongs_to_focus(*key)) {
+                return true;
+            }
+            took_letter = true;
+            pending.push(command.clone());
+            false
+        });
+        if took_letter {
+            // The letter would otherwise be typed into the field that the command opens.
+            input.events.retain(|e| !matches!(e, Event::Text(_)));
+        }
+        self.pending.extend(pending);
+    }
+}

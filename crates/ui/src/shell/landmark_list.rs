@@ -1,0 +1,337 @@
+//! The list of landmarks, with a keyboard path for everything the map does with the pointer.
+
+use egui::{
+    Align2, EventFilter, Key, Rect, Role, Sense, TextEdit, TextureHandle, TextureOptions, Ui,
+    WidgetInfo, pos2, vec2,
+};
+use pilotage_core::frames::GroundRect;
+use pilotage_core::landmark::Landmark;
+
+use super::icons::Icon;
+use super::widgets::{caption, chip, heading, icon_button, muted, paint_focus_ring, text_button};
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::jobs::Distinctness;
+use crate::map::heat_image;
+
+/// The list's own state: the name being typed and the heat picture of the selected landmark.
+#[derive(Default)]
+pub struct LandmarkList {
+    draft: Option<(u32, String)>,
+    heat: Option<(GroundRect, TextureHandle)>,
+}
+
+impl LandmarkList {
+    /// Draws the list and, below, the selected landmark.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut ViewContext<'_>,
+        distinctness: Option<&Distinctness>,
+        can_undo: (bool, bool),
+    ) {
+        let tokens = context.tokens;
+        ui.horizontal(|ui| {
+            heading(ui, tokens, "Landmarks");
+            ui.label(muted(tokens, context.mission.landmarks.len().to_string()));
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                ui.spacing_mut().item_spacing.x = 0.0;
+                for (icon, label, command, enabled) in [
+                    (Icon::Redo, "Redo", Command::Redo, can_undo.1),
+                    (Icon::Undo, "Undo", Command::Undo, can_undo.0),
+                ] {
+                    ui.add_enabled_ui(enabled, |ui| {
+                        if icon_button(ui, tokens, icon, label).clicked() {
+                            context.commands.push(command);
+                        }
+                    });
+                }
+                if text_button(ui, tokens, Some(Icon::Pick), "Draw", false).clicked() {
+                    context.commands.push(Command::TogglePickTool);
+                }
+            });
+        });
+        if context.mission.landmarks.is_empty() {
+            ui.add_space(tokens.space);
+            ui.label(muted(
+                tokens,
+                "None yet. Press N and draw a box around something that stands out on the map: \
+                 a lone building, a crossing, a pool.",
+            ));
+            return;
+        }
+        ui.add_space(4.0);
+        for landmark in &context.mission.landmarks {
+            row(
+                ui,
+                landmark,
+                context.commands,
+                context.tokens,
+                context.selection,
+            );
+        }
+        let selected = context
+            .selection
+            .and_then(|id| context.mission.landmark(id));
+        if let Some(landmark) = selected {
+            ui.add_space(tokens.space);
+            self.selected(ui, landmark, context, distinctness);
+        }
+    }
+
+    fn selected(
+        &mut self,
+        ui: &mut Ui,
+        landmark: &Landmark,
+        context: &mut ViewContext<'_>,
+        distinctness: Option<&Distinctness>,
+    ) {
+        let tokens = context.tokens;
+        let id = landmark.id;
+        caption(ui, tokens, "Selected");
+        ui.horizontal(|ui| {
+            let draft = match &mut self.draft {
+                Some((of, text)) if *of == id => text,
+                other => &mut other.insert((id, landmark.name.clone())).1,
+            };
+            let width = ui.available_width() - 44.0;
+            let field = ui
+                .add(TextEdit::singleline(draft).desired_width(width))
+                .accessible_name("Name of the selected landmark");
+            if field.lost_focus() {
+                let name = draft.trim().to_owned();
+                if !name.is_empty() {
+                    context.commands.push(Command::RenameLandmark { id, name });
+                }
+                self.draft = None;
+            } else if !field.has_focus() {
+                self.draft = None;
+            }
+            if icon_button(ui, tokens, Icon::Trash, "Delete the landmark").clicked() {
+                context.commands.push(Command::DeleteLandmark(id));
+            }
+        });
+        let (factor, unit) = context.units.length();
+        ui.label(muted(
+            tokens,
+            format!(
+                "{:.1} × {:.1} {unit}. Arrows move the row's box, Shift with arrows resizes it.",
+                landmark.bounds.width() * factor,
+                landmark.bounds.height() * factor
+            ),
+        ));
+        ui.add_space(4.0);
+        distinctness_card(ui, context, distinctness, &mut self.heat);
+    }
+}
+
+fn row(
+    ui: &mut Ui,
+    landmark: &Landmark,
+    commands: &mut Vec<Command>,
+    tokens: &crate::tokens::Tokens,
+    selection: Option<u32>,
+) {
+    let id = landmark.id;
+    let selected = selection == Some(id);
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 0.0;
+        let (icon, label) = if landmark.enabled {
+            (Icon::Eye, format!("Switch {} off", landmark.name))
+        } else {
+            (Icon::EyeOff, format!("Switch {} on", landmark.name))
+        };
+        if icon_button(ui, tokens, icon, &label).clicked() {
+            commands.push(Command::EnableLandmark {
+                id,
+                enabled: !landmark.enabled,
+            });
+        }
+        let size = vec2(ui.available_width(), 4.0 * tokens.space);
+        let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+        response.widget_info(|| {
+            WidgetInfo::selected(Role::Button, true, selected, landmark.name.as_str())
+        });
+        let painter = ui.painter();
+        if selected || response.hovered() {
+            let fill = if selected {
+                tokens.accent.gamma_multiply(0.16)
+            } else {
+                tokens.hover()
+            };
+            painter.rect_filled(rect.shrink2(vec2(0.0, 1.0)), tokens.radius, fill);
+        }
+        let color = if landmark.enabled {
+            tokens.text
+        } else {
+            tokens.muted
+        };
+        painter.text(
+            rect.left_center() + vec2(8.0, 0.0),
+            Align2::LEFT_CENTER,
+            &landmark.name,
+            tokens.normal(),
+            color,
+        );
+        if response.clicked() {
+            commands.push(Command::SelectLandmark((!selected).then_some(id)));
+        }
+        if response.has_focus() {
+            paint_focus_ring(painter, rect, tokens);
+            keyboard(ui, response.id, landmark, commands);
+        }
+    });
+}
+
+/// Arrows move the box by a metre, Shift with arrows resizes it, Delete deletes it.
+fn keyboard(ui: &Ui, widget: egui::Id, landmark: &Landmark, commands: &mut Vec<Command>) {
+    ui.memory_mut(|m| {
+        m.set_focus_lock_filter(
+            widget,
+            EventFilter {
+                horizontal_arrows: true,
+                vertical_arrows: true,
+                ..Default::default()
+            },
+        );
+    });
+    let (north, east, shift, delete) = ui.input(|i| {
+        let along = |minus: Key, plus: Key| {
+            f64::from(u32::try_from(i.num_presses(plus)).unwrap_or(0))
+                - f64::from(u32::try_from(i.num_presses(minus)).unwrap_or(0))
+        };
+        (
+            along(Key::ArrowDown, Key::ArrowUp),
+            along(Key::ArrowLeft, Key::ArrowRight),
+            i.modifiers.shift,
+            i.key_pressed(Key::Delete),
+        )
+    });
+    let id = landmark.id;
+    if delete {
+        commands.push(Command::DeleteLandmark(id));
+    }
+    if north == 0.0 && east == 0.0 {
+        return;
+    }
+    let old = landmark.bounds;
+    let bounds = if shift {
+        GroundRect {
+            north: (old.north + north).max(old.south + 3.0),
+            east: (old.east + east).max(old.west + 3.0),
+            ..old
+        }
+    } else {
+        GroundRect {
+            south: old.south + north,
+            north: old.north + north,
+            west: old.west + east,
+            east: old.east + east,
+        }
+    };
+    commands.push(Command::ReshapeLandmark {
+        id,
+        bounds,
+        finished: true,
+    });
+}
+
+/// How distinct the selected landmark is: a verdict, the surface around it, the strongest look-alike.
+pub fn distinctness_card(
+    ui: &mut Ui,
+    context: &ViewContext<'_>,
+    distinctness: Option<&Distinctness>,
+    heat: &mut Option<(GroundRect, TextureHandle)>,
+) {
+    let tokens = context.tokens;
+    caption(ui, tokens, "How distinct it is");
+    let Some(found) = distinctness else {
+        ui.label(muted(tokens, "Comparing it with the map around it …"));
+        return;
+    };
+    ui.horizontal_wrapped(|ui| {
+        if found.flat {
+            chip(ui, tokens, "flat", tokens.warning);
+        }
+        match found.look_alike {
+            Some((_, score)) => {
+                let tone = if score > 0.7 {
+                    tokens.warning
+                } else {
+                    tokens.truth
+                };
+                chip(
+                    ui,
+                    tokens,
+                    &format!("strongest look-alike {score:.2}"),
+                    tone,
+                );
+            }
+            None => {
+                chip(ui, tokens, "no look-alike", tokens.truth);
+            }
+        }
+        chip(
+            ui,
+            tokens,
+            &format!("contrast {:.0} of 255", found.contrast),
+            tokens.muted,
+        );
+    });
+    ui.label(egui::RichText::new(&found.verdict).color(tokens.text));
+    if found.surface.is_empty() {
+        return;
+    }
+    if heat.as_ref().is_none_or(|(of, _)| *of != found.bounds) {
+        let image = heat_image(&found.surface);
+        let texture = ui
+            .ctx()
+            .load_texture("distinctness", image, TextureOptions::LINEAR);
+        *heat = Some((found.bounds, texture));
+    }
+    if let Some((_, texture)) = heat {
+        heat_picture(ui, context, found, texture);
+    }
+}
+
+fn heat_picture(
+    ui: &mut Ui,
+    context: &ViewContext<'_>,
+    found: &Distinctness,
+    texture: &TextureHandle,
+) {
+    let tokens = context.tokens;
+    let width = ui.available_width();
+    let aspect = found.surface.height() as f32 / found.surface.width() as f32;
+    let height = (width * aspect).min(280.0);
+    let (rect, response) = ui.allocate_exact_size(vec2(width, height), Sense::hover());
+    response.widget_info(|| {
+        WidgetInfo::labeled(
+            Role::Image,
+            true,
+            "Correlation of the box with the map around it",
+        )
+    });
+    let picture = Rect::from_center_size(rect.center(), vec2(height / aspect, height));
+    let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+    let painter = ui.painter();
+    painter.image(texture.id(), picture, uv, egui::Color32::WHITE);
+    let ground = found.surface_rect;
+    let at = |p: &pilotage_core::frames::GroundPoint| {
+        let x = (p.east - ground.west) / ground.width().max(1e-9);
+        let y = (ground.north - p.north) / ground.height().max(1e-9);
+        picture.min + vec2(x as f32 * picture.width(), y as f32 * picture.height())
+    };
+    let own = at(&found.bounds.center());
+    let light = egui::Stroke::new(1.5, tokens.sigma);
+    painter.circle_stroke(own, 7.0, light);
+    if let Some((place, _)) = &found.look_alike {
+        let other = at(place);
+        let square = Rect::from_center_size(other, vec2(12.0, 12.0));
+        painter.rect_stroke(square, 0.0, light, egui::StrokeKind::Middle);
+    }
+    ui.label(muted(
+        tokens,
+        "Bright: the map looks like the box. Circle: the box itself. Square: its look-alike.",
+    ));
+}

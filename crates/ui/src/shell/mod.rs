@@ -1,0 +1,23 @@
+//! What surrounds the views: look, top bar, palette, help, notices.
+
+pub mod catalog;
+mod help;
+pub mod icons;
+pub mod keys;
+mod landmark_list;
+mod palette;
+mod theme;
+mod toasts;
+mod top_bar;
+mod widgets;
+
+pub use help::help_sheet;
+pub use landmark_list::{LandmarkList, distinctness_card};
+pub use palette::Palette;
+pub use theme::apply_theme;
+pub use toasts::{Toast, Toasts};
+pub use top_bar::{TopBar, top_bar};
+pub use widgets::{
+    caption, chip, heading, icon_button, icon_toggle, muted, paint_focus_ring, reading, tab,
+    text_button, title,
+};

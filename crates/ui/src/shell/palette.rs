@@ -1,0 +1,213 @@
+//! The command palette: every command by a few of its letters.
+
+use egui::{
+    Align2, Area, Frame, Id, Key, Order, Role, Sense, Stroke, TextEdit, Ui, WidgetInfo, vec2,
+};
+
+use super::catalog::{Entry, catalog};
+use crate::command::Command;
+use crate::tokens::Tokens;
+
+/// The palette's own state.
+#[derive(Clone, Debug, Default)]
+pub struct Palette {
+    open: bool,
+    query: String,
+    chosen: usize,
+}
+
+/// How well `query` fits `text`: its letters in order, better when together and at word starts;
+/// `None` if they do not occur.
+pub fn fuzzy_score(query: &str, text: &str) -> Option<i32> {
+    let text: Vec<char> = text.to_lowercase().chars().collect();
+    let mut score = 0;
+    let mut at = 0;
+    let mut previous: Option<usize> = None;
+    for letter in query.to_lowercase().chars().filter(|c| !c.is_whitespace()) {
+        let found = at + text.get(at..)?.iter().position(|c| *c == letter)?;
+        score += match previous {
+            Some(p) if p + 1 == found => 6,
+            _ if found == 0 || !text[found - 1].is_alphanumeric() => 4,
+            _ => 0,
+        };
+        score -= (found - at).min(8) as i32;
+        previous = Some(found);
+        at = found + 1;
+    }
+    Some(score)
+}
+
+impl Palette {
+    /// Opens or closes the palette.
+    pub fn toggle(&mut self) {
+        *self = Self {
+            open: !self.open,
+            ..Self::default()
+        };
+    }
+
+    /// Whether it is open.
+    pub fn is_open(&self) -> bool {
+        self.open
+    }
+
+    fn matching(&self) -> Vec<Entry> {
+        let mut found: Vec<(i32, Entry)> = catalog()
+            .into_iter()
+            .filter_map(|e| Some((fuzzy_score(&self.query, e.label)?, e)))
+            .collect();
+        if !self.query.is_empty() {
+            found.sort_by_key(|(score, _)| -score);
+        }
+        found.into_iter().map(|(_, e)| e).collect()
+    }
+
+    /// Draws the palette and sends what is chosen.
+    pub fn show(&mut self, ui: &mut Ui, tokens: &Tokens, commands: &mut Vec<Command>) {
+        if !self.open {
+            return;
+        }
+        let entries = self.matching();
+        let (up, down, enter, escape) = ui.input_mut(|input| {
+            (
+                input.count_and_consume_key(egui::Modifiers::NONE, Key::ArrowUp),
+                input.count_and_consume_key(egui::Modifiers::NONE, Key::ArrowDown),
+                input.consume_key(egui::Modifiers::NONE, Key::Enter),
+                input.consume_key(egui::Modifiers::NONE, Key::Escape),
+            )
+        });
+        let last = entries.len().saturating_sub(1);
+        self.chosen = (self.chosen + down).saturating_sub(up).min(last);
+        let mut run = enter.then_some(self.chosen);
+        let screen = ui.ctx().content_rect();
+        let width = 520.0_f32.min(screen.width() - 48.0);
+        let area = Area::new(Id::unique("palette"))
+            .order(Order::Foreground)
+            .anchor(Align2::CENTER_TOP, vec2(0.0, 80.0))
+            .show(ui.ctx(), |ui| {
+                Frame::window(ui.style()).inner_margin(8).show(ui, |ui| {
+                    ui.set_width(width);
+                    let field = ui.add(
+                        TextEdit::singleline(&mut self.query)
+                            .hint_text("Find a command")
+                            .margin(vec2(8.0, 8.0))
+                            .desired_width(f32::INFINITY),
+                    );
+                    let field = field.accessible_name("Find a command");
+                    if field.changed() {
+                        self.chosen = 0;
+                    }
+                    if !field.has_focus() {
+                        field.request_focus();
+                    }
+                    ui.memory_mut(|memory| {
+                        memory.set_focus_lock_filter(
+                            field.id,
+                            egui::EventFilter {
+                                vertical_arrows: true,
+                                horizontal_arrows: true,
+                                ..Default::default()
+                            },
+                        );
+                    });
+                    ui.add_space(4.0);
+                    let height = 360.0_f32.min(screen.height() - 240.0);
+                    egui::ScrollArea::vertical()
+                        .max_height(height)
+                        .auto_shrink([false, true])
+                        .show(ui, |ui| {
+                            ui.spacing_mut().item_spacing.y = 0.0;
+                            for (index, entry) in entries.iter().enumerate() {
+                                let response = row(ui, tokens, entry, index == self.chosen);
+                                if index == self.chosen && up + down > 0 {
+                                    response.scroll_to_me(None);
+                                }
+                                if response.clicked() {
+                                    run = Some(index);
+                                }
+                            }
+                            if entries.is_empty() {
+                                ui.label(super::muted(tokens, "No command has these letters."));
+                            }
+                        });
+                });
+            });
+        let outside = ui.input(|i| {
+            i.pointer.any_pressed()
+                && i.pointer
+                    .interact_pos()
+                    .is_some_and(|p| !area.response.rect.contains(p))
+        });
+        if let Some(entry) = run.and_then(|index| entries.get(index)) {
+            commands.push(entry.command.clone());
+            self.open = false;
+        } else if escape || outside {
+            self.open = false;
+        }
+        if !self.open {
+            ui.memory_mut(egui::Memory::stop_text_input);
+        }
+    }
+}
+
+fn row(ui: &mut Ui, tokens: &Tokens, entry: &Entry, chosen: bool) -> egui::Response {
+    let size = vec2(ui.available_width(), 4.0 * tokens.space);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    response.widget_info(|| WidgetInfo::selected(Role::Button, true, chosen, entry.label));
+    if ui.is_rect_visible(rect) {
+        let painter = ui.painter();
+        if chosen || response.hovered() {
+            painter.rect(
+                rect,
+                tokens.radius,
+                if chosen {
+                    tokens.hover()
+                } else {
+                    tokens.raised
+                },
+                Stroke::NONE,
+                egui::StrokeKind::Inside,
+            );
+        }
+        let inner = rect.shrink2(vec2(tokens.space, 0.0));
+        let left = painter.text(
+            inner.left_center(),
+            Align2::LEFT_CENTER,
+            entry.label,
+            tokens.normal(),
+            tokens.text,
+        );
+        painter.text(
+            egui::pos2(left.right() + tokens.space, inner.center().y),
+            Align2::LEFT_CENTER,
+            entry.group.label(),
+            tokens.small(),
+            tokens.muted,
+        );
+        painter.text(
+            inner.right_center(),
+            Align2::RIGHT_CENTER,
+            entry.keys(),
+            tokens.figures(),
+            tokens.muted,
+        );
+    }
+    response
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn letters_in_order_are_found_and_others_are_not() {
+        assert!(fuzzy_score("plpa", "Play or pause").is_some());
+        assert!(fuzzy_score("zq", "Play or pause").is_none());
+        assert!(fuzzy_score("", "anything").is_some());
+    }
+
+    #[test]
+    fn letters_together_score_higher_than_letters_apart() {
+        assert!(fuzzy_score("undo", "Undo") > fuzzy_score("undo", "Turn the map with no order"));
+    }
+}

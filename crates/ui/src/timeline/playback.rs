@@ -1,0 +1,123 @@
+//! How the time cursor moves.
+
+/// Slowest and fastest playback, times real time.
+pub const SPEEDS: [f64; 2] = [0.1, 20.0];
+
+/// The time cursor and its motion.
+#[derive(Clone, Debug)]
+pub struct Playback {
+    /// The time cursor, seconds in the flight's time base.
+    pub time: f64,
+    /// Whether it moves by itself.
+    pub playing: bool,
+    /// How fast, times real time.
+    pub speed: f64,
+    /// Whether it starts over at the end.
+    pub looping: bool,
+}
+
+impl Default for Playback {
+    fn default() -> Self {
+        Self {
+            time: 0.0,
+            playing: true,
+            speed: 1.0,
+            looping: true,
+        }
+    }
+}
+
+impl Playback {
+    /// Sets the speed within its limits.
+    pub fn set_speed(&mut self, speed: f64) {
+        self.speed = speed.clamp(SPEEDS[0], SPEEDS[1]);
+    }
+
+    /// Moves the cursor to a time within the span.
+    pub fn seek(&mut self, time: f64, span: Option<(f64, f64)>) {
+        if let Some((first, last)) = span {
+            self.time = time.clamp(first, last.max(first));
+        }
+    }
+
+    /// Moves the cursor by `elapsed` seconds of real time. It waits at `streamed`, the last time
+    /// computed so far, and ends or starts over at the end of the span.
+    pub fn advance(
+        &mut self,
+        elapsed: f64,
+        span: Option<(f64, f64)>,
+        streamed: f64,
+        complete: bool,
+    ) {
+        let Some((first, last)) = span else { return };
+        if !self.playing {
+            return;
+        }
+        if self.time < first {
+            self.time = first;
+        }
+        // A page that slept for long does not leap.
+        self.time += elapsed.clamp(0.0, 0.25) * self.speed;
+        let end = if complete {
+            last.min(streamed)
+        } else {
+            streamed
+        };
+        if self.time >= end {
+            if !complete {
+                self.time = end.max(first);
+            } else if self.looping {
+                self.time = first;
+            } else {
+                self.time = end;
+                self.playing = false;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(time: f64) -> Playback {
+        Playback {
+            time,
+            ..Playback::default()
+        }
+    }
+
+    #[test]
+    fn playback_waits_for_what_is_still_being_computed() {
+        let mut playback = at(9.95);
+        playback.advance(0.2, Some((0.0, 100.0)), 10.0, false);
+        assert!(playback.playing);
+        assert_eq!(playback.time, 10.0);
+    }
+
+    #[test]
+    fn a_loop_starts_over_at_the_end() {
+        let mut playback = at(99.95);
+        playback.advance(0.2, Some((0.0, 100.0)), 100.0, true);
+        assert_eq!(playback.time, 0.0);
+        assert!(playback.playing);
+    }
+
+    #[test]
+    fn without_a_loop_it_stops_at_the_end() {
+        let mut playback = Playback {
+            looping: false,
+            ..at(99.95)
+        };
+        playback.advance(0.2, Some((0.0, 100.0)), 100.0, true);
+        assert_eq!((playback.time, playback.playing), (100.0, false));
+    }
+
+    #[test]
+    fn speed_multiplies_time() {
+        let mut playback = at(1.0);
+        playback.set_speed(4.0);
+        playback.advance(0.1, Some((0.0, 100.0)), 100.0, true);
+        assert!((playback.time - 1.4).abs() < 1e-12);
+    }
+}

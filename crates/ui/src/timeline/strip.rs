@@ -1,0 +1,356 @@
+//! The strip at the bottom: transport buttons, and time with what happened in it.
+
+use egui::{
+    Align2, Color32, Painter, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
+
+use super::bins::Bins;
+use super::playback::Playback;
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::shell::icons::Icon;
+use crate::shell::{icon_button, icon_toggle};
+use crate::tokens::Tokens;
+
+/// What the strip needs beside what every view is given.
+pub struct TimelineExtra<'a> {
+    /// How the cursor moves.
+    pub playback: &'a Playback,
+    /// First and last time of the flight.
+    pub span: Option<(f64, f64)>,
+    /// Whether the run is complete.
+    pub complete: bool,
+    /// Which run this is.
+    pub generation: u64,
+    /// Bookmarks, seconds.
+    pub bookmarks: &'a [f64],
+}
+
+/// The strip's own state.
+#[derive(Debug, Default)]
+pub struct Timeline {
+    bins: Bins,
+    track: Option<Rect>,
+}
+
+/// Time since the start as minutes and seconds.
+pub fn clock_text(seconds: f64) -> String {
+    let tenths = (seconds.max(0.0) * 10.0).round() as u64;
+    format!("{}:{:02}.{}", tenths / 600, tenths / 10 % 60, tenths % 10)
+}
+
+/// A speed as people read it.
+pub fn speed_text(speed: f64) -> String {
+    if speed >= 1.0 {
+        format!("{speed:.0}×")
+    } else {
+        format!("{speed}×")
+    }
+}
+
+const CHOICES: [f64; 8] = [0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 20.0];
+
+impl Timeline {
+    /// Where time was drawn last.
+    pub fn track(&self) -> Option<Rect> {
+        self.track
+    }
+
+    /// Draws the strip.
+    pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, extra: &TimelineExtra<'_>) {
+        let narrow = ui.available_width() < 700.0;
+        if narrow {
+            ui.vertical(|ui| {
+                self.time(ui, context, extra, 40.0);
+                ui.horizontal(|ui| transport(ui, context, extra, true));
+            });
+        } else {
+            ui.horizontal_centered(|ui| {
+                ui.spacing_mut().item_spacing.x = 0.0;
+                transport(ui, context, extra, false);
+                ui.add_space(12.0);
+                let height = ui.available_height();
+                self.time(ui, context, extra, height);
+            });
+        }
+    }
+
+    fn time(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut ViewContext<'_>,
+        extra: &TimelineExtra<'_>,
+        height: f32,
+    ) {
+        let size = vec2(ui.available_width(), height);
+        let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
+        let now = context.time;
+        response.widget_info(|| WidgetInfo::slider(true, now, "Time"));
+        let tokens = context.tokens;
+        let painter = ui.painter_at(rect.expand(2.0));
+        let track = rect.shrink2(vec2(8.0, 6.0));
+        self.track = Some(track);
+        painter.rect_filled(track, tokens.radius, tokens.background);
+        let Some(span) = extra.span.filter(|s| s.1 > s.0) else {
+            painter.text(
+                track.center(),
+                Align2::CENTER_CENTER,
+                "No flight yet. Simulate one, or drop a flight folder here",
+                tokens.small(),
+                tokens.muted,
+            );
+            return;
+        };
+        let scale = TimeScale { span, track };
+        if let Some(run) = context.run {
+            let width = track.width() as usize;
+            self.bins.follow(run, extra.generation, span, width);
+            let until = run.span().map_or(span.0, |s| s.1);
+            paint_streamed(&painter, &scale, until, extra.complete, tokens);
+            self.paint_bins(&painter, track, tokens);
+        }
+        for mark in extra.bookmarks {
+            paint_bookmark(&painter, track, scale.x(*mark), tokens);
+        }
+        paint_cursor(&painter, track, scale.x(context.time), tokens.accent);
+        if response.has_focus() {
+            crate::shell::paint_focus_ring(&painter, track, tokens);
+        }
+        let pointer = response.interact_pointer_pos().or(response.hover_pos());
+        if let Some(pointer) = pointer {
+            let time = scale.time(pointer.x);
+            if response.dragged() || response.clicked() {
+                context.commands.push(Command::SeekTo(time));
+            } else {
+                paint_hover(&painter, &scale, time, context, tokens);
+            }
+        }
+    }
+
+    /// Accepted above, refused below, the position's standard deviation as a line behind both.
+    fn paint_bins(&self, painter: &Painter, track: Rect, tokens: &Tokens) {
+        let (top, bottom) = (track.top() + 3.0, track.bottom() - 3.0);
+        let largest = self.bins.largest().max(1e-3);
+        let mut line = Vec::new();
+        for (index, bin) in self.bins.bins().iter().enumerate() {
+            if bin.deviation > 0.0 {
+                let x = track.left() + index as f32;
+                let height = (bottom - top - 14.0) * (bin.deviation / largest).sqrt();
+                line.push(pos2(x, bottom - 1.0 - height));
+            }
+        }
+        if line.len() > 1 {
+            let color = tokens.muted.gamma_multiply(0.9);
+            painter.add(Shape::line(line, Stroke::new(1.25, color)));
+        }
+        for (index, bin) in self.bins.bins().iter().enumerate() {
+            let x = track.left() + index as f32 + 0.5;
+            if bin.accepted > 0 {
+                let stroke = Stroke::new(1.0, tokens.observed.gamma_multiply(0.85));
+                painter.vline(x, top..=top + 7.0, stroke);
+            }
+            if bin.refused > 0 {
+                let at = pos2(x, top + 11.0);
+                painter.circle_filled(at, 1.2, tokens.refused.gamma_multiply(0.85));
+            }
+        }
+    }
+}
+
+struct TimeScale {
+    span: (f64, f64),
+    track: Rect,
+}
+
+impl TimeScale {
+    fn x(&self, time: f64) -> f32 {
+        let fraction = (time - self.span.0) / (self.span.1 - self.span.0);
+        self.track.left() + self.track.width() * fraction.clamp(0.0, 1.0) as f32
+    }
+
+    fn time(&self, x: f32) -> f64 {
+        let fraction = f64::from((x - self.track.left()) / self.track.width()).clamp(0.0, 1.0);
+        self.span.0 + fraction * (self.span.1 - self.span.0)
+    }
+}
+
+fn paint_streamed(
+    painter: &Painter,
+    scale: &TimeScale,
+    until: f64,
+    complete: bool,
+    tokens: &Tokens,
+) {
+    let mut done = scale.track;
+    done.set_right(scale.x(until));
+    painter.rect_filled(done, tokens.radius, tokens.raised);
+    if !complete {
+        painter.vline(done.right(), done.y_range(), Stroke::new(1.0, tokens.muted));
+    }
+}
+
+fn paint_bookmark(painter: &Painter, track: Rect, x: f32, tokens: &Tokens) {
+    let flag = vec![
+        pos2(x, track.top() - 4.0),
+        pos2(x + 8.0, track.top() - 4.0),
+        pos2(x + 5.0, track.top()),
+        pos2(x + 8.0, track.top() + 4.0),
+        pos2(x, track.top() + 4.0),
+    ];
+    painter.add(Shape::line(flag, Stroke::new(1.25, tokens.accent)));
+    let color = tokens.accent.gamma_multiply(0.6);
+    painter.vline(x, track.y_range(), Stroke::new(1.0, color));
+}
+
+fn paint_cursor(painter: &Painter, track: Rect, x: f32, color: Color32) {
+    painter.vline(x, track.y_range().expand(3.0), Stroke::new(1.5, color));
+    let head = vec![
+        pos2(x - 5.0, track.top() - 5.0),
+        pos2(x + 5.0, track.top() - 5.0),
+        pos2(x, track.top() + 2.0),
+    ];
+    painter.add(Shape::convex_polygon(head, color, Stroke::NONE));
+}
+
+fn paint_hover(
+    painter: &Painter,
+    scale: &TimeScale,
+    time: f64,
+    context: &ViewContext<'_>,
+    tokens: &Tokens,
+) {
+    let x = scale.x(time);
+    let faint = Stroke::new(1.0, tokens.muted.gamma_multiply(0.6));
+    painter.vline(x, scale.track.y_range(), faint);
+    let mut text = clock_text(time - scale.span.0);
+    let step = context.run.and_then(|r| r.step_at(time));
+    if let Some(step) = step.filter(|s| (s.time - time).abs() < 2.0) {
+        let (factor, unit) = context.units.length();
+        let deviation = step.after.position_covariance().trace().max(0.0).sqrt() * factor;
+        text = format!("{text}   ±{deviation:.1} {unit}");
+        if let Some(frame) = context
+            .run
+            .and_then(|r| r.frame_step_at(time))
+            .and_then(|s| s.frame.as_ref())
+        {
+            let accepted = frame.accepted().count();
+            let refused = frame.candidates.len() - accepted;
+            text = format!("{text}   {accepted} accepted, {refused} refused");
+        }
+    }
+    let galley = painter.layout_no_wrap(text, tokens.small(), tokens.text);
+    let half = 0.5 * galley.size().x + 6.0;
+    let middle = x.clamp(
+        scale.track.left() + half,
+        (scale.track.right() - half).max(scale.track.left() + half),
+    );
+    let at = pos2(middle, scale.track.bottom() - 8.0);
+    let rect = Rect::from_center_size(at, galley.size() + vec2(12.0, 4.0));
+    painter.rect_filled(rect, tokens.radius, tokens.over_map());
+    painter.galley(rect.center() - 0.5 * galley.size(), galley, tokens.text);
+}
+
+fn transport(ui: &mut Ui, context: &mut ViewContext<'_>, extra: &TimelineExtra<'_>, narrow: bool) {
+    let tokens = context.tokens;
+    ui.spacing_mut().item_spacing.x = 0.0;
+    if icon_button(ui, tokens, Icon::StepBack, "Previous frame").clicked() {
+        context.commands.push(Command::StepFrames(-1));
+    }
+    let (icon, label) = if extra.playback.playing {
+        (Icon::Pause, "Pause")
+    } else {
+        (Icon::Play, "Play")
+    };
+    if icon_button(ui, tokens, icon, label).clicked() {
+        context.commands.push(Command::TogglePlay);
+    }
+    if icon_button(ui, tokens, Icon::StepForward, "Next frame").clicked() {
+        context.commands.push(Command::StepFrames(1));
+    }
+    if icon_toggle(
+        ui,
+        tokens,
+        Icon::Loop,
+        "Repeat at the end",
+        extra.playback.looping,
+    )
+    .clicked()
+    {
+        context.commands.push(Command::ToggleLoop);
+    }
+    let marked = extra
+        .bookmarks
+        .iter()
+        .any(|b| (b - context.time).abs() < 0.05);
+    if icon_toggle(ui, tokens, Icon::Bookmark, "Bookmark this time", marked).clicked() {
+        context.commands.push(Command::ToggleBookmark);
+    }
+    speed_menu(ui, context, extra);
+    ui.add_space(8.0);
+    let first = extra.span.map_or(0.0, |s| s.0);
+    let last = extra.span.map_or(0.0, |s| s.1);
+    let width = if narrow { 120.0 } else { 132.0 };
+    let (rect, response) = ui.allocate_exact_size(vec2(width, 28.0), Sense::hover());
+    let (now, total) = (clock_text(context.time - first), clock_text(last - first));
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, format!("{now} of {total}")));
+    let end = ui.painter().text(
+        rect.right_center(),
+        Align2::RIGHT_CENTER,
+        format!(" / {total}"),
+        tokens.figures(),
+        tokens.muted,
+    );
+    ui.painter().text(
+        end.left_center(),
+        Align2::RIGHT_CENTER,
+        now,
+        egui::FontId::monospace(tokens.text_sizes[1]),
+        tokens.text,
+    );
+}
+
+fn speed_menu(ui: &mut Ui, context: &mut ViewContext<'_>, extra: &TimelineExtra<'_>) {
+    let tokens = context.tokens;
+    let (rect, response) = ui.allocate_exact_size(vec2(48.0, 32.0), Sense::click());
+    let text = speed_text(extra.playback.speed);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("Speed {text}")));
+    if response.hovered() || response.has_focus() {
+        ui.painter()
+            .rect_filled(rect.shrink(2.0), tokens.radius, tokens.hover());
+    }
+    ui.painter().text(
+        rect.center(),
+        Align2::CENTER_CENTER,
+        &text,
+        tokens.normal(),
+        tokens.text,
+    );
+    egui::Popup::menu(&response).show(|ui| {
+        ui.set_min_width(72.0);
+        for speed in CHOICES {
+            let chosen = (speed - extra.playback.speed).abs() < 1e-9;
+            if ui.selectable_label(chosen, speed_text(speed)).clicked() {
+                context.commands.push(Command::SetSpeed(speed));
+                ui.close();
+            }
+        }
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clocks_show_minutes_seconds_and_tenths() {
+        assert_eq!(clock_text(0.0), "0:00.0");
+        assert_eq!(clock_text(61.26), "1:01.3");
+        assert_eq!(clock_text(-1.0), "0:00.0");
+    }
+
+    #[test]
+    fn speeds_are_short() {
+        assert_eq!(speed_text(0.25), "0.25×");
+        assert_eq!(speed_text(20.0), "20×");
+    }
+}
