@@ -12,3 +12,4 @@ pub mod shell;
 pub mod timeline;
 pub mod tokens;
 pub mod units;
+pub mod views;

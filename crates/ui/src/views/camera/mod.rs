@@ -1,0 +1,208 @@
+//! The camera picture of the last frame at or before the cursor, with what the navigator saw in it.
+
+mod attitude;
+mod overlay;
+mod picture;
+
+use egui::{Rect, Sense, Ui, Vec2, pos2, vec2};
+use nalgebra::Point2;
+use pilotage_core::navigator::{FrameReport, Run};
+
+use super::{parts, picking};
+use crate::command::Command;
+use crate::context::ViewContext;
+use picture::PictureCache;
+
+/// Furthest that the wheel goes in.
+const MOST_ZOOM: f32 = 12.0;
+/// How far from a mark a click still selects it, points.
+const REACH: f32 = 18.0;
+
+/// Shows the camera picture and explains what was looked for and found in it.
+pub struct CameraView {
+    cache: PictureCache,
+    zoom: f32,
+    /// Shift of the picture's centre from the middle of the view, in points at zoom 1.
+    shift: Vec2,
+}
+
+impl Default for CameraView {
+    fn default() -> Self {
+        Self {
+            cache: PictureCache::default(),
+            zoom: 1.0,
+            shift: Vec2::ZERO,
+        }
+    }
+}
+
+/// From pixels of the camera picture to points on the screen.
+#[derive(Clone, Copy)]
+struct Placement {
+    /// The whole picture on the screen.
+    rect: Rect,
+    /// Points per pixel.
+    scale: f32,
+}
+
+impl Placement {
+    fn at(&self, pixel: &Point2<f64>) -> egui::Pos2 {
+        self.rect.min + self.scale * vec2(pixel.x as f32, pixel.y as f32)
+    }
+}
+
+impl CameraView {
+    /// Draws the view into the space that `ui` has left.
+    pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
+        let tokens = context.tokens;
+        let Some(flight) = context.flight else {
+            parts::empty(
+                ui,
+                tokens,
+                "No flight yet",
+                "Open a flight or simulate one.",
+            );
+            return;
+        };
+        let Some(index) = flight
+            .frames
+            .partition_point(|f| f.time <= context.time + 1e-9)
+            .checked_sub(1)
+        else {
+            parts::empty(
+                ui,
+                tokens,
+                "No picture yet",
+                "The camera takes its first picture a little later.",
+            );
+            return;
+        };
+        let report = context
+            .run
+            .and_then(|run| Some((run, picking::frame_at(run, context.time)?.1)))
+            .filter(|(_, report)| report.index == index);
+        let bytes = (context.pictures)(index);
+        self.cache.update(ui.ctx(), index, bytes.as_deref());
+
+        let outer = ui.available_rect_before_wrap();
+        let response = ui.allocate_rect(outer, Sense::click_and_drag());
+        parts::name(
+            &response,
+            describe(report, flight.frames[index].name.as_str()),
+        );
+        let size = vec2(flight.camera.width as f32, flight.camera.height as f32);
+        self.navigate(ui, &response, outer, size);
+        let placement = self.placement(outer, size);
+        let painter = ui.painter_at(outer);
+        painter.rect_filled(outer, 0.0, tokens.background);
+        match self.cache.texture() {
+            Some(texture) => {
+                let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+                painter.image(texture, placement.rect, uv, egui::Color32::WHITE);
+            }
+            None => {
+                painter.rect_filled(placement.rect, 0.0, tokens.raised);
+                painter.text(
+                    placement.rect.center(),
+                    egui::Align2::CENTER_CENTER,
+                    self.cache.trouble().unwrap_or("The picture is on its way."),
+                    parts::normal(tokens),
+                    tokens.muted,
+                );
+            }
+        }
+        let mut taken = Vec::new();
+        if let Some((run, report)) = report {
+            let pointer = response.hover_pos();
+            let near = nearest(report, &placement, pointer);
+            overlay::draw(&painter, context, run, report, &placement, near, &mut taken);
+            if response.clicked() {
+                context.commands.push(Command::SelectLandmark(near));
+            }
+            if let Some(candidate) = report.candidates.iter().find(|c| Some(c.landmark) == near) {
+                let text = overlay::explain(run, candidate);
+                response.on_hover_text_at_pointer(text);
+            }
+            attitude::draw(&painter, tokens, outer, &flight.camera, report);
+        }
+    }
+
+    /// Wheel and pinch zoom at the pointer, a drag moves, a double click shows all again.
+    fn navigate(&mut self, ui: &Ui, response: &egui::Response, outer: Rect, size: Vec2) {
+        if response.double_clicked() {
+            self.zoom = 1.0;
+            self.shift = Vec2::ZERO;
+        }
+        if let Some(pointer) = response.hover_pos() {
+            let factor = ui.input(|i| i.zoom_delta() * (i.smooth_scroll_delta().y / 240.0).exp());
+            if factor != 1.0 {
+                let zoom = (self.zoom * factor).clamp(1.0, MOST_ZOOM);
+                let from_middle = pointer - outer.center();
+                self.shift += from_middle * (1.0 / zoom - 1.0 / self.zoom);
+                self.zoom = zoom;
+            }
+        }
+        if response.dragged() {
+            self.shift += response.drag_delta() / self.zoom;
+        }
+        let fitted = parts::fitted(outer, size).size();
+        let most = (fitted - outer.size() / self.zoom).max(Vec2::ZERO) * 0.5;
+        self.shift = self.shift.clamp(-most, most);
+    }
+
+    fn placement(&self, outer: Rect, size: Vec2) -> Placement {
+        let fitted = parts::fitted(outer, size);
+        let rect = Rect::from_center_size(
+            outer.center() + self.shift * self.zoom,
+            fitted.size() * self.zoom,
+        );
+        Placement {
+            rect,
+            scale: rect.width() / size.x.max(1.0),
+        }
+    }
+}
+
+/// The landmark whose predicted or found place is nearest to the pointer and within reach.
+fn nearest(
+    report: &FrameReport,
+    placement: &Placement,
+    pointer: Option<egui::Pos2>,
+) -> Option<u32> {
+    let pointer = pointer?;
+    report
+        .candidates
+        .iter()
+        .flat_map(|c| {
+            [Some(c.predicted_pixel), c.measured_pixel]
+                .into_iter()
+                .flatten()
+                .map(|pixel| (placement.at(&pixel).distance(pointer), c.landmark))
+        })
+        .filter(|(distance, _)| *distance <= REACH)
+        .min_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, landmark)| landmark)
+}
+
+/// One line of what the picture shows, for those who do not see it.
+fn describe(report: Option<(&Run, &FrameReport)>, name: &str) -> String {
+    let Some((run, report)) = report else {
+        return format!("Camera picture {name}");
+    };
+    let accepted: Vec<String> = report
+        .accepted()
+        .map(|c| picking::landmark_name(run, c.landmark))
+        .collect();
+    let refused = report.candidates.len() - accepted.len();
+    if accepted.is_empty() {
+        format!("Camera picture {name}: no landmark used, {refused} refused")
+    } else {
+        format!(
+            "Camera picture {name}: {} used, {refused} refused",
+            accepted.join(", ")
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,103 @@
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+
+use super::super::fixture::Fixture;
+use super::*;
+use crate::tokens::Tokens;
+use crate::units::Units;
+
+struct State {
+    fixture: Fixture,
+    view: CameraView,
+    time: f64,
+    commands: Vec<Command>,
+}
+
+fn harness(time: f64) -> Harness<'static, State> {
+    let state = State {
+        fixture: Fixture::lasting(20.0),
+        view: CameraView::default(),
+        time,
+        commands: Vec::new(),
+    };
+    Harness::builder().with_size([420.0, 320.0]).build_ui_state(
+        |ui, state| {
+            let fixture = &state.fixture;
+            let mut context = ViewContext {
+                mission: &fixture.mission,
+                flight: Some(&fixture.flight),
+                run: Some(&fixture.run),
+                ghost: None,
+                time: state.time,
+                playing: false,
+                selection: None,
+                pictures: &|index| fixture.picture(index),
+                match_pictures: None,
+                tokens: &Tokens::dark(),
+                units: Units::Metric,
+                commands: &mut state.commands,
+            };
+            state.view.show(ui, &mut context);
+        },
+        state,
+    )
+}
+
+/// A time whose frame shows a landmark that was used, with that landmark's id.
+fn telling_time(fixture: &Fixture) -> (f64, u32) {
+    fixture
+        .run
+        .steps
+        .iter()
+        .find_map(|s| {
+            let frame = s.frame.as_ref()?;
+            let candidate = frame.accepted().next()?;
+            Some((s.time, candidate.landmark))
+        })
+        .expect("the fixture sees a landmark in its first seconds")
+}
+
+#[test]
+fn a_click_on_a_found_landmark_selects_it() {
+    let (time, landmark) = telling_time(&Fixture::lasting(20.0));
+    let mut harness = harness(time);
+    harness.run();
+    let rect = harness.get_by_label_contains("Camera picture").rect();
+    let (place, pixel) = {
+        let state = harness.state();
+        let frame = picking::frame_at(&state.fixture.run, time).unwrap().1;
+        let candidate = frame.accepted().next().unwrap();
+        let size = vec2(640.0, 480.0);
+        (
+            state.view.placement(rect, size),
+            candidate.measured_pixel.unwrap(),
+        )
+    };
+    let at = place.at(&pixel);
+    harness.hover_at(at);
+    harness.run();
+    harness.drag_at(at);
+    harness.drop_at(at);
+    harness.run();
+    assert!(
+        harness
+            .state()
+            .commands
+            .contains(&Command::SelectLandmark(Some(landmark)))
+    );
+}
+
+#[test]
+fn before_the_first_frame_the_view_says_so() {
+    let mut harness = harness(0.0);
+    harness.run();
+    harness.get_by_label("No picture yet");
+}
+
+#[test]
+fn a_frame_with_a_used_landmark_is_described_by_its_name() {
+    let (time, _) = telling_time(&Fixture::lasting(20.0));
+    let mut harness = harness(time);
+    harness.run();
+    harness.get_by_label_contains("Church used");
+}

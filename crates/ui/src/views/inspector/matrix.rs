@@ -1,0 +1,184 @@
+//! Tables of numbers: a covariance with its correlations as heat, and a gain.
+
+use egui::{Align2, Color32, Rect, Sense, Ui, vec2};
+use nalgebra::DMatrix;
+
+use super::super::parts::{self, figures};
+use crate::tokens::Tokens;
+
+/// Draws a covariance: numbers in the cells, the correlation as their background.
+///
+/// Cells hold the covariance; a cell is the warmer the nearer its correlation is to 1, and the
+/// colder the nearer to -1.
+pub(super) fn covariance(ui: &mut Ui, tokens: &Tokens, matrix: &DMatrix<f64>, names: &[String]) {
+    let correlation = |r: usize, c: usize| {
+        let scale = (matrix[(r, r)] * matrix[(c, c)]).max(0.0).sqrt();
+        if scale > 0.0 {
+            matrix[(r, c)] / scale
+        } else {
+            0.0
+        }
+    };
+    let response = cells(
+        ui,
+        tokens,
+        names,
+        names,
+        |r, c| figures(matrix[(r, c)]),
+        |r, c| {
+            let value = correlation(r, c);
+            let color = if value >= 0.0 {
+                tokens.corrected
+            } else {
+                tokens.dead_reckoning
+            };
+            color.gamma_multiply(if r == c {
+                0.1
+            } else {
+                0.75 * value.abs() as f32
+            })
+        },
+    );
+    parts::name(&response, "Covariance of the state");
+    if let Some(pointer) = response.hover_pos() {
+        let (row, column) = place(response.rect, pointer, names.len(), names.len(), tokens);
+        if row < names.len() && column < names.len() {
+            response.on_hover_text_at_pointer(format!(
+                "{} with {}\ncovariance {}, correlation {:.2}",
+                names[row],
+                names[column],
+                figures(matrix[(row, column)]),
+                correlation(row, column)
+            ));
+        }
+    }
+}
+
+/// Draws a Kalman gain: what one pixel of innovation moves each component by.
+pub(super) fn gain(
+    ui: &mut Ui,
+    tokens: &Tokens,
+    matrix: &DMatrix<f64>,
+    rows: &[String],
+    columns: &[String],
+) {
+    let most: Vec<f64> = (0..matrix.nrows())
+        .map(|r| matrix.row(r).amax().max(1e-12))
+        .collect();
+    let response = cells(
+        ui,
+        tokens,
+        rows,
+        columns,
+        |r, c| format!("{:.3}", matrix[(r, c)]).replace('-', "−"),
+        |r, c| {
+            let part = matrix[(r, c)] / most[r];
+            let color = if part >= 0.0 {
+                tokens.corrected
+            } else {
+                tokens.dead_reckoning
+            };
+            color.gamma_multiply(0.45 * part.abs() as f32)
+        },
+    );
+    parts::name(&response, "Kalman gain");
+}
+
+/// Width of the row names, points.
+fn name_width(tokens: &Tokens) -> f32 {
+    7.5 * tokens.text_sizes[0]
+}
+
+fn row_height(tokens: &Tokens) -> f32 {
+    2.0 * tokens.text_sizes[0]
+}
+
+/// Row and column under the pointer; may lie outside.
+fn place(
+    area: Rect,
+    pointer: egui::Pos2,
+    rows: usize,
+    columns: usize,
+    tokens: &Tokens,
+) -> (usize, usize) {
+    let width = (area.width() - name_width(tokens)) / columns.max(1) as f32;
+    let x = (pointer.x - area.left() - name_width(tokens)) / width;
+    let y = (pointer.y - area.top()) / row_height(tokens) - 1.0;
+    let index = |v: f32, most: usize| if v < 0.0 { most } else { v as usize };
+    (index(y, rows), index(x, columns))
+}
+
+fn cells(
+    ui: &mut Ui,
+    tokens: &Tokens,
+    rows: &[String],
+    columns: &[String],
+    text: impl Fn(usize, usize) -> String,
+    color: impl Fn(usize, usize) -> Color32,
+) -> egui::Response {
+    let height = row_height(tokens);
+    let size = vec2(ui.available_width(), height * (rows.len() + 1) as f32);
+    let (area, response) = ui.allocate_exact_size(size, Sense::hover());
+    let left = area.left() + name_width(tokens);
+    let width = (area.right() - left) / columns.len().max(1) as f32;
+    let painter = ui.painter_at(area);
+    let font = parts::small(tokens);
+    let pad = 0.5 * tokens.space;
+    for (c, name) in columns.iter().enumerate() {
+        let rect = Rect::from_min_size(
+            egui::pos2(left + c as f32 * width, area.top()),
+            vec2(width, height),
+        );
+        painter.with_clip_rect(rect).text(
+            rect.right_center() - vec2(pad, 0.0),
+            Align2::RIGHT_CENTER,
+            short(name),
+            font.clone(),
+            tokens.muted,
+        );
+    }
+    for (r, name) in rows.iter().enumerate() {
+        let top = area.top() + (r + 1) as f32 * height;
+        painter.text(
+            egui::pos2(area.left(), top + 0.5 * height),
+            Align2::LEFT_CENTER,
+            name,
+            font.clone(),
+            tokens.muted,
+        );
+        for c in 0..columns.len() {
+            let rect = Rect::from_min_size(
+                egui::pos2(left + c as f32 * width, top),
+                vec2(width, height),
+            );
+            painter.rect_filled(rect.shrink(0.5), 2.0, color(r, c));
+            painter.with_clip_rect(rect).text(
+                rect.right_center() - vec2(pad, 0.0),
+                Align2::RIGHT_CENTER,
+                text(r, c),
+                font.clone(),
+                tokens.text,
+            );
+        }
+    }
+    response
+}
+
+/// A component's name short enough for a column's head: "wind north" becomes "w north".
+fn short(name: &str) -> String {
+    match name.rsplit_once(' ') {
+        Some((first, last)) => format!("{}. {last}", first.chars().next().unwrap_or(' ')),
+        None => name.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn column_heads_keep_the_direction() {
+        assert_eq!(short("wind north"), "w. north");
+        assert_eq!(short("east"), "east");
+    }
+}

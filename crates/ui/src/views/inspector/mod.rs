@@ -1,0 +1,243 @@
+//! The filter inspector: everything one step concluded, in numbers and in words.
+
+mod candidates;
+mod matrix;
+pub(crate) mod sentence;
+mod sigma;
+
+use egui::{RichText, ScrollArea, Ui};
+use pilotage_core::navigator::{FrameReport, JointReport, Run, StepReport};
+
+use super::parts::{self, Reading, figures};
+use super::picking;
+use crate::context::ViewContext;
+use crate::units::Units;
+
+/// Explains the filter's step at the cursor.
+#[derive(Default)]
+pub struct InspectorView {
+    stages: sigma::Stages,
+    /// Show the step at the cursor itself rather than the last one with a picture.
+    this_step: bool,
+}
+
+impl InspectorView {
+    /// Draws the view into the space that `ui` has left.
+    pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
+        let tokens = context.tokens;
+        let Some((run, index)) = context
+            .run
+            .and_then(|run| Some((run, run.index_at(context.time)?)))
+        else {
+            parts::empty(
+                ui,
+                tokens,
+                "No step yet",
+                "Fly to see what the filter concludes.",
+            );
+            return;
+        };
+        let last_frame = run.steps[..=index].iter().rposition(|s| s.frame.is_some());
+        ScrollArea::vertical()
+            .id_salt("inspector")
+            .auto_shrink(false)
+            .show(ui, |ui| {
+                ui.spacing_mut().item_spacing.y = 0.25 * tokens.space;
+                let shown = self.choose(ui, context, run, index, last_frame);
+                let step = &run.steps[shown];
+                self.step(ui, context, run, shown, step);
+                if let Some(frame) = last_frame.and_then(|i| run.steps[i].frame.as_ref()) {
+                    let age = context.time - run.steps[last_frame.unwrap_or(index)].time;
+                    self::frame(ui, context, run, frame, age);
+                }
+            });
+    }
+
+    /// Which of two steps is shown: with the last picture, or that at the cursor itself.
+    fn choose(
+        &mut self,
+        ui: &mut Ui,
+        context: &ViewContext<'_>,
+        run: &Run,
+        index: usize,
+        last_frame: Option<usize>,
+    ) -> usize {
+        let tokens = context.tokens;
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing = egui::Vec2::splat(0.5 * tokens.space);
+            for (this, text) in [(false, "Last picture"), (true, "This very step")] {
+                if parts::chip(ui, tokens, self.this_step == this, text, text).clicked() {
+                    self.this_step = this;
+                }
+            }
+            let shown = match last_frame {
+                Some(frame) if !self.this_step => frame,
+                _ => index,
+            };
+            let step = &run.steps[shown];
+            ui.label(
+                RichText::new(format!(
+                    "t = {:.2} s, step {} of {}",
+                    step.time,
+                    shown + 1,
+                    run.steps.len()
+                ))
+                .size(tokens.text_sizes[0])
+                .color(tokens.muted),
+            );
+            shown
+        })
+        .inner
+    }
+
+    fn step(
+        &mut self,
+        ui: &mut Ui,
+        context: &ViewContext<'_>,
+        run: &Run,
+        index: usize,
+        step: &StepReport,
+    ) {
+        let tokens = context.tokens;
+        ui.add_space(0.5 * tokens.space);
+        let text = sentence::sentence(run, index, context.flight, context.units);
+        ui.label(
+            RichText::new(text)
+                .size(tokens.text_sizes[1])
+                .color(tokens.text),
+        );
+        parts::section(ui, tokens, "STATE, ± 1σ", true, |ui| {
+            for (i, (name, unit)) in run.state_names.iter().enumerate() {
+                if i >= step.after.mean.len() {
+                    break;
+                }
+                let (factor, unit) = in_units(unit, context.units);
+                let sigma = step.after.covariance[(i, i)].max(0.0).sqrt() * factor;
+                let value = Reading::new(name.clone(), figures(step.after.mean[i] * factor), unit)
+                    .deviation(figures(sigma));
+                parts::reading(ui, tokens, &value);
+            }
+            let (factor, unit) = context.units.length();
+            if let Some(truth) = context
+                .flight
+                .and_then(|f| f.truth.as_ref()?.position(step.time))
+            {
+                let mean = &step.after.mean;
+                let error = (mean[0] - truth.x).hypot(mean[1] - truth.y) * factor;
+                let reading =
+                    Reading::new("distance from truth", figures(error), unit).color(tokens.truth);
+                parts::reading(ui, tokens, &reading);
+            }
+        });
+        parts::section(ui, tokens, "SIGMA POINTS", true, |ui| {
+            self.stages.show(ui, tokens, step, context.units);
+        });
+        parts::section(ui, tokens, "COVARIANCE", true, |ui| {
+            let names: Vec<String> = run.state_names.iter().map(|(n, _)| n.clone()).collect();
+            let size = step.after.covariance.nrows().min(names.len());
+            matrix::covariance(ui, tokens, &step.after.covariance, &names[..size]);
+            ui.label(
+                RichText::new("SI units; red where two components err together, blue where they err oppositely")
+                    .size(tokens.text_sizes[0])
+                    .color(tokens.muted),
+            );
+        });
+        parts::section(ui, tokens, "TIME SPENT", false, |ui| {
+            for (name, value) in [
+                ("predict", step.timing.predict),
+                ("see", step.timing.see),
+                ("update", step.timing.update),
+            ] {
+                parts::reading(ui, tokens, &Reading::new(name, figures(value), "ms"));
+            }
+        });
+    }
+}
+
+/// The camera frame: landmarks looked for, and the correction by those accepted.
+fn frame(ui: &mut Ui, context: &mut ViewContext<'_>, run: &Run, frame: &FrameReport, age: f64) {
+    let tokens = context.tokens;
+    let title = format!("LANDMARKS IN PICTURE {}", frame.index + 1);
+    parts::section(ui, tokens, "LANDMARKS IN THE PICTURE", true, |ui| {
+        ui.label(
+            RichText::new(format!("{}, {age:.2} s ago", title.to_lowercase()))
+                .size(tokens.text_sizes[0])
+                .color(tokens.muted),
+        );
+        candidates::show(ui, context, run, frame);
+    });
+    if let Some(joint) = &frame.joint {
+        parts::section(ui, tokens, "CORRECTION", true, |ui| {
+            correction(ui, context, run, frame, joint);
+        });
+    }
+}
+
+/// NIS, gate, innovations with σ, and the gain.
+fn correction(
+    ui: &mut Ui,
+    context: &ViewContext<'_>,
+    run: &Run,
+    frame: &FrameReport,
+    joint: &JointReport,
+) {
+    let tokens = context.tokens;
+    let inside = joint.nis <= joint.threshold;
+    let color = if inside { tokens.text } else { tokens.refused };
+    let nis = Reading::new(
+        format!(
+            "NIS of all ({} numbers, gate {})",
+            joint.degrees_of_freedom,
+            figures(joint.threshold)
+        ),
+        figures(joint.nis),
+        "",
+    );
+    parts::reading(ui, tokens, &nis.color(color));
+    parts::gauge(ui, tokens, joint.nis, joint.threshold, true);
+    let names: Vec<String> = frame
+        .accepted()
+        .flat_map(|c| {
+            let name = picking::landmark_name(run, c.landmark);
+            [format!("{name} x"), format!("{name} y")]
+        })
+        .collect();
+    for (i, name) in names.iter().enumerate().take(joint.innovation.len()) {
+        let sigma = joint.innovation_covariance[(i, i)].max(0.0).sqrt();
+        let reading = Reading::new(
+            format!("innovation {name}"),
+            figures(joint.innovation[i]),
+            "px",
+        );
+        parts::reading(ui, tokens, &reading.deviation(figures(sigma)));
+    }
+    ui.add_space(0.5 * tokens.space);
+    ui.label(
+        RichText::new("Kalman gain: what one pixel moves each component by, SI")
+            .size(tokens.text_sizes[0])
+            .color(tokens.muted),
+    );
+    let rows: Vec<String> = run.state_names.iter().map(|(n, _)| n.clone()).collect();
+    let rows = &rows[..joint.gain.nrows().min(rows.len())];
+    let mut columns = names;
+    columns.resize(joint.gain.ncols(), String::new());
+    // More than four landmarks do not fit side by side: the table goes on below.
+    for (block, columns) in columns.chunks(6).enumerate() {
+        let part = joint.gain.columns(6 * block, columns.len()).into_owned();
+        matrix::gain(ui, tokens, &part, rows, columns);
+    }
+}
+
+/// Factor and unit on screen of a state component's unit.
+fn in_units(unit: &str, units: Units) -> (f64, String) {
+    let (factor, name) = match unit {
+        "m" => units.length(),
+        "m/s" => units.speed(),
+        "rad" => (1.0_f64.to_degrees(), "°"),
+        other => return (1.0, other.to_owned()),
+    };
+    (factor, name.to_owned())
+}
+
+#[cfg(test)]
+mod tests;

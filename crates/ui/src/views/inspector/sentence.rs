@@ -1,0 +1,280 @@
+//! One sentence in words on what a step did.
+
+use nalgebra::Vector2;
+use pilotage_core::flight::Flight;
+use pilotage_core::navigator::{CandidateReport, Estimate, FrameReport, Outcome, Run, StepReport};
+
+use super::super::parts::figures;
+use super::super::plots::DEAD_RECKONING_AFTER;
+use super::super::{ellipse, picking};
+use crate::units::Units;
+
+/// What step `index` of the run did, for people.
+pub(crate) fn sentence(run: &Run, index: usize, flight: Option<&Flight>, units: Units) -> String {
+    let Some(step) = run.steps.get(index) else {
+        return "There is no step here.".to_owned();
+    };
+    if let Some(frame) = &step.frame {
+        if let Some(trouble) = &frame.trouble {
+            return format!("This picture could not be used: {trouble}.");
+        }
+        if frame.joint.is_some() {
+            return correction(run, step, frame, flight, units);
+        }
+        if !frame.candidates.is_empty() {
+            let verdicts = refusals(run, frame);
+            return format!("{verdicts} The estimate stays as predicted.");
+        }
+    }
+    dead_reckoning(run, index, step, units)
+}
+
+/// Who was found how far from where expected, and what that did to the estimate.
+fn correction(
+    run: &Run,
+    step: &StepReport,
+    frame: &FrameReport,
+    flight: Option<&Flight>,
+    units: Units,
+) -> String {
+    let (factor, unit) = units.length();
+    let names: Vec<String> = frame
+        .accepted()
+        .map(|c| picking::landmark_name(run, c.landmark))
+        .collect();
+    let metres: Vec<f64> = frame
+        .accepted()
+        .filter_map(|c| miss_on_ground(frame, c, flight))
+        .collect();
+    let found = if metres.is_empty() {
+        let pixels: Vec<f64> = frame
+            .accepted()
+            .filter_map(|c| Some(c.innovation?.norm()))
+            .collect();
+        format!("{} px", figures(mean(&pixels)))
+    } else {
+        format!("{} {unit}", figures(factor * mean(&metres)))
+    };
+    let shift = step.after.position().to_vector() - step.predicted.position().to_vector();
+    let moved = factor * shift.norm();
+    let moved = if moved < 0.05 {
+        "hardly moved".to_owned()
+    } else {
+        format!("moved {} {unit} {}", figures(moved), compass(&shift))
+    };
+    let before = factor * sigma(&step.predicted);
+    let after = factor * sigma(&step.after);
+    let spread = if after < 0.98 * before {
+        format!(
+            "shrank from {} to {} {unit}",
+            figures(before),
+            figures(after)
+        )
+    } else {
+        format!("stayed at {} {unit}", figures(after))
+    };
+    let verdicts = refusals(run, frame);
+    let average = if names.len() > 1 { " on average" } else { "" };
+    let mut text = format!(
+        "{} found {found}{average} from where expected: the estimate {moved} and its 1σ {spread}.",
+        was(&names)
+    );
+    if !verdicts.is_empty() {
+        text.push(' ');
+        text.push_str(&verdicts);
+    }
+    text
+}
+
+/// "Church was", "Church and Factory were", "Church, Factory and Barn were".
+fn was(names: &[String]) -> String {
+    match names {
+        [] => "Nothing was".to_owned(),
+        [one] => format!("{one} was"),
+        [first @ .., last] => format!("{} and {last} were", first.join(", ")),
+    }
+}
+
+/// One sentence per refused landmark, the first three.
+fn refusals(run: &Run, frame: &FrameReport) -> String {
+    let refused: Vec<String> = frame
+        .candidates
+        .iter()
+        .filter_map(|c| match c.outcome {
+            Outcome::Refused(refusal) => Some(format!(
+                "{} was refused: {}.",
+                picking::landmark_name(run, c.landmark),
+                refusal.reason()
+            )),
+            Outcome::Accepted => None,
+        })
+        .collect();
+    let more = refused.len().saturating_sub(3);
+    let mut text = refused[..refused.len() - more].join(" ");
+    if more > 0 {
+        text = format!("{text} {more} more were refused.");
+    }
+    text
+}
+
+/// How long without a landmark, and how fast the uncertainty grows meanwhile.
+fn dead_reckoning(run: &Run, index: usize, step: &StepReport, units: Units) -> String {
+    let (factor, unit) = units.length();
+    let last = picking::last_correction(run, index);
+    let since_index = last.unwrap_or(0);
+    let since = run.steps[since_index].time;
+    let elapsed = step.time - since;
+    let growth = factor * (sigma(&step.after) - sigma(&run.steps[since_index].after));
+    if elapsed <= DEAD_RECKONING_AFTER {
+        let speed = step.control.airspeed.map_or_else(String::new, |v| {
+            let (factor, unit) = units.speed();
+            format!(" at {} {unit}", figures(factor * v))
+        });
+        return format!(
+            "Between pictures the aircraft is moved on{speed} on heading {:03.0}° with the wind believed so far; 1σ is {} {unit}.",
+            step.control.heading.to_degrees().rem_euclid(360.0).round() % 360.0,
+            figures(factor * sigma(&step.after)),
+        );
+    }
+    let rate = growth / elapsed;
+    let start = if last.is_some() {
+        format!("No landmark for {elapsed:.1} s")
+    } else {
+        format!("No landmark yet, {elapsed:.1} s into the run")
+    };
+    let trend = if rate > 0.005 {
+        format!(
+            "the uncertainty grows by {} {unit} each second",
+            figures(rate)
+        )
+    } else {
+        "the uncertainty hardly grows".to_owned()
+    };
+    format!(
+        "{start}: dead reckoning, {trend} and 1σ is now {} {unit}.",
+        figures(factor * sigma(&step.after))
+    )
+}
+
+/// Greatest standard deviation of the position over all directions, metres.
+pub(crate) fn sigma(estimate: &Estimate) -> f64 {
+    ellipse::largest_sigma(&estimate.position_covariance())
+}
+
+/// Distance on the ground between the expected and the found place, metres.
+fn miss_on_ground(
+    frame: &FrameReport,
+    candidate: &CandidateReport,
+    flight: Option<&Flight>,
+) -> Option<f64> {
+    let flight = flight?;
+    let ground = |pixel| {
+        flight
+            .camera
+            .ground_at(&frame.assumed_pose, pixel, flight.ground_down)
+    };
+    let expected = ground(&candidate.predicted_pixel)?;
+    Some(expected.distance(&ground(&candidate.measured_pixel?)?))
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len().max(1) as f64
+}
+
+/// One of the eight winds towards which a (north, east) vector points.
+fn compass(vector: &Vector2<f64>) -> &'static str {
+    const WINDS: [&str; 8] = [
+        "north",
+        "north-east",
+        "east",
+        "south-east",
+        "south",
+        "south-west",
+        "west",
+        "north-west",
+    ];
+    let eighth = (vector.y.atan2(vector.x).to_degrees() / 45.0).round() as i64;
+    WINDS[eighth.rem_euclid(8) as usize]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::fixture::Fixture;
+    use super::*;
+    use pilotage_core::navigator::Refusal;
+
+    fn of(fixture: &Fixture, index: usize) -> String {
+        sentence(&fixture.run, index, Some(&fixture.flight), Units::Metric)
+    }
+
+    fn first_correction(run: &Run) -> usize {
+        run.steps.iter().position(StepReport::corrected).unwrap()
+    }
+
+    #[test]
+    fn a_correction_names_its_landmarks_and_what_they_did() {
+        let fixture = Fixture::lasting(15.0);
+        let text = of(&fixture, first_correction(&fixture.run));
+        assert!(
+            text.contains("from where expected: the estimate moved"),
+            "{text}"
+        );
+        assert!(text.contains("its 1σ shrank from"), "{text}");
+    }
+
+    #[test]
+    fn the_distance_is_that_on_the_ground() {
+        let mut fixture = Fixture::lasting(15.0);
+        let index = first_correction(&fixture.run);
+        let height = fixture.run.steps[index].control.height;
+        let focal = fixture.flight.camera.focal;
+        let frame = fixture.run.steps[index].frame.as_mut().unwrap();
+        frame.candidates.truncate(1);
+        frame.candidates[0].outcome = Outcome::Accepted;
+        let pixels = 10.0 * focal / height;
+        frame.candidates[0].measured_pixel =
+            Some(frame.candidates[0].predicted_pixel + Vector2::new(pixels, 0.0));
+        let text = of(&fixture, index);
+        assert!(text.contains("found 10.0 m from"), "{text}");
+        let feet = sentence(&fixture.run, index, Some(&fixture.flight), Units::Aviation);
+        assert!(feet.contains("found 32.8 ft from"), "{feet}");
+    }
+
+    #[test]
+    fn a_frame_of_refusals_says_why_and_that_nothing_changed() {
+        let mut fixture = Fixture::lasting(15.0);
+        let index = first_correction(&fixture.run);
+        let frame = fixture.run.steps[index].frame.as_mut().unwrap();
+        frame.joint = None;
+        frame.candidates.truncate(1);
+        frame.candidates[0].outcome = Outcome::Refused(Refusal::Ambiguous);
+        assert_eq!(
+            of(&fixture, index),
+            "Church was refused: a second place looks nearly as good. The estimate stays as predicted."
+        );
+    }
+
+    #[test]
+    fn a_long_gap_is_dead_reckoning_with_its_growth() {
+        let fixture = Fixture::new();
+        let run = &fixture.run;
+        let index = run.steps.len()
+            - 1
+            - run
+                .steps
+                .iter()
+                .rev()
+                .position(|s| (s.time - 62.0).abs() < 1e-6)
+                .unwrap();
+        let text = of(&fixture, index);
+        assert!(text.starts_with("No landmark for"), "{text}");
+        assert!(text.contains("the uncertainty grows by"), "{text}");
+    }
+
+    #[test]
+    fn a_shift_to_the_north_west_is_called_so() {
+        assert_eq!(compass(&Vector2::new(1.0, -1.0)), "north-west");
+        assert_eq!(compass(&Vector2::new(-3.0, 0.2)), "south");
+        assert_eq!(compass(&Vector2::new(0.0, 2.0)), "east");
+    }
+}

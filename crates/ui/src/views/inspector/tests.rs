@@ -1,0 +1,82 @@
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+
+use super::super::fixture::Fixture;
+use super::*;
+use crate::command::Command;
+use crate::tokens::Tokens;
+
+struct State {
+    fixture: Fixture,
+    view: InspectorView,
+    time: f64,
+    commands: Vec<Command>,
+}
+
+fn harness(time: f64) -> Harness<'static, State> {
+    let state = State {
+        fixture: Fixture::lasting(20.0),
+        view: InspectorView::default(),
+        time,
+        commands: Vec::new(),
+    };
+    Harness::builder()
+        .with_size([360.0, 1200.0])
+        .build_ui_state(
+            |ui, state| {
+                let fixture = &state.fixture;
+                let mut context = ViewContext {
+                    mission: &fixture.mission,
+                    flight: Some(&fixture.flight),
+                    run: Some(&fixture.run),
+                    ghost: None,
+                    time: state.time,
+                    playing: false,
+                    selection: None,
+                    pictures: &|_| None,
+                    match_pictures: None,
+                    tokens: &Tokens::dark(),
+                    units: Units::Metric,
+                    commands: &mut state.commands,
+                };
+                state.view.show(ui, &mut context);
+            },
+            state,
+        )
+}
+
+#[test]
+fn a_corrected_step_shows_its_sentence_gain_and_landmarks() {
+    let fixture = Fixture::lasting(20.0);
+    let step = fixture.run.steps.iter().find(|s| s.corrected()).unwrap();
+    let mut harness = harness(step.time);
+    harness.run();
+    harness.get_by_label_contains("from where expected");
+    harness.get_by_label("Kalman gain");
+    harness.get_by_label("Covariance of the state");
+    harness.get_by_label("Church, accepted").click();
+    harness.run();
+    assert!(
+        harness
+            .state()
+            .commands
+            .contains(&Command::SelectLandmark(Some(1)))
+    );
+}
+
+#[test]
+fn the_step_at_the_cursor_can_be_shown_instead_of_the_last_picture() {
+    let mut harness = harness(12.2);
+    harness.run();
+    harness.get_by_label_contains("t = 12.00 s");
+    harness.get_by_label("This very step").click();
+    harness.run();
+    harness.get_by_label_contains("t = 12.20 s");
+}
+
+#[test]
+fn before_the_first_step_the_view_says_so() {
+    let mut harness = harness(-1.0);
+    harness.run();
+    harness.get_by_label("No step yet");
+}

@@ -1,0 +1,79 @@
+//! The numbers of a match, each beside the limit it is held against.
+
+use egui::Ui;
+use pilotage_core::navigator::{CandidateReport, Run};
+
+use super::super::parts::{self, Reading, figures};
+use super::super::picking;
+use crate::context::ViewContext;
+
+/// Score, ambiguity and NIS with their limits, then the innovation.
+pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, run: &Run, candidate: &CandidateReport) {
+    let tokens = context.tokens;
+    let detector = run.settings.detector;
+    ui.add_space(tokens.space);
+    let verdict_color = |good: bool| if good { tokens.text } else { tokens.refused };
+
+    let score = Reading::new(
+        format!("Score (at least {})", figures(detector.least_score)),
+        format!("{:.2}", candidate.score),
+        "",
+    )
+    .color(verdict_color(candidate.score >= detector.least_score));
+    parts::reading(ui, tokens, &score);
+    parts::gauge(ui, tokens, candidate.score, detector.least_score, false);
+
+    let ambiguity = picking::ambiguity(candidate);
+    let second = Reading::new(
+        format!(
+            "Second best over best (at most {})",
+            figures(detector.greatest_ambiguity)
+        ),
+        figures(ambiguity),
+        "",
+    )
+    .color(verdict_color(ambiguity <= detector.greatest_ambiguity));
+    parts::reading(ui, tokens, &second);
+    parts::gauge(ui, tokens, ambiguity, detector.greatest_ambiguity, true);
+
+    match candidate.nis {
+        Some(nis) => {
+            let reading = Reading::new(
+                format!("NIS (gate {})", figures(candidate.threshold)),
+                figures(nis),
+                "",
+            )
+            .color(verdict_color(nis <= candidate.threshold));
+            parts::reading(ui, tokens, &reading);
+            parts::gauge(ui, tokens, nis, candidate.threshold, true);
+        }
+        None => {
+            parts::reading(
+                ui,
+                tokens,
+                &Reading::new("NIS", "not reached".to_owned(), ""),
+            );
+        }
+    }
+    if let Some(innovation) = candidate.innovation {
+        let sigma = |axis: usize| {
+            figures(
+                candidate.innovation_covariance[(axis, axis)]
+                    .max(0.0)
+                    .sqrt(),
+            )
+        };
+        let right = Reading::new("Innovation right", figures(innovation.x), "px");
+        parts::reading(ui, tokens, &right.deviation(sigma(0)));
+        let down = Reading::new("Innovation down", figures(innovation.y), "px");
+        parts::reading(ui, tokens, &down.deviation(sigma(1)));
+    }
+    if let Some(noise) = candidate.measurement_covariance {
+        let value = noise.diagonal().max().max(0.0).sqrt();
+        parts::reading(
+            ui,
+            tokens,
+            &Reading::new("Place known to (1σ)", figures(value), "px"),
+        );
+    }
+}

@@ -1,0 +1,184 @@
+//! The three pictures of a match.
+
+use egui::{Align2, Rect, Sense, Stroke, TextureHandle, TextureOptions, Ui, pos2, vec2};
+
+use super::super::{color_map, parts};
+use crate::jobs::MatchPictures;
+use crate::tokens::Tokens;
+
+/// Textures of the pictures shown last.
+#[derive(Default)]
+pub(super) struct MatchTextures {
+    key: Option<(f64, u32)>,
+    textures: Vec<TextureHandle>,
+}
+
+impl MatchTextures {
+    /// Draws patch, rectified picture and score surface at one scale, or says that they are on
+    /// their way.
+    pub fn show(&mut self, ui: &mut Ui, tokens: &Tokens, pictures: Option<&MatchPictures>) {
+        let gap = tokens.space;
+        let width = ui.available_width();
+        let caption = 1.6 * tokens.text_sizes[0];
+        let Some(pictures) = pictures else {
+            let height = 0.34 * width;
+            let (rect, response) = ui.allocate_exact_size(vec2(width, height), Sense::hover());
+            parts::name(&response, "The pictures of this match are on their way");
+            ui.painter().rect_filled(rect, tokens.radius, tokens.raised);
+            ui.painter().text(
+                rect.center(),
+                Align2::CENTER_CENTER,
+                "The pictures are on their way.",
+                parts::small(tokens),
+                tokens.muted,
+            );
+            return;
+        };
+        self.update(ui, pictures);
+        let rasters = [&pictures.patch, &pictures.rectified, &pictures.surface];
+        let columns: f32 = rasters.iter().map(|r| r.width() as f32).sum();
+        let tallest = rasters.iter().map(|r| r.height()).max().unwrap_or(1) as f32;
+        let scale = ((width - 2.0 * gap) / columns.max(1.0)).min(260.0 / tallest.max(1.0));
+        let (area, response) =
+            ui.allocate_exact_size(vec2(width, tallest * scale + caption), Sense::hover());
+        parts::name(
+            &response,
+            "Map patch, rectified picture, and score at every place",
+        );
+        let painter = ui.painter_at(area);
+        let full = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+        let mut left = area.left();
+        let mut places = Vec::new();
+        let texts = ["Map patch", "Camera, seen from above", "Score"];
+        for ((raster, texture), text) in rasters.iter().zip(&self.textures).zip(texts) {
+            let size = vec2(raster.width() as f32, raster.height() as f32) * scale;
+            let rect = Rect::from_min_size(pos2(left, area.top() + caption), size);
+            painter.image(texture.id(), rect, full, egui::Color32::WHITE);
+            painter.rect_stroke(
+                rect,
+                0.0,
+                Stroke::new(1.0, tokens.line),
+                egui::StrokeKind::Outside,
+            );
+            let clip = Rect::from_min_max(
+                pos2(left, area.top()),
+                pos2(left + size.x.max(3.0 * caption) + 0.5 * gap, rect.top()),
+            );
+            painter.with_clip_rect(clip).text(
+                pos2(left, area.top()),
+                Align2::LEFT_TOP,
+                text,
+                parts::small(tokens),
+                tokens.muted,
+            );
+            places.push(rect);
+            left += size.x + gap;
+        }
+        if let [patch, rectified, surface] = places[..] {
+            self.marks(
+                &painter,
+                tokens,
+                pictures,
+                scale,
+                [patch, rectified, surface],
+            );
+        }
+        ui.add_space(0.5 * gap);
+        legend(ui, tokens, pictures);
+    }
+
+    /// Best place with the patch's outline, second-best place, on both pictures that have places.
+    fn marks(
+        &self,
+        painter: &egui::Painter,
+        tokens: &Tokens,
+        pictures: &MatchPictures,
+        scale: f32,
+        [patch, rectified, surface]: [Rect; 3],
+    ) {
+        let both = [
+            (pictures.peak, tokens.observed, 2.0),
+            (pictures.second, tokens.refused, 1.5),
+        ];
+        for (place, color, width) in both {
+            let Some((column, row)) = place else { continue };
+            let offset = vec2(column as f32, row as f32) * scale;
+            let outline = Rect::from_min_size(rectified.min + offset, patch.size());
+            let clipped = painter.with_clip_rect(rectified);
+            clipped.rect_stroke(
+                outline,
+                0.0,
+                Stroke::new(width + 2.0, tokens.background.gamma_multiply(0.6)),
+                egui::StrokeKind::Middle,
+            );
+            clipped.rect_stroke(
+                outline,
+                0.0,
+                Stroke::new(width, color),
+                egui::StrokeKind::Middle,
+            );
+            let at = surface.min + offset + vec2(0.5, 0.5) * scale;
+            painter.circle_stroke(at, 6.0, Stroke::new(width + 2.0, tokens.background));
+            painter.circle_stroke(at, 6.0, Stroke::new(width, color));
+        }
+    }
+
+    fn update(&mut self, ui: &Ui, pictures: &MatchPictures) {
+        let key = Some((pictures.time, pictures.landmark));
+        if self.key == key && self.textures.len() == 3 {
+            return;
+        }
+        self.key = key;
+        let gray_range = color_map::range(&pictures.rectified).unwrap_or((0.0, 255.0));
+        let patch_range = color_map::range(&pictures.patch).unwrap_or((0.0, 255.0));
+        let images = [
+            color_map::picture(&pictures.patch, patch_range, color_map::gray),
+            color_map::picture(&pictures.rectified, gray_range, color_map::gray),
+            color_map::picture(&pictures.surface, SCORES, color_map::viridis),
+        ];
+        self.textures = images
+            .into_iter()
+            .enumerate()
+            .map(|(i, image)| {
+                ui.ctx()
+                    .load_texture(format!("match {i}"), image, TextureOptions::NEAREST)
+            })
+            .collect();
+    }
+}
+
+/// Scores at the two ends of the colour scale, the same for every match so that they compare.
+const SCORES: (f32, f32) = (-0.2, 1.0);
+
+/// The colour scale of the score, the marks, and the common scale in metres.
+fn legend(ui: &mut Ui, tokens: &Tokens, pictures: &MatchPictures) {
+    let height = 1.5 * tokens.text_sizes[0];
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
+    let painter = ui.painter_at(rect);
+    let mut left = rect.left();
+    let middle = rect.center().y;
+    let text = |at: f32, text: String| {
+        painter
+            .text(
+                pos2(at, middle),
+                Align2::LEFT_CENTER,
+                text,
+                parts::small(tokens),
+                tokens.muted,
+            )
+            .right()
+    };
+    for (color, name) in [(tokens.observed, "best"), (tokens.refused, "second best")] {
+        painter.circle_stroke(pos2(left + 5.0, middle), 4.0, Stroke::new(2.0, color));
+        left = text(left + 13.0, name.to_owned()) + tokens.space;
+    }
+    left = text(left, format!("{:.1}", SCORES.0).replace('-', "−")) + 4.0;
+    let bar = Rect::from_min_size(pos2(left, middle - 4.0), vec2(60.0, 8.0));
+    for i in 0..30 {
+        let fraction = i as f32 / 29.0;
+        let part = Rect::from_min_size(bar.min + vec2(2.0 * i as f32, 0.0), vec2(2.5, 8.0));
+        painter.rect_filled(part, 0.0, color_map::viridis(fraction));
+    }
+    left = text(bar.right() + 4.0, format!("{:.0}", SCORES.1)) + tokens.space;
+    text(left, format!("{:.2} m per pixel", pictures.gsd));
+}

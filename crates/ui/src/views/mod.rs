@@ -1,0 +1,20 @@
+//! The views: each queries the run at the time cursor, draws, and sends commands.
+
+mod camera;
+mod chart;
+mod color_map;
+mod ellipse;
+#[cfg(test)]
+mod fixture;
+mod inspector;
+mod matching;
+mod parts;
+mod picking;
+mod plots;
+mod tour;
+
+pub use camera::CameraView;
+pub use inspector::InspectorView;
+pub use matching::MatchView;
+pub use plots::PlotsView;
+pub use tour::Tour;

@@ -1,0 +1,404 @@
+//! Plots over time with one time axis and the global cursor.
+
+mod draw;
+mod panel;
+mod pyramid;
+mod series;
+
+use egui::{Align, Layout, Rect, ScrollArea, Sense, Stroke, Ui, pos2, vec2};
+
+use super::chart::Axes;
+use super::parts::{self, figures};
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::tokens::Tokens;
+use panel::{Layer, PanelKind};
+pub(crate) use series::DEAD_RECKONING_AFTER;
+use series::RunSeries;
+
+/// Least height of an open panel's curves, points.
+const LEAST_HEIGHT: f32 = 64.0;
+/// Shortest stretch of time that can be shown, seconds.
+const LEAST_SPAN: f64 = 0.5;
+
+/// One panel's own state.
+#[derive(Clone, Copy, Debug)]
+struct PanelState {
+    kind: PanelKind,
+    shown: bool,
+    folded: bool,
+    choice: usize,
+}
+
+/// Shows errors, wind, NIS and innovations of the run over time.
+pub struct PlotsView {
+    panels: Vec<PanelState>,
+    /// Time shown, if not all of it.
+    zoom: Option<(f64, f64)>,
+    series: RunSeries,
+    ghost: RunSeries,
+    /// Time under the pointer, from the last frame.
+    hover: Option<f64>,
+}
+
+impl Default for PlotsView {
+    fn default() -> Self {
+        Self {
+            panels: PanelKind::ALL
+                .map(|kind| PanelState {
+                    kind,
+                    shown: kind != PanelKind::Innovations,
+                    folded: false,
+                    choice: kind.first_choice(),
+                })
+                .to_vec(),
+            zoom: None,
+            series: RunSeries::default(),
+            ghost: RunSeries::default(),
+            hover: None,
+        }
+    }
+}
+
+impl PlotsView {
+    /// Draws the view into the space that `ui` has left.
+    pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
+        let more = self.series.update(context.run, context.flight);
+        let more_ghost = self.ghost.update(context.ghost, context.flight);
+        if more || more_ghost {
+            ui.ctx().request_repaint();
+        }
+        let Some(whole) = whole_span(context) else {
+            parts::empty(
+                ui,
+                context.tokens,
+                "No run yet",
+                "Fly to see errors and wind over time.",
+            );
+            return;
+        };
+        let span = self.zoom.unwrap_or(whole);
+        self.chooser(ui, context, whole);
+        let tokens = context.tokens;
+        let axis_height = 1.8 * tokens.text_sizes[0];
+        let header = 2.5 * tokens.space;
+        let (mut open, mut closed) = (0, 0);
+        for panel in self.panels.iter().filter(|p| p.shown) {
+            if panel.folded {
+                closed += 1;
+            } else {
+                open += 1;
+            }
+        }
+        let free = ui.available_height()
+            - axis_height
+            - (header + 0.5 * tokens.space) * (open + closed) as f32;
+        let height = (free / open.max(1) as f32).max(LEAST_HEIGHT);
+        let mut hover = None;
+        let scroll_height = (ui.available_height() - axis_height).max(LEAST_HEIGHT);
+        ScrollArea::vertical()
+            .id_salt("plots")
+            .max_height(scroll_height)
+            .auto_shrink(false)
+            .show(ui, |ui| {
+                ui.spacing_mut().item_spacing.y = 0.0;
+                for index in 0..self.panels.len() {
+                    if self.panels[index].shown {
+                        let found = self.panel(ui, context, index, header, height, span);
+                        hover = hover.or(found);
+                        ui.add_space(0.5 * tokens.space);
+                    }
+                }
+            });
+        self.hover = hover;
+        self.time_axis(ui, context, axis_height, span);
+    }
+
+    /// Which panels are shown, and how much time.
+    fn chooser(&mut self, ui: &mut Ui, context: &ViewContext<'_>, whole: (f64, f64)) {
+        let tokens = context.tokens;
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing = vec2(0.5 * tokens.space, 0.5 * tokens.space);
+            for panel in &mut self.panels {
+                let title = panel.kind.title();
+                let name = format!("Show {title}");
+                if parts::chip(ui, tokens, panel.shown, title, &name).clicked() {
+                    panel.shown = !panel.shown;
+                }
+            }
+            ui.add_space(tokens.space);
+            let span = self.zoom.unwrap_or(whole);
+            for (text, name, factor) in [("+", "Less time", 0.5), ("−", "More time", 2.0)] {
+                if parts::chip(ui, tokens, false, text, name).clicked() {
+                    self.zoom = zoomed(span, context.time, factor, whole);
+                }
+            }
+            if self.zoom.is_some() && parts::chip(ui, tokens, false, "All", "All time").clicked() {
+                self.zoom = None;
+            }
+        });
+    }
+
+    /// One panel; returns the time under the pointer.
+    fn panel(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut ViewContext<'_>,
+        index: usize,
+        header: f32,
+        height: f32,
+        span: (f64, f64),
+    ) -> Option<f64> {
+        let tokens = context.tokens;
+        let PanelState {
+            kind,
+            folded,
+            choice,
+            ..
+        } = self.panels[index];
+        let (factor, unit) = kind.unit(context.units);
+        let header_rect = self.header(ui, context, index, header, unit);
+        if folded {
+            return None;
+        }
+        let (outer, response) =
+            ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::click_and_drag());
+        parts::name(&response, format!("{} plot", kind.title()));
+        let logarithmic = kind.logarithmic(choice);
+        let mut axes = Axes {
+            rect: curves_rect(outer, tokens),
+            x: span,
+            y: (0.0, 1.0),
+            log: logarithmic,
+        };
+        let layers = kind.layers(choice, &self.series, &self.ghost, tokens, factor);
+        axes.y = kind.y_range(&layers, &axes, logarithmic);
+        let painter = ui.painter_at(outer);
+        painter.rect_filled(axes.rect, 2.0, tokens.background);
+        axes.draw_y(&painter, tokens);
+        let inside = painter.with_clip_rect(axes.rect);
+        for gap in &self.series.gaps {
+            let rect = Rect::from_x_y_ranges(
+                axes.screen_x(gap.0)..=axes.screen_x(gap.1),
+                axes.rect.y_range(),
+            );
+            inside.rect_filled(rect, 0.0, tokens.dead_reckoning.gamma_multiply(0.08));
+        }
+        for layer in &layers {
+            layer.draw(&inside, &axes);
+        }
+        if !layers.iter().any(|l| l.is_visible(&axes)) {
+            painter.text(
+                axes.rect.center(),
+                egui::Align2::CENTER_CENTER,
+                nothing(kind, context),
+                parts::small(tokens),
+                tokens.muted,
+            );
+        }
+        let cursor = axes.screen_x(context.time);
+        inside.vline(cursor, axes.rect.y_range(), Stroke::new(1.0, tokens.accent));
+        if let Some(time) = self.hover {
+            let stroke = Stroke::new(1.0, tokens.muted.gamma_multiply(0.6));
+            inside.vline(axes.screen_x(time), axes.rect.y_range(), stroke);
+        }
+        let time = self.hover.unwrap_or(context.time);
+        legend(ui, tokens, &layers, &axes, header_rect, time);
+        self.interact(ui, context, &response, &axes)
+    }
+
+    /// Heading, choices; returns what is left for the legend.
+    fn header(
+        &mut self,
+        ui: &mut Ui,
+        context: &ViewContext<'_>,
+        index: usize,
+        height: f32,
+        unit: &str,
+    ) -> Rect {
+        let tokens = context.tokens;
+        let panel = &mut self.panels[index];
+        let title = panel.kind.title();
+        ui.allocate_ui_with_layout(
+            vec2(ui.available_width(), height),
+            Layout::left_to_right(Align::Center),
+            |ui| {
+                ui.spacing_mut().item_spacing.x = 0.5 * tokens.space;
+                let text = egui::RichText::new(format!("    {title}"))
+                    .size(tokens.text_sizes[0])
+                    .color(tokens.text);
+                let response = ui.add(egui::Button::new(text).frame(false));
+                response.widget_info(|| {
+                    egui::WidgetInfo::selected(
+                        egui::Role::Button,
+                        true,
+                        !panel.folded,
+                        format!("Fold {title}"),
+                    )
+                });
+                let at = response.rect.left_center() + vec2(1.5 * tokens.space, 0.0);
+                parts::arrow(ui.painter(), at, panel.folded, tokens.muted);
+                if response.clicked() {
+                    panel.folded = !panel.folded;
+                }
+                if !unit.is_empty() {
+                    ui.label(
+                        egui::RichText::new(unit)
+                            .size(tokens.text_sizes[0])
+                            .color(tokens.muted),
+                    );
+                }
+                if !panel.folded {
+                    for (i, (short, long)) in panel.kind.choices().into_iter().enumerate() {
+                        let name = format!("{title}, {long}");
+                        if parts::chip(ui, tokens, panel.choice == i, short, &name).clicked() {
+                            panel.choice = i;
+                        }
+                    }
+                }
+                ui.available_rect_before_wrap()
+            },
+        )
+        .inner
+    }
+
+    /// Click and drag seek, wheel with Ctrl zooms, sideways wheel moves; returns the hovered time.
+    fn interact(
+        &mut self,
+        ui: &Ui,
+        context: &mut ViewContext<'_>,
+        response: &egui::Response,
+        axes: &Axes,
+    ) -> Option<f64> {
+        let whole = whole_span(context)?;
+        if (response.clicked() || response.dragged())
+            && let Some(pointer) = response.interact_pointer_pos()
+        {
+            let time = axes.x_at(pointer.x).clamp(whole.0, whole.1);
+            context.commands.push(Command::SeekTo(time));
+        }
+        if response.double_clicked() {
+            self.zoom = None;
+        }
+        let pointer = response.hover_pos()?;
+        let time = axes.x_at(pointer.x);
+        let (factor, sideways) = ui.input(|i| (i.zoom_delta(), i.smooth_scroll_delta().x));
+        if factor != 1.0 {
+            self.zoom = zoomed(axes.x, time, 1.0 / f64::from(factor), whole);
+        } else if sideways != 0.0 && self.zoom.is_some() {
+            let shift = -f64::from(sideways / axes.rect.width()) * (axes.x.1 - axes.x.0);
+            let shift = shift.clamp(whole.0 - axes.x.0, whole.1 - axes.x.1);
+            self.zoom = Some((axes.x.0 + shift, axes.x.1 + shift));
+        }
+        axes.rect.x_range().contains(pointer.x).then_some(time)
+    }
+
+    fn time_axis(&self, ui: &mut Ui, context: &ViewContext<'_>, height: f32, span: (f64, f64)) {
+        let tokens = context.tokens;
+        let (outer, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
+        let rect = curves_rect(outer, tokens);
+        let axes = Axes {
+            rect: Rect::from_min_max(rect.left_top(), pos2(rect.right(), outer.top())),
+            x: span,
+            y: (0.0, 1.0),
+            log: false,
+        };
+        axes.draw_x(&ui.painter_at(outer), tokens, "time, s");
+    }
+}
+
+/// Where the curves go: right of the y axis' labels.
+fn curves_rect(outer: Rect, tokens: &Tokens) -> Rect {
+    let left = 3.4 * tokens.text_sizes[0];
+    Rect::from_min_max(
+        pos2(outer.left() + left, outer.top() + 1.0),
+        pos2(outer.right() - tokens.space, outer.bottom() - 1.0),
+    )
+}
+
+/// All the time there is: the flight's, so that the axis stands still while a run streams in.
+fn whole_span(context: &ViewContext<'_>) -> Option<(f64, f64)> {
+    let run = context.run?.span()?;
+    let flight = context
+        .flight
+        .map_or(run, pilotage_core::flight::Flight::span);
+    let (low, high) = (run.0.min(flight.0), run.1.max(flight.1));
+    Some((low, high.max(low + LEAST_SPAN)))
+}
+
+/// The span scaled around `time`; `None` for all of it.
+fn zoomed(span: (f64, f64), time: f64, factor: f64, whole: (f64, f64)) -> Option<(f64, f64)> {
+    let length = ((span.1 - span.0) * factor).max(LEAST_SPAN);
+    if length >= whole.1 - whole.0 {
+        return None;
+    }
+    let time = time.clamp(span.0, span.1);
+    let before = (time - span.0) / (span.1 - span.0) * length;
+    let low = (time - before).clamp(whole.0, whole.1 - length);
+    Some((low, low + length))
+}
+
+/// Why a panel is empty.
+fn nothing(kind: PanelKind, context: &ViewContext<'_>) -> &'static str {
+    let truth = context.flight.is_some_and(|f| f.truth.is_some());
+    match kind {
+        PanelKind::PositionError | PanelKind::Distance if !truth => {
+            "This flight does not know the truth."
+        }
+        PanelKind::Wind => "This vehicle model does not estimate wind.",
+        _ => "Nothing in this stretch of time.",
+    }
+}
+
+/// Samples, names and values at `time`, from the right; names go first where room is short.
+fn legend(ui: &Ui, tokens: &Tokens, layers: &[Layer<'_>], axes: &Axes, rect: Rect, time: f64) {
+    let painter = ui.painter_at(rect);
+    let entries: Vec<(&Layer<'_>, String)> = layers
+        .iter()
+        .rev()
+        .filter(|l| l.is_visible(axes))
+        .map(|l| (l, l.value_at(time).map_or_else(|| "–".to_owned(), figures)))
+        .collect();
+    let value_width = 3.2 * tokens.text_sizes[0];
+    let sample = 10.0;
+    let gap = tokens.space;
+    let names: f32 = entries
+        .iter()
+        .map(|(l, _)| {
+            painter
+                .layout_no_wrap(l.name.to_owned(), parts::small(tokens), tokens.muted)
+                .size()
+                .x
+                + 0.5 * gap
+        })
+        .sum();
+    let bare = entries.len() as f32 * (value_width + sample + gap);
+    let with_names = bare + names <= rect.width();
+    let mut right = rect.right() - tokens.space;
+    for (layer, value) in entries {
+        let middle = rect.center().y;
+        painter.text(
+            pos2(right, middle),
+            egui::Align2::RIGHT_CENTER,
+            value,
+            parts::small(tokens),
+            tokens.text,
+        );
+        right -= value_width;
+        if with_names {
+            let text = painter.text(
+                pos2(right, middle),
+                egui::Align2::RIGHT_CENTER,
+                layer.name,
+                parts::small(tokens),
+                tokens.muted,
+            );
+            right = text.left() - 0.5 * gap;
+        }
+        layer.draw_sample(&painter, pos2(right - 0.5 * sample, middle), sample);
+        right -= sample + gap;
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,340 @@
+//! The panels: which curves each shows, in which colours, with which axis.
+
+use egui::{Color32, Painter, Pos2, Stroke, vec2};
+
+use super::super::chart::Axes;
+use super::super::parts;
+use super::draw::{self, Curve};
+use super::series::{FrameColumn, InnovationColumn, RunSeries, StepColumn, Table};
+use crate::tokens::Tokens;
+use crate::units::Units;
+
+/// What a panel shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PanelKind {
+    /// Estimate minus truth along one axis with ±3σ.
+    PositionError,
+    /// Distance from the truth, of the estimate and of dead reckoning alone.
+    Distance,
+    /// One component of the wind beside the truth with ±σ.
+    Wind,
+    /// NIS of the corrections with its bounds.
+    Nis,
+    /// Innovations of single landmarks with ±σ.
+    Innovations,
+}
+
+impl PanelKind {
+    /// Every panel, from top to bottom.
+    pub const ALL: [Self; 5] = [
+        Self::PositionError,
+        Self::Distance,
+        Self::Wind,
+        Self::Nis,
+        Self::Innovations,
+    ];
+
+    /// Heading.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::PositionError => "Position error",
+            Self::Distance => "Distance from truth",
+            Self::Wind => "Wind",
+            Self::Nis => "NIS",
+            Self::Innovations => "Innovations",
+        }
+    }
+
+    /// Names of the two choices of the panel, short and long.
+    pub fn choices(self) -> [(&'static str, &'static str); 2] {
+        match self {
+            Self::PositionError | Self::Wind => [("N", "north"), ("E", "east")],
+            Self::Distance | Self::Nis => [("lin", "linear scale"), ("log", "logarithmic scale")],
+            Self::Innovations => [("x", "right in the picture"), ("y", "down in the picture")],
+        }
+    }
+
+    /// Which choice is made at first.
+    pub fn first_choice(self) -> usize {
+        usize::from(self == Self::Nis)
+    }
+
+    /// Factor from SI, and the unit on screen.
+    pub fn unit(self, units: Units) -> (f64, &'static str) {
+        match self {
+            Self::PositionError | Self::Distance => units.length(),
+            Self::Wind => units.speed(),
+            Self::Nis => (1.0, ""),
+            Self::Innovations => (1.0, "px"),
+        }
+    }
+
+    /// Whether y is drawn by its logarithm under that choice.
+    pub fn logarithmic(self, choice: usize) -> bool {
+        matches!(self, Self::Distance | Self::Nis) && choice == 1
+    }
+
+    /// What the panel shows in the units on screen.
+    pub fn layers<'a>(
+        self,
+        choice: usize,
+        series: &'a RunSeries,
+        ghost: &'a RunSeries,
+        tokens: &Tokens,
+        factor: f64,
+    ) -> Vec<Layer<'a>> {
+        let steps = |column: StepColumn| Self::curve(&series.steps, column as usize, factor);
+        let old = |column: StepColumn| Self::curve(&ghost.steps, column as usize, factor);
+        let north = choice == 0;
+        let pick = |a: StepColumn, b: StepColumn| if north { a } else { b };
+        match self {
+            Self::PositionError => {
+                let error = pick(StepColumn::NorthError, StepColumn::EastError);
+                let sigma = pick(StepColumn::NorthSigma, StepColumn::EastSigma);
+                let three = |sign: f64| Curve {
+                    factor: 3.0 * sign * factor,
+                    ..steps(sigma)
+                };
+                vec![
+                    Layer::band("±3σ", three(-1.0), three(1.0), tokens.dead_reckoning),
+                    Layer::line("before", old(error), tokens.ghost),
+                    Layer::line("error", steps(error), tokens.corrected),
+                ]
+            }
+            Self::Distance => vec![
+                Layer::dashed(
+                    "dead reckoning alone",
+                    steps(StepColumn::DeadReckoning),
+                    tokens.unaided,
+                ),
+                Layer::line("before", old(StepColumn::Distance), tokens.ghost),
+                Layer::line("estimate", steps(StepColumn::Distance), tokens.corrected),
+            ],
+            Self::Wind => {
+                let wind = pick(StepColumn::WindNorth, StepColumn::WindEast);
+                vec![
+                    Layer::band(
+                        "±σ",
+                        steps(pick(StepColumn::WindNorthLow, StepColumn::WindEastLow)),
+                        steps(pick(StepColumn::WindNorthHigh, StepColumn::WindEastHigh)),
+                        tokens.dead_reckoning,
+                    ),
+                    Layer::line("before", old(wind), tokens.ghost),
+                    Layer::line(
+                        "truth",
+                        steps(pick(StepColumn::TrueWindNorth, StepColumn::TrueWindEast)),
+                        tokens.truth,
+                    ),
+                    Layer::line("estimate", steps(wind), tokens.corrected),
+                ]
+            }
+            Self::Nis => {
+                let of = |column: FrameColumn| Self::curve(&series.frames, column as usize, factor);
+                vec![
+                    Layer::band(
+                        "95 % bounds",
+                        of(FrameColumn::Low),
+                        of(FrameColumn::High),
+                        tokens.truth,
+                    ),
+                    Layer::dots("NIS", of(FrameColumn::Nis), tokens.observed),
+                ]
+            }
+            Self::Innovations => {
+                let (value, sigma) = if north {
+                    (InnovationColumn::Right, InnovationColumn::RightSigma)
+                } else {
+                    (InnovationColumn::Down, InnovationColumn::DownSigma)
+                };
+                let one = |sign: f64| Self::curve(&series.accepted, sigma as usize, sign);
+                vec![
+                    Layer::band("±σ", one(-1.0), one(1.0), tokens.dead_reckoning),
+                    Layer::crosses(
+                        "refused",
+                        Self::curve(&series.refused, value as usize, 1.0),
+                        tokens.refused,
+                    ),
+                    Layer::dots(
+                        "used",
+                        Self::curve(&series.accepted, value as usize, 1.0),
+                        tokens.observed,
+                    ),
+                ]
+            }
+        }
+    }
+
+    fn curve(table: &Table, column: usize, factor: f64) -> Curve<'_> {
+        Curve {
+            times: &table.times,
+            values: table.column(column),
+            factor,
+        }
+    }
+
+    /// Least and greatest value of the y axis so that every layer shows, rounded outwards.
+    pub fn y_range(self, layers: &[Layer<'_>], axes: &Axes, logarithmic: bool) -> (f64, f64) {
+        let extent = layers
+            .iter()
+            .filter(|l| !(self == Self::Innovations && l.style == Style::Crosses))
+            .flat_map(|l| [Some(&l.curve), l.upper.as_ref()])
+            .flatten()
+            .filter_map(|c| c.extent(axes))
+            .fold(None, |all: Option<(f64, f64)>, e| {
+                let (low, high) = all.unwrap_or(e);
+                Some((low.min(e.0), high.max(e.1)))
+            });
+        let Some((low, high)) = extent else {
+            return if logarithmic {
+                (0.1, 10.0)
+            } else {
+                (-1.0, 1.0)
+            };
+        };
+        if logarithmic {
+            let low = low.max(high * 1e-4).max(1e-3);
+            return (
+                10_f64.powf((low.log10() * 2.0).floor() * 0.5),
+                10_f64.powf((high.max(low * 1.1).log10() * 2.0).ceil() * 0.5),
+            );
+        }
+        let (low, high) = match self {
+            Self::Distance | Self::Nis => (0.0, high),
+            Self::PositionError | Self::Innovations => {
+                let most = low.abs().max(high.abs());
+                (-most, most)
+            }
+            Self::Wind => (low, high),
+        };
+        let span = (high - low).max(1e-6);
+        let step = super::super::chart::ticks(0.0, span, 8)
+            .get(1)
+            .copied()
+            .unwrap_or(span);
+        let top = (high / step).ceil() * step;
+        let bottom = (low / step).floor() * step;
+        (bottom, if top > bottom { top } else { bottom + step })
+    }
+}
+
+/// How a layer is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Style {
+    Line,
+    Dashed,
+    Band,
+    Dots,
+    Crosses,
+}
+
+/// One curve or band of a panel, with its name in the legend.
+pub(crate) struct Layer<'a> {
+    pub name: &'static str,
+    pub curve: Curve<'a>,
+    /// Upper edge of a band.
+    pub upper: Option<Curve<'a>>,
+    pub color: Color32,
+    pub style: Style,
+}
+
+impl<'a> Layer<'a> {
+    fn new(name: &'static str, curve: Curve<'a>, color: Color32, style: Style) -> Self {
+        Self {
+            name,
+            curve,
+            upper: None,
+            color,
+            style,
+        }
+    }
+
+    fn line(name: &'static str, curve: Curve<'a>, color: Color32) -> Self {
+        Self::new(name, curve, color, Style::Line)
+    }
+
+    fn dashed(name: &'static str, curve: Curve<'a>, color: Color32) -> Self {
+        Self::new(name, curve, color, Style::Dashed)
+    }
+
+    fn dots(name: &'static str, curve: Curve<'a>, color: Color32) -> Self {
+        Self::new(name, curve, color, Style::Dots)
+    }
+
+    fn crosses(name: &'static str, curve: Curve<'a>, color: Color32) -> Self {
+        Self::new(name, curve, color, Style::Crosses)
+    }
+
+    fn band(name: &'static str, low: Curve<'a>, high: Curve<'a>, color: Color32) -> Self {
+        Self {
+            upper: Some(high),
+            ..Self::new(name, low, color, Style::Band)
+        }
+    }
+
+    /// Whether there is anything to draw in the visible time.
+    pub fn is_visible(&self, axes: &Axes) -> bool {
+        self.curve.extent(axes).is_some()
+    }
+
+    /// Draws the layer.
+    pub fn draw(&self, painter: &Painter, axes: &Axes) {
+        match (self.style, &self.upper) {
+            (Style::Band, Some(upper)) => {
+                draw::band(
+                    painter,
+                    axes,
+                    &self.curve,
+                    upper,
+                    self.color.gamma_multiply(0.22),
+                );
+            }
+            (Style::Dashed, _) => {
+                draw::dashed(painter, axes, &self.curve, Stroke::new(1.5, self.color));
+            }
+            (Style::Dots, _) => draw::dots(painter, axes, &self.curve, |painter, at| {
+                painter.circle_filled(at, 2.0, self.color);
+            }),
+            (Style::Crosses, _) => draw::dots(painter, axes, &self.curve, |painter, at| {
+                parts::cross(painter, at, 3.0, Stroke::new(1.25, self.color));
+            }),
+            _ => draw::line(painter, axes, &self.curve, Stroke::new(1.5, self.color)),
+        }
+    }
+
+    /// Draws a sample of the layer for the legend, `width` points wide around `at`.
+    pub fn draw_sample(&self, painter: &Painter, at: Pos2, width: f32) {
+        let half = vec2(0.5 * width, 0.0);
+        match self.style {
+            Style::Line => {
+                painter.line_segment([at - half, at + half], Stroke::new(2.0, self.color));
+            }
+            Style::Dashed => {
+                let stroke = Stroke::new(2.0, self.color);
+                painter.extend(egui::Shape::dashed_line(
+                    &[at - half, at + half],
+                    stroke,
+                    4.0,
+                    2.0,
+                ));
+            }
+            Style::Band => {
+                let rect = egui::Rect::from_center_size(at, vec2(width, 0.7 * width));
+                painter.rect_filled(rect, 1.0, self.color.gamma_multiply(0.35));
+            }
+            Style::Dots => {
+                painter.circle_filled(at, 2.5, self.color);
+            }
+            Style::Crosses => parts::cross(painter, at, 3.0, Stroke::new(1.5, self.color)),
+        }
+    }
+
+    /// The layer's value at `time` (the upper edge of a band), in the units on screen.
+    pub fn value_at(&self, time: f64) -> Option<f64> {
+        let curve = self.upper.as_ref().unwrap_or(&self.curve);
+        let index = curve
+            .times
+            .partition_point(|t| *t <= time + 1e-9)
+            .checked_sub(1)?;
+        Some(f64::from(curve.values.get(index)?) * curve.factor)
+    }
+}

@@ -1,0 +1,326 @@
+//! What the plots show, taken from a run step by step as it streams in.
+
+use std::collections::HashMap;
+
+use pilotage_core::filter::chi_square_interval;
+use pilotage_core::flight::Flight;
+use pilotage_core::navigator::{Outcome, Run, StepReport};
+
+use super::pyramid::Pyramid;
+
+/// Most steps taken over in one frame of the screen, so that a long run fills without a stutter.
+const STEPS_PER_FRAME: usize = 20_000;
+/// Without a correction for this long, it is called dead reckoning, seconds.
+pub(crate) const DEAD_RECKONING_AFTER: f64 = 2.0;
+
+/// Columns of the table of steps, SI.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum StepColumn {
+    NorthError,
+    EastError,
+    Distance,
+    NorthSigma,
+    EastSigma,
+    DeadReckoning,
+    WindNorth,
+    WindEast,
+    WindNorthLow,
+    WindEastLow,
+    WindNorthHigh,
+    WindEastHigh,
+    TrueWindNorth,
+    TrueWindEast,
+}
+
+impl StepColumn {
+    const COUNT: usize = 14;
+}
+
+/// Columns of the table of corrected frames.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum FrameColumn {
+    Nis,
+    Low,
+    High,
+}
+
+/// Columns of the tables of innovations, pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum InnovationColumn {
+    Right,
+    Down,
+    RightSigma,
+    DownSigma,
+}
+
+/// Times and the columns that go with them.
+#[derive(Clone, Debug)]
+pub(crate) struct Table {
+    pub times: Vec<f64>,
+    columns: Vec<Pyramid>,
+}
+
+impl Table {
+    /// A table without rows.
+    pub fn new(columns: usize) -> Self {
+        Self {
+            times: Vec::new(),
+            columns: vec![Pyramid::default(); columns],
+        }
+    }
+
+    /// Appends a row; a hole for every value that is not there.
+    pub fn push(&mut self, time: f64, row: impl IntoIterator<Item = Option<f64>>) {
+        self.times.push(time);
+        for (column, value) in self.columns.iter_mut().zip(row) {
+            column.push(value.map_or(f32::NAN, |v| v as f32));
+        }
+    }
+
+    /// One column.
+    pub fn column(&self, index: usize) -> &Pyramid {
+        &self.columns[index]
+    }
+
+    /// The last row at or before `time`.
+    pub fn row_at(&self, time: f64) -> Option<usize> {
+        self.times
+            .partition_point(|t| *t <= time + 1e-9)
+            .checked_sub(1)
+    }
+
+    /// Value of a column in the last row at or before `time`.
+    pub fn value(&self, column: usize, time: f64) -> Option<f64> {
+        self.column(column).get(self.row_at(time)?).map(f64::from)
+    }
+}
+
+/// What tells whether a run is still the one that was taken over.
+#[derive(Clone, Debug, PartialEq)]
+struct Fingerprint {
+    time: f64,
+    north: f64,
+    east: f64,
+    variance: f64,
+    truth: usize,
+}
+
+impl Fingerprint {
+    fn of(step: &StepReport, flight: Option<&Flight>) -> Self {
+        Self {
+            time: step.time,
+            north: step.after.mean[0],
+            east: step.after.mean[1],
+            variance: step.after.covariance[(0, 0)],
+            truth: truth_length(flight),
+        }
+    }
+}
+
+fn truth_length(flight: Option<&Flight>) -> usize {
+    flight
+        .and_then(|f| f.truth.as_ref())
+        .map_or(0, |t| t.states.len())
+}
+
+/// Everything the plots draw of one run.
+#[derive(Clone, Debug)]
+pub(crate) struct RunSeries {
+    pub steps: Table,
+    pub frames: Table,
+    pub accepted: Table,
+    pub refused: Table,
+    /// Stretches without a correction, seconds.
+    pub gaps: Vec<(f64, f64)>,
+    last_correction: Option<f64>,
+    seen: Option<Fingerprint>,
+    bounds: HashMap<usize, (f64, f64)>,
+}
+
+impl Default for RunSeries {
+    fn default() -> Self {
+        Self {
+            steps: Table::new(StepColumn::COUNT),
+            frames: Table::new(3),
+            accepted: Table::new(4),
+            refused: Table::new(4),
+            gaps: Vec::new(),
+            last_correction: None,
+            seen: None,
+            bounds: HashMap::new(),
+        }
+    }
+}
+
+impl RunSeries {
+    /// Takes over what has come since the last call; starts anew if the run is another one.
+    ///
+    /// Returns whether there is more to take over.
+    pub fn update(&mut self, run: Option<&Run>, flight: Option<&Flight>) -> bool {
+        let Some(run) = run else {
+            *self = Self::default();
+            return false;
+        };
+        let taken = self.steps.times.len();
+        let same = match (&self.seen, taken.checked_sub(1)) {
+            (Some(seen), Some(last)) => run
+                .steps
+                .get(last)
+                .is_some_and(|s| Fingerprint::of(s, flight) == *seen),
+            _ => true,
+        };
+        if !same {
+            *self = Self::default();
+        }
+        let from = self.steps.times.len();
+        let to = run.steps.len().min(from + STEPS_PER_FRAME);
+        let wind = run
+            .state_index("wind north")
+            .zip(run.state_index("wind east"));
+        for step in &run.steps[from..to] {
+            self.add(step, flight, wind);
+        }
+        if let Some(last) = to.checked_sub(1) {
+            self.seen = Some(Fingerprint::of(&run.steps[last], flight));
+        }
+        to < run.steps.len()
+    }
+
+    fn add(&mut self, step: &StepReport, flight: Option<&Flight>, wind: Option<(usize, usize)>) {
+        let truth = flight.and_then(|f| f.truth.as_ref());
+        let position = truth.and_then(|t| t.position(step.time));
+        let error = position.map(|p| (step.after.mean[0] - p.x, step.after.mean[1] - p.y));
+        let sigma = |i: usize| step.after.covariance[(i, i)].max(0.0).sqrt();
+        let mut row = [None; StepColumn::COUNT];
+        let mut set = |column: StepColumn, value: Option<f64>| row[column as usize] = value;
+        set(StepColumn::NorthError, error.map(|e| e.0));
+        set(StepColumn::EastError, error.map(|e| e.1));
+        set(StepColumn::Distance, error.map(|e| e.0.hypot(e.1)));
+        set(StepColumn::NorthSigma, Some(sigma(0)));
+        set(StepColumn::EastSigma, Some(sigma(1)));
+        set(
+            StepColumn::DeadReckoning,
+            position.map(|p| (step.dead_reckoned.north - p.x).hypot(step.dead_reckoned.east - p.y)),
+        );
+        if let Some((north, east)) = wind {
+            let mean = &step.after.mean;
+            set(StepColumn::WindNorth, Some(mean[north]));
+            set(StepColumn::WindEast, Some(mean[east]));
+            set(StepColumn::WindNorthLow, Some(mean[north] - sigma(north)));
+            set(StepColumn::WindEastLow, Some(mean[east] - sigma(east)));
+            set(StepColumn::WindNorthHigh, Some(mean[north] + sigma(north)));
+            set(StepColumn::WindEastHigh, Some(mean[east] + sigma(east)));
+        }
+        let true_wind = truth.and_then(|t| t.wind(step.time));
+        set(StepColumn::TrueWindNorth, true_wind.map(|w| w.x));
+        set(StepColumn::TrueWindEast, true_wind.map(|w| w.y));
+        self.steps.push(step.time, row);
+        self.add_frame(step);
+        self.add_gap(step);
+    }
+
+    fn add_frame(&mut self, step: &StepReport) {
+        let Some(frame) = &step.frame else { return };
+        if let Some(joint) = &frame.joint {
+            let (low, high) = *self
+                .bounds
+                .entry(joint.degrees_of_freedom)
+                .or_insert_with(|| chi_square_interval(joint.degrees_of_freedom as f64));
+            self.frames
+                .push(step.time, [Some(joint.nis), Some(low), Some(high)]);
+        }
+        for candidate in &frame.candidates {
+            let Some(innovation) = candidate.innovation else {
+                continue;
+            };
+            let covariance = &candidate.innovation_covariance;
+            let row = [
+                Some(innovation.x),
+                Some(innovation.y),
+                Some(covariance[(0, 0)].max(0.0).sqrt()),
+                Some(covariance[(1, 1)].max(0.0).sqrt()),
+            ];
+            if candidate.outcome == Outcome::Accepted {
+                self.accepted.push(step.time, row);
+            } else {
+                self.refused.push(step.time, row);
+            }
+        }
+    }
+
+    fn add_gap(&mut self, step: &StepReport) {
+        let since = *self.last_correction.get_or_insert(step.time);
+        if step.corrected() {
+            self.last_correction = Some(step.time);
+        } else if step.time - since > DEAD_RECKONING_AFTER {
+            match self.gaps.last_mut() {
+                Some(gap) if gap.0 == since => gap.1 = step.time,
+                _ => self.gaps.push((since, step.time)),
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::fixture::Fixture;
+    use super::*;
+
+    #[test]
+    fn a_run_that_streams_in_gives_the_same_series_as_the_whole_one() {
+        let fixture = Fixture::lasting(15.0);
+        let mut whole = RunSeries::default();
+        whole.update(Some(&fixture.run), Some(&fixture.flight));
+        let mut partial = fixture.run.clone();
+        partial.steps.clear();
+        let mut streamed = RunSeries::default();
+        for chunk in fixture.run.steps.chunks(17) {
+            partial.steps.extend_from_slice(chunk);
+            streamed.update(Some(&partial), Some(&fixture.flight));
+        }
+        assert_eq!(whole.steps.times, streamed.steps.times);
+        assert_eq!(whole.frames.times, streamed.frames.times);
+        assert_eq!(whole.gaps, streamed.gaps);
+        let column = StepColumn::Distance as usize;
+        assert_eq!(
+            whole.steps.column(column).extent(0, 300),
+            streamed.steps.column(column).extent(0, 300)
+        );
+    }
+
+    #[test]
+    fn another_run_takes_the_place_of_the_first() {
+        let fixture = Fixture::lasting(15.0);
+        let mut series = RunSeries::default();
+        series.update(Some(&fixture.run), Some(&fixture.flight));
+        let mut other = fixture.run.clone();
+        other.steps.truncate(40);
+        for step in &mut other.steps {
+            step.after.mean[0] += 5.0;
+        }
+        series.update(Some(&other), Some(&fixture.flight));
+        assert_eq!(series.steps.times.len(), 40);
+        let error = series
+            .steps
+            .value(StepColumn::NorthError as usize, 1.0)
+            .unwrap();
+        let step = other.step_at(1.0).unwrap();
+        let truth = fixture
+            .flight
+            .truth
+            .as_ref()
+            .unwrap()
+            .position(step.time)
+            .unwrap();
+        assert!((error - (step.after.mean[0] - truth.x)).abs() < 1e-4);
+    }
+
+    #[test]
+    fn the_stretch_between_school_and_pool_is_a_gap() {
+        let fixture = Fixture::new();
+        let mut series = RunSeries::default();
+        series.update(Some(&fixture.run), Some(&fixture.flight));
+        let longest = series.gaps.iter().map(|g| g.1 - g.0).fold(0.0, f64::max);
+        assert!(longest > 10.0, "{longest}");
+    }
+}

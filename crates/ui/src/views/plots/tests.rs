@@ -1,0 +1,95 @@
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+
+use super::super::fixture::Fixture;
+use super::*;
+use crate::units::Units;
+
+struct State {
+    fixture: Fixture,
+    view: PlotsView,
+    commands: Vec<Command>,
+}
+
+fn harness() -> Harness<'static, State> {
+    let state = State {
+        fixture: Fixture::lasting(20.0),
+        view: PlotsView::default(),
+        commands: Vec::new(),
+    };
+    Harness::builder().with_size([480.0, 420.0]).build_ui_state(
+        |ui, state| {
+            let fixture = &state.fixture;
+            let mut context = ViewContext {
+                mission: &fixture.mission,
+                flight: Some(&fixture.flight),
+                run: Some(&fixture.run),
+                ghost: None,
+                time: 5.0,
+                playing: false,
+                selection: None,
+                pictures: &|_| None,
+                match_pictures: None,
+                tokens: &Tokens::dark(),
+                units: Units::Metric,
+                commands: &mut state.commands,
+            };
+            state.view.show(ui, &mut context);
+        },
+        state,
+    )
+}
+
+#[test]
+fn a_click_in_the_middle_of_a_plot_seeks_to_the_middle_of_the_flight() {
+    let mut harness = harness();
+    harness.run();
+    let outer = harness.get_by_label("Wind plot").rect();
+    let rect = curves_rect(outer, &Tokens::dark());
+    harness.hover_at(rect.center());
+    harness.drag_at(rect.center());
+    harness.drop_at(rect.center());
+    harness.run();
+    let sought = harness.state().commands.iter().find_map(|c| match c {
+        Command::SeekTo(time) => Some(*time),
+        _ => None,
+    });
+    let span = harness.state().fixture.flight.span();
+    let run = harness.state().fixture.run.span().unwrap();
+    let middle = 0.5 * (span.0.min(run.0) + span.1.max(run.1));
+    assert!((sought.unwrap() - middle).abs() < 0.2, "{sought:?}");
+}
+
+#[test]
+fn a_panel_that_is_switched_off_leaves_the_view() {
+    let mut harness = harness();
+    harness.run();
+    harness.get_by_label("Wind plot");
+    harness.get_by_label("Show Wind").click();
+    harness.run();
+    assert!(harness.query_by_label("Wind plot").is_none());
+}
+
+#[test]
+fn a_folded_panel_keeps_its_heading_only() {
+    let mut harness = harness();
+    harness.run();
+    harness.get_by_label("Fold NIS").click();
+    harness.run();
+    harness.get_by_label("Fold NIS");
+    assert!(harness.query_by_label("NIS plot").is_none());
+}
+
+#[test]
+fn less_time_halves_what_is_shown_and_all_brings_it_back() {
+    let mut harness = harness();
+    harness.run();
+    harness.get_by_label("Less time").click();
+    harness.run();
+    let zoom = harness.state().view.zoom.unwrap();
+    assert!((zoom.1 - zoom.0 - 10.0).abs() < 0.1);
+    assert!(zoom.0 <= 5.0 && 5.0 <= zoom.1);
+    harness.get_by_label("All time").click();
+    harness.run();
+    assert!(harness.state().view.zoom.is_none());
+}

@@ -1,0 +1,122 @@
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+
+use super::super::fixture::Fixture;
+use super::*;
+use crate::tokens::Tokens;
+use crate::units::Units;
+
+struct State {
+    fixture: Fixture,
+    tour: Tour,
+    playing: bool,
+    commands: Vec<Command>,
+}
+
+fn harness() -> Harness<'static, State> {
+    let mut tour = Tour::default();
+    tour.start();
+    let state = State {
+        fixture: Fixture::new(),
+        tour,
+        playing: false,
+        commands: Vec::new(),
+    };
+    Harness::builder()
+        .with_size([1000.0, 700.0])
+        .build_ui_state(
+            |ui, state| {
+                let fixture = &state.fixture;
+                let mut context = ViewContext {
+                    mission: &fixture.mission,
+                    flight: Some(&fixture.flight),
+                    run: Some(&fixture.run),
+                    ghost: None,
+                    time: 5.0,
+                    playing: state.playing,
+                    selection: None,
+                    pictures: &|_| None,
+                    match_pictures: None,
+                    tokens: &Tokens::dark(),
+                    units: Units::Metric,
+                    commands: &mut state.commands,
+                };
+                state.tour.show(ui, &mut context);
+            },
+            state,
+        )
+}
+
+#[test]
+fn next_leads_through_all_stops_each_seeking_to_its_own_moment() {
+    let mut harness = harness();
+    for number in 0..Tour::STOPS {
+        harness.run();
+        let title = harness.state().tour.title();
+        harness.get_by_label(title);
+        let seeks = harness
+            .state()
+            .commands
+            .iter()
+            .filter(|c| matches!(c, Command::SeekTo(_)))
+            .count();
+        assert_eq!(seeks, number + 1, "at {title}");
+        harness.get_by_label_contains("Try: ");
+        let button = if number + 1 == Tour::STOPS {
+            "Finish"
+        } else {
+            "Next"
+        };
+        harness.get_by_label(button).click();
+    }
+    harness.run();
+    assert!(!harness.state().tour.is_active());
+    assert!(harness.state().commands.contains(&Command::ToggleTour));
+}
+
+#[test]
+fn arriving_at_a_stop_pauses_the_flight() {
+    let mut harness = harness();
+    harness.state_mut().playing = true;
+    harness.run();
+    let commands = &harness.state().commands;
+    let pauses = commands
+        .iter()
+        .filter(|c| **c == Command::TogglePlay)
+        .count();
+    assert_eq!(pauses, 1);
+}
+
+#[test]
+fn trying_another_gate_changes_the_settings_and_can_be_taken_back() {
+    let mut harness = harness();
+    harness.run();
+    harness.get_by_label_contains("The gate: how far").click();
+    harness.run();
+    harness
+        .get_by_label_contains("Try: Fly again with a gate")
+        .click();
+    harness.run();
+    let changed = harness.state().commands.iter().any(|c| match c {
+        Command::SetNavigator(settings) => settings.gate_confidence == 0.80,
+        _ => false,
+    });
+    assert!(changed);
+    harness.get_by_label("Take it back").click();
+    harness.run();
+    assert!(harness.state().commands.contains(&Command::Undo));
+}
+
+#[test]
+fn the_card_leaves_the_centre_of_the_map_free() {
+    let mut harness = harness();
+    harness.run();
+    let centre = egui::pos2(500.0, 350.0);
+    let layer = harness.ctx.layer_id_at(centre);
+    assert!(layer.is_none_or(|l| l.id != Id::unique("tour")));
+    let inside = harness.get_by_label("Next").rect().center();
+    assert_eq!(
+        harness.ctx.layer_id_at(inside).map(|l| l.id),
+        Some(Id::unique("tour"))
+    );
+}
