@@ -13,5 +13,5 @@ pub use dryden::{DrydenGust, Turbulence};
 pub use flight::FlightPlan;
 pub use flight_airframe::{AircraftState, Airframe, Command};
 pub use guidance::{GuidanceSettings, PathFollower};
-pub use scenario::{Overrides, Scenario, Wind};
+pub use scenario::{Overrides, Scenario, Wind, world_origin};
 pub use sensors::{SensorError, SensorSpec};

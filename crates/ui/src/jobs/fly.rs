@@ -1,36 +1,132 @@
 //! Flying and navigating, streamed.
 
-use pilotage_core::mission::Mission;
+use std::cell::RefCell;
+use std::rc::Rc;
+use std::sync::Arc;
 
+use pilotage_core::mission::Mission;
+use pilotage_core::navigator::{Navigator, StepReport};
+
+use super::flights::OpenFlight;
+use super::running::SLICE;
 use super::{Advance, FlightSource, JobEvent, MapSource, RunningJob, Workshop};
 
-/// A flight under way.
+/// A flight to be flown, or under way.
 pub struct Fly {
-    _flight: FlightSource,
+    flight: FlightSource,
     map: MapSource,
-    _mission: Option<Mission>,
+    mission: Option<Mission>,
+    stage: Stage,
+}
+
+enum Stage {
+    /// Nothing done; the first slice only says so, that the page has something to show.
+    Asked,
+    /// The next slice opens map and flight.
+    Opening,
+    /// Under way.
+    Flying(Rc<RefCell<OpenFlight>>, Box<Navigator>),
 }
 
 impl Fly {
     /// A flight to be flown.
     pub fn new(flight: FlightSource, map: MapSource, mission: Option<Mission>) -> Self {
         Self {
-            _flight: flight,
+            flight,
             map,
-            _mission: mission,
+            mission,
+            stage: Stage::Asked,
         }
     }
+
+    fn open(
+        &mut self,
+        workshop: &mut Workshop,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Result<(), String> {
+        let map = workshop.map(&self.map)?;
+        let open = workshop.flight(&self.flight)?;
+        let (flight, own_mission) = {
+            let open = open.borrow();
+            (open.flight.clone(), open.mission.clone())
+        };
+        let mission = self
+            .mission
+            .take()
+            .or(own_mission)
+            .ok_or_else(|| format!("{}: open a mission with landmarks as well", flight.name))?;
+        let flown = mission.camera.as_ref().map_or_else(
+            || flight.clone(),
+            |camera| {
+                let mut flight = flight.as_ref().clone();
+                flight.camera = camera.clone();
+                Arc::new(flight)
+            },
+        );
+        let navigator = Navigator::new(flown.clone(), &mission.landmarks, map, &mission.navigator)
+            .map_err(|cause| cause.to_string())?;
+        emit(JobEvent::Flight(Box::new(flown.as_ref().clone())));
+        emit(JobEvent::Mission(Box::new(mission)));
+        emit(JobEvent::RunStarted(Box::new(navigator.run_head())));
+        self.stage = Stage::Flying(open, Box::new(navigator));
+        Ok(())
+    }
+}
+
+/// Steps for about a slice; false once the flight is over.
+fn steps(
+    open: &mut OpenFlight,
+    navigator: &mut Navigator,
+    clock: &dyn Fn() -> f64,
+    emit: &mut dyn FnMut(JobEvent),
+) -> Result<bool, String> {
+    let begun = clock();
+    let mut batch: Vec<StepReport> = Vec::new();
+    let mut more = true;
+    while more && (batch.is_empty() || clock() - begun < SLICE) {
+        let index = navigator.next_frame();
+        match navigator.advance(&mut open.frames, clock) {
+            Some(Ok(step)) => batch.push(step),
+            Some(Err(cause)) => return Err(cause.to_string()),
+            None => more = false,
+        }
+        // A picture that cannot be had is told by the step's report.
+        if let Some(index) = index
+            && let Ok(encoded) = open.frames.kept(index)
+        {
+            let encoded = encoded.to_vec();
+            emit(JobEvent::FramePicture { index, encoded });
+        }
+    }
+    if !batch.is_empty() {
+        emit(JobEvent::Steps(batch));
+    }
+    let (done, all) = navigator.progress();
+    let fraction = done as f32 / all.max(1) as f32;
+    emit(JobEvent::Progress(fraction, "Flying".to_owned()));
+    Ok(more)
 }
 
 impl RunningJob for Fly {
     fn advance(
         &mut self,
         workshop: &mut Workshop,
-        _clock: &dyn Fn() -> f64,
+        clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Advance {
-        if let Err(cause) = workshop.map(&self.map) {
-            emit(JobEvent::Failed(cause));
+        let result = match &mut self.stage {
+            Stage::Asked => {
+                emit(JobEvent::Progress(0.0, "Preparing the flight".to_owned()));
+                self.stage = Stage::Opening;
+                Ok(true)
+            }
+            Stage::Opening => self.open(workshop, emit).map(|()| true),
+            Stage::Flying(open, navigator) => steps(&mut open.borrow_mut(), navigator, clock, emit),
+        };
+        match result {
+            Ok(true) => return Advance::More,
+            Ok(false) => emit(JobEvent::Finished),
+            Err(cause) => emit(JobEvent::Failed(cause)),
         }
         Advance::Done
     }

@@ -5,12 +5,15 @@
 //! and replaces one that died; [`InlineHost`] does all of it on the calling thread, for tests.
 
 mod crew;
+mod explain;
+mod flights;
 mod fly;
 mod inline;
 mod messages;
 mod protocol;
 mod runner;
 mod running;
+mod simulated;
 mod workshop;
 
 pub use crew::{Crew, WorkerPort};

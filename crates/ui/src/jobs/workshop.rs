@@ -1,14 +1,17 @@
 //! What the jobs of one worker share: files, opened maps, flights, rendered frames.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
 
 use pilotage_core::imagery::Imagery;
 
+use super::explain::match_pictures;
+use super::flights::OpenFlight;
 use super::fly::Fly;
 use super::running::Once;
-use super::{Job, JobEvent, MapInfo, MapSource, RunningJob};
+use super::{FlightSource, Job, JobEvent, MapInfo, MapSource, RunningJob, simulated};
 
 /// Files under a key: path and bytes of each.
 pub type Files = Rc<Vec<(String, Vec<u8>)>>;
@@ -18,6 +21,7 @@ pub type Files = Rc<Vec<(String, Vec<u8>)>>;
 pub struct Workshop {
     files: BTreeMap<String, Files>,
     maps: BTreeMap<Vec<u8>, Arc<dyn Imagery>>,
+    flights: BTreeMap<Vec<u8>, Rc<RefCell<OpenFlight>>>,
 }
 
 impl Workshop {
@@ -52,15 +56,26 @@ impl Workshop {
                 emit(JobEvent::Tile { window, pixels });
                 Ok(())
             }),
-            Job::Distinctness { .. } | Job::ExplainMatch { .. } => {
-                once(|_, _| Err("there is no detector yet".to_owned()))
-            }
+            Job::Distinctness { .. } => once(|_, _| Err("there is no detector yet".to_owned())),
+            Job::ExplainMatch {
+                flight,
+                map,
+                mission,
+                step,
+                landmark,
+            } => once(move |workshop, emit| {
+                let pictures = match_pictures(workshop, &flight, &map, &mission, &step, landmark)?;
+                emit(JobEvent::Match(Box::new(pictures)));
+                Ok(())
+            }),
         }
     }
 
     /// Keeps files under a key and forgets what was made of earlier ones.
     pub fn provide(&mut self, key: String, files: Vec<(String, Vec<u8>)>) {
         self.maps.remove(&cache_key(&MapSource::Files(key.clone())));
+        self.flights
+            .remove(&cache_key(&FlightSource::Files(key.clone())));
         self.files.insert(key, Rc::new(files));
     }
 
@@ -83,7 +98,28 @@ impl Workshop {
         if let Some(map) = self.maps.get(&key) {
             return Ok(map.clone());
         }
-        Err("there is no such map".to_owned())
+        let map = match source {
+            MapSource::Scenery => simulated::scenery_map(),
+            MapSource::Files(key) => return Err(format!("{key}: there is no map here")),
+        };
+        self.maps.insert(key, map.clone());
+        Ok(map)
+    }
+
+    /// A flight, opened once; the one before it is let go.
+    pub fn flight(&mut self, source: &FlightSource) -> Result<Rc<RefCell<OpenFlight>>, String> {
+        let key = cache_key(source);
+        if let Some(open) = self.flights.get(&key) {
+            return Ok(open.clone());
+        }
+        let open = match source {
+            FlightSource::Simulated(options) => simulated::open(options)?,
+            FlightSource::Files(key) => return Err(format!("{key}: there is no flight here")),
+        };
+        let open = Rc::new(RefCell::new(open));
+        self.flights.clear();
+        self.flights.insert(key, open.clone());
+        Ok(open)
     }
 }
 

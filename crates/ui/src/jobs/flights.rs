@@ -1,0 +1,60 @@
+//! Opened flights: what was measured, the mission that goes with it, and its pictures.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use pilotage_core::flight::{Flight, FrameError, FrameSource};
+use pilotage_core::mission::Mission;
+use pilotage_core::raster::{Picture, decode_picture};
+
+/// A flight with everything needed to navigate it.
+pub struct OpenFlight {
+    /// What was measured.
+    pub flight: Arc<Flight>,
+    /// The mission that comes with it, if any.
+    pub mission: Option<Mission>,
+    /// Its pictures.
+    pub frames: KeptFrames,
+}
+
+/// Keeps every picture encoded once it was asked for, so that flying again renders nothing anew.
+pub struct KeptFrames {
+    source: Box<dyn FrameSource>,
+    names: Vec<String>,
+    encoded: BTreeMap<usize, Arc<[u8]>>,
+}
+
+impl KeptFrames {
+    /// Pictures of `flight` from `source`.
+    pub fn new(flight: &Flight, source: Box<dyn FrameSource>) -> Self {
+        Self {
+            source,
+            names: flight.frames.iter().map(|f| f.name.clone()).collect(),
+            encoded: BTreeMap::new(),
+        }
+    }
+
+    /// A picture, encoded.
+    pub fn kept(&mut self, index: usize) -> Result<Arc<[u8]>, FrameError> {
+        if let Some(encoded) = self.encoded.get(&index) {
+            return Ok(encoded.clone());
+        }
+        let encoded: Arc<[u8]> = self.source.encoded(index)?.into();
+        self.encoded.insert(index, encoded.clone());
+        Ok(encoded)
+    }
+}
+
+impl FrameSource for KeptFrames {
+    fn picture(&mut self, index: usize) -> Result<Picture, FrameError> {
+        let encoded = self.kept(index)?;
+        decode_picture(&encoded).map_err(|cause| FrameError::Unreadable {
+            name: self.names.get(index).cloned().unwrap_or_default(),
+            cause: cause.to_string(),
+        })
+    }
+
+    fn encoded(&mut self, index: usize) -> Result<Vec<u8>, FrameError> {
+        Ok(self.kept(index)?.to_vec())
+    }
+}
