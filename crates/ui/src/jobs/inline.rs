@@ -125,3 +125,7 @@ impl Host for InlineHost {
         text.clone_into(&mut self.announced);
     }
 }
+
+#[cfg(test)]
+#[path = "inline_tests.rs"]
+mod tests;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use pilotage_core::flight::{Flight, FrameError, FrameSource};
-use pilotage_core::frames::GroundRect;
+use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::imagery::{Imagery, Window};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{MapReference, Mission};
@@ -78,6 +78,60 @@ struct AerialCamera {
     scenery: Scenery,
 }
 
+/// Side of the blocks in which the ground is computed, pixels.
+const BLOCK: usize = 64;
+
+impl AerialCamera {
+    /// The ground of `window`, computed only where a block may touch the convex `footprint`.
+    fn ground(&self, window: &Window, footprint: &[GroundPoint]) -> Picture {
+        let mut ground = Picture::filled(window.width, window.height, [0; 3]);
+        for top in (0..window.height).step_by(BLOCK) {
+            for left in (0..window.width).step_by(BLOCK) {
+                let block = Window {
+                    north_edge: window.north_edge - top as f64 * window.gsd,
+                    west_edge: window.west_edge + left as f64 * window.gsd,
+                    width: BLOCK.min(window.width - left),
+                    height: BLOCK.min(window.height - top),
+                    ..*window
+                };
+                if !may_touch(&block.rect().grown(2.0 * window.gsd), footprint) {
+                    continue;
+                }
+                let pixels = self.scenery.window(&block);
+                for row in 0..block.height {
+                    let target = &mut ground.row_mut(top + row)[left..][..block.width];
+                    for (pixel, [r, g, b, _]) in target.iter_mut().zip(pixels.row(row)) {
+                        *pixel = [*r, *g, *b];
+                    }
+                }
+            }
+        }
+        ground
+    }
+}
+
+/// False if one edge of the convex outline has the whole rectangle on its outer side.
+fn may_touch(rect: &GroundRect, outline: &[GroundPoint]) -> bool {
+    let center = rect.center().to_vector();
+    let half = nalgebra::Vector2::new(0.5 * rect.height(), 0.5 * rect.width());
+    let middle = outline
+        .iter()
+        .map(|p| p.to_vector())
+        .sum::<nalgebra::Vector2<f64>>()
+        / outline.len().max(1) as f64;
+    outline.iter().enumerate().all(|(i, a)| {
+        let (a, b) = (a.to_vector(), outline[(i + 1) % outline.len()].to_vector());
+        let along = b - a;
+        let mut outward = nalgebra::Vector2::new(along.y, -along.x);
+        if outward.dot(&(middle - a)) > 0.0 {
+            outward = -outward;
+        }
+        // The corner of the rectangle that lies farthest inward.
+        let inward = outward.dot(&(center - a)) - outward.abs().dot(&half);
+        inward <= 0.0
+    })
+}
+
 impl FrameSource for AerialCamera {
     fn picture(&mut self, index: usize) -> Result<Picture, FrameError> {
         let pose = self
@@ -89,10 +143,11 @@ impl FrameSource for AerialCamera {
         let camera = &self.flight.camera;
         let down = self.flight.ground_down;
         let unseen = || FrameError::OutOfRange(index);
-        let rect = GroundRect::around(camera.footprint(&pose, down)).ok_or_else(unseen)?;
+        let footprint = camera.footprint(&pose, down);
+        let rect = GroundRect::around(footprint.iter().copied()).ok_or_else(unseen)?;
         let gsd = (down - pose.position_in_world.z) / camera.focal;
         let window = Window::covering(&rect.grown(2.0 * gsd), gsd);
-        let ground = self.scenery.window(&window).map(|[r, g, b, _]| [r, g, b]);
+        let ground = self.ground(&window, &footprint);
         Ok(Picture::from_fn(camera.width, camera.height, |c, r| {
             let pixel = nalgebra::Point2::new(c as f64 + 0.5, r as f64 + 0.5);
             camera

@@ -1,0 +1,97 @@
+//! Jobs from beginning to end on the calling thread.
+
+use pilotage_core::frames::{GroundPoint, GroundRect};
+use pilotage_core::imagery::Window;
+
+use super::*;
+use crate::jobs::{FlightSource, MapSource, SimulationOptions};
+
+fn fly(scenario: &str) -> Job {
+    Job::Fly {
+        flight: FlightSource::Simulated(SimulationOptions {
+            scenario: scenario.to_owned(),
+            seed: 1,
+            other_day: true,
+            wind: None,
+            height: None,
+        }),
+        map: MapSource::Scenery,
+        mission: None,
+    }
+}
+
+/// Events until `enough` of them have come or the jobs are done.
+fn until(host: &mut InlineHost, enough: impl Fn(&[JobEvent]) -> bool) -> Vec<JobEvent> {
+    let mut seen = Vec::new();
+    while host.busy() && !enough(&seen) {
+        seen.extend(host.events().into_iter().map(|(_, event)| event));
+    }
+    seen
+}
+
+fn steps(events: &[JobEvent]) -> usize {
+    let count = |e: &JobEvent| match e {
+        JobEvent::Steps(steps) => steps.len(),
+        _ => 0,
+    };
+    events.iter().map(count).sum()
+}
+
+#[test]
+fn a_flight_tells_its_head_first_and_then_streams_steps_and_pictures() {
+    let mut host = InlineHost::new();
+    let id = host.start(fly("distinct-400ft-wind"));
+    let seen = until(&mut host, |seen| steps(seen) > 25);
+    let kinds: Vec<_> = seen
+        .iter()
+        .filter(|e| !matches!(e, JobEvent::Progress(..)))
+        .take(4)
+        .collect();
+    assert!(
+        matches!(
+            kinds[..],
+            [
+                JobEvent::Flight(_),
+                JobEvent::Mission(_),
+                JobEvent::RunStarted(_),
+                JobEvent::FramePicture { index: 0, .. }
+            ]
+        ),
+        "{kinds:?}"
+    );
+    host.cancel(id);
+    assert_eq!(host.events(), [(id, JobEvent::Cancelled)]);
+    assert!(!host.busy());
+}
+
+#[test]
+fn a_tile_asked_for_during_a_flight_comes_before_the_flight_goes_on() {
+    let mut host = InlineHost::new();
+    host.start(fly("distinct-400ft-calm"));
+    until(&mut host, |seen| steps(seen) > 0);
+    let window = Window::covering(
+        &GroundRect::centered(GroundPoint::new(0.0, 0.0), 50.0, 50.0),
+        1.0,
+    );
+    let tile = host.start(Job::Tile {
+        map: MapSource::Scenery,
+        window,
+    });
+    let events = host.events();
+    let expected = |(id, event): &(JobId, JobEvent)| {
+        *id == tile && matches!(event, JobEvent::Tile { window: w, .. } if *w == window)
+    };
+    assert!(events.iter().any(expected));
+    assert!(events.iter().all(|(id, _)| *id == tile));
+}
+
+#[test]
+fn an_unknown_scenario_is_refused_with_the_names_of_those_there_are() {
+    let mut host = InlineHost::new();
+    host.start(fly("distinct-to-the-moon"));
+    let seen = until(&mut host, |_| false);
+    let Some(JobEvent::Failed(text)) = seen.last() else {
+        panic!("{seen:?}");
+    };
+    assert!(text.contains("distinct-to-the-moon") && text.contains("distinct-400ft-calm"));
+}
