@@ -1,11 +1,17 @@
 //! What was measured in a flight: channels, frames, and the truth where it is known.
 
 mod channel;
+pub mod files;
+mod folder;
 mod frame;
 mod record;
 mod truth;
 
 pub use channel::{Channel, ChannelName};
+pub use folder::{
+    FLIGHT_FILE, FlightFolder, FolderError, FolderFrames, WriteError, decode_picture, read_flight,
+    write_flight,
+};
 pub use frame::{Frame, FrameError, FrameSource};
 pub use record::{Flight, StartFix};
 pub use truth::{FrameTruth, Truth, TruthState};

@@ -143,10 +143,14 @@ impl Georeference {
     pub fn from_json(text: &str) -> Result<Self, GeoreferenceError> {
         serde_json::from_str(text)
             .map(Self::Similarity)
-            .map_err(|e| GeoreferenceError::Json {
-                line: e.line(),
-                column: e.column(),
-                cause: e.to_string(),
+            .map_err(|e| {
+                let text = e.to_string();
+                let end = text.rfind(" at line ").unwrap_or(text.len());
+                GeoreferenceError::Json {
+                    line: e.line(),
+                    column: e.column(),
+                    cause: text[..end].to_owned(),
+                }
             })
     }
 
@@ -172,8 +176,8 @@ impl Georeference {
         }
     }
 
-    /// Ground point of a pixel, centres at half integers.
-    fn ground_at(&self, frame: &LocalFrame, x: f64, y: f64) -> GroundPoint {
+    /// Ground point of a pixel (centres at half integers) in the world frame `frame`.
+    pub fn ground_at(&self, frame: &LocalFrame, x: f64, y: f64) -> GroundPoint {
         let geodetic = |latitude: f64, longitude: f64| {
             let height = frame.origin.height;
             let p = frame.world_from_geodetic(&Geodetic::from_degrees(latitude, longitude, height));

@@ -1,0 +1,244 @@
+//! A set of files without a file system: a dropped folder, a zip, or a directory of the caller's.
+
+use std::collections::BTreeMap;
+use std::io::{Cursor, Read, Write};
+use std::sync::Arc;
+
+use zip::ZipArchive;
+
+/// Largest file that is unpacked from a zip, bytes.
+const LARGEST_FILE: u64 = 1 << 30;
+
+/// Files by name, `/` between folders.
+pub trait FileSet: Send + Sync {
+    /// Names of all files, for matching by their ends. May be incomplete.
+    fn names(&self) -> Vec<String>;
+
+    /// Contents of a file, `None` if there is none of that name.
+    fn read(&self, name: &str) -> Option<Vec<u8>>;
+}
+
+/// Where files are written.
+pub trait FileSink {
+    /// Writes a file; the error says what went wrong, in words.
+    fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), String>;
+}
+
+/// Files in memory.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct MemoryFiles(pub BTreeMap<String, Vec<u8>>);
+
+impl FileSet for MemoryFiles {
+    fn names(&self) -> Vec<String> {
+        self.0.keys().cloned().collect()
+    }
+
+    fn read(&self, name: &str) -> Option<Vec<u8>> {
+        self.0.get(name).cloned()
+    }
+}
+
+impl FileSink for MemoryFiles {
+    fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
+        self.0.insert(name.to_owned(), bytes.to_vec());
+        Ok(())
+    }
+}
+
+/// Files in a zip; each is unpacked when it is asked for.
+#[derive(Clone, Debug)]
+pub struct ZipFiles {
+    archive: ZipArchive<Cursor<Arc<[u8]>>>,
+}
+
+impl ZipFiles {
+    /// Opens a zip; the error says in words why it is none.
+    pub fn open(bytes: &[u8]) -> Result<Self, String> {
+        ZipArchive::new(Cursor::new(Arc::from(bytes)))
+            .map(|archive| Self { archive })
+            .map_err(|e| format!("not a readable zip file: {e}"))
+    }
+}
+
+impl FileSet for ZipFiles {
+    fn names(&self) -> Vec<String> {
+        self.archive
+            .file_names()
+            .flatten()
+            .filter(|name| !name.ends_with('/'))
+            .map(std::borrow::Cow::into_owned)
+            .collect()
+    }
+
+    fn read(&self, name: &str) -> Option<Vec<u8>> {
+        // Cloning shares the bytes and the directory.
+        let mut archive = self.archive.clone();
+        let file = archive.by_name(name).ok()?;
+        let mut bytes = Vec::new();
+        file.take(LARGEST_FILE).read_to_end(&mut bytes).ok()?;
+        Some(bytes)
+    }
+}
+
+/// Writes a zip into memory.
+pub struct ZipSink {
+    writer: zip::ZipWriter<Cursor<Vec<u8>>>,
+}
+
+impl Default for ZipSink {
+    fn default() -> Self {
+        Self {
+            writer: zip::ZipWriter::new(Cursor::new(Vec::new())),
+        }
+    }
+}
+
+impl ZipSink {
+    /// The bytes of the finished zip.
+    pub fn finish(self) -> Result<Vec<u8>, String> {
+        self.writer
+            .finish()
+            .map(Cursor::into_inner)
+            .map_err(|e| e.to_string())
+    }
+}
+
+impl FileSink for ZipSink {
+    fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
+        let packed = name.ends_with(".jpg") || name.ends_with(".png");
+        let options = zip::write::SimpleFileOptions::default().compression_method(if packed {
+            zip::CompressionMethod::Stored
+        } else {
+            zip::CompressionMethod::Deflated
+        });
+        self.writer
+            .start_file(name, options)
+            .map_err(|e| e.to_string())?;
+        self.writer.write_all(bytes).map_err(|e| e.to_string())
+    }
+}
+
+/// `directory/name` with `.` and `..` resolved as far as possible.
+pub fn joined(directory: &str, name: &str) -> String {
+    let mut parts: Vec<&str> = Vec::new();
+    let separators = ['/', '\\'];
+    let rooted = name.starts_with('/') || (directory.starts_with('/') && !name.is_empty());
+    let directory = if name.starts_with('/') { "" } else { directory };
+    for part in directory.split(separators).chain(name.split(separators)) {
+        match part {
+            "" | "." => {}
+            ".." if parts.last().is_some_and(|p| *p != "..") => {
+                parts.pop();
+            }
+            other => parts.push(other),
+        }
+    }
+    let path = parts.join("/");
+    if rooted { format!("/{path}") } else { path }
+}
+
+/// The folder part of a name, without the last slash.
+pub fn folder_of(name: &str) -> &str {
+    name.rsplit_once('/').map_or("", |(folder, _)| folder)
+}
+
+/// Why a name does not lead to one file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unresolved {
+    /// No file ends like that.
+    Missing,
+    /// Several do; two of them.
+    Ambiguous(String, String),
+}
+
+/// Contents of the file that `name` means: the file at one of `folders`, or else the only one in the
+/// set whose path ends with `name`, or else the only one with the same last part.
+///
+/// Returns its full name beside its contents.
+pub fn find(
+    files: &dyn FileSet,
+    folders: &[&str],
+    name: &str,
+) -> Result<(String, Vec<u8>), Unresolved> {
+    for folder in folders {
+        let path = joined(folder, name);
+        if let Some(bytes) = files.read(&path) {
+            return Ok((path, bytes));
+        }
+    }
+    let names = files.names();
+    let plain = joined("", name);
+    let plain = plain.trim_start_matches("../").to_owned();
+    let last = plain.rsplit('/').next().unwrap_or(&plain).to_owned();
+    for ending in [&plain, &last] {
+        let mut matching = names.iter().filter(|candidate| {
+            candidate
+                .strip_suffix(ending.as_str())
+                .is_some_and(|rest| rest.is_empty() || rest.ends_with('/'))
+        });
+        if let Some(first) = matching.next() {
+            if let Some(second) = matching.next() {
+                return Err(Unresolved::Ambiguous(first.clone(), second.clone()));
+            }
+            return files
+                .read(first)
+                .map(|bytes| (first.clone(), bytes))
+                .ok_or(Unresolved::Missing);
+        }
+    }
+    Err(Unresolved::Missing)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn files(names: &[&str]) -> MemoryFiles {
+        MemoryFiles(
+            names
+                .iter()
+                .map(|n| ((*n).to_owned(), n.as_bytes().to_vec()))
+                .collect(),
+        )
+    }
+
+    #[test]
+    fn a_file_is_found_by_its_place_before_its_ending() {
+        let set = files(&["a/frames.csv", "b/frames.csv"]);
+        let (name, _) = find(&set, &["b"], "frames.csv").unwrap();
+        assert_eq!(name, "b/frames.csv");
+        assert!(matches!(
+            find(&set, &[""], "frames.csv"),
+            Err(Unresolved::Ambiguous(..))
+        ));
+        assert_eq!(find(&set, &[""], "other.csv"), Err(Unresolved::Missing));
+    }
+
+    #[test]
+    fn a_path_out_of_the_dropped_folder_is_matched_by_its_end() {
+        let set = files(&["flight.json", "brighton/frames/1.jpg"]);
+        let (name, _) = find(&set, &["../../data/brighton"], "frames/1.jpg").unwrap();
+        assert_eq!(name, "brighton/frames/1.jpg");
+    }
+
+    #[test]
+    fn dots_in_a_path_are_resolved() {
+        assert_eq!(joined("a/b", "../c/./d.txt"), "a/c/d.txt");
+        assert_eq!(joined("a", "../../c"), "../c");
+        assert_eq!(joined("/a/b", "../c"), "/a/c");
+        assert_eq!(joined("a", "/c"), "/c");
+    }
+
+    #[test]
+    fn a_zip_gives_back_what_was_written_into_it() {
+        let mut sink = ZipSink::default();
+        sink.write("x/flight.json", b"{}").unwrap();
+        sink.write("x/frames/1.jpg", &[1, 2, 3]).unwrap();
+        let bytes = sink.finish().unwrap();
+        let zip = ZipFiles::open(&bytes).unwrap();
+        assert_eq!(zip.read("x/frames/1.jpg"), Some(vec![1, 2, 3]));
+        assert_eq!(zip.read("y"), None);
+        assert_eq!(zip.names().len(), 2);
+        assert!(ZipFiles::open(&bytes[..bytes.len() / 2]).is_err());
+    }
+}

@@ -1,0 +1,342 @@
+//! The contents of flight.json; docs/formats.md explains every member.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::clock::TimeFormat;
+use crate::camera::{CameraModel, Distortion, Lens, Mount};
+use crate::frames::Geodetic;
+
+/// Version of the layout that is written.
+pub(super) const VERSION: u32 = 1;
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct FlightFile {
+    pub pilotage_flight: u32,
+    pub name: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub description: Option<String>,
+    /// Folder of all other files, relative to flight.json.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub data: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub origin: Option<OriginFile>,
+    #[serde(default)]
+    pub ground_down_m: f64,
+    pub camera: CameraFile,
+    /// Date and time of second 0 for times with a date.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub time_origin: Option<String>,
+    pub start: StartFile,
+    #[serde(default)]
+    pub channels: Vec<ChannelFile>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub frames: Option<FramesFile>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub truth: Option<TruthFile>,
+}
+
+/// A geodetic position in degrees and metres.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct OriginFile {
+    pub latitude_deg: f64,
+    pub longitude_deg: f64,
+    #[serde(default)]
+    pub height_m: f64,
+}
+
+/// A camera with angles in degrees.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct CameraFile {
+    pub width: usize,
+    pub height: usize,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub focal_px: Option<f64>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub horizontal_fov_deg: Option<f64>,
+    /// Pixels from the outer corner of the top-left pixel; the middle if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub principal_px: Option<[f64; 2]>,
+    #[serde(default)]
+    pub lens: Lens,
+    #[serde(default)]
+    pub distortion: Distortion,
+    #[serde(default)]
+    pub mount_deg: MountFile,
+}
+
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub(crate) struct MountFile {
+    pub roll: f64,
+    pub pitch: f64,
+    pub yaw: f64,
+}
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct StartFile {
+    /// Seconds; the first frame's time if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub time_s: Option<f64>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub north_m: Option<f64>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub east_m: Option<f64>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub latitude_deg: Option<f64>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub longitude_deg: Option<f64>,
+    pub standard_deviation_m: f64,
+}
+
+/// How a column of times is read.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct TimeColumn {
+    pub column: String,
+    #[serde(default)]
+    pub format: TimeFormat,
+    /// Added to every time, seconds.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub offset_s: f64,
+}
+
+/// How a column of values is read: (cell · scale + offset) in `unit`.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ValueColumn {
+    pub column: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub unit: Option<String>,
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    pub scale: f64,
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub offset: f64,
+}
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ChannelFile {
+    /// A channel's name, or `gps` for latitude and longitude.
+    pub name: String,
+    pub file: String,
+    pub time: TimeColumn,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub value: Option<ValueColumn>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub latitude: Option<ValueColumn>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub longitude: Option<ValueColumn>,
+}
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct FramesFile {
+    pub file: String,
+    /// Column with the names of the pictures.
+    pub name: String,
+    pub time: TimeColumn,
+    /// Folder of the pictures.
+    #[serde(default)]
+    pub directory: String,
+    /// Clockwise turn of the stored picture by name, degrees.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub stored_turn_deg: BTreeMap<String, f64>,
+}
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct TruthFile {
+    /// Series of the true state.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub states: Option<TruthStatesFile>,
+    /// True place of each frame.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub frames: Option<TruthFramesFile>,
+}
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct TruthStatesFile {
+    pub file: String,
+    pub time: TimeColumn,
+    pub position: PositionColumns,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub attitude: Option<AttitudeColumns>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wind: Option<WindColumns>,
+}
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct TruthFramesFile {
+    pub file: String,
+    /// Column with the names of the pictures.
+    pub name: String,
+    pub position: PositionColumns,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub attitude: Option<AttitudeColumns>,
+}
+
+/// A position in one of three ways, and its height.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub(super) struct PositionColumns {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub north: Option<ValueColumn>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub east: Option<ValueColumn>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub latitude: Option<ValueColumn>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub longitude: Option<ValueColumn>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub map_pixel: Option<MapPixelColumns>,
+    /// Down coordinate in the world frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub down: Option<ValueColumn>,
+    /// Height above the ground plane.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub height: Option<ValueColumn>,
+}
+
+/// A place given as pixel of a map picture.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct MapPixelColumns {
+    pub x: ValueColumn,
+    pub y: ValueColumn,
+    /// World file or fitted similarity of the map picture.
+    pub georeference: String,
+    #[serde(default)]
+    pub pixel_centres: PixelCentres,
+}
+
+/// Where the centre of the top-left pixel lies.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum PixelCentres {
+    /// At (½, ½).
+    #[default]
+    HalfIntegers,
+    /// At (0, 0), as in OpenCV.
+    Integers,
+}
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct AttitudeColumns {
+    pub roll: ValueColumn,
+    pub pitch: ValueColumn,
+    pub yaw: ValueColumn,
+}
+
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct WindColumns {
+    pub north: ValueColumn,
+    pub east: ValueColumn,
+}
+
+fn one() -> f64 {
+    1.0
+}
+
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde asks for a reference"
+)]
+fn is_one(value: &f64) -> bool {
+    *value == 1.0
+}
+
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde asks for a reference"
+)]
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
+}
+
+impl OriginFile {
+    pub(crate) fn of(origin: &Geodetic) -> Self {
+        Self {
+            latitude_deg: origin.latitude.to_degrees(),
+            longitude_deg: origin.longitude.to_degrees(),
+            height_m: origin.height,
+        }
+    }
+
+    /// The position, or in words what is wrong with it.
+    pub(crate) fn geodetic(&self) -> Result<Geodetic, String> {
+        if !(-90.0..=90.0).contains(&self.latitude_deg) {
+            return Err(format!("{} is not a latitude", self.latitude_deg));
+        }
+        if !(-360.0..=360.0).contains(&self.longitude_deg) {
+            return Err(format!("{} is not a longitude", self.longitude_deg));
+        }
+        Ok(Geodetic::from_degrees(
+            self.latitude_deg,
+            self.longitude_deg,
+            self.height_m,
+        ))
+    }
+}
+
+impl CameraFile {
+    pub(crate) fn of(camera: &CameraModel) -> Self {
+        Self {
+            width: camera.width,
+            height: camera.height,
+            focal_px: Some(camera.focal),
+            horizontal_fov_deg: None,
+            principal_px: Some([camera.principal.x, camera.principal.y]),
+            lens: camera.lens,
+            distortion: camera.distortion,
+            mount_deg: MountFile {
+                roll: camera.mount.roll.to_degrees(),
+                pitch: camera.mount.pitch.to_degrees(),
+                yaw: camera.mount.yaw.to_degrees(),
+            },
+        }
+    }
+
+    /// The camera, or in words what is wrong with it.
+    pub(crate) fn camera(&self) -> Result<CameraModel, String> {
+        if !(1..=30_000).contains(&self.width) || !(1..=30_000).contains(&self.height) {
+            return Err(format!(
+                "a picture of {} x {} pixels is not plausible",
+                self.width, self.height
+            ));
+        }
+        let mut camera = match (self.focal_px, self.horizontal_fov_deg) {
+            (Some(focal), None) if focal > 0.0 => CameraModel {
+                focal,
+                ..CameraModel::pinhole(self.width, self.height, 1.0)
+            },
+            (None, Some(fov)) if fov > 0.0 && fov < 180.0 => {
+                CameraModel::pinhole(self.width, self.height, fov.to_radians())
+            }
+            (Some(_), Some(_)) | (None, None) => {
+                return Err("state either focal_px or horizontal_fov_deg".to_owned());
+            }
+            _ => return Err("the focal length or field of view is out of range".to_owned()),
+        };
+        if let Some([x, y]) = self.principal_px {
+            camera.principal = nalgebra::Point2::new(x, y);
+        }
+        camera.lens = self.lens;
+        camera.distortion = self.distortion;
+        camera.mount = Mount {
+            roll: self.mount_deg.roll.to_radians(),
+            pitch: self.mount_deg.pitch.to_radians(),
+            yaw: self.mount_deg.yaw.to_radians(),
+        };
+        Ok(camera)
+    }
+}

@@ -1,0 +1,20 @@
+//! The flight folder: flight.json, channels and truth as CSV with a column map, frames as pictures.
+//!
+//! docs/formats.md defines it.
+
+mod clock;
+mod error;
+mod layout;
+mod pictures;
+mod position;
+mod read;
+mod table;
+#[cfg(test)]
+mod tests;
+mod units;
+mod write;
+
+pub use error::FolderError;
+pub use pictures::{FolderFrames, decode_picture};
+pub use read::{FLIGHT_FILE, FlightFolder, read_flight};
+pub use write::{WriteError, write_flight};

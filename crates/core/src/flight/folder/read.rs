@@ -1,0 +1,490 @@
+//! Reading a flight folder.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use nalgebra::{Point3, Vector2};
+
+use super::clock::{Moment, date_and_time};
+use super::error::FolderError;
+use super::layout::{
+    AttitudeColumns, ChannelFile, FlightFile, FramesFile, StartFile, TimeColumn, TruthFile,
+    VERSION, ValueColumn,
+};
+use super::pictures::FolderFrames;
+use super::position::Positions;
+use super::table::Table;
+use super::units::Dimension;
+use crate::flight::files::{FileSet, Unresolved, find, folder_of, joined};
+use crate::flight::{Channel, ChannelName, Flight, Frame, FrameTruth, StartFix, Truth, TruthState};
+use crate::frames::{Attitude, GroundPoint, LocalFrame, wrap_pi};
+
+/// Name of the file that makes a folder a flight.
+pub const FLIGHT_FILE: &str = "flight.json";
+
+/// What a flight folder gave.
+pub struct FlightFolder {
+    /// The flight.
+    pub flight: Flight,
+    /// Its pictures, decoded when they are asked for.
+    pub frames: FolderFrames,
+    /// What was skipped, in words.
+    pub notes: Vec<String>,
+}
+
+/// The files of a flight while it is read; each table is parsed once.
+pub(super) struct Folder {
+    pub(super) files: Arc<dyn FileSet>,
+    /// Folders in which names are looked up first.
+    pub(super) folders: Vec<String>,
+    tables: BTreeMap<String, Arc<Table>>,
+    pub(super) notes: Vec<String>,
+}
+
+impl Folder {
+    /// Contents of a file that `wanted_by` refers to.
+    pub(super) fn read(&self, name: &str, wanted_by: &str) -> Result<Vec<u8>, FolderError> {
+        let folders: Vec<&str> = self.folders.iter().map(String::as_str).collect();
+        find(self.files.as_ref(), &folders, name)
+            .map(|(_, bytes)| bytes)
+            .map_err(|problem| match problem {
+                Unresolved::Missing => FolderError::Missing {
+                    file: name.to_owned(),
+                    wanted_by: wanted_by.to_owned(),
+                },
+                Unresolved::Ambiguous(first, second) => FolderError::Ambiguous {
+                    file: name.to_owned(),
+                    first,
+                    second,
+                },
+            })
+    }
+
+    pub(super) fn table(&mut self, name: &str, wanted_by: &str) -> Result<Arc<Table>, FolderError> {
+        if let Some(table) = self.tables.get(name) {
+            return Ok(Arc::clone(table));
+        }
+        let bytes = self.read(name, wanted_by)?;
+        let table = Arc::new(Table::parse(name, &bytes)?);
+        self.tables.insert(name.to_owned(), Arc::clone(&table));
+        Ok(table)
+    }
+}
+
+/// A complaint about a member of flight.json.
+pub(super) fn contents(place: &str, cause: impl Into<String>) -> FolderError {
+    FolderError::Contents {
+        file: FLIGHT_FILE.to_owned(),
+        place: place.to_owned(),
+        cause: cause.into(),
+    }
+}
+
+/// Reads the flight that a set of files holds: the only flight.json among them and what it refers to.
+pub fn read_flight(files: Arc<dyn FileSet>) -> Result<FlightFolder, FolderError> {
+    let (path, bytes) =
+        find(files.as_ref(), &[""], FLIGHT_FILE).map_err(|problem| match problem {
+            Unresolved::Missing => FolderError::NoFlightFile,
+            Unresolved::Ambiguous(first, second) => FolderError::Ambiguous {
+                file: FLIGHT_FILE.to_owned(),
+                first,
+                second,
+            },
+        })?;
+    let layout: FlightFile =
+        serde_json::from_slice(&bytes).map_err(|e| FolderError::json(&path, &e))?;
+    let base = folder_of(&path).to_owned();
+    read_layout(files, &layout, base)
+}
+
+/// Reads a flight whose layout is known.
+pub(super) fn read_layout(
+    files: Arc<dyn FileSet>,
+    layout: &FlightFile,
+    base: String,
+) -> Result<FlightFolder, FolderError> {
+    if layout.pilotage_flight != VERSION {
+        return Err(contents(
+            "pilotage_flight",
+            format!(
+                "version {} is not known; this program reads version {VERSION}",
+                layout.pilotage_flight
+            ),
+        ));
+    }
+    let data = layout.data.as_deref().map(|data| joined(&base, data));
+    let mut folder = Folder {
+        files: Arc::clone(&files),
+        folders: data.into_iter().chain([base]).collect(),
+        tables: BTreeMap::new(),
+        notes: Vec::new(),
+    };
+    let frame_on_globe = layout
+        .origin
+        .map(|origin| origin.geodetic().map(LocalFrame::new))
+        .transpose()
+        .map_err(|cause| contents("origin", cause))?;
+    let camera = layout
+        .camera
+        .camera()
+        .map_err(|cause| contents("camera", cause))?;
+    let positions = Positions {
+        frame: frame_on_globe,
+        ground_down: layout.ground_down_m,
+    };
+    let time_origin = time_origin(&mut folder, layout)?;
+
+    let frames = match &layout.frames {
+        Some(map) => read_frames(&mut folder, map, time_origin)?,
+        None => Vec::new(),
+    };
+    let mut channels = Vec::new();
+    for (i, map) in layout.channels.iter().enumerate() {
+        read_channel(&mut folder, map, i, time_origin, &positions, &mut channels)?;
+    }
+    let truth = layout
+        .truth
+        .as_ref()
+        .map(|map| read_truth(&mut folder, map, time_origin, &frames, &positions))
+        .transpose()?;
+    let start = read_start(&layout.start, &channels, &frames, &positions)?;
+    let pictures = FolderFrames::new(
+        files,
+        folder.folders.clone(),
+        layout.frames.as_ref().map_or("", |f| f.directory.as_str()),
+        frames.iter().map(|f| f.name.clone()).collect(),
+    );
+    Ok(FlightFolder {
+        flight: Flight {
+            name: layout.name.clone(),
+            frame_on_globe,
+            camera,
+            ground_down: layout.ground_down_m,
+            channels,
+            frames,
+            start,
+            truth,
+        },
+        frames: pictures,
+        notes: folder.notes,
+    })
+}
+
+/// Second 0 of times with a date: as stated, or the first frame, or the first sample.
+fn time_origin(
+    folder: &mut Folder,
+    layout: &FlightFile,
+) -> Result<Option<(i64, f64)>, FolderError> {
+    if let Some(text) = &layout.time_origin {
+        return match date_and_time(text) {
+            Some(Moment::Absolute(whole, fraction)) => Ok(Some((whole, fraction))),
+            _ => Err(contents(
+                "time_origin",
+                "write a date and time such as 2016-06-23T16:31:59Z",
+            )),
+        };
+    }
+    let frames = layout.frames.iter().map(|f| (&f.file, &f.time));
+    let channels = layout.channels.iter().map(|c| (&c.file, &c.time));
+    for (file, time) in frames.chain(channels) {
+        if time.format.is_absolute() {
+            let table = folder.table(file, FLIGHT_FILE)?;
+            if let Some(Moment::Absolute(whole, fraction)) = table.moments(time)?.first() {
+                return Ok(Some((*whole, *fraction)));
+            }
+        }
+    }
+    Ok(None)
+}
+
+fn read_frames(
+    folder: &mut Folder,
+    map: &FramesFile,
+    origin: Option<(i64, f64)>,
+) -> Result<Vec<Frame>, FolderError> {
+    let table = folder.table(&map.file, "frames")?;
+    let times = table.times(&map.time, origin)?;
+    let names = table.texts(&map.name)?;
+    for name in map.stored_turn_deg.keys() {
+        if !names.contains(&name.as_str()) {
+            return Err(contents(
+                "frames.stored_turn_deg",
+                format!("there is no frame \"{name}\""),
+            ));
+        }
+    }
+    names
+        .iter()
+        .zip(times)
+        .enumerate()
+        .map(|(row, (name, time))| {
+            if name.is_empty() {
+                return Err(table.cell_error(row, &map.name, "the name of the picture is missing"));
+            }
+            let turn = map.stored_turn_deg.get(*name).copied().unwrap_or(0.0);
+            Ok(Frame {
+                time,
+                name: (*name).to_owned(),
+                stored_turn: turn.to_radians(),
+            })
+        })
+        .collect()
+}
+
+fn read_channel(
+    folder: &mut Folder,
+    map: &ChannelFile,
+    number: usize,
+    origin: Option<(i64, f64)>,
+    positions: &Positions,
+    channels: &mut Vec<Channel>,
+) -> Result<(), FolderError> {
+    let place = format!("channels[{number}]");
+    let table = folder.table(&map.file, &place)?;
+    let times = table.times(&map.time, origin)?;
+    if map.name == "gps" {
+        let (Some(latitude), Some(longitude), None) = (&map.latitude, &map.longitude, &map.value)
+        else {
+            return Err(contents(
+                &place,
+                "gps needs \"latitude\" and \"longitude\" and no \"value\"",
+            ));
+        };
+        let points = positions.from_globe(&table, latitude, longitude, &place)?;
+        let north = points.iter().map(|p| p.map(|p| p.north)).collect();
+        let east = points.iter().map(|p| p.map(|p| p.east)).collect();
+        add_channel(
+            folder,
+            channels,
+            &place,
+            ChannelName::GpsNorth,
+            &times,
+            north,
+        )?;
+        return add_channel(folder, channels, &place, ChannelName::GpsEast, &times, east);
+    }
+    let name = ChannelName::ALL
+        .into_iter()
+        .find(|name| name.key() == map.name)
+        .ok_or_else(|| {
+            let known: Vec<&str> = ChannelName::ALL.iter().map(|n| n.key()).collect();
+            let known = known.join(", ");
+            contents(
+                &place,
+                format!("\"{}\" is no channel; there are {known} and gps", map.name),
+            )
+        })?;
+    let (Some(value), None, None) = (&map.value, &map.latitude, &map.longitude) else {
+        return Err(contents(&place, "state \"value\" and nothing beside it"));
+    };
+    let dimension = match name {
+        ChannelName::Airspeed => Dimension::Speed,
+        ChannelName::Heading | ChannelName::Roll | ChannelName::Pitch => Dimension::Angle,
+        _ => Dimension::Length,
+    };
+    let values = table.values(value, dimension)?;
+    add_channel(folder, channels, &place, name, &times, values)
+}
+
+fn add_channel(
+    folder: &mut Folder,
+    channels: &mut Vec<Channel>,
+    place: &str,
+    name: ChannelName,
+    times: &[f64],
+    values: Vec<Option<f64>>,
+) -> Result<(), FolderError> {
+    if channels.iter().any(|c| c.name == name) {
+        let cause = format!("there is a second channel \"{}\"", name.key());
+        return Err(contents(place, cause));
+    }
+    let total = values.len();
+    let (times, values): (Vec<f64>, Vec<f64>) = times
+        .iter()
+        .zip(values)
+        .filter_map(|(time, value)| {
+            let value = value?;
+            Some((
+                *time,
+                if name.is_angle() {
+                    wrap_pi(value)
+                } else {
+                    value
+                },
+            ))
+        })
+        .unzip();
+    if values.len() < total {
+        folder.notes.push(format!(
+            "{}: {} of {total} samples are empty and were skipped",
+            name.key(),
+            total - values.len()
+        ));
+    }
+    channels.push(Channel {
+        name,
+        times,
+        values,
+    });
+    Ok(())
+}
+
+/// Roll, pitch and yaw of every row; `None` where one is empty.
+fn attitudes(
+    table: &Table,
+    map: Option<&AttitudeColumns>,
+) -> Result<Vec<Option<Attitude>>, FolderError> {
+    let Some(map) = map else {
+        return Ok(vec![None; table.len()]);
+    };
+    let angle = |column: &ValueColumn| table.values(column, Dimension::Angle);
+    let (roll, pitch, yaw) = (angle(&map.roll)?, angle(&map.pitch)?, angle(&map.yaw)?);
+    Ok((0..table.len())
+        .map(|i| {
+            Some(Attitude {
+                roll: roll[i]?,
+                pitch: pitch[i]?,
+                yaw: yaw[i]?,
+            })
+        })
+        .collect())
+}
+
+fn read_truth(
+    folder: &mut Folder,
+    map: &TruthFile,
+    origin: Option<(i64, f64)>,
+    frames: &[Frame],
+    positions: &Positions,
+) -> Result<Truth, FolderError> {
+    let mut truth = Truth::default();
+    if let Some(map) = &map.frames {
+        let table = folder.table(&map.file, "truth.frames")?;
+        let places = positions.read(folder, &table, &map.position, "truth.frames.position")?;
+        let attitudes = attitudes(&table, map.attitude.as_ref())?;
+        let names = table.texts(&map.name)?;
+        let rows: BTreeMap<&str, usize> = names.iter().enumerate().map(|(i, n)| (*n, i)).collect();
+        for frame in frames {
+            let place = rows
+                .get(frame.name.as_str())
+                .and_then(|row| Some((*row, places[*row]?)));
+            let Some((row, position)) = place else {
+                folder.notes.push(format!(
+                    "truth of the frames left out: {} has none",
+                    frame.name
+                ));
+                truth.frames.clear();
+                break;
+            };
+            truth.frames.push(FrameTruth {
+                position,
+                camera_attitude: attitudes[row],
+            });
+        }
+    }
+    if let Some(map) = &map.states {
+        let table = folder.table(&map.file, "truth.states")?;
+        let times = truth_times(&table, &map.time, origin)?;
+        let places = positions.read(folder, &table, &map.position, "truth.states.position")?;
+        let attitudes = attitudes(&table, map.attitude.as_ref())?;
+        let winds: Vec<Option<Vector2<f64>>> = match &map.wind {
+            None => vec![None; table.len()],
+            Some(map) => {
+                let north = table.values(&map.north, Dimension::Speed)?;
+                let east = table.values(&map.east, Dimension::Speed)?;
+                north
+                    .into_iter()
+                    .zip(east)
+                    .map(|(n, e)| Some(Vector2::new(n?, e?)))
+                    .collect()
+            }
+        };
+        truth.states = (0..table.len())
+            .filter_map(|i| {
+                Some(TruthState {
+                    time: times[i],
+                    position: places[i]?,
+                    attitude: attitudes[i],
+                    wind: winds[i],
+                })
+            })
+            .collect();
+    } else {
+        truth.states = frames
+            .iter()
+            .zip(&truth.frames)
+            .map(|(frame, place)| TruthState {
+                time: frame.time,
+                position: place.position,
+                attitude: None,
+                wind: None,
+            })
+            .collect();
+    }
+    Ok(truth)
+}
+
+/// Times of the true states, which must grow, because positions are interpolated between them.
+fn truth_times(
+    table: &Table,
+    map: &TimeColumn,
+    origin: Option<(i64, f64)>,
+) -> Result<Vec<f64>, FolderError> {
+    let times = table.times(map, origin)?;
+    match times.windows(2).position(|w| w[1] <= w[0]) {
+        Some(row) => Err(table.cell_error(row + 1, &map.column, "the time stands still")),
+        None => Ok(times),
+    }
+}
+
+fn read_start(
+    map: &StartFile,
+    channels: &[Channel],
+    frames: &[Frame],
+    positions: &Positions,
+) -> Result<StartFix, FolderError> {
+    let place = "start";
+    if !(map.standard_deviation_m > 0.0 && map.standard_deviation_m.is_finite()) {
+        return Err(contents(place, "standard_deviation_m must be positive"));
+    }
+    let first_sample = channels.iter().find_map(|c| c.times.first().copied());
+    let time = map
+        .time_s
+        .or_else(|| frames.first().map(|f| f.time))
+        .or(first_sample)
+        .ok_or_else(|| contents(place, "there is neither a time_s nor any frame or sample"))?;
+    let position = match (map.north_m, map.east_m, map.latitude_deg, map.longitude_deg) {
+        (Some(north), Some(east), None, None) => GroundPoint::new(north, east),
+        (None, None, Some(latitude), Some(longitude)) => positions
+            .geodetic(latitude.to_radians(), longitude.to_radians())
+            .map_err(|cause| contents(place, cause))?,
+        (None, None, None, None) => {
+            let value = |name: ChannelName| {
+                channels
+                    .iter()
+                    .find(|c| c.name == name)
+                    .and_then(|c| c.interpolated(time))
+            };
+            value(ChannelName::GpsNorth)
+                .zip(value(ChannelName::GpsEast))
+                .map(|(north, east)| GroundPoint::new(north, east))
+                .ok_or_else(|| contents(place, "without a position there must be a gps channel"))?
+        }
+        _ => {
+            return Err(contents(
+                place,
+                "state north_m and east_m, or latitude_deg and longitude_deg, or neither to take gps",
+            ));
+        }
+    };
+    Ok(StartFix {
+        time,
+        position,
+        standard_deviation: map.standard_deviation_m,
+    })
+}
+
+/// A position with its down coordinate.
+pub(super) fn world_point(ground: GroundPoint, down: f64) -> Point3<f64> {
+    Point3::new(ground.north, ground.east, down)
+}

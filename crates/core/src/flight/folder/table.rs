@@ -1,0 +1,240 @@
+//! A CSV table and its column map.
+
+use super::clock::{Moment, shortened};
+use super::error::FolderError;
+use super::layout::{TimeColumn, ValueColumn};
+use super::units::Dimension;
+
+/// A CSV file with a header, as text cells.
+pub(super) struct Table {
+    file: String,
+    header: Vec<String>,
+    /// Line in the file and cells.
+    rows: Vec<(u64, csv::StringRecord)>,
+}
+
+impl Table {
+    /// Reads a table; the separator is a comma, semicolon or tabulator, as the header has it.
+    pub(super) fn parse(file: &str, bytes: &[u8]) -> Result<Self, FolderError> {
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        let first_line = bytes.split(|b| *b == b'\n').next().unwrap_or_default();
+        let count = |separator: u8| first_line.iter().filter(|b| **b == separator).count();
+        let separator = [b',', b';', b'\t']
+            .into_iter()
+            .rev()
+            .max_by_key(|s| count(*s))
+            .unwrap_or(b',');
+        let mut reader = csv::ReaderBuilder::new()
+            .delimiter(separator)
+            .flexible(true)
+            .trim(csv::Trim::All)
+            .from_reader(bytes);
+        let failed = |e: &csv::Error| FolderError::File {
+            file: file.to_owned(),
+            cause: e.to_string(),
+        };
+        let header = reader
+            .headers()
+            .map_err(|e| failed(&e))?
+            .iter()
+            .map(str::to_owned)
+            .collect();
+        let mut rows = Vec::new();
+        for record in reader.records() {
+            let record = record.map_err(|e| failed(&e))?;
+            let line = record.position().map_or(0, csv::Position::line);
+            if record.iter().any(|cell| !cell.is_empty()) {
+                rows.push((line, record));
+            }
+        }
+        Ok(Self {
+            file: file.to_owned(),
+            header,
+            rows,
+        })
+    }
+
+    /// Number of rows.
+    pub(super) fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    fn index(&self, column: &str) -> Result<usize, FolderError> {
+        self.header
+            .iter()
+            .position(|name| name == column)
+            .ok_or_else(|| FolderError::NoColumn {
+                file: self.file.clone(),
+                column: column.to_owned(),
+                present: shortened_list(&self.header),
+            })
+    }
+
+    /// What is wrong with a cell.
+    pub(super) fn cell_error(
+        &self,
+        row: usize,
+        column: &str,
+        cause: impl Into<String>,
+    ) -> FolderError {
+        FolderError::Cell {
+            file: self.file.clone(),
+            line: self.rows.get(row).map_or(0, |(line, _)| *line),
+            column: column.to_owned(),
+            cause: cause.into(),
+        }
+    }
+
+    /// Text cells of a column, empty where a row is short.
+    pub(super) fn texts(&self, column: &str) -> Result<Vec<&str>, FolderError> {
+        let index = self.index(column)?;
+        Ok(self
+            .rows
+            .iter()
+            .map(|(_, record)| record.get(index).unwrap_or(""))
+            .collect())
+    }
+
+    /// Moments of a column before they are counted from an origin, with the map's offset to add.
+    pub(super) fn moments(&self, map: &TimeColumn) -> Result<Vec<Moment>, FolderError> {
+        self.texts(&map.column)?
+            .into_iter()
+            .enumerate()
+            .map(|(row, text)| {
+                map.format
+                    .parse(text)
+                    .map_err(|cause| self.cell_error(row, &map.column, cause))
+            })
+            .collect()
+    }
+
+    /// Times of a column in seconds, which must not go back.
+    pub(super) fn times(
+        &self,
+        map: &TimeColumn,
+        origin: Option<(i64, f64)>,
+    ) -> Result<Vec<f64>, FolderError> {
+        let times: Vec<f64> = self
+            .moments(map)?
+            .into_iter()
+            .map(|moment| moment.since(origin) + map.offset_s)
+            .collect();
+        if let Some(back) = times.windows(2).position(|w| w[1] < w[0]) {
+            return Err(self.cell_error(
+                back + 1,
+                &map.column,
+                format!(
+                    "the time goes back from {} s to {} s",
+                    times[back],
+                    times[back + 1]
+                ),
+            ));
+        }
+        Ok(times)
+    }
+
+    /// Values of a column in SI and radians; `None` where the cell is empty or says nan.
+    pub(super) fn values(
+        &self,
+        map: &ValueColumn,
+        dimension: Dimension,
+    ) -> Result<Vec<Option<f64>>, FolderError> {
+        let factor =
+            dimension
+                .factor(map.unit.as_deref())
+                .map_err(|cause| FolderError::Contents {
+                    file: "flight.json".to_owned(),
+                    place: format!("unit of column \"{}\" of {}", map.column, self.file),
+                    cause,
+                })?;
+        self.texts(&map.column)?
+            .into_iter()
+            .enumerate()
+            .map(|(row, text)| {
+                if text.is_empty() || text.eq_ignore_ascii_case("nan") {
+                    return Ok(None);
+                }
+                let value: f64 = text.parse().map_err(|_| {
+                    let cause = format!("\"{}\" is not a number", shortened(text));
+                    self.cell_error(row, &map.column, cause)
+                })?;
+                let value = (value * map.scale + map.offset) * factor;
+                if value.is_finite() {
+                    Ok(Some(value))
+                } else {
+                    Err(self.cell_error(row, &map.column, "the value is not finite"))
+                }
+            })
+            .collect()
+    }
+}
+
+fn shortened_list(names: &[String]) -> String {
+    let listed: Vec<String> = names
+        .iter()
+        .take(30)
+        .map(|name| format!("\"{}\"", shortened(name)))
+        .collect();
+    listed.join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::clock::TimeFormat;
+    use super::*;
+
+    fn column(name: &str, unit: &str) -> ValueColumn {
+        ValueColumn {
+            column: name.to_owned(),
+            unit: Some(unit.to_owned()),
+            scale: 1.0,
+            offset: 0.0,
+        }
+    }
+
+    #[test]
+    fn units_and_gaps_of_somebody_elses_table_are_understood() {
+        let table = Table::parse("a.csv", b"t;v ;h\n0; 10;3\n1;;4\n\n2;nan\n").unwrap();
+        assert_eq!(table.len(), 3);
+        let speed = table.values(&column("v", "kt"), Dimension::Speed).unwrap();
+        assert_eq!(speed, [Some(10.0 * 1852.0 / 3600.0), None, None]);
+        let height = table.values(&column("h", "ft"), Dimension::Length).unwrap();
+        assert!((height[0].unwrap() - 0.9144).abs() < 1e-12);
+        assert_eq!(height[2], None);
+    }
+
+    #[test]
+    fn a_bad_cell_is_named_by_line_and_column() {
+        let table = Table::parse("a.csv", b"t,v\n0,1\n1,x\n").unwrap();
+        let wrong = table
+            .values(&column("v", "m"), Dimension::Length)
+            .unwrap_err();
+        assert_eq!(
+            wrong.to_string(),
+            "a.csv, line 3, column \"v\": \"x\" is not a number"
+        );
+        let wrong = table
+            .values(&column("w", "m"), Dimension::Length)
+            .unwrap_err();
+        assert!(wrong.to_string().contains("it has \"t\", \"v\""), "{wrong}");
+        let wrong = table
+            .values(&column("v", "kg"), Dimension::Length)
+            .unwrap_err();
+        assert!(wrong.to_string().contains("use one of m, ft"), "{wrong}");
+    }
+
+    #[test]
+    fn a_time_that_goes_back_is_refused() {
+        let table = Table::parse("a.csv", b"t\n0\n2\n1\n").unwrap();
+        let map = TimeColumn {
+            column: "t".to_owned(),
+            format: TimeFormat::Seconds,
+            offset_s: 0.0,
+        };
+        let wrong = table.times(&map, None).unwrap_err();
+        assert!(
+            matches!(wrong, FolderError::Cell { line: 4, .. }),
+            "{wrong}"
+        );
+    }
+}

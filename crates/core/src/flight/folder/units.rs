@@ -1,0 +1,66 @@
+//! Units in which files write values.
+
+use crate::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
+
+/// What a column measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Dimension {
+    Length,
+    Speed,
+    Angle,
+    /// Pixels and other bare numbers.
+    Number,
+}
+
+const LENGTHS: &[(&str, f64)] = &[
+    ("m", 1.0),
+    ("ft", METRES_PER_FOOT),
+    ("km", 1000.0),
+    ("cm", 0.01),
+    ("mm", 0.001),
+];
+const SPEEDS: &[(&str, f64)] = &[
+    ("m/s", 1.0),
+    ("kt", MPS_PER_KNOT),
+    ("km/h", 1.0 / 3.6),
+    ("ft/s", METRES_PER_FOOT),
+    ("mph", 0.447_04),
+    ("cm/s", 0.01),
+];
+const ANGLES: &[(&str, f64)] = &[
+    ("rad", 1.0),
+    ("deg", std::f64::consts::PI / 180.0),
+    ("cdeg", std::f64::consts::PI / 18_000.0),
+    ("deg1e7", std::f64::consts::PI / 1.8e9),
+];
+const NUMBERS: &[(&str, f64)] = &[("px", 1.0), ("", 1.0)];
+
+impl Dimension {
+    fn units(self) -> &'static [(&'static str, f64)] {
+        match self {
+            Self::Length => LENGTHS,
+            Self::Speed => SPEEDS,
+            Self::Angle => ANGLES,
+            Self::Number => NUMBERS,
+        }
+    }
+
+    /// Factor from `unit` to SI and radians; without a unit values are in SI already. The error
+    /// names the units that there are.
+    pub(super) fn factor(self, unit: Option<&str>) -> Result<f64, String> {
+        let Some(unit) = unit else { return Ok(1.0) };
+        let known = self.units();
+        known
+            .iter()
+            .find(|(name, _)| *name == unit)
+            .map(|(_, factor)| *factor)
+            .ok_or_else(|| {
+                let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
+                format!(
+                    "\"{}\" is not a unit for this; use one of {}",
+                    super::clock::shortened(unit),
+                    names.join(", ")
+                )
+            })
+    }
+}
