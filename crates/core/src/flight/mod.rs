@@ -9,8 +9,7 @@ mod truth;
 
 pub use channel::{Channel, ChannelName};
 pub use folder::{
-    FLIGHT_FILE, FlightFolder, FolderError, FolderFrames, WriteError, decode_picture, read_flight,
-    write_flight,
+    FLIGHT_FILE, FlightFolder, FolderError, FolderFrames, WriteError, read_flight, write_flight,
 };
 pub use frame::{Frame, FrameError, FrameSource};
 pub use record::{Flight, StartFix};

@@ -3,6 +3,7 @@
 mod dryden;
 mod flight;
 mod flight_airframe;
+mod flight_frames;
 mod guidance;
 mod route;
 mod scenario;
@@ -12,6 +13,7 @@ mod sensors;
 pub use dryden::{DrydenGust, Turbulence};
 pub use flight::FlightPlan;
 pub use flight_airframe::{AircraftState, Airframe, Command};
+pub use flight_frames::{SimulatedFlight, SimulatedFrames};
 pub use guidance::{GuidanceSettings, PathFollower};
-pub use scenario::{Overrides, Scenario, Wind, world_origin};
+pub use scenario::{FlightDay, Overrides, Scenario, Wind, world_origin};
 pub use sensors::{SensorError, SensorSpec};

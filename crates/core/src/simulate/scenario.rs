@@ -1,16 +1,27 @@
 //! The built-in scenarios, by name.
 
+use std::collections::BTreeMap;
+
 use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
+use super::dryden::Turbulence;
 use super::flight::FlightPlan;
 use super::flight_airframe::Airframe;
+use super::flight_frames::{SimulatedFlight, SimulatedFrames};
 use super::route;
-use super::sensors::SensorSpec;
+use super::scenery::{DEMO_SEED, Day, Scenery};
+use super::sensors::{SensorError, SensorSpec};
 use crate::camera::CameraModel;
 use crate::flight::Flight;
 use crate::frames::units::{feet, knots};
 use crate::frames::{Geodetic, GroundPoint, LocalFrame};
+use crate::landmark::Landmark;
+use crate::mission::{MapReference, Mission};
+use crate::navigator::{NavigatorSettings, ProcessNoise, SensorNoise, StartError, VehicleChoice};
+
+/// Landmarks of the scenarios: nine buildings and a pool.
+const LANDMARKS: usize = 10;
 
 /// Where the generated world lies on the globe: a place without a map, in the North Atlantic.
 pub fn world_origin() -> Geodetic {
@@ -50,6 +61,41 @@ pub struct Scenario {
     pub wind: Wind,
 }
 
+/// On which day the camera sees the ground; the map is always that of the map's day.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum FlightDay {
+    /// The day on which the map was made.
+    Same,
+    /// Another season, light and haze, other cars and crops.
+    #[default]
+    Other,
+}
+
+impl FlightDay {
+    /// Name on the command line and in files.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Same => "same",
+            Self::Other => "other",
+        }
+    }
+
+    /// The day of that name.
+    pub fn named(name: &str) -> Option<Self> {
+        [Self::Same, Self::Other]
+            .into_iter()
+            .find(|day| day.key() == name)
+    }
+
+    /// Its light and season.
+    pub fn day(self) -> Day {
+        match self {
+            Self::Same => Day::map_day(),
+            Self::Other => Day::other_day(),
+        }
+    }
+}
+
 /// What the user wants otherwise than the scenario has it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Overrides {
@@ -57,6 +103,8 @@ pub struct Overrides {
     pub wind: Option<Wind>,
     /// Height above ground, metres.
     pub height: Option<f64>,
+    /// The day on which the camera sees the ground.
+    pub day: Option<FlightDay>,
     /// Sensor errors.
     pub sensors: Option<SensorSpec>,
 }
@@ -121,6 +169,83 @@ impl Scenario {
             camera: Self::camera(),
             frame_on_globe: LocalFrame::new(world_origin()),
             ground_down: 0.0,
+        }
+    }
+
+    /// The flight with its pictures, which are made when they are asked for.
+    pub fn simulate(&self, seed: u64, overrides: &Overrides) -> SimulatedFlight {
+        let flight = self.fly(seed, overrides);
+        let day = overrides.day.unwrap_or_default();
+        SimulatedFlight {
+            frames: SimulatedFrames::new(&flight, day),
+            seed,
+            day,
+            flight,
+        }
+    }
+
+    /// The map of every scenario.
+    pub fn map() -> Scenery {
+        Scenery::new(DEMO_SEED, Day::map_day())
+    }
+
+    /// The ten landmarks and how to navigate the scenario with them.
+    pub fn mission(&self) -> Mission {
+        let landmarks = Self::map()
+            .distinct_features()
+            .into_iter()
+            .take(LANDMARKS)
+            .zip(1..)
+            .map(|(feature, id)| Landmark::new(id, feature.name, feature.landmark_box))
+            .collect();
+        Mission {
+            name: self.title.to_owned(),
+            origin: world_origin(),
+            map: Some(MapReference::Scenario(self.name.to_owned())),
+            landmarks,
+            camera: Some(Self::camera()),
+            navigator: self.navigator(),
+            properties: BTreeMap::new(),
+        }
+    }
+
+    /// Settings that know the sensors and the turbulence to be expected at the scenario's height.
+    pub fn navigator(&self) -> NavigatorSettings {
+        let spec = SensorSpec::default();
+        let airframe = Airframe::sig_kadet_senior();
+        let turbulence = Turbulence::low_altitude(self.height, self.wind.speed);
+        let step = 1.0 / spec.rate;
+        let camera_angle = |error: SensorError| {
+            (spec.mount_vibration.powi(2) + error.noise.powi(2) + error.bias.powi(2)).sqrt()
+        };
+        let defaults = NavigatorSettings::default();
+        NavigatorSettings {
+            vehicle: VehicleChoice::AirplaneFull,
+            start: StartError {
+                position: spec.start_position,
+                wind: if self.wind.speed > 0.0 { 4.0 } else { 1.0 },
+                offset: [0.0, 0.0],
+            },
+            process: ProcessNoise {
+                // White noise per sample, held for one step, as a density.
+                airspeed: spec.airspeed.noise * step.sqrt(),
+                heading: spec.heading.noise * step.sqrt(),
+                position: 0.02,
+                wind: 0.01,
+                gust: turbulence.intensity.x,
+                gust_time: turbulence.correlation_time(airframe.cruise),
+                airspeed_bias: spec.airspeed.bias,
+                heading_bias: spec.heading.bias,
+                ..defaults.process
+            },
+            sensors: SensorNoise {
+                roll: camera_angle(spec.attitude),
+                pitch: camera_angle(spec.attitude),
+                yaw: camera_angle(spec.heading),
+                height: spec.height.noise.hypot(spec.height.bias),
+                ..defaults.sensors
+            },
+            ..defaults
         }
     }
 

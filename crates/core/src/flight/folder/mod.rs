@@ -15,6 +15,6 @@ mod units;
 mod write;
 
 pub use error::FolderError;
-pub use pictures::{FolderFrames, decode_picture};
+pub use pictures::FolderFrames;
 pub use read::{FLIGHT_FILE, FlightFolder, read_flight};
 pub use write::{WriteError, write_flight};

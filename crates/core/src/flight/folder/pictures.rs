@@ -1,11 +1,10 @@
 //! The pictures of a flight folder.
 
-use std::io::Cursor;
 use std::sync::Arc;
 
 use crate::flight::files::{FileSet, Unresolved, find, joined};
 use crate::flight::{FrameError, FrameSource};
-use crate::raster::{Picture, Raster};
+use crate::raster::{Picture, decode_picture};
 
 /// Pictures in files, read and decoded when they are asked for.
 #[derive(Clone)]
@@ -35,29 +34,12 @@ impl FolderFrames {
     }
 }
 
-/// Decodes a JPEG or PNG; the error says in words what is wrong.
-pub fn decode_picture(bytes: &[u8]) -> Result<Picture, String> {
-    let decoded = image::ImageReader::new(Cursor::new(bytes))
-        .with_guessed_format()
-        .map_err(|e| e.to_string())?
-        .decode()
-        .map_err(|e| e.to_string())?
-        .into_rgb8();
-    let (width, height) = (decoded.width() as usize, decoded.height() as usize);
-    let pixels = decoded
-        .into_raw()
-        .chunks_exact(3)
-        .map(|p| [p[0], p[1], p[2]])
-        .collect();
-    Raster::from_pixels(width, height, pixels).ok_or_else(|| "the picture is cut off".to_owned())
-}
-
 impl FrameSource for FolderFrames {
     fn picture(&mut self, index: usize) -> Result<Picture, FrameError> {
         let bytes = self.encoded(index)?;
-        decode_picture(&bytes).map_err(|cause| FrameError::Unreadable {
+        decode_picture(&bytes).map_err(|e| FrameError::Unreadable {
             name: self.names[index].clone(),
-            cause,
+            cause: e.to_string(),
         })
     }
 

@@ -304,14 +304,9 @@ fn add_channel(
         .zip(values)
         .filter_map(|(time, value)| {
             let value = value?;
-            Some((
-                *time,
-                if name.is_angle() {
-                    wrap_pi(value)
-                } else {
-                    value
-                },
-            ))
+            // Wrapping only where needed keeps the bits of values that are in range.
+            let wraps = name.is_angle() && value.abs() > std::f64::consts::PI;
+            Some((*time, if wraps { wrap_pi(value) } else { value }))
         })
         .unzip();
     if values.len() < total {

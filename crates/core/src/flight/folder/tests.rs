@@ -211,7 +211,7 @@ fn what_is_wrong_is_told_with_file_and_place() {
         "use one of m/s, kt",
         "log.csv, line 1: there is no column \"tas\"",
         "flight.json, line 7, column 9: unknown field `begin`",
-        "lag.csv is missing; channels[0] refers to it",
+        "lag.csv is missing; flight.json refers to it",
         "channels[1]: \"groundspeed\" is no channel",
         "unknown field `height`",
         "origin: 146 is not a latitude",
