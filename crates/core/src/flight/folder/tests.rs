@@ -204,7 +204,7 @@ fn what_is_wrong_is_told_with_file_and_place() {
             "\"origin\": { \"height\": 3,",
         ),
         edited("flight.json", "46.0", "146.0"),
-        edited("logs/log.csv", "10.5Z", "9.5Z"),
+        edited("logs/log.csv", "10.5Z", "09.5Z"),
         edited("logs/log.csv", "350", "three"),
     ];
     let expected = [
