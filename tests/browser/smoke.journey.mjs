@@ -1,0 +1,10 @@
+export const name = "the page starts and shows something";
+
+export async function run(page, tools) {
+  await tools.waitReady();
+  const state = await tools.state();
+  tools.check(state && typeof state === "object", "the program tells nothing about itself");
+  const title = await page.title();
+  tools.check(title.includes("Pilotage"), `the window is called "${title}"`);
+  await tools.screenshot("smoke");
+}

@@ -1,0 +1,119 @@
+// What a journey is made with. The page draws on a canvas, so it is read through two windows:
+// `window.app.state()`, what the program holds, and `window.app.a11y()`, what it shows: a list of
+// { role, label, value, rect: [left, top, right, bottom] in CSS pixels, … }.
+import { join } from "node:path";
+import { startServer } from "./server.mjs";
+
+const patience = 15_000; // milliseconds for anything but the start
+const patienceForStart = 60_000;
+const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
+const matches = (wanted, text) => text != null
+  && (wanted instanceof RegExp ? wanted.test(text) : text === wanted);
+
+/** The tools for one journey on `page`; pictures go to `pictures`, servers end by `atEnd`. */
+export function makeTools({ page, address, pictures, watched, atEnd }) {
+  const tools = {
+    /** Where the page is served, with a slash at the end. */
+    address,
+
+    /** Announces an error message (a pattern) that this journey provokes on purpose. */
+    expectMessage: watched.expectMessage,
+
+    /** Announces requests (a pattern) to other servers, such as for map tiles. */
+    expectRequest: watched.expectRequest,
+
+    /** Opens the page; `query` such as "?sw=1" is put behind its address. */
+    open: (query = "") => page.goto(address + query),
+
+    /** Waits until the page is ready, after opening it if nothing is open. */
+    async waitReady() {
+      if (page.url() === "about:blank") await tools.open();
+      await page.waitForFunction(() => document.documentElement.dataset.ready, null,
+        { timeout: patienceForStart });
+      const ready = await page.evaluate(() => document.documentElement.dataset.ready);
+      if (ready !== "1") {
+        const text = await page.evaluate(() => document.body.innerText);
+        throw new Error(`the page did not become ready (${ready}): ${text}`);
+      }
+      await page.evaluate(() => window.app.enable_a11y?.());
+    },
+
+    /** What the program holds. */
+    state: async () => JSON.parse(await page.evaluate(() => window.app.state())),
+
+    /** What the program shows. */
+    a11y: async () => JSON.parse(await page.evaluate(() => window.app.a11y()) || "[]"),
+
+    /** Waits until `condition(state)` holds and returns that state. */
+    async waitFor(condition, what = String(condition), timeout = patience) {
+      const end = Date.now() + timeout;
+      let state;
+      for (;;) {
+        state = await tools.state();
+        if (condition(state)) return state;
+        if (Date.now() > end) break;
+        await pause(50);
+      }
+      throw new Error(`waited in vain for ${what}; the state is ${shortened(state)}`);
+    },
+
+    /** Every node with this role and this label or value (texts or patterns; null is any). */
+    async findAll(role, label = null) {
+      const nodes = await tools.a11y();
+      return nodes.filter((node) => (role == null || node.role === role)
+        && (label == null || matches(label, node.label) || matches(label, node.value)));
+    },
+
+    /** Waits until exactly one node has this role and this label or value. */
+    async find(role, label = null, timeout = patience) {
+      const end = Date.now() + timeout;
+      let found = [];
+      do {
+        found = await tools.findAll(role, label);
+        if (found.length === 1) return found[0];
+        await pause(50);
+      } while (Date.now() < end);
+      const shown = (await tools.a11y()).filter((node) => role == null || node.role === role)
+        .map((node) => node.label ?? node.value);
+      throw new Error(`${found.length} nodes are ${role} ${label}; shown: ${shortened(shown)}`);
+    },
+
+    /** The middle of a node in CSS pixels. */
+    middle: ({ rect: [left, top, right, bottom] }) => ({ x: (left + right) / 2, y: (top + bottom) / 2 }),
+
+    /** Clicks the middle of a node. */
+    async click(node) {
+      const { x, y } = tools.middle(node);
+      await page.mouse.click(x, y);
+    },
+
+    /** Drags with the mouse from one place { x, y } to another, as a hand does: in steps. */
+    async drag(from, to, steps = 12) {
+      await page.mouse.move(from.x, from.y);
+      await page.mouse.down();
+      await page.mouse.move(to.x, to.y, { steps });
+      await page.mouse.up();
+    },
+
+    /** Keeps a picture of the window as `name`.png. */
+    screenshot: (name) => page.screenshot({ path: join(pictures, `${name}.png`) }),
+
+    /** Fails unless `condition` holds. */
+    check(condition, complaint) {
+      if (!condition) throw new Error(complaint);
+    },
+
+    /** Starts a second server, for a journey that wants to stop it; see `stop` and `url`. */
+    async ownServer() {
+      const server = await startServer();
+      atEnd.push(server.stop);
+      return server;
+    },
+  };
+  return tools;
+}
+
+function shortened(value) {
+  const text = JSON.stringify(value) ?? String(value);
+  return text.length > 2000 ? `${text.slice(0, 2000)}…` : text;
+}
