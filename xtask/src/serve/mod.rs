@@ -3,11 +3,15 @@
 //! It sends no isolation headers (COOP, COEP): with them the browser would refuse map tiles from
 //! other servers.
 
-mod request;
+mod exchange;
+mod files;
 
-use std::{path::PathBuf, sync::Arc, thread};
-
-use tiny_http::Server;
+use std::{
+    net::TcpListener,
+    path::{Path, PathBuf},
+    sync::Arc,
+    thread,
+};
 
 use crate::{
     arguments::Arguments,
@@ -15,9 +19,6 @@ use crate::{
     page::{self, Profile},
     places, progress,
 };
-
-/// Requests answered at the same time.
-const THREADS: usize = 4;
 
 /// What `cargo xtask serve` was asked for.
 #[derive(Debug)]
@@ -64,27 +65,24 @@ pub fn build_and_serve(options: &Options) -> Result<(), Failure> {
         .dist
         .canonicalize()
         .map_err(Failure::file(&options.dist))?;
-    let server = Server::http(("127.0.0.1", options.port)).map_err(|error| Failure::Port {
+    let taken = |error: std::io::Error| Failure::Port {
         port: options.port,
         reason: error.to_string(),
-    })?;
-    let server = Arc::new(server);
-    println!("serving http://{}/ (Ctrl+C stops)", server.server_addr());
+    };
+    let listener = TcpListener::bind(("127.0.0.1", options.port)).map_err(taken)?;
+    println!(
+        "serving http://{}/ (Ctrl+C stops)",
+        listener.local_addr().map_err(taken)?
+    );
     progress::flush();
-    let workers = (0..THREADS).map(|_| {
-        let (server, dist) = (Arc::clone(&server), dist.clone());
+    let dist: Arc<Path> = dist.into();
+    // A thread for each connection: a browser opens about six.
+    for connection in listener.incoming().flatten() {
+        let dist = Arc::clone(&dist);
         thread::spawn(move || {
-            for incoming in server.incoming_requests() {
-                // A browser that goes away in the middle of an answer is its own affair.
-                let _ = request::answer(incoming, &dist);
-            }
-        })
-    });
-    let workers: Vec<_> = workers.collect();
-    for worker in workers {
-        worker
-            .join()
-            .map_err(|_| Failure::Check("the server stopped by itself".to_owned()))?;
+            // A browser that goes away in the middle of an answer is its own affair.
+            let _ = exchange::answer(connection, &dist);
+        });
     }
     Ok(())
 }

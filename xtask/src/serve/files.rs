@@ -1,43 +1,9 @@
-//! One request: which file is meant, in which form, and the answer.
+//! Which file an address means, and in which form it is sent.
 
-use std::{
-    fs::File,
-    io,
-    path::{Path, PathBuf},
-};
-
-use tiny_http::{Header, Method, Request, Response};
-
-/// Answers one request with a file of `dist` or with a refusal.
-pub fn answer(request: Request, dist: &Path) -> io::Result<()> {
-    if !matches!(request.method(), Method::Get | Method::Head) {
-        let refusal = Response::from_string("only GET and HEAD\n").with_status_code(405);
-        return request.respond(refusal.with_header(header("Allow", "GET, HEAD")));
-    }
-    let Some(file) = file_meant(request.url(), dist) else {
-        return request.respond(Response::from_string("not found\n").with_status_code(404));
-    };
-    let accepted = request
-        .headers()
-        .iter()
-        .find(|header| header.field.equiv("Accept-Encoding"))
-        .map(|header| header.value.as_str().to_owned())
-        .unwrap_or_default();
-    let (stored, encoding) = stored_form(&file, &accepted);
-    let mut response = Response::from_file(File::open(stored)?)
-        .with_chunked_threshold(usize::MAX)
-        .with_header(header("Content-Type", media_type(&file)))
-        .with_header(header("Cache-Control", "no-cache"))
-        .with_header(header("Vary", "Accept-Encoding"))
-        .with_header(header("X-Content-Type-Options", "nosniff"));
-    if let Some(encoding) = encoding {
-        response = response.with_header(header("Content-Encoding", encoding));
-    }
-    request.respond(response)
-}
+use std::path::{Path, PathBuf};
 
 /// The file below `dist` that an address means, if there is one. Never one outside of it.
-fn file_meant(url: &str, dist: &Path) -> Option<PathBuf> {
+pub fn file_meant(url: &str, dist: &Path) -> Option<PathBuf> {
     let relative = relative_path(url.split(['?', '#']).next()?)?;
     let mut place = dist.join(relative);
     if place.is_dir() {
@@ -79,7 +45,7 @@ fn percent_decoded(text: &str) -> Option<String> {
 }
 
 /// The smallest stored form of `file` that the browser accepts, with the name of its encoding.
-fn stored_form(file: &Path, accepted: &str) -> (PathBuf, Option<&'static str>) {
+pub fn stored_form(file: &Path, accepted: &str) -> (PathBuf, Option<&'static str>) {
     let accepts = |name: &str| {
         accepted.split(',').any(|entry| {
             let mut parts = entry.split(';').map(str::trim);
@@ -98,7 +64,7 @@ fn stored_form(file: &Path, accepted: &str) -> (PathBuf, Option<&'static str>) {
 }
 
 /// The media type that goes with a file's ending.
-fn media_type(file: &Path) -> &'static str {
+pub fn media_type(file: &Path) -> &'static str {
     match file
         .extension()
         .and_then(|ending| ending.to_str())
@@ -118,10 +84,6 @@ fn media_type(file: &Path) -> &'static str {
         "zip" => "application/zip",
         _ => "application/octet-stream",
     }
-}
-
-fn header(name: &str, value: &str) -> Header {
-    Header::from_bytes(name, value).expect("names and values are constants of this file")
 }
 
 #[cfg(test)]
