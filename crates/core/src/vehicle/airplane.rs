@@ -45,6 +45,8 @@ pub(super) struct AirMotion {
     pub(super) airspeed: f64,
     /// Density of its noise, m/s/√Hz.
     pub(super) airspeed_noise_density: f64,
+    /// Whether the airspeed is a reading, from which its bias was taken.
+    pub(super) measured: bool,
 }
 
 impl AirMotion {
@@ -68,14 +70,20 @@ impl AirData {
         heading_bias: f64,
     ) -> AirMotion {
         let (sin, cos) = (input.heading() - heading_bias).sin_cos();
-        let (airspeed, airspeed_noise_density) = match input.airspeed {
-            Some(airspeed) => (airspeed - airspeed_bias, self.airspeed_noise_density),
-            None => (self.cruise_airspeed, self.cruise_airspeed_noise_density),
-        };
-        AirMotion {
-            ahead: Vector2::new(cos, sin),
-            airspeed,
-            airspeed_noise_density,
+        let ahead = Vector2::new(cos, sin);
+        match input.airspeed {
+            Some(reading) => AirMotion {
+                ahead,
+                airspeed: reading - airspeed_bias,
+                airspeed_noise_density: self.airspeed_noise_density,
+                measured: true,
+            },
+            None => AirMotion {
+                ahead,
+                airspeed: self.cruise_airspeed,
+                airspeed_noise_density: self.cruise_airspeed_noise_density,
+                measured: false,
+            },
         }
     }
 

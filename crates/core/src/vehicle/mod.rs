@@ -11,6 +11,8 @@ mod noise;
 mod parts;
 mod random_walk;
 mod registry;
+#[cfg(test)]
+mod tests;
 mod thesis_noise;
 
 pub use airplane::AirData;

@@ -88,7 +88,8 @@ impl AirDataBiases {
     /// Adds their noise, with airspeed bias at `first` and heading bias after it.
     ///
     /// Truth is reading minus bias, so that a growing airspeed bias pulls the position back along
-    /// the heading and a growing heading bias pulls it to the left at the airspeed.
+    /// the heading and a growing heading bias pulls it to the left at the airspeed. Without a reading
+    /// of the airspeed its bias moves nothing.
     pub(super) fn add_noise<const N: usize>(
         &self,
         noise: &mut SMatrix<f64, N, N>,
@@ -96,8 +97,13 @@ impl AirDataBiases {
         motion: &AirMotion,
         dt: f64,
     ) {
+        let airspeed_effect = if motion.measured {
+            -motion.ahead
+        } else {
+            Vector2::zeros()
+        };
         let effects = [
-            (self.airspeed_bias_noise_density, -motion.ahead),
+            (self.airspeed_bias_noise_density, airspeed_effect),
             (
                 self.heading_bias_noise_density,
                 -motion.right() * motion.airspeed,
