@@ -5,7 +5,7 @@ use pilotage_ui::host::Host as _;
 use crate::browser::now;
 use crate::frame_times::FrameTimes;
 use crate::host::PageHost;
-use crate::placeholder::App;
+use pilotage_ui::app::App;
 
 /// Shortest time between two announcements to screen readers, milliseconds.
 const BETWEEN_ANNOUNCEMENTS: f64 = 2_000.0;

@@ -10,7 +10,6 @@ mod browser;
 mod frame_times;
 mod handle;
 mod host;
-mod placeholder;
 mod port;
 mod worker;
 
