@@ -194,6 +194,23 @@ mod tests {
         assert!((slow - 55.0).abs() < 1.5, "{slow}");
     }
 
+    /// The thesis: the pool comes 64 to 65 s after the start in calm air and about 82 s in the wind.
+    #[test]
+    fn the_scenarios_reach_the_pool_about_when_the_thesis_does() {
+        for (scenario, expected) in Scenario::all().iter().zip([65.0, 82.0]) {
+            let states = truth(&scenario.plan(&Overrides::default()), 1);
+            let pool = Vector2::new(510.0, 240.0);
+            let nearest = states
+                .iter()
+                .min_by(|a, b| {
+                    let d = |s: &TruthState| (s.position.xy().coords - pool).norm();
+                    d(a).total_cmp(&d(b))
+                })
+                .unwrap();
+            assert!((nearest.time - expected).abs() < 3.0, "{}", nearest.time);
+        }
+    }
+
     #[test]
     fn an_aircraft_in_a_crosswind_stays_on_its_leg_and_points_into_the_wind() {
         let wind = Wind {

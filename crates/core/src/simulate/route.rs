@@ -2,14 +2,10 @@
 
 use crate::frames::GroundPoint;
 
-/// The routes are given for a scenery whose first leg leads south-east; -1 turns them by 180°,
-/// together with the scenery.
-const LAYOUT: f64 = 1.0;
-
 fn route<const N: usize>(points: [(f64, f64); N]) -> Vec<GroundPoint> {
     points
         .into_iter()
-        .map(|(north, east)| GroundPoint::new(LAYOUT * north, LAYOUT * east))
+        .map(|(north, east)| GroundPoint::new(north, east))
         .collect()
 }
 
@@ -17,45 +13,45 @@ fn route<const N: usize>(points: [(f64, f64); N]) -> Vec<GroundPoint> {
 ///
 /// The turn is flown before the corner, so that it ends on the second leg.
 pub(super) fn two_legs() -> Vec<GroundPoint> {
-    route([(400.0, -420.0), (-145.0, 125.0), (-540.0, -270.0)])
+    route([(-400.0, 420.0), (145.0, -125.0), (540.0, 270.0)])
 }
 
 /// Several crossings of the same places with S-turns in different directions, with gaps between.
 pub(super) fn extended() -> Vec<GroundPoint> {
     route([
-        // S-turns along the buildings, south-east.
-        (400.0, -420.0),
-        (330.0, -300.0),
-        (190.0, -210.0),
-        (110.0, -70.0),
-        (-30.0, 10.0),
+        // S-turns along the buildings, north-west.
+        (-400.0, 420.0),
+        (-330.0, 300.0),
+        (-190.0, 210.0),
+        (-110.0, 70.0),
+        (30.0, -10.0),
         // Right turn, S-turns along the road to the pool.
-        (-145.0, 125.0),
-        (-290.0, 50.0),
-        (-370.0, -140.0),
-        (-520.0, -230.0),
-        // Wide right-hand loop back to the north-west: nothing known below.
-        (-620.0, -360.0),
-        (-520.0, -520.0),
-        (-300.0, -560.0),
-        (-20.0, -430.0),
-        // S-turns north-east, across the leg of the buildings.
-        (90.0, -330.0),
-        (130.0, -180.0),
-        (270.0, -100.0),
-        (300.0, 40.0),
-        // Right turn, back across the leg towards the south-west.
-        (190.0, 140.0),
-        (40.0, 30.0),
-        (20.0, -110.0),
-        (-140.0, -190.0),
-        // Right turn, north along the western side, and once more along the buildings.
-        (-130.0, -370.0),
-        (80.0, -420.0),
-        (230.0, -350.0),
-        (190.0, -200.0),
-        (50.0, -90.0),
-        (-60.0, 40.0),
-        (-200.0, 180.0),
+        (145.0, -125.0),
+        (290.0, -50.0),
+        (370.0, 140.0),
+        (520.0, 230.0),
+        // Wide right-hand loop back to the south-east: nothing known below.
+        (620.0, 360.0),
+        (520.0, 520.0),
+        (300.0, 560.0),
+        (20.0, 430.0),
+        // S-turns south-west, across the leg of the buildings.
+        (-90.0, 330.0),
+        (-130.0, 180.0),
+        (-270.0, 100.0),
+        (-300.0, -40.0),
+        // Right turn, back across the leg towards the north-east.
+        (-190.0, -140.0),
+        (-40.0, -30.0),
+        (-20.0, 110.0),
+        (140.0, 190.0),
+        // Right turn, south along the eastern side, and once more along the buildings.
+        (130.0, 370.0),
+        (-80.0, 420.0),
+        (-230.0, 350.0),
+        (-190.0, 200.0),
+        (-50.0, 90.0),
+        (60.0, -40.0),
+        (200.0, -180.0),
     ])
 }

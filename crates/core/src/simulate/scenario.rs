@@ -116,8 +116,9 @@ impl Scenario {
             Self {
                 name: "distinct-400ft-calm",
                 title: "Nine buildings and a pool, 400 ft, calm",
-                description: "A leg over nine buildings, a right turn, and a leg along a road \
-                              without any landmark until a pool near its end. Calm air.",
+                description: "A leg north-west over nine buildings, a right turn, and a leg \
+                              north-east along a road without any landmark until a pool near its \
+                              end. Calm air.",
                 route: route::two_legs(),
                 height: feet(400.0),
                 wind: Wind::default(),
@@ -125,8 +126,9 @@ impl Scenario {
             Self {
                 name: "distinct-400ft-wind",
                 title: "The same in wind, 400 ft, 307° at 10 kt",
-                description: "The same route in a wind from 307° at 10 kt of which the filter \
-                              knows nothing at the start: it has to learn it from the landmarks.",
+                description: "The same route against a wind from 307° at 10 kt of which the \
+                              filter knows nothing at the start: it has to learn it from the \
+                              landmarks.",
                 route: route::two_legs(),
                 height: feet(400.0),
                 wind: Wind {

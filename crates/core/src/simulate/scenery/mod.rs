@@ -26,6 +26,7 @@ mod shape;
 mod surfaces;
 mod texture;
 mod things;
+mod turn;
 mod vehicles;
 mod water;
 mod woods;
@@ -51,6 +52,9 @@ pub const DEMO_SEED: u64 = 7;
 pub const NATIVE_GSD: f64 = 0.15;
 
 /// A generated square of ground, 2,400 m on a side, centred on the world's origin.
+///
+/// The plan inside is drawn with its first leg towards the south-east; the world shows it turned by
+/// 180°, so that the flights begin north-westward, into the wind of the wind scenario.
 #[derive(Clone, Debug)]
 pub struct Scenery {
     world: Arc<World>,
@@ -61,8 +65,12 @@ pub struct Scenery {
 impl Scenery {
     /// Lays out the scenery of `seed` under the light of `day` (a fraction of a second).
     pub fn new(seed: u64, day: Day) -> Self {
+        let in_plan = Day {
+            sun_azimuth: day.sun_azimuth + std::f64::consts::PI,
+            ..day
+        };
         Self {
-            world: Arc::new(World::new(seed, &day)),
+            world: Arc::new(World::new(seed, &in_plan)),
             seed,
             day,
         }
@@ -81,12 +89,14 @@ impl Scenery {
     /// The places made to serve as landmarks, in the order in which the flights meet them: the
     /// nine buildings under the first leg, the swimming pool, then others elsewhere.
     pub fn distinct_features(&self) -> Vec<DistinctFeature> {
-        self.world.plan.features.clone()
+        let in_plan = self.world.plan.features.iter();
+        in_plan.map(turn::feature).collect()
     }
 
     /// Outlines of everything labelled that touches `rect`.
     pub fn labels(&self, rect: &GroundRect) -> Vec<SceneLabel> {
-        labels::labels(&self.world, rect)
+        let in_plan = labels::labels(&self.world, &turn::rect(rect));
+        in_plan.into_iter().map(turn::label).collect()
     }
 }
 
@@ -110,6 +120,8 @@ impl Imagery for Scenery {
     }
 
     fn window(&self, window: &Window) -> Raster<Rgba> {
-        render::window(&self.world, window)
+        let mut picture = render::window(&self.world, &turn::window(window));
+        picture.pixels_mut().reverse();
+        picture
     }
 }
