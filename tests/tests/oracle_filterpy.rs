@@ -179,7 +179,10 @@ fn with_small_alpha_the_filter_is_as_near_to_the_exact_answer_as_filterpy() {
             let theirs = worst(&answer.filterpy, &exact);
             println!("{redraw:?}, alpha {alpha}: ours off by {ours:.1e}, FilterPy by {theirs:.1e}");
             assert!(ours < bar, "{settings:?}: {ours:e}");
-            assert!(ours < 1.5 * theirs, "{settings:?}: {ours:e} against {theirs:e}");
+            assert!(
+                ours < 1.5 * theirs,
+                "{settings:?}: {ours:e} against {theirs:e}"
+            );
         }
     }
 }

@@ -2,9 +2,11 @@
 //!
 //! Nothing above this folder knows where the pixels come from.
 
+mod cache;
 mod georeference;
 mod georeferenced;
 
+pub use cache::CachedImagery;
 pub use georeference::{Georeference, GeoreferenceError, GroundFromPixel, Similarity, WorldFile};
 pub use georeferenced::{GeoreferencedPicture, opaque, without_black_border};
 

@@ -1,5 +1,6 @@
 //! The pipeline: predict → choose landmarks → see → associate → gate → update → report.
 
+mod bound;
 mod engine;
 mod geometry;
 mod pipeline;
@@ -8,8 +9,10 @@ mod report;
 mod run;
 mod see;
 mod settings;
+mod summary;
 
 pub use crate::landmark::Refusal;
+pub use bound::position_bound;
 pub use pipeline::{Navigator, NavigatorError, explain};
 pub use report::{
     CandidateReport, Control, Estimate, FrameReport, JointReport, Outcome, SigmaSets, StepReport,
@@ -17,3 +20,4 @@ pub use report::{
 };
 pub use run::Run;
 pub use settings::{NavigatorSettings, ProcessNoise, SensorNoise, StartError, VehicleChoice};
+pub use summary::{ConsistencyFigures, ErrorFigures, FrameTiming, Summary, is_wrong, summarize};

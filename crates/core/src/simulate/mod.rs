@@ -1,5 +1,6 @@
 //! A world to try the method in: flights with sensors, and the built-in scenarios.
 
+mod aerial_camera;
 mod dryden;
 mod flight;
 mod flight_airframe;
@@ -10,6 +11,7 @@ mod scenario;
 pub mod scenery;
 mod sensors;
 
+pub use aerial_camera::{AerialCameraSettings, expose, frame_random, render};
 pub use dryden::{DrydenGust, Turbulence};
 pub use flight::FlightPlan;
 pub use flight_airframe::{AircraftState, Airframe, Command};

@@ -179,7 +179,7 @@ impl Scenario {
         let flight = self.fly(seed, overrides);
         let day = overrides.day.unwrap_or_default();
         SimulatedFlight {
-            frames: SimulatedFrames::new(&flight, day),
+            frames: SimulatedFrames::new(&flight, day, seed),
             seed,
             day,
             flight,

@@ -1,0 +1,293 @@
+//! A run in figures.
+
+use std::collections::BTreeMap;
+
+use nalgebra::{Matrix2, Vector2};
+use serde::{Deserialize, Serialize};
+
+use super::bound::position_bound;
+use super::{CandidateReport, NavigatorSettings, Outcome, Refusal, Run, StepReport};
+use crate::filter::Consistency;
+use crate::flight::Flight;
+
+/// An accepted place further than this from the truth in the picture is wrong, pixels …
+const WRONG_PIXELS: f64 = 5.0;
+/// … if it is also further than this on the ground, metres.
+const WRONG_METRES: f64 = 2.0;
+/// Without the true attitude: an accepted frame whose position is further off than this is wrong.
+const WRONG_POSITION: f64 = 5.0;
+
+/// Distribution of an error.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ErrorFigures {
+    /// Root mean square.
+    pub rms: f64,
+    /// Median.
+    pub median: f64,
+    /// 95th percentile.
+    pub p95: f64,
+    /// Largest.
+    pub max: f64,
+}
+
+impl ErrorFigures {
+    /// Figures of a set of errors, `None` if it is empty.
+    pub fn of(mut errors: Vec<f64>) -> Option<Self> {
+        errors.sort_by(f64::total_cmp);
+        let last = errors.len().checked_sub(1)?;
+        let quantile = |q: f64| {
+            let place = q * last as f64;
+            let (low, high) = (
+                errors[place.floor() as usize],
+                errors[place.ceil() as usize],
+            );
+            low + place.fract() * (high - low)
+        };
+        let mean_square = errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64;
+        Some(Self {
+            rms: mean_square.sqrt(),
+            median: quantile(0.5),
+            p95: quantile(0.95),
+            max: errors[last],
+        })
+    }
+}
+
+/// Mean of a normalized squared error, what it should be, and how often it was plausible.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ConsistencyFigures {
+    /// Mean over the samples.
+    pub mean: f64,
+    /// Mean degrees of freedom: what the mean should be.
+    pub dof: f64,
+    /// Share of samples inside their own two-sided 95 % interval.
+    pub inside_95: f64,
+    /// Number of samples.
+    pub count: usize,
+}
+
+/// Milliseconds per camera frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct FrameTiming {
+    /// Prediction, all steps since the frame before.
+    pub predict: f64,
+    /// Rectification and matching.
+    pub see: f64,
+    /// Gating and correction.
+    pub update: f64,
+    /// All of it.
+    pub total: f64,
+}
+
+/// A run in figures.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Summary {
+    /// Name of the run.
+    pub name: String,
+    /// Camera frames.
+    pub frames: usize,
+    /// Frames in which at least one landmark corrected the estimate.
+    pub frames_with_update: usize,
+    /// Landmarks looked for, over all frames.
+    pub searches: usize,
+    /// Landmarks that corrected the estimate.
+    pub updates_accepted: usize,
+    /// Landmarks looked for and not used, by reason.
+    pub updates_refused: BTreeMap<String, usize>,
+    /// Accepted although wrong: over 5 px and over 2 m on the ground from where the landmark truly is
+    /// in that picture; where the camera's true attitude is not known, over 5 m of implied position.
+    pub updates_wrong: Option<usize>,
+    /// Error of the position over all steps whose truth is known, metres.
+    pub position_error_m: Option<ErrorFigures>,
+    /// The same over steps with a correction only, metres.
+    pub corrected_position_error_m: Option<ErrorFigures>,
+    /// Error of dead reckoning alone, metres.
+    pub dead_reckoning_error_m: Option<ErrorFigures>,
+    /// Error of the wind over all steps, m/s.
+    pub wind_error_mps: Option<ErrorFigures>,
+    /// Error of the wind after the first minute, m/s.
+    pub wind_error_after_minute_mps: Option<ErrorFigures>,
+    /// Posterior Cramér-Rao bound of the position, root mean square, metres.
+    pub position_bound_m: Option<f64>,
+    /// Root mean square position error over the bound.
+    pub error_over_bound: Option<f64>,
+    /// Normalized estimation error squared of the position.
+    pub nees: Option<ConsistencyFigures>,
+    /// Normalized innovation squared of the corrections.
+    pub nis: Option<ConsistencyFigures>,
+    /// Milliseconds per camera frame, mean.
+    pub ms_per_frame: FrameTiming,
+}
+
+fn figures(consistency: &Consistency) -> Option<ConsistencyFigures> {
+    consistency.summary().map(|s| ConsistencyFigures {
+        mean: s.mean,
+        dof: s.dof,
+        inside_95: s.inside_95,
+        count: s.count,
+    })
+}
+
+/// The run in figures, held against the flight's truth where there is one.
+///
+/// `true_noise` describes the real process and sensors for the Cramér-Rao bound; none, no bound.
+pub fn summarize(flight: &Flight, run: &Run, true_noise: Option<&NavigatorSettings>) -> Summary {
+    let mut summary = Summary {
+        name: run.name.clone(),
+        ..Summary::default()
+    };
+    let (mut all, mut corrected, mut unaided) = (vec![], vec![], vec![]);
+    let (mut wind, mut wind_later) = (vec![], vec![]);
+    let (mut nees, mut nis) = (Consistency::default(), Consistency::default());
+    let wind_index = run.state_index("wind north");
+    let begun = run.span().map_or(0.0, |(start, _)| start);
+    for step in &run.steps {
+        count_frame(&mut summary, step);
+        if let Some(joint) = step.frame.as_ref().and_then(|f| f.joint.as_ref()) {
+            nis.push(joint.nis, joint.degrees_of_freedom);
+        }
+        let Some(truth) = flight.truth.as_ref() else {
+            continue;
+        };
+        if let Some(true_position) = position(flight, step) {
+            let off = step.after.position().to_vector() - true_position;
+            all.push(off.norm());
+            if step.corrected() {
+                corrected.push(off.norm());
+            }
+            unaided.push((step.dead_reckoned.to_vector() - true_position).norm());
+            let covariance: Matrix2<f64> = step.after.position_covariance();
+            if let Some(root) = covariance.cholesky() {
+                nees.push(root.solve(&off).dot(&off), 2);
+            }
+        }
+        if let Some((index, truth)) = wind_index.zip(truth.wind(step.time)) {
+            let mean = &step.after.mean;
+            let error = (Vector2::new(mean[index], mean[index + 1]) - truth).norm();
+            wind.push(error);
+            if step.time - begun >= 60.0 {
+                wind_later.push(error);
+            }
+        }
+    }
+    let frames = summary.frames.max(1) as f64;
+    let timing = &mut summary.ms_per_frame;
+    timing.predict /= frames;
+    timing.see /= frames;
+    timing.update /= frames;
+    timing.total = timing.predict + timing.see + timing.update;
+    summary.updates_wrong = wrong_updates(flight, run);
+    summary.position_error_m = ErrorFigures::of(all);
+    summary.corrected_position_error_m = ErrorFigures::of(corrected);
+    summary.dead_reckoning_error_m = ErrorFigures::of(unaided);
+    summary.wind_error_mps = ErrorFigures::of(wind);
+    summary.wind_error_after_minute_mps = ErrorFigures::of(wind_later);
+    summary.nees = figures(&nees);
+    summary.nis = figures(&nis);
+    summary.position_bound_m =
+        true_noise.and_then(|noise| position_bound(flight, run, noise)?.ok());
+    summary.error_over_bound = summary
+        .position_error_m
+        .zip(summary.position_bound_m)
+        .map(|(error, bound)| error.rms / bound);
+    summary
+}
+
+/// True position (north, east) at a step: of the frame where the step has one, else of the path.
+fn position(flight: &Flight, step: &StepReport) -> Option<Vector2<f64>> {
+    let truth = flight.truth.as_ref()?;
+    let of_frame = step
+        .frame
+        .as_ref()
+        .and_then(|f| truth.frames.get(f.index))
+        .map(|f| f.position);
+    let position = of_frame.or_else(|| truth.position(step.time))?;
+    Some(Vector2::new(position.x, position.y))
+}
+
+fn count_frame(summary: &mut Summary, step: &StepReport) {
+    summary.ms_per_frame.predict += step.timing.predict;
+    summary.ms_per_frame.see += step.timing.see;
+    summary.ms_per_frame.update += step.timing.update;
+    let Some(frame) = &step.frame else { return };
+    summary.frames += 1;
+    summary.frames_with_update += usize::from(frame.joint.is_some());
+    summary.searches += frame.candidates.len();
+    for candidate in &frame.candidates {
+        match candidate.outcome {
+            Outcome::Accepted => summary.updates_accepted += 1,
+            Outcome::Refused(refusal) => {
+                *summary
+                    .updates_refused
+                    .entry(refusal.key().to_owned())
+                    .or_default() += 1;
+            }
+        }
+    }
+    for refusal in Refusal::ALL {
+        summary
+            .updates_refused
+            .entry(refusal.key().to_owned())
+            .or_default();
+    }
+}
+
+/// Accepted landmarks that were wrong; `None` without a truth.
+fn wrong_updates(flight: &Flight, run: &Run) -> Option<usize> {
+    let truth = flight.truth.as_ref()?;
+    let mut wrong = 0;
+    for step in run.steps.iter().filter(|s| s.corrected()) {
+        let Some(frame) = &step.frame else { continue };
+        let Some(true_frame) = truth.frames.get(frame.index) else {
+            continue;
+        };
+        if true_frame.camera_attitude.is_some() {
+            wrong += frame
+                .accepted()
+                .filter(|c| is_wrong(flight, run, frame.index, c))
+                .count();
+        } else {
+            let position = step.after.position();
+            let off = (position.north - true_frame.position.x)
+                .hypot(position.east - true_frame.position.y);
+            wrong += if off > WRONG_POSITION {
+                frame.accepted().count()
+            } else {
+                0
+            };
+        }
+    }
+    Some(wrong)
+}
+
+/// Whether an accepted place is not where the landmark truly is in the picture.
+pub fn is_wrong(flight: &Flight, run: &Run, frame: usize, candidate: &CandidateReport) -> bool {
+    let off = || {
+        let pose = flight.truth.as_ref()?.frames.get(frame)?.pose()?;
+        let landmark = run.landmarks.iter().find(|l| l.id == candidate.landmark)?;
+        let mut camera = flight.camera.clone();
+        camera.mount.yaw += flight.frames.get(frame)?.stored_turn;
+        let point = landmark.reference_in_world(flight.ground_down);
+        let true_pixel = camera.project(&pose, &point)?;
+        let found = candidate.measured_pixel?;
+        let ground = camera.ground_at(&pose, &found, flight.ground_down)?;
+        let pixels = (found - true_pixel).norm();
+        Some(pixels > WRONG_PIXELS && ground.distance(&landmark.reference) > WRONG_METRES)
+    };
+    off().unwrap_or(true)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quantiles_lie_between_the_errors() {
+        let figures = ErrorFigures::of(vec![4.0, 1.0, 2.0, 3.0, 5.0]).unwrap();
+        assert_eq!(figures.median, 3.0);
+        assert_eq!(figures.max, 5.0);
+        assert!((figures.p95 - 4.8).abs() < 1e-12);
+        assert!((figures.rms - 11.0_f64.sqrt()).abs() < 1e-12);
+        assert_eq!(ErrorFigures::of(Vec::new()), None);
+    }
+}
