@@ -52,7 +52,7 @@ impl Axes {
         let ticks = if self.log {
             decades(self.y.0, self.y.1)
         } else {
-            ticks(self.y.0, self.y.1, most)
+            few_or_ends(ticks(self.y.0, self.y.1, most), self.y)
         };
         let text = if self.log {
             ticks.iter().map(|t| decade_label(*t)).collect()
@@ -120,6 +120,18 @@ pub(crate) fn ticks(low: f64, high: f64, most: usize) -> Vec<f64> {
     let first = (low / step).ceil() as i64;
     let last = (high / step).floor() as i64;
     (first..=last).map(|i| i as f64 * step).collect()
+}
+
+/// The ticks, or where they are too few to read a scale from, both ends and zero.
+fn few_or_ends(ticks: Vec<f64>, (low, high): (f64, f64)) -> Vec<f64> {
+    if ticks.len() >= 3 {
+        return ticks;
+    }
+    let mut ends = vec![low, high];
+    if low < 0.0 && high > 0.0 {
+        ends.insert(1, 0.0);
+    }
+    ends
 }
 
 /// Texts of ticks, all with as many decimals as their distance needs.

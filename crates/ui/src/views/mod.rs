@@ -1,6 +1,8 @@
 //! The views: each queries the run at the time cursor, draws, and sends commands.
 
 mod camera;
+#[cfg(test)]
+mod canvas;
 mod chart;
 mod color_map;
 mod ellipse;
@@ -10,6 +12,8 @@ mod inspector;
 mod matching;
 mod parts;
 mod picking;
+#[cfg(test)]
+mod pictures;
 mod plots;
 mod tour;
 

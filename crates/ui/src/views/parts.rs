@@ -155,8 +155,15 @@ pub(crate) fn chip(ui: &mut Ui, tokens: &Tokens, on: bool, text: &str, name: &st
         .fill(if on { tokens.raised } else { tokens.surface })
         .stroke(egui::Stroke::new(1.0, tokens.line))
         .corner_radius(tokens.radius)
-        .min_size(vec2(0.0, 2.5 * tokens.space));
-    let response = ui.add(button);
+        .small();
+    let response = ui
+        .scope(|ui| {
+            let spacing = ui.spacing_mut();
+            spacing.button_padding = vec2(0.75 * tokens.space, 0.25 * tokens.space);
+            spacing.interact_size.y = 2.0 * tokens.space;
+            ui.add(button)
+        })
+        .inner;
     response.widget_info(|| {
         egui::WidgetInfo::selected(egui::Role::CheckBox, true, on, name.to_owned())
     });
@@ -248,8 +255,12 @@ pub(crate) fn figures(value: f64) -> String {
         format!("{value:.0}")
     } else if size >= 10.0 {
         format!("{value:.1}")
-    } else {
+    } else if size >= 0.1 {
         format!("{value:.2}")
+    } else if size >= 5e-5 {
+        format!("{value:.4}")
+    } else {
+        "0".to_owned()
     }
     .replace('-', "−")
 }

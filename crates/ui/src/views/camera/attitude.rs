@@ -50,11 +50,13 @@ pub(super) fn draw(
         ));
     }
     let text = format!(
-        "N  heading {:03.0}°  bank {:+.0}°  pitch {:+.0}°",
+        "heading {:03.0}°  bank {:+.0}°  pitch {:+.0}°",
         attitude.yaw.to_degrees().rem_euclid(360.0).round() % 360.0,
         attitude.roll.to_degrees(),
         attitude.pitch.to_degrees()
     )
+    .replace("+0°", "0°")
+    .replace("-0°", "0°")
     .replace('-', "−");
     let galley = painter.layout_no_wrap(text, parts::small(tokens), tokens.text);
     let pad = vec2(0.75 * tokens.space, 0.25 * tokens.space);

@@ -61,6 +61,7 @@ pub(super) fn gain(
     matrix: &DMatrix<f64>,
     rows: &[String],
     columns: &[String],
+    landmark: &str,
 ) {
     let most: Vec<f64> = (0..matrix.nrows())
         .map(|r| matrix.row(r).amax().max(1e-12))
@@ -70,7 +71,7 @@ pub(super) fn gain(
         tokens,
         rows,
         columns,
-        |r, c| format!("{:.3}", matrix[(r, c)]).replace('-', "−"),
+        |r, c| figures(matrix[(r, c)]),
         |r, c| {
             let part = matrix[(r, c)] / most[r];
             let color = if part >= 0.0 {
@@ -81,7 +82,7 @@ pub(super) fn gain(
             color.gamma_multiply(0.45 * part.abs() as f32)
         },
     );
-    parts::name(&response, "Kalman gain");
+    parts::name(&response, format!("Kalman gain of {landmark}"));
 }
 
 /// Width of the row names, points.

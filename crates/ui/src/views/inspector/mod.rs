@@ -195,38 +195,58 @@ fn correction(
     );
     parts::reading(ui, tokens, &nis.color(color));
     parts::gauge(ui, tokens, joint.nis, joint.threshold, true);
-    let names: Vec<String> = frame
+    let landmarks: Vec<String> = frame
         .accepted()
-        .flat_map(|c| {
-            let name = picking::landmark_name(run, c.landmark);
-            [format!("{name} x"), format!("{name} y")]
-        })
+        .map(|c| picking::landmark_name(run, c.landmark))
         .collect();
-    for (i, name) in names.iter().enumerate().take(joint.innovation.len()) {
+    let each = joint.innovation.len() / landmarks.len().max(1);
+    let number = |i: usize| {
+        MEASURED
+            .get(i % each.max(1))
+            .copied()
+            .unwrap_or(("", "", 1.0))
+    };
+    for i in 0..joint.innovation.len() {
+        let Some(name) = landmarks.get(i / each.max(1)) else {
+            break;
+        };
+        let (what, unit, factor) = number(i);
         let sigma = joint.innovation_covariance[(i, i)].max(0.0).sqrt();
-        let reading = Reading::new(
-            format!("innovation {name}"),
-            figures(joint.innovation[i]),
-            "px",
-        );
-        parts::reading(ui, tokens, &reading.deviation(figures(sigma)));
+        let value = figures(factor * joint.innovation[i]);
+        let reading = Reading::new(format!("{name}, {what}"), value, unit);
+        parts::reading(ui, tokens, &reading.deviation(figures(factor * sigma)));
     }
     ui.add_space(0.5 * tokens.space);
     ui.label(
-        RichText::new("Kalman gain: what one pixel moves each component by, SI")
+        RichText::new("Kalman gain: what one pixel or radian moves each component by, SI")
             .size(tokens.text_sizes[0])
             .color(tokens.muted),
     );
     let rows: Vec<String> = run.state_names.iter().map(|(n, _)| n.clone()).collect();
     let rows = &rows[..joint.gain.nrows().min(rows.len())];
-    let mut columns = names;
-    columns.resize(joint.gain.ncols(), String::new());
-    // More than four landmarks do not fit side by side: the table goes on below.
-    for (block, columns) in columns.chunks(6).enumerate() {
-        let part = joint.gain.columns(6 * block, columns.len()).into_owned();
-        matrix::gain(ui, tokens, &part, rows, columns);
+    // One block of columns per landmark: more do not fit side by side.
+    for (block, name) in landmarks.iter().enumerate() {
+        if each == 0 || (block + 1) * each > joint.gain.ncols() {
+            break;
+        }
+        ui.label(
+            RichText::new(name)
+                .size(tokens.text_sizes[0])
+                .color(tokens.text),
+        );
+        let columns: Vec<String> = (0..each).map(|i| number(i).0.to_owned()).collect();
+        let part = joint.gain.columns(block * each, each).into_owned();
+        matrix::gain(ui, tokens, &part, rows, &columns, name);
     }
 }
+
+/// What is measured of a landmark, in order: name, unit on screen, factor from SI.
+const MEASURED: [(&str, &str, f64); 4] = [
+    ("right", "px", 1.0),
+    ("down", "px", 1.0),
+    ("turn", "°", 180.0 / std::f64::consts::PI),
+    ("scale", "%", 100.0),
+];
 
 /// Factor and unit on screen of a state component's unit.
 fn in_units(unit: &str, units: Units) -> (f64, String) {

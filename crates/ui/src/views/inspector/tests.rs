@@ -52,7 +52,7 @@ fn a_corrected_step_shows_its_sentence_gain_and_landmarks() {
     let mut harness = harness(step.time);
     harness.run();
     harness.get_by_label_contains("from where expected");
-    harness.get_by_label("Kalman gain");
+    harness.get_by_label("Kalman gain of Church");
     harness.get_by_label("Covariance of the state");
     harness.get_by_label("Church, accepted").click();
     harness.run();

@@ -69,11 +69,21 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, run: &Run, candidate:
         parts::reading(ui, tokens, &down.deviation(sigma(1)));
     }
     if let Some(noise) = candidate.measurement_covariance {
-        let value = noise.diagonal().max().max(0.0).sqrt();
+        let sigma = |i: usize| noise[(i, i)].max(0.0).sqrt();
+        if let Some(turn) = candidate.rotation {
+            let reading = Reading::new("Turned by", figures(turn.to_degrees()), "°");
+            let sigma = figures(sigma(2).to_degrees());
+            parts::reading(ui, tokens, &reading.deviation(sigma));
+        }
+        if let Some(scale) = candidate.log_scale {
+            let reading = Reading::new("Larger by", figures(100.0 * scale.exp_m1()), "%");
+            parts::reading(ui, tokens, &reading.deviation(figures(100.0 * sigma(3))));
+        }
+        let place = sigma(0).max(sigma(1));
         parts::reading(
             ui,
             tokens,
-            &Reading::new("Place known to (1σ)", figures(value), "px"),
+            &Reading::new("Place known to (1σ)", figures(place), "px"),
         );
     }
 }

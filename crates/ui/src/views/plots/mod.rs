@@ -18,6 +18,8 @@ use series::RunSeries;
 
 /// Least height of an open panel's curves, points.
 const LEAST_HEIGHT: f32 = 64.0;
+/// Where a panel has at least this width, another stands beside it, points.
+const LEAST_WIDTH: f32 = 300.0;
 /// Shortest stretch of time that can be shown, seconds.
 const LEAST_SPAN: f64 = 0.5;
 
@@ -79,39 +81,96 @@ impl PlotsView {
         };
         let span = self.zoom.unwrap_or(whole);
         self.chooser(ui, context, whole);
+        let shown: Vec<usize> = (0..self.panels.len())
+            .filter(|i| self.panels[*i].shown)
+            .collect();
+        let columns = ((ui.available_width() / LEAST_WIDTH) as usize).clamp(1, shown.len().max(1));
+        self.hover = if columns == 1 {
+            self.stack(ui, context, &shown, span)
+        } else {
+            self.grid(ui, context, &shown, columns, span)
+        };
+    }
+
+    /// Panels below each other over one time axis; returns the hovered time.
+    fn stack(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut ViewContext<'_>,
+        shown: &[usize],
+        span: (f64, f64),
+    ) -> Option<f64> {
         let tokens = context.tokens;
-        let axis_height = 1.8 * tokens.text_sizes[0];
-        let header = 2.5 * tokens.space;
-        let (mut open, mut closed) = (0, 0);
-        for panel in self.panels.iter().filter(|p| p.shown) {
-            if panel.folded {
-                closed += 1;
-            } else {
-                open += 1;
-            }
-        }
-        let free = ui.available_height()
-            - axis_height
-            - (header + 0.5 * tokens.space) * (open + closed) as f32;
+        let gap = 0.5 * tokens.space;
+        let axis = axis_height(tokens);
+        let header = header_height(tokens);
+        let open = shown.iter().filter(|i| !self.panels[**i].folded).count();
+        let free = ui.available_height() - axis - (header + gap) * shown.len() as f32;
         let height = (free / open.max(1) as f32).max(LEAST_HEIGHT);
         let mut hover = None;
-        let scroll_height = (ui.available_height() - axis_height).max(LEAST_HEIGHT);
         ScrollArea::vertical()
             .id_salt("plots")
-            .max_height(scroll_height)
+            .max_height((ui.available_height() - axis).max(LEAST_HEIGHT))
             .auto_shrink(false)
             .show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 0.0;
-                for index in 0..self.panels.len() {
-                    if self.panels[index].shown {
-                        let found = self.panel(ui, context, index, header, height, span);
-                        hover = hover.or(found);
-                        ui.add_space(0.5 * tokens.space);
-                    }
+                for index in shown {
+                    let found = self.panel(ui, context, *index, (header, height), span, true);
+                    hover = hover.or(found);
+                    ui.add_space(gap);
                 }
             });
-        self.hover = hover;
-        self.time_axis(ui, context, axis_height, span);
+        time_axis(ui, tokens, span);
+        hover
+    }
+
+    /// Panels side by side in rows of `columns`, each column over its own time axis.
+    fn grid(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut ViewContext<'_>,
+        shown: &[usize],
+        columns: usize,
+        span: (f64, f64),
+    ) -> Option<f64> {
+        let tokens = context.tokens;
+        let axis = axis_height(tokens);
+        let header = header_height(tokens);
+        let rows = shown.len().div_ceil(columns);
+        let free = (ui.available_height() - axis) / rows as f32 - header;
+        let height = free.max(LEAST_HEIGHT);
+        let width = (ui.available_width() - (columns - 1) as f32 * tokens.space) / columns as f32;
+        let mut hover = None;
+        ScrollArea::vertical()
+            .id_salt("plots")
+            .auto_shrink(false)
+            .show(ui, |ui| {
+                let origin = ui.max_rect().left_top();
+                let size = vec2(ui.available_width(), rows as f32 * (header + height) + axis);
+                ui.allocate_space(size);
+                for (i, index) in shown.iter().enumerate() {
+                    let (row, column) = (i / columns, i % columns);
+                    let corner = origin
+                        + vec2(
+                            column as f32 * (width + tokens.space),
+                            row as f32 * (header + height),
+                        );
+                    let below = i + columns >= shown.len();
+                    let cell = vec2(width, header + height + if below { axis } else { 0.0 });
+                    let builder = egui::UiBuilder::new()
+                        .max_rect(Rect::from_min_size(corner, cell))
+                        .id_salt(index);
+                    ui.scope_builder(builder, |ui| {
+                        ui.spacing_mut().item_spacing.y = 0.0;
+                        let found = self.panel(ui, context, *index, (header, height), span, false);
+                        hover = hover.or(found);
+                        if below {
+                            time_axis(ui, tokens, span);
+                        }
+                    });
+                }
+            });
+        hover
     }
 
     /// Which panels are shown, and how much time.
@@ -145,9 +204,9 @@ impl PlotsView {
         ui: &mut Ui,
         context: &mut ViewContext<'_>,
         index: usize,
-        header: f32,
-        height: f32,
+        (header, height): (f32, f32),
         span: (f64, f64),
+        foldable: bool,
     ) -> Option<f64> {
         let tokens = context.tokens;
         let PanelState {
@@ -157,8 +216,8 @@ impl PlotsView {
             ..
         } = self.panels[index];
         let (factor, unit) = kind.unit(context.units);
-        let header_rect = self.header(ui, context, index, header, unit);
-        if folded {
+        let header_rect = self.header(ui, context, index, header, unit, foldable);
+        if folded && foldable {
             return None;
         }
         let (outer, response) =
@@ -215,6 +274,7 @@ impl PlotsView {
         index: usize,
         height: f32,
         unit: &str,
+        foldable: bool,
     ) -> Rect {
         let tokens = context.tokens;
         let panel = &mut self.panels[index];
@@ -224,22 +284,14 @@ impl PlotsView {
             Layout::left_to_right(Align::Center),
             |ui| {
                 ui.spacing_mut().item_spacing.x = 0.5 * tokens.space;
-                let text = egui::RichText::new(format!("    {title}"))
-                    .size(tokens.text_sizes[0])
-                    .color(tokens.text);
-                let response = ui.add(egui::Button::new(text).frame(false));
-                response.widget_info(|| {
-                    egui::WidgetInfo::selected(
-                        egui::Role::Button,
-                        true,
-                        !panel.folded,
-                        format!("Fold {title}"),
-                    )
-                });
-                let at = response.rect.left_center() + vec2(1.5 * tokens.space, 0.0);
-                parts::arrow(ui.painter(), at, panel.folded, tokens.muted);
-                if response.clicked() {
-                    panel.folded = !panel.folded;
+                if foldable {
+                    fold(ui, tokens, title, &mut panel.folded);
+                } else {
+                    ui.label(
+                        egui::RichText::new(title)
+                            .size(tokens.text_sizes[0])
+                            .color(tokens.text),
+                    );
                 }
                 if !unit.is_empty() {
                     ui.label(
@@ -248,7 +300,7 @@ impl PlotsView {
                             .color(tokens.muted),
                     );
                 }
-                if !panel.folded {
+                if !(panel.folded && foldable) {
                     for (i, (short, long)) in panel.kind.choices().into_iter().enumerate() {
                         let name = format!("{title}, {long}");
                         if parts::chip(ui, tokens, panel.choice == i, short, &name).clicked() {
@@ -292,19 +344,46 @@ impl PlotsView {
         }
         axes.rect.x_range().contains(pointer.x).then_some(time)
     }
+}
 
-    fn time_axis(&self, ui: &mut Ui, context: &ViewContext<'_>, height: f32, span: (f64, f64)) {
-        let tokens = context.tokens;
-        let (outer, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
-        let rect = curves_rect(outer, tokens);
-        let axes = Axes {
-            rect: Rect::from_min_max(rect.left_top(), pos2(rect.right(), outer.top())),
-            x: span,
-            y: (0.0, 1.0),
-            log: false,
-        };
-        axes.draw_x(&ui.painter_at(outer), tokens, "time, s");
+/// The heading of a panel, which folds it.
+fn fold(ui: &mut Ui, tokens: &Tokens, title: &str, folded: &mut bool) {
+    let text = egui::RichText::new(format!("      {title}"))
+        .size(tokens.text_sizes[0])
+        .color(tokens.text);
+    let response = ui.add(egui::Button::new(text).frame(false));
+    response.widget_info(|| {
+        egui::WidgetInfo::selected(egui::Role::Button, true, !*folded, format!("Fold {title}"))
+    });
+    let at = response.rect.left_center() + vec2(0.75 * tokens.space, 0.0);
+    parts::arrow(ui.painter(), at, *folded, tokens.muted);
+    if response.clicked() {
+        *folded = !*folded;
     }
+}
+
+/// Height of a panel's heading, points.
+fn header_height(tokens: &Tokens) -> f32 {
+    3.0 * tokens.space
+}
+
+/// Height of the labels below the curves, points.
+fn axis_height(tokens: &Tokens) -> f32 {
+    1.8 * tokens.text_sizes[0]
+}
+
+/// Labels of the time axis.
+fn time_axis(ui: &mut Ui, tokens: &Tokens, span: (f64, f64)) {
+    let size = vec2(ui.available_width(), axis_height(tokens));
+    let (outer, _) = ui.allocate_exact_size(size, Sense::hover());
+    let rect = curves_rect(outer, tokens);
+    let axes = Axes {
+        rect: Rect::from_min_max(rect.left_top(), pos2(rect.right(), outer.top())),
+        x: span,
+        y: (0.0, 1.0),
+        log: false,
+    };
+    axes.draw_x(&ui.painter_at(outer), tokens, "time, s");
 }
 
 /// Where the curves go: right of the y axis' labels.

@@ -2,6 +2,7 @@
 
 use egui::{Align2, Color32, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, pos2, vec2};
 use nalgebra::{DMatrix, Matrix2, Vector2};
+use pilotage_core::filter::{chi_square_probability, chi_square_quantile};
 use pilotage_core::navigator::{CandidateReport, Outcome, Run, StepReport};
 
 use super::super::chart::Axes;
@@ -271,8 +272,10 @@ fn gate(painter: &Painter, rect: Rect, tokens: &Tokens, run: &Run) {
         .iter()
         .flat_map(|s| s.frame.iter().flat_map(|f| &f.candidates))
         .filter_map(|c| {
+            // As far out as the NIS says, in the direction of the pixels' part of it.
             let root = c.innovation_covariance.cholesky()?.l();
-            Some((c, root.solve_lower_triangular(&c.innovation?)?))
+            let direction = root.solve_lower_triangular(&c.innovation?)?;
+            Some((c, direction * (c.nis?.sqrt() / direction.norm().max(1e-9))))
         })
         .collect();
     let radius = all.first().map_or(3.0, |(c, _)| c.threshold.sqrt());
@@ -510,17 +513,21 @@ fn bearing(painter: &Painter, rect: Rect, tokens: &Tokens, alpha: f64) {
 /// How often each NIS occurred, beside the chi-square density with two degrees of freedom.
 fn histogram(painter: &Painter, rect: Rect, tokens: &Tokens, run: &Run) {
     const BINS: usize = 24;
-    const HIGHEST: f64 = 12.0;
+    let freedom = moment::degrees_of_freedom(run) as f64;
+    let highest_nis = chi_square_quantile(0.998, freedom);
     let values = moment::accepted_nis(run);
     let mut counts = [0_usize; BINS];
     for value in &values {
-        let bin = (value / HIGHEST * BINS as f64) as usize;
+        let bin = (value / highest_nis * BINS as f64) as usize;
         counts[bin.min(BINS - 1)] += 1;
     }
-    let width = HIGHEST / BINS as f64;
+    let width = highest_nis / BINS as f64;
     let density = |count: usize| count as f64 / (values.len().max(1) as f64 * width);
-    let highest = counts.iter().map(|c| density(*c)).fold(0.5, f64::max);
-    let axes = time_axes(rect, tokens, (0.0, HIGHEST), (0.0, 1.1 * highest));
+    let highest = counts
+        .iter()
+        .map(|c| density(*c))
+        .fold(1.0 / freedom, f64::max);
+    let axes = time_axes(rect, tokens, (0.0, highest_nis), (0.0, 1.1 * highest));
     axes.draw_x(painter, tokens, "NIS");
     for (i, count) in counts.into_iter().enumerate() {
         let bar = Rect::from_two_pos(
@@ -533,11 +540,14 @@ fn histogram(painter: &Painter, rect: Rect, tokens: &Tokens, run: &Run) {
             tokens.observed.gamma_multiply(0.6),
         );
     }
-    // With two degrees of freedom the density is ½ exp(-x/2).
-    let curve: Vec<Pos2> = (0..=60)
+    // The density is the slope of the probability.
+    let step = highest_nis / 60.0;
+    let curve: Vec<Pos2> = (0..60)
         .map(|i| {
-            let x = f64::from(i) * HIGHEST / 60.0;
-            axes.at(x, 0.5 * (-0.5 * x).exp())
+            let x = f64::from(i) * step;
+            let inside =
+                chi_square_probability(x + step, freedom) - chi_square_probability(x, freedom);
+            axes.at(x + 0.5 * step, inside / step)
         })
         .collect();
     painter.line(curve, Stroke::new(2.0, tokens.truth));

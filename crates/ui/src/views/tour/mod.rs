@@ -5,7 +5,7 @@ mod moment;
 mod stop;
 mod unscented;
 
-use egui::{Align, Align2, Area, Frame, Id, Key, Layout, Rect, RichText, Sense, Stroke, Ui, vec2};
+use egui::{Align, Key, Layout, Rect, RichText, Sense, Stroke, Ui, vec2};
 
 use super::parts;
 use crate::command::Command;
@@ -13,12 +13,8 @@ use crate::context::ViewContext;
 use moment::Moment;
 use stop::Stop;
 
-/// Width of the card where there is room, points.
-const WIDTH: f32 = 360.0;
-
-/// The tour's own state: whether it is on, and at which stop.
+/// The tour's own state: at which stop it is.
 pub struct Tour {
-    active: bool,
     number: usize,
     /// Whether the cursor has been brought to the moment of this stop.
     arrived: bool,
@@ -26,19 +22,21 @@ pub struct Tour {
     found: Option<(usize, Option<Moment>)>,
     /// The slider of the stop on α.
     alpha: f64,
-    /// Settings were changed here and can be taken back.
+    /// How many changes of the settings made here can be taken back.
     edited: usize,
+    /// Number of the screen's frame in which the tour was drawn last.
+    drawn: u64,
 }
 
 impl Default for Tour {
     fn default() -> Self {
         Self {
-            active: false,
             number: 0,
             arrived: false,
             found: None,
             alpha: 1.0,
             edited: 0,
+            drawn: 0,
         }
     }
 }
@@ -47,31 +45,9 @@ impl Tour {
     /// Number of stops.
     pub const STOPS: usize = Stop::ALL.len();
 
-    /// Begins at the first stop.
+    /// Begins anew at the first stop.
     pub fn start(&mut self) {
-        *self = Self {
-            active: true,
-            ..Self::default()
-        };
-    }
-
-    /// Leaves the tour.
-    pub fn stop(&mut self) {
-        self.active = false;
-    }
-
-    /// Begins, or leaves.
-    pub fn toggle(&mut self) {
-        if self.active {
-            self.stop();
-        } else {
-            self.start();
-        }
-    }
-
-    /// Whether the tour is on.
-    pub fn is_active(&self) -> bool {
-        self.active
+        *self = Self::default();
     }
 
     /// Number of the stop, from 0.
@@ -84,13 +60,9 @@ impl Tour {
         self.current().title()
     }
 
-    /// Goes to the next stop, or leaves after the last.
+    /// Goes to the next stop; stays at the last.
     pub fn next(&mut self) {
-        if self.number + 1 < Self::STOPS {
-            self.go_to(self.number + 1);
-        } else {
-            self.stop();
-        }
+        self.go_to(self.number + 1);
     }
 
     /// Goes to the previous stop.
@@ -109,47 +81,24 @@ impl Tour {
         Stop::ALL[self.number]
     }
 
-    /// Draws the card over the area that `ui` covers (the map), away from its centre.
+    /// Draws the stop into the space that `ui` has left, and brings the cursor to its moment when
+    /// the stop is entered or the tour comes back into view.
     pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
-        if !self.active {
-            return;
+        let drawn = ui.ctx().cumulative_frame_nr();
+        if drawn > self.drawn + 1 {
+            self.arrived = false;
         }
+        self.drawn = drawn;
         self.look_up(context);
         self.arrive(context);
         let tokens = context.tokens;
-        let area = ui.max_rect();
-        let margin = 1.5 * tokens.space;
-        let beside = area.width() >= 2.0 * (WIDTH + 3.0 * margin);
-        let width = if beside {
-            WIDTH
-        } else {
-            (area.width() - 4.0 * margin).clamp(200.0, 1.3 * WIDTH)
-        };
-        let height = if beside {
-            area.height() - 4.0 * margin
-        } else {
-            0.42 * area.height()
-        };
-        Area::new(Id::unique("tour"))
-            .pivot(Align2::LEFT_BOTTOM)
-            .fixed_pos(area.left_bottom() + vec2(margin, -margin))
-            .constrain_to(area)
-            .show(ui.ctx(), |ui| {
-                Frame::new()
-                    .fill(tokens.surface)
-                    .stroke(Stroke::new(1.0, tokens.line))
-                    .corner_radius(1.5 * tokens.radius)
-                    .inner_margin(margin)
-                    .show(ui, |ui| {
-                        ui.set_width(width);
-                        ui.spacing_mut().item_spacing = vec2(tokens.space, 0.75 * tokens.space);
-                        egui::ScrollArea::vertical()
-                            .id_salt("tour text")
-                            .max_height((height - 5.0 * tokens.space).max(80.0))
-                            .show(ui, |ui| self.content(ui, context));
-                        self.navigation(ui, context);
-                    });
-            });
+        ui.spacing_mut().item_spacing = vec2(tokens.space, 0.75 * tokens.space);
+        let below = 8.5 * tokens.space;
+        egui::ScrollArea::vertical()
+            .id_salt(("tour", self.number))
+            .max_height((ui.available_height() - below).max(80.0))
+            .show(ui, |ui| self.content(ui, context));
+        self.navigation(ui, context);
     }
 
     /// Looks the moment up anew while the run grows.
@@ -257,7 +206,7 @@ impl Tour {
         let tokens = context.tokens;
         let mut go_to = None;
         let mut next = false;
-        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+        ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 0.0;
             for (i, stop) in Stop::ALL.into_iter().enumerate() {
                 if dot(ui, context, i, stop, self.number).clicked() {
@@ -295,7 +244,7 @@ impl Tour {
                     .size(tokens.text_sizes[0])
                     .color(tokens.muted);
                 if ui.add(egui::Button::new(text).frame(false)).clicked() {
-                    self.leave(context);
+                    context.commands.push(Command::ToggleTour);
                 }
             });
         });
@@ -304,17 +253,12 @@ impl Tour {
         }
         if next {
             if self.number + 1 == Self::STOPS {
-                self.leave(context);
+                self.go_to(0);
+                context.commands.push(Command::ToggleTour);
             } else {
                 self.next();
             }
         }
-    }
-
-    /// Leaves by the command, so that whoever keeps the tour's switch knows.
-    fn leave(&mut self, context: &mut ViewContext<'_>) {
-        self.stop();
-        context.commands.push(Command::ToggleTour);
     }
 }
 

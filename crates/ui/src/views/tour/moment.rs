@@ -315,7 +315,21 @@ fn alpha(run: &Run) -> Option<Moment> {
     Some(Moment::new(run, index, text))
 }
 
-/// NIS of every single accepted landmark (two degrees of freedom).
+/// Numbers measured per landmark: the degrees of freedom of a single one's NIS.
+pub(crate) fn degrees_of_freedom(run: &Run) -> usize {
+    run.steps
+        .iter()
+        .find_map(|step| {
+            let frame = step.frame.as_ref()?;
+            let joint = frame.joint.as_ref()?;
+            joint
+                .degrees_of_freedom
+                .checked_div(frame.accepted().count())
+        })
+        .unwrap_or(2)
+}
+
+/// NIS of every single accepted landmark.
 pub(crate) fn accepted_nis(run: &Run) -> Vec<f64> {
     judged(run)
         .filter(|(_, c, _)| c.outcome == Outcome::Accepted)
@@ -327,15 +341,16 @@ fn consistency(run: &Run) -> Option<Moment> {
     let values = accepted_nis(run);
     let index = run.steps.iter().rposition(StepReport::corrected)?;
     let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
-    let verdict = if mean < 1.2 {
+    let expected = degrees_of_freedom(run);
+    let verdict = if mean < 0.6 * expected as f64 {
         "lower: it is more careful than it needs to be"
-    } else if mean > 2.8 {
+    } else if mean > 1.4 * expected as f64 {
         "higher: it is surer than it should be"
     } else {
         "close: it knows how wrong it is"
     };
     let text = format!(
-        "If the filter's uncertainties are honest, the NIS of a landmark follows the chi-square curve with a mean of 2. \
+        "If the filter's uncertainties are honest, the NIS of a landmark follows the chi-square curve with a mean of {expected}. \
          Over the {} matches so far the mean is {}, which is {verdict}.",
         values.len(),
         figures(mean)
