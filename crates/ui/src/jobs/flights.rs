@@ -17,30 +17,41 @@ pub struct OpenFlight {
     pub frames: KeptFrames,
 }
 
-/// Keeps every picture encoded once it was asked for, so that flying again renders nothing anew.
+/// Pictures of a flight. Rendered ones are kept encoded once they were asked for, so that flying
+/// again renders nothing anew.
 pub struct KeptFrames {
     source: Box<dyn FrameSource>,
     names: Vec<String>,
-    encoded: BTreeMap<usize, Arc<[u8]>>,
+    encoded: Option<BTreeMap<usize, Arc<[u8]>>>,
 }
 
 impl KeptFrames {
-    /// Pictures of `flight` from `source`.
-    pub fn new(flight: &Flight, source: Box<dyn FrameSource>) -> Self {
+    /// Pictures of `flight` that `source` renders.
+    pub fn rendered(flight: &Flight, source: Box<dyn FrameSource>) -> Self {
+        Self {
+            encoded: Some(BTreeMap::new()),
+            ..Self::stored(flight, source)
+        }
+    }
+
+    /// Pictures of `flight` that `source` has in files.
+    pub fn stored(flight: &Flight, source: Box<dyn FrameSource>) -> Self {
         Self {
             source,
             names: flight.frames.iter().map(|f| f.name.clone()).collect(),
-            encoded: BTreeMap::new(),
+            encoded: None,
         }
     }
 
     /// A picture, encoded.
     pub fn kept(&mut self, index: usize) -> Result<Arc<[u8]>, FrameError> {
-        if let Some(encoded) = self.encoded.get(&index) {
+        if let Some(encoded) = self.encoded.as_ref().and_then(|kept| kept.get(&index)) {
             return Ok(encoded.clone());
         }
         let encoded: Arc<[u8]> = self.source.encoded(index)?.into();
-        self.encoded.insert(index, encoded.clone());
+        if let Some(kept) = &mut self.encoded {
+            kept.insert(index, encoded.clone());
+        }
         Ok(encoded)
     }
 }

@@ -6,10 +6,12 @@
 
 mod crew;
 mod explain;
+mod file_pool;
 mod flights;
 mod fly;
 mod inline;
 mod messages;
+mod opening;
 mod protocol;
 mod runner;
 mod running;

@@ -36,7 +36,7 @@ pub fn open(options: &SimulationOptions) -> Result<OpenFlight, String> {
     };
     let simulated = scenario.simulate(options.seed, &overrides);
     Ok(OpenFlight {
-        frames: KeptFrames::new(&simulated.flight, Box::new(simulated.frames)),
+        frames: KeptFrames::rendered(&simulated.flight, Box::new(simulated.frames)),
         flight: Arc::new(simulated.flight),
         mission: Some(scenario.mission()),
     })

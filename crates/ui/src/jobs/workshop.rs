@@ -8,18 +8,17 @@ use std::sync::Arc;
 use pilotage_core::imagery::Imagery;
 
 use super::explain::match_pictures;
+use super::file_pool::FilePool;
 use super::flights::OpenFlight;
 use super::fly::Fly;
 use super::running::Once;
-use super::{FlightSource, Job, JobEvent, MapInfo, MapSource, RunningJob, simulated};
-
-/// Files under a key: path and bytes of each.
-pub type Files = Rc<Vec<(String, Vec<u8>)>>;
+use super::{FlightSource, Job, JobEvent, MapInfo, MapSource, RunningJob, opening, simulated};
 
 /// The store of a worker. Everything in it can be made anew from the files.
 #[derive(Default)]
 pub struct Workshop {
-    files: BTreeMap<String, Files>,
+    /// Files by key; a zip that cannot be read is told when the files are used.
+    files: BTreeMap<String, Result<Arc<FilePool>, String>>,
     maps: BTreeMap<Vec<u8>, Arc<dyn Imagery>>,
     flights: BTreeMap<Vec<u8>, Rc<RefCell<OpenFlight>>>,
 }
@@ -34,12 +33,14 @@ impl Workshop {
     pub fn start(&mut self, job: Job) -> Box<dyn RunningJob> {
         match job {
             Job::Provide { key, files } => {
-                self.provide(key, files);
+                self.provide(key, &files);
                 once(|_, _| Ok(()))
             }
             Job::Open { key } => once(move |workshop, emit| {
-                let _ = (workshop, emit);
-                Err(format!("{key}: nothing here can be opened"))
+                let files = workshop.files(&key)?;
+                let opened = opening::look_through(key, &files)?;
+                emit(JobEvent::Opened(Box::new(opened)));
+                Ok(())
             }),
             Job::Fly {
                 flight,
@@ -72,19 +73,18 @@ impl Workshop {
     }
 
     /// Keeps files under a key and forgets what was made of earlier ones.
-    pub fn provide(&mut self, key: String, files: Vec<(String, Vec<u8>)>) {
+    pub fn provide(&mut self, key: String, files: &[(String, Vec<u8>)]) {
         self.maps.remove(&cache_key(&MapSource::Files(key.clone())));
         self.flights
             .remove(&cache_key(&FlightSource::Files(key.clone())));
-        self.files.insert(key, Rc::new(files));
+        let pool = FilePool::new(files).map(Arc::new);
+        self.files.insert(key, pool);
     }
 
     /// The files under a key.
-    pub fn files(&self, key: &str) -> Result<Files, String> {
-        self.files
-            .get(key)
-            .cloned()
-            .ok_or_else(|| format!("the files “{key}” are not here; open them again"))
+    pub fn files(&self, key: &str) -> Result<Arc<FilePool>, String> {
+        let lost = || Err("the files are not here any more; open them again".to_owned());
+        self.files.get(key).cloned().unwrap_or_else(lost)
     }
 
     /// Puts a map in place of the one that would be opened.
@@ -100,7 +100,14 @@ impl Workshop {
         }
         let map = match source {
             MapSource::Scenery => simulated::scenery_map(),
-            MapSource::Files(key) => return Err(format!("{key}: there is no map here")),
+            MapSource::Files(key) => {
+                let files = self.files(key)?;
+                let frame = match opening::flight(&files)? {
+                    Some((open, _)) => open.flight.frame_on_globe,
+                    None => None,
+                };
+                opening::map(&files, frame)?.ok_or("there is no map among the files")?
+            }
         };
         self.maps.insert(key, map.clone());
         Ok(map)
@@ -114,7 +121,12 @@ impl Workshop {
         }
         let open = match source {
             FlightSource::Simulated(options) => simulated::open(options)?,
-            FlightSource::Files(key) => return Err(format!("{key}: there is no flight here")),
+            FlightSource::Files(key) => {
+                let files = self.files(key)?;
+                let (open, _) =
+                    opening::flight(&files)?.ok_or("there is no flight among the files")?;
+                open
+            }
         };
         let open = Rc::new(RefCell::new(open));
         self.flights.clear();
@@ -130,7 +142,8 @@ where
     Box::new(Once(Some(work)))
 }
 
-fn describe(map: &dyn Imagery) -> MapInfo {
+/// What is known of a map.
+pub fn describe(map: &dyn Imagery) -> MapInfo {
     MapInfo {
         name: map.name().to_owned(),
         bounds: map.bounds(),
