@@ -29,7 +29,7 @@ impl Foliage {
         match (habit, self.season) {
             (Habit::Conifer, _) => 1.0,
             (Habit::Dead, _) => 0.3,
-            (_, Season::Summer) => 1.0,
+            (_, Season::Summer) => 0.97,
             (_, Season::Spring) => 0.85,
             (_, Season::Autumn) => 0.9,
             (_, Season::LateWinter) => 0.35,
@@ -46,7 +46,7 @@ impl Foliage {
         );
         let stand = 0.5 + 0.5 * value_noise(crown.center.n * 0.017, crown.center.e * 0.017, 301);
         let base = match crown.habit {
-            Habit::Conifer => mix([0.034, 0.05, 0.026], [0.058, 0.068, 0.03], a),
+            Habit::Conifer => mix([0.034, 0.05, 0.028], [0.07, 0.074, 0.036], a),
             Habit::Dead => [0.16, 0.15, 0.14],
             Habit::Broadleaf | Habit::Shrub => {
                 let cool = mix([0.036, 0.056, 0.02], [0.052, 0.078, 0.024], a);
@@ -137,48 +137,37 @@ impl World {
     #[inline]
     fn crown(&self, c: &Crown, d: Spot, distance: f32, gsd: f32, soft: f32) -> Top {
         let r = c.radius;
-        let q = individual(d, c.variant);
+        let q = individual(if c.habit == Habit::Broadleaf { d } else { d * 1.5 }, c.variant);
         let [relief, slope_n, slope_e, tone] = self.foliage_texture.sample(q, gsd);
         let detail = turned_back(spot(slope_n, slope_e), c.variant) * 2.5;
         let rim = distance / r;
         let outward = d * (1.0 / distance.max(0.05));
-        let lobes = {
-            let turn = unit(c.variant.rotate_left(5)) * 6.3;
-            let side = outward.n * turn.cos() + outward.e * turn.sin();
-            let other = outward.n * turn.sin() - outward.e * turn.cos();
-            0.09 * (3.0 * side * other) + 0.06 * side
+        // Two soft lobes make every plan a little different.
+        let turn = Spot::heading(unit(c.variant.rotate_left(5)) * std::f32::consts::TAU);
+        let (x, y) = (outward.dot(turn), turn.cross(outward));
+        let lobes = 0.07 * x + 0.16 * x * y + 0.12 * (x * x - y * y) * x;
+        let (dome, steep) = match c.habit {
+            Habit::Conifer => (1.0 - rim, 1.1),
+            _ => ((1.0 - 0.8 * rim * rim).max(0.0).sqrt(), 0.55),
         };
-        let (edge, dome, steep, bump) = match c.habit {
-            Habit::Conifer => {
-                // Whorls of branches that stick out like spokes.
-                let spokes = 7.0 + (c.variant & 3) as f32;
-                let angle = outward.e.atan2(outward.n);
-                let star = (angle * spokes + unit(c.variant) * 6.3).cos();
-                let edge = r * (0.86 + 0.11 * star + 0.2 * relief);
-                (edge, 1.0 - rim, 1.5, 0.75)
-            }
-            _ => {
-                let edge = r * (0.87 + lobes + 0.24 * relief);
-                (edge, (1.0 - 0.85 * rim * rim).max(0.0).sqrt(), 0.95, 1.0)
-            }
-        };
-        let mut share = (0.5 - (distance - edge) / soft).clamp(0.0, 1.0);
+        // Towards the rim only the higher clumps of leaves remain.
         let density = self.foliage.density(c.habit);
-        if density < 1.0 {
-            share *= smooth_step(0.95 - 1.5 * density, 1.25 - 1.5 * density, relief + 0.3)
-                .max(density * 0.5);
-        }
+        let bar = -1.25 + 1.5 * (1.0 - density) + 2.2 * smooth_step(0.45, 1.2, rim - lobes);
+        let sharp = (2.2 * gsd).clamp(0.35, 1.6);
+        let share = ((relief - bar) / sharp + 0.5).clamp(0.0, 1.0)
+            * (0.5 - (distance - 1.13 * r) / soft).clamp(0.0, 1.0);
         let dome_slope = match c.habit {
             Habit::Conifer => outward * -steep,
-            _ => d * (-steep / (r * (1.15 - rim.min(1.0) * 0.6))),
+            _ => d * (-steep / (r * (1.15 - rim.min(1.0) * 0.5))),
         };
-        let open = (0.28 + 0.5 * (0.5 + 0.5 * relief) + 0.5 * dome - 0.12 * rim).clamp(0.08, 1.0);
+        let crevice = smooth_step(-0.85, 0.75, relief);
+        let open = (0.12 + 0.85 * crevice + 0.22 * (dome - 0.5)).clamp(0.05, 1.05);
         let color = self.foliage.color(c);
         Top {
-            height: c.height * (0.55 + 0.45 * dome) + 0.7 * relief,
+            height: c.height * (0.6 + 0.4 * dome) + 0.25 * c.radius * relief,
             share,
-            color: scale(color, 1.0 + 0.34 * tone),
-            slope: dome_slope + detail * bump,
+            color: scale(color, 1.0 + 0.42 * tone),
+            slope: dome_slope + detail * 0.8,
             open,
         }
     }

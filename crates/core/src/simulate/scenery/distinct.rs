@@ -12,7 +12,7 @@ use super::things::Roof::{Cone, Dome, Flat, Gable, Hip, Sawtooth, Vault};
 use super::things::{Form, Ground};
 
 const SLATE: [f32; 3] = [0.085, 0.088, 0.1];
-const RED_TILE: [f32; 3] = [0.25, 0.105, 0.065];
+const RED_TILE: [f32; 3] = [0.16, 0.08, 0.056];
 const WHITE_STEEL: [f32; 3] = [0.55, 0.56, 0.56];
 const GRAY_FELT: [f32; 3] = [0.2, 0.2, 0.195];
 const GREEN_METAL: [f32; 3] = [0.1, 0.16, 0.12];

@@ -104,10 +104,10 @@ impl World {
                 let rows = stripes(across + wiggle, 0.76, gsd);
                 let mut c = mix(leaf, weak, 0.75 * poor);
                 let gap = (0.3 + 0.45 * poor) * (0.5 - 0.5 * rows) + 0.25 * (clumps * clumps);
-                c = mix(c, scale(soil, 0.5), (gap * 0.55).clamp(0.0, 0.8));
+                c = mix(c, scale(soil, 0.5), (gap * 0.42).clamp(0.0, 0.8));
                 c = scale(
                     c,
-                    1.0 + 0.2 * rows * (1.0 - 0.4 * poor)
+                    1.0 + 0.12 * rows * (1.0 - 0.4 * poor)
                         + 0.2 * clumps
                         + 0.14 * speckle
                         + 0.12 * mottle,

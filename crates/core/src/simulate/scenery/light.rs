@@ -51,7 +51,7 @@ impl Light {
         let sky = [0.13, 0.165, 0.225];
         // A level white surface keeps its brightness whatever the sun's height.
         let level = sun[1] * elevation.sin() + sky[1];
-        let exposure = day.exposure as f32 * 2.6 / level;
+        let exposure = day.exposure as f32 * 2.45 / level;
         let encode = (0..=STEPS)
             .map(|i| {
                 let root = i as f32 / STEPS as f32;

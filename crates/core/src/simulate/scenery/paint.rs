@@ -18,7 +18,7 @@ impl World {
     /// Light that leaves a place upwards, averaged over about `gsd` metres; `None` outside.
     pub(super) fn light_at(&self, p: Spot, gsd: f32) -> Option<Color> {
         let cell = cell_of(p)?;
-        let soft = gsd.clamp(0.13, 1.2);
+        let soft = (1.2 * gsd).clamp(0.2, 1.4);
         let mut albedo = self.land(p, gsd);
         let surfaces = self.surface_grid.cell(cell);
         let mut has_marks = false;

@@ -156,6 +156,9 @@ impl Parcels {
                     Use::Orchard,
                 ])
             };
+            if is_village(center) && parcel.use_ != Use::Wood {
+                parcel.use_ = Use::Grassland;
+            }
             let roll = unit(hash2(i as i32, day.growth_seed as i32, seed as u32));
             parcel.cover = cover(parcel.use_, day.season, roll);
         }
@@ -196,6 +199,13 @@ impl Parcels {
             }
         }
     }
+}
+
+/// The built-up strip around the first leg.
+fn is_village(c: Spot) -> bool {
+    let d = c - spot(400.0, -420.0);
+    let (along, right) = ((d.e - d.n) * 0.707, -(d.n + d.e) * 0.707);
+    (160.0..760.0).contains(&along) && right.abs() < 175.0
 }
 
 fn is_always_wood(c: Spot) -> bool {

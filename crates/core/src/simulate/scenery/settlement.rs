@@ -9,15 +9,15 @@ use super::shape::{Outline, Slab, Spot, spot};
 use super::things::{Cover, Form, Ground, Habit, RoadClass, Roof};
 
 const ROOFS: [[f32; 3]; 9] = [
-    [0.22, 0.095, 0.06],
-    [0.27, 0.12, 0.075],
-    [0.17, 0.08, 0.055],
-    [0.10, 0.098, 0.1],
-    [0.14, 0.135, 0.13],
-    [0.2, 0.16, 0.13],
-    [0.24, 0.22, 0.2],
-    [0.13, 0.1, 0.08],
-    [0.3, 0.15, 0.1],
+    [0.135, 0.068, 0.048],
+    [0.165, 0.085, 0.06],
+    [0.11, 0.06, 0.045],
+    [0.078, 0.078, 0.08],
+    [0.11, 0.107, 0.104],
+    [0.13, 0.105, 0.088],
+    [0.165, 0.15, 0.135],
+    [0.092, 0.074, 0.062],
+    [0.175, 0.1, 0.072],
 ];
 
 /// Where houses stand along roads: road name, from, to (metres along), mean spacing, both sides.
@@ -193,17 +193,17 @@ fn house_lot(plan: &mut Plan, lot: &Slab, heading: f32, dice: &mut Dice) {
             SceneKind::House,
         );
     }
-    if dice.chance(0.75) {
+    if dice.chance(0.6) {
         let at = slab.at(
             dice.range(-0.3, 0.3) * length,
-            dice.range(-0.15, 0.15) * width,
+            dice.range(-0.06, 0.06) * width,
         );
         plan.raise(
-            Slab::new(at, angle, 0.8, 0.7),
+            Slab::new(at, angle, 0.75, 0.6),
             Roof::Flat,
             Cover::Plain,
             [0.16, 0.1, 0.08],
-            eaves + rise + 0.7,
+            eaves + rise + 0.4,
             0.0,
             SceneKind::House,
         );
@@ -318,7 +318,7 @@ fn house_lot(plan: &mut Plan, lot: &Slab, heading: f32, dice: &mut Dice) {
             while u < lot.half_along {
                 let r = dice.range(0.6, 1.0);
                 plan.plant(lot.at(u, side * (half - 0.3)), r, Habit::Shrub, dice);
-                u += r * 1.5;
+                u += r * 1.05;
             }
         } else {
             for _ in 0..3 {

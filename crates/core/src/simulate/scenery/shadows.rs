@@ -164,10 +164,10 @@ impl World {
             }
             let noise = *ragged.get_or_insert_with(|| {
                 self.foliage_texture
-                    .sample(spot(on_ground.n * 0.8, on_ground.e * 0.8), gsd.max(0.2))[0]
+                    .sample(on_ground, gsd.max(0.2))[0]
             });
-            let edge = (0.22 + 0.5 * soft) * s.inverse_across;
-            let k = k2.sqrt() + 0.2 * noise;
+            let edge = (0.3 + 0.5 * soft) * s.inverse_across;
+            let k = k2.sqrt() - 0.2 * noise;
             let shade = (0.5 - (k - 0.9) / edge).clamp(0.0, 1.0) * s.density;
             lit = lit.min(1.0 - shade);
         }

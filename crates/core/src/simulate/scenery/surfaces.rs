@@ -183,7 +183,7 @@ impl World {
                 mix([0.1, 0.1, 0.098], [0.5, 0.5, 0.48], bar * worn)
             }
             Ground::Tartan => scale(
-                [0.2, 0.078, 0.055],
+                [0.135, 0.068, 0.054],
                 1.0 + 0.1 * patches + 0.06 * clumps + 0.05 * speckle,
             ),
             Ground::Rock => {
@@ -278,7 +278,7 @@ impl World {
             (p.e * 0.13).floor() as i32,
             33,
         ));
-        let patch = if repair > 0.93 && gsd < 2.0 {
+        let patch = if repair > 0.965 && gsd < 2.0 {
             -0.22
         } else {
             0.0

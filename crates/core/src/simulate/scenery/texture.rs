@@ -125,18 +125,15 @@ const FOLIAGE_SIDE: usize = 256;
 /// Foliage: height 0 to 1 (as -1 to 1), slopes north and east (in units of 2.5), tone.
 pub(super) fn foliage(seed: u32) -> Texture {
     let period = FOLIAGE_SIDE as f32 * TEXEL;
-    let dome = |d: f32| (1.0 - d * d).max(0.0).sqrt();
+    let dome = |d: f32| (1.0 - d * d).max(0.0);
     let raw = |x: f32, y: f32| {
-        let warp = 0.35 * periodic(x, y, 24, period, seed ^ 1);
-        let (big, big_tone) = cells(x + warp, y - warp, 20, period, seed ^ 2);
-        let (small, small_tone) = cells(x - warp, y + warp, 46, period, seed ^ 3);
-        let leaf = periodic(x, y, 128, period, seed ^ 4);
-        let fine = periodic(x, y, 62, period, seed ^ 5);
-        let height = 0.46 * dome(big * 0.95)
-            + 0.27 * dome(small)
-            + 0.16 * (0.5 + 0.5 * leaf)
-            + 0.11 * (0.5 + 0.5 * fine);
-        let tone = 0.9 * (big_tone - 0.5) + 0.9 * (small_tone - 0.5) + 0.4 * leaf;
+        let warp = 0.5 * periodic(x, y, 32, period, seed ^ 1);
+        let bend = 0.5 * periodic(x, y, 35, period, seed ^ 5);
+        let (big, big_tone) = cells(x + warp, y + bend, 15, period, seed ^ 2);
+        let (middle, middle_tone) = cells(x - bend, y + warp, 33, period, seed ^ 3);
+        let (small, small_tone) = cells(x + 0.3 * bend, y - 0.3 * warp, 84, period, seed ^ 4);
+        let height = 0.36 * dome(big) + 0.38 * dome(middle) + 0.26 * dome(small);
+        let tone = 0.5 * (big_tone - 0.5) + 0.8 * (middle_tone - 0.5) + 1.1 * (small_tone - 0.5);
         (height, tone)
     };
     let mut heights = vec![(0.0, 0.0); FOLIAGE_SIDE * FOLIAGE_SIDE];
@@ -147,13 +144,16 @@ pub(super) fn foliage(seed: u32) -> Texture {
         );
         *h = raw(x * TEXEL, y * TEXEL);
     }
+    let count = heights.len() as f32;
+    let mean = heights.iter().map(|h| h.0).sum::<f32>() / count;
+    let spread = (heights.iter().map(|h| (h.0 - mean).powi(2)).sum::<f32>() / count).sqrt();
     Texture::from_fn(FOLIAGE_SIDE, |x, y| {
         let (i, j) = ((x / TEXEL) as usize, (y / TEXEL) as usize);
         let at = |i: usize, j: usize| heights[(i % FOLIAGE_SIDE) * FOLIAGE_SIDE + j % FOLIAGE_SIDE];
         let (height, tone) = at(i, j);
-        let slope = |a: f32, b: f32| (a - b) / (2.0 * TEXEL) * 1.1 / 2.5;
+        let slope = |a: f32, b: f32| (a - b) / (2.0 * TEXEL) * 1.3 / 2.5;
         [
-            2.0 * height - 1.0,
+            (height - mean) / (2.2 * spread),
             slope(at(i + 1, j).0, at(i + FOLIAGE_SIDE - 1, j).0),
             slope(at(i, j + 1).0, at(i, j + FOLIAGE_SIDE - 1).0),
             tone,

@@ -39,7 +39,7 @@ impl Ground<'_> {
 /// Plants woods and hedges on the parcels, with a few single trees.
 pub(super) fn plant(plan: &mut Plan, parcels: &Parcels, ground: &Ground, seed: u64) {
     let mut dice = Dice::new(seed, 31);
-    let pitch = 4.6;
+    let pitch = 5.0;
     let count = (2.0 * REACH / pitch) as i32;
     for row in 0..count {
         for column in 0..count {
@@ -83,9 +83,9 @@ pub(super) fn plant(plan: &mut Plan, parcels: &Parcels, ground: &Ground, seed: u
             }
             let radius = match habit {
                 Habit::Conifer => dice.range(1.4, 2.7) + 0.4 * stand,
-                _ => dice.range(2.0, 4.2) + 0.9 * stand,
+                _ => 1.9 + 3.6 * dice.unit().powi(2) + 0.9 * dice.unit() + 0.8 * stand,
             };
-            let habit = if dice.chance(0.012) {
+            let habit = if dice.chance(0.006) {
                 Habit::Dead
             } else {
                 habit
