@@ -47,7 +47,7 @@ impl Foliage {
         let stand = 0.5 + 0.5 * value_noise(crown.center.n * 0.017, crown.center.e * 0.017, 301);
         let base = match crown.habit {
             Habit::Conifer => mix([0.034, 0.05, 0.028], [0.07, 0.074, 0.036], a),
-            Habit::Dead => [0.16, 0.15, 0.14],
+            Habit::Dead => [0.105, 0.098, 0.09],
             Habit::Broadleaf | Habit::Shrub => {
                 let cool = mix([0.036, 0.056, 0.02], [0.052, 0.078, 0.024], a);
                 let warm = mix([0.066, 0.074, 0.024], [0.078, 0.096, 0.032], a);
@@ -137,7 +137,14 @@ impl World {
     #[inline]
     fn crown(&self, c: &Crown, d: Spot, distance: f32, gsd: f32, soft: f32) -> Top {
         let r = c.radius;
-        let q = individual(if c.habit == Habit::Broadleaf { d } else { d * 1.5 }, c.variant);
+        let q = individual(
+            if c.habit == Habit::Broadleaf {
+                d
+            } else {
+                d * 1.5
+            },
+            c.variant,
+        );
         let [relief, slope_n, slope_e, tone] = self.foliage_texture.sample(q, gsd);
         let detail = turned_back(spot(slope_n, slope_e), c.variant) * 2.5;
         let rim = distance / r;

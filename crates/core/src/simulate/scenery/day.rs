@@ -43,7 +43,7 @@ impl Day {
             season: Season::Summer,
             sun_azimuth: 158_f64.to_radians(),
             sun_elevation: 52_f64.to_radians(),
-            haze: 0.06,
+            haze: 0.045,
             exposure: 1.0,
             tint: [1.0, 1.0, 1.0],
             cars_seed: 1,

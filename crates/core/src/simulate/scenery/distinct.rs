@@ -5,20 +5,21 @@
 use std::f32::consts::FRAC_PI_2;
 
 use super::labels::SceneKind::{Building, Place, Pool, Tank};
+use super::noise::Dice;
 use super::plan::{LEG_ONE_HEADING, Plan, leg_one};
 use super::shape::{Outline, Slab, Spot, spot};
 use super::things::Cover::{Ballast, Felt, Glass, Metal, Plain, Tiles};
 use super::things::Roof::{Cone, Dome, Flat, Gable, Hip, Sawtooth, Vault};
-use super::things::{Form, Ground};
+use super::things::{Form, Ground, Habit};
 
 const SLATE: [f32; 3] = [0.085, 0.088, 0.1];
 const RED_TILE: [f32; 3] = [0.16, 0.08, 0.056];
-const WHITE_STEEL: [f32; 3] = [0.55, 0.56, 0.56];
+const WHITE_STEEL: [f32; 3] = [0.4, 0.405, 0.405];
 const GRAY_FELT: [f32; 3] = [0.2, 0.2, 0.195];
-const GREEN_METAL: [f32; 3] = [0.1, 0.16, 0.12];
-const RUST_METAL: [f32; 3] = [0.27, 0.17, 0.12];
+const GREEN_METAL: [f32; 3] = [0.088, 0.118, 0.098];
+const RUST_METAL: [f32; 3] = [0.185, 0.125, 0.095];
 const GLASS: [f32; 3] = [0.34, 0.4, 0.39];
-const CONCRETE: [f32; 3] = [0.36, 0.35, 0.32];
+const CONCRETE: [f32; 3] = [0.26, 0.25, 0.235];
 
 /// A drawing board at a place: coordinates along and across a heading.
 struct Board {
@@ -51,6 +52,26 @@ impl Board {
     }
     fn outline(&self, corners: &[(f32, f32)]) -> Vec<Spot> {
         corners.iter().map(|&(u, v)| self.at(u, v)).collect()
+    }
+}
+
+/// Trees at fixed places: along, across, crown radius.
+fn trees(plan: &mut Plan, board: &Board, places: &[(f32, f32, f32)]) {
+    let mut dice = Dice::new(41, plan.crowns.len() as u64);
+    for &(u, v, radius) in places {
+        plan.plant(board.at(u, v), radius, Habit::Broadleaf, &mut dice);
+    }
+}
+
+/// A clipped hedge from one place to another.
+fn hedge(plan: &mut Plan, board: &Board, from: (f32, f32), to: (f32, f32)) {
+    let mut dice = Dice::new(43, plan.crowns.len() as u64);
+    let (a, b) = (board.at(from.0, from.1), board.at(to.0, to.1));
+    let steps = ((b - a).length() / 0.8) as usize;
+    for i in 0..=steps {
+        let p = a + (b - a) * (i as f32 / steps.max(1) as f32);
+        let radius = dice.range(0.75, 0.95);
+        plan.plant(p, radius, Habit::Shrub, &mut dice);
     }
 }
 
@@ -117,13 +138,13 @@ fn dairy_barn(plan: &mut Plan) {
         b.slab(12.0, 13.0, 4.8, 2.2),
         2.6,
         Form::Truck,
-        [0.08, 0.2, 0.05],
+        [0.06, 0.13, 0.04],
     );
     plan.put(
         b.slab(17.0, 15.0, 6.0, 2.3),
         1.6,
         Form::Crate,
-        [0.3, 0.05, 0.03],
+        [0.21, 0.055, 0.035],
     );
     let corners = [(-25.0, -8.5), (21.0, -8.5), (21.0, 8.5), (-25.0, 8.5)];
     finish(plan, "dairy barn", &b, &corners, (64.0, 44.0));
@@ -211,6 +232,21 @@ fn church(plan: &mut Plan) {
         2.0,
         Building,
     );
+    trees(
+        plan,
+        &b,
+        &[
+            (-24.0, -18.0, 4.6),
+            (-8.0, 20.5, 3.9),
+            (23.0, 19.0, 4.8),
+            (24.0, -19.0, 3.4),
+            (-16.0, -20.0, 2.8),
+            (-23.5, 12.0, 3.2),
+        ],
+    );
+    hedge(plan, &b, (-25.5, 21.5), (25.5, 21.5));
+    hedge(plan, &b, (25.5, -21.5), (25.5, 21.5));
+    hedge(plan, &b, (-25.5, -21.5), (25.5, -21.5));
     let corners = [
         (-21.0, -3.5),
         (-15.0, -5.2),
@@ -283,6 +319,24 @@ fn school(plan: &mut Plan) {
             Building,
         );
     }
+    trees(
+        plan,
+        &b,
+        &[
+            (26.0, 22.0, 3.6),
+            (17.0, 23.0, 3.0),
+            (6.0, 23.4, 4.2),
+            (-8.0, 22.0, 2.4),
+            (27.0, 4.0, 2.6),
+            (27.5, 12.0, 3.1),
+        ],
+    );
+    plan.put(
+        b.slab(-8.0, -4.5, 6.0, 2.0),
+        0.8,
+        Form::Crate,
+        [0.09, 0.12, 0.05],
+    );
     let corners = [
         (-27.0, -23.0),
         (27.0, -23.0),
@@ -302,7 +356,7 @@ fn sports_hall(plan: &mut Plan) {
         b.slab(0.0, -2.0, 42.0, 25.0),
         Vault,
         Metal,
-        [0.33, 0.38, 0.42],
+        [0.27, 0.305, 0.33],
         6.0,
         5.5,
         Building,
@@ -325,6 +379,16 @@ fn sports_hall(plan: &mut Plan) {
         );
         plan.stalls.push((s, 0.45));
     }
+    trees(
+        plan,
+        &b,
+        &[
+            (-23.5, 14.0, 2.6),
+            (24.5, 8.0, 3.4),
+            (24.0, -4.0, 2.4),
+            (24.4, -13.0, 3.2),
+        ],
+    );
     let corners = [(-21.0, -14.5), (21.0, -14.5), (21.0, 10.5), (-21.0, 10.5)];
     finish(plan, "vaulted sports hall", &b, &corners, (54.0, 46.0));
 }
@@ -351,7 +415,7 @@ fn hospital(plan: &mut Plan) {
         b.slab(-17.0, 0.0, 13.0, 50.0),
         Flat,
         Felt,
-        [0.36, 0.34, 0.31],
+        [0.25, 0.238, 0.22],
         12.0,
         0.0,
         Building,
@@ -360,7 +424,7 @@ fn hospital(plan: &mut Plan) {
         b.slab(17.0, 0.0, 13.0, 50.0),
         Flat,
         Felt,
-        [0.36, 0.34, 0.31],
+        [0.25, 0.238, 0.22],
         12.0,
         0.0,
         Building,
@@ -392,6 +456,25 @@ fn hospital(plan: &mut Plan) {
             Building,
         );
     }
+    trees(
+        plan,
+        &b,
+        &[
+            (0.0, -17.0, 2.9),
+            (-7.0, 13.0, 2.2),
+            (7.5, 21.0, 2.8),
+            (-5.0, 25.0, 3.0),
+            (27.0, -18.0, 3.2),
+            (27.5, 4.0, 3.8),
+            (27.0, 20.0, 2.7),
+            (-27.0, -6.0, 3.5),
+            (-27.5, 16.0, 4.1),
+        ],
+    );
+    for i in 0..5 {
+        plan.stalls
+            .push((b.slab(-6.5 + 3.0 * i as f32, -25.0, 1.8, 4.4), 0.5));
+    }
     let corners = [
         (-23.5, -25.0),
         (-10.5, -25.0),
@@ -416,7 +499,7 @@ fn supermarket(plan: &mut Plan) {
         b.slab(-4.0, -15.0, 46.0, 26.0),
         Flat,
         Felt,
-        [0.5, 0.5, 0.48],
+        [0.36, 0.36, 0.345],
         7.0,
         0.0,
         Building,
@@ -425,7 +508,7 @@ fn supermarket(plan: &mut Plan) {
         b.slab(-4.0, 0.0, 40.0, 4.6),
         Gable,
         Metal,
-        [0.26, 0.05, 0.04],
+        [0.19, 0.055, 0.045],
         4.2,
         1.2,
         Building,
@@ -457,6 +540,19 @@ fn supermarket(plan: &mut Plan) {
             }
         }
     }
+    trees(
+        plan,
+        &b,
+        &[
+            (-30.5, 6.0, 2.0),
+            (-30.5, 17.0, 2.2),
+            (-30.5, 28.0, 1.8),
+            (30.5, 6.0, 2.3),
+            (30.5, 17.5, 1.9),
+            (-9.0, 17.3, 1.7),
+            (9.0, 17.3, 1.6),
+        ],
+    );
     let corners = [(-27.0, -28.0), (19.0, -28.0), (19.0, 2.3), (-27.0, 2.3)];
     finish(plan, "supermarket", &b, &corners, (66.0, 62.0));
 }
@@ -468,7 +564,7 @@ fn water_tanks(plan: &mut Plan) {
         b.slab(-14.0, 0.0, 25.0, 25.0),
         Cone,
         Plain,
-        [0.4, 0.43, 0.4],
+        [0.33, 0.345, 0.325],
         9.0,
         1.8,
         Tank,
@@ -477,7 +573,7 @@ fn water_tanks(plan: &mut Plan) {
         b.slab(14.0, 2.0, 20.0, 20.0),
         Cone,
         Plain,
-        [0.25, 0.33, 0.36],
+        [0.2, 0.245, 0.262],
         7.0,
         1.4,
         Tank,
@@ -490,6 +586,12 @@ fn water_tanks(plan: &mut Plan) {
         3.0,
         1.5,
         Building,
+    );
+    hedge(plan, &b, (-29.0, -18.5), (29.0, -18.5));
+    trees(
+        plan,
+        &b,
+        &[(-27.0, 16.0, 4.2), (0.5, 16.5, 3.4), (27.0, -15.0, 3.8)],
     );
     let corners = [(-26.5, -12.5), (24.0, -12.5), (24.0, 12.5), (-26.5, 12.5)];
     finish(plan, "water tanks", &b, &corners, (60.0, 40.0));
@@ -530,7 +632,7 @@ fn sawtooth_factory(plan: &mut Plan) {
             b.slab(8.0 + 3.2 * i as f32, 19.0, 2.4, 6.0),
             2.6,
             Form::Crate,
-            [[0.3, 0.07, 0.05], [0.06, 0.13, 0.26], [0.26, 0.26, 0.25]][i % 3],
+            [[0.2, 0.07, 0.05], [0.06, 0.1, 0.17], [0.26, 0.26, 0.25]][i % 3],
         );
     }
     plan.put(
@@ -592,6 +694,35 @@ fn pool(plan: &mut Plan) {
     let site = b.slab(0.0, 8.0, 60.0, 46.0);
     plan.reserved.push(site);
     plan.reserved.push(b.slab(37.0, 6.0, 10.0, 26.0));
+    for i in 0..11 {
+        let lounger = b.slab(
+            -14.5 + 2.7 * i as f32,
+            if i % 3 == 0 { -9.3 } else { 8.6 },
+            0.75,
+            1.9,
+        );
+        let cloth = [[0.42, 0.42, 0.4], [0.1, 0.16, 0.28], [0.36, 0.3, 0.12]][i % 3];
+        plan.put(lounger, 0.4, Form::Crate, cloth);
+    }
+    for (u, v) in [(-10.0, 10.6), (1.5, 10.8), (13.0, 10.4), (15.8, -8.0)] {
+        let shade = b.slab(u, v, 2.8, 2.8);
+        plan.raise(shade, Cone, Plain, [0.4, 0.38, 0.34], 2.2, 0.6, Building);
+    }
+    plan.lay_slab(b.slab(25.0, 6.0, 15.0, 2.4), Ground::Paving, 0.1);
+    hedge(plan, &b, (-29.0, -13.5), (22.0, -13.5));
+    hedge(plan, &b, (-29.0, -13.5), (-29.0, 28.0));
+    trees(
+        plan,
+        &b,
+        &[
+            (-24.0, 3.0, 3.4),
+            (-25.0, 24.0, 4.0),
+            (-13.0, 26.0, 3.0),
+            (24.0, 25.0, 3.8),
+            (25.0, -8.0, 2.4),
+            (-22.0, -9.0, 2.1),
+        ],
+    );
     let corners = [(-12.5, -6.25), (12.5, -6.25), (12.5, 6.25), (-12.5, 6.25)];
     let outline = b.outline(&corners);
     plan.announce(
@@ -609,7 +740,7 @@ fn warehouse(plan: &mut Plan) {
         b.slab(0.0, -8.0, 68.0, 36.0),
         Flat,
         Metal,
-        [0.44, 0.45, 0.45],
+        [0.33, 0.335, 0.335],
         9.0,
         0.0,
         Building,
@@ -737,7 +868,7 @@ fn quarry(plan: &mut Plan) {
 }
 
 fn cemetery(plan: &mut Plan) {
-    let b = Board::new(spot(250.0, 110.0), 0.2);
+    let b = Board::new(spot(338.0, 62.0), 0.2);
     plan.lay_slab(b.slab(0.0, 0.0, 84.0, 60.0), Ground::Lawn, 0.3);
     for (u, v) in [(-21.0, -15.0), (21.0, -15.0), (-21.0, 15.0), (21.0, 15.0)] {
         plan.lay_slab(b.slab(u, v, 36.0, 24.0), Ground::Graves, 0.1);

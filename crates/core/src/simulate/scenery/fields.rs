@@ -98,7 +98,8 @@ impl World {
         };
         let body = match parcel.cover {
             Cover::Green => {
-                let leaf = mix([0.046, 0.066, 0.024], [0.066, 0.088, 0.034], tint);
+                let young = mix([0.05, 0.078, 0.034], [0.085, 0.102, 0.034], second);
+                let leaf = mix([0.042, 0.06, 0.02], young, tint);
                 let weak = mix([0.1, 0.105, 0.05], soil, 0.35);
                 let poor = smooth_step(0.15, 0.8, damp + 0.45 * mottle);
                 let rows = stripes(across + wiggle, 0.76, gsd);
@@ -187,7 +188,7 @@ impl World {
                 mix(c, scale(soil, 0.9), 0.85 * tram(0.3))
             }
             Cover::Pasture => {
-                let lush = mix([0.05, 0.069, 0.026], [0.07, 0.086, 0.036], tint);
+                let lush = mix([0.05, 0.066, 0.022], [0.076, 0.092, 0.034], tint);
                 let dry = mix([0.115, 0.112, 0.058], [0.14, 0.125, 0.075], second);
                 let wear = smooth_step(
                     -0.25,

@@ -48,7 +48,7 @@ impl Light {
         let azimuth = day.sun_azimuth as f32;
         let low = (1.0 - elevation / 0.9).clamp(0.0, 1.0);
         let sun = [1.0, 0.95 - 0.06 * low, 0.88 - 0.16 * low];
-        let sky = [0.13, 0.165, 0.225];
+        let sky = [0.125, 0.155, 0.205];
         // A level white surface keeps its brightness whatever the sun's height.
         let level = sun[1] * elevation.sin() + sky[1];
         let exposure = day.exposure as f32 * 2.45 / level;

@@ -1,9 +1,10 @@
 //! The road network: fixed curves, named for people.
 
+use super::labels::SceneKind;
 use super::plan::{Plan, leg_one};
-use super::shape::{Spot, smooth_curve, spot};
+use super::shape::{Outline, Slab, Spot, smooth_curve, spot};
 use super::things::RoadClass::{Main, Street, Track};
-use super::things::{Road, RoadClass};
+use super::things::{Ground, Road, RoadClass};
 
 fn road(plan: &mut Plan, name: &'static str, class: RoadClass, controls: &[Spot]) {
     let half_width = match class {
@@ -21,8 +22,60 @@ fn road(plan: &mut Plan, name: &'static str, class: RoadClass, controls: &[Spot]
     });
 }
 
+/// The roundabout where the main roads meet.
+fn roundabout(plan: &mut Plan) {
+    let center = spot(428.0, 617.0);
+    let ring = |radius: f32, ground| (Outline::Disc(center, radius), ground);
+    for (outline, ground) in [
+        ring(24.0, Ground::Grass),
+        ring(18.5, Ground::Asphalt),
+        ring(9.3, Ground::Paving),
+        ring(8.2, Ground::Lawn),
+        ring(3.0, Ground::Beds),
+    ] {
+        plan.lay(outline, ground, spot(1.0, 0.0), 0.1, None);
+    }
+    let site = Slab::new(center, 0.0, 52.0, 52.0);
+    plan.reserved.push(site);
+    let outline = Outline::Disc(center, 18.5).corners();
+    plan.announce("roundabout", SceneKind::Place, outline, &site);
+}
+
+/// Pedestrian crossings: road, metres along it.
+const CROSSINGS: [(&str, f32); 9] = [
+    ("High Street", 300.0),
+    ("High Street", 452.0),
+    ("High Street", 640.0),
+    ("Back Street", 320.0),
+    ("Back Street", 520.0),
+    ("School Street", 32.0),
+    ("Market Street", 250.0),
+    ("Market Street", 140.0),
+    ("Church Street", 150.0),
+];
+
+/// Paints the crossings of the village streets.
+fn crossings(plan: &mut Plan) {
+    for (name, along) in CROSSINGS {
+        let Some(road) = plan.roads.iter().find(|r| r.name == Some(name)) else {
+            continue;
+        };
+        if let Some((place, axis)) = super::settlement::station(&road.curve, along) {
+            let half_width = road.half_width;
+            let slab = Slab {
+                center: place,
+                axis: axis.right(),
+                half_along: half_width - 0.25,
+                half_across: 1.7,
+            };
+            plan.lay_slab(slab, Ground::Zebra, 0.0);
+        }
+    }
+}
+
 /// Lays all roads.
 pub(super) fn build(plan: &mut Plan) {
+    roundabout(plan);
     let s = spot;
     // The straight piece from (-40, 230) to (-720, -450) runs under the second leg.
     road(
@@ -38,7 +91,7 @@ pub(super) fn build(plan: &mut Plan) {
             s(-40.0, 230.0),
             s(150.0, 420.0),
             s(300.0, 520.0),
-            s(414.0, 606.0),
+            s(415.5, 606.5),
         ],
     );
     road(
@@ -69,7 +122,7 @@ pub(super) fn build(plan: &mut Plan) {
         "West Road",
         Main,
         &[
-            s(436.0, 602.0),
+            s(437.5, 603.0),
             s(480.0, 480.0),
             s(470.0, 340.0),
             s(640.0, 0.0),
@@ -277,4 +330,5 @@ pub(super) fn build(plan: &mut Plan) {
     ] {
         road(plan, name, Track, &controls);
     }
+    crossings(plan);
 }

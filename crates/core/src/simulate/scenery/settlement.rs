@@ -74,7 +74,7 @@ pub(super) fn build(plan: &mut Plan, seed: u64) {
 }
 
 /// The place and heading `along` metres down a curve.
-fn station(curve: &[Spot], along: f32) -> Option<(Spot, Spot)> {
+pub(super) fn station(curve: &[Spot], along: f32) -> Option<(Spot, Spot)> {
     let mut left = along;
     for w in curve.windows(2) {
         let length = (w[1] - w[0]).length();

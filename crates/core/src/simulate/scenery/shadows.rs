@@ -2,7 +2,7 @@
 
 use super::grid::cell_of;
 use super::light::Light;
-use super::shape::{Slab, Spot, convex_hull, spot};
+use super::shape::{Slab, Spot, convex_hull};
 use super::things::{Crown, Form, Habit, Prop};
 use super::world::World;
 
@@ -119,6 +119,25 @@ impl CrownShadow {
     }
 }
 
+/// Length of the way from `p` in a direction, up to `reach`, that lies over a rectangle.
+fn chord(slab: &Slab, p: Spot, direction: Spot, reach: f32) -> f32 {
+    let (u, v) = slab.local(p);
+    let (du, dv) = (direction.dot(slab.axis), slab.axis.cross(direction));
+    let (mut from, mut to) = (0.0_f32, reach);
+    for (x, d, half) in [(u, du, slab.half_along), (v, dv, slab.half_across)] {
+        if d.abs() < 1e-4 {
+            if x.abs() > half {
+                return 0.0;
+            }
+        } else {
+            let (a, b) = ((-half - x) / d, (half - x) / d);
+            from = from.max(a.min(b));
+            to = to.min(a.max(b));
+        }
+    }
+    (to - from).max(0.0)
+}
+
 impl World {
     /// Share of the sun that reaches a place at a height, 0 to 1; `caster` casts none on itself.
     pub(super) fn sun_reaching(
@@ -138,9 +157,17 @@ impl World {
         let blur = soft.max(0.22);
         for &i in self.shadow_grid.cell(cell) {
             let shadow = &self.shadows[i as usize];
-            if shadow.caster != caster && shadow.top > height + 0.25 {
-                lit = lit.min((0.5 + shadow.distance(on_ground) / blur).clamp(0.0, 1.0));
+            if shadow.caster == caster || shadow.top <= height + 0.25 {
+                continue;
             }
+            let mut shade = (0.5 - shadow.distance(on_ground) / blur).clamp(0.0, 1.0);
+            if shade > 0.0 && height > 0.0 && shadow.caster != u32::MAX {
+                // From a roof, only what stands between it and the sun counts.
+                let slab = &self.plan.solids[shadow.caster as usize].slab;
+                let reach = (shadow.top - height) * light.shadow_per_height;
+                shade *= (chord(slab, p, light.toward, reach) / blur).clamp(0.0, 1.0);
+            }
+            lit = lit.min(1.0 - shade);
         }
         let crowns = self.crown_shadow_grid.cell(cell);
         if lit <= 0.0 || crowns.is_empty() {
@@ -162,10 +189,8 @@ impl World {
             if ahead < 0.35 * s.radius {
                 continue;
             }
-            let noise = *ragged.get_or_insert_with(|| {
-                self.foliage_texture
-                    .sample(on_ground, gsd.max(0.2))[0]
-            });
+            let noise = *ragged
+                .get_or_insert_with(|| self.foliage_texture.sample(on_ground, gsd.max(0.2))[0]);
             let edge = (0.3 + 0.5 * soft) * s.inverse_across;
             let k = k2.sqrt() - 0.2 * noise;
             let shade = (0.5 - (k - 0.9) / edge).clamp(0.0, 1.0) * s.density;

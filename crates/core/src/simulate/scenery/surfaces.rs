@@ -231,7 +231,7 @@ impl World {
                 );
                 let (row, place) = ((across / 2.7).round(), (along / 1.5).round());
                 let h = hash2(row as i32, place as i32, s.variant);
-                if h & 7 == 0 {
+                if h & 3 == 0 {
                     return grass;
                 }
                 let (u, v) = (along - 1.5 * place, across - 2.7 * row);

@@ -208,8 +208,6 @@ pub(super) enum Form {
     Truck,
     Bale,
     Crate,
-    /// A gravestone, post or other small block.
-    Block,
 }
 
 /// The class of a road.

@@ -61,7 +61,6 @@ impl World {
                 c = scale(c, 1.0 + 0.1 * stripes(u, 0.3, gsd));
             }
             Form::Crate => c = scale(c, 1.0 + 0.12 * stripes(u, 0.6, gsd)),
-            Form::Block => {}
         }
         let sunlit = self.sun_reaching(p, height, u32::MAX, gsd, soft);
         let mut own = self

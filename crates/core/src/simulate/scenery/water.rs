@@ -48,10 +48,13 @@ pub(super) fn build(plan: &mut Plan) {
         );
     }
     let pond = Slab::new(s(215.0, 690.0), 0.7, 92.0, 58.0);
-    let shore: Vec<Spot> = (0..30)
+    let shore: Vec<Spot> = (0..64)
         .map(|i| {
-            let (sin, cos) = (i as f32 * std::f32::consts::TAU / 30.0).sin_cos();
-            let wobble = 1.0 + 0.13 * (i as f32 * 1.3).sin() + 0.09 * (i as f32 * 2.9).cos();
+            let (sin, cos) = (i as f32 * std::f32::consts::TAU / 64.0).sin_cos();
+            let wobble = 1.0
+                + 0.12 * (i as f32 * 0.294).sin()
+                + 0.08 * (i as f32 * 0.49 + 1.0).cos()
+                + 0.03 * (i as f32 * 1.08).sin();
             pond.at(
                 pond.half_along * cos * wobble,
                 pond.half_across * sin * wobble,
@@ -59,6 +62,11 @@ pub(super) fn build(plan: &mut Plan) {
         })
         .collect();
     plan.reserved.push(pond.grown(10.0));
+    let bank = shore
+        .iter()
+        .map(|&c| pond.center + (c - pond.center) * 1.12)
+        .collect();
+    plan.lay(Outline::Polygon(bank), Ground::Grass, pond.axis, 2.5, None);
     plan.lay(
         Outline::Polygon(shore.clone()),
         Ground::Pond,

@@ -82,7 +82,7 @@ pub(super) fn plant(plan: &mut Plan, parcels: &Parcels, ground: &Ground, seed: u
                 continue;
             }
             let radius = match habit {
-                Habit::Conifer => dice.range(1.4, 2.7) + 0.4 * stand,
+                Habit::Conifer => dice.range(1.6, 3.2) + 0.4 * stand,
                 _ => 1.9 + 3.6 * dice.unit().powi(2) + 0.9 * dice.unit() + 0.8 * stand,
             };
             let habit = if dice.chance(0.006) {
@@ -95,8 +95,84 @@ pub(super) fn plant(plan: &mut Plan, parcels: &Parcels, ground: &Ground, seed: u
             }
         }
     }
+    undergrowth(plan, parcels, ground, &mut dice);
+    banks(plan, ground, &mut dice);
     hedges(plan, parcels, ground, &mut dice);
     orchards(plan, parcels, ground, &mut dice);
+}
+
+/// Shrubs between the trees and along the edges of woods.
+fn undergrowth(plan: &mut Plan, parcels: &Parcels, ground: &Ground, dice: &mut Dice) {
+    for parcel in parcels
+        .parcels
+        .iter()
+        .filter(|p| p.use_ == Use::Wood || p.use_ == Use::ConiferWood)
+    {
+        let Some(bounds) = bounds(&parcel.corners) else {
+            continue;
+        };
+        let area = (bounds.1.n - bounds.0.n) * (bounds.1.e - bounds.0.e);
+        for _ in 0..(area / 45.0) as usize {
+            let p = spot(
+                dice.range(bounds.0.n, bounds.1.n),
+                dice.range(bounds.0.e, bounds.1.e),
+            );
+            let depth = -super::shape::polygon_distance(&parcel.corners, p);
+            if depth < 0.5 || depth > 14.0 && dice.chance(0.5) {
+                continue;
+            }
+            let radius = dice.range(0.7, 1.9);
+            if ground.is_open(plan, p, radius) {
+                plan.plant(p, radius, Habit::Shrub, dice);
+            }
+        }
+    }
+}
+
+fn bounds(corners: &[Spot]) -> Option<(Spot, Spot)> {
+    let fold = |f: fn(f32, f32) -> f32, of: fn(&Spot) -> f32| corners.iter().map(of).reduce(f);
+    Some((
+        spot(fold(f32::min, |c| c.n)?, fold(f32::min, |c| c.e)?),
+        spot(fold(f32::max, |c| c.n)?, fold(f32::max, |c| c.e)?),
+    ))
+}
+
+/// Bushes and trees along water.
+fn banks(plan: &mut Plan, ground: &Ground, dice: &mut Dice) {
+    let outlines: Vec<_> = plan
+        .surfaces
+        .iter()
+        .filter(|s| s.ground == super::things::Ground::Pond)
+        .map(|s| s.outline.clone())
+        .collect();
+    for outline in outlines {
+        let corners = outline.corners();
+        for i in 0..corners.len() {
+            let (a, b) = (corners[i], corners[(i + 1) % corners.len()]);
+            let length = (b - a).length();
+            let mut along = dice.range(0.0, 5.0);
+            while along < length {
+                let p = a + (b - a) * (along / length);
+                let outward = (b - a).unit().right() * dice.pick(&[-1.0, 1.0]);
+                let tree = dice.chance(0.22);
+                let radius = if tree {
+                    dice.range(1.8, 4.4)
+                } else {
+                    dice.range(0.6, 1.6)
+                };
+                let q = p + outward * (0.6 * radius + dice.range(0.2, 2.2));
+                let dense = value_noise(p.n * 0.04, p.e * 0.04, 95) > -0.25;
+                if dense
+                    && outline.distance(q) > 0.3 * radius
+                    && ground.is_open(plan, q, 0.5 * radius)
+                {
+                    let habit = if tree { Habit::Broadleaf } else { Habit::Shrub };
+                    plan.plant(q, radius, habit, dice);
+                }
+                along += dice.range(0.8, 3.2);
+            }
+        }
+    }
 }
 
 fn hedges(plan: &mut Plan, parcels: &Parcels, ground: &Ground, dice: &mut Dice) {

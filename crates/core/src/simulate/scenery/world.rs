@@ -44,8 +44,8 @@ impl World {
     pub(super) fn new(seed: u64, day: &Day) -> Self {
         let light = Light::new(day);
         let mut plan = Plan::default();
-        network::build(&mut plan);
         distinct::build(&mut plan);
+        network::build(&mut plan);
         water::build(&mut plan);
         settlement::build(&mut plan, seed);
         let parcels = Parcels::new(seed, day);
