@@ -1,0 +1,51 @@
+use egui::Vec2;
+use pilotage_ui::jobs::{FlightSource, Job};
+
+use super::support::{ScriptedHost, rig, rig_on};
+
+#[test]
+fn the_demo_is_flying_when_the_app_opens() {
+    let mut rig = rig();
+    let Some((_, Job::Fly { flight, mission, .. })) = rig.host().last_flight().cloned() else {
+        panic!("no flight was asked for");
+    };
+    let FlightSource::Simulated(options) = flight else {
+        panic!("the demo is simulated");
+    };
+    assert_eq!(options.scenario, "distinct-400ft-wind");
+    assert!(options.other_day && mission.is_none());
+    let state = rig.state();
+    assert_eq!(state["workspace"], "Replay");
+    assert!(state["run_steps"].as_u64() > Some(100));
+}
+
+#[test]
+fn playback_runs_by_itself_until_paused() {
+    let mut rig = rig();
+    let paused = rig.state()["time"].as_f64();
+    rig.frames(5);
+    assert_eq!(rig.state()["time"].as_f64(), paused);
+    rig.key(egui::Key::Space);
+    rig.frames(5);
+    assert!(rig.state()["time"].as_f64() > paused);
+}
+
+#[test]
+fn the_map_takes_over_half_of_a_usual_window() {
+    let rig = rig();
+    let map = rig.rect("/map/rect");
+    assert!(map.area() > 0.5 * 1440.0 * 900.0, "{map:?}");
+}
+
+#[test]
+fn map_and_timeline_fit_into_every_window() {
+    for size in [[1440.0, 900.0], [1024.0, 700.0], [768.0, 1024.0]] {
+        let size = Vec2::from(size);
+        let rig = rig_on(ScriptedHost::default(), size);
+        let window = egui::Rect::from_min_size(egui::Pos2::ZERO, size);
+        let (map, timeline) = (rig.rect("/map/rect"), rig.rect("/timeline"));
+        assert!(window.contains_rect(map) && window.contains_rect(timeline), "{size:?}");
+        assert!(!map.intersects(timeline), "{size:?}");
+        assert!(map.width() > 400.0 && map.height() > 300.0, "{size:?} {map:?}");
+    }
+}

@@ -1,0 +1,20 @@
+//! What people do, one action per file, driven by role and label on a scripted host.
+
+mod support;
+
+mod add_landmark;
+mod bookmarks;
+mod broken_file;
+mod first_screen;
+mod fly_again;
+mod keyboard_landmark;
+mod lost_worker;
+mod names;
+mod palette;
+mod reload;
+mod save;
+mod scrub;
+mod settings;
+mod simulate;
+mod typing;
+mod undo;

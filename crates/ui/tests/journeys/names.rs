@@ -1,0 +1,58 @@
+use egui::accesskit::Role;
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+
+use super::support::{Rig, rig};
+
+/// Every widget that can be used has a name.
+fn everything_is_named(rig: &Rig, place: &str) {
+    let nameless: Vec<String> = rig
+        .harness
+        .root()
+        .query_all(egui_kittest::kittest::By::new().predicate(|node| {
+            let node = node.accesskit_node();
+            matches!(
+                node.role(),
+                Role::Button
+                    | Role::CheckBox
+                    | Role::RadioButton
+                    | Role::Slider
+                    | Role::SpinButton
+                    | Role::TextInput
+                    | Role::ComboBox
+                    | Role::Tab
+                    | Role::Canvas
+            ) && node.label().is_none_or(|l| l.trim().is_empty())
+        }))
+        .map(|n| format!("{:?} at {:?}", n.accesskit_node().role(), n.rect()))
+        .collect();
+    assert!(nameless.is_empty(), "{place}: {nameless:#?}");
+}
+
+#[test]
+fn every_widget_has_a_name_for_screen_readers() {
+    let mut rig = rig();
+    for tab in ["Match", "Filter", "Landmarks"] {
+        rig.harness.get_by_label(tab).click();
+        rig.frames(2);
+        everything_is_named(&rig, tab);
+    }
+    rig.harness.get_by_label("Barn").click();
+    rig.settle();
+    everything_is_named(&rig, "a selected landmark");
+    rig.harness.get_by_label("Filter settings").click();
+    rig.frames(3);
+    everything_is_named(&rig, "settings");
+    rig.harness.get_by_label("Simulate…").click();
+    rig.frames(3);
+    everything_is_named(&rig, "the simulation");
+    rig.key(Key::Escape);
+    rig.key_with(Modifiers::COMMAND, Key::K);
+    everything_is_named(&rig, "the palette");
+    for workspace in ["Plan", "Learn"] {
+        rig.key(Key::Escape);
+        rig.harness.get_by_label(workspace).click();
+        rig.frames(3);
+        everything_is_named(&rig, workspace);
+    }
+}

@@ -1,0 +1,28 @@
+use egui::{Key, Modifiers};
+
+use super::support::rig;
+
+#[test]
+fn a_command_is_found_by_its_letters_and_runs() {
+    let mut rig = rig();
+    rig.key_with(Modifiers::COMMAND, Key::K);
+    assert_eq!(rig.state()["dialogs"]["palette"], true);
+    rig.harness.event(egui::Event::Text("aviation".into()));
+    rig.frames(2);
+    rig.key(Key::Enter);
+    let state = rig.state();
+    assert_eq!(state["units"], "Aviation");
+    assert_eq!(state["dialogs"]["palette"], false);
+}
+
+#[test]
+fn arrows_choose_in_the_palette_and_escape_closes_it() {
+    let mut rig = rig();
+    rig.key(Key::P);
+    rig.key(Key::ArrowDown);
+    rig.key(Key::ArrowDown);
+    rig.key(Key::Escape);
+    let state = rig.state();
+    assert_eq!(state["dialogs"]["palette"], false);
+    assert_eq!(state["time"], 0.0);
+}

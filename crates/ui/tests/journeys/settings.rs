@@ -1,0 +1,28 @@
+use egui_kittest::kittest::Queryable as _;
+use pilotage_ui::jobs::Job;
+
+use super::support::rig;
+
+#[test]
+fn a_changed_setting_flies_again_and_undo_takes_it_back() {
+    let mut rig = rig();
+    let before = rig.host().flights();
+    rig.harness.get_by_label("Filter settings").click();
+    rig.frames(3);
+    rig.harness
+        .get_by_label("Draw the points anew after the process noise")
+        .click();
+    rig.frames(2);
+    rig.settle();
+    assert_eq!(rig.host().flights(), before + 1);
+    let Some((_, Job::Fly { mission: Some(mission), .. })) = rig.host().last_flight().cloned() else {
+        panic!("no mission was flown");
+    };
+    assert!(!mission.navigator.redraw);
+    rig.key_with(egui::Modifiers::COMMAND, egui::Key::Z);
+    rig.settle();
+    let Some((_, Job::Fly { mission: Some(mission), .. })) = rig.host().last_flight().cloned() else {
+        panic!("no mission was flown");
+    };
+    assert!(mission.navigator.redraw);
+}

@@ -1,0 +1,39 @@
+use egui_kittest::kittest::Queryable as _;
+use pilotage_ui::jobs::{FlightSource, Job};
+
+use super::support::rig;
+
+#[test]
+fn a_scenario_is_chosen_and_flown() {
+    let mut rig = rig();
+    rig.harness.get_by_label("Simulate…").click();
+    rig.frames(3);
+    rig.harness.get_by_label("distinct-400ft-calm").click();
+    rig.frames(2);
+    rig.harness.get_by_label("The same day").click();
+    rig.frames(2);
+    rig.harness.get_by_label("Fly").click();
+    rig.frames(4);
+    let Some((_, Job::Fly { flight: FlightSource::Simulated(options), .. })) =
+        rig.host().last_flight().cloned()
+    else {
+        panic!("nothing was simulated");
+    };
+    assert_eq!(options.scenario, "distinct-400ft-calm");
+    assert!(!options.other_day);
+    assert_eq!(rig.state()["ghost_steps"], 0);
+}
+
+#[test]
+fn a_flight_under_way_can_be_stopped() {
+    let mut rig = rig();
+    rig.host().silent_flights = true;
+    rig.key(egui::Key::R);
+    rig.frames(2);
+    assert!(rig.state()["job"].is_object());
+    rig.harness.get_by_label("Stop computing").click();
+    rig.frames(3);
+    assert!(rig.state()["job"].is_null());
+    assert_eq!(rig.host().cancelled.len(), 1);
+    assert!(rig.state()["run_steps"].as_u64() > Some(0), "the old run stays");
+}

@@ -1,0 +1,108 @@
+//! The app in a window, driven by role and label.
+
+use egui::{Key, Modifiers, Pos2, Vec2};
+use egui_kittest::Harness;
+use pilotage_ui::app::App;
+use serde_json::Value;
+
+use super::host::ScriptedHost;
+
+/// The app and its host.
+pub struct Page {
+    /// The app.
+    pub app: Option<App>,
+    /// The host.
+    pub host: ScriptedHost,
+}
+
+/// A window with the app in it.
+pub struct Rig {
+    /// The window.
+    pub harness: Harness<'static, Page>,
+}
+
+/// The app in a window of 1440 × 900, with the demo flown and paused.
+pub fn rig() -> Rig {
+    rig_on(ScriptedHost::default(), Vec2::new(1440.0, 900.0))
+}
+
+/// The app on a host in a window of a size.
+pub fn rig_on(host: ScriptedHost, size: Vec2) -> Rig {
+    let page = Page { app: None, host };
+    let harness = Harness::builder().with_size(size).build_ui_state(
+        |ui, page: &mut Page| {
+            page.host.now += 16.0;
+            let app = page
+                .app
+                .get_or_insert_with(|| App::new(ui.ctx(), &page.host));
+            app.ui(ui, &mut page.host);
+        },
+        page,
+    );
+    let mut rig = Rig { harness };
+    rig.frames(3);
+    rig.key(Key::Space);
+    rig
+}
+
+impl Rig {
+    /// Draws frames.
+    pub fn frames(&mut self, count: usize) {
+        for _ in 0..count {
+            self.harness.step();
+        }
+    }
+
+    /// Lets time pass so that everything that waits is due.
+    pub fn settle(&mut self) {
+        for _ in 0..4 {
+            self.harness.state_mut().host.now += 1000.0;
+            self.frames(3);
+        }
+    }
+
+    /// Presses a key.
+    pub fn key(&mut self, key: Key) {
+        self.harness.key_press(key);
+        self.frames(2);
+    }
+
+    /// Presses a key with modifiers.
+    pub fn key_with(&mut self, modifiers: Modifiers, key: Key) {
+        self.harness.key_press_modifiers(modifiers, key);
+        self.frames(2);
+    }
+
+    /// Drags the pointer.
+    pub fn drag(&mut self, from: Pos2, to: Pos2) {
+        self.harness.hover_at(from);
+        self.frames(1);
+        self.harness.drag_at(from);
+        self.frames(1);
+        for part in 1..=5 {
+            self.harness.hover_at(from + (part as f32 / 5.0) * (to - from));
+            self.frames(1);
+        }
+        self.harness.drop_at(to);
+        self.frames(2);
+    }
+
+    /// The app's state.
+    pub fn state(&self) -> Value {
+        let app = self.harness.state().app.as_ref().expect("drawn once");
+        serde_json::from_str(&app.state_json()).expect("the app writes JSON")
+    }
+
+    /// The host.
+    pub fn host(&mut self) -> &mut ScriptedHost {
+        &mut self.harness.state_mut().host
+    }
+
+    /// A rectangle of the state.
+    pub fn rect(&self, pointer: &str) -> egui::Rect {
+        let state = self.state();
+        let value = state.pointer(pointer).expect("a rectangle");
+        let at = |i: usize| value[i].as_f64().expect("a number") as f32;
+        egui::Rect::from_min_max(Pos2::new(at(0), at(1)), Pos2::new(at(2), at(3)))
+    }
+}

@@ -1,0 +1,156 @@
+//! The scripted host.
+
+use std::collections::HashMap;
+
+use pilotage_core::frames::{GroundPoint, GroundRect};
+use pilotage_core::raster::Raster;
+use pilotage_ui::host::{Host, OpenedFile};
+use pilotage_ui::jobs::{Distinctness, Job, JobEvent, JobId, MapInfo};
+
+use super::flight::{flight, mission, run, run_head};
+
+/// Answers jobs at once, unless told not to, and remembers what it was asked.
+#[derive(Default)]
+pub struct ScriptedHost {
+    /// Milliseconds of its clock.
+    pub now: f64,
+    /// Every job asked for, in order.
+    pub jobs: Vec<(JobId, Job)>,
+    /// Jobs cancelled.
+    pub cancelled: Vec<JobId>,
+    /// Events to hand over.
+    pub events: Vec<(JobId, JobEvent)>,
+    /// Files to hand over.
+    pub opened: Vec<Vec<OpenedFile>>,
+    /// What was stored.
+    pub stored: HashMap<String, Vec<u8>>,
+    /// Files offered to the user.
+    pub saved: Vec<(String, Vec<u8>)>,
+    /// How often the file dialog was asked for.
+    pub file_dialogs: usize,
+    /// Workers to report as lost.
+    pub lost: usize,
+    /// Leave flights without an answer.
+    pub silent_flights: bool,
+    /// What is said of opened files.
+    pub opening_fails: Option<String>,
+}
+
+impl ScriptedHost {
+    /// Flights asked for so far.
+    pub fn flights(&self) -> usize {
+        self.jobs.iter().filter(|(_, j)| matches!(j, Job::Fly { .. })).count()
+    }
+
+    /// The last flight asked for.
+    pub fn last_flight(&self) -> Option<&(JobId, Job)> {
+        self.jobs.iter().rev().find(|(_, j)| matches!(j, Job::Fly { .. }))
+    }
+
+    fn answer(&mut self, id: JobId, job: &Job) {
+        let mut say = |event| self.events.push((id, event));
+        match job {
+            Job::Fly { mission: given, .. } if !self.silent_flights => {
+                let mission = given.clone().unwrap_or_else(mission);
+                say(JobEvent::Progress(0.1, "Flying".into()));
+                say(JobEvent::Flight(Box::new(flight())));
+                if given.is_none() {
+                    say(JobEvent::Mission(Box::new(mission.clone())));
+                }
+                say(JobEvent::RunStarted(Box::new(run_head(&mission))));
+                say(JobEvent::Steps(run(&mission).steps));
+                say(JobEvent::Finished);
+            }
+            Job::DescribeMap(_) => {
+                say(JobEvent::MapInfo(MapInfo {
+                    name: "Invented ground".into(),
+                    bounds: GroundRect::centered(GroundPoint::new(0.0, 0.0), 2000.0, 2000.0),
+                    native_gsd: 0.15,
+                }));
+                say(JobEvent::Finished);
+            }
+            Job::Tile { window, .. } => {
+                let shade = |c: usize, r: usize| {
+                    let ground = window.ground_at(c as f64 + 0.5, r as f64 + 0.5);
+                    let field = (ground.north / 60.0).floor() + (ground.east / 85.0).floor();
+                    let green = 88 + (13.0 * field.rem_euclid(3.0)) as u8;
+                    [74, green, 52, 255]
+                };
+                say(JobEvent::Tile {
+                    window: *window,
+                    pixels: Raster::from_fn(window.width, window.height, shade),
+                });
+                say(JobEvent::Finished);
+            }
+            Job::Distinctness { bounds, radius, .. } => {
+                let center = bounds.center();
+                say(JobEvent::Distinctness(Box::new(Distinctness {
+                    bounds: *bounds,
+                    surface: Raster::from_fn(40, 40, |c, r| {
+                        let (x, y) = (c as f32 - 20.0, r as f32 - 20.0);
+                        (-0.02 * (x * x + y * y)).exp()
+                    }),
+                    surface_rect: bounds.grown(*radius),
+                    look_alike: Some((GroundPoint::new(center.north + 50.0, center.east), 0.41)),
+                    contrast: 38.0,
+                    flat: false,
+                    verdict: "Distinct: nothing within 120 m looks like it.".into(),
+                })));
+                say(JobEvent::Finished);
+            }
+            Job::Open { .. } => {
+                if let Some(why) = self.opening_fails.clone() {
+                    say(JobEvent::Failed(why));
+                }
+            }
+            Job::ExplainMatch { .. } => say(JobEvent::Finished),
+            Job::Provide { .. } | Job::Fly { .. } => {}
+        }
+    }
+}
+
+impl Host for ScriptedHost {
+    fn now(&self) -> f64 {
+        self.now
+    }
+
+    fn start(&mut self, job: Job) -> JobId {
+        let id = self.jobs.len() as JobId + 1;
+        self.answer(id, &job);
+        self.jobs.push((id, job));
+        id
+    }
+
+    fn cancel(&mut self, job: JobId) {
+        self.cancelled.push(job);
+        self.events.push((job, JobEvent::Cancelled));
+    }
+
+    fn events(&mut self) -> Vec<(JobId, JobEvent)> {
+        std::mem::take(&mut self.events)
+    }
+
+    fn opened(&mut self) -> Vec<Vec<OpenedFile>> {
+        std::mem::take(&mut self.opened)
+    }
+
+    fn ask_for_files(&mut self) {
+        self.file_dialogs += 1;
+    }
+
+    fn save_file(&mut self, name: &str, bytes: &[u8]) {
+        self.saved.push((name.into(), bytes.into()));
+    }
+
+    fn store(&mut self, key: &str, bytes: &[u8]) {
+        self.stored.insert(key.into(), bytes.into());
+    }
+
+    fn recall(&self, key: &str) -> Option<Vec<u8>> {
+        self.stored.get(key).cloned()
+    }
+
+    fn lost_workers(&mut self) -> usize {
+        std::mem::take(&mut self.lost)
+    }
+}
