@@ -134,7 +134,6 @@ impl App {
             Command::SelectLandmark(id) => {
                 self.selection = id.filter(|id| self.documents.mission.landmark(*id).is_some());
                 if self.selection.is_some() {
-                    self.side_tab = SideTab::Landmarks;
                     self.examine_soon(now);
                 }
             }

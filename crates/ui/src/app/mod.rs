@@ -5,7 +5,6 @@ mod execute;
 mod inbox;
 mod layout;
 mod report;
-mod stand_ins;
 mod start;
 mod work;
 
@@ -18,9 +17,9 @@ use crate::shell::keys::ShortcutListener;
 use crate::shell::{LandmarkList, Palette, Toasts, apply_theme};
 use crate::timeline::{Playback, Timeline};
 use crate::tokens::Tokens;
+use crate::views::{CameraView, InspectorView, MatchView, PlotsView, Tour};
 
 use desk::Desk;
-use stand_ins::{CameraView, InspectorView, MatchView, PlotsView, Tour};
 
 /// What the column at the right shows below the camera picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -15,9 +15,17 @@ fn rect_json(rect: Option<Rect>) -> Value {
 impl App {
     /// What is on screen, as JSON. Places on screen are in points; times in seconds; boxes in metres.
     pub fn state_json(&self) -> String {
+        let mut all = self.documents_json();
+        for part in [self.run_json(), self.view_json()] {
+            if let (Value::Object(all), Value::Object(part)) = (&mut all, part) {
+                all.extend(part);
+            }
+        }
+        all.to_string()
+    }
+
+    fn documents_json(&self) -> Value {
         let documents = &self.documents;
-        let run = documents.run.as_ref();
-        let step = run.and_then(|r| r.step_at(self.playback.time));
         let landmarks: Vec<Value> = documents
             .mission
             .landmarks
@@ -34,6 +42,60 @@ impl App {
                 })
             })
             .collect();
+        let navigator = &documents.mission.navigator;
+        let found = self.selection.and_then(|id| documents.distinctness_of(id));
+        json!({
+            "title": documents.title(),
+            "flight": documents.flight.as_ref().map(|f| f.name.clone()),
+            "frames": documents.flight.as_ref().map_or(0, |f| f.frames.len()),
+            "pictures": documents.pictures.len(),
+            "bookmarks": documents.bookmarks,
+            "landmarks": landmarks,
+            "selection": self.selection,
+            "distinctness": found.map(|d| d.verdict.clone()),
+            "undo": documents.history.depth().0,
+            "redo": documents.history.depth().1,
+            "navigator": {
+                "alpha": navigator.alpha,
+                "gate_confidence": navigator.gate_confidence,
+                "redraw": navigator.redraw,
+            },
+        })
+    }
+
+    fn run_json(&self) -> Value {
+        let documents = &self.documents;
+        let run = documents.run.as_ref();
+        let step = run.and_then(|r| r.step_at(self.playback.time));
+        let frames = || {
+            run.into_iter()
+                .flat_map(|r| &r.steps)
+                .filter_map(|s| s.frame.as_ref())
+        };
+        let job = self.desk.progress();
+        json!({
+            "job": job.map(|(f, w)| json!({"progress": f, "words": w})),
+            "run_steps": run.map_or(0, |r| r.steps.len()),
+            "run_complete": documents.run_complete,
+            "run_generation": documents.run_generation,
+            "run_landmarks": run.map_or(0, |r| r.landmarks.iter().filter(|l| l.enabled).count()),
+            "accepted": frames().map(|f| f.accepted().count()).sum::<usize>(),
+            "candidates": frames().map(|f| f.candidates.len()).sum::<usize>(),
+            "ghost_steps": documents.ghost.as_ref().map_or(0, |r| r.steps.len()),
+            "step": step.map(|s| json!({
+                "time": s.time,
+                "north": s.after.position().north,
+                "east": s.after.position().east,
+                "frame": s.frame.as_ref().map(|f| f.index),
+            })),
+            "match": documents
+                .match_pictures
+                .as_ref()
+                .map(|m| json!({"time": m.time, "landmark": m.landmark})),
+        })
+    }
+
+    fn view_json(&self) -> Value {
         let toasts: Vec<Value> = self
             .toasts
             .list()
@@ -43,44 +105,16 @@ impl App {
         let map = &self.views.map;
         json!({
             "time": self.playback.time,
-            "span": documents.span().map(|(a, b)| [a, b]),
+            "span": self.documents.span().map(|(a, b)| [a, b]),
             "playing": self.playback.playing,
             "speed": self.playback.speed,
             "loop": self.playback.looping,
-            "bookmarks": documents.bookmarks,
             "workspace": self.view.workspace.label(),
-            "title": documents.title(),
+            "tour_stop": self.learning().then(|| self.views.tour.number()),
+            "tour_title": self.learning().then(|| self.views.tour.title()),
+            "side_tab": format!("{:?}", self.side_tab),
             "dark": self.view.dark,
             "units": format!("{:?}", self.view.units),
-            "job": self.desk.progress().map(|(f, w)| json!({"progress": f, "words": w})),
-            "flight": documents.flight.as_ref().map(|f| f.name.clone()),
-            "frames": documents.flight.as_ref().map_or(0, |f| f.frames.len()),
-            "pictures": documents.pictures.len(),
-            "run_steps": run.map_or(0, |r| r.steps.len()),
-            "run_complete": documents.run_complete,
-            "run_generation": documents.run_generation,
-            "run_landmarks": run.map_or(0, |r| r.landmarks.iter().filter(|l| l.enabled).count()),
-            "accepted": run.map_or(0, |r| {
-                r.steps.iter().filter_map(|s| s.frame.as_ref()).map(|f| f.accepted().count()).sum::<usize>()
-            }),
-            "ghost_steps": documents.ghost.as_ref().map_or(0, |r| r.steps.len()),
-            "step": step.map(|s| json!({
-                "time": s.time,
-                "north": s.after.position().north,
-                "east": s.after.position().east,
-                "frame": s.frame.as_ref().map(|f| f.index),
-            })),
-            "landmarks": landmarks,
-            "selection": self.selection,
-            "distinctness": self.selection
-                .and_then(|id| documents.distinctness_of(id))
-                .map(|d| d.verdict.clone()),
-            "undo": documents.history.depth().0,
-            "redo": documents.history.depth().1,
-            "navigator": {
-                "alpha": documents.mission.navigator.alpha,
-                "gate_confidence": documents.mission.navigator.gate_confidence,
-            },
             "toasts": toasts,
             "dialogs": {
                 "palette": self.dialogs.palette.is_open(),
@@ -98,12 +132,10 @@ impl App {
                 "track_up": map.track_up,
                 "tiles": map.tiles.len(),
                 "tiles_wanted": map.tiles.wanted().len(),
-                "known": documents.map.is_some(),
+                "known": self.documents.map.is_some(),
             },
             "timeline": rect_json(self.views.timeline.track()),
-            "match": documents.match_pictures.as_ref().map(|m| json!({"time": m.time, "landmark": m.landmark})),
         })
-        .to_string()
     }
 
     /// What is on screen, in a sentence or three.

@@ -16,8 +16,14 @@ fn a_box_drawn_on_the_map_becomes_a_landmark_and_the_flight_is_flown_again() {
     assert_eq!(rig.host().flights(), before + 1);
     let state = rig.state();
     assert_eq!(state["run_landmarks"], 5);
-    assert!(state["ghost_steps"].as_u64() > Some(0), "the old run stays as a ghost");
-    assert!(state["distinctness"].is_string(), "its distinctness is known");
+    assert!(
+        state["ghost_steps"].as_u64() > Some(0),
+        "the old run stays as a ghost"
+    );
+    assert!(
+        state["distinctness"].is_string(),
+        "its distinctness is known"
+    );
 }
 
 #[test]

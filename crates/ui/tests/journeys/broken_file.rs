@@ -16,7 +16,12 @@ fn a_broken_file_is_refused_and_nothing_is_lost() {
     let after = rig.state();
     let text = after["toasts"][0]["text"].as_str().unwrap_or_default();
     assert!(text.contains("line 3"), "{text}");
-    assert!(after["toasts"][0]["title"].as_str().unwrap_or_default().contains("flight.json"));
+    assert!(
+        after["toasts"][0]["title"]
+            .as_str()
+            .unwrap_or_default()
+            .contains("flight.json")
+    );
     for kept in ["run_steps", "landmarks", "flight", "time"] {
         assert_eq!(before[kept], after[kept], "{kept}");
     }

@@ -6,7 +6,13 @@ use super::support::{ScriptedHost, rig, rig_on};
 #[test]
 fn the_demo_is_flying_when_the_app_opens() {
     let mut rig = rig();
-    let Some((_, Job::Fly { flight, mission, .. })) = rig.host().last_flight().cloned() else {
+    let Some((
+        _,
+        Job::Fly {
+            flight, mission, ..
+        },
+    )) = rig.host().last_flight().cloned()
+    else {
         panic!("no flight was asked for");
     };
     let FlightSource::Simulated(options) = flight else {
@@ -44,8 +50,14 @@ fn map_and_timeline_fit_into_every_window() {
         let rig = rig_on(ScriptedHost::default(), size);
         let window = egui::Rect::from_min_size(egui::Pos2::ZERO, size);
         let (map, timeline) = (rig.rect("/map/rect"), rig.rect("/timeline"));
-        assert!(window.contains_rect(map) && window.contains_rect(timeline), "{size:?}");
+        assert!(
+            window.contains_rect(map) && window.contains_rect(timeline),
+            "{size:?}"
+        );
         assert!(!map.intersects(timeline), "{size:?}");
-        assert!(map.width() > 400.0 && map.height() > 300.0, "{size:?} {map:?}");
+        assert!(
+            map.width() > 400.0 && map.height() > 300.0,
+            "{size:?} {map:?}"
+        );
     }
 }

@@ -11,7 +11,14 @@ fn a_landmark_switched_off_is_left_out_of_the_next_run() {
     rig.harness.get_by_label("Switch Chapel off").click();
     rig.frames(2);
     rig.settle();
-    let Some((_, Job::Fly { mission: Some(mission), .. })) = rig.host().last_flight().cloned() else {
+    let Some((
+        _,
+        Job::Fly {
+            mission: Some(mission),
+            ..
+        },
+    )) = rig.host().last_flight().cloned()
+    else {
         panic!("the flight was not flown again with the mission");
     };
     let chapel = mission.landmarks.iter().find(|l| l.name == "Chapel");

@@ -10,7 +10,10 @@ fn a_landmark_survives_a_reload_and_an_undone_one_does_not() {
     rig.drag(middle, middle + Vec2::new(60.0, 44.0));
     rig.key(Key::Enter);
     rig.key(Key::N);
-    rig.drag(middle - Vec2::new(160.0, 120.0), middle - Vec2::new(90.0, 70.0));
+    rig.drag(
+        middle - Vec2::new(160.0, 120.0),
+        middle - Vec2::new(90.0, 70.0),
+    );
     rig.key(Key::Enter);
     rig.frames(2);
     assert_eq!(rig.state()["landmarks"].as_array().map(Vec::len), Some(6));

@@ -22,7 +22,10 @@ fn the_run_is_offered_as_a_file_that_can_be_read_again() {
     rig.key(Key::Enter);
     let (name, bytes) = rig.host().saved.pop().expect("a file");
     let run = decode_run(&name, &bytes).expect("a run");
-    assert_eq!(Some(run.steps.len() as u64), rig.state()["run_steps"].as_u64());
+    assert_eq!(
+        Some(run.steps.len() as u64),
+        rig.state()["run_steps"].as_u64()
+    );
 }
 
 #[test]

@@ -15,13 +15,27 @@ fn a_changed_setting_flies_again_and_undo_takes_it_back() {
     rig.frames(2);
     rig.settle();
     assert_eq!(rig.host().flights(), before + 1);
-    let Some((_, Job::Fly { mission: Some(mission), .. })) = rig.host().last_flight().cloned() else {
+    let Some((
+        _,
+        Job::Fly {
+            mission: Some(mission),
+            ..
+        },
+    )) = rig.host().last_flight().cloned()
+    else {
         panic!("no mission was flown");
     };
     assert!(!mission.navigator.redraw);
     rig.key_with(egui::Modifiers::COMMAND, egui::Key::Z);
     rig.settle();
-    let Some((_, Job::Fly { mission: Some(mission), .. })) = rig.host().last_flight().cloned() else {
+    let Some((
+        _,
+        Job::Fly {
+            mission: Some(mission),
+            ..
+        },
+    )) = rig.host().last_flight().cloned()
+    else {
         panic!("no mission was flown");
     };
     assert!(mission.navigator.redraw);

@@ -14,8 +14,13 @@ fn a_scenario_is_chosen_and_flown() {
     rig.frames(2);
     rig.harness.get_by_label("Fly").click();
     rig.frames(4);
-    let Some((_, Job::Fly { flight: FlightSource::Simulated(options), .. })) =
-        rig.host().last_flight().cloned()
+    let Some((
+        _,
+        Job::Fly {
+            flight: FlightSource::Simulated(options),
+            ..
+        },
+    )) = rig.host().last_flight().cloned()
     else {
         panic!("nothing was simulated");
     };
@@ -35,5 +40,8 @@ fn a_flight_under_way_can_be_stopped() {
     rig.frames(3);
     assert!(rig.state()["job"].is_null());
     assert_eq!(rig.host().cancelled.len(), 1);
-    assert!(rig.state()["run_steps"].as_u64() > Some(0), "the old run stays");
+    assert!(
+        rig.state()["run_steps"].as_u64() > Some(0),
+        "the old run stays"
+    );
 }

@@ -37,5 +37,8 @@ fn a_dragged_landmark_goes_back_in_one_step_and_forth_again() {
     rig.key_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(rig.state()["landmarks"][0]["west"], barn["west"]);
     rig.key_with(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
-    assert_eq!(rig.state()["landmarks"][0]["west"], moved["landmarks"][0]["west"]);
+    assert_eq!(
+        rig.state()["landmarks"][0]["west"],
+        moved["landmarks"][0]["west"]
+    );
 }

@@ -30,7 +30,11 @@ pub fn mission() -> Mission {
     let landmarks = names.iter().enumerate().map(|(index, name)| {
         let (center, _) = place(8.0 + 13.0 * index as f64);
         let center = GroundPoint::new(center.north + 18.0, center.east);
-        Landmark::new(index as u32 + 1, *name, GroundRect::centered(center, 24.0, 30.0))
+        Landmark::new(
+            index as u32 + 1,
+            *name,
+            GroundRect::centered(center, 24.0, 30.0),
+        )
     });
     Mission {
         name: "Invented".into(),
@@ -94,9 +98,14 @@ pub fn run_head(mission: &Mission) -> Run {
         name: "Invented".into(),
         settings: mission.navigator.clone(),
         landmarks: mission.landmarks.clone(),
-        state_names: [("north", "m"), ("east", "m"), ("wind north", "m/s"), ("wind east", "m/s")]
-            .map(|(a, b)| (a.to_owned(), b.to_owned()))
-            .to_vec(),
+        state_names: [
+            ("north", "m"),
+            ("east", "m"),
+            ("wind north", "m/s"),
+            ("wind east", "m/s"),
+        ]
+        .map(|(a, b)| (a.to_owned(), b.to_owned()))
+        .to_vec(),
         steps: Vec::new(),
     }
 }
@@ -192,7 +201,10 @@ fn frame_report(mission: &Mission, time: f64, truth: GroundPoint, heading: f64) 
         .iter()
         .filter(|l| l.enabled && l.reference.distance(&truth) < 70.0);
     let candidates: Vec<CandidateReport> = near.map(|l| candidate(l, time)).collect();
-    let accepted = candidates.iter().filter(|c| c.outcome == Outcome::Accepted).count();
+    let accepted = candidates
+        .iter()
+        .filter(|c| c.outcome == Outcome::Accepted)
+        .count();
     let (sin, cos) = heading.sin_cos();
     let corner = |ahead: f64, right: f64| {
         GroundPoint::new(

@@ -80,7 +80,8 @@ impl Rig {
         self.harness.drag_at(from);
         self.frames(1);
         for part in 1..=5 {
-            self.harness.hover_at(from + (part as f32 / 5.0) * (to - from));
+            self.harness
+                .hover_at(from + (part as f32 / 5.0) * (to - from));
             self.frames(1);
         }
         self.harness.drop_at(to);

@@ -39,12 +39,18 @@ pub struct ScriptedHost {
 impl ScriptedHost {
     /// Flights asked for so far.
     pub fn flights(&self) -> usize {
-        self.jobs.iter().filter(|(_, j)| matches!(j, Job::Fly { .. })).count()
+        self.jobs
+            .iter()
+            .filter(|(_, j)| matches!(j, Job::Fly { .. }))
+            .count()
     }
 
     /// The last flight asked for.
     pub fn last_flight(&self) -> Option<&(JobId, Job)> {
-        self.jobs.iter().rev().find(|(_, j)| matches!(j, Job::Fly { .. }))
+        self.jobs
+            .iter()
+            .rev()
+            .find(|(_, j)| matches!(j, Job::Fly { .. }))
     }
 
     fn answer(&mut self, id: JobId, job: &Job) {
