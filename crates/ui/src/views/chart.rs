@@ -115,7 +115,7 @@ pub(crate) fn ticks(low: f64, high: f64, most: usize) -> Vec<f64> {
     let step = [1.0, 2.0, 5.0, 10.0]
         .map(|m| m * power)
         .into_iter()
-        .find(|s| *s >= raw * (1.0 - 1e-9))
+        .find(|s| *s >= 0.7 * raw)
         .unwrap_or(10.0 * power);
     let first = (low / step).ceil() as i64;
     let last = (high / step).floor() as i64;
@@ -143,7 +143,7 @@ fn labels(ticks: &[f64]) -> Vec<String> {
     let decimals = if step.is_finite() {
         (-(step * 1.000_001).log10().floor()).max(0.0) as usize
     } else {
-        1
+        usize::from(ticks.iter().any(|t| t.fract() != 0.0))
     };
     ticks
         .iter()

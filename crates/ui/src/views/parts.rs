@@ -285,3 +285,33 @@ pub(crate) fn arrow(painter: &egui::Painter, at: egui::Pos2, folded: bool, color
         egui::Stroke::NONE,
     ));
 }
+
+/// What surrounds light marks on a picture, dark in either theme.
+pub(crate) fn rim(tokens: &Tokens) -> Color32 {
+    let dark = if tokens.dark {
+        tokens.background
+    } else {
+        tokens.text
+    };
+    dark.gamma_multiply(0.65)
+}
+
+/// Sigma points and expected places on a plain ground: white on dark, dark on light.
+pub(crate) fn ink(tokens: &Tokens) -> Color32 {
+    if tokens.dark {
+        tokens.sigma
+    } else {
+        tokens.text
+    }
+}
+
+/// A number for a narrow column: three figures, at most two decimals.
+pub(crate) fn brief(value: f64) -> String {
+    if value.abs() < 0.1 {
+        format!("{value:.2}")
+            .replace("-0.00", "0.00")
+            .replace('-', "−")
+    } else {
+        figures(value)
+    }
+}

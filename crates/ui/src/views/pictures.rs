@@ -63,69 +63,57 @@ fn write(
     picture.save(&path).expect("the folder can be written to");
 }
 
-fn both(
+fn both<View: Default>(
     name: &str,
     size: [f32; 2],
     time: f64,
     selection: Option<u32>,
-    mut draw: impl FnMut(&mut Ui, &mut ViewContext<'_>),
+    show: fn(&mut View, &mut Ui, &mut ViewContext<'_>),
 ) {
-    write(
-        &format!("{name}-dark"),
-        size,
-        &Tokens::dark(),
-        time,
-        selection,
-        &mut draw,
-    );
-    write(
-        &format!("{name}-light"),
-        size,
-        &Tokens::light(),
-        time,
-        selection,
-        &mut draw,
-    );
+    for (theme, tokens) in [("dark", Tokens::dark()), ("light", Tokens::light())] {
+        let mut view = View::default();
+        write(
+            &format!("{name}-{theme}"),
+            size,
+            &tokens,
+            time,
+            selection,
+            |ui, context| {
+                show(&mut view, ui, context);
+            },
+        );
+    }
 }
 
 #[test]
 fn the_camera_view_can_be_looked_at() {
-    let mut view = CameraView::default();
-    both("camera", [420.0, 320.0], 15.5, Some(2), |ui, context| {
-        view.show(ui, context)
-    });
+    both("camera", [420.0, 320.0], 15.5, Some(2), CameraView::show);
 }
 
 #[test]
 fn the_match_view_can_be_looked_at() {
-    let mut view = MatchView::default();
-    both("match", [360.0, 480.0], 12.5, Some(1), |ui, context| {
-        view.show(ui, context)
-    });
+    both("match", [360.0, 480.0], 12.5, Some(1), MatchView::show);
 }
 
 #[test]
 fn the_plots_can_be_looked_at() {
-    let mut view = PlotsView::default();
-    both("plots", [480.0, 460.0], 40.0, None, |ui, context| {
-        view.show(ui, context)
-    });
+    both("plots", [480.0, 460.0], 40.0, None, PlotsView::show);
 }
 
 #[test]
 fn the_plots_can_be_looked_at_below_the_map() {
-    let mut view = PlotsView::default();
-    both("plots-wide", [1064.0, 176.0], 40.0, None, |ui, context| {
-        view.show(ui, context)
-    });
+    both("plots-wide", [1064.0, 176.0], 40.0, None, PlotsView::show);
 }
 
 #[test]
 fn the_inspector_can_be_looked_at() {
-    let mut view = InspectorView::default();
-    both("inspector", [340.0, 1180.0], 15.5, None, |ui, context| {
-        view.show(ui, context)
-    });
+    both(
+        "inspector",
+        [340.0, 1180.0],
+        15.5,
+        None,
+        InspectorView::show,
+    );
 }
 
 #[test]

@@ -76,7 +76,7 @@ fn region(
 /// Ring at the predicted place, shape at the found one, and the line that joins them.
 fn marks(painter: &Painter, tokens: &Tokens, placement: &Placement, candidate: &CandidateReport) {
     let predicted = placement.at(&candidate.predicted_pixel);
-    let dark = Stroke::new(3.5, tokens.background.gamma_multiply(0.7));
+    let dark = Stroke::new(3.5, parts::rim(tokens));
     painter.circle_stroke(predicted, RING, dark);
     painter.circle_stroke(predicted, RING, Stroke::new(1.5, tokens.sigma));
     match (candidate.outcome, candidate.measured_pixel) {
@@ -93,7 +93,7 @@ fn marks(painter: &Painter, tokens: &Tokens, placement: &Placement, candidate: &
                 found,
                 MARK,
                 tokens.observed,
-                Stroke::new(1.5, tokens.background),
+                Stroke::new(1.5, parts::rim(tokens)),
             );
         }
         (Outcome::Refused(_), Some(pixel)) => {
@@ -177,7 +177,7 @@ fn outlined_line(
     width: f32,
     color: Color32,
 ) {
-    let rim = tokens.background.gamma_multiply(0.6);
+    let rim = parts::rim(tokens);
     painter.line(points.clone(), Stroke::new(width + 2.0, rim));
     painter.line(points, Stroke::new(width, color));
 }

@@ -46,7 +46,7 @@ impl Stages {
         let colors = [
             tokens.muted,
             tokens.dead_reckoning,
-            tokens.sigma,
+            parts::ink(tokens),
             tokens.corrected,
         ];
         ui.horizontal_wrapped(|ui| {

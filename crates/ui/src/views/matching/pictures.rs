@@ -108,7 +108,7 @@ impl MatchTextures {
             clipped.rect_stroke(
                 outline,
                 0.0,
-                Stroke::new(width + 2.0, tokens.background.gamma_multiply(0.6)),
+                Stroke::new(width + 2.0, parts::rim(tokens)),
                 egui::StrokeKind::Middle,
             );
             clipped.rect_stroke(
@@ -118,7 +118,7 @@ impl MatchTextures {
                 egui::StrokeKind::Middle,
             );
             let at = surface.min + offset + vec2(0.5, 0.5) * scale;
-            painter.circle_stroke(at, 6.0, Stroke::new(width + 2.0, tokens.background));
+            painter.circle_stroke(at, 6.0, Stroke::new(width + 2.0, parts::rim(tokens)));
             painter.circle_stroke(at, 6.0, Stroke::new(width, color));
         }
     }

@@ -8,7 +8,7 @@ mod series;
 use egui::{Align, Layout, Rect, ScrollArea, Sense, Stroke, Ui, pos2, vec2};
 
 use super::chart::Axes;
-use super::parts::{self, figures};
+use super::parts;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::tokens::Tokens;
@@ -20,6 +20,8 @@ use series::RunSeries;
 const LEAST_HEIGHT: f32 = 64.0;
 /// Where a panel has at least this width, another stands beside it, points.
 const LEAST_WIDTH: f32 = 300.0;
+/// The same where there is no room for another row.
+const NARROW_WIDTH: f32 = 230.0;
 /// Shortest stretch of time that can be shown, seconds.
 const LEAST_SPAN: f64 = 0.5;
 
@@ -65,6 +67,7 @@ impl Default for PlotsView {
 impl PlotsView {
     /// Draws the view into the space that `ui` has left.
     pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
+        ui.spacing_mut().item_spacing.y = 0.5 * context.tokens.space;
         let more = self.series.update(context.run, context.flight);
         let more_ghost = self.ghost.update(context.ghost, context.flight);
         if more || more_ghost {
@@ -84,7 +87,7 @@ impl PlotsView {
         let shown: Vec<usize> = (0..self.panels.len())
             .filter(|i| self.panels[*i].shown)
             .collect();
-        let columns = ((ui.available_width() / LEAST_WIDTH) as usize).clamp(1, shown.len().max(1));
+        let columns = columns(ui.available_size(), shown.len(), context.tokens);
         self.hover = if columns == 1 {
             self.stack(ui, context, &shown, span)
         } else {
@@ -105,12 +108,12 @@ impl PlotsView {
         let axis = axis_height(tokens);
         let header = header_height(tokens);
         let open = shown.iter().filter(|i| !self.panels[**i].folded).count();
-        let free = ui.available_height() - axis - (header + gap) * shown.len() as f32;
+        let free = ui.available_height() - axis - gap - (header + gap) * shown.len() as f32;
         let height = (free / open.max(1) as f32).max(LEAST_HEIGHT);
         let mut hover = None;
         ScrollArea::vertical()
             .id_salt("plots")
-            .max_height((ui.available_height() - axis).max(LEAST_HEIGHT))
+            .max_height((ui.available_height() - axis - gap).max(LEAST_HEIGHT))
             .auto_shrink(false)
             .show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 0.0;
@@ -178,6 +181,7 @@ impl PlotsView {
         let tokens = context.tokens;
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing = vec2(0.5 * tokens.space, 0.5 * tokens.space);
+            ui.spacing_mut().interact_size.y = 2.0 * tokens.space;
             for panel in &mut self.panels {
                 let title = panel.kind.title();
                 let name = format!("Show {title}");
@@ -284,6 +288,8 @@ impl PlotsView {
             Layout::left_to_right(Align::Center),
             |ui| {
                 ui.spacing_mut().item_spacing.x = 0.5 * tokens.space;
+                ui.spacing_mut().interact_size.y = 2.0 * tokens.space;
+                ui.spacing_mut().button_padding = vec2(0.0, 0.0);
                 if foldable {
                     fold(ui, tokens, title, &mut panel.folded);
                 } else {
@@ -362,6 +368,20 @@ fn fold(ui: &mut Ui, tokens: &Tokens, title: &str, folded: &mut bool) {
     }
 }
 
+/// How many panels stand side by side: as many as are comfortably wide, or where the height is
+/// too small for the rows that this gives, as many as are wide enough at all.
+fn columns(size: egui::Vec2, panels: usize, tokens: &Tokens) -> usize {
+    let most = panels.max(1);
+    let comfortable = ((size.x / LEAST_WIDTH) as usize).clamp(1, most);
+    let row = header_height(tokens) + LEAST_HEIGHT;
+    let needed = panels.div_ceil(comfortable) as f32 * row + axis_height(tokens);
+    if comfortable > 1 && needed > size.y {
+        ((size.x / NARROW_WIDTH) as usize).clamp(1, most)
+    } else {
+        comfortable
+    }
+}
+
 /// Height of a panel's heading, points.
 fn header_height(tokens: &Tokens) -> f32 {
     3.0 * tokens.space
@@ -436,7 +456,13 @@ fn legend(ui: &Ui, tokens: &Tokens, layers: &[Layer<'_>], axes: &Axes, rect: Rec
         .iter()
         .rev()
         .filter(|l| l.is_visible(axes))
-        .map(|l| (l, l.value_at(time).map_or_else(|| "–".to_owned(), figures)))
+        .map(|l| {
+            (
+                l,
+                l.value_at(time)
+                    .map_or_else(|| "–".to_owned(), parts::brief),
+            )
+        })
         .collect();
     let value_width = 3.2 * tokens.text_sizes[0];
     let sample = 10.0;

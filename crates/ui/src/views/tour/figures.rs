@@ -116,11 +116,11 @@ fn found(
     let outline: Vec<Pos2> = gate.into_iter().map(at).collect();
     painter.add(Shape::convex_polygon(
         outline.clone(),
-        tokens.sigma.gamma_multiply(0.08),
+        parts::ink(tokens).gamma_multiply(0.08),
         Stroke::NONE,
     ));
-    painter.line(outline, Stroke::new(1.0, tokens.sigma));
-    painter.circle_stroke(center, 6.0, Stroke::new(1.5, tokens.sigma));
+    painter.line(outline, Stroke::new(1.0, parts::ink(tokens)));
+    painter.circle_stroke(center, 6.0, Stroke::new(1.5, parts::ink(tokens)));
     if let Some(innovation) = candidate.innovation {
         let tip = at(innovation);
         painter.line_segment([center, tip], Stroke::new(1.5, tokens.observed));
@@ -133,7 +133,7 @@ fn found(
         rect,
         tokens,
         &[
-            ("expected", tokens.sigma),
+            ("expected", parts::ink(tokens)),
             (&format!("{name} found"), tokens.observed),
         ],
     );
@@ -284,8 +284,8 @@ fn gate(painter: &Painter, rect: Rect, tokens: &Tokens, run: &Run) {
     painter.circle(
         center,
         radius as f32 * scale,
-        tokens.sigma.gamma_multiply(0.06),
-        Stroke::new(1.5, tokens.sigma),
+        parts::ink(tokens).gamma_multiply(0.06),
+        Stroke::new(1.5, parts::ink(tokens)),
     );
     for (candidate, v) in &all {
         let most = f64::from(0.49 * rect.height() / scale);
@@ -490,7 +490,7 @@ fn bearing(painter: &Painter, rect: Rect, tokens: &Tokens, alpha: f64) {
         painter.circle(
             at(*point),
             4.0,
-            tokens.sigma,
+            parts::ink(tokens),
             Stroke::new(1.0, tokens.background),
         );
     }
@@ -503,7 +503,7 @@ fn bearing(painter: &Painter, rect: Rect, tokens: &Tokens, alpha: f64) {
         tokens,
         &[
             ("what may be", tokens.muted),
-            ("sigma points", tokens.sigma),
+            ("sigma points", parts::ink(tokens)),
             ("their mean, 1σ", tokens.corrected),
             ("true mean", tokens.truth),
         ],
