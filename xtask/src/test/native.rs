@@ -7,24 +7,33 @@
 use crate::{
     failure::Failure,
     page::{Profile, TARGET, without_flags},
-    process::{cargo, run},
+    process::{cargo, program, run, succeeds},
 };
 
 const ADVICE: &str = "cargo came with rustup";
+
+/// Has rustup bring `component`, without which cargo lacks `command`.
+fn ensure_component(component: &str, command: &str) -> Result<(), Failure> {
+    if succeeds(&mut cargo(&[command, "--version"])) {
+        return Ok(());
+    }
+    let mut rustup = program("rustup");
+    rustup.args(["component", "add", component]);
+    run(&mut rustup, "install Rust with rustup (https://rustup.rs)")
+}
 
 /// The packages that are tested natively.
 pub const PACKAGES: [&str; 4] = ["--locked", "--workspace", "--exclude", "xtask"];
 
 /// `cargo fmt` would change nothing.
 pub fn format() -> Result<(), Failure> {
-    run(
-        &mut cargo(&["fmt", "--all", "--check"]),
-        "`rustup component add rustfmt` brings the formatter",
-    )
+    ensure_component("rustfmt", "fmt")?;
+    run(&mut cargo(&["fmt", "--all", "--check"]), ADVICE)
 }
 
 /// No lint has anything to say about anything built natively.
 pub fn lints() -> Result<(), Failure> {
+    ensure_component("clippy", "clippy")?;
     let arguments = [
         "clippy",
         "--locked",
@@ -34,14 +43,12 @@ pub fn lints() -> Result<(), Failure> {
         "-D",
         "warnings",
     ];
-    run(
-        &mut cargo(&arguments),
-        "`rustup component add clippy` brings the lints",
-    )
+    run(&mut cargo(&arguments), ADVICE)
 }
 
 /// The same for what only the page is built from.
 pub fn page_lints() -> Result<(), Failure> {
+    ensure_component("clippy", "clippy")?;
     crate::page::ensure_target()?;
     let mut clippy = cargo(&[
         "clippy",
@@ -53,10 +60,7 @@ pub fn page_lints() -> Result<(), Failure> {
     ]);
     clippy.args(["--profile", Profile::Quick.name(), "--", "-D", "warnings"]);
     without_flags(&mut clippy);
-    run(
-        &mut clippy,
-        "`rustup component add clippy` brings the lints",
-    )
+    run(&mut clippy, ADVICE)
 }
 
 /// The rules of the house (tests/tests/house.rs).
