@@ -18,6 +18,8 @@ onmessage = ({ data }) => {
   if (data.module) {
     initSync({ module: data.module });
     worker = new WorkerHandle((bytes) => postMessage(bytes, [bytes.buffer]));
+    // Held for as long as this worker lives; the page waits for it and so learns of its end.
+    navigator.locks?.request(data.lock, () => { postMessage("held"); return new Promise(() => {}); });
   } else if (data === "crash") {
     worker.crash();
   } else {

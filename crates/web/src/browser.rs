@@ -9,6 +9,11 @@ extern "C" {
     #[wasm_bindgen(js_namespace = performance, js_name = now)]
     pub fn now() -> f64;
 
+    /// Asks for a lock of that name and calls back once it is had; what it was asked for to hold
+    /// it is the browser's business.
+    #[wasm_bindgen(js_namespace = ["navigator", "locks"], js_name = request, catch)]
+    pub fn request_lock(name: &str, had: &JsValue) -> Result<JsValue, JsValue>;
+
     /// The page's services, an object of `www/shell.js`.
     pub type Shell;
 

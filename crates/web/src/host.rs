@@ -71,7 +71,9 @@ impl PageHost {
 
     /// Ends a worker without a word; for tests.
     pub fn silence_worker(&self, seat: usize) {
-        self.inner.borrow_mut().crew.silence(seat);
+        if let Some(port) = self.inner.borrow().crew.port(seat) {
+            port.silence();
+        }
     }
 
     /// Makes a worker run into a fault; for tests.

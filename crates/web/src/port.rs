@@ -1,6 +1,6 @@
 //! The page's end of the line to one worker.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 use js_sys::{Object, Reflect, Uint8Array};
@@ -8,6 +8,7 @@ use pilotage_ui::jobs::{Request, WorkerPort};
 use wasm_bindgen::prelude::*;
 use web_sys::{ErrorEvent, MessageEvent, Worker, WorkerOptions, WorkerType};
 
+use crate::browser::request_lock;
 use crate::worker::encode;
 
 /// What came from the worker on a seat.
@@ -35,10 +36,15 @@ impl Inbox {
 }
 
 /// A running worker; ended when dropped.
+///
+/// Its end is noticed even when nothing says so: the worker holds a lock for as long as it lives,
+/// and the page waits for that lock.
 pub struct BrowserPort {
     worker: Option<Worker>,
     seat: usize,
     inbox: Inbox,
+    /// Set when the page itself ends the worker: what comes after is of no interest.
+    closed: Rc<Cell<bool>>,
     _on_message: Closure<dyn FnMut(MessageEvent)>,
     _on_error: Closure<dyn FnMut(ErrorEvent)>,
 }
@@ -46,31 +52,52 @@ pub struct BrowserPort {
 impl BrowserPort {
     /// Starts a worker that holds a second instance of this very module.
     pub fn open(seat: usize, inbox: Inbox) -> Self {
+        let closed = Rc::new(Cell::new(false));
+        let died = {
+            let (inbox, closed) = (inbox.clone(), closed.clone());
+            move || {
+                if !closed.replace(true) {
+                    inbox.put(Notice::Died(seat));
+                }
+            }
+        };
+        let lock = format!("pilotage worker {:.17}", js_sys::Math::random());
         let on_message = Closure::<dyn FnMut(MessageEvent)>::new({
-            let inbox = inbox.clone();
+            let (inbox, lock, died) = (inbox.clone(), lock.clone(), died.clone());
             move |event: MessageEvent| {
                 if let Some(bytes) = event.data().dyn_ref::<Uint8Array>() {
                     inbox.put(Notice::Said(seat, bytes.to_vec()));
+                } else {
+                    // The worker has its lock. Without locks, the page's timer has to notice.
+                    let _ = request_lock(&lock, &Closure::once_into_js(died.clone()));
                 }
             }
         });
         let on_error = Closure::<dyn FnMut(ErrorEvent)>::new({
-            let inbox = inbox.clone();
+            let died = died.clone();
             move |event: ErrorEvent| {
                 event.prevent_default();
                 web_sys::console::warn_2(&"worker stopped:".into(), &event.message().into());
-                inbox.put(Notice::Died(seat));
+                died();
             }
         });
-        let worker = start_worker(&on_message, &on_error)
-            .inspect_err(|_| inbox.put(Notice::Died(seat)))
+        let worker = start_worker(&lock, &on_message, &on_error)
+            .inspect_err(|_| died())
             .ok();
         Self {
             worker,
             seat,
             inbox,
+            closed,
             _on_message: on_message,
             _on_error: on_error,
+        }
+    }
+
+    /// Ends the worker without a word, as a browser short of memory does; for tests.
+    pub fn silence(&self) {
+        if let Some(worker) = &self.worker {
+            worker.terminate();
         }
     }
 
@@ -83,6 +110,7 @@ impl BrowserPort {
 }
 
 fn start_worker(
+    lock: &str,
     on_message: &Closure<dyn FnMut(MessageEvent)>,
     on_error: &Closure<dyn FnMut(ErrorEvent)>,
 ) -> Result<Worker, JsValue> {
@@ -94,6 +122,7 @@ fn start_worker(
     worker.set_onmessageerror(Some(on_error.as_ref().unchecked_ref()));
     let first = Object::new();
     Reflect::set(&first, &"module".into(), &wasm_bindgen::module())?;
+    Reflect::set(&first, &"lock".into(), &lock.into())?;
     worker.post_message(&first)?;
     Ok(worker)
 }
@@ -110,6 +139,7 @@ impl WorkerPort for BrowserPort {
     }
 
     fn close(&mut self) {
+        self.closed.set(true);
         if let Some(worker) = &self.worker {
             worker.set_onmessage(None);
             worker.set_onerror(None);

@@ -3,6 +3,7 @@
 mod alignment;
 mod detector;
 mod distinct;
+mod distinctness;
 mod features;
 mod patch;
 mod peak;
@@ -12,5 +13,6 @@ mod template;
 
 pub use detector::{Detection, Detector, FrameView, Refusal, SearchRequest, Sighting};
 pub use distinct::Landmark;
+pub use distinctness::{PatchDistinctness, distinctness};
 pub use settings::TemplateSettings;
 pub use template::{MatchEvidence, TemplateDetector};

@@ -193,7 +193,12 @@ impl Scenario {
 
     /// The ten landmarks and how to navigate the scenario with them.
     pub fn mission(&self) -> Mission {
-        let landmarks = Self::map()
+        self.mission_over(&Self::map())
+    }
+
+    /// The same over the map as laid out already.
+    pub fn mission_over(&self, map: &Scenery) -> Mission {
+        let landmarks = map
             .distinct_features()
             .into_iter()
             .take(LANDMARKS)

@@ -4,8 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::{FlightSource, Job, JobEvent, JobId, MapSource, Reply, Request};
 
-/// Time without an answer after which a worker counts as dead, milliseconds.
-const SILENCE: f64 = 10_000.0;
+/// Time without an answer after which a worker counts as dead, milliseconds. A fault in a worker and
+/// its end are noticed at once by other means; this is for one that hangs, and long enough for the
+/// longest slice on a slow machine.
+const SILENCE: f64 = 60_000.0;
 /// Ticks of the page's timer that must have passed as well: a page that slept accuses nobody.
 const SILENT_TICKS: u32 = 6;
 /// Times that a job is begun anew after its worker died under it.
@@ -169,13 +171,6 @@ impl<P: WorkerPort> Crew<P> {
                     .to_owned();
                 self.events.push((id, JobEvent::Failed(text)));
             }
-        }
-    }
-
-    /// Ends the worker on a seat without telling anybody, as a crash would. For tests.
-    pub fn silence(&mut self, seat: usize) {
-        if let Some(port) = self.seats.get_mut(seat).and_then(|s| s.port.as_mut()) {
-            port.close();
         }
     }
 

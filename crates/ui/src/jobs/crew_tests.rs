@@ -133,7 +133,7 @@ fn a_job_whose_worker_dies_twice_fails_and_says_that_documents_are_safe() {
 fn a_worker_that_does_not_answer_is_replaced() {
     let (mut crew, notes) = crew();
     let id = crew.start(fly());
-    let replaced: Vec<bool> = (0..25).map(|n| crew.tick(500.0 * f64::from(n))).collect();
+    let replaced: Vec<bool> = (0..150).map(|n| crew.tick(500.0 * f64::from(n))).collect();
     assert_eq!(replaced.iter().filter(|r| **r).count(), 1, "{replaced:?}");
     assert!(notes.borrow().contains(&Note::Closed(0)));
     let begun = sent_to(&notes, 0);
@@ -147,10 +147,10 @@ fn a_worker_that_does_not_answer_is_replaced() {
 fn a_worker_that_answers_late_but_answers_stays() {
     let (mut crew, _) = crew();
     crew.start(fly());
-    for n in 0..200 {
+    for n in 0..600 {
         let now = 500.0 * f64::from(n);
         assert!(!crew.tick(now), "replaced at {now} ms");
-        if n % 10 == 9 {
+        if n % 50 == 49 {
             crew.receive(0, Reply::Alive);
         }
     }

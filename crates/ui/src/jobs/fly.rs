@@ -22,8 +22,12 @@ pub struct Fly {
 enum Stage {
     /// Nothing done; the first slice only says so, that the page has something to show.
     Asked,
-    /// The next slice opens map and flight.
-    Opening,
+    /// The next slice opens the map.
+    Map,
+    /// The next slice opens the flight.
+    Flight,
+    /// The next slice begins to navigate.
+    Navigator,
     /// Under way.
     Flying(Rc<RefCell<OpenFlight>>, Box<Navigator>),
 }
@@ -68,6 +72,10 @@ impl Fly {
         emit(JobEvent::Flight(Box::new(flown.as_ref().clone())));
         emit(JobEvent::Mission(Box::new(mission)));
         emit(JobEvent::RunStarted(Box::new(navigator.run_head())));
+        emit(JobEvent::Progress(
+            0.0,
+            "Taking the first picture".to_owned(),
+        ));
         self.stage = Stage::Flying(open, Box::new(navigator));
         Ok(())
     }
@@ -116,11 +124,20 @@ impl RunningJob for Fly {
     ) -> Advance {
         let result = match &mut self.stage {
             Stage::Asked => {
-                emit(JobEvent::Progress(0.0, "Preparing the flight".to_owned()));
-                self.stage = Stage::Opening;
+                emit(JobEvent::Progress(0.0, "Opening the map".to_owned()));
+                self.stage = Stage::Map;
                 Ok(true)
             }
-            Stage::Opening => self.open(workshop, emit).map(|()| true),
+            Stage::Map => workshop.map(&self.map).map(|_| {
+                emit(JobEvent::Progress(0.0, "Preparing the flight".to_owned()));
+                self.stage = Stage::Flight;
+                true
+            }),
+            Stage::Flight => workshop.flight(&self.flight).map(|_| {
+                self.stage = Stage::Navigator;
+                true
+            }),
+            Stage::Navigator => self.open(workshop, emit).map(|()| true),
             Stage::Flying(open, navigator) => steps(&mut open.borrow_mut(), navigator, clock, emit),
         };
         match result {

@@ -5,6 +5,7 @@
 //! and replaces one that died; [`InlineHost`] does all of it on the calling thread, for tests.
 
 mod crew;
+mod distinct;
 mod explain;
 mod file_pool;
 mod flights;

@@ -2,19 +2,18 @@
 
 use std::sync::Arc;
 
-use pilotage_core::imagery::Imagery;
+use pilotage_core::imagery::CachedImagery;
+use pilotage_core::simulate::scenery::Scenery;
 use pilotage_core::simulate::{FlightDay, Overrides, Scenario, Wind};
 
 use super::SimulationOptions;
 use super::flights::{KeptFrames, OpenFlight};
 
-/// The map of the built-in scenarios.
-pub fn scenery_map() -> Arc<dyn Imagery> {
-    Arc::new(Scenario::map())
-}
+/// Memory for tiles of the ground under a flight on the map's own day.
+const CACHE_MEGABYTES: usize = 96;
 
-/// Flies a scenario; pictures are taken when they are asked for.
-pub fn open(options: &SimulationOptions) -> Result<OpenFlight, String> {
+/// Flies a scenario over `map`; pictures are taken when they are asked for.
+pub fn open(options: &SimulationOptions, map: &Scenery) -> Result<OpenFlight, String> {
     let scenario = Scenario::named(&options.scenario).ok_or_else(|| {
         let known: Vec<_> = Scenario::all().iter().map(|s| s.name).collect();
         format!(
@@ -34,10 +33,16 @@ pub fn open(options: &SimulationOptions) -> Result<OpenFlight, String> {
         day: Some(day),
         ..Overrides::default()
     };
-    let simulated = scenario.simulate(options.seed, &overrides);
+    let mut simulated = scenario.simulate(options.seed, &overrides);
+    if day == FlightDay::Same {
+        let ground = CachedImagery::new(Arc::new(map.clone()), CACHE_MEGABYTES);
+        simulated.frames = simulated.frames.over(Arc::new(ground));
+    }
+    // Laid out now, so that the first picture takes less long.
+    simulated.frames.imagery();
     Ok(OpenFlight {
         frames: KeptFrames::rendered(&simulated.flight, Box::new(simulated.frames)),
         flight: Arc::new(simulated.flight),
-        mission: Some(scenario.mission()),
+        mission: Some(scenario.mission_over(map)),
     })
 }

@@ -6,13 +6,17 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use pilotage_core::imagery::Imagery;
+use pilotage_core::simulate::Scenario;
+use pilotage_core::simulate::scenery::Scenery;
 
 use super::explain::match_pictures;
 use super::file_pool::FilePool;
 use super::flights::OpenFlight;
 use super::fly::Fly;
 use super::running::Once;
-use super::{FlightSource, Job, JobEvent, MapInfo, MapSource, RunningJob, opening, simulated};
+use super::{
+    FlightSource, Job, JobEvent, MapInfo, MapSource, RunningJob, distinct, opening, simulated,
+};
 
 /// The store of a worker. Everything in it can be made anew from the files.
 #[derive(Default)]
@@ -21,6 +25,7 @@ pub struct Workshop {
     files: BTreeMap<String, Result<Arc<FilePool>, String>>,
     maps: BTreeMap<Vec<u8>, Arc<dyn Imagery>>,
     flights: BTreeMap<Vec<u8>, Rc<RefCell<OpenFlight>>>,
+    scenery: Option<Scenery>,
 }
 
 impl Workshop {
@@ -57,7 +62,16 @@ impl Workshop {
                 emit(JobEvent::Tile { window, pixels });
                 Ok(())
             }),
-            Job::Distinctness { .. } => once(|_, _| Err("there is no detector yet".to_owned())),
+            Job::Distinctness {
+                map,
+                bounds,
+                radius,
+            } => once(move |workshop, emit| {
+                let map = workshop.map(&map)?;
+                let found = distinct::examine(map.as_ref(), bounds, radius);
+                emit(JobEvent::Distinctness(Box::new(found)));
+                Ok(())
+            }),
             Job::ExplainMatch {
                 flight,
                 map,
@@ -99,7 +113,7 @@ impl Workshop {
             return Ok(map.clone());
         }
         let map = match source {
-            MapSource::Scenery => simulated::scenery_map(),
+            MapSource::Scenery => Arc::new(self.scenery()),
             MapSource::Files(key) => {
                 let files = self.files(key)?;
                 let frame = match opening::flight(&files)? {
@@ -113,6 +127,11 @@ impl Workshop {
         Ok(map)
     }
 
+    /// The generated ground, laid out once; clones share it.
+    fn scenery(&mut self) -> Scenery {
+        self.scenery.get_or_insert_with(Scenario::map).clone()
+    }
+
     /// A flight, opened once; the one before it is let go.
     pub fn flight(&mut self, source: &FlightSource) -> Result<Rc<RefCell<OpenFlight>>, String> {
         let key = cache_key(source);
@@ -120,7 +139,7 @@ impl Workshop {
             return Ok(open.clone());
         }
         let open = match source {
-            FlightSource::Simulated(options) => simulated::open(options)?,
+            FlightSource::Simulated(options) => simulated::open(options, &self.scenery())?,
             FlightSource::Files(key) => {
                 let files = self.files(key)?;
                 let (open, _) =
