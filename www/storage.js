@@ -15,7 +15,7 @@ async function openDatabase() {
 
 /** Never fails: without a database, documents live as long as the page, and the console says so. */
 export async function openStorage() {
-  const storage = { loaded: new Map(), pending: 0, failures: 0, put() {} };
+  const storage = { loaded: new Map(), pending: 0, written: 0, failures: 0, put() {} };
   try {
     const database = await openDatabase();
     const table = database.transaction(TABLE, "readonly").objectStore(TABLE);
@@ -25,7 +25,7 @@ export async function openStorage() {
       storage.pending += 1;
       const write = database.transaction(TABLE, "readwrite");
       write.objectStore(TABLE).put(bytes.buffer, key);
-      write.oncomplete = () => { storage.pending -= 1; };
+      write.oncomplete = () => { storage.pending -= 1; storage.written += 1; };
       write.onabort = () => { storage.pending -= 1; storage.failures += 1; console.warn(`could not store ${key}:`, write.error); };
       write.commit?.();
     };

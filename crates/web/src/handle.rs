@@ -132,6 +132,14 @@ impl WebHandle {
         }
     }
 
+    /// The navigator's milliseconds per camera frame as JSON.
+    pub fn navigator_ms(&self) -> String {
+        match &*self.running.borrow() {
+            Some((_, host)) => host.navigator_json(),
+            None => "null".to_owned(),
+        }
+    }
+
     /// Ends a worker without a word, as a browser short of memory does; for tests.
     pub fn kill_worker(&self, index: usize) {
         if let Some((_, host)) = &*self.running.borrow() {

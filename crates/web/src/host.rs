@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use js_sys::Uint8Array;
+use pilotage_core::navigator::{StepReport, StepTiming};
 use pilotage_ui::host::{Host, OpenedFile};
 use pilotage_ui::jobs::{Crew, Job, JobEvent, JobId, Reply};
 
@@ -27,6 +28,7 @@ struct Inner {
     remembered: HashMap<String, Vec<u8>>,
     opened: Vec<Vec<OpenedFile>>,
     announced: String,
+    timings: Vec<StepTiming>,
 }
 
 impl PageHost {
@@ -46,6 +48,7 @@ impl PageHost {
             remembered,
             opened: Vec::new(),
             announced: String::new(),
+            timings: Vec::new(),
         };
         Self {
             inner: Rc::new(RefCell::new(inner)),
@@ -69,6 +72,24 @@ impl PageHost {
         }
     }
 
+    /// Median milliseconds of the navigator per camera frame in which it looked for landmarks, as
+    /// the workers measured them, as JSON.
+    pub fn navigator_json(&self) -> String {
+        let inner = self.inner.borrow();
+        let median = |of: fn(&StepTiming) -> f64| {
+            let mut values: Vec<f64> = inner.timings.iter().map(of).collect();
+            values.sort_by(f64::total_cmp);
+            values.get(values.len() / 2).copied()
+        };
+        serde_json::json!({
+            "frames": inner.timings.len(),
+            "predict": median(|t| t.predict),
+            "see": median(|t| t.see),
+            "update": median(|t| t.update),
+        })
+        .to_string()
+    }
+
     /// Ends a worker without a word; for tests.
     pub fn silence_worker(&self, seat: usize) {
         if let Some(port) = self.inner.borrow().crew.port(seat) {
@@ -85,6 +106,21 @@ impl PageHost {
 }
 
 impl Inner {
+    fn note_timings(&mut self, event: &JobEvent) {
+        match event {
+            JobEvent::RunStarted(_) => self.timings.clear(),
+            JobEvent::Steps(steps) => {
+                let looked = |step: &&StepReport| {
+                    let frame = step.frame.as_ref();
+                    frame.is_some_and(|f| !f.candidates.is_empty())
+                };
+                let timings = steps.iter().filter(looked).map(|step| step.timing);
+                self.timings.extend(timings);
+            }
+            _ => {}
+        }
+    }
+
     fn read_notices(&mut self) {
         let begun = now();
         while now() - begun < READING {
@@ -124,7 +160,11 @@ impl Host for PageHost {
     fn events(&mut self) -> Vec<(JobId, JobEvent)> {
         let mut inner = self.inner.borrow_mut();
         inner.read_notices();
-        inner.crew.take_events()
+        let events = inner.crew.take_events();
+        for (_, event) in &events {
+            inner.note_timings(event);
+        }
+        events
     }
 
     fn opened(&mut self) -> Vec<Vec<OpenedFile>> {

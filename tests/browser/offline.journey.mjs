@@ -1,0 +1,49 @@
+// After one visit the page works without its server, under a sub-path as on any file server.
+import { createServer } from "node:http";
+import { existsSync, readFileSync, statSync } from "node:fs";
+import { extname, join, normalize } from "node:path";
+import { fileURLToPath } from "node:url";
+
+export const name = "the page works offline after the first visit, under a sub-path";
+
+const repository = fileURLToPath(new URL("../../", import.meta.url));
+const folder = process.env.PILOTAGE_PAGE
+  ?? ["dist", "target/page"].map((place) => join(repository, place)).find(existsSync);
+const kinds = {
+  ".html": "text/html; charset=utf-8", ".js": "text/javascript", ".wasm": "application/wasm",
+  ".css": "text/css", ".svg": "image/svg+xml", ".png": "image/png", ".webmanifest": "application/manifest+json",
+};
+const path = "/some/where/pilotage/";
+
+/** The plainest file server: the page's folder below a path, everything else missing. */
+async function plainServer() {
+  const server = createServer((request, response) => {
+    const { pathname } = new URL(request.url, "http://localhost");
+    const inner = pathname.startsWith(path) ? normalize(pathname.slice(path.length) || "index.html") : "..";
+    const file = join(folder, inner);
+    if (inner.startsWith("..") || !existsSync(file) || !statSync(file).isFile()) {
+      response.writeHead(404).end("not found");
+      return;
+    }
+    response.writeHead(200, { "content-type": kinds[extname(file)] ?? "application/octet-stream" }).end(readFileSync(file));
+  });
+  await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+  const stop = () => { server.closeAllConnections(); server.close(); };
+  return { url: `http://127.0.0.1:${server.address().port}${path}`, stop };
+}
+
+export async function run(page, tools) {
+  const server = await plainServer();
+  try {
+    tools.expectRequest(/^http:\/\/127\.0\.0\.1:\d+\//);
+    await page.goto(`${server.url}?sw=1`);
+    await tools.waitReady();
+    await page.waitForFunction(() => navigator.serviceWorker.controller !== null, null, { timeout: 60_000 });
+  } finally {
+    server.stop();
+  }
+  await page.reload();
+  await tools.waitReady();
+  await tools.waitFor((s) => s.run_steps > 0, "the demo without a server: workers as well", 150_000);
+  await tools.screenshot("offline");
+}

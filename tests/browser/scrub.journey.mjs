@@ -1,0 +1,29 @@
+// Dragging the time moves whatever shows a time.
+export const name = "scrubbing moves every view";
+
+export async function run(page, tools) {
+  await tools.waitReady();
+  await tools.waitFor((s) => s.run_steps > 200 && s.pictures > 20, "some seconds of the run", 150_000);
+  await page.keyboard.press("Space");
+  await tools.waitFor((s) => !s.playing, "the pause after the space key");
+
+  for (const seconds of [8, 2]) {
+    const { timeline: [left, top, right, bottom], span: [begin, end], time } = await tools.state();
+    const place = (t) => ({ x: left + (right - left) * (t - begin) / (end - begin), y: (top + bottom) / 2 });
+    await tools.drag(place(time), place(seconds));
+    const state = await tools.waitFor((s) => Math.abs(s.time - seconds) < 1, `the cursor near ${seconds} s`);
+    tools.check(Math.abs(state.step.time - state.time) < 0.2, "the step shown is not the one under the cursor");
+    const shown = await tools.a11y();
+    const text = (node) => node.value ?? node.label ?? "";
+    const slider = shown.find((n) => n.role === "Slider" && n.label === "Time");
+    tools.check(slider && Math.abs(slider.number - state.time) < 0.1, `the timeline shows ${slider?.number}, not ${state.time}`);
+    const clock = `0:0${Math.floor(state.time - begin)}.`;
+    tools.check(shown.some((n) => text(n).includes(clock)), `nothing on screen says ${clock}`);
+    await tools.screenshot(`scrub-${seconds}`);
+  }
+
+  const before = await tools.state();
+  await page.keyboard.press("ArrowRight");
+  const after = await tools.waitFor((s) => s.time > before.time, "the next camera frame");
+  tools.check(after.time - before.time <= 0.51, `one frame is ${after.time - before.time} s long`);
+}
