@@ -854,6 +854,44 @@ fn quarry(plan: &mut Plan) {
         4.0,
         Some(Place),
     );
+    for (u, v, r) in [
+        (-48.0, -14.0, 9.0),
+        (-32.0, -22.0, 6.5),
+        (-30.0, 16.0, 7.5),
+        (-52.0, 10.0, 5.0),
+    ] {
+        let heap = b.slab(u, v, 2.0 * r, 2.0 * r);
+        plan.raise(
+            heap,
+            Cone,
+            Ballast,
+            [0.25, 0.23, 0.19],
+            0.15,
+            0.62 * r,
+            Place,
+        );
+    }
+    plan.put(
+        b.slab(-14.0, -6.0, 6.5, 3.0),
+        3.0,
+        Form::Truck,
+        [0.28, 0.2, 0.04],
+    );
+    plan.put(
+        b.slab(-20.0, 4.0, 8.0, 3.2),
+        3.2,
+        Form::Crate,
+        [0.26, 0.18, 0.04],
+    );
+    plan.raise(
+        b.slab(-62.0, -8.0, 14.0, 9.0),
+        Gable,
+        Metal,
+        RUST_METAL,
+        5.0,
+        1.6,
+        Building,
+    );
     let lake = b.slab(30.0, 10.0, 52.0, 34.0);
     plan.lay(
         Outline::Ellipse(lake),

@@ -1,11 +1,14 @@
 //! Fields and woodland floor: crops in rows, tramlines, headlands, damp patches, worn edges.
 
 use super::light::{Color, mix, scale};
-use super::noise::{fractal, hash2, smooth_step, unit};
+use super::noise::{floor, hash2, smooth_step, unit};
 use super::parcels::Cover;
 use super::shape::{Spot, spot};
-use super::texture::individual;
+use super::texture::{LAND_SCALE, Texture, individual};
 use super::world::World;
+
+/// How far field boundaries wander from the straight lines of the plan, metres.
+const BEND: f32 = 5.5;
 
 /// A smooth periodic wave from -1 to 1, one crest per `period`, faded before it aliases.
 #[inline]
@@ -15,7 +18,7 @@ pub(super) fn stripes(x: f32, period: f32, gsd: f32) -> f32 {
         return 0.0;
     }
     let t = x / period;
-    let t = ((t - t.floor()) - 0.5).abs() * 4.0 - 1.0;
+    let t = ((t - floor(t) as f32) - 0.5).abs() * 4.0 - 1.0;
     keep * t * (1.5 - 0.5 * t * t)
 }
 
@@ -29,7 +32,21 @@ pub(super) fn line_share(distance: f32, half_width: f32, gsd: f32) -> f32 {
 /// Distance to the nearest of lines repeated every `period`.
 #[inline]
 pub(super) fn repeated(x: f32, period: f32) -> f32 {
-    x - period * (x / period).round()
+    x - period * floor(x / period + 0.5) as f32
+}
+
+/// Where a place of the straight plan lies on the ground.
+pub(super) fn bent(land: &Texture, planned: Spot) -> Spot {
+    let [n, e, ..] = land.sample(planned * LAND_SCALE, 0.01);
+    let first = planned - spot(n, e) * BEND;
+    let [n, e, ..] = land.sample(first * LAND_SCALE, 0.01);
+    planned - spot(n, e) * BEND
+}
+
+/// Where a place on the ground lies in the straight plan.
+pub(super) fn unbent(land: &Texture, p: Spot) -> Spot {
+    let [n, e, ..] = land.sample(p * LAND_SCALE, 0.01);
+    p + spot(n, e) * BEND
 }
 
 impl World {
@@ -37,9 +54,9 @@ impl World {
     #[expect(clippy::too_many_lines, reason = "one arm for each crop")]
     pub(super) fn land(&self, p: Spot, gsd: f32) -> Color {
         // Boundaries wander a little.
-        let bend_n = fractal(p.n, p.e, 38.0, 2, gsd, 201);
-        let bend_e = fractal(p.e, p.n, 34.0, 2, gsd, 202);
-        let q = p + spot(bend_n, bend_e) * 2.4;
+        let [bend_n, bend_e, wet, bright] =
+            self.land_texture.sample(p * LAND_SCALE, gsd * LAND_SCALE);
+        let q = p + spot(bend_n, bend_e) * BEND;
         let located = self.parcels.locate(q);
         let parcel = &self.parcels.parcels[located.parcel as usize];
         let v = parcel.variant;
@@ -51,7 +68,7 @@ impl World {
         let wide = self
             .grain_texture
             .sample(spot(g.e * 0.23, g.n * 0.23), gsd * 0.23);
-        let damp = fractal(p.n + 300.0, p.e, 95.0, 3, gsd, 5) + 0.25 * wide[2];
+        let damp = 0.9 * wet + 0.25 * wide[2];
         let mottle = 0.6 * wide[2] + 0.5 * patches;
 
         // Near the edge the machine turns: rows run along the boundary.
@@ -62,11 +79,6 @@ impl World {
             axis.cross(q - spot(0.0, 0.0))
         } else {
             located.edge
-        };
-        let along = if inner {
-            axis.dot(q)
-        } else {
-            located.along.cross(q)
         };
         let wiggle = 0.05 * clumps;
 
@@ -196,10 +208,10 @@ impl World {
                     damp * 0.8 + 0.6 * mottle + 0.4 * (second - 0.5),
                 );
                 let mut c = mix(lush, dry, wear);
-                let tussock = smooth_step(0.25, 0.6, clumps + 0.5 * patches);
-                c = mix(c, scale(lush, 0.62), 0.55 * tussock);
-                let path = veins * smooth_step(0.1, 0.5, wide[3] + 0.3 * wide[2]);
-                c = mix(c, [0.17, 0.145, 0.1], 0.45 * path);
+                let tussock = smooth_step(-0.1, 0.9, clumps + 0.6 * patches);
+                c = mix(c, scale(lush, 0.62), 0.4 * tussock);
+                let path = veins * smooth_step(0.35, 0.7, wide[2]);
+                c = mix(c, [0.17, 0.145, 0.1], 0.22 * path);
                 scale(c, 1.0 + 0.16 * clumps + 0.13 * speckle + 0.08 * mottle)
             }
             Cover::Mown => {
@@ -251,7 +263,6 @@ impl World {
                 (rut * (0.8 + 0.3 * patches)).clamp(0.0, 1.0) * bed,
             );
         }
-        let _ = along;
-        scale(out, 1.0 + 0.09 * fractal(p.n, p.e, 260.0, 2, gsd, 17))
+        scale(out, 1.0 + 0.12 * bright)
     }
 }

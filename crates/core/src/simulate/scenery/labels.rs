@@ -2,8 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::fields::bent;
 use super::parcels::Cover;
-use super::shape::Outline;
+use super::shape::{Outline, Spot};
 use super::things::{Form, Ground, Habit, RoadClass};
 use super::world::{World, ground_polygon};
 use crate::frames::{GroundPoint, GroundRect};
@@ -69,6 +70,20 @@ pub struct DistinctFeature {
     pub landmark_box: GroundRect,
 }
 
+/// A parcel's outline as it lies on the ground, with corners every 20 m or so.
+fn bent_outline(world: &World, corners: &[Spot]) -> Vec<GroundPoint> {
+    let mut polygon = Vec::new();
+    for i in 0..corners.len() {
+        let (a, b) = (corners[i], corners[(i + 1) % corners.len()]);
+        let steps = ((b - a).length() / 20.0).ceil().max(1.0);
+        for k in 0..steps as usize {
+            let planned = a + (b - a) * (k as f32 / steps);
+            polygon.push(bent(&world.land_texture, planned).ground());
+        }
+    }
+    polygon
+}
+
 /// All labels whose outline's bounding box touches `rect`.
 pub(super) fn labels(world: &World, rect: &GroundRect) -> Vec<SceneLabel> {
     let mut labels = Vec::new();
@@ -90,11 +105,7 @@ pub(super) fn labels(world: &World, rect: &GroundRect) -> Vec<SceneLabel> {
         } else {
             SceneKind::Field
         };
-        add(
-            kind,
-            None,
-            parcel.corners.iter().map(|c| c.ground()).collect(),
-        );
+        add(kind, None, bent_outline(world, &parcel.corners));
     }
     for surface in &world.plan.surfaces {
         let kind = match (surface.label, surface.ground) {
@@ -106,10 +117,10 @@ pub(super) fn labels(world: &World, rect: &GroundRect) -> Vec<SceneLabel> {
         add(kind, None, ground_polygon(&surface.outline));
     }
     for segment in &world.segments {
-        let kind = if segment.class == RoadClass::Track {
-            SceneKind::Track
-        } else {
-            SceneKind::Road
+        let kind = match segment.class {
+            RoadClass::Stream => SceneKind::Stream,
+            RoadClass::Track => SceneKind::Track,
+            _ => SceneKind::Road,
         };
         let side = segment.axis.right() * segment.half_width;
         let (a, b) = (segment.start, segment.end());

@@ -9,8 +9,8 @@ use super::things::{Ground, Road, RoadClass};
 fn road(plan: &mut Plan, name: &'static str, class: RoadClass, controls: &[Spot]) {
     let half_width = match class {
         Main => 3.6,
+        RoadClass::Stream => 1.7,
         Street => 2.9,
-        RoadClass::Drive => 1.5,
         Track => 1.35,
     };
     plan.roads.push(Road {
@@ -28,13 +28,26 @@ fn roundabout(plan: &mut Plan) {
     let ring = |radius: f32, ground| (Outline::Disc(center, radius), ground);
     for (outline, ground) in [
         ring(24.0, Ground::Grass),
-        ring(18.5, Ground::Asphalt),
+        ring(17.9, Ground::Asphalt),
         ring(9.3, Ground::Paving),
         ring(8.2, Ground::Lawn),
         ring(3.0, Ground::Beds),
     ] {
         plan.lay(outline, ground, spot(1.0, 0.0), 0.1, None);
     }
+    let circle = (0..=28)
+        .map(|i| {
+            let angle = i as f32 * std::f32::consts::TAU / 28.0;
+            center + Spot::heading(angle) * 13.7
+        })
+        .collect();
+    plan.roads.push(Road {
+        class: Street,
+        curve: circle,
+        half_width: 4.3,
+        name: Some("roundabout"),
+        village: false,
+    });
     let site = Slab::new(center, 0.0, 52.0, 52.0);
     plan.reserved.push(site);
     let outline = Outline::Disc(center, 18.5).corners();

@@ -194,7 +194,7 @@ impl Segment {
         let (u, v) = (d.dot(self.axis), self.axis.cross(d));
         let beyond = (u - u.clamp(0.0, self.length)).abs();
         let distance = if beyond > 0.0 {
-            beyond.hypot(v)
+            (beyond * beyond + v * v).sqrt()
         } else {
             v.abs()
         };

@@ -8,7 +8,7 @@ use crate::raster::{Raster, Rgba};
 /// The pixels of a window. A coarse pixel averages a few samples, each of them already smoothed
 /// over its own part of the pixel, so that the cost per pixel stays bounded at any scale.
 pub(super) fn window(world: &World, window: &Window) -> Raster<Rgba> {
-    let per_side = ((window.gsd / 1.1).ceil() as usize).clamp(1, 4);
+    let per_side = ((window.gsd / 1.25).ceil() as usize).clamp(1, 4);
     let step = window.gsd / per_side as f64;
     let share = 1.0 / (per_side * per_side) as f32;
     Raster::from_fn(window.width, window.height, |column, row| {

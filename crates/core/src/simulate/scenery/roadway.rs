@@ -62,12 +62,12 @@ impl World {
         }
         let [speckle, clumps, patches, veins] = self.grain_texture.sample(p, gsd);
         let mut out = under;
-        for n in near[..count]
-            .iter()
-            .flatten()
-            .filter(|n| n.class == RoadClass::Track)
-        {
-            out = track(out, n, [speckle, clumps, patches], gsd);
+        for n in near[..count].iter().flatten() {
+            match n.class {
+                RoadClass::Stream => out = stream(out, n, [speckle, clumps, patches]),
+                RoadClass::Track => out = track(out, n, [speckle, clumps, patches], gsd),
+                _ => {}
+            }
         }
         // Sealed roads flow into each other with rounded corners.
         let mut depth = f32::MAX;
@@ -184,4 +184,22 @@ fn track(under: Color, n: &Near, [speckle, clumps, patches]: [f32; 3], gsd: f32)
     let wet = line_share(n.distance - 0.8, 0.25, gsd) * smooth_step(0.15, 0.5, patches);
     let bare = mix(scale(earth, 1.0 - 0.35 * wet), grass, 0.75 * middle);
     mix(mix(under, grass, 0.7 * verge), bare, bed)
+}
+
+/// Dark water with wet banks, reeds and grass.
+fn stream(under: Color, n: &Near, [speckle, clumps, patches]: [f32; 3]) -> Color {
+    let v = n.distance - n.half_width + 0.55 * patches + 0.3 * clumps;
+    let grass = scale(
+        mix([0.055, 0.068, 0.028], [0.1, 0.1, 0.05], 0.5 + 0.6 * patches),
+        1.0 + 0.3 * clumps + 0.15 * speckle,
+    );
+    let mud = scale([0.075, 0.064, 0.045], 1.0 + 0.2 * clumps);
+    let water = scale([0.022, 0.027, 0.023], 1.0 + 0.3 * patches + 0.15 * speckle);
+    let out = mix(
+        under,
+        grass,
+        0.92 * smooth_step(3.6, 2.2, v + 0.8 * patches),
+    );
+    let out = mix(out, mud, 0.8 * smooth_step(0.8, 0.1, v));
+    mix(out, water, smooth_step(0.1, -0.35, v))
 }

@@ -472,7 +472,7 @@ fn farm(plan: &mut Plan, center: Spot, angle: f32, dice: &mut Dice) {
     let nearest = plan
         .roads
         .iter()
-        .filter(|r| r.class != RoadClass::Drive)
+        .filter(|r| r.class > RoadClass::Track)
         .flat_map(|r| r.curve.iter().copied())
         .min_by(|x, y| (*x - center).length().total_cmp(&(*y - center).length()));
     if let Some(end) = nearest {

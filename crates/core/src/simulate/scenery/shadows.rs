@@ -28,6 +28,19 @@ impl Shadow {
             .fold(f32::MIN, f32::max)
     }
 
+    /// As [`Self::distance`], but gives up once the distance is over `limit`.
+    #[inline]
+    fn distance_below(&self, p: Spot, limit: f32) -> f32 {
+        let mut most = f32::MIN;
+        for (normal, offset) in &self.planes {
+            most = most.max(normal.dot(p) - offset);
+            if most > limit {
+                break;
+            }
+        }
+        most
+    }
+
     /// The shadow of the convex hull of points (place, height).
     pub(super) fn cast(points: &[(Spot, f32)], light: &Light, caster: u32) -> Self {
         let away = light.toward * -light.shadow_per_height;
@@ -160,7 +173,8 @@ impl World {
             if shadow.caster == caster || shadow.top <= height + 0.25 {
                 continue;
             }
-            let mut shade = (0.5 - shadow.distance(on_ground) / blur).clamp(0.0, 1.0);
+            let outside = shadow.distance_below(on_ground, 0.5 * blur);
+            let mut shade = (0.5 - outside / blur).clamp(0.0, 1.0);
             if shade > 0.0 && height > 0.0 && shadow.caster != u32::MAX {
                 // From a roof, only what stands between it and the sun counts.
                 let slab = &self.plan.solids[shadow.caster as usize].slab;

@@ -187,19 +187,31 @@ impl World {
                 1.0 + 0.1 * patches + 0.06 * clumps + 0.05 * speckle,
             ),
             Ground::Rock => {
-                let bench = stripes(depth + 2.5 * patches + 1.2 * clumps, 13.0, gsd);
-                let face = smooth_step(0.55, 0.9, bench);
+                let from_rim = depth + 2.5 * patches + 1.5 * clumps;
+                let face = smooth_step(1.6, 0.4, (from_rim - 3.0).abs())
+                    + smooth_step(1.5, 0.5, (from_rim - 14.0).abs());
+                let floor = smooth_step(14.0, 17.0, from_rim);
                 let c = mix(
-                    [0.27, 0.245, 0.205],
-                    [0.33, 0.305, 0.26],
-                    0.5 + 0.6 * patches,
+                    [0.15, 0.132, 0.105],
+                    [0.24, 0.22, 0.185],
+                    0.5 + 0.9 * patches,
                 );
-                let c = scale(c, 1.0 + 0.13 * clumps + 0.16 * speckle - 0.14 * veins);
-                let c = mix(c, [0.12, 0.105, 0.085], 0.65 * face);
+                let ruts = smooth_step(
+                    0.3,
+                    0.7,
+                    fractal(along * 0.3, across * 1.1, 6.0, 3, gsd, 62),
+                ) * floor;
+                let c = mix(c, [0.27, 0.25, 0.215], 0.5 * ruts);
+                let c = scale(c, 1.0 + 0.16 * clumps + 0.16 * speckle - 0.14 * veins);
+                let c = mix(
+                    c,
+                    [0.085, 0.075, 0.06],
+                    0.75 * face.min(1.0) * (0.75 + 0.6 * clumps).clamp(0.0, 1.0),
+                );
                 mix(
                     c,
-                    [0.08, 0.085, 0.042],
-                    0.6 * smooth_step(0.35, 0.8, patches + clumps - 0.04 * depth),
+                    [0.075, 0.08, 0.04],
+                    0.7 * smooth_step(0.1, 0.7, patches + clumps - 0.06 * depth),
                 )
             }
             Ground::Beds => {

@@ -49,3 +49,146 @@ fn the_swimming_pool_is_where_its_outline_says() {
     let [red, _, blue, _] = seen.get(1, 1);
     assert!(blue > red + 30, "{:?}", seen.get(1, 1));
 }
+
+fn around(north: f64, east: f64, gsd: f64, side: usize) -> Window {
+    let extent = gsd * side as f64;
+    Window::covering(
+        &GroundRect::centered(GroundPoint::new(north, east), extent, extent),
+        gsd,
+    )
+}
+
+#[test]
+fn the_same_seed_and_day_give_the_same_picture_and_another_seed_another() {
+    let window = around(100.0, -50.0, 0.5, 120);
+    let one = scenery().window(&window);
+    assert_eq!(one, scenery().window(&window));
+    let other = Scenery::new(DEMO_SEED + 1, Day::map_day()).window(&window);
+    assert_ne!(one, other);
+}
+
+#[test]
+fn neighbouring_windows_join_without_a_seam() {
+    let scenery = scenery();
+    let whole = scenery.window(&Window {
+        north_edge: -60.0,
+        west_edge: 64.0,
+        gsd: 0.25,
+        width: 96,
+        height: 64,
+    });
+    let part = scenery.window(&Window {
+        north_edge: -68.0,
+        west_edge: 74.0,
+        gsd: 0.25,
+        width: 56,
+        height: 32,
+    });
+    assert_eq!(whole.crop(40, 32, 56, 32), Some(part));
+}
+
+#[test]
+fn a_coarse_window_shows_the_average_of_the_fine_one() {
+    let scenery = scenery();
+    let linear = |v: u8| (f64::from(v) / 255.0).powf(2.2);
+    for (north, east) in [
+        (80.0, -60.0),
+        (300.0, 250.0),
+        (-400.0, 300.0),
+        (-260.0, -700.0),
+    ] {
+        for factor in [4_usize, 10, 40] {
+            let coarse = scenery.window(&around(north, east, 0.2 * factor as f64, 160 / factor));
+            let fine = scenery.window(&around(north, east, 0.2, 160));
+            let (mut bias, mut spread) = (0.0, 0.0);
+            for row in 0..coarse.height() {
+                for column in 0..coarse.width() {
+                    let mut mean = 0.0;
+                    for y in 0..factor {
+                        for x in 0..factor {
+                            mean += linear(fine.get(column * factor + x, row * factor + y)[1]);
+                        }
+                    }
+                    mean /= (factor * factor) as f64;
+                    let shown = linear(coarse.get(column, row)[1]);
+                    bias += shown - mean;
+                    spread += (shown - mean).powi(2);
+                }
+            }
+            let count = (coarse.width() * coarse.height()) as f64;
+            let (bias, spread) = (bias / count, (spread / count).sqrt());
+            assert!(
+                bias.abs() < 0.02,
+                "{north} {east} x{factor}: bias {bias:.4}"
+            );
+            assert!(
+                spread < 0.05,
+                "{north} {east} x{factor}: spread {spread:.4}"
+            );
+        }
+    }
+}
+
+#[test]
+fn another_day_moves_light_and_cars_but_no_building() {
+    let (map, other) = (scenery(), Scenery::new(DEMO_SEED, Day::other_day()));
+    let everywhere = map.bounds();
+    let of_kind = |s: &Scenery, kinds: &[SceneKind]| -> Vec<SceneLabel> {
+        let labels = s.labels(&everywhere);
+        labels
+            .into_iter()
+            .filter(|l| kinds.contains(&l.kind))
+            .collect()
+    };
+    let fixed = [
+        SceneKind::Building,
+        SceneKind::House,
+        SceneKind::Road,
+        SceneKind::Pool,
+        SceneKind::Tree,
+    ];
+    assert_eq!(of_kind(&map, &fixed), of_kind(&other, &fixed));
+    assert_ne!(
+        of_kind(&map, &[SceneKind::Car]),
+        of_kind(&other, &[SceneKind::Car])
+    );
+    let window = around(0.0, 0.0, 0.5, 200);
+    assert_ne!(map.window(&window), other.window(&window));
+}
+
+#[test]
+fn labelled_roads_are_gray_and_the_labelled_pond_is_dark() {
+    let scenery = scenery();
+    let pixel = |p: GroundPoint| scenery.window(&around(p.north, p.east, 0.8, 1)).get(0, 0);
+    let labels = scenery.labels(&scenery.bounds());
+    let (mut gray, mut roads) = (0, 0);
+    for label in labels
+        .iter()
+        .filter(|l| l.name.as_deref() == Some("South Road"))
+    {
+        let side = label.polygon[0];
+        let across = label.polygon[2];
+        // A quarter of the way across: beside the painted lines.
+        let p = GroundPoint::new(
+            0.65 * side.north + 0.35 * across.north,
+            0.65 * side.east + 0.35 * across.east,
+        );
+        if scenery.bounds().contains(&p) {
+            let [r, g, b, _] = pixel(p);
+            let (most, least) = (r.max(g).max(b), r.min(g).min(b));
+            roads += 1;
+            gray += i32::from(most - least < 40);
+        }
+    }
+    assert!(roads > 30 && gray * 10 > roads * 7, "{gray} of {roads}");
+    let features = scenery.distinct_features();
+    let pond = features.iter().find(|f| f.name == "pond").unwrap();
+    let [r, g, b, _] = pixel(pond.landmark_box.center());
+    assert!(r.max(g).max(b) < 110, "{r} {g} {b}");
+}
+
+#[test]
+fn outside_the_square_there_is_no_data() {
+    let picture = scenery().window(&around(1300.0, 0.0, 1.0, 4));
+    assert!(picture.pixels().iter().all(|p| p[3] == 0));
+}

@@ -3,7 +3,7 @@
 //! Costly patterns (foliage, tufts of grass) are looked up instead of computed for every pixel;
 //! individual offsets and turns hide the repetition.
 
-use super::noise::{hash2, unit};
+use super::noise::{floor, hash2, unit};
 use super::shape::{Spot, spot};
 
 /// Side of a texel at the finest level, metres.
@@ -48,18 +48,19 @@ impl Texture {
     /// Channels at a place, averaged over about `gsd` metres.
     #[inline]
     pub(super) fn sample(&self, p: Spot, gsd: f32) -> [f32; 4] {
+        // The next power of two above the pixel's size in texels, from the exponent's bits.
         let level = if gsd < 0.18 {
             0
         } else {
-            ((gsd / 0.18).log2().ceil() as usize).min(self.levels.len() - 1)
+            let exponent = ((gsd * (1.0 / 0.18)).to_bits() >> 23) as usize - 126;
+            exponent.min(self.levels.len() - 1)
         };
         let n = self.side >> level;
         let mask = n as i32 - 1;
         let k = 1.0 / (TEXEL * (1 << level) as f32);
         let (x, y) = (p.n * k - 0.5, p.e * k - 0.5);
-        let (fx, fy) = (x.floor(), y.floor());
-        let (tx, ty) = (x - fx, y - fy);
-        let (ix, iy) = (fx as i32, fy as i32);
+        let (ix, iy) = (floor(x), floor(y));
+        let (tx, ty) = (x - ix as f32, y - iy as f32);
         let row = |i: i32| ((i & mask) as usize) * n;
         let column = |i: i32| (i & mask) as usize;
         let texels = &self.levels[level];
@@ -85,13 +86,13 @@ impl Texture {
 fn periodic(x: f32, y: f32, cells: i32, period: f32, seed: u32) -> f32 {
     let k = cells as f32 / period;
     let (x, y) = (x * k, y * k);
-    let (fx, fy) = (x.floor(), y.floor());
-    let (tx, ty) = (x - fx, y - fy);
+    let (ix, iy) = (floor(x), floor(y));
+    let (tx, ty) = (x - ix as f32, y - iy as f32);
     let (sx, sy) = (tx * tx * (3.0 - 2.0 * tx), ty * ty * (3.0 - 2.0 * ty));
     let at = |dx: i32, dy: i32| {
         unit(hash2(
-            (fx as i32 + dx).rem_euclid(cells),
-            (fy as i32 + dy).rem_euclid(cells),
+            (ix + dx).rem_euclid(cells),
+            (iy + dy).rem_euclid(cells),
             seed,
         ))
     };
@@ -179,6 +180,24 @@ pub(super) fn grain(seed: u32) -> Texture {
         let ridge = periodic(x + bend, y - bend, 16, period, seed ^ 14).abs();
         let veins = 1.0 - (ridge * 14.0).min(1.0);
         [speckle, clumps, patches, veins]
+    })
+}
+
+/// Side of the [`lay_of_the_land`] texture, in texture units of about 45 m.
+pub(super) const LAND_SCALE: f32 = 1.0 / 45.0;
+
+/// Slow variation of the land: how boundaries bend north and east, dampness, brightness.
+pub(super) fn lay_of_the_land(seed: u32) -> Texture {
+    const SIDE: usize = 512;
+    let period = SIDE as f32 * TEXEL;
+    Texture::from_fn(SIDE, |x, y| {
+        let wave = |cells: i32, salt: u32| periodic(x, y, cells, period, seed ^ salt);
+        [
+            0.75 * wave(32, 31) + 0.25 * wave(79, 32),
+            0.75 * wave(31, 33) + 0.25 * wave(83, 34),
+            0.55 * wave(30, 35) + 0.3 * wave(64, 36) + 0.2 * wave(130, 37),
+            0.6 * wave(11, 38) + 0.35 * wave(24, 39),
+        ]
     })
 }
 

@@ -213,8 +213,8 @@ pub(super) enum Form {
 /// The class of a road.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum RoadClass {
+    Stream,
     Track,
-    Drive,
     Street,
     Main,
 }

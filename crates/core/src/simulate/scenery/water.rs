@@ -2,8 +2,8 @@
 
 use super::labels::SceneKind;
 use super::plan::Plan;
-use super::shape::{Outline, Slab, Spot, smooth_curve, spot};
-use super::things::Ground;
+use super::shape::{Outline, Slab, Spot, polygon_distance, smooth_curve, spot};
+use super::things::{Ground, Road, RoadClass};
 
 /// Lays the pond and the stream that feeds and leaves it.
 pub(super) fn build(plan: &mut Plan) {
@@ -31,22 +31,6 @@ pub(super) fn build(plan: &mut Plan) {
         .enumerate()
         .map(|(i, &p)| p + spot(wander(i), wander(i + 40)))
         .collect();
-    for w in points.windows(2) {
-        let axis = (w[1] - w[0]).unit();
-        let piece = Slab {
-            center: (w[0] + w[1]) * 0.5,
-            axis,
-            half_along: 0.5 * (w[1] - w[0]).length() + 1.4,
-            half_across: 1.7,
-        };
-        plan.lay(
-            Outline::Slab(piece),
-            Ground::Pond,
-            axis,
-            0.7,
-            Some(SceneKind::Stream),
-        );
-    }
     let pond = Slab::new(s(215.0, 690.0), 0.7, 92.0, 58.0);
     let shore: Vec<Spot> = (0..64)
         .map(|i| {
@@ -74,5 +58,18 @@ pub(super) fn build(plan: &mut Plan) {
         1.6,
         Some(SceneKind::Pond),
     );
-    plan.announce("pond", SceneKind::Pond, shore, &pond.grown(12.0));
+    plan.announce("pond", SceneKind::Pond, shore.clone(), &pond.grown(12.0));
+    // The stream runs into the pond on one side and out on the other.
+    let wet = |p: Spot| polygon_distance(&shore, p) < 1.5;
+    for reach in points.split(|&p| wet(p)) {
+        if reach.len() > 1 {
+            plan.roads.push(Road {
+                class: RoadClass::Stream,
+                curve: reach.to_vec(),
+                half_width: 1.7,
+                name: Some("stream"),
+                village: false,
+            });
+        }
+    }
 }

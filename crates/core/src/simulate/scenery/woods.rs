@@ -1,14 +1,17 @@
 //! Where trees grow: woods, hedges, road sides, water sides and single trees.
 
+use super::fields::{bent, unbent};
 use super::grid::{Grid, REACH};
 use super::noise::{Dice, hash2, unit, value_noise};
 use super::parcels::{Parcels, Use};
 use super::plan::{Plan, Segment};
 use super::shape::{Spot, spot};
-use super::things::Habit;
+use super::texture::Texture;
+use super::things::{Habit, RoadClass};
 
 /// What keeps trees away, looked up by cells.
 pub(super) struct Ground<'a> {
+    pub(super) land: &'a Texture,
     pub(super) segments: &'a [Segment],
     pub(super) segment_grid: &'a Grid,
     pub(super) surface_grid: &'a Grid,
@@ -23,11 +26,10 @@ impl Ground<'_> {
             s.measure(p).0 > s.half_width + (0.75 * radius).min(4.0) + 0.6
         });
         clear_of_roads
-            && self
-                .surface_grid
-                .at(p)
-                .iter()
-                .all(|&i| plan.surfaces[i as usize].outline.distance(p) > 0.4 * radius)
+            && self.surface_grid.at(p).iter().all(|&i| {
+                let s = &plan.surfaces[i as usize];
+                s.ground == super::things::Ground::Grass || s.outline.distance(p) > 0.4 * radius
+            })
             && self
                 .solid_grid
                 .at(p)
@@ -48,7 +50,7 @@ pub(super) fn plant(plan: &mut Plan, parcels: &Parcels, ground: &Ground, seed: u
                 (row as f32 + 0.9 * unit(h)) * pitch - REACH,
                 (column as f32 + 0.9 * unit(h.wrapping_mul(0x9e37_79b1))) * pitch - REACH,
             );
-            let located = parcels.locate(p);
+            let located = parcels.locate(unbent(ground.land, p));
             let parcel = &parcels.parcels[located.parcel as usize];
             let wobble = 5.0 * value_noise(p.n * 0.05, p.e * 0.05, 77);
             let habit = match parcel.use_ {
@@ -117,7 +119,7 @@ fn undergrowth(plan: &mut Plan, parcels: &Parcels, ground: &Ground, dice: &mut D
                 dice.range(bounds.0.n, bounds.1.n),
                 dice.range(bounds.0.e, bounds.1.e),
             );
-            let depth = -super::shape::polygon_distance(&parcel.corners, p);
+            let depth = -super::shape::polygon_distance(&parcel.corners, unbent(ground.land, p));
             if depth < 0.5 || depth > 14.0 && dice.chance(0.5) {
                 continue;
             }
@@ -139,37 +141,41 @@ fn bounds(corners: &[Spot]) -> Option<(Spot, Spot)> {
 
 /// Bushes and trees along water.
 fn banks(plan: &mut Plan, ground: &Ground, dice: &mut Dice) {
-    let outlines: Vec<_> = plan
+    let ponds = plan
         .surfaces
         .iter()
         .filter(|s| s.ground == super::things::Ground::Pond)
-        .map(|s| s.outline.clone())
-        .collect();
-    for outline in outlines {
-        let corners = outline.corners();
-        for i in 0..corners.len() {
-            let (a, b) = (corners[i], corners[(i + 1) % corners.len()]);
-            let length = (b - a).length();
-            let mut along = dice.range(0.0, 5.0);
+        .map(|s| {
+            let mut corners = s.outline.corners();
+            corners.extend(corners.first().copied());
+            (corners, 0.0)
+        });
+    let streams = plan
+        .roads
+        .iter()
+        .filter(|r| r.class == RoadClass::Stream)
+        .map(|r| (r.curve.clone(), r.half_width));
+    let lines: Vec<(Vec<Spot>, f32)> = ponds.chain(streams).collect();
+    for (line, half_width) in lines {
+        for w in line.windows(2) {
+            let length = (w[1] - w[0]).length();
+            let mut along = dice.range(0.0, 3.0);
             while along < length {
-                let p = a + (b - a) * (along / length);
-                let outward = (b - a).unit().right() * dice.pick(&[-1.0, 1.0]);
-                let tree = dice.chance(0.22);
+                let p = w[0] + (w[1] - w[0]) * (along / length);
+                let outward = (w[1] - w[0]).unit().right() * dice.pick(&[-1.0, 1.0]);
+                let tree = dice.chance(0.2);
                 let radius = if tree {
-                    dice.range(1.8, 4.4)
+                    dice.range(1.8, 4.6)
                 } else {
-                    dice.range(0.6, 1.6)
+                    dice.range(0.5, 1.6)
                 };
-                let q = p + outward * (0.6 * radius + dice.range(0.2, 2.2));
-                let dense = value_noise(p.n * 0.04, p.e * 0.04, 95) > -0.25;
-                if dense
-                    && outline.distance(q) > 0.3 * radius
-                    && ground.is_open(plan, q, 0.5 * radius)
-                {
+                let q = p + outward * (half_width + 0.5 * radius + dice.range(0.3, 2.0));
+                let dense = value_noise(p.n * 0.03, p.e * 0.03, 95) > -0.3;
+                if dense && ground.is_open(plan, q, 0.4 * radius) {
                     let habit = if tree { Habit::Broadleaf } else { Habit::Shrub };
                     plan.plant(q, radius, habit, dice);
                 }
-                along += dice.range(0.8, 3.2);
+                along += dice.range(0.7, 3.0);
             }
         }
     }
@@ -193,7 +199,10 @@ fn hedges(plan: &mut Plan, parcels: &Parcels, ground: &Ground, dice: &mut Dice) 
             let mut along = dice.range(0.0, 6.0);
             let thick = dice.range(0.0, 1.0);
             while along < length {
-                let p = a + axis * along + axis.right() * dice.range(-0.9, 0.9);
+                let p = bent(
+                    ground.land,
+                    a + axis * along + axis.right() * dice.range(-0.9, 0.9),
+                );
                 let gap = value_noise(p.n * 0.03, p.e * 0.03, 91) < -0.35;
                 let tree = dice.chance(0.07 + 0.15 * thick);
                 let r = if tree {
@@ -219,7 +228,8 @@ fn orchards(plan: &mut Plan, parcels: &Parcels, ground: &Ground, dice: &mut Dice
                 let p = center
                     + parcel.axis * (i as f32 * 5.0 + dice.range(-0.4, 0.4))
                     + parcel.axis.right() * (j as f32 * 6.0 + dice.range(-0.3, 0.3));
-                let inside = super::shape::polygon_distance(&parcel.corners, p) < -6.0;
+                let inside =
+                    super::shape::polygon_distance(&parcel.corners, unbent(ground.land, p)) < -6.0;
                 let r = dice.range(1.3, 2.2);
                 if inside && !dice.chance(0.06) && ground.is_open(plan, p, r) {
                     plan.plant(p, r, Habit::Broadleaf, dice);

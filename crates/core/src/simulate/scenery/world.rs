@@ -32,6 +32,7 @@ pub(super) struct World {
     pub(super) foliage: Foliage,
     pub(super) foliage_texture: Texture,
     pub(super) grain_texture: Texture,
+    pub(super) land_texture: Texture,
     pub(super) growth: u32,
     pub(super) light: Light,
 }
@@ -63,7 +64,9 @@ impl World {
             |s| s.outline().corners(),
             |s, center, reach| s.distance(center) < reach,
         );
+        let land_texture = texture::lay_of_the_land(seed as u32 ^ 0x53);
         let ground = woods::Ground {
+            land: &land_texture,
             segments: &segments,
             segment_grid: &segment_grid,
             surface_grid: &surface_grid,
@@ -129,6 +132,7 @@ impl World {
             crown_shadows,
             foliage: Foliage::new(day.season, day.growth_seed),
             foliage_texture: texture::foliage(seed as u32 ^ 0x51),
+            land_texture,
             grain_texture: texture::grain(seed as u32 ^ 0x52),
             growth: day.growth_seed as u32,
             light,
