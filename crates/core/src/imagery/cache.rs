@@ -7,8 +7,9 @@ use super::{Imagery, Window};
 use crate::frames::GroundRect;
 use crate::raster::{Raster, Rgba};
 
-/// Pixels along a tile's side.
-const TILE: i64 = 256;
+/// Pixels along the side of a tile of [`CachedImagery`].
+pub const TILE_SIDE: usize = 128;
+const TILE: i64 = TILE_SIDE as i64;
 
 /// Where a tile lies: scale level, row from the north, column from the west.
 type Place = (i32, i64, i64);

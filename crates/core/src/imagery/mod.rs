@@ -6,7 +6,7 @@ mod cache;
 mod georeference;
 mod georeferenced;
 
-pub use cache::CachedImagery;
+pub use cache::{CachedImagery, TILE_SIDE};
 pub use georeference::{Georeference, GeoreferenceError, GroundFromPixel, Similarity, WorldFile};
 pub use georeferenced::{GeoreferencedPicture, opaque, without_black_border};
 

@@ -35,6 +35,14 @@ pub fn gaussian_blur_colour(picture: &Raster<Rgb>, sigma: f64) -> Raster<Rgb> {
     out
 }
 
+/// [`gaussian_blur`] of interleaved samples, `channels` per pixel and `width` pixels in a row, in
+/// place.
+pub fn blur_interleaved(samples: &mut [f32], width: usize, channels: usize, sigma: f64) {
+    if sigma > 0.0 && sigma.is_finite() && !samples.is_empty() {
+        blur_planes(samples, width, channels, &gaussian_weights(sigma));
+    }
+}
+
 /// The mean over a window of `2·radius + 1` pixels a side, cut at the edges of the picture.
 pub fn box_blur(picture: &Gray, radius: usize) -> Gray {
     let table = super::IntegralImage::new(picture);
@@ -50,7 +58,7 @@ pub fn box_blur(picture: &Gray, radius: usize) -> Gray {
 }
 
 /// Weights of one side, the middle first, normalized over both sides.
-pub(crate) fn gaussian_weights(sigma: f64) -> Vec<f32> {
+fn gaussian_weights(sigma: f64) -> Vec<f32> {
     let radius = (3.0 * sigma).ceil().clamp(1.0, 200.0) as i32;
     let weight = |i: i32| (-0.5 * (f64::from(i) / sigma).powi(2)).exp();
     let total: f64 = (-radius..=radius).map(weight).sum();
@@ -58,7 +66,7 @@ pub(crate) fn gaussian_weights(sigma: f64) -> Vec<f32> {
 }
 
 /// Smooths interleaved samples, `channels` per pixel, first across and then down, in place.
-pub(crate) fn blur_planes(samples: &mut [f32], width: usize, channels: usize, weights: &[f32]) {
+fn blur_planes(samples: &mut [f32], width: usize, channels: usize, weights: &[f32]) {
     let radius = weights.len() - 1;
     let row_length = width * channels;
     let height = samples.len() / row_length;

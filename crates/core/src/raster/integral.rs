@@ -1,6 +1,7 @@
 //! Sums over any rectangle in four look-ups.
 
-use super::Gray;
+use super::pool::Buffer;
+use super::{Gray, simd};
 
 /// Summed-area table in double precision.
 #[derive(Clone, Debug)]
@@ -8,62 +9,43 @@ pub struct IntegralImage {
     stride: usize,
     rows: usize,
     /// `sums[(r, c)]` is the sum of all pixels above row r and left of column c.
-    sums: Vec<f64>,
+    sums: Buffer<f64>,
 }
 
 impl IntegralImage {
     /// The table of `picture`.
     pub fn new(picture: &Gray) -> Self {
-        Self::of(picture.pixels(), picture.width(), |value| value)
+        Self::of(picture.pixels(), picture.width(), false)
     }
 
     /// The table of the squares of `picture`.
     pub fn of_squares(picture: &Gray) -> Self {
-        Self::of(picture.pixels(), picture.width(), |value| value * value)
+        Self::of(picture.pixels(), picture.width(), true)
     }
 
-    /// The table of `f(pixel)`; `pixels` row by row, `width` pixels in each.
-    pub(crate) fn of(pixels: &[f32], width: usize, f: impl Fn(f64) -> f64) -> Self {
+    /// The table of `pixels` or of their squares, row by row, `width` pixels in each.
+    pub(super) fn of(pixels: &[f32], width: usize, squares: bool) -> Self {
         let height = pixels.len().checked_div(width).unwrap_or(0);
         let stride = width + 1;
-        let mut sums = vec![0.0; stride * (height + 1)];
-        // Four rows at a time, so that four chains of additions run side by side.
+        let mut sums = Buffer::<f64>::dirty(stride * (height + 1));
+        sums[..stride].fill(0.0);
         let mut row = 0;
         while row < height {
             let together = (height - row).min(4);
+            // Up to three rows at the end are summed with the last one again.
+            let source =
+                std::array::from_fn(|i| &pixels[(row + i.min(together - 1)) * width..][..width]);
+            let target = &mut sums[(row + 1) * stride..];
             if together == 4 {
-                let source: [&[f32]; 4] =
-                    std::array::from_fn(|i| &pixels[(row + i) * width..][..width]);
-                let mut running = [0.0f64; 4];
-                let (a, rest) = sums[(row + 1) * stride..][..4 * stride].split_at_mut(stride);
-                let (b, rest) = rest.split_at_mut(stride);
-                let (c, d) = rest.split_at_mut(stride);
-                for column in 0..width {
-                    for (sum, line) in running.iter_mut().zip(source) {
-                        *sum += f(f64::from(line[column]));
-                    }
-                    a[column + 1] = running[0];
-                    b[column + 1] = running[1];
-                    c[column + 1] = running[2];
-                    d[column + 1] = running[3];
-                }
+                simd::four_running_sums(source, squares, target, stride);
             } else {
-                for i in 0..together {
-                    let mut running = 0.0;
-                    let source = &pixels[(row + i) * width..][..width];
-                    let target = &mut sums[(row + i + 1) * stride + 1..][..width];
-                    for (sum, &value) in target.iter_mut().zip(source) {
-                        running += f(f64::from(value));
-                        *sum = running;
-                    }
-                }
+                let mut rest = Buffer::<f64>::zeros(4 * stride);
+                simd::four_running_sums(source, squares, &mut rest, stride);
+                target[..together * stride].copy_from_slice(&rest[..together * stride]);
             }
-            for i in 0..together {
-                let (above, below) = sums.split_at_mut((row + i + 1) * stride);
-                let above = &above[(row + i) * stride..];
-                for (sum, &upper) in below[..stride].iter_mut().zip(above) {
-                    *sum += upper;
-                }
+            for i in row + 1..=row + together {
+                let (above, below) = sums.split_at_mut(i * stride);
+                simd::accumulate(&above[(i - 1) * stride..], &mut below[..stride]);
             }
             row += together;
         }
@@ -82,9 +64,50 @@ impl IntegralImage {
     }
 
     /// The table's row `row` (0 to the height of the picture), one entry more than the width.
-    pub(crate) fn line(&self, row: usize) -> &[f64] {
+    fn line(&self, row: usize) -> &[f64] {
         assert!(row < self.rows, "row {row} of a table of {}", self.rows);
         &self.sums[row * self.stride..][..self.stride]
+    }
+}
+
+/// The four corners of all windows of one size in a row, as slices of one length so that loops over
+/// them vectorize.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Corners<'a> {
+    top_left: &'a [f64],
+    top_right: &'a [f64],
+    bottom_left: &'a [f64],
+    bottom_right: &'a [f64],
+}
+
+impl<'a> Corners<'a> {
+    /// Of the windows of `width` × `height` pixels with their top edge at `row`.
+    pub fn of(table: &'a IntegralImage, row: usize, (width, height): (usize, usize)) -> Self {
+        let (top, bottom) = (table.line(row), table.line(row + height));
+        let count = table.stride - width;
+        Self {
+            top_left: &top[..count],
+            top_right: &top[width..],
+            bottom_left: &bottom[..count],
+            bottom_right: &bottom[width..],
+        }
+    }
+
+    /// The first `count` windows.
+    #[inline]
+    pub fn cut(&self, count: usize) -> Self {
+        Self {
+            top_left: &self.top_left[..count],
+            top_right: &self.top_right[..count],
+            bottom_left: &self.bottom_left[..count],
+            bottom_right: &self.bottom_right[..count],
+        }
+    }
+
+    /// Sum over the window at column `x`.
+    #[inline]
+    pub fn at(&self, x: usize) -> f64 {
+        self.bottom_right[x] - self.bottom_left[x] - self.top_right[x] + self.top_left[x]
     }
 }
 

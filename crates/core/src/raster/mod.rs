@@ -12,11 +12,12 @@ mod halve;
 mod image;
 mod integral;
 mod peak;
+mod pool;
 mod pyramid;
 mod simd;
 mod warp;
 
-pub use blur::{box_blur, gaussian_blur, gaussian_blur_colour};
+pub use blur::{blur_interleaved, box_blur, gaussian_blur, gaussian_blur_colour};
 pub use codec::{
     CodecError, decode_picture, decode_picture_with_coverage, encode_jpeg, encode_png,
 };

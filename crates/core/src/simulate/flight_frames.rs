@@ -2,14 +2,13 @@
 
 use std::sync::Arc;
 
-use super::aerial_camera::{AerialCameraSettings, expose, frame_random, render};
+use super::aerial_camera::{AerialCamera, AerialCameraSettings, AerialFrame, frame_random};
 use super::scenario::FlightDay;
 use super::scenery::{DEMO_SEED, Scenery};
-use crate::camera::CameraModel;
 use crate::flight::{Flight, FrameError, FrameSource};
 use crate::frames::Pose;
 use crate::imagery::CachedImagery;
-use crate::raster::{Picture, decode_picture, encode_jpeg};
+use crate::raster::{Picture, encode_png};
 
 /// Memory for tiles of the scenery.
 const CACHE_MEGABYTES: usize = 96;
@@ -33,8 +32,7 @@ pub struct SimulatedFrames {
     imagery: Option<Arc<CachedImagery>>,
     day: FlightDay,
     seed: u64,
-    settings: AerialCameraSettings,
-    camera: CameraModel,
+    camera: Arc<AerialCamera>,
     ground_down: f64,
     poses: Vec<Option<Pose>>,
     names: Vec<String>,
@@ -46,13 +44,17 @@ impl SimulatedFrames {
     ///
     /// The scenery is laid out with the first picture.
     pub fn new(flight: &Flight, day: FlightDay, seed: u64) -> Self {
+        // The true poses shake already.
+        let settings = AerialCameraSettings {
+            mount_vibration_sd: 0.0,
+            ..AerialCameraSettings::default()
+        };
         let truth = flight.truth.as_ref().map_or(&[][..], |t| &t.frames);
         Self {
             imagery: None,
             day,
             seed,
-            settings: AerialCameraSettings::default(),
-            camera: flight.camera.clone(),
+            camera: Arc::new(AerialCamera::new(flight.camera.clone(), settings)),
             ground_down: flight.ground_down,
             poses: truth.iter().map(crate::flight::FrameTruth::pose).collect(),
             names: flight.frames.iter().map(|f| f.name.clone()).collect(),
@@ -75,6 +77,22 @@ impl SimulatedFrames {
         }))
     }
 
+    /// One frame with its file and the pose from which it was taken.
+    pub fn frame(&mut self, index: usize) -> Result<AerialFrame, FrameError> {
+        let pose = self
+            .poses
+            .get(index)
+            .ok_or(FrameError::OutOfRange(index))?
+            .ok_or_else(|| {
+                self.unreadable(index, "the flight does not tell from where it was taken")
+            })?;
+        let imagery = self.imagery();
+        let mut random = frame_random(self.seed, index);
+        Ok(self
+            .camera
+            .take(&*imagery, &pose, self.ground_down, &mut random))
+    }
+
     fn unreadable(&self, index: usize, cause: impl ToString) -> FrameError {
         FrameError::Unreadable {
             name: self.names[index].clone(),
@@ -85,22 +103,15 @@ impl SimulatedFrames {
 
 impl FrameSource for SimulatedFrames {
     fn picture(&mut self, index: usize) -> Result<Picture, FrameError> {
-        let encoded = self.encoded(index)?;
-        decode_picture(&encoded).map_err(|e| self.unreadable(index, e))
+        Ok(self.frame(index)?.picture)
     }
 
     fn encoded(&mut self, index: usize) -> Result<Vec<u8>, FrameError> {
-        let pose = self
-            .poses
-            .get(index)
-            .ok_or(FrameError::OutOfRange(index))?
-            .ok_or_else(|| {
-                self.unreadable(index, "the flight does not tell from where it was taken")
-            })?;
-        let imagery = self.imagery();
-        let ideal = render(&imagery, &self.camera, &pose, self.ground_down);
-        let picture = expose(&ideal, &self.settings, &mut frame_random(self.seed, index));
-        encode_jpeg(&picture, self.settings.jpeg_quality).map_err(|e| self.unreadable(index, e))
+        let frame = self.frame(index)?;
+        match frame.encoded {
+            Some(bytes) => Ok(bytes),
+            None => encode_png(&frame.picture).map_err(|e| self.unreadable(index, e)),
+        }
     }
 }
 

@@ -11,7 +11,7 @@ mod scenario;
 pub mod scenery;
 mod sensors;
 
-pub use aerial_camera::{AerialCameraSettings, expose, frame_random, render};
+pub use aerial_camera::{AerialCamera, AerialCameraSettings, AerialFrame, frame_random};
 pub use dryden::{DrydenGust, Turbulence};
 pub use flight::FlightPlan;
 pub use flight_airframe::{AircraftState, Airframe, Command};

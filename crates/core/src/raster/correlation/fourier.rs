@@ -1,40 +1,72 @@
-//! Cross-correlation through one real Fourier transform of the flattened picture.
+//! Cross-correlation through one complex Fourier transform of half the picture's pixels.
 //!
 //! Written row after row, a picture of W × H pixels is a signal of W·H samples, and a template laid
 //! out with the same stride W is one too. Their one-dimensional correlation at lag y·W + x is the
 //! two-dimensional one at (x, y) for every place at which the template lies inside the picture:
 //! there no row of the template reaches over the end of a row. The highest sample such a place
-//! touches is W·H - 1, so a cyclic transform of W·H samples suffices, without zeros in between and
-//! without the two passes of a two-dimensional transform.
+//! touches is W·H - 1, so N ≥ W·H samples suffice, without zeros in between and without the two
+//! passes of a two-dimensional transform.
+//!
+//! The correlation is a convolution with the reversed template. For real signals of N samples it is
+//! computed with complex transforms of N/2: with z(n) = x(n) + i x(n + N/2) and the twist
+//! w(n) = exp(iπn/N), the product of the transforms of z·w is the transform of the twisted
+//! *negacyclic* convolution, whose samples wrap around with the sign changed. No valid place wraps
+//! around, so the sign does not matter, and nothing has to be untangled afterwards.
 
+use std::f64::consts::PI;
 use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 
-use realfft::num_complex::Complex32;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use rustfft::num_complex::Complex32;
+use rustfft::{Fft, FftPlanner};
 
-/// Half spectrum of a flattened real picture.
+use crate::raster::pool::Buffer;
+use crate::raster::simd::{self, Twist};
+
+/// Transform of a flattened, twisted real picture.
 #[derive(Clone, Debug)]
 pub(super) struct Spectrum {
     pub stride: usize,
     pub length: usize,
-    bins: Vec<Complex32>,
+    /// Samples of the flattened kernel less one: the lag of its first place. Zero for a picture.
+    delay: usize,
+    bins: Buffer<Complex32>,
 }
 
-type Plans = (Arc<dyn RealToComplex<f32>>, Arc<dyn ComplexToReal<f32>>);
-
-/// The plans for a length; the planner keeps what it has made.
-fn plans(length: usize) -> Plans {
-    static PLANNER: LazyLock<Mutex<RealFftPlanner<f32>>> =
-        LazyLock::new(|| Mutex::new(RealFftPlanner::new()));
-    let mut planner = PLANNER.lock().unwrap_or_else(PoisonError::into_inner);
-    (
-        planner.plan_fft_forward(length),
-        planner.plan_fft_inverse(length),
-    )
+/// What transforming signals of one length takes.
+struct Plan {
+    forward: Arc<dyn Fft<f32>>,
+    inverse: Arc<dyn Fft<f32>>,
+    twist: Twist,
 }
 
-/// The shortest length of at least `length` samples that transforms fast: a power of two times 1,
-/// 3, 5, 9 or 15 (over 16, so that the vector code applies).
+/// Plans kept; a navigator meets few lengths.
+const KEPT_PLANS: usize = 64;
+
+/// The plan for signals of `length` real samples.
+fn plan(length: usize) -> Arc<Plan> {
+    static PLANS: LazyLock<Mutex<Vec<(usize, Arc<Plan>)>>> = LazyLock::new(Mutex::default);
+    let mut plans = PLANS.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some((_, plan)) = plans.iter().find(|(own, _)| *own == length) {
+        return Arc::clone(plan);
+    }
+    let mut planner = FftPlanner::new();
+    let angle = |n: usize| PI * n as f64 / length as f64;
+    let plan = Arc::new(Plan {
+        forward: planner.plan_fft_forward(length / 2),
+        inverse: planner.plan_fft_inverse(length / 2),
+        twist: Twist {
+            cos: (0..length / 2).map(|n| angle(n).cos() as f32).collect(),
+            sin: (0..length / 2).map(|n| angle(n).sin() as f32).collect(),
+        },
+    });
+    if plans.len() >= KEPT_PLANS {
+        plans.remove(0);
+    }
+    plans.push((length, Arc::clone(&plan)));
+    plan
+}
+
+/// The shortest length of at least `length` samples that transforms fast.
 pub(super) fn good_length(length: usize) -> usize {
     [1, 3, 5, 9, 15]
         .into_iter()
@@ -50,64 +82,82 @@ pub(super) fn good_length(length: usize) -> usize {
 }
 
 impl Spectrum {
-    /// Of a picture given row by row, `stride` pixels in each.
+    /// Of a picture given row by row, `stride` pixels in each; `length` is even and not shorter.
     pub fn of_picture(pixels: &[f32], stride: usize, length: usize) -> Self {
-        let mut samples = vec![0.0; length];
-        samples[..pixels.len()].copy_from_slice(pixels);
-        Self::of_samples(samples, stride)
-    }
-
-    /// Of a correlation kernel with `width` pixels in a row, conjugated and divided by the length.
-    pub fn of_kernel(pixels: &[f32], width: usize, stride: usize, length: usize) -> Self {
-        let mut samples = vec![0.0; length];
-        for (target, source) in samples.chunks_mut(stride).zip(pixels.chunks_exact(width)) {
-            target[..width].copy_from_slice(source);
-        }
-        let mut spectrum = Self::of_samples(samples, stride);
-        let scale = 1.0 / length as f32;
-        for bin in &mut spectrum.bins {
-            *bin = Complex32::new(bin.re * scale, -bin.im * scale);
-        }
-        spectrum
-    }
-
-    fn of_samples(mut samples: Vec<f32>, stride: usize) -> Self {
-        let length = samples.len();
-        let (forward, _) = plans(length);
-        let mut bins = forward.make_output_vec();
-        let mut scratch = forward.make_scratch_vec();
-        // The transform only refuses buffers of another length than its own.
-        let done = forward.process_with_scratch(&mut samples, &mut bins, &mut scratch);
-        debug_assert!(done.is_ok(), "{done:?}");
+        let plan = plan(length);
+        let half = length / 2;
+        let mut bins = Buffer::<Complex32>::dirty(half);
+        // The last samples are zeros.
+        let mut padded = Buffer::<f32>::dirty(length);
+        padded[..pixels.len()].copy_from_slice(pixels);
+        padded[pixels.len()..].fill(0.0);
+        let (real, imaginary) = padded.split_at(half);
+        simd::twist(real, imaginary, &plan.twist, &mut bins);
+        plan.transform(&mut bins);
         Self {
             stride,
             length,
+            delay: 0,
             bins,
         }
     }
 
-    /// The correlation with a kernel: `length` samples of which lag y·stride + x is place (x, y).
-    pub fn correlate(&self, kernel: &Self) -> Vec<f32> {
+    /// Of a correlation kernel with `width` pixels in a row: reversed and divided by N/2.
+    pub fn of_kernel(pixels: &[f32], width: usize, stride: usize, length: usize) -> Self {
+        let plan = plan(length);
+        let half = length / 2;
+        let delay = (pixels.len() / width - 1) * stride + width - 1;
+        let scale = 1.0 / half as f32;
+        let mut bins = Buffer::<Complex32>::zeros(half);
+        let mut add = |samples: &[f32], imaginary: bool, from: usize| {
+            simd::twist_reversed(samples, scale, imaginary, &plan.twist, from, &mut bins);
+        };
+        for (row, line) in pixels.chunks_exact(width).enumerate() {
+            // The row's last pixel comes first.
+            let first = delay - row * stride + 1 - width;
+            if first >= half {
+                add(line, true, first - half);
+            } else if first + width <= half {
+                add(line, false, first);
+            } else {
+                let (second, head) = line.split_at(width - (half - first));
+                add(head, false, first);
+                add(second, true, 0);
+            }
+        }
+        plan.transform(&mut bins);
+        Self {
+            stride,
+            length,
+            delay,
+            bins,
+        }
+    }
+
+    /// The correlation of a picture with a kernel: sample y·stride + x is place (x, y).
+    pub fn correlate(&self, kernel: &Self) -> Buffer<f32> {
         debug_assert_eq!((self.stride, self.length), (kernel.stride, kernel.length));
-        let mut product: Vec<Complex32> = self
-            .bins
-            .iter()
-            .zip(&kernel.bins)
-            .map(|(a, b)| a * b)
-            .collect();
-        // The bins at zero and at the Nyquist frequency of a real signal are real.
-        if let Some(first) = product.first_mut() {
-            first.im = 0.0;
-        }
-        if let Some(last) = product.last_mut().filter(|_| self.length.is_multiple_of(2)) {
-            last.im = 0.0;
-        }
-        let (_, inverse) = plans(self.length);
-        let mut samples = inverse.make_output_vec();
-        let mut scratch = inverse.make_scratch_vec();
-        let done = inverse.process_with_scratch(&mut product, &mut samples, &mut scratch);
-        debug_assert!(done.is_ok(), "{done:?}");
+        let plan = plan(self.length);
+        let mut product = Buffer::<Complex32>::dirty(self.bins.len());
+        simd::multiply(&self.bins, &kernel.bins, &mut product);
+        let mut scratch = Buffer::<Complex32>::dirty(plan.inverse.get_inplace_scratch_len());
+        plan.inverse
+            .process_with_scratch(&mut product, &mut scratch);
+        // Places begin at the delay.
+        let half = self.length / 2;
+        let mut samples = Buffer::<f32>::dirty(self.length - kernel.delay);
+        let (real, imaginary) = samples.split_at_mut(half.saturating_sub(kernel.delay));
+        simd::untwist_real(&product, &plan.twist, kernel.delay.min(half), real);
+        let from = kernel.delay.saturating_sub(half);
+        simd::untwist_imaginary(&product, &plan.twist, from, imaginary);
         samples
+    }
+}
+
+impl Plan {
+    fn transform(&self, bins: &mut [Complex32]) {
+        let mut scratch = Buffer::<Complex32>::dirty(self.forward.get_inplace_scratch_len());
+        self.forward.process_with_scratch(bins, &mut scratch);
     }
 }
 

@@ -6,6 +6,7 @@ use super::cost;
 use super::fourier::{Spectrum, good_length};
 use super::normalize::{Windows, normalize};
 use super::template::{FLATNESS, Kernel, Template};
+use crate::raster::pool::Buffer;
 use crate::raster::simd::{self, Instructions, PaddedRows};
 use crate::raster::{Gray, IntegralImage};
 
@@ -18,21 +19,21 @@ pub struct SearchSpectrum {
     width: usize,
     height: usize,
     /// Pixels minus the mean of the picture, which keeps single precision precise.
-    centred: Vec<f32>,
+    centred: Buffer<f32>,
     /// Samples of the flattened transform.
     length: usize,
     /// Energy per pixel below which a window counts as flat.
     flat: f64,
     sums: IntegralImage,
     squares: IntegralImage,
-    spectrum: OnceLock<Spectrum>,
-    squared: OnceLock<Squared>,
+    own: Prepared,
+    squared: OnceLock<(Vec<f32>, Prepared)>,
 }
 
-/// What only masked templates need.
-#[derive(Debug)]
-struct Squared {
-    pixels: Vec<f32>,
+/// Forms of a picture that the engines want, made when they do.
+#[derive(Debug, Default)]
+struct Prepared {
+    padded: OnceLock<PaddedRows>,
     spectrum: OnceLock<Spectrum>,
 }
 
@@ -62,16 +63,17 @@ impl SearchSpectrum {
         let pixels = search.pixels();
         let mean = row_sums(pixels) / (pixels.len().max(1)) as f64;
         let mean = if mean.is_finite() { mean as f32 } else { 0.0 };
-        let centred: Vec<f32> = pixels.iter().map(|&v| v - mean).collect();
+        let mut centred = Buffer::<f32>::dirty(pixels.len());
+        simd::subtract(pixels, mean, &mut centred);
         Self {
             width,
             height,
             length: good_length(width * height),
             flat,
-            sums: IntegralImage::of(&centred, width, |v| v),
-            squares: IntegralImage::of(&centred, width, |v| v * v),
+            sums: IntegralImage::of(&centred, width, false),
+            squares: IntegralImage::of(&centred, width, true),
             centred,
-            spectrum: OnceLock::new(),
+            own: Prepared::default(),
             squared: OnceLock::new(),
         }
     }
@@ -95,7 +97,7 @@ impl SearchSpectrum {
         if template.width > self.width || template.height > self.height {
             return Gray::filled(0, 0, 0.0);
         }
-        let numerator = self.raw(&template.zero_mean, &self.centred, &self.spectrum, engine);
+        let numerator = self.raw(&template.zero_mean, &self.centred, &self.own, engine);
         let area = template.count;
         let limit = self.flat * area;
         let size = (
@@ -108,15 +110,15 @@ impl SearchSpectrum {
                 squares: &self.squares,
                 size: (template.width, template.height),
             };
-            return normalize(numerator, &windows, size, template.norm, limit);
+            return normalize(&numerator, &windows, size, template.norm, limit);
         };
         // Under a mask the window sums are correlations with the mask.
-        let squared = self.squared.get_or_init(|| Squared {
-            pixels: self.centred.iter().map(|v| v * v).collect(),
-            spectrum: OnceLock::new(),
+        let (squared, prepared) = self.squared.get_or_init(|| {
+            let pixels = self.centred.iter().map(|v| v * v).collect();
+            (pixels, Prepared::default())
         });
-        let sums = self.raw(mask, &self.centred, &self.spectrum, engine);
-        let squares = self.raw(mask, &squared.pixels, &squared.spectrum, engine);
+        let sums = self.raw(mask, &self.centred, &self.own, engine);
+        let squares = self.raw(mask, squared, prepared, engine);
         // Single precision sums: what lies below their rounding is flat too.
         let rounding = 1e-6 * self.squares.sum(0, 0, self.width, self.height);
         let limit = limit.max(rounding * area / (self.width * self.height) as f64);
@@ -136,7 +138,7 @@ impl SearchSpectrum {
         &self,
         kernel: &Kernel,
         pixels: &[f32],
-        spectrum: &OnceLock<Spectrum>,
+        prepared: &Prepared,
         engine: Option<Engine>,
     ) -> Surface {
         let (columns, rows) = (
@@ -145,7 +147,7 @@ impl SearchSpectrum {
         );
         let engine = engine.unwrap_or_else(|| {
             let missing = [
-                spectrum.get().is_none(),
+                prepared.spectrum.get().is_none(),
                 !kernel.has_spectrum(self.width, self.length),
             ];
             let transforms = 1.0 + missing.into_iter().filter(|&m| m).count() as f64;
@@ -158,14 +160,17 @@ impl SearchSpectrum {
         });
         match engine {
             Engine::Direct(instructions) => {
-                let padded = PaddedRows::new(pixels, self.width);
+                let padded = prepared
+                    .padded
+                    .get_or_init(|| PaddedRows::new(pixels, self.width));
                 let (stride, values) =
-                    simd::correlate(&padded, &kernel.block_kernel(), columns, rows, instructions);
+                    simd::correlate(padded, kernel.blocks(), columns, rows, instructions);
                 Surface { stride, values }
             }
             Engine::Fourier => {
-                let own =
-                    spectrum.get_or_init(|| Spectrum::of_picture(pixels, self.width, self.length));
+                let own = prepared
+                    .spectrum
+                    .get_or_init(|| Spectrum::of_picture(pixels, self.width, self.length));
                 let values = own.correlate(&kernel.spectrum(self.width, self.length));
                 Surface {
                     stride: self.width,
@@ -179,7 +184,7 @@ impl SearchSpectrum {
 /// Values of a correlation, rows `stride` apart.
 pub(super) struct Surface {
     pub stride: usize,
-    pub values: Vec<f32>,
+    pub values: Buffer<f32>,
 }
 
 impl Surface {

@@ -1,7 +1,7 @@
 //! What is looked for.
 
 use std::ops::Range;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::cost;
 use super::fourier::Spectrum;
@@ -54,21 +54,29 @@ impl Template {
     }
 
     fn prepare(patch: &Gray, mask: Option<&[bool]>) -> Option<Self> {
+        let pixels = patch.pixels();
         let counts = |index: usize| mask.is_none_or(|mask| mask[index]);
-        let counted = || {
-            let pixels = patch.pixels().iter().enumerate();
-            pixels
-                .filter(|(index, _)| counts(*index))
-                .map(|(_, &v)| f64::from(v))
-        };
-        let count = counted().count() as f64;
-        if count < 2.0 || counted().any(|v| !v.is_finite()) {
+        let count = mask.map_or(pixels.len(), |mask| mask.iter().filter(|&&m| m).count()) as f64;
+        if count < 2.0 {
             return None;
         }
-        let mean = counted().sum::<f64>() / count;
-        let energy: f64 = counted().map(|v| (v - mean).powi(2)).sum();
-        let largest = counted().fold(0.0, |largest: f64, v| largest.max(v.abs()));
-        if energy <= count * (FLATNESS * largest).powi(2) {
+        let mut sum = 0.0;
+        let mut largest = 0.0f32;
+        for (index, &value) in pixels.iter().enumerate() {
+            if counts(index) {
+                sum += f64::from(value);
+                largest = largest.max(value.abs());
+            }
+        }
+        let mean = sum / count;
+        let mut energy = 0.0;
+        for (index, &value) in pixels.iter().enumerate() {
+            if counts(index) {
+                energy += (f64::from(value) - mean).powi(2);
+            }
+        }
+        // Also refuses what is not a number.
+        if !(energy > count * (FLATNESS * f64::from(largest)).powi(2) && energy.is_finite()) {
             return None;
         }
         let (width, height) = (patch.width(), patch.height());
@@ -177,6 +185,7 @@ pub(super) struct Kernel {
     pub width: usize,
     pub height: usize,
     pub pixels: Arc<Vec<f32>>,
+    blocks: Arc<OnceLock<BlockKernel>>,
     spectra: Arc<Mutex<Vec<Arc<Spectrum>>>>,
 }
 
@@ -186,13 +195,15 @@ impl Kernel {
             width,
             height,
             pixels: Arc::new(pixels),
+            blocks: Arc::default(),
             spectra: Arc::default(),
         }
     }
 
     /// Cut for the direct engine.
-    pub fn block_kernel(&self) -> BlockKernel {
-        BlockKernel::new(&self.pixels, self.width, self.height)
+    pub fn blocks(&self) -> &BlockKernel {
+        self.blocks
+            .get_or_init(|| BlockKernel::new(&self.pixels, self.width, self.height))
     }
 
     /// Its transform for searches with `stride` pixels in a row, `length` in all.

@@ -3,11 +3,26 @@
 //! The instruction set is chosen at run time on x86-64 and by the build on WebAssembly. Everything
 //! here works on buffers padded by the caller, so that no loop has a ragged end.
 
+mod elementwise;
 mod scalar;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 mod wasm;
 #[cfg(target_arch = "x86_64")]
 mod x86;
+
+pub(super) use elementwise::{Scale, Twist};
+#[cfg(not(target_arch = "x86_64"))]
+pub(super) use elementwise::{
+    accumulate, coefficients, four_running_sums, multiply, subtract, twist, twist_reversed,
+    untwist_imaginary, untwist_real,
+};
+#[cfg(target_arch = "x86_64")]
+pub(super) use x86::{
+    accumulate, coefficients, four_running_sums, multiply, subtract, twist, twist_reversed,
+    untwist_imaginary, untwist_real,
+};
+
+use super::pool::Buffer;
 
 /// Rows of output that one block computes.
 pub(super) const BLOCK_ROWS: usize = 4;
@@ -47,7 +62,7 @@ impl BlockKernel {
 #[derive(Clone, Debug)]
 pub(super) struct PaddedRows {
     pub stride: usize,
-    pub pixels: Vec<f32>,
+    pub pixels: Buffer<f32>,
 }
 
 impl PaddedRows {
@@ -55,7 +70,7 @@ impl PaddedRows {
     pub fn new(pixels: &[f32], width: usize) -> Self {
         let stride = width + BLOCK_COLUMNS;
         let height = pixels.len().checked_div(width).unwrap_or(0);
-        let mut padded = vec![0.0; stride * (height + BLOCK_ROWS)];
+        let mut padded = Buffer::<f32>::zeros(stride * (height + BLOCK_ROWS));
         for (target, source) in padded
             .chunks_exact_mut(stride)
             .zip(pixels.chunks_exact(width.max(1)))
@@ -81,17 +96,17 @@ pub(super) enum Instructions {
 
 /// Cross-correlation of `columns` × `rows` offsets: `out[(y, x)] = Σ kernel(i, j) search(x+i, y+j)`.
 ///
-/// `out` has the returned stride, which is `columns` rounded up to whole blocks; rows beyond `rows`
-/// and columns beyond `columns` hold nothing of use.
+/// `out` has the returned stride, which is `columns` rounded up to whole vectors; columns beyond
+/// `columns` hold nothing of use.
 pub(super) fn correlate(
     search: &PaddedRows,
     kernel: &BlockKernel,
     columns: usize,
     rows: usize,
     instructions: Instructions,
-) -> (usize, Vec<f32>) {
+) -> (usize, Buffer<f32>) {
     let stride = columns.next_multiple_of(8);
-    let mut out = vec![0.0; stride * rows.next_multiple_of(BLOCK_ROWS)];
+    let mut out = Buffer::<f32>::zeros(stride * rows);
     match instructions {
         #[cfg(test)]
         Instructions::Scalar => scalar::correlate(search, kernel, &mut out, stride, rows),

@@ -16,17 +16,28 @@ pub(super) fn correlate(
     stride: usize,
     rows: usize,
 ) {
+    // The last block computes rows beyond the last and does not write them.
     let padded_rows = rows.next_multiple_of(BLOCK_ROWS);
-    assert!(stride % 8 == 0 && stride * padded_rows <= out.len());
+    assert!(stride.is_multiple_of(8) && stride * rows <= out.len());
     assert!(kernel.width - 1 + stride <= search.stride);
     assert!((padded_rows + kernel.height - 1) * search.stride <= search.pixels.len());
     assert!(kernel.taps.len() >= (kernel.height + BLOCK_ROWS - 1) * kernel.width);
     for y in (0..padded_rows).step_by(BLOCK_ROWS) {
         for x in (0..stride).step_by(8) {
             // SAFETY: a block reads search rows y..y + kernel.height + 3 and columns up to
-            // x + 8 + kernel.width - 1 <= search.stride, and writes rows y..y + 4 and columns
+            // x + 8 + kernel.width - 1 <= search.stride, and writes rows y..rows and columns
             // x..x + 8; all of them lie inside by the assertions above.
-            unsafe { block(search, kernel, out, stride, x, y) };
+            unsafe {
+                block(
+                    search,
+                    kernel,
+                    out,
+                    stride,
+                    x,
+                    y,
+                    (rows - y).min(BLOCK_ROWS),
+                )
+            };
         }
     }
 }
@@ -39,6 +50,7 @@ unsafe fn block(
     stride: usize,
     x: usize,
     y: usize,
+    rows: usize,
 ) {
     // SAFETY: see the caller.
     unsafe {
@@ -58,7 +70,7 @@ unsafe fn block(
                 taps = taps.add(1);
             }
         }
-        for (r, row) in sums.iter().enumerate() {
+        for (r, row) in sums.iter().take(rows).enumerate() {
             let target = out.as_mut_ptr().add((y + r) * stride + x);
             v128_store(target.cast::<v128>(), row[0]);
             v128_store(target.add(4).cast::<v128>(), row[1]);

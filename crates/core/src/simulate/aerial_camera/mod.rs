@@ -1,0 +1,148 @@
+//! An aerial camera over any imagery: what the vehicle would have photographed.
+//!
+//! The ground is a horizontal plane textured by the imagery. Each pixel is taken from the levels of
+//! detail whose sampling fits its footprint on the ground; then come the faults of a real camera,
+//! in the order in which light meets them: optics, exposure, sensor, file.
+
+mod ground;
+mod sensor;
+#[cfg(test)]
+mod tests;
+
+use nalgebra::Vector3;
+use rand_chacha::ChaCha8Rng;
+use rand_chacha::rand_core::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
+use serde::{Deserialize, Serialize};
+
+use crate::camera::{CameraModel, RayTable};
+use crate::frames::Pose;
+use crate::imagery::Imagery;
+use crate::raster::{Picture, decode_picture, encode_jpeg};
+
+/// The faults of the camera. All random ones are drawn anew for each frame.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct AerialCameraSettings {
+    /// Standard deviation of the vibration of the mount about each axis, radians (DeAngelo 2016:
+    /// 1°). Zero where the given poses shake already.
+    pub mount_vibration_sd: f64,
+    /// Standard deviation of the natural logarithm of the exposure.
+    pub exposure_gain_sd: f64,
+    /// Blur of the optics, standard deviation in pixels.
+    pub blur_sigma: f64,
+    /// Share of the light lost in the corners of the picture.
+    pub vignetting: f64,
+    /// Standard deviation of the noise of each pixel and colour at mid grey, in grey levels of 255;
+    /// it grows with the root of the light.
+    pub noise_sd: f64,
+    /// Quality of the JPEG file from 1 to 100; `None` leaves the picture as the sensor gave it.
+    pub jpeg_quality: Option<u8>,
+}
+
+impl Default for AerialCameraSettings {
+    /// A small consumer camera in a shaking mount.
+    fn default() -> Self {
+        Self {
+            mount_vibration_sd: 1f64.to_radians(),
+            exposure_gain_sd: 0.06,
+            blur_sigma: 0.5,
+            vignetting: 0.15,
+            noise_sd: 2.5,
+            jpeg_quality: Some(88),
+        }
+    }
+}
+
+impl AerialCameraSettings {
+    /// No fault at all.
+    pub fn ideal() -> Self {
+        Self {
+            mount_vibration_sd: 0.0,
+            exposure_gain_sd: 0.0,
+            blur_sigma: 0.0,
+            vignetting: 0.0,
+            noise_sd: 0.0,
+            jpeg_quality: None,
+        }
+    }
+}
+
+/// A photograph and the truth about it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AerialFrame {
+    /// What the file shows.
+    pub picture: Picture,
+    /// The JPEG file, if the settings want one.
+    pub encoded: Option<Vec<u8>>,
+    /// Pose from which it was taken, vibration included: the camera model projects with it.
+    pub pose: Pose,
+}
+
+/// A camera ready to take pictures.
+#[derive(Clone, Debug)]
+pub struct AerialCamera {
+    model: CameraModel,
+    settings: AerialCameraSettings,
+    rays: RayTable,
+}
+
+impl AerialCamera {
+    /// Prepares the rays of `model`.
+    pub fn new(model: CameraModel, settings: AerialCameraSettings) -> Self {
+        Self {
+            rays: RayTable::new(&model),
+            model,
+            settings,
+        }
+    }
+
+    /// The camera model.
+    pub fn model(&self) -> &CameraModel {
+        &self.model
+    }
+
+    /// Takes a picture of `imagery`, spread on the plane `ground_down` metres below the world's
+    /// origin, from `pose` and the vibration drawn from `random`.
+    ///
+    /// The imagery is asked for windows on the tile grid of
+    /// [`CachedImagery`](crate::imagery::CachedImagery), so that one of those saves the drawing of
+    /// ground that an earlier frame has seen.
+    pub fn take(
+        &self,
+        imagery: &dyn Imagery,
+        pose: &Pose,
+        ground_down: f64,
+        random: &mut ChaCha8Rng,
+    ) -> AerialFrame {
+        // All numbers are always drawn: one fault switched off does not change the others.
+        let shake = Vector3::<f64>::from_fn(|_, _| StandardNormal.sample(random))
+            * self.settings.mount_vibration_sd;
+        let exposure: f64 = StandardNormal.sample(random);
+        let mut pose = *pose;
+        pose.attitude.roll += shake.x;
+        pose.attitude.pitch += shake.y;
+        pose.attitude.yaw += shake.z;
+        let light = ground::render(&self.model, &self.rays, imagery, &pose, ground_down);
+        let gain = (self.settings.exposure_gain_sd * exposure).exp();
+        let picture = sensor::expose(light, &self.model, &self.settings, gain, random);
+        let encoded = self
+            .settings
+            .jpeg_quality
+            .and_then(|quality| encode_jpeg(&picture, quality).ok());
+        let decoded = encoded
+            .as_deref()
+            .and_then(|bytes| decode_picture(bytes).ok());
+        AerialFrame {
+            picture: decoded.unwrap_or(picture),
+            encoded,
+            pose,
+        }
+    }
+}
+
+/// The generator for frame `index` of the flight with this seed: frames can be taken in any order.
+pub fn frame_random(seed: u64, index: usize) -> ChaCha8Rng {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    random.set_stream((2 << 32) | index as u64);
+    random
+}
