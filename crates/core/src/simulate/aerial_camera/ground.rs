@@ -12,10 +12,12 @@ use crate::raster::Rgba;
 
 /// Side of the cells of the picture that share one level of detail, pixels.
 const CELL: usize = 16;
-/// Ground sample distance of the level of detail over the footprint of a pixel. Bilinear sampling
-/// at a distance g spreads a point by a standard deviation of g/2, the square pixel of footprint p
-/// by p/√12: they are equal at g = 0.577 p.
-const SAMPLE_PER_FOOTPRINT: f64 = 0.577;
+/// Ground sample distance of the level of detail over the footprint of a pixel.
+///
+/// Two bilinear samples a quarter pixel off the centre on a diagonal cancel whatever repeats once
+/// per pixel across or down; together they blur about as much as a square pixel with a good lens:
+/// by √(0.25² + (0.5·0.5)²) = 0.35 pixels.
+const SAMPLE_PER_FOOTPRINT: f64 = 0.5;
 /// Coarsest level of detail.
 const COARSEST: u32 = 16;
 /// What shows where there is no ground: haze.
@@ -33,6 +35,8 @@ struct View<'a> {
     world_from_camera: Matrix3<f32>,
     /// Lens over the ground, metres.
     height: f64,
+    /// A quarter of a pixel in units of the rays.
+    quarter: f32,
     /// Least downward part of a ray (z = 1 in the camera) that still meets near enough ground.
     lowest: f32,
 }
@@ -192,6 +196,7 @@ pub(super) fn render(
         rays,
         world_from_camera: world_from_camera.matrix().cast(),
         height,
+        quarter: (0.25 / camera.focal) as f32,
         // A ray of the length of the axis; longer ones, off the axis, end a little farther out.
         lowest: (1.0 / FARTHEST_HEIGHTS) as f32,
     };
@@ -314,10 +319,14 @@ fn paint(light: &mut Light, view: &View<'_>, cell: &Cell, sample: impl Fn(f32, f
             .as_chunks_mut::<3>()
             .0;
         for (target, &ray) in line.iter_mut().zip(rays) {
-            if let Some((north, east, _)) = view.ground(ray) {
-                let [r, g, b, coverage] = sample(north, east);
+            let quarter = view.quarter;
+            let one = view.ground([ray[0] - quarter, ray[1] - quarter]);
+            let other = view.ground([ray[0] + quarter, ray[1] + quarter]);
+            if let (Some((north, east, _)), Some((other_north, other_east, _))) = (one, other) {
+                let (a, b) = (sample(north, east), sample(other_north, other_east));
+                let [r, g, b, coverage] = std::array::from_fn(|c| 0.5 * (a[c] + b[c]));
                 // Pixels without data are black: their colour is already weighted.
-                let missing = 1.0 - coverage / 255.0;
+                let missing = 1.0 - coverage * (1.0 / 255.0);
                 *target = [
                     r + missing * HAZE[0],
                     g + missing * HAZE[1],
@@ -341,7 +350,7 @@ mod tests {
                 coarser: 0.0
             }
         );
-        assert_eq!(Detail::of(1.0 / 0.577).level, 0);
+        assert_eq!(Detail::of(2.9).levels(), 0..2);
         let mut last = 0.0;
         for step in 0..4000 {
             let detail = Detail::of(1.002f64.powi(step));

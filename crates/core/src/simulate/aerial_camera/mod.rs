@@ -45,7 +45,7 @@ impl Default for AerialCameraSettings {
         Self {
             mount_vibration_sd: 1f64.to_radians(),
             exposure_gain_sd: 0.06,
-            blur_sigma: 0.5,
+            blur_sigma: 0.45,
             vignetting: 0.15,
             noise_sd: 2.5,
             jpeg_quality: Some(88),
