@@ -84,7 +84,7 @@ impl SimulatedFrames {
             .get(index)
             .ok_or(FrameError::OutOfRange(index))?
             .ok_or_else(|| {
-                self.unreadable(index, "the flight does not tell from where it was taken")
+                self.unreadable(index, &"the flight does not tell from where it was taken")
             })?;
         let imagery = self.imagery();
         let mut random = frame_random(self.seed, index);
@@ -93,7 +93,7 @@ impl SimulatedFrames {
             .take(&*imagery, &pose, self.ground_down, &mut random))
     }
 
-    fn unreadable(&self, index: usize, cause: impl ToString) -> FrameError {
+    fn unreadable(&self, index: usize, cause: &dyn ToString) -> FrameError {
         FrameError::Unreadable {
             name: self.names[index].clone(),
             cause: cause.to_string(),
@@ -110,7 +110,7 @@ impl FrameSource for SimulatedFrames {
         let frame = self.frame(index)?;
         match frame.encoded {
             Some(bytes) => Ok(bytes),
-            None => encode_png(&frame.picture).map_err(|e| self.unreadable(index, e)),
+            None => encode_png(&frame.picture).map_err(|e| self.unreadable(index, &e)),
         }
     }
 }

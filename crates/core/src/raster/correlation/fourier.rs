@@ -14,7 +14,7 @@
 //! around, so the sign does not matter, and nothing has to be untangled afterwards.
 
 use std::f64::consts::PI;
-use std::sync::{Arc, LazyLock, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use rustfft::num_complex::Complex32;
 use rustfft::{Fft, FftPlanner};
@@ -44,7 +44,7 @@ const KEPT_PLANS: usize = 64;
 
 /// The plan for signals of `length` real samples.
 fn plan(length: usize) -> Arc<Plan> {
-    static PLANS: LazyLock<Mutex<Vec<(usize, Arc<Plan>)>>> = LazyLock::new(Mutex::default);
+    static PLANS: Mutex<Vec<(usize, Arc<Plan>)>> = Mutex::new(Vec::new());
     let mut plans = PLANS.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some((_, plan)) = plans.iter().find(|(own, _)| *own == length) {
         return Arc::clone(plan);

@@ -53,7 +53,7 @@ impl Noise {
         Self(seed.wrapping_add((row as u64).wrapping_mul(0xd1b5_4a32_d192_ed03)))
     }
 
-    /// Steele, Lea & Flood 2014 (SplitMix64), cut into four numbers of 16 bits.
+    /// Steele, Lea & Flood 2014 (`SplitMix64`), cut into four numbers of 16 bits.
     #[inline]
     fn next(&mut self) -> f32 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
