@@ -8,6 +8,7 @@ mod record;
 mod truth;
 
 pub use channel::{Channel, ChannelName};
+pub(crate) use folder::{CameraFile, OriginFile};
 pub use folder::{
     FLIGHT_FILE, FlightFolder, FolderError, FolderFrames, WriteError, read_flight, write_flight,
 };

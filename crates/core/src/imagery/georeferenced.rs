@@ -4,11 +4,13 @@ use nalgebra::{Matrix2, Point2, Vector2};
 
 use super::{GroundFromPixel, Imagery, Window};
 use crate::frames::{GroundPoint, GroundRect};
-use crate::raster::{Picture, Raster, Rgba};
+use crate::raster::{CodecError, Picture, Raster, Rgba, decode_picture_with_coverage};
 
 /// Brightest channel of a pixel that still counts as the black of an orthophoto's border; the
 /// compression of JPEG stains it a little.
 const BLACK: u8 = 10;
+/// Darkest channel of a pixel that still counts as a white border.
+const WHITE: u8 = 247;
 
 /// A picture of the ground with the place of its pixels; turned and skewed pictures are fine.
 ///
@@ -26,21 +28,52 @@ pub fn opaque(picture: &Picture) -> Raster<Rgba> {
     picture.map(|[r, g, b]| [r, g, b, 255])
 }
 
-/// The picture with black taken for missing data wherever it is connected to the picture's edge, as
-/// in the border of an orthophoto.
-pub fn without_black_border(picture: &Picture) -> Raster<Rgba> {
+/// The picture with its empty border taken for missing data: black wherever it is connected to the
+/// picture's edge, white wherever it is connected to a corner, as orthophotos have it.
+pub fn without_border(picture: &Picture) -> Raster<Rgba> {
     let (width, height) = (picture.width(), picture.height());
     let mut result = opaque(picture);
-    let mut pending: Vec<(usize, usize)> = Vec::new();
+    if picture.is_empty() {
+        return result;
+    }
+    let mut edge: Vec<(usize, usize)> = Vec::new();
     for column in 0..width {
-        pending.extend([(column, 0), (column, height - 1)]);
+        edge.extend([(column, 0), (column, height - 1)]);
     }
     for row in 0..height {
-        pending.extend([(0, row), (width - 1, row)]);
+        edge.extend([(0, row), (width - 1, row)]);
     }
+    clear(&mut result, edge, |[r, g, b, _]| r.max(g).max(b) <= BLACK);
+    let (right, bottom) = (width - 1, height - 1);
+    let corners = vec![(0, 0), (right, 0), (0, bottom), (right, bottom)];
+    clear(&mut result, corners, |[r, g, b, _]| {
+        r.min(g).min(b) >= WHITE
+    });
+    result
+}
+
+/// The colours of a map's JPEG or PNG file with the coverage it states; a file without any
+/// transparency loses its empty border if `border_is_empty`.
+pub fn decode_map(bytes: &[u8], border_is_empty: bool) -> Result<Raster<Rgba>, CodecError> {
+    let picture = decode_picture_with_coverage(bytes)?;
+    let transparent = picture.pixels().iter().any(|p| p[3] < 255);
+    Ok(if border_is_empty && !transparent {
+        without_border(&picture.map(|[r, g, b, _]| [r, g, b]))
+    } else {
+        picture
+    })
+}
+
+/// Makes transparent what is connected to `pending` through pixels that are `empty`.
+fn clear(
+    result: &mut Raster<Rgba>,
+    mut pending: Vec<(usize, usize)>,
+    empty: impl Fn(Rgba) -> bool,
+) {
+    let (width, height) = (result.width(), result.height());
     while let Some((column, row)) = pending.pop() {
-        let [r, g, b, coverage] = result.get(column, row);
-        if coverage == 0 || r.max(g).max(b) > BLACK {
+        let pixel = result.get(column, row);
+        if pixel[3] == 0 || !empty(pixel) {
             continue;
         }
         result.set(column, row, [0; 4]);
@@ -57,7 +90,6 @@ pub fn without_black_border(picture: &Picture) -> Raster<Rgba> {
             pending.push((column, row + 1));
         }
     }
-    result
 }
 
 /// Half the size: each pixel the mean of four, weighted by coverage.
@@ -283,9 +315,13 @@ mod tests {
             picture.set(0, i, [0, 0, 0]);
         }
         picture.set(10, 10, [0, 0, 0]);
-        let seen = without_black_border(&picture);
+        picture.set(12, 19, [255; 3]);
+        let seen = without_border(&picture);
         assert_eq!(seen.get(7, 0), [0; 4]);
         assert_eq!(seen.get(10, 10), [0, 0, 0, 255]);
+        assert_eq!(seen.get(12, 19), [255; 4]);
+        picture.set(19, 19, [255; 3]);
+        assert_eq!(without_border(&picture).get(19, 19), [0; 4]);
         assert_eq!(opaque(&picture).get(7, 0)[3], 255);
     }
 }

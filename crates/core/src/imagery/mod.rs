@@ -8,7 +8,7 @@ mod georeferenced;
 
 pub use cache::{CachedImagery, TILE_SIDE};
 pub use georeference::{Georeference, GeoreferenceError, GroundFromPixel, Similarity, WorldFile};
-pub use georeferenced::{GeoreferencedPicture, opaque, without_black_border};
+pub use georeferenced::{GeoreferencedPicture, decode_map, opaque, without_border};
 
 use serde::{Deserialize, Serialize};
 

@@ -1,5 +1,28 @@
 //! What people author: landmarks, camera, aircraft, filter settings. A value; edits make a new one.
+//!
+//! The file of a mission is GeoJSON; docs/formats.md defines it.
 
+mod error;
+mod globe;
+mod read;
 mod record;
+#[cfg(test)]
+mod tests;
+mod text;
+mod write;
 
+pub use error::MissionError;
+pub use read::read_mission;
 pub use record::{MapReference, Mission};
+pub use write::write_mission;
+
+/// Version of the file that is read and written.
+const VERSION: &str = "1";
+
+/// Key in [`Mission::properties`] under which features that are no landmarks are kept, as the text
+/// of a JSON array; no unknown member can have this name.
+pub const OTHER_FEATURES: &str = "features";
+
+/// Prefix of keys in a landmark's properties that stand for unknown members of the feature itself,
+/// beside its properties.
+pub const FEATURE_MEMBER: &str = "feature:";

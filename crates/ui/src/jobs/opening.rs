@@ -5,10 +5,9 @@ use std::sync::Arc;
 use pilotage_core::flight::files::FileSet as _;
 use pilotage_core::flight::{FLIGHT_FILE, read_flight};
 use pilotage_core::frames::LocalFrame;
-use pilotage_core::imagery::{Georeference, GeoreferencedPicture, Imagery, without_black_border};
-use pilotage_core::mission::Mission;
+use pilotage_core::imagery::{Georeference, GeoreferencedPicture, Imagery, decode_map};
+use pilotage_core::mission::{Mission, read_mission};
 use pilotage_core::navigator::Run;
-use pilotage_core::raster::decode_picture;
 
 use super::Opened;
 use super::file_pool::FilePool;
@@ -83,7 +82,7 @@ pub fn map(pool: &FilePool, frame: Option<LocalFrame>) -> Result<Option<Arc<dyn 
         };
         let place = Georeference::from_text(&text).map_err(|cause| format!("{side}: {cause}"))?;
         let bytes = pool.read(&name).unwrap_or_default();
-        let picture = decode_picture(&bytes).map_err(|cause| format!("{name}: {cause}"))?;
+        let picture = decode_map(&bytes, true).map_err(|cause| format!("{name}: {cause}"))?;
         let (width, height) = (picture.width(), picture.height());
         let frame = frame
             .or_else(|| place.origin(width, height).map(LocalFrame::new))
@@ -91,8 +90,7 @@ pub fn map(pool: &FilePool, frame: Option<LocalFrame>) -> Result<Option<Arc<dyn 
         let ground_from_pixel = place
             .in_world(&frame, width, height)
             .map_err(|cause| format!("{side}: {cause}"))?;
-        let coverage = without_black_border(&picture);
-        let map = GeoreferencedPicture::new(name.clone(), coverage, ground_from_pixel)
+        let map = GeoreferencedPicture::new(name.clone(), picture, ground_from_pixel)
             .ok_or_else(|| format!("{side}: the picture would cover no ground"))?;
         return Ok(Some(Arc::new(map)));
     }
@@ -114,7 +112,7 @@ fn mission(pool: &FilePool) -> Result<Option<Mission>, String> {
         return Ok(None);
     };
     let bytes = pool.read(&name).unwrap_or_default();
-    let mission = serde_json::from_slice(&bytes).map_err(|cause| format!("{name}: {cause}"))?;
+    let mission = read_mission(&bytes).map_err(|cause| format!("{name}: {cause}"))?;
     Ok(Some(mission))
 }
 

@@ -263,11 +263,22 @@ fn is_zero(value: &f64) -> bool {
     *value == 0.0
 }
 
+/// Degrees that read back to the same radians, without the digits that only the conversion adds.
+fn plain_degrees(radians: f64) -> f64 {
+    let degrees = radians.to_degrees();
+    let rounded = (degrees * 1e12).round() / 1e12;
+    if rounded.to_radians() == radians {
+        rounded
+    } else {
+        degrees
+    }
+}
+
 impl OriginFile {
     pub(crate) fn of(origin: &Geodetic) -> Self {
         Self {
-            latitude_deg: origin.latitude.to_degrees(),
-            longitude_deg: origin.longitude.to_degrees(),
+            latitude_deg: plain_degrees(origin.latitude),
+            longitude_deg: plain_degrees(origin.longitude),
             height_m: origin.height,
         }
     }
@@ -299,9 +310,9 @@ impl CameraFile {
             lens: camera.lens,
             distortion: camera.distortion,
             mount_deg: MountFile {
-                roll: camera.mount.roll.to_degrees(),
-                pitch: camera.mount.pitch.to_degrees(),
-                yaw: camera.mount.yaw.to_degrees(),
+                roll: plain_degrees(camera.mount.roll),
+                pitch: plain_degrees(camera.mount.pitch),
+                yaw: plain_degrees(camera.mount.yaw),
             },
         }
     }

@@ -15,6 +15,7 @@ mod units;
 mod write;
 
 pub use error::FolderError;
+pub(crate) use layout::{CameraFile, OriginFile};
 pub use pictures::FolderFrames;
 pub use read::{FLIGHT_FILE, FlightFolder, read_flight};
 pub use write::{WriteError, write_flight};

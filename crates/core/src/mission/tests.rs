@@ -1,0 +1,168 @@
+//! Round trips, somebody else's GeoJSON, and broken files.
+
+use proptest::prelude::*;
+
+use super::*;
+use crate::camera::CameraModel;
+use crate::frames::{Geodetic, GroundPoint, GroundRect};
+use crate::landmark::Landmark;
+use crate::navigator::{NavigatorSettings, VehicleChoice};
+
+fn mission() -> Mission {
+    let mut barn = Landmark::new(
+        7,
+        "barn \"north\"",
+        GroundRect {
+            south: -800.0,
+            north: -760.25,
+            west: 612.5,
+            east: 650.0,
+        },
+    );
+    barn.reference = GroundPoint::new(-779.0, 630.0);
+    barn.height = 4.5;
+    barn.enabled = false;
+    barn.properties
+        .insert("owner".to_owned(), r#"{ "a": [1.10, 1e3] }"#.to_owned());
+    barn.properties
+        .insert("feature:bbox".to_owned(), "[1,2, 3,4]".to_owned());
+    Mission {
+        name: "Two places".to_owned(),
+        origin: Geodetic::from_degrees(45.0, -30.0, 120.0),
+        map: Some(MapReference::Picture("ortho.jpg".to_owned())),
+        landmarks: vec![
+            barn,
+            Landmark::new(
+                2,
+                "pool",
+                GroundRect::centered(GroundPoint::new(10.0, 20.0), 30.0, 40.0),
+            ),
+        ],
+        camera: Some(CameraModel::pinhole(640, 480, 1.0)),
+        navigator: NavigatorSettings {
+            alpha: 0.1,
+            vehicle: VehicleChoice::RandomWalk,
+            ..NavigatorSettings::default()
+        },
+        properties: [
+            ("crs".to_owned(), "{\"x\" : 1}".to_owned()),
+            (
+                OTHER_FEATURES.to_owned(),
+                r#"[{"type":"Feature","geometry":{"type":"Point","coordinates":[1.50,2]},"properties":{"n":0.10}}]"#
+                    .to_owned(),
+            ),
+        ]
+        .into(),
+    }
+}
+
+fn near(a: &GroundPoint, b: &GroundPoint) -> bool {
+    a.distance(b) < 2e-5
+}
+
+#[test]
+fn a_mission_survives_its_file() {
+    let (before, after) = (
+        mission(),
+        read_mission(write_mission(&mission()).as_bytes()).unwrap(),
+    );
+    assert_eq!(after.name, before.name);
+    assert_eq!(after.map, before.map);
+    assert_eq!(after.navigator, before.navigator);
+    assert_eq!(after.camera, before.camera);
+    assert_eq!(after.properties, before.properties);
+    for (a, b) in after.landmarks.iter().zip(&before.landmarks) {
+        assert_eq!((a.id, &a.name, a.enabled), (b.id, &b.name, b.enabled));
+        assert_eq!((a.height, &a.properties), (b.height, &b.properties));
+        assert!(near(&a.reference, &b.reference));
+        let corner = |r: &GroundRect| GroundPoint::new(r.south, r.west);
+        assert!(near(&corner(&a.bounds), &corner(&b.bounds)));
+        assert!((a.bounds.width() - b.bounds.width()).abs() < 4e-5);
+    }
+}
+
+#[test]
+fn a_saved_file_is_saved_the_same_again() {
+    let once = write_mission(&mission());
+    let twice = write_mission(&read_mission(once.as_bytes()).unwrap());
+    assert_eq!(once, twice);
+}
+
+#[test]
+fn what_is_written_is_geojson() {
+    let text = write_mission(&mission());
+    let parsed: geojson::GeoJson = text.parse().unwrap();
+    let geojson::GeoJson::FeatureCollection(collection) = parsed else {
+        panic!("no collection");
+    };
+    assert_eq!(collection.features.len(), 3);
+}
+
+#[test]
+fn polygons_of_somebody_else_are_landmarks_around_their_middle() {
+    let text = r#"{ "type": "FeatureCollection", "features": [
+        { "type": "Feature", "id": "x", "properties": null, "geometry": { "type": "Polygon",
+          "coordinates": [[[10.0, 45.0], [10.001, 45.0], [10.001, 45.001], [10.0, 45.001], [10.0, 45.0]]] } },
+        { "type": "Feature", "properties": { "name": "road" },
+          "geometry": { "type": "LineString", "coordinates": [[0, 0], [1, 1]] } } ] }"#;
+    let mission = read_mission(text.as_bytes()).unwrap();
+    assert_eq!(mission.landmarks.len(), 1);
+    let landmark = &mission.landmarks[0];
+    assert_eq!(landmark.name, "Landmark 1");
+    assert!((landmark.bounds.height() - 111.13).abs() < 0.1);
+    assert_eq!(landmark.properties["feature:id"], "\"x\"");
+    assert!(mission.properties[OTHER_FEATURES].contains("LineString"));
+}
+
+#[test]
+fn what_is_wrong_is_told_with_its_line() {
+    let told = |text: &str| read_mission(text.as_bytes()).unwrap_err().to_string();
+    assert!(told("{\n \"type\": Feature").starts_with("line 2, column 10"));
+    assert!(told("{}").contains("not a GeoJSON FeatureCollection"));
+    assert!(told("[1]").starts_with("line 1"));
+    let text = write_mission(&mission());
+    let broken = text.replacen("\"enabled\": true", "\"enabled\": \"yes\"", 1);
+    let line = 1 + text[..text.find("\"enabled\": true").unwrap()]
+        .matches('\n')
+        .count();
+    let message = told(&broken);
+    assert!(message.starts_with(&format!("line {line}, ")), "{message}");
+    assert!(message.contains("expected a boolean"), "{message}");
+    let later = text.replacen("\"pilotage_mission\": 1", "\"pilotage_mission\": 2", 1);
+    assert!(told(&later).contains("version 2"));
+    let far = text.replacen("\"latitude_deg\":45", "\"latitude_deg\":95", 1);
+    assert!(told(&far).contains("is not a latitude"), "{}", told(&far));
+}
+
+proptest! {
+    #[test]
+    fn broken_missions_are_refused_or_read_but_never_panic(
+        cut in 0.0_f64..1.0,
+        flips in proptest::collection::vec((0.0_f64..1.0, any::<u8>()), 0..6),
+        truncate in any::<bool>(),
+    ) {
+        let mut bytes = write_mission(&mission()).into_bytes();
+        for (place, value) in flips {
+            let at = (place * bytes.len() as f64) as usize;
+            bytes[at] = value;
+        }
+        if truncate {
+            bytes.truncate((cut * bytes.len() as f64) as usize);
+        }
+        if let Ok(mission) = read_mission(&bytes) {
+            let _ = write_mission(&mission);
+        }
+    }
+
+    #[test]
+    fn a_landmark_anywhere_near_the_origin_comes_back_to_a_tenth_of_a_millimetre(
+        north in -3000.0_f64..3000.0,
+        east in -3000.0_f64..3000.0,
+        latitude in -80.0_f64..80.0,
+    ) {
+        let frame = crate::frames::LocalFrame::new(Geodetic::from_degrees(latitude, 11.0, 50.0));
+        let p = GroundPoint::new(north, east);
+        let (longitude, latitude) = globe::lon_lat(&frame, &p);
+        prop_assert!(globe::ground(&frame, longitude, latitude).distance(&p) < 1e-4);
+    }
+}

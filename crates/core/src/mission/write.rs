@@ -1,0 +1,112 @@
+//! Writing a mission file.
+
+use std::fmt::Write;
+
+use serde_json::{Value, json};
+
+use super::globe;
+use super::{FEATURE_MEMBER, MapReference, Mission, OTHER_FEATURES, VERSION};
+use crate::flight::{CameraFile, OriginFile};
+use crate::frames::{GroundPoint, LocalFrame};
+use crate::landmark::Landmark;
+
+/// The mission as GeoJSON text, with everything in it that its file had and we do not know.
+pub fn write_mission(mission: &Mission) -> String {
+    let frame = LocalFrame::new(mission.origin);
+    let mut text = String::from("{\n  \"type\": \"FeatureCollection\"");
+    let mut member = |name: &str, value: &str| {
+        // Writing into a string cannot fail.
+        let _ = write!(text, ",\n  {}: {value}", Value::from(name));
+    };
+    member("pilotage_mission", VERSION);
+    member("name", &Value::from(mission.name.as_str()).to_string());
+    member("origin", &of(&OriginFile::of(&mission.origin)));
+    match &mission.map {
+        Some(MapReference::Scenario(name)) => {
+            member("map", &json!({ "scenario": name }).to_string());
+        }
+        Some(MapReference::Picture(name)) => {
+            member("map", &json!({ "picture": name }).to_string());
+        }
+        None => {}
+    }
+    if let Some(camera) = &mission.camera {
+        member("camera", &of(&CameraFile::of(camera)));
+    }
+    member("navigator", &of(&mission.navigator));
+    for (name, value) in &mission.properties {
+        if name != OTHER_FEATURES {
+            member(name, value);
+        }
+    }
+    let mut features: Vec<String> = mission
+        .landmarks
+        .iter()
+        .map(|landmark| feature(landmark, &frame))
+        .collect();
+    if let Some(others) = mission.properties.get(OTHER_FEATURES) {
+        let inside = others
+            .trim()
+            .trim_start_matches('[')
+            .strip_suffix(']')
+            .unwrap_or("");
+        if !inside.trim().is_empty() {
+            features.push(inside.to_owned());
+        }
+    }
+    member(
+        "features",
+        &format!("[\n    {}\n  ]", features.join(",\n    ")),
+    );
+    text.push_str("\n}\n");
+    text
+}
+
+fn of(value: &impl serde::Serialize) -> String {
+    // Plain structures of numbers and names; a number that is not finite is written as null.
+    serde_json::to_string(value).unwrap_or_else(|_| "null".to_owned())
+}
+
+/// Degrees to ten decimals, a hundredth of a millimetre, so that a saved file reads and saves to
+/// the same text.
+fn degrees(value: f64) -> String {
+    let text = format!("{value:.10}");
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+fn position(frame: &LocalFrame, p: &GroundPoint) -> String {
+    let (longitude, latitude) = globe::lon_lat(frame, p);
+    format!("[{}, {}]", degrees(longitude), degrees(latitude))
+}
+
+fn feature(landmark: &Landmark, frame: &LocalFrame) -> String {
+    let ring: Vec<String> = globe::ring(&landmark.bounds)
+        .iter()
+        .map(|p| position(frame, p))
+        .collect();
+    let mut text = String::from("{ \"type\": \"Feature\"");
+    for (name, value) in &landmark.properties {
+        if let Some(name) = name.strip_prefix(FEATURE_MEMBER) {
+            let _ = write!(text, ", {}: {value}", Value::from(name));
+        }
+    }
+    let _ = write!(
+        text,
+        ",\n      \"geometry\": {{ \"type\": \"Polygon\", \"coordinates\": [[{}]] }},\n      \
+         \"properties\": {{ \"id\": {}, \"name\": {}, \"reference\": {}, \"height_m\": {}, \
+         \"enabled\": {}",
+        ring.join(", "),
+        landmark.id,
+        Value::from(landmark.name.as_str()),
+        position(frame, &landmark.reference),
+        Value::from(landmark.height),
+        landmark.enabled,
+    );
+    for (name, value) in &landmark.properties {
+        if !name.starts_with(FEATURE_MEMBER) {
+            let _ = write!(text, ", {}: {value}", Value::from(name.as_str()));
+        }
+    }
+    text.push_str(" } }");
+    text
+}
