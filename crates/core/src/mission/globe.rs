@@ -37,3 +37,37 @@ pub(super) fn ring(rect: &GroundRect) -> [GroundPoint; 5] {
         GroundPoint::new(rect.south, rect.west),
     ]
 }
+
+/// The box around the corners of a polygon.
+///
+/// Of a box as it is saved, opposite corners are averaged: their coordinates are rounded, and the
+/// mean rounds back to the same digits, where the outermost would creep outward with every saving.
+pub(super) fn bounds(corners: &[GroundPoint]) -> Option<GroundRect> {
+    let open = match corners {
+        [first, .., last] if corners.len() == 5 && first.distance(last) < 1e-3 => &corners[..4],
+        all => all,
+    };
+    let around = GroundRect::around(open.iter().copied())?;
+    if open.len() != 4 {
+        return Some(around);
+    }
+    let mut norths: Vec<f64> = open.iter().map(|p| p.north).collect();
+    let mut easts: Vec<f64> = open.iter().map(|p| p.east).collect();
+    norths.sort_by(f64::total_cmp);
+    easts.sort_by(f64::total_cmp);
+    let mean = GroundRect {
+        south: 0.5 * (norths[0] + norths[1]),
+        north: 0.5 * (norths[2] + norths[3]),
+        west: 0.5 * (easts[0] + easts[1]),
+        east: 0.5 * (easts[2] + easts[3]),
+    };
+    let is_box = [
+        around.south - mean.south,
+        around.north - mean.north,
+        around.west - mean.west,
+        around.east - mean.east,
+    ]
+    .into_iter()
+    .all(|difference| difference.abs() < 1e-3);
+    Some(if is_box { mean } else { around })
+}

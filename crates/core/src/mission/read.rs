@@ -252,7 +252,8 @@ fn landmarks(found: Vec<Found>, frame: &LocalFrame) -> Vec<Landmark> {
             let id = found.id.filter(|_| own).unwrap_or_else(&mut free);
             let point =
                 |(longitude, latitude): (f64, f64)| globe::ground(frame, longitude, latitude);
-            let bounds = GroundRect::around(found.corners.iter().copied().map(point))
+            let corners: Vec<GroundPoint> = found.corners.iter().copied().map(point).collect();
+            let bounds = globe::bounds(&corners)
                 .unwrap_or_else(|| GroundRect::centered(GroundPoint::default(), 0.0, 0.0));
             Landmark {
                 name: found.name.unwrap_or_else(|| format!("Landmark {id}")),

@@ -246,17 +246,10 @@ impl App {
 
     fn save_mission(&mut self, host: &mut dyn Host) {
         let now = host.now();
-        match serde_json::to_vec_pretty(&self.documents.mission) {
-            Ok(bytes) => {
-                let name = format!("{}.mission.json", self.file_stem());
-                host.save_file(&name, &bytes);
-                self.toasts.note(now, "Mission saved", name);
-            }
-            Err(error) => {
-                self.toasts
-                    .trouble(now, "The mission was not saved", error.to_string());
-            }
-        }
+        let text = pilotage_core::mission::write_mission(&self.documents.mission);
+        let name = format!("{}.mission.json", self.file_stem());
+        host.save_file(&name, text.as_bytes());
+        self.toasts.note(now, "Mission saved", name);
     }
 
     fn look(&mut self, command: &Command, context: &egui::Context) {
