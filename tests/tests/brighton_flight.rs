@@ -4,7 +4,11 @@ use std::{path::PathBuf, sync::Arc};
 
 use nalgebra::Point3;
 use pilotage_core::{
-    flight::{ChannelName, FlightFolder, FrameSource, files::FileSet, read_flight},
+    flight::{
+        ChannelName, FlightFolder, FrameSource,
+        files::{FileSet, MemoryFiles},
+        read_flight,
+    },
     frames::Pose,
     imagery::{Georeference, GeoreferencedPicture, Imagery, Window, decode_map},
     raster::{Picture, Raster, Rgba, encode_png},
@@ -15,7 +19,13 @@ struct Directory(PathBuf);
 
 impl FileSet for Directory {
     fn names(&self) -> Vec<String> {
-        Vec::new()
+        let Ok(entries) = std::fs::read_dir(&self.0) else {
+            return Vec::new();
+        };
+        entries
+            .flatten()
+            .filter_map(|entry| entry.file_name().into_string().ok())
+            .collect()
     }
 
     fn read(&self, name: &str) -> Option<Vec<u8>> {
@@ -46,6 +56,32 @@ fn eighteen_frames_are_read_with_their_times_headings_and_heights() {
     assert!(flight.channel(ChannelName::Airspeed).is_none());
     let turned = flight.frames.iter().filter(|f| f.stored_turn != 0.0);
     assert_eq!(turned.count(), 6);
+}
+
+/// What people drop is the author's folder; the pictures lie in a folder inside it.
+#[test]
+fn the_folder_as_it_is_gives_nearly_the_same_flight() {
+    let (Some(folder), Some(data)) = (flight(), shared("brighton_beach")) else {
+        return;
+    };
+    let mut files = MemoryFiles::default();
+    for entry in [data.clone(), data.join("frames")]
+        .iter()
+        .flat_map(|d| std::fs::read_dir(d).unwrap().flatten())
+        .filter(|e| e.path().is_file())
+    {
+        let name = entry.path().strip_prefix(&data).unwrap().to_owned();
+        let bytes = std::fs::read(entry.path()).unwrap();
+        files.0.insert(format!("dropped/{}", name.display()), bytes);
+    }
+    let mut guessed = read_flight(Arc::new(files)).unwrap();
+    assert_eq!(guessed.flight.frames, folder.flight.frames);
+    assert_eq!(guessed.flight.truth, folder.flight.truth);
+    assert_eq!(guessed.flight.channels, folder.flight.channels);
+    assert_eq!(guessed.flight.start, folder.flight.start);
+    assert!((guessed.flight.camera.focal / 966.4 - 1.0).abs() < 0.01);
+    assert!(guessed.notes[0].contains("no flight.json"));
+    assert_eq!(guessed.frames.picture(3).unwrap().width(), 1600);
 }
 
 #[test]

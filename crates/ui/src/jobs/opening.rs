@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use pilotage_core::flight::files::FileSet as _;
-use pilotage_core::flight::{FLIGHT_FILE, read_flight};
+use pilotage_core::flight::{FLIGHT_FILE, FolderError, read_flight};
 use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::{Georeference, GeoreferencedPicture, Imagery, decode_map};
 use pilotage_core::mission::{Mission, read_mission};
@@ -60,11 +60,11 @@ pub fn look_through(key: String, pool: &Arc<FilePool>) -> Result<Opened, String>
 
 /// The flight among the files, and what was skipped, in words.
 pub fn flight(pool: &Arc<FilePool>) -> Result<Option<(OpenFlight, Vec<String>)>, String> {
-    let name = format!("/{FLIGHT_FILE}");
-    if !(pool.names().iter()).any(|n| n == FLIGHT_FILE || n.ends_with(&name)) {
-        return Ok(None);
-    }
-    let folder = read_flight(pool.clone()).map_err(|cause| cause.to_string())?;
+    let folder = match read_flight(pool.clone()) {
+        Ok(folder) => folder,
+        Err(FolderError::NoFlightFile) => return Ok(None),
+        Err(cause) => return Err(cause.to_string()),
+    };
     let open = OpenFlight {
         frames: KeptFrames::stored(&folder.flight, Box::new(folder.frames)),
         flight: Arc::new(folder.flight),

@@ -4,6 +4,7 @@
 
 mod clock;
 mod error;
+mod guess;
 mod layout;
 mod pictures;
 mod position;

@@ -7,6 +7,7 @@ use nalgebra::{Point3, Vector2};
 
 use super::clock::{Moment, date_and_time};
 use super::error::FolderError;
+use super::guess::guess;
 use super::layout::{
     AttitudeColumns, ChannelFile, FlightFile, FramesFile, StartFile, TimeColumn, TruthFile,
     VERSION, ValueColumn,
@@ -81,16 +82,26 @@ pub(super) fn contents(place: &str, cause: impl Into<String>) -> FolderError {
 }
 
 /// Reads the flight that a set of files holds: the only flight.json among them and what it refers to.
+///
+/// Without one, a table with the columns of a camera drone is read as it is, and the notes tell what
+/// was assumed.
 pub fn read_flight(files: Arc<dyn FileSet>) -> Result<FlightFolder, FolderError> {
-    let (path, bytes) =
-        find(files.as_ref(), &[""], FLIGHT_FILE).map_err(|problem| match problem {
-            Unresolved::Missing => FolderError::NoFlightFile,
-            Unresolved::Ambiguous(first, second) => FolderError::Ambiguous {
+    let (path, bytes) = match find(files.as_ref(), &[""], FLIGHT_FILE) {
+        Ok(found) => found,
+        Err(Unresolved::Missing) => {
+            let (layout, base, assumed) = guess(&files).ok_or(FolderError::NoFlightFile)?;
+            let mut folder = read_layout(files, &layout, base)?;
+            folder.notes.splice(0..0, assumed);
+            return Ok(folder);
+        }
+        Err(Unresolved::Ambiguous(first, second)) => {
+            return Err(FolderError::Ambiguous {
                 file: FLIGHT_FILE.to_owned(),
                 first,
                 second,
-            },
-        })?;
+            });
+        }
+    };
     let layout: FlightFile =
         serde_json::from_slice(&bytes).map_err(|e| FolderError::json(&path, &e))?;
     let base = folder_of(&path).to_owned();
