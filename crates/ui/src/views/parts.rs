@@ -155,15 +155,15 @@ pub(crate) fn chip(ui: &mut Ui, tokens: &Tokens, on: bool, text: &str, name: &st
         .fill(if on { tokens.raised } else { tokens.surface })
         .stroke(egui::Stroke::new(1.0, tokens.line))
         .corner_radius(tokens.radius)
+        .wrap_mode(egui::TextWrapMode::Extend)
         .small();
-    let response = ui
-        .scope(|ui| {
-            let spacing = ui.spacing_mut();
-            spacing.button_padding = vec2(0.75 * tokens.space, 0.25 * tokens.space);
-            spacing.interact_size.y = 2.0 * tokens.space;
-            ui.add(button)
-        })
-        .inner;
+    // Not in a scope of its own: that would not go on to the next row where the row is full.
+    let before = ui.spacing().clone();
+    let spacing = ui.spacing_mut();
+    spacing.button_padding = vec2(0.75 * tokens.space, 0.25 * tokens.space);
+    spacing.interact_size.y = 2.0 * tokens.space;
+    let response = ui.add(button);
+    *ui.spacing_mut() = before;
     response.widget_info(|| {
         egui::WidgetInfo::selected(egui::Role::CheckBox, true, on, name.to_owned())
     });

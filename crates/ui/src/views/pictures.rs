@@ -1,136 +1,241 @@
-//! Pictures of the views over the fixture, for people to look at.
+//! Pictures of the views over two flights, for people to look at.
 //!
 //! `PILOTAGE_PICTURES=folder cargo test -p pilotage-ui views::pictures` writes them.
 
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::rc::Rc;
+use std::sync::Arc;
+
 use egui::{CentralPanel, Frame, Ui, vec2};
+use pilotage_core::flight::{Flight, FrameSource as _};
+use pilotage_core::imagery::Imagery;
+use pilotage_core::mission::Mission;
+use pilotage_core::navigator::{Navigator, Run, StepReport, explain};
+use pilotage_core::simulate::{Overrides, Scenario};
 
 use super::fixture::Fixture;
-use super::{CameraView, InspectorView, MatchView, PlotsView, Tour, canvas};
+use super::{CameraView, InspectorView, MatchView, PlotsView, Tour, canvas, picking};
 use crate::context::ViewContext;
+use crate::jobs::MatchPictures;
 use crate::tokens::Tokens;
 use crate::units::Units;
 
-/// Draws one view over the fixture at `time` and writes it as PNG.
-fn write(
-    name: &str,
-    size: [f32; 2],
-    tokens: &Tokens,
-    time: f64,
-    selection: Option<u32>,
-    mut draw: impl FnMut(&mut Ui, &mut ViewContext<'_>),
-) {
-    let Some(folder) = canvas::folder() else {
+/// What the views are drawn over.
+struct Scene {
+    mission: Mission,
+    flight: Flight,
+    run: Run,
+    ghost: Option<Run>,
+    pictures: Box<dyn Fn(usize) -> Option<Arc<[u8]>>>,
+    matched: Box<dyn Fn(&StepReport, u32) -> Option<MatchPictures>>,
+}
+
+impl Scene {
+    /// The synthetic flight.
+    fn synthetic() -> Self {
+        let fixture = Rc::new(Fixture::new());
+        let mut ghost = fixture.run.clone();
+        for step in &mut ghost.steps {
+            step.after.mean[0] += 3.0 * (step.time * 0.2).sin();
+            step.after.mean[1] += 2.0;
+        }
+        let same = Rc::clone(&fixture);
+        Self {
+            mission: fixture.mission.clone(),
+            flight: fixture.flight.clone(),
+            run: fixture.run.clone(),
+            ghost: Some(ghost),
+            pictures: Box::new(move |index| fixture.picture(index)),
+            matched: Box::new(move |step, id| Some(same.match_pictures(step.time, id))),
+        }
+    }
+
+    /// A built-in scenario through the navigator itself.
+    fn flown(name: &str) -> Self {
+        let scenario = Scenario::named(name).expect("the scenario is built in");
+        let simulated = scenario.simulate(1, &Overrides::default());
+        let mission = scenario.mission();
+        let map: Arc<dyn Imagery> = Arc::new(Scenario::map());
+        let flight = Arc::new(simulated.flight.clone());
+        let settings = mission.navigator.clone();
+        let mut navigator = Navigator::new(
+            Arc::clone(&flight),
+            &mission.landmarks,
+            Arc::clone(&map),
+            &settings,
+        )
+        .expect("the scenario can be navigated");
+        let mut frames = simulated.frames;
+        let mut run = navigator.run_head();
+        while let Some(step) = navigator.advance(&mut frames, &|| 0.0) {
+            run.steps.push(step.expect("the filter stays sound"));
+        }
+        let frames = Rc::new(RefCell::new((frames, HashMap::<usize, Arc<[u8]>>::new())));
+        let same = Rc::clone(&frames);
+        let landmarks = mission.landmarks.clone();
+        Self {
+            pictures: Box::new(move |index| {
+                let (frames, known) = &mut *frames.borrow_mut();
+                if let Some(bytes) = known.get(&index) {
+                    return Some(Arc::clone(bytes));
+                }
+                let bytes: Arc<[u8]> = frames.encoded(index).ok()?.into();
+                known.insert(index, Arc::clone(&bytes));
+                Some(bytes)
+            }),
+            matched: Box::new(move |step, id| {
+                let picture = same
+                    .borrow_mut()
+                    .0
+                    .picture(step.frame.as_ref()?.index)
+                    .ok()?;
+                let landmark = landmarks.iter().find(|l| l.id == id)?;
+                let evidence = explain(
+                    &flight,
+                    Arc::clone(&map),
+                    &settings,
+                    landmark,
+                    step,
+                    &picture,
+                )?
+                .ok()?;
+                let mut peaks = evidence.peaks.into_iter();
+                Some(MatchPictures {
+                    time: step.time,
+                    landmark: id,
+                    patch: evidence.patch,
+                    rectified: evidence.rectified,
+                    surface: evidence.surface,
+                    peak: peaks.next(),
+                    second: peaks.next(),
+                    gsd: evidence.gsd,
+                })
+            }),
+            mission,
+            flight: simulated.flight,
+            run,
+            ghost: None,
+        }
+    }
+
+    /// Draws one view at `time` and writes it as PNG.
+    fn write(
+        &self,
+        name: &str,
+        size: [f32; 2],
+        tokens: &Tokens,
+        time: f64,
+        selection: Option<u32>,
+        mut draw: impl FnMut(&mut Ui, &mut ViewContext<'_>),
+    ) {
+        let Some(folder) = canvas::folder() else {
+            return;
+        };
+        let matched = self.run.frame_step_at(time).and_then(|step| {
+            let frame = step.frame.as_ref()?;
+            let candidate = picking::candidate_to_explain(frame, selection)?;
+            (self.matched)(step, candidate.landmark)
+        });
+        let picture = canvas::picture(
+            vec2(size[0], size[1]),
+            |context| crate::shell::apply_theme(context, tokens),
+            |ui| {
+                let frame = Frame::new().fill(tokens.surface).inner_margin(8.0);
+                CentralPanel::default().frame(frame).show(ui, |ui| {
+                    let mut commands = Vec::new();
+                    let mut context = ViewContext {
+                        mission: &self.mission,
+                        flight: Some(&self.flight),
+                        run: Some(&self.run),
+                        ghost: self.ghost.as_ref(),
+                        time,
+                        playing: false,
+                        selection,
+                        pictures: &*self.pictures,
+                        match_pictures: matched.as_ref(),
+                        tokens,
+                        units: Units::Metric,
+                        commands: &mut commands,
+                    };
+                    draw(ui, &mut context);
+                });
+            },
+        );
+        let path = folder.join(format!("{name}.png"));
+        picture.save(&path).expect("the folder can be written to");
+    }
+
+    /// Draws one view in both themes.
+    fn both<View: Default>(
+        &self,
+        name: &str,
+        size: [f32; 2],
+        time: f64,
+        selection: Option<u32>,
+        show: fn(&mut View, &mut Ui, &mut ViewContext<'_>),
+    ) {
+        for (theme, tokens) in [("dark", Tokens::dark()), ("light", Tokens::light())] {
+            let mut view = View::default();
+            let name = format!("{name}-{theme}");
+            self.write(&name, size, &tokens, time, selection, |ui, context| {
+                show(&mut view, ui, context);
+            });
+        }
+    }
+
+    /// Draws every view, the camera, match and inspector at `time`.
+    fn write_all(&self, name: &str, time: f64) {
+        let named = |view: &str| format!("{name}-{view}");
+        self.both(
+            &named("camera"),
+            [420.0, 320.0],
+            time,
+            None,
+            CameraView::show,
+        );
+        self.both(&named("match"), [360.0, 480.0], time, None, MatchView::show);
+        self.both(&named("plots"), [480.0, 460.0], time, None, PlotsView::show);
+        self.both(
+            &named("plots-wide"),
+            [1064.0, 176.0],
+            time,
+            None,
+            PlotsView::show,
+        );
+        self.both(
+            &named("inspector"),
+            [340.0, 1180.0],
+            time,
+            None,
+            InspectorView::show,
+        );
+        for stop in 0..Tour::STOPS {
+            let mut tour = Tour::default();
+            tour.go_to(stop);
+            let name = format!("{name}-tour-{:02}", stop + 1);
+            let size = [352.0, 440.0];
+            self.write(&name, size, &Tokens::dark(), time, None, |ui, context| {
+                tour.show(ui, context);
+            });
+        }
+    }
+}
+
+#[test]
+fn the_views_over_a_synthetic_flight_can_be_looked_at() {
+    if canvas::folder().is_none() {
         println!("skipped: PILOTAGE_PICTURES names no folder");
         return;
-    };
-    let fixture = Fixture::new();
-    let mut ghost = fixture.run.clone();
-    for step in &mut ghost.steps {
-        step.after.mean[0] += 3.0 * (step.time * 0.2).sin();
-        step.after.mean[1] += 2.0;
     }
-    let frame_time = fixture.run.frame_step_at(time).map_or(time, |s| s.time);
-    let landmark = selection.unwrap_or(1);
-    let matched = fixture.match_pictures(frame_time, landmark);
-    let picture = canvas::picture(
-        vec2(size[0], size[1]),
-        |context| {
-            crate::shell::apply_theme(context, tokens);
-        },
-        |ui| {
-            let frame = Frame::new().fill(tokens.surface).inner_margin(8.0);
-            CentralPanel::default().frame(frame).show(ui, |ui| {
-                let mut commands = Vec::new();
-                let mut context = ViewContext {
-                    mission: &fixture.mission,
-                    flight: Some(&fixture.flight),
-                    run: Some(&fixture.run),
-                    ghost: Some(&ghost),
-                    time,
-                    playing: false,
-                    selection,
-                    pictures: &|index| fixture.picture(index),
-                    match_pictures: Some(&matched),
-                    tokens,
-                    units: Units::Metric,
-                    commands: &mut commands,
-                };
-                draw(ui, &mut context);
-            });
-        },
-    );
-    let path = folder.join(format!("{name}.png"));
-    picture.save(&path).expect("the folder can be written to");
+    Scene::synthetic().write_all("synthetic", 15.5);
 }
 
-fn both<View: Default>(
-    name: &str,
-    size: [f32; 2],
-    time: f64,
-    selection: Option<u32>,
-    show: fn(&mut View, &mut Ui, &mut ViewContext<'_>),
-) {
-    for (theme, tokens) in [("dark", Tokens::dark()), ("light", Tokens::light())] {
-        let mut view = View::default();
-        write(
-            &format!("{name}-{theme}"),
-            size,
-            &tokens,
-            time,
-            selection,
-            |ui, context| {
-                show(&mut view, ui, context);
-            },
-        );
+#[test]
+fn the_views_over_a_built_in_scenario_can_be_looked_at() {
+    if canvas::folder().is_none() {
+        println!("skipped: PILOTAGE_PICTURES names no folder");
+        return;
     }
-}
-
-#[test]
-fn the_camera_view_can_be_looked_at() {
-    both("camera", [420.0, 320.0], 15.5, Some(2), CameraView::show);
-}
-
-#[test]
-fn the_match_view_can_be_looked_at() {
-    both("match", [360.0, 480.0], 12.5, Some(1), MatchView::show);
-}
-
-#[test]
-fn the_plots_can_be_looked_at() {
-    both("plots", [480.0, 460.0], 40.0, None, PlotsView::show);
-}
-
-#[test]
-fn the_plots_can_be_looked_at_below_the_map() {
-    both("plots-wide", [1064.0, 176.0], 40.0, None, PlotsView::show);
-}
-
-#[test]
-fn the_inspector_can_be_looked_at() {
-    both(
-        "inspector",
-        [340.0, 1180.0],
-        15.5,
-        None,
-        InspectorView::show,
-    );
-}
-
-#[test]
-fn every_stop_of_the_tour_can_be_looked_at() {
-    for stop in 0..Tour::STOPS {
-        let mut tour = Tour::default();
-        tour.go_to(stop);
-        let name = format!("tour-{:02}", stop + 1);
-        write(
-            &name,
-            [352.0, 440.0],
-            &Tokens::dark(),
-            40.0,
-            None,
-            |ui, context| {
-                tour.show(ui, context);
-            },
-        );
-    }
+    Scene::flown("distinct-400ft-wind").write_all("flown", 15.5);
 }

@@ -1,6 +1,7 @@
 //! Decoding of camera pictures into textures, once per frame.
 
-use egui::{ColorImage, Context, TextureHandle, TextureId, TextureOptions};
+use egui::{Color32, ColorImage, Context, TextureHandle, TextureId, TextureOptions};
+use pilotage_core::raster::decode_picture;
 
 /// Which encoded picture the texture shows.
 #[derive(Clone, Copy, PartialEq)]
@@ -36,11 +37,12 @@ impl PictureCache {
             return;
         }
         self.key = Some(key);
-        match image::load_from_memory(bytes) {
+        match decode_picture(bytes) {
             Ok(picture) => {
-                let picture = picture.to_rgb8();
-                let size = [picture.width() as usize, picture.height() as usize];
-                let picture = ColorImage::from_rgb(size, picture.as_raw());
+                let size = [picture.width(), picture.height()];
+                let pixels = picture.pixels().iter();
+                let pixels = pixels.map(|[r, g, b]| Color32::from_rgb(*r, *g, *b));
+                let picture = ColorImage::new(size, pixels.collect());
                 self.trouble = None;
                 match &mut self.texture {
                     Some(texture) => texture.set(picture, TextureOptions::LINEAR),

@@ -8,9 +8,15 @@ use crate::tokens::Tokens;
 
 /// Draws a covariance: numbers in the cells, the correlation as their background.
 ///
-/// Cells hold the covariance; a cell is the warmer the nearer its correlation is to 1, and the
-/// colder the nearer to -1.
-pub(super) fn covariance(ui: &mut Ui, tokens: &Tokens, matrix: &DMatrix<f64>, names: &[String]) {
+/// A cell is the warmer the nearer its correlation is to 1, and the colder the nearer to -1. Cells
+/// hold the covariance, or where they are too narrow for it, the correlation; returns whether they
+/// hold the covariance.
+pub(super) fn covariance(
+    ui: &mut Ui,
+    tokens: &Tokens,
+    matrix: &DMatrix<f64>,
+    names: &[String],
+) -> bool {
     let correlation = |r: usize, c: usize| {
         let scale = (matrix[(r, r)] * matrix[(c, c)]).max(0.0).sqrt();
         if scale > 0.0 {
@@ -19,12 +25,25 @@ pub(super) fn covariance(ui: &mut Ui, tokens: &Tokens, matrix: &DMatrix<f64>, na
             0.0
         }
     };
+    let roomy = is_roomy(ui.available_width(), names.len(), tokens);
     let response = cells(
         ui,
         tokens,
         names,
         names,
-        |r, c| figures(matrix[(r, c)]),
+        |r, c| {
+            if roomy {
+                figures(matrix[(r, c)])
+            } else if r == c {
+                "1".to_owned()
+            } else {
+                // Correlation without the leading zero.
+                format!("{:.2}", correlation(r, c))
+                    .replacen("0.", ".", 1)
+                    .replace("-.00", ".00")
+                    .replace('-', "−")
+            }
+        },
         |r, c| {
             let value = correlation(r, c);
             let color = if value >= 0.0 {
@@ -52,6 +71,12 @@ pub(super) fn covariance(ui: &mut Ui, tokens: &Tokens, matrix: &DMatrix<f64>, na
             ));
         }
     }
+    roomy
+}
+
+/// Whether columns are wide enough for numbers of three figures.
+fn is_roomy(width: f32, columns: usize, tokens: &Tokens) -> bool {
+    (width - name_width(tokens)) / columns.max(1) as f32 >= 4.2 * tokens.text_sizes[0]
 }
 
 /// Draws a Kalman gain: what one pixel of innovation moves each component by.
@@ -122,9 +147,10 @@ fn cells(
     let (area, response) = ui.allocate_exact_size(size, Sense::hover());
     let left = area.left() + name_width(tokens);
     let width = (area.right() - left) / columns.len().max(1) as f32;
+    let roomy = is_roomy(area.width(), columns.len(), tokens);
+    let pad = if roomy { 0.5 } else { 0.25 } * tokens.space;
     let painter = ui.painter_at(area);
     let font = parts::small(tokens);
-    let pad = 0.5 * tokens.space;
     for (c, name) in columns.iter().enumerate() {
         let rect = Rect::from_min_size(
             egui::pos2(left + c as f32 * width, area.top()),
@@ -133,7 +159,7 @@ fn cells(
         painter.with_clip_rect(rect).text(
             rect.right_center() - vec2(pad, 0.0),
             Align2::RIGHT_CENTER,
-            short(name),
+            if roomy { short(name) } else { initials(name) },
             font.clone(),
             tokens.muted,
         );
@@ -173,6 +199,14 @@ fn short(name: &str) -> String {
     }
 }
 
+/// The same for narrow columns: "north" becomes "N", "wind north" becomes "wN".
+fn initials(name: &str) -> String {
+    let mut words = name.split(' ').rev();
+    let last = words.next().and_then(|w| w.chars().next()).unwrap_or(' ');
+    let first = words.last().and_then(|w| w.chars().next());
+    first.into_iter().chain(last.to_uppercase()).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -181,5 +215,7 @@ mod tests {
     fn column_heads_keep_the_direction() {
         assert_eq!(short("wind north"), "w. north");
         assert_eq!(short("east"), "east");
+        assert_eq!(initials("wind north"), "wN");
+        assert_eq!(initials("east"), "E");
     }
 }

@@ -135,11 +135,18 @@ impl InspectorView {
         parts::section(ui, tokens, "COVARIANCE", true, |ui| {
             let names: Vec<String> = run.state_names.iter().map(|(n, _)| n.clone()).collect();
             let size = step.after.covariance.nrows().min(names.len());
-            matrix::covariance(ui, tokens, &step.after.covariance, &names[..size]);
+            let all = matrix::covariance(ui, tokens, &step.after.covariance, &names[..size]);
+            let what = if all {
+                "Covariance, SI units"
+            } else {
+                "Correlation"
+            };
             ui.label(
-                RichText::new("SI units; red where two components err together, blue where they err oppositely")
-                    .size(tokens.text_sizes[0])
-                    .color(tokens.muted),
+                RichText::new(format!(
+                    "{what}; red where two components err together, blue where they err oppositely"
+                ))
+                .size(tokens.text_sizes[0])
+                .color(tokens.muted),
             );
         });
         parts::section(ui, tokens, "TIME SPENT", false, |ui| {
@@ -212,7 +219,7 @@ fn correction(
         };
         let (what, unit, factor) = number(i);
         let sigma = joint.innovation_covariance[(i, i)].max(0.0).sqrt();
-        let value = figures(factor * joint.innovation[i]);
+        let value = parts::brief(factor * joint.innovation[i]);
         let reading = Reading::new(format!("{name}, {what}"), value, unit);
         parts::reading(ui, tokens, &reading.deviation(figures(factor * sigma)));
     }

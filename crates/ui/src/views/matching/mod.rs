@@ -4,7 +4,7 @@ mod numbers;
 mod pictures;
 
 use egui::{RichText, ScrollArea, Ui};
-use pilotage_core::navigator::{CandidateReport, Outcome};
+use pilotage_core::navigator::{CandidateReport, Outcome, Refusal};
 
 use super::{parts, picking};
 use crate::command::Command;
@@ -82,7 +82,8 @@ impl MatchView {
                     );
                 }
                 verdict(ui, context, &name, candidate);
-                self.textures.show(ui, tokens, chosen);
+                self.textures
+                    .show(ui, tokens, chosen, nothing_to_show(candidate));
                 numbers::show(ui, context, run, candidate);
             });
     }
@@ -91,6 +92,16 @@ impl MatchView {
 /// Whether pictures belong to this step and landmark.
 fn is_of(pictures: &MatchPictures, time: f64, landmark: u32) -> bool {
     pictures.landmark == landmark && (pictures.time - time).abs() < 1e-6
+}
+
+/// Why a match has no pictures, if it will never have any.
+fn nothing_to_show(candidate: &CandidateReport) -> Option<&'static str> {
+    match candidate.outcome {
+        Outcome::Refused(refusal @ (Refusal::Flat | Refusal::OutOfPicture)) => {
+            Some(refusal.reason())
+        }
+        _ => None,
+    }
 }
 
 /// One chip per landmark of the frame.

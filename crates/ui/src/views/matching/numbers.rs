@@ -63,20 +63,20 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, run: &Run, candidate:
                     .sqrt(),
             )
         };
-        let right = Reading::new("Innovation right", figures(innovation.x), "px");
+        let right = Reading::new("Innovation right", parts::brief(innovation.x), "px");
         parts::reading(ui, tokens, &right.deviation(sigma(0)));
-        let down = Reading::new("Innovation down", figures(innovation.y), "px");
+        let down = Reading::new("Innovation down", parts::brief(innovation.y), "px");
         parts::reading(ui, tokens, &down.deviation(sigma(1)));
     }
     if let Some(noise) = candidate.measurement_covariance {
         let sigma = |i: usize| noise[(i, i)].max(0.0).sqrt();
         if let Some(turn) = candidate.rotation {
-            let reading = Reading::new("Turned by", figures(turn.to_degrees()), "°");
+            let reading = Reading::new("Turned by", parts::brief(turn.to_degrees()), "°");
             let sigma = figures(sigma(2).to_degrees());
             parts::reading(ui, tokens, &reading.deviation(sigma));
         }
         if let Some(scale) = candidate.log_scale {
-            let reading = Reading::new("Larger by", figures(100.0 * scale.exp_m1()), "%");
+            let reading = Reading::new("Larger by", parts::brief(100.0 * scale.exp_m1()), "%");
             parts::reading(ui, tokens, &reading.deviation(figures(100.0 * sigma(3))));
         }
         let place = sigma(0).max(sigma(1));

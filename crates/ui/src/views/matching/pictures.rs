@@ -16,19 +16,29 @@ pub(super) struct MatchTextures {
 impl MatchTextures {
     /// Draws patch, rectified picture and score surface at one scale, or says that they are on
     /// their way.
-    pub fn show(&mut self, ui: &mut Ui, tokens: &Tokens, pictures: Option<&MatchPictures>) {
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        tokens: &Tokens,
+        pictures: Option<&MatchPictures>,
+        never: Option<&str>,
+    ) {
         let gap = tokens.space;
         let width = ui.available_width();
         let caption = 1.6 * tokens.text_sizes[0];
         let Some(pictures) = pictures else {
             let height = 0.34 * width;
             let (rect, response) = ui.allocate_exact_size(vec2(width, height), Sense::hover());
-            parts::name(&response, "The pictures of this match are on their way");
+            let text = never.map_or_else(
+                || "The pictures of this match are on their way".to_owned(),
+                |reason| format!("No pictures: {reason}"),
+            );
+            parts::name(&response, text.clone());
             ui.painter().rect_filled(rect, tokens.radius, tokens.raised);
             ui.painter().text(
                 rect.center(),
                 Align2::CENTER_CENTER,
-                "The pictures are on their way.",
+                text,
                 parts::small(tokens),
                 tokens.muted,
             );

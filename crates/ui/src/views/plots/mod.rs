@@ -464,7 +464,7 @@ fn legend(ui: &Ui, tokens: &Tokens, layers: &[Layer<'_>], axes: &Axes, rect: Rec
             )
         })
         .collect();
-    let value_width = 3.2 * tokens.text_sizes[0];
+    let value_width = 2.9 * tokens.text_sizes[0];
     let sample = 10.0;
     let gap = tokens.space;
     let names: f32 = entries
@@ -482,6 +482,9 @@ fn legend(ui: &Ui, tokens: &Tokens, layers: &[Layer<'_>], axes: &Axes, rect: Rec
     let mut right = rect.right() - tokens.space;
     for (layer, value) in entries {
         let middle = rect.center().y;
+        if right - value_width - sample < rect.left() {
+            break;
+        }
         painter.text(
             pos2(right, middle),
             egui::Align2::RIGHT_CENTER,
