@@ -113,8 +113,12 @@ impl InspectorView {
                 }
                 let (factor, unit) = in_units(unit, context.units);
                 let sigma = step.after.covariance[(i, i)].max(0.0).sqrt() * factor;
-                let value = Reading::new(name.clone(), figures(step.after.mean[i] * factor), unit)
-                    .deviation(figures(sigma));
+                let value = Reading::new(
+                    name.clone(),
+                    parts::brief(step.after.mean[i] * factor),
+                    unit,
+                )
+                .deviation(figures(sigma));
                 parts::reading(ui, tokens, &value);
             }
             let (factor, unit) = context.units.length();

@@ -11,6 +11,11 @@ use crate::units::Units;
 
 /// What step `index` of the run did, for people.
 pub(crate) fn sentence(run: &Run, index: usize, flight: Option<&Flight>, units: Units) -> String {
+    capitalised(&what_happened(run, index, flight, units))
+}
+
+/// The same with whatever first letter a landmark's name has.
+fn what_happened(run: &Run, index: usize, flight: Option<&Flight>, units: Units) -> String {
     let Some(step) = run.steps.get(index) else {
         return "There is no step here.".to_owned();
     };
@@ -77,7 +82,7 @@ fn correction(
     let average = if names.len() > 1 { " on average" } else { "" };
     let mut text = format!(
         "{} found {found}{average} from where expected: the estimate {moved} and its 1σ {spread}.",
-        was(&names)
+        listed(&names)
     );
     if !verdicts.is_empty() {
         text.push(' ');
@@ -86,13 +91,31 @@ fn correction(
     text
 }
 
-/// "Church was", "Church and Factory were", "Church, Factory and Barn were".
-fn was(names: &[String]) -> String {
+/// "church", "church and factory", "church, factory and barn".
+fn listed(names: &[String]) -> String {
     match names {
-        [] => "Nothing was".to_owned(),
-        [one] => format!("{one} was"),
-        [first @ .., last] => format!("{} and {last} were", first.join(", ")),
+        [] => "Nothing".to_owned(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
     }
+}
+
+/// The text with a capital letter at the start of each sentence that begins with a small one.
+fn capitalised(text: &str) -> String {
+    let mut begins = true;
+    let mut previous = ' ';
+    text.chars()
+        .map(|c| {
+            let upper = begins && c.is_alphabetic();
+            begins = (begins && !c.is_alphanumeric()) || (previous == '.' && c == ' ');
+            previous = c;
+            if upper {
+                c.to_uppercase().next().unwrap_or(c)
+            } else {
+                c
+            }
+        })
+        .collect()
 }
 
 /// One sentence per refused landmark, the first three.
@@ -102,7 +125,7 @@ fn refusals(run: &Run, frame: &FrameReport) -> String {
         .iter()
         .filter_map(|c| match c.outcome {
             Outcome::Refused(refusal) => Some(format!(
-                "{} was refused: {}.",
+                "{} refused: {}.",
                 picking::landmark_name(run, c.landmark),
                 refusal.reason()
             )),
@@ -112,7 +135,7 @@ fn refusals(run: &Run, frame: &FrameReport) -> String {
     let more = refused.len().saturating_sub(3);
     let mut text = refused[..refused.len() - more].join(" ");
     if more > 0 {
-        text = format!("{text} {more} more were refused.");
+        text = format!("{text} {more} more refused.");
     }
     text
 }
@@ -250,7 +273,7 @@ mod tests {
         frame.candidates[0].outcome = Outcome::Refused(Refusal::Ambiguous);
         assert_eq!(
             of(&fixture, index),
-            "Church was refused: a second place looks nearly as good. The estimate stays as predicted."
+            "Church refused: a second place looks nearly as good. The estimate stays as predicted."
         );
     }
 
@@ -269,6 +292,15 @@ mod tests {
         let text = of(&fixture, index);
         assert!(text.starts_with("No landmark for"), "{text}");
         assert!(text.contains("the uncertainty grows by"), "{text}");
+    }
+
+    #[test]
+    fn sentences_begin_with_a_capital_letter_whatever_the_landmark_is_called() {
+        assert_eq!(
+            capitalised("water tanks refused: 0.5 is too low. church found 1.2 m off."),
+            "Water tanks refused: 0.5 is too low. Church found 1.2 m off."
+        );
+        assert_eq!(capitalised("3 masts found."), "3 masts found.");
     }
 
     #[test]

@@ -29,7 +29,7 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, run: &Run, candidate:
             "Second best over best (at most {})",
             figures(detector.greatest_ambiguity)
         ),
-        figures(ambiguity),
+        parts::brief(ambiguity),
         "",
     )
     .color(verdict_color(ambiguity <= detector.greatest_ambiguity));

@@ -6,6 +6,9 @@ use super::super::{color_map, parts};
 use crate::jobs::MatchPictures;
 use crate::tokens::Tokens;
 
+/// Most height of a picture, points.
+const TALLEST: f32 = 260.0;
+
 /// Textures of the pictures shown last.
 #[derive(Default)]
 pub(super) struct MatchTextures {
@@ -46,11 +49,16 @@ impl MatchTextures {
         };
         self.update(ui, pictures);
         let rasters = [&pictures.patch, &pictures.rectified, &pictures.surface];
-        let columns: f32 = rasters.iter().map(|r| r.width() as f32).sum();
-        let tallest = rasters.iter().map(|r| r.height()).max().unwrap_or(1) as f32;
-        let scale = ((width - 2.0 * gap) / columns.max(1.0)).min(260.0 / tallest.max(1.0));
+        let sizes = rasters.map(|r| vec2(r.width().max(1) as f32, r.height().max(1) as f32));
+        // Patch and picture share a scale; the surface, often small, takes a third of the width.
+        let surface = (0.3 * width / sizes[2].x).min(TALLEST / sizes[2].y);
+        let free = width - 2.0 * gap - surface * sizes[2].x;
+        let tallest = sizes[0].y.max(sizes[1].y);
+        let scale = (free / (sizes[0].x + sizes[1].x)).min(TALLEST / tallest);
+        let scales = [scale, scale, surface];
+        let height = (tallest * scale).max(surface * sizes[2].y);
         let (area, response) =
-            ui.allocate_exact_size(vec2(width, tallest * scale + caption), Sense::hover());
+            ui.allocate_exact_size(vec2(width, height + caption), Sense::hover());
         parts::name(
             &response,
             "Map patch, rectified picture, and score at every place",
@@ -60,8 +68,8 @@ impl MatchTextures {
         let mut left = area.left();
         let mut places = Vec::new();
         let texts = ["Map patch", "Camera, seen from above", "Score"];
-        for ((raster, texture), text) in rasters.iter().zip(&self.textures).zip(texts) {
-            let size = vec2(raster.width() as f32, raster.height() as f32) * scale;
+        for (i, text) in texts.into_iter().enumerate() {
+            let (texture, size) = (&self.textures[i], sizes[i] * scales[i]);
             let rect = Rect::from_min_size(pos2(left, area.top() + caption), size);
             painter.image(texture.id(), rect, full, egui::Color32::WHITE);
             painter.rect_stroke(
@@ -103,7 +111,7 @@ impl MatchTextures {
         painter: &egui::Painter,
         tokens: &Tokens,
         pictures: &MatchPictures,
-        scale: f32,
+        scales: [f32; 3],
         [patch, rectified, surface]: [Rect; 3],
     ) {
         let both = [
@@ -112,8 +120,8 @@ impl MatchTextures {
         ];
         for (place, color, width) in both {
             let Some((column, row)) = place else { continue };
-            let offset = vec2(column as f32, row as f32) * scale;
-            let outline = Rect::from_min_size(rectified.min + offset, patch.size());
+            let offset = vec2(column as f32, row as f32);
+            let outline = Rect::from_min_size(rectified.min + offset * scales[1], patch.size());
             let clipped = painter.with_clip_rect(rectified);
             clipped.rect_stroke(
                 outline,
@@ -127,7 +135,7 @@ impl MatchTextures {
                 Stroke::new(width, color),
                 egui::StrokeKind::Middle,
             );
-            let at = surface.min + offset + vec2(0.5, 0.5) * scale;
+            let at = surface.min + (offset + vec2(0.5, 0.5)) * scales[2];
             painter.circle_stroke(at, 6.0, Stroke::new(width + 2.0, parts::rim(tokens)));
             painter.circle_stroke(at, 6.0, Stroke::new(width, color));
         }
@@ -150,8 +158,12 @@ impl MatchTextures {
             .into_iter()
             .enumerate()
             .map(|(i, image)| {
-                ui.ctx()
-                    .load_texture(format!("match {i}"), image, TextureOptions::NEAREST)
+                let options = if i == 2 {
+                    TextureOptions::LINEAR
+                } else {
+                    TextureOptions::NEAREST
+                };
+                ui.ctx().load_texture(format!("match {i}"), image, options)
             })
             .collect();
     }

@@ -63,11 +63,13 @@ impl Curve<'_> {
         }
         let mut places = Vec::with_capacity(columns);
         let mut from = visible.start;
+        let mut last_count = visible.len() / columns;
         for column in 0..columns {
             let x = axes.rect.left() + column as f32;
             let until = axes.x_at(x + 1.0);
-            let to = from + self.times[from..visible.end].partition_point(|t| *t < until);
+            let to = first_not_before(self.times, from..visible.end, until, last_count);
             if to > from {
+                last_count = to - from;
                 places.push(self.values.extent(from, to).map(|extent| {
                     let (a, b) = (
                         f64::from(extent.low) * self.factor,
@@ -84,6 +86,30 @@ impl Curve<'_> {
         }
         places
     }
+}
+
+/// Index of the first time in `range` that is not before `until`, sought around the `guess`-th.
+///
+/// Columns of evenly spaced samples hold nearly equally many, so that the guess mostly holds and
+/// the search costs nothing.
+fn first_not_before(times: &[f64], range: Range<usize>, until: f64, guess: usize) -> usize {
+    let at = (range.start + guess).min(range.end);
+    let (mut low, mut high) = (at, at);
+    let mut step = 1;
+    if at < range.end && times[at] < until {
+        while high < range.end && times[high] < until {
+            low = high + 1;
+            high = (high + step).min(range.end);
+            step *= 2;
+        }
+    } else {
+        while low > range.start && times[low - 1] >= until {
+            high = low - 1;
+            low = low.saturating_sub(step).max(range.start);
+            step *= 2;
+        }
+    }
+    low + times[low..high].partition_point(|t| *t < until)
 }
 
 /// Draws a curve as a line; a column with many samples becomes a stroke from least to greatest.
@@ -221,13 +247,19 @@ mod tests {
             factor: 1.0,
         };
         let axes = axes((0.0, 10_000.0));
-        let started = Instant::now();
         let places = curve.places(&axes);
-        let elapsed = started.elapsed();
+        let fastest = (0..50)
+            .map(|_| {
+                let started = Instant::now();
+                std::hint::black_box(curve.places(&axes));
+                started.elapsed()
+            })
+            .min()
+            .unwrap();
         println!(
             "1 000 000 samples into {} columns: {} µs",
             places.len(),
-            elapsed.as_micros()
+            fastest.as_micros()
         );
         assert!(places.len() <= 900);
         let spike_x = axes.screen_x(times[333_333]);
@@ -260,6 +292,20 @@ mod tests {
             // A sample at the very edge of a column may fall to either side.
             assert!(place.low <= low + 0.03 && place.low >= low - 0.03);
             assert!(place.high >= high - 0.03 && place.high <= high + 0.03);
+        }
+    }
+
+    #[test]
+    fn the_search_around_a_guess_finds_what_a_search_from_scratch_finds() {
+        let times: Vec<f64> = (0..200).map(|i| f64::from(i * i / 7)).collect();
+        for from in [0, 3, 50, 199] {
+            for guess in [0, 1, 7, 400] {
+                for until in [-1.0, 0.0, 3.5, 900.0, 5600.0, 1e9] {
+                    let expected = from + times[from..].partition_point(|t| *t < until);
+                    let found = first_not_before(&times, from..200, until, guess);
+                    assert_eq!(found, expected, "{from} {guess} {until}");
+                }
+            }
         }
     }
 

@@ -81,18 +81,6 @@ impl Table {
     pub fn column(&self, index: usize) -> &Pyramid {
         &self.columns[index]
     }
-
-    /// The last row at or before `time`.
-    pub fn row_at(&self, time: f64) -> Option<usize> {
-        self.times
-            .partition_point(|t| *t <= time + 1e-9)
-            .checked_sub(1)
-    }
-
-    /// Value of a column in the last row at or before `time`.
-    pub fn value(&self, column: usize, time: f64) -> Option<f64> {
-        self.column(column).get(self.row_at(time)?).map(f64::from)
-    }
 }
 
 /// What tells whether a run is still the one that was taken over.
@@ -300,11 +288,13 @@ mod tests {
         }
         series.update(Some(&other), Some(&fixture.flight));
         assert_eq!(series.steps.times.len(), 40);
+        let index = other.index_at(1.0).unwrap();
         let error = series
             .steps
-            .value(StepColumn::NorthError as usize, 1.0)
-            .unwrap();
-        let step = other.step_at(1.0).unwrap();
+            .column(StepColumn::NorthError as usize)
+            .get(index);
+        let error = f64::from(error.unwrap());
+        let step = &other.steps[index];
         let truth = fixture
             .flight
             .truth

@@ -579,7 +579,7 @@ fn landmarks(painter: &Painter, rect: Rect, tokens: &Tokens, run: &Run) {
     rows.truncate(6);
     let most = rows.iter().map(|r| r.1 + r.2).max().unwrap_or(1).max(1) as f32;
     let height = (rect.height() - 2.0 * tokens.space) / rows.len().max(1) as f32;
-    let left = rect.left() + 9.0 * tokens.text_sizes[0];
+    let left = rect.left() + 10.5 * tokens.text_sizes[0];
     let width = rect.right() - 6.0 * tokens.text_sizes[0] - left;
     for (i, (id, used, refused)) in rows.iter().enumerate() {
         let y = rect.top() + tokens.space + (i as f32 + 0.5) * height;

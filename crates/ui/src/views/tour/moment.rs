@@ -78,7 +78,7 @@ fn first_landmark(run: &Run) -> Option<Moment> {
     let name = picking::landmark_name(run, candidate.landmark);
     let distance = candidate.innovation.map_or(0.0, |v| v.norm());
     let text = format!(
-        "The navigator expected {name} at the white ring and searched only around it; it found it {} pixels away. \
+        "The navigator expected “{name}” at the white ring and searched only around it; it found it {} pixels away. \
          That difference, the innovation, is all it ever learns from the camera.",
         figures(distance)
     );
@@ -123,7 +123,7 @@ fn gate(run: &Run) -> Option<Moment> {
     let name = picking::landmark_name(run, candidate.landmark);
     let text = format!(
         "The filter knows how far a landmark may lie from its expected place; the squared distance in those units is the NIS, and above {} the gate shuts. \
-         {name} here came closest to it of all that were let in, with a NIS of {}.",
+         “{name}” here came closest to it of all that were let in, with a NIS of {}.",
         figures(candidate.threshold),
         figures(nis)
     );
@@ -170,7 +170,7 @@ fn refused(run: &Run) -> Option<Moment> {
             |nis| format!("score {:.2}, NIS {}", candidate.score, figures(nis)),
         );
         let text = format!(
-            "{name} was looked for and something was found, but {} ({numbers}). \
+            "“{name}” was looked for and something was found, but {} ({numbers}). \
              One false landmark does more harm than ten missing ones, so the filter rather goes without.",
             refusal.reason()
         );
@@ -180,7 +180,7 @@ fn refused(run: &Run) -> Option<Moment> {
         candidates().max_by(|a, b| picking::ambiguity(a.1).total_cmp(&picking::ambiguity(b.1)))?;
     let name = picking::landmark_name(run, candidate.landmark);
     let text = format!(
-        "In this run nothing was refused so far. The closest call was {name}: a second place scored {:.0} % of the best, and from {:.0} % on it would have been refused as ambiguous.",
+        "In this run nothing was refused so far. The closest call was “{name}”: a second place scored {:.0} % of the best, and from {:.0} % on it would have been refused as ambiguous.",
         100.0 * picking::ambiguity(candidate),
         100.0 * run.settings.detector.greatest_ambiguity
     );
@@ -293,7 +293,8 @@ fn reacquired(run: &Run, units: Units) -> Option<Moment> {
         "After {:.1} seconds {} comes into view where the widened search expects it, and the estimate jumps {} {unit} back. \
          The 1σ falls from {} to {} {unit}, and the wind that was believed in meanwhile is corrected as well.",
         step.time - run.steps[from].time,
-        name.as_ref().map_or("a landmark", |n| n.1.as_str()),
+        name.as_ref()
+            .map_or_else(|| "a landmark".to_owned(), |n| format!("“{}”", n.1)),
         figures(shift),
         figures(factor * sigma(&step.predicted)),
         figures(factor * sigma(&step.after))
