@@ -50,8 +50,7 @@ mod tests {
         let covariance = Matrix2::new(4.0, 1.5, 1.5, 2.0);
         let reach = outline(&covariance, 1.0, 3600)
             .iter()
-            .map(|p| p.norm())
-            .fold(0.0, f64::max);
+            .fold(0.0, |most: f64, p| most.max(p.norm()));
         assert!((reach - largest_sigma(&covariance)).abs() < 1e-5);
     }
 }

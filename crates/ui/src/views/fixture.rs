@@ -226,40 +226,40 @@ impl Fixture {
         picture.write_to(&mut bytes, image::ImageFormat::Png).ok()?;
         Some(bytes.into_inner().into())
     }
+}
 
-    /// Pictures that explain a match, with one clear peak and a weaker one.
-    pub fn match_pictures(&self, time: f64, landmark: u32) -> MatchPictures {
-        let texture = |c: f64, r: f64| (96.0 + 60.0 * (c * 0.31).sin() * (r * 0.23).cos()) as f32;
-        let hill = |c: f64, r: f64, at: (f64, f64), width: f64| {
-            (-((c - at.0).powi(2) + (r - at.1).powi(2)) / width).exp()
-        };
-        let (peak, second) = ((61.4, 38.2), (22.0, 57.0));
-        MatchPictures {
-            time,
-            landmark,
-            patch: Gray::from_fn(48, 48, |c, r| {
-                if (12..36).contains(&c) && (12..36).contains(&r) {
-                    190.0
-                } else {
-                    texture(c as f64, r as f64)
-                }
-            }),
-            rectified: Gray::from_fn(144, 144, |c, r| {
-                if c.abs_diff(85) < 12 && r.abs_diff(62) < 12 {
-                    180.0
-                } else {
-                    texture(c as f64 + 3.0, r as f64 * 1.1)
-                }
-            }),
-            surface: Gray::from_fn(97, 97, |c, r| {
-                let (c, r) = (c as f64, r as f64);
-                (0.85 * hill(c, r, peak, 40.0) + 0.42 * hill(c, r, second, 60.0)
-                    - 0.05 * (c * 0.2).sin()) as f32
-            }),
-            peak: Some(peak),
-            second: Some(second),
-            gsd: 0.5,
-        }
+/// Pictures that explain a match, with one clear peak and a weaker one.
+pub(crate) fn match_pictures(time: f64, landmark: u32) -> MatchPictures {
+    let texture = |c: f64, r: f64| (96.0 + 60.0 * (c * 0.31).sin() * (r * 0.23).cos()) as f32;
+    let hill = |c: f64, r: f64, at: (f64, f64), width: f64| {
+        (-((c - at.0).powi(2) + (r - at.1).powi(2)) / width).exp()
+    };
+    let (peak, second) = ((61.4, 38.2), (22.0, 57.0));
+    MatchPictures {
+        time,
+        landmark,
+        patch: Gray::from_fn(48, 48, |c, r| {
+            if (12..36).contains(&c) && (12..36).contains(&r) {
+                190.0
+            } else {
+                texture(c as f64, r as f64)
+            }
+        }),
+        rectified: Gray::from_fn(144, 144, |c, r| {
+            if c.abs_diff(85) < 12 && r.abs_diff(62) < 12 {
+                180.0
+            } else {
+                texture(c as f64 + 3.0, r as f64 * 1.1)
+            }
+        }),
+        surface: Gray::from_fn(97, 97, |c, r| {
+            let (c, r) = (c as f64, r as f64);
+            (0.85 * hill(c, r, peak, 40.0) + 0.42 * hill(c, r, second, 60.0)
+                - 0.05 * (c * 0.2).sin()) as f32
+        }),
+        peak: Some(peak),
+        second: Some(second),
+        gsd: 0.5,
     }
 }
 
@@ -322,7 +322,8 @@ impl Flier {
                 wind: Some(Vector2::new(self.truth[2], self.truth[3])),
             });
         }
-        let frame = (number % STEPS_PER_FRAME == 0)
+        let frame = number
+            .is_multiple_of(STEPS_PER_FRAME)
             .then(|| self.frame(number / STEPS_PER_FRAME - 1, heading, camera, landmarks));
         let corrected = frame.as_ref().is_some_and(|f| f.joint.is_some());
         StepReport {
@@ -404,7 +405,7 @@ impl Flier {
             let nis = nis + (turn * turn + scale * scale) / (TURN_SIGMA * TURN_SIGMA);
             let threshold = THRESHOLD;
             // One landmark has a look-alike: it is ambiguous in every third frame.
-            let outcome = if landmark.id == 3 && index % 3 == 0 {
+            let outcome = if landmark.id == 3 && index.is_multiple_of(3) {
                 Outcome::Refused(Refusal::Ambiguous)
             } else if nis > threshold {
                 Outcome::Refused(Refusal::OutsideGate)

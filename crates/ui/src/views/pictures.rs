@@ -14,12 +14,17 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Navigator, Run, StepReport, explain};
 use pilotage_core::simulate::{Overrides, Scenario};
 
-use super::fixture::Fixture;
+use super::fixture::{Fixture, match_pictures};
 use super::{CameraView, InspectorView, MatchView, PlotsView, Tour, canvas, picking};
 use crate::context::ViewContext;
 use crate::jobs::MatchPictures;
 use crate::tokens::Tokens;
 use crate::units::Units;
+
+/// The encoded picture of a frame.
+type FramePicture = dyn Fn(usize) -> Option<Arc<[u8]>>;
+/// What explains the match of a landmark in a step.
+type Evidence = dyn Fn(&StepReport, u32) -> Option<MatchPictures>;
 
 /// What the views are drawn over.
 struct Scene {
@@ -27,27 +32,26 @@ struct Scene {
     flight: Flight,
     run: Run,
     ghost: Option<Run>,
-    pictures: Box<dyn Fn(usize) -> Option<Arc<[u8]>>>,
-    matched: Box<dyn Fn(&StepReport, u32) -> Option<MatchPictures>>,
+    pictures: Box<FramePicture>,
+    matched: Box<Evidence>,
 }
 
 impl Scene {
     /// The synthetic flight.
     fn synthetic() -> Self {
-        let fixture = Rc::new(Fixture::new());
+        let fixture = Fixture::new();
         let mut ghost = fixture.run.clone();
         for step in &mut ghost.steps {
             step.after.mean[0] += 3.0 * (step.time * 0.2).sin();
             step.after.mean[1] += 2.0;
         }
-        let same = Rc::clone(&fixture);
         Self {
             mission: fixture.mission.clone(),
             flight: fixture.flight.clone(),
             run: fixture.run.clone(),
             ghost: Some(ghost),
             pictures: Box::new(move |index| fixture.picture(index)),
-            matched: Box::new(move |step, id| Some(same.match_pictures(step.time, id))),
+            matched: Box::new(|step, id| Some(match_pictures(step.time, id))),
         }
     }
 

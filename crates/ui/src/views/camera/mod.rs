@@ -95,21 +95,18 @@ impl CameraView {
         let placement = self.placement(outer, size);
         let painter = ui.painter_at(outer);
         painter.rect_filled(outer, 0.0, tokens.background);
-        match self.cache.texture() {
-            Some(texture) => {
-                let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-                painter.image(texture, placement.rect, uv, egui::Color32::WHITE);
-            }
-            None => {
-                painter.rect_filled(placement.rect, 0.0, tokens.raised);
-                painter.text(
-                    placement.rect.center(),
-                    egui::Align2::CENTER_CENTER,
-                    self.cache.trouble().unwrap_or("The picture is on its way."),
-                    parts::normal(tokens),
-                    tokens.muted,
-                );
-            }
+        if let Some(texture) = self.cache.texture() {
+            let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+            painter.image(texture, placement.rect, uv, egui::Color32::WHITE);
+        } else {
+            painter.rect_filled(placement.rect, 0.0, tokens.raised);
+            painter.text(
+                placement.rect.center(),
+                egui::Align2::CENTER_CENTER,
+                self.cache.trouble().unwrap_or("The picture is on its way."),
+                parts::normal(tokens),
+                tokens.muted,
+            );
         }
         let mut taken = Vec::new();
         if let Some((run, report)) = report {

@@ -201,10 +201,9 @@ fn short(name: &str) -> String {
 
 /// The same for narrow columns: "north" becomes "N", "wind north" becomes "wN".
 fn initials(name: &str) -> String {
-    let mut words = name.split(' ').rev();
-    let last = words.next().and_then(|w| w.chars().next()).unwrap_or(' ');
-    let first = words.last().and_then(|w| w.chars().next());
-    first.into_iter().chain(last.to_uppercase()).collect()
+    let (first, last) = name.rsplit_once(' ').unwrap_or(("", name));
+    let upper = last.chars().next().into_iter().flat_map(char::to_uppercase);
+    first.chars().next().into_iter().chain(upper).collect()
 }
 
 #[cfg(test)]

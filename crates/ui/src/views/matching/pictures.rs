@@ -93,52 +93,16 @@ impl MatchTextures {
             left += size.x + gap;
         }
         if let [patch, rectified, surface] = places[..] {
-            self.marks(
+            marks(
                 &painter,
                 tokens,
                 pictures,
-                scale,
+                scales,
                 [patch, rectified, surface],
             );
         }
         ui.add_space(0.5 * gap);
         legend(ui, tokens, pictures);
-    }
-
-    /// Best place with the patch's outline, second-best place, on both pictures that have places.
-    fn marks(
-        &self,
-        painter: &egui::Painter,
-        tokens: &Tokens,
-        pictures: &MatchPictures,
-        scales: [f32; 3],
-        [patch, rectified, surface]: [Rect; 3],
-    ) {
-        let both = [
-            (pictures.peak, tokens.observed, 2.0),
-            (pictures.second, tokens.refused, 1.5),
-        ];
-        for (place, color, width) in both {
-            let Some((column, row)) = place else { continue };
-            let offset = vec2(column as f32, row as f32);
-            let outline = Rect::from_min_size(rectified.min + offset * scales[1], patch.size());
-            let clipped = painter.with_clip_rect(rectified);
-            clipped.rect_stroke(
-                outline,
-                0.0,
-                Stroke::new(width + 2.0, parts::rim(tokens)),
-                egui::StrokeKind::Middle,
-            );
-            clipped.rect_stroke(
-                outline,
-                0.0,
-                Stroke::new(width, color),
-                egui::StrokeKind::Middle,
-            );
-            let at = surface.min + (offset + vec2(0.5, 0.5)) * scales[2];
-            painter.circle_stroke(at, 6.0, Stroke::new(width + 2.0, parts::rim(tokens)));
-            painter.circle_stroke(at, 6.0, Stroke::new(width, color));
-        }
     }
 
     fn update(&mut self, ui: &Ui, pictures: &MatchPictures) {
@@ -166,6 +130,41 @@ impl MatchTextures {
                 ui.ctx().load_texture(format!("match {i}"), image, options)
             })
             .collect();
+    }
+}
+
+/// Best place with the patch's outline, second-best place, on both pictures that have places.
+fn marks(
+    painter: &egui::Painter,
+    tokens: &Tokens,
+    pictures: &MatchPictures,
+    scales: [f32; 3],
+    [patch, rectified, surface]: [Rect; 3],
+) {
+    let both = [
+        (pictures.peak, tokens.observed, 2.0),
+        (pictures.second, tokens.refused, 1.5),
+    ];
+    for (place, color, width) in both {
+        let Some((column, row)) = place else { continue };
+        let offset = vec2(column as f32, row as f32);
+        let outline = Rect::from_min_size(rectified.min + offset * scales[1], patch.size());
+        let clipped = painter.with_clip_rect(rectified);
+        clipped.rect_stroke(
+            outline,
+            0.0,
+            Stroke::new(width + 2.0, parts::rim(tokens)),
+            egui::StrokeKind::Middle,
+        );
+        clipped.rect_stroke(
+            outline,
+            0.0,
+            Stroke::new(width, color),
+            egui::StrokeKind::Middle,
+        );
+        let at = surface.min + (offset + vec2(0.5, 0.5)) * scales[2];
+        painter.circle_stroke(at, 6.0, Stroke::new(width + 2.0, parts::rim(tokens)));
+        painter.circle_stroke(at, 6.0, Stroke::new(width, color));
     }
 }
 

@@ -1,7 +1,7 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 
-use super::super::fixture::Fixture;
+use super::super::fixture::{Fixture, match_pictures};
 use super::*;
 use crate::tokens::Tokens;
 use crate::units::Units;
@@ -65,11 +65,11 @@ fn pictures_of_another_match_are_not_shown() {
     let mut harness = harness(12.0);
     harness.run();
     let (time, landmark) = harness.state().view.wanted().unwrap();
-    let other = harness.state().fixture.match_pictures(time - 1.0, landmark);
+    let other = match_pictures(time - 1.0, landmark);
     harness.state_mut().pictures = Some(other);
     harness.run();
     harness.get_by_label("The pictures of this match are on their way");
-    let right = harness.state().fixture.match_pictures(time, landmark);
+    let right = match_pictures(time, landmark);
     harness.state_mut().pictures = Some(right);
     harness.run();
     harness.get_by_label("Map patch, rectified picture, and score at every place");

@@ -107,8 +107,9 @@ fn found(
     let gate = ellipse::outline(&candidate.innovation_covariance, candidate.threshold, 64);
     let reach = gate
         .iter()
+        .copied()
+        .chain(candidate.innovation)
         .map(|v| v.amax())
-        .chain(candidate.innovation.map(|v| v.amax()))
         .fold(1.0, f64::max);
     let scale = f64::from(0.45 * rect.height()) / reach;
     let center = rect.center() + vec2(0.18 * rect.width(), 0.0);

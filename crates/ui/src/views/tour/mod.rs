@@ -5,6 +5,8 @@ mod moment;
 mod stop;
 mod unscented;
 
+use std::cmp::Ordering;
+
 use egui::{Align, Key, Layout, Rect, RichText, Sense, Stroke, Ui, vec2};
 
 use super::parts;
@@ -286,12 +288,10 @@ fn dot(
             ),
         )
     });
-    let color = if index == current {
-        tokens.accent
-    } else if index < current {
-        tokens.text
-    } else {
-        tokens.line
+    let color = match index.cmp(&current) {
+        Ordering::Less => tokens.text,
+        Ordering::Equal => tokens.accent,
+        Ordering::Greater => tokens.line,
     };
     let radius = if response.hovered() || response.has_focus() {
         5.0
