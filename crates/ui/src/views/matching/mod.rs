@@ -137,11 +137,11 @@ fn verdict(ui: &mut Ui, context: &ViewContext<'_>, name: &str, candidate: &Candi
     let tokens = context.tokens;
     let (text, color) = match candidate.outcome {
         Outcome::Accepted => (
-            format!("{name} was recognised and corrected the estimate."),
+            format!("Recognised: “{name}” corrected the estimate."),
             tokens.truth,
         ),
         Outcome::Refused(refusal) => (
-            format!("{name} was refused: {}.", refusal.reason()),
+            format!("“{name}” refused: {}.", refusal.reason()),
             tokens.refused,
         ),
     };
