@@ -4,8 +4,9 @@ use std::cell::RefCell;
 use std::rc::Rc;
 use std::sync::Arc;
 
+use pilotage_core::flight::{ChannelName, Flight};
 use pilotage_core::mission::Mission;
-use pilotage_core::navigator::{Navigator, StepReport};
+use pilotage_core::navigator::{Navigator, NavigatorSettings, StepReport, VehicleChoice};
 
 use super::flights::OpenFlight;
 use super::running::SLICE;
@@ -54,11 +55,8 @@ impl Fly {
             let open = open.borrow();
             (open.flight.clone(), open.mission.clone())
         };
-        let mission = self
-            .mission
-            .take()
-            .or(own_mission)
-            .ok_or_else(|| format!("{}: open a mission with landmarks as well", flight.name))?;
+        let mission =
+            (self.mission.take().or(own_mission)).unwrap_or_else(|| bare_mission(&flight));
         let flown = mission.camera.as_ref().map_or_else(
             || flight.clone(),
             |camera| {
@@ -78,6 +76,31 @@ impl Fly {
         ));
         self.stage = Stage::Flying(open, Box::new(navigator));
         Ok(())
+    }
+}
+
+/// Position driven by nothing but uncertainty: white noise for slow vehicles, m/√s.
+const UNKNOWN_MOTION: f64 = 6.0;
+
+/// A mission without landmarks for a flight that came without one, so that landmarks can be picked
+/// over it.
+fn bare_mission(flight: &Flight) -> Mission {
+    let mut navigator = NavigatorSettings::default();
+    if flight.channel(ChannelName::Airspeed).is_none() {
+        navigator.vehicle = VehicleChoice::RandomWalk;
+        navigator.process.position = UNKNOWN_MOTION;
+    }
+    let origin = flight
+        .frame_on_globe
+        .map_or_else(pilotage_core::simulate::world_origin, |frame| frame.origin);
+    Mission {
+        name: flight.name.clone(),
+        origin,
+        map: None,
+        landmarks: Vec::new(),
+        camera: None,
+        navigator,
+        properties: std::collections::BTreeMap::new(),
     }
 }
 

@@ -1,0 +1,32 @@
+// A recorded flight, opened as its author left it, with landmarks picked on its own map.
+import { existsSync, readdirSync } from "node:fs";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+export const name = "a recorded flight opens from its folder and is navigated";
+
+const repository = fileURLToPath(new URL("../../", import.meta.url));
+const folder = join(repository, "../shared/data/brighton_beach");
+const flights = join(repository, "tests/flights/brighton");
+
+export async function run(page, tools) {
+  if (!existsSync(folder)) {
+    console.log("        skipped: no shared data");
+    return;
+  }
+  await tools.waitReady();
+  const before = await tools.waitFor((s) => s.flight !== null, "the demo", 120_000);
+  const files = ["frames.csv", "ortho.jpg", "ortho_georef.json"].map((f) => join(folder, f));
+  const pictures = readdirSync(join(folder, "frames")).map((f) => join(folder, "frames", f));
+  const mission = existsSync(flights) ? readdirSync(flights).map((f) => join(flights, f)) : [];
+  await page.setInputFiles("#files", [...files, ...pictures, ...mission]);
+  const opened = await tools.waitFor((s) => s.flight !== before.flight || s.toasts.some((t) => t.trouble), "the flight to open", 120_000);
+  const trouble = opened.toasts.find((t) => t.trouble);
+  tools.check(!trouble, `${trouble?.title}: ${trouble?.text}`);
+  const flown = await tools.waitFor((s) => s.run_complete, "the flight to be navigated", 150_000);
+  tools.check(flown.frames === 18, `${flown.frames} frames`);
+  console.log(`        ${flown.landmarks.length} landmarks, ${flown.candidates} looked for, ${flown.accepted} accepted`);
+  if (mission.length) tools.check(flown.accepted >= 10, "hardly a landmark was accepted");
+  await tools.waitFor((s) => s.map.tiles > 0, "its map", 60_000);
+  await tools.screenshot("recorded-flight");
+}
