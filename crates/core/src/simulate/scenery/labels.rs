@@ -126,7 +126,7 @@ pub(super) fn labels(world: &World, rect: &GroundRect) -> Vec<SceneLabel> {
         let (a, b) = (segment.start, segment.end());
         let polygon = [a - side, b - side, b + side, a + side];
         let name = world.plan.roads[segment.road as usize].name;
-        add(kind, name, polygon.map(|c| c.ground()).to_vec());
+        add(kind, name, polygon.map(Spot::ground).to_vec());
     }
     for solid in &world.plan.solids {
         add(solid.label, None, ground_polygon(&solid.outline()));

@@ -5,11 +5,14 @@
 //! geometry and differ in light, season, crops and parked cars. The distinct places lie where the
 //! built-in flight scenarios expect them, whatever the seed.
 
+mod coverings;
 mod crowns;
 mod day;
 mod distinct;
+mod farm;
 mod fields;
 mod grid;
+mod house;
 mod labels;
 mod light;
 mod network;
@@ -18,6 +21,7 @@ mod paint;
 mod parcels;
 mod plan;
 mod render;
+mod road_table;
 mod roadway;
 mod roofs;
 mod settlement;

@@ -312,9 +312,9 @@ fn split(corners: &[Spot], normal: Spot, offset: f32) -> (Vec<Spot>, Vec<Spot>) 
         let (a, b) = (corners[i], corners[(i + 1) % corners.len()]);
         let (da, db) = (a.dot(normal) - offset, b.dot(normal) - offset);
         if da < 0.0 {
-            below.push(a)
+            below.push(a);
         } else {
-            above.push(a)
+            above.push(a);
         }
         if (da < 0.0) != (db < 0.0) {
             let cut = a + (b - a) * (da / (da - db));

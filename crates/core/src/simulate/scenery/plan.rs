@@ -216,7 +216,7 @@ pub(super) fn segment_grid(segments: &[Segment]) -> Grid {
 }
 
 /// World place on the first leg: `along` metres from its start, `right` metres to the right.
-pub(super) fn leg_one(along: f32, right: f32) -> Spot {
+pub(super) const fn leg_one(along: f32, right: f32) -> Spot {
     const K: f32 = std::f32::consts::FRAC_1_SQRT_2;
     spot(400.0 - K * (along + right), -420.0 + K * (along - right))
 }

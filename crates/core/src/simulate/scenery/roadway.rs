@@ -6,6 +6,7 @@ use super::noise::{smooth_step, unit};
 use super::paint::cover_share;
 use super::plan::Segment;
 use super::shape::Spot;
+use super::surfaces::tarmac;
 use super::things::RoadClass;
 use super::world::World;
 
@@ -24,9 +25,10 @@ const YELLOW: Color = [0.42, 0.285, 0.05];
 const WHITE: Color = [0.43, 0.43, 0.41];
 
 impl World {
-    /// Paints the roads of a cell over `under`.
-    pub(super) fn roads(&self, under: Color, cell: &[u32], p: Spot, gsd: f32, soft: f32) -> Color {
-        // The nearest piece of each road; a handful at most meet in one cell.
+    /// The nearest piece of each road of a cell, and how many there are.
+    #[inline]
+    fn nearest(&self, cell: &[u32], p: Spot) -> ([Option<Near>; 4], usize) {
+        // A handful at most meet in one cell.
         let mut near: [Option<Near>; 4] = [None; 4];
         let mut count = 0;
         for &i in cell {
@@ -57,6 +59,13 @@ impl World {
                 None => {}
             }
         }
+        (near, count)
+    }
+
+    /// Paints the roads of a cell over `under`.
+    #[expect(clippy::too_many_lines, reason = "layers of one road, in their order")]
+    pub(super) fn roads(&self, under: Color, cell: &[u32], p: Spot, gsd: f32, soft: f32) -> Color {
+        let (near, count) = self.nearest(cell, p);
         if count == 0 {
             return under;
         }
@@ -125,7 +134,7 @@ impl World {
             out = mix(out, [0.3, 0.295, 0.28], line_share(depth - 0.1, 0.1, gsd));
         }
         let age = 0.45 + 0.5 * (unit(main.road.wrapping_mul(0x9e37_79b1)) - 0.5);
-        let mut tar = self.tarmac(p, gsd, [speckle, clumps, patches, veins], age);
+        let mut tar = tarmac([speckle, clumps, patches, veins], age);
         let v = main.offset;
         if main.class == RoadClass::Main || main.class == RoadClass::Street {
             // Wheel paths are worn pale, the lane's middle holds a darker oil line.

@@ -52,15 +52,15 @@ impl World {
                 );
                 scale(c, 1.0 + 0.22 * clumps + 0.14 * speckle)
             }
-            Ground::Asphalt => self.tarmac(p, gsd, [speckle, clumps, patches, veins], tint),
+            Ground::Asphalt => tarmac([speckle, clumps, patches, veins], tint),
             Ground::Stalls => {
-                let mut c = self.tarmac(p, gsd, [speckle, clumps, patches, veins], 0.35);
+                let mut c = tarmac([speckle, clumps, patches, veins], 0.35);
                 let oil = smooth_step(0.3, 0.05, repeated(along + 1.3, 2.6).abs() * 0.4)
                     * smooth_step(0.2, 0.7, clumps + patches);
                 c = scale(c, 1.0 - 0.2 * oil);
                 let line =
                     line_share(repeated(along, 2.6), 0.06, gsd) * smooth_step(0.0, 0.3, depth);
-                let middle = line_share(across - s.axis.cross(self.surface_center(s)), 0.06, gsd);
+                let middle = line_share(across - s.axis.cross(surface_center(s)), 0.06, gsd);
                 mix(
                     c,
                     [0.5, 0.5, 0.48],
@@ -145,14 +145,14 @@ impl World {
                 let wave = fractal(p.n, p.e, 1.6, 3, gsd, 71);
                 let ripple = (1.0 - wave.abs() * 3.0).max(0.0);
                 let lanes = line_share(
-                    repeated(across - s.axis.cross(self.surface_center(s)) + 1.25, 2.5),
+                    repeated(across - s.axis.cross(surface_center(s)) + 1.25, 2.5),
                     0.14,
                     gsd,
                 );
                 let deep = mix(
                     [0.085, 0.3, 0.38],
                     [0.13, 0.36, 0.42],
-                    smooth_step(-12.0, 12.0, along - s.axis.dot(self.surface_center(s))),
+                    smooth_step(-12.0, 12.0, along - s.axis.dot(surface_center(s))),
                 );
                 let c = mix(
                     scale(deep, 0.97 + 0.22 * ripple * ripple + 0.04 * speckle),
@@ -243,7 +243,7 @@ impl World {
                 );
                 let (row, place) = ((across / 2.7).round(), (along / 1.5).round());
                 let h = hash2(row as i32, place as i32, s.variant);
-                if h & 3 == 0 {
+                if h.is_multiple_of(4) {
                     return grass;
                 }
                 let (u, v) = (along - 1.5 * place, across - 2.7 * row);
@@ -267,42 +267,23 @@ impl World {
             }
         }
     }
+}
 
-    fn surface_center(&self, s: &Surface) -> Spot {
-        match &s.outline {
-            super::shape::Outline::Slab(slab) | super::shape::Outline::Ellipse(slab) => slab.center,
-            super::shape::Outline::Disc(center, _) => *center,
-            super::shape::Outline::Polygon(corners) => super::parcels::center_of(corners),
-        }
+fn surface_center(s: &Surface) -> Spot {
+    match &s.outline {
+        super::shape::Outline::Slab(slab) | super::shape::Outline::Ellipse(slab) => slab.center,
+        super::shape::Outline::Disc(center, _) => *center,
+        super::shape::Outline::Polygon(corners) => super::parcels::center_of(corners),
     }
+}
 
-    /// Worn asphalt.
-    pub(super) fn tarmac(
-        &self,
-        p: Spot,
-        gsd: f32,
-        [speckle, clumps, patches, veins]: [f32; 4],
-        age: f32,
-    ) -> Color {
-        let base = mix([0.075, 0.075, 0.077], [0.15, 0.147, 0.14], age);
-        let repair = unit(hash2(
-            (p.n * 0.09 + 0.4 * p.e * 0.09).floor() as i32,
-            (p.e * 0.13).floor() as i32,
-            33,
-        ));
-        let patch = if repair > 0.965 && gsd < 2.0 {
-            -0.22
-        } else {
-            0.0
-        };
-        let c = scale(
-            base,
-            1.0 + patch + 0.11 * patches + 0.05 * clumps + 0.08 * speckle,
-        );
-        mix(
-            c,
-            scale(base, 0.55),
-            0.5 * veins * smooth_step(-0.2, 0.4, patches),
-        )
-    }
+/// Worn asphalt.
+pub(super) fn tarmac([speckle, clumps, patches, veins]: [f32; 4], age: f32) -> Color {
+    let base = mix([0.075, 0.075, 0.077], [0.15, 0.147, 0.14], age);
+    let c = scale(base, 1.0 + 0.11 * patches + 0.05 * clumps + 0.08 * speckle);
+    mix(
+        c,
+        scale(base, 0.55),
+        0.5 * veins * smooth_step(-0.2, 0.4, patches),
+    )
 }

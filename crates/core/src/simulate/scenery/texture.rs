@@ -36,7 +36,7 @@ impl Texture {
                     std::array::from_fn(|c| {
                         let at =
                             |dx: usize, dy: usize| i16::from(finer[(x + dx) * 2 * n + y + dy][c]);
-                        ((at(0, 0) + at(0, 1) + at(1, 0) + at(1, 1)) as f32 * 0.25).round() as i8
+                        (f32::from(at(0, 0) + at(0, 1) + at(1, 0) + at(1, 1)) * 0.25).round() as i8
                     })
                 })
                 .collect();
@@ -173,11 +173,11 @@ pub(super) fn grain(seed: u32) -> Texture {
         let clumps = 0.6 * periodic(x, y, 150, period, seed ^ 7)
             + 0.45 * periodic(x, y, 83, period, seed ^ 8)
             + 0.3 * periodic(x, y, 240, period, seed ^ 9);
-        let patches = 0.55 * periodic(x, y, 13, period, seed ^ 10)
-            + 0.4 * periodic(x, y, 27, period, seed ^ 11)
-            + 0.3 * periodic(x, y, 49, period, seed ^ 12);
-        let bend = 1.5 * periodic(x, y, 20, period, seed ^ 13);
-        let ridge = periodic(x + bend, y - bend, 16, period, seed ^ 14).abs();
+        let patches = 0.55 * periodic(x, y, 13, period, seed ^ 0xa)
+            + 0.4 * periodic(x, y, 27, period, seed ^ 0xb)
+            + 0.3 * periodic(x, y, 49, period, seed ^ 0xc);
+        let bend = 1.5 * periodic(x, y, 20, period, seed ^ 0xd);
+        let ridge = periodic(x + bend, y - bend, 16, period, seed ^ 0xe).abs();
         let veins = 1.0 - (ridge * 14.0).min(1.0);
         [speckle, clumps, patches, veins]
     })
