@@ -19,8 +19,9 @@ cargo xtask serve [--port N] [--profile web-quick|web] [--no-build] [--dist FOLD
     builds the page and serves it on this machine (port 8080; 0 takes a free one)
 cargo xtask dist [--dist FOLDER]
     packs the page into a folder that any file server can host, and prints its sizes
-cargo xtask test [--quick]
-    runs every check; --quick leaves out the documentation, the oracles and the browser";
+cargo xtask test [--quick] [--only WORD]
+    runs every check; --quick leaves out the documentation, the oracles and the browser,
+    --only all but the checks that have WORD in their name, such as journeys";
 
 fn main() -> ExitCode {
     let arguments = std::env::args().skip(1);
@@ -49,8 +50,9 @@ fn run(mut arguments: Arguments) -> Result<ExitCode, Failure> {
         }
         Some("test") => {
             let quick = arguments.flag("--quick");
+            let only = arguments.value("--only")?;
             arguments.finish()?;
-            Ok(test::run(quick))
+            test::run(quick, only)
         }
         Some("help" | "--help" | "-h") => {
             println!("{USAGE}");

@@ -12,14 +12,16 @@ mod table;
 use std::process::ExitCode;
 
 use crate::{
+    failure::Failure,
     page::{self, Profile},
     places,
 };
 use table::Table;
 
-/// Runs the checks and prints the table. `quick` leaves out documentation, oracles and browser.
-pub fn run(quick: bool) -> ExitCode {
-    let mut table = Table::default();
+/// Runs the checks and prints the table. `quick` leaves out documentation, oracles and browser,
+/// `only` everything without that word in its name.
+pub fn run(quick: bool, only: Option<String>) -> Result<ExitCode, Failure> {
+    let mut table = Table::new(only);
     table.check("format", native::format);
     table.check("dependencies: licences, bans, sources", policy::check);
     table.check("house rules", native::house_rules);
@@ -41,5 +43,10 @@ pub fn run(quick: bool) -> ExitCode {
             );
         }
     }
-    table.finish()
+    if table.is_empty() {
+        return Err(Failure::Usage(
+            "no check has that word in its name".to_owned(),
+        ));
+    }
+    Ok(table.finish())
 }
