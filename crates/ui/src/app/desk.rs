@@ -13,6 +13,8 @@ pub struct FlyJob {
     pub id: JobId,
     /// Whether it flies the same flight again, so that the old run becomes the ghost.
     pub again: bool,
+    /// Whether the mission was given, not the flight's own.
+    pub given: bool,
     /// The flight.
     pub flight: FlightSource,
     /// The map.

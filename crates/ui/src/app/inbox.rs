@@ -139,14 +139,13 @@ impl App {
             }
             JobEvent::RunStarted(head) => {
                 let again = fly.again;
-                let given = fly.staged.mission.is_some() && self.documents.mission_edited;
+                let given = fly.given;
                 let staged = std::mem::take(&mut fly.staged);
                 let (flight, map) = (fly.flight.clone(), fly.map.clone());
                 let first = !fly.began;
                 fly.began = true;
-                let edited = self.documents.mission_edited && given && !again;
                 self.documents.begin_run(*head, again, staged);
-                if edited && self.documents.flight_source == flight {
+                if given {
                     self.documents.mission_edited = true;
                 }
                 if !again {

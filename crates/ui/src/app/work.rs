@@ -53,6 +53,7 @@ impl App {
         again: bool,
     ) {
         self.stop_flying(host);
+        let given = mission.is_some();
         let id = host.start(Job::Fly {
             flight: flight.clone(),
             map: map.clone(),
@@ -61,6 +62,7 @@ impl App {
         self.desk.fly = Some(FlyJob {
             id,
             again,
+            given,
             flight,
             map,
             staged,

@@ -11,6 +11,7 @@ mod keyboard_landmark;
 mod lost_worker;
 mod names;
 mod palette;
+mod pictures;
 mod reload;
 mod save;
 mod scrub;

@@ -1,6 +1,6 @@
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
-use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use egui_kittest::kittest::{By, NodeT as _, Queryable as _};
 
 use super::support::{Rig, rig};
 
@@ -9,8 +9,7 @@ fn everything_is_named(rig: &Rig, place: &str) {
     let nameless: Vec<String> = rig
         .harness
         .root()
-        .query_all(egui_kittest::kittest::By::new().predicate(|node| {
-            let node = node.accesskit_node();
+        .query_all(By::new().predicate(|node| {
             matches!(
                 node.role(),
                 Role::Button

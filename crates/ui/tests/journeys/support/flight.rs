@@ -1,6 +1,6 @@
 //! A flight along a bent line over four landmarks, and a run that half believes it.
 
-use nalgebra::{DMatrix, DVector, Matrix2, Point2, Point3, Vector2};
+use nalgebra::{DMatrix, DVector, Matrix2, Matrix4, Point2, Point3, Vector2};
 use pilotage_core::camera::CameraModel;
 use pilotage_core::flight::{Channel, ChannelName, Flight, Frame, StartFix, Truth, TruthState};
 use pilotage_core::frames::{Attitude, GroundPoint, GroundRect, Pose};
@@ -226,11 +226,11 @@ fn frame_report(mission: &Mission, time: f64, truth: GroundPoint, heading: f64) 
         ],
         joint: (accepted > 0).then(|| JointReport {
             nis: 1.4,
-            degrees_of_freedom: 2 * accepted,
+            degrees_of_freedom: 4 * accepted,
             threshold: 11.0,
-            gain: DMatrix::zeros(4, 2 * accepted),
-            innovation: DVector::zeros(2 * accepted),
-            innovation_covariance: DMatrix::identity(2 * accepted, 2 * accepted),
+            gain: DMatrix::zeros(4, 4 * accepted),
+            innovation: DVector::zeros(4 * accepted),
+            innovation_covariance: DMatrix::identity(4 * accepted, 4 * accepted),
         }),
         candidates,
         trouble: None,
@@ -251,7 +251,9 @@ fn candidate(landmark: &Landmark, time: f64) -> CandidateReport {
             Point2::new(220.0, 300.0),
         ],
         measured_pixel: Some(Point2::new(306.0, 226.0)),
-        measurement_covariance: Some(Matrix2::identity()),
+        measurement_covariance: Some(Matrix4::identity()),
+        rotation: Some(0.01),
+        log_scale: Some(0.0),
         score: if refused { 0.38 } else { 0.83 },
         second_score: 0.31,
         innovation: Some(Vector2::new(6.0, 6.0)),
