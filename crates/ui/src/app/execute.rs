@@ -51,9 +51,6 @@ impl App {
             | Command::OpenDemo => self.file(command, host),
             other => self.look(&other, context),
         }
-        if !context.input(|i| i.pointer.any_down()) {
-            self.documents.history.finish_drag(&self.documents.mission);
-        }
     }
 
     fn play(&mut self, command: &Command) {
@@ -201,6 +198,7 @@ impl App {
             }
             Command::FlyAgain => self.fly_again(host),
             Command::CancelJob => {
+                self.documents.run_complete |= self.desk.fly.as_ref().is_some_and(|f| f.began);
                 self.stop_flying(host);
                 self.toasts
                     .note(now, "Stopped", "What had been computed stays on screen.");

@@ -149,6 +149,9 @@ impl App {
                     self.documents.mission_edited = true;
                 }
                 if !again {
+                    if self.documents.flight_source != flight {
+                        self.documents.bookmarks.clear();
+                    }
                     self.documents.flight_source = flight;
                     self.desk.document_changed = true;
                     self.change_map(host, map);
@@ -173,6 +176,7 @@ impl App {
             JobEvent::Failed(why) => {
                 let began = fly.began;
                 self.desk.fly = None;
+                self.documents.run_complete |= began;
                 let kept = if began {
                     "What had been computed stays."
                 } else {

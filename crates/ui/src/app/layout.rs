@@ -169,7 +169,7 @@ fn plots(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<C
     let screen = ui.ctx().content_rect();
     Panel::bottom("plots")
         .resizable(true)
-        .default_size(176.0)
+        .default_size(164.0)
         .size_range(96.0..=0.5 * screen.height())
         .frame(plain_frame(scene.tokens, Margin::symmetric(8, 8)))
         .show(ui, |ui| {
@@ -365,7 +365,7 @@ fn advice(ui: &mut Ui, rect: egui::Rect, scene: &mut Scene<'_>, commands: &mut V
             .to_owned()
     };
     let width = (rect.width() - 96.0).min(720.0);
-    let at = egui::Rect::from_min_size(rect.left_top() + vec2(16.0, 16.0), vec2(width, 64.0));
+    let at = egui::Rect::from_min_size(rect.left_top() + vec2(16.0, 68.0), vec2(width, 64.0));
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(at).id_salt("advice"));
     Frame::new()
         .fill(tokens.over_map())

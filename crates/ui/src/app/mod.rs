@@ -95,6 +95,10 @@ impl App {
         for command in commands {
             self.execute(command, ui.ctx(), host);
         }
+        if !ui.input(|i| i.pointer.any_down()) {
+            let documents = &mut self.documents;
+            documents.history.finish_drag(&documents.mission);
+        }
         self.work(ui.ctx(), host);
         self.remember(host);
         if self.playback.playing && self.documents.run.is_some() {

@@ -150,6 +150,10 @@ impl App {
     }
 
     fn ask_for_tiles(&mut self, host: &mut dyn Host) {
+        if self.documents.run.is_none() && self.desk.fly.is_some() {
+            // Where the flight begins is about to be known; anything else would be asked in vain.
+            return;
+        }
         let wanted = self.views.map.tiles.wanted();
         let stale: Vec<_> = self
             .desk

@@ -16,6 +16,7 @@ pub struct History {
 impl History {
     /// Remembers `mission` as it is before an edit that is about to be made.
     pub fn remember(&mut self, mission: &Mission) {
+        self.finish_drag(mission);
         self.push(mission.clone());
     }
 

@@ -89,7 +89,7 @@ impl MapView {
         context: &mut ViewContext<'_>,
     ) {
         let typing = ui.ctx().text_edit_focused();
-        let (closer, farther, left, right, escape, delete) = ui.input(|i| {
+        let (closer, farther, left, right, escape, delete, enter) = ui.input(|i| {
             (
                 i.key_pressed(Key::Plus) || i.key_pressed(Key::Equals),
                 i.key_pressed(Key::Minus),
@@ -97,6 +97,7 @@ impl MapView {
                 i.key_down(Key::E),
                 i.key_pressed(Key::Escape),
                 i.key_pressed(Key::Delete) || i.key_pressed(Key::Backspace),
+                i.key_pressed(Key::Enter),
             )
         });
         if typing {
@@ -113,6 +114,15 @@ impl MapView {
             let angle = if left { 0.02 } else { -0.02 };
             self.camera.turn(rect, angle, middle);
             ui.ctx().request_repaint();
+        }
+        if enter && self.picking {
+            let half = egui::vec2(24.0, 18.0);
+            let view = self.camera.screen_from_world(rect);
+            let (a, b) = (view.inverse(middle - half), view.inverse(middle + half));
+            context
+                .commands
+                .push(Command::AddLandmark(box_between(a, b)));
+            self.picking = false;
         }
         if escape {
             self.picking = false;

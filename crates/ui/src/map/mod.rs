@@ -8,6 +8,7 @@ mod interact;
 mod landmarks;
 mod layers;
 mod picking;
+mod readouts;
 mod symbols;
 mod tiles;
 mod tracks;

@@ -69,14 +69,17 @@ pub fn landmark_at(landmarks: &[Landmark], view: &ScreenFromWorld, at: Pos2) -> 
 pub fn handle_at(landmark: &Landmark, view: &ScreenFromWorld, at: Pos2) -> Option<usize> {
     let corners = view.corners(&landmark.bounds);
     // A box too small for handles is only moved.
-    if Rect::from_points(&corners).size().min_elem() < 18.0 {
+    let side = Rect::from_points(&corners).size().min_elem();
+    if side < 18.0 {
         return None;
     }
+    // Small boxes keep a middle to take them by.
+    let reach = HIT_RADIUS.min(0.3 * side);
     handles(&corners)
         .iter()
         .enumerate()
         .map(|(index, p)| (index, p.distance(at)))
-        .filter(|(_, distance)| *distance <= HIT_RADIUS)
+        .filter(|(_, distance)| *distance <= reach)
         .min_by(|a, b| a.1.total_cmp(&b.1))
         .map(|(index, _)| index)
 }

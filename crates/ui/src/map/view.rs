@@ -8,6 +8,7 @@ use super::furniture::{coordinates_text, paint_lens, paint_scale_bar};
 use super::landmarks::{LandmarkScene, paint_landmarks};
 use super::layers::{Layer, Layers};
 use super::picking::{Drag, box_between};
+use super::readouts::paint_readouts;
 use super::symbols::{
     paint_aircraft, paint_ellipses, paint_footprint, paint_halo_text, paint_lifted_line,
     paint_sigma, sigma_points,
@@ -98,6 +99,11 @@ impl MapView {
         self.paint_now(&painter, &view, rect, context, extra, &response);
         self.paint_drawing(&painter, &view, &response, context);
         self.paint_furniture(&painter, &view, rect, context, &response);
+        let step = context.run.and_then(|r| r.step_at(context.time));
+        if let Some(step) = step {
+            let corner = rect.left_top() + vec2(16.0, 16.0);
+            paint_readouts(ui, context, step, corner, rect.width() - 96.0);
+        }
         self.controls(ui, rect, context);
         self.legend(ui, rect, context);
         self.naming_field(ui, &view, rect, context);

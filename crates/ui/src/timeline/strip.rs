@@ -1,7 +1,7 @@
 //! The strip at the bottom: transport buttons, and time with what happened in it.
 
 use egui::{
-    Align2, Color32, Painter, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+    Align2, Color32, Key, Painter, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::bins::Bins;
@@ -115,6 +115,7 @@ impl Timeline {
         paint_cursor(&painter, track, scale.x(context.time), tokens.accent);
         if response.has_focus() {
             crate::shell::paint_focus_ring(&painter, track, tokens);
+            keyboard(ui, response.id, context.commands);
         }
         let pointer = response.interact_pointer_pos().or(response.hover_pos());
         if let Some(pointer) = pointer {
@@ -155,6 +156,32 @@ impl Timeline {
             }
         }
     }
+}
+
+/// The keys of the timeline while it has the keyboard.
+fn keyboard(ui: &Ui, widget: egui::Id, commands: &mut Vec<Command>) {
+    let filter = egui::EventFilter {
+        horizontal_arrows: true,
+        ..Default::default()
+    };
+    ui.memory_mut(|m| m.set_focus_lock_filter(widget, filter));
+    ui.input(|i| {
+        for (key, sign) in [(Key::ArrowLeft, -1), (Key::ArrowRight, 1)] {
+            if i.key_pressed(key) {
+                commands.push(if i.modifiers.shift {
+                    Command::Jump(5.0 * f64::from(sign))
+                } else {
+                    Command::StepFrames(sign)
+                });
+            }
+        }
+        if i.key_pressed(Key::Home) {
+            commands.push(Command::GoToStart);
+        }
+        if i.key_pressed(Key::End) {
+            commands.push(Command::GoToEnd);
+        }
+    });
 }
 
 struct TimeScale {

@@ -48,7 +48,7 @@ fn map_and_timeline_fit_into_every_window() {
     for size in [[1440.0, 900.0], [1024.0, 700.0], [768.0, 1024.0]] {
         let size = Vec2::from(size);
         let rig = rig_on(ScriptedHost::default(), size);
-        let window = egui::Rect::from_min_size(egui::Pos2::ZERO, size);
+        let window = egui::Rect::from_min_size(egui::Pos2::new(8.0, 8.0), size);
         let (map, timeline) = (rig.rect("/map/rect"), rig.rect("/timeline"));
         assert!(
             window.contains_rect(map) && window.contains_rect(timeline),

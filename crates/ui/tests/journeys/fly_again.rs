@@ -6,8 +6,7 @@ use super::support::rig;
 #[test]
 fn a_landmark_switched_off_is_left_out_of_the_next_run() {
     let mut rig = rig();
-    rig.harness.get_by_label("Landmarks").click();
-    rig.frames(2);
+    rig.open_tab("Landmarks");
     rig.harness.get_by_label("Switch Chapel off").click();
     rig.frames(2);
     rig.settle();
@@ -30,8 +29,7 @@ fn a_landmark_switched_off_is_left_out_of_the_next_run() {
 fn several_edits_in_a_row_are_one_flight() {
     let mut rig = rig();
     let before = rig.host().flights();
-    rig.harness.get_by_label("Landmarks").click();
-    rig.frames(2);
+    rig.open_tab("Landmarks");
     for label in ["Switch Chapel off", "Switch Pool off", "Switch Mill off"] {
         rig.harness.get_by_label(label).click();
         rig.frames(2);

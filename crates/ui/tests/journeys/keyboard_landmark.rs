@@ -6,10 +6,10 @@ use super::support::rig;
 #[test]
 fn arrows_move_a_landmark_and_shift_resizes_it() {
     let mut rig = rig();
-    rig.harness.get_by_label("Landmarks").click();
-    rig.frames(2);
+    rig.open_tab("Landmarks");
     rig.harness.get_by_label("Barn").focus();
     rig.frames(2);
+    let time = rig.state()["time"].clone();
     let before = rig.state()["landmarks"][0].clone();
     rig.key(Key::ArrowUp);
     let moved = rig.state()["landmarks"][0].clone();
@@ -20,5 +20,9 @@ fn arrows_move_a_landmark_and_shift_resizes_it() {
     let resized = rig.state()["landmarks"][0].clone();
     assert!((metres(&resized, "east") - metres(&moved, "east") - 1.0).abs() < 1e-9);
     assert_eq!(metres(&resized, "west"), metres(&moved, "west"));
-    assert_eq!(rig.state()["time"], 0.0, "the arrows do not also move time");
+    assert_eq!(
+        rig.state()["time"],
+        time,
+        "the arrows do not also move time"
+    );
 }

@@ -32,8 +32,7 @@ fn everything_is_named(rig: &Rig, place: &str) {
 fn every_widget_has_a_name_for_screen_readers() {
     let mut rig = rig();
     for tab in ["Match", "Filter", "Landmarks"] {
-        rig.harness.get_by_label(tab).click();
-        rig.frames(2);
+        rig.open_tab(tab);
         everything_is_named(&rig, tab);
     }
     rig.harness.get_by_label("Barn").click();
@@ -50,8 +49,7 @@ fn every_widget_has_a_name_for_screen_readers() {
     everything_is_named(&rig, "the palette");
     for workspace in ["Plan", "Learn"] {
         rig.key(Key::Escape);
-        rig.harness.get_by_label(workspace).click();
-        rig.frames(3);
+        rig.open_tab(workspace);
         everything_is_named(&rig, workspace);
     }
 }

@@ -60,6 +60,13 @@ impl Scene {
         self.work(3, 20.0);
     }
 
+    fn tab(&mut self, label: &str) {
+        self.harness
+            .get_by_role_and_label(egui::accesskit::Role::Tab, label)
+            .click();
+        self.work(3, 20.0);
+    }
+
     fn click(&mut self, label: &str) {
         self.harness.get_by_label(label).click();
         self.work(3, 20.0);
@@ -122,12 +129,15 @@ fn the_app_is_drawn_for_people_to_look_at() {
         let mut scene = flown(wide, 40.0);
         scene.key(Modifiers::NONE, Key::F);
         scene.work(80, 20.0);
-        scene.click("Landmarks");
+        scene.tab("Landmarks");
         let name = {
             let app = scene.harness.state().app.as_ref().expect("drawn");
             let state: serde_json::Value =
                 serde_json::from_str(&app.state_json()).expect("the app writes JSON");
-            state["landmarks"][0]["name"].as_str().unwrap_or_default().to_owned()
+            state["landmarks"][0]["name"]
+                .as_str()
+                .unwrap_or_default()
+                .to_owned()
         };
         scene.click(&name);
         scene.work(60, 20.0);
@@ -144,11 +154,11 @@ fn the_app_is_drawn_for_people_to_look_at() {
         scene.key(Modifiers::NONE, Key::Questionmark);
         scene.save("help");
         scene.key(Modifiers::NONE, Key::Escape);
-        scene.click("Learn");
+        scene.tab("Learn");
         scene.work(40, 20.0);
         scene.save("learn");
         scene.click("Light colours");
-        scene.click("Replay");
+        scene.tab("Replay");
         scene.work(10, 20.0);
         scene.save("light");
     }

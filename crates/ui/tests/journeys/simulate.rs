@@ -7,9 +7,9 @@ use super::support::rig;
 fn a_scenario_is_chosen_and_flown() {
     let mut rig = rig();
     rig.harness.get_by_label("Simulate…").click();
-    rig.frames(3);
+    rig.frames(8);
     rig.harness.get_by_label("distinct-400ft-calm").click();
-    rig.frames(2);
+    rig.frames(6);
     rig.harness.get_by_label("The same day").click();
     rig.frames(2);
     rig.harness.get_by_label("Fly").click();

@@ -126,7 +126,9 @@ fn sample(texture: &ColorImage, u: f32, v: f32) -> [f32; 4] {
     let get = |c: usize, r: usize| -> [f32; 4] {
         let c = c.min(texture.size[0] - 1);
         let r = r.min(texture.size[1] - 1);
-        texture.pixels[r * texture.size[0] + c].to_array().map(f32::from)
+        texture.pixels[r * texture.size[0] + c]
+            .to_array()
+            .map(f32::from)
     };
     let (fx, fy) = (x.fract(), y.fract());
     let corners = [

@@ -2,10 +2,14 @@
 
 use egui::{Key, Modifiers, Pos2, Vec2};
 use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
 use pilotage_ui::app::App;
 use serde_json::Value;
 
 use super::host::ScriptedHost;
+
+/// What the harness leaves free around the app, both sides together.
+pub const MARGIN: Vec2 = Vec2::splat(16.0);
 
 /// The app and its host.
 pub struct Page {
@@ -29,7 +33,7 @@ pub fn rig() -> Rig {
 /// The app on a host in a window of a size.
 pub fn rig_on(host: ScriptedHost, size: Vec2) -> Rig {
     let page = Page { app: None, host };
-    let harness = Harness::builder().with_size(size).build_ui_state(
+    let harness = Harness::builder().with_size(size + MARGIN).build_ui_state(
         |ui, page: &mut Page| {
             page.host.now += 16.0;
             let app = page
@@ -59,6 +63,14 @@ impl Rig {
             self.harness.state_mut().host.now += 1000.0;
             self.frames(3);
         }
+    }
+
+    /// Opens a tab.
+    pub fn open_tab(&mut self, label: &str) {
+        self.harness
+            .get_by_role_and_label(egui::accesskit::Role::Tab, label)
+            .click();
+        self.frames(3);
     }
 
     /// Presses a key.

@@ -1,0 +1,107 @@
+//! The few numbers that matter at the time cursor, above the map.
+
+use egui::{Align2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use pilotage_core::navigator::StepReport;
+
+use crate::context::ViewContext;
+use crate::tokens::Tokens;
+
+/// One number: its name, value and unit.
+struct Readout {
+    name: &'static str,
+    value: String,
+    unit: String,
+}
+
+fn readouts(context: &ViewContext<'_>, step: &StepReport) -> Vec<Readout> {
+    let (length, length_unit) = context.units.length();
+    let (speed, speed_unit) = context.units.speed();
+    let mut list = Vec::new();
+    let mut add = |name, value: String, unit: &str| {
+        list.push(Readout {
+            name,
+            value,
+            unit: unit.to_owned(),
+        });
+    };
+    let deviation = step.after.position_covariance().trace().max(0.0).sqrt() * length;
+    add("Position known to", format!("±{deviation:.1}"), length_unit);
+    let truth = context.flight.and_then(|f| f.truth.as_ref());
+    if let Some(truth) = truth.and_then(|t| t.position(step.time)) {
+        let own = step.after.position();
+        let error = (own.north - truth.x).hypot(own.east - truth.y) * length;
+        add("Really off by", format!("{error:.1}"), length_unit);
+    }
+    let wind = context.run.and_then(|run| {
+        let at = |name| run.state_index(name).map(|i| step.after.mean[i]);
+        Some((at("wind north")?, at("wind east")?))
+    });
+    if let Some((north, east)) = wind {
+        let from = (-east).atan2(-north).to_degrees().rem_euclid(360.0);
+        let strength = north.hypot(east) * speed;
+        add(
+            "Wind learned",
+            format!("{from:03.0}° {strength:.1}"),
+            speed_unit,
+        );
+    }
+    let height = step.control.height * length;
+    add("Height above ground", format!("{height:.0}"), length_unit);
+    list
+}
+
+/// Draws the numbers from `left_top` on; `room` points are free to the right.
+pub fn paint_readouts(
+    ui: &mut Ui,
+    context: &ViewContext<'_>,
+    step: &StepReport,
+    left_top: egui::Pos2,
+    room: f32,
+) {
+    let tokens: &Tokens = context.tokens;
+    let mut list = readouts(context, step);
+    let cell = vec2(118.0, 44.0);
+    list.truncate((room / cell.x).max(1.0) as usize);
+    let size = vec2(cell.x * list.len() as f32 + 8.0, cell.y);
+    let rect = Rect::from_min_size(left_top, size);
+    let response = ui.interact(rect, ui.id().with("readouts"), Sense::hover());
+    response.widget_info(|| {
+        let words: Vec<String> = list
+            .iter()
+            .map(|r| format!("{}: {} {}", r.name, r.value, r.unit))
+            .collect();
+        WidgetInfo::labeled(Role::Label, true, words.join(". "))
+    });
+    let painter = ui.painter();
+    painter.rect_filled(rect, tokens.radius, tokens.over_map());
+    painter.rect_stroke(
+        rect,
+        tokens.radius,
+        Stroke::new(1.0, tokens.line),
+        egui::StrokeKind::Inside,
+    );
+    for (index, readout) in list.iter().enumerate() {
+        let right = rect.left() + cell.x * (index + 1) as f32 - 4.0;
+        painter.text(
+            pos2(right, rect.top() + 6.0),
+            Align2::RIGHT_TOP,
+            readout.name,
+            tokens.small(),
+            tokens.muted,
+        );
+        let unit = painter.text(
+            pos2(right, rect.bottom() - 6.0),
+            Align2::RIGHT_BOTTOM,
+            &readout.unit,
+            tokens.small(),
+            tokens.muted,
+        );
+        painter.text(
+            pos2(unit.left() - 4.0, rect.bottom() - 5.0),
+            Align2::RIGHT_BOTTOM,
+            &readout.value,
+            tokens.normal(),
+            tokens.text,
+        );
+    }
+}
