@@ -55,6 +55,8 @@ pub struct Desk {
     pub examine_at: Option<f64>,
     /// The match being explained: job, time, landmark.
     pub explain: Option<(JobId, f64, u32)>,
+    /// The landmark that could not be examined, and why.
+    pub examined_in_vain: Option<(u32, String)>,
     /// Files being looked at.
     pub opening: HashMap<JobId, Opening>,
     /// Batches of files opened so far.

@@ -151,22 +151,18 @@ impl App {
                 bounds,
                 finished,
             } => {
-                if self.documents.reshape_landmark(id, bounds, finished) {
-                    self.examine_soon(now);
-                    self.run_is_stale(now);
-                }
+                let over = self.documents.reshape_landmark(id, bounds, finished);
+                self.changed(over, now);
             }
             Command::RenameLandmark { id, name } => self.documents.rename_landmark(id, name),
             Command::EnableLandmark { id, enabled } => {
-                if self.documents.enable_landmark(id, enabled) {
-                    self.run_is_stale(now);
-                }
+                let changed = self.documents.enable_landmark(id, enabled);
+                self.changed(changed, now);
             }
             Command::DeleteLandmark(id) => {
-                if self.documents.delete_landmark(id) {
-                    self.selection = self.selection.filter(|s| *s != id);
-                    self.run_is_stale(now);
-                }
+                let changed = self.documents.delete_landmark(id);
+                self.selection = self.selection.filter(|s| *s != id);
+                self.changed(changed, now);
             }
             Command::Undo | Command::Redo => {
                 let affected = if command == Command::Undo {
@@ -182,6 +178,14 @@ impl App {
                 }
             }
             _ => {}
+        }
+    }
+
+    /// After an edit that may have changed what the run depends on.
+    fn changed(&mut self, changed: bool, now: f64) {
+        if changed {
+            self.examine_soon(now);
+            self.run_is_stale(now);
         }
     }
 

@@ -63,8 +63,7 @@ impl App {
                 }
                 JobEvent::Failed(why) => {
                     self.desk.distinctness = None;
-                    self.toasts
-                        .trouble(host.now(), "The landmark could not be examined", why);
+                    self.desk.examined_in_vain = Some((landmark, why));
                 }
                 JobEvent::Finished | JobEvent::Cancelled => self.desk.distinctness = None,
                 _ => {}
@@ -132,11 +131,7 @@ impl App {
                 fly.words = words;
             }
             JobEvent::Flight(flight) => fly.staged.flight = Some(*flight),
-            JobEvent::Mission(mission) => {
-                if !fly.again {
-                    fly.staged.mission = Some(*mission);
-                }
-            }
+            JobEvent::Mission(mission) if !fly.again => fly.staged.mission = Some(*mission),
             JobEvent::RunStarted(head) => {
                 let again = fly.again;
                 let given = fly.given;

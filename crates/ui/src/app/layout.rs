@@ -10,7 +10,7 @@ use crate::context::ViewContext;
 use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
 use crate::map::MapExtra;
-use crate::shell::{TopBar, help_sheet, icon_button, icons::Icon, tab, top_bar};
+use crate::shell::{Examined, TopBar, help_sheet, icon_button, icons::Icon, tab, top_bar};
 use crate::timeline::TimelineExtra;
 use crate::tokens::Tokens;
 
@@ -28,6 +28,7 @@ struct Scene<'a> {
     side_tab: &'a mut SideTab,
     settings: &'a mut bool,
     job_words: Option<String>,
+    examined_in_vain: Option<&'a (u32, String)>,
 }
 
 impl Scene<'_> {
@@ -95,8 +96,9 @@ impl App {
             side_tab,
             settings: &mut dialogs.settings,
             job_words: desk.progress().map(|(_, words)| words.to_owned()),
+            examined_in_vain: desk.examined_in_vain.as_ref(),
         };
-        timeline(ui, &scene, views, commands, narrow);
+        timeline(ui, &scene, views, commands);
         if scene.view.side_open || *scene.settings {
             if narrow {
                 lower(ui, &mut scene, views, commands);
@@ -142,14 +144,12 @@ fn bar(tokens: &Tokens, height: f32) -> Panel {
         .frame(plain_frame(tokens, Margin::symmetric(8, 0)))
 }
 
-fn timeline(
-    ui: &mut Ui,
-    scene: &Scene<'_>,
-    views: &mut Views,
-    commands: &mut Vec<Command>,
-    narrow: bool,
-) {
-    let height = if narrow { 96.0 } else { 64.0 };
+fn timeline(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+    let height = if ui.available_width() < 720.0 {
+        96.0
+    } else {
+        64.0
+    };
     Panel::bottom("timeline")
         .exact_size(height)
         .frame(plain_frame(scene.tokens, Margin::symmetric(8, 8)))
@@ -205,7 +205,8 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
                     inner.show(ui, |ui| landmarks(ui, scene, views, commands));
                 }
                 Workspace::Learn => {
-                    let height = 0.58 * ui.available_height();
+                    let picture = picture_size(ui.available_size(), scene).y;
+                    let height = (ui.available_height() - picture).max(320.0);
                     let size = vec2(ui.available_width(), height);
                     ui.allocate_ui(size, |ui| {
                         inner.show(ui, |ui| {
@@ -258,13 +259,20 @@ fn settings(ui: &mut Ui, scene: &mut Scene<'_>, commands: &mut Vec<Command>) {
     }
 }
 
-fn camera(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
-    let width = ui.available_width();
+/// The camera picture's size in a column: as wide as the column, at most half as high as `room`.
+fn picture_size(room: egui::Vec2, scene: &Scene<'_>) -> egui::Vec2 {
     let aspect = scene.documents.flight.as_ref().map_or(0.75, |f| {
         f.camera.height as f32 / f.camera.width.max(1) as f32
     });
-    let height = (width * aspect).min(0.5 * ui.available_height().max(120.0));
-    let (rect, _) = ui.allocate_exact_size(vec2(width, height), egui::Sense::hover());
+    vec2(room.x, (room.x * aspect).min(0.5 * room.y.max(120.0)))
+}
+
+fn camera(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+    let mut size = picture_size(ui.available_size(), scene);
+    if scene.view.workspace == Workspace::Learn {
+        size.y = ui.available_height();
+    }
+    let (rect, _) = ui.allocate_exact_size(size, egui::Sense::hover());
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rect).id_salt("camera"));
     inside.set_clip_rect(rect.intersect(ui.clip_rect()));
     scene.with_context(commands, |context| views.camera.show(&mut inside, context));
@@ -310,16 +318,21 @@ fn tabbed(
 
 fn landmarks(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
     let (past, future) = scene.documents.history.depth();
-    let found = scene
-        .selection
-        .and_then(|id| scene.documents.distinctness_of(id));
+    let selection = scene.selection;
+    let examined = Examined {
+        found: selection.and_then(|id| scene.documents.distinctness_of(id)),
+        trouble: scene
+            .examined_in_vain
+            .filter(|(id, _)| selection == Some(*id))
+            .map(|(_, why)| why.as_str()),
+    };
     egui::ScrollArea::vertical()
         .id_salt("landmarks")
         .auto_shrink(false)
         .show(ui, |ui| {
             scene.with_context(commands, |context| {
                 let can_undo = (past > 0, future > 0);
-                views.landmarks.show(ui, context, found, can_undo);
+                views.landmarks.show(ui, context, examined, can_undo);
             });
         });
 }
@@ -354,8 +367,8 @@ fn advice(ui: &mut Ui, rect: egui::Rect, scene: &mut Scene<'_>, commands: &mut V
     }
     let tokens = scene.tokens;
     let text = if scene.documents.run.is_some() {
-        "This aircraft finds its way without GPS. White dots are where it may be: they spread in the \
-         dark and shrink when the camera recognises a landmark. Drag the time below, or press N and \
+        "This aircraft finds its way without GPS. White dots are where it may be: they spread while \
+         nothing is recognised and shrink when the camera finds a landmark. Drag the time below, or press N and \
          draw a landmark of your own."
             .to_owned()
     } else if let Some(words) = &scene.job_words {

@@ -25,13 +25,13 @@ use desk::Desk;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SideTab {
     /// How a landmark was matched.
-    #[default]
     Match,
     /// What the filter did.
     Filter,
     /// The list of landmarks.
     Landmarks,
     /// The camera picture (narrow windows only).
+    #[default]
     Camera,
     /// The plots (narrow windows only).
     Plots,

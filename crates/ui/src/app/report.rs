@@ -1,6 +1,7 @@
 //! The app's state in words and as JSON, for screen readers and for journeys in the browser.
 
 use egui::Rect;
+use pilotage_core::navigator::{Run, StepReport};
 use serde_json::{Value, json};
 
 use super::App;
@@ -130,7 +131,7 @@ impl App {
                 "picking": map.picking,
                 "follow": map.follow,
                 "track_up": map.track_up,
-                "tiles": map.tiles.len(),
+                "tiles": map.tiles.count(),
                 "tiles_wanted": map.tiles.wanted().len(),
                 "known": self.documents.map.is_some(),
             },
@@ -141,51 +142,47 @@ impl App {
     /// What is on screen, in a sentence or three.
     pub fn summary_text(&self) -> String {
         let documents = &self.documents;
-        let mut text = format!(
-            "{} workspace. {}.",
-            self.view.workspace.label(),
-            documents.title()
-        );
+        let workspace = self.view.workspace.label();
+        let mut parts = vec![format!("{workspace} workspace. {}.", documents.title())];
         if let Some((fraction, words)) = self.desk.progress() {
-            text += &format!(" Computing, {:.0} percent: {words}.", 100.0 * fraction);
+            let percent = 100.0 * fraction;
+            parts.push(format!("Computing, {percent:.0} percent: {words}."));
         }
-        if let (Some(run), Some((first, last))) = (&documents.run, documents.span()) {
-            let now = self.playback.time;
-            text += &format!(
-                " Time {} of {}, {}.",
-                clock_text(now - first),
-                clock_text(last - first),
-                if self.playback.playing {
-                    "playing"
-                } else {
-                    "paused"
-                }
-            );
-            if let Some(step) = run.step_at(now) {
-                let (factor, unit) = self.view.units.length();
-                let deviation = step.after.position_covariance().trace().max(0.0).sqrt();
-                let state = if run
-                    .frame_step_at(now)
-                    .is_some_and(pilotage_core::navigator::StepReport::corrected)
-                {
-                    "corrected by landmarks"
-                } else {
-                    "dead reckoning"
-                };
-                text += &format!(
-                    " The aircraft is {state}, its position known to {:.1} {unit}.",
-                    deviation * factor
-                );
-            }
-        } else {
-            text += " No run yet.";
+        match (&documents.run, documents.span()) {
+            (Some(run), Some(span)) => parts.push(self.run_text(run, span)),
+            _ => parts.push("No run yet.".to_owned()),
         }
         if let Some(landmark) = self.selection.and_then(|id| documents.mission.landmark(id)) {
-            text += &format!(" Landmark {} is selected.", landmark.name);
+            parts.push(format!("Landmark {} is selected.", landmark.name));
         }
         if let Some(toast) = self.toasts.list().last() {
-            text += &format!(" Notice: {}. {}", toast.title, toast.text);
+            parts.push(format!("Notice: {}. {}", toast.title, toast.text));
         }
-        text
+        parts.join(" ")
+    }
+
+    fn run_text(&self, run: &Run, (first, last): (f64, f64)) -> String {
+        let now = self.playback.time;
+        let moving = if self.playback.playing {
+            "playing"
+        } else {
+            "paused"
+        };
+        let time = format!(
+            "Time {} of {}, {moving}.",
+            clock_text(now - first),
+            clock_text(last - first)
+        );
+        let Some(step) = run.step_at(now) else {
+            return time;
+        };
+        let (factor, unit) = self.view.units.length();
+        let deviation = factor * step.after.position_covariance().trace().max(0.0).sqrt();
+        let state = if run.frame_step_at(now).is_some_and(StepReport::corrected) {
+            "corrected by landmarks"
+        } else {
+            "dead reckoning"
+        };
+        format!("{time} The aircraft is {state}, its position known to {deviation:.1} {unit}.")
     }
 }

@@ -132,6 +132,7 @@ impl App {
 
     fn examine(&mut self, host: &mut dyn Host) {
         let Some(id) = self.selection else { return };
+        self.desk.examined_in_vain = None;
         if self.documents.distinctness_of(id).is_some() {
             return;
         }

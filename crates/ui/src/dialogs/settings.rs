@@ -1,6 +1,6 @@
 //! The sheet of filter settings. Each has its unit and one line on what it means.
 
-use egui::{Response, Slider, Ui};
+use egui::{Response, Slider, SliderClamping, Ui};
 use pilotage_core::navigator::{NavigatorSettings, VehicleChoice};
 
 use crate::command::Command;
@@ -63,6 +63,7 @@ fn vehicle(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings) {
 fn spread(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings) {
     caption(ui, tokens, "Sigma points");
     let slider = Slider::new(&mut settings.alpha, 1e-4..=1.0)
+        .clamping(SliderClamping::Edits)
         .logarithmic(true)
         .custom_formatter(|v, _| format!("{v:.1e}").replace("e0", ""));
     named(ui, "α", "", |ui| ui.add(slider));
@@ -72,7 +73,11 @@ fn spread(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings) {
         "How far the sigma points stand from the mean: 1 is about one σ, 1e-4 is hardly apart.",
     );
     named(ui, "β", "", |ui| {
-        ui.add(Slider::new(&mut settings.beta, 0.0..=4.0).max_decimals(1))
+        ui.add(
+            Slider::new(&mut settings.beta, 0.0..=4.0)
+                .clamping(SliderClamping::Edits)
+                .max_decimals(1),
+        )
     });
     meaning(
         ui,
@@ -302,6 +307,7 @@ fn scaled(
     let mut shown = *value * factor;
     let range = range.start() * factor..=range.end() * factor;
     let slider = Slider::new(&mut shown, range)
+        .clamping(SliderClamping::Edits)
         .logarithmic(true)
         .max_decimals(3);
     let changed = named(ui, name, unit, |ui| ui.add(slider));
@@ -314,7 +320,9 @@ fn scaled(
 /// A slider about zero of a value shown `factor` times as large.
 fn linear(ui: &mut Ui, name: &str, unit: &str, value: &mut f64, factor: f64, most: f64) -> bool {
     let mut shown = *value * factor;
-    let slider = Slider::new(&mut shown, -most * factor..=most * factor).max_decimals(1);
+    let slider = Slider::new(&mut shown, -most * factor..=most * factor)
+        .clamping(SliderClamping::Edits)
+        .max_decimals(1);
     let changed = named(ui, name, unit, |ui| ui.add(slider));
     if changed {
         *value = shown / factor;

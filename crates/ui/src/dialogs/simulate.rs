@@ -12,6 +12,10 @@ use crate::units::Units;
 
 /// What is being set up.
 #[derive(Clone, Debug)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a box of its own to tick"
+)]
 pub struct SimulateDialog {
     open: bool,
     scenario: usize,
@@ -94,6 +98,7 @@ impl SimulateDialog {
                 let mut close = title(ui, tokens, "Simulate a flight");
                 egui::ScrollArea::vertical()
                     .max_height(screen.height() - 220.0)
+                    .min_scrolled_height(screen.height() - 220.0)
                     .show(ui, |ui| self.contents(ui, tokens, units));
                 ui.add_space(2.0 * tokens.space);
                 ui.horizontal(|ui| {

@@ -92,12 +92,10 @@ impl MapView {
             Layer::Landmarks => !context.mission.landmarks.is_empty(),
             _ => context.run.is_some(),
         };
-        if rect.height() < 320.0 {
-            self.layers.open = false;
-        }
+        self.layers.fit_into(rect.size());
         let rows = Layer::ALL.into_iter().filter(|l| present(*l)).count();
         let height = 30.0
-            + if self.layers.open {
+            + if self.layers.is_open() {
                 22.0 * rows as f32
             } else {
                 0.0

@@ -144,23 +144,25 @@ impl Layer {
 }
 
 /// Which layers are on, and whether the legend is open.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Layers {
     hidden: Vec<Layer>,
-    /// Whether the legend is open.
-    pub open: bool,
-}
-
-impl Default for Layers {
-    fn default() -> Self {
-        Self {
-            hidden: Vec::new(),
-            open: true,
-        }
-    }
+    /// Whether the user opened or closed the legend.
+    chosen: Option<bool>,
+    roomy: bool,
 }
 
 impl Layers {
+    /// Whether the legend is open: as the user said, or as the map's size suggests.
+    pub fn is_open(&self) -> bool {
+        self.chosen.unwrap_or(self.roomy)
+    }
+
+    /// Says how large the map is.
+    pub fn fit_into(&mut self, size: egui::Vec2) {
+        self.roomy = size.x >= 720.0 && size.y >= 480.0;
+    }
+
     /// Whether a layer is on.
     pub fn shows(&self, layer: Layer) -> bool {
         !self.hidden.contains(&layer)
@@ -197,13 +199,17 @@ impl Layers {
             .show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 0.0;
                 let width = 176.0;
-                let icon = if self.open { Icon::Down } else { Icon::Right };
+                let icon = if self.is_open() {
+                    Icon::Down
+                } else {
+                    Icon::Right
+                };
                 if row(ui, tokens, width, "Legend", None, |painter, rect| {
                     icon.paint_sized(painter, rect.center(), 12.0, tokens.muted);
                 }) {
-                    self.open = !self.open;
+                    self.chosen = Some(!self.is_open());
                 }
-                if !self.open {
+                if !self.is_open() {
                     return;
                 }
                 for layer in Layer::ALL.into_iter().filter(|l| present(*l)) {

@@ -64,7 +64,7 @@ pub fn paint_readouts(
     list.truncate((room / cell.x).max(1.0) as usize);
     let size = vec2(cell.x * list.len() as f32 + 8.0, cell.y);
     let rect = Rect::from_min_size(left_top, size);
-    let response = ui.interact(rect, ui.id().with("readouts"), Sense::hover());
+    let response = ui.interact(rect, ui.scope_id().with("readouts"), Sense::hover());
     response.widget_info(|| {
         let words: Vec<String> = list
             .iter()

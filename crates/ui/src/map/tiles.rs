@@ -105,7 +105,7 @@ impl TileCache {
     }
 
     /// Textures that are kept.
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.held.len()
     }
 

@@ -22,6 +22,7 @@ pub fn help_sheet(context: &Context, tokens: &Tokens) -> bool {
             ui.add_space(tokens.space);
             egui::ScrollArea::vertical()
                 .max_height(screen.height() - 220.0)
+                    .min_scrolled_height(screen.height() - 220.0)
                 .show(ui, |ui| {
                     if wide {
                         ui.columns(2, |columns| {
@@ -50,6 +51,7 @@ fn group_ui(ui: &mut Ui, tokens: &Tokens, group: Group) {
         ui.horizontal(|ui| {
             ui.label(RichText::new(entry.label).color(tokens.text));
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                ui.add_space(24.0);
                 let (rect, _) =
                     ui.allocate_exact_size(egui::vec2(96.0, 20.0), egui::Sense::hover());
                 ui.painter().text(

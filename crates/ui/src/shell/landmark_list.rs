@@ -14,6 +14,15 @@ use crate::context::ViewContext;
 use crate::jobs::Distinctness;
 use crate::map::heat_image;
 
+/// What is known of the selected landmark's distinctness.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Examined<'a> {
+    /// How distinct it is, once compared with the map around it.
+    pub found: Option<&'a Distinctness>,
+    /// Why it could not be compared.
+    pub trouble: Option<&'a str>,
+}
+
 /// The list's own state: the name being typed and the heat picture of the selected landmark.
 #[derive(Default)]
 pub struct LandmarkList {
@@ -27,7 +36,7 @@ impl LandmarkList {
         &mut self,
         ui: &mut Ui,
         context: &mut ViewContext<'_>,
-        distinctness: Option<&Distinctness>,
+        examined: Examined<'_>,
         can_undo: (bool, bool),
     ) {
         let tokens = context.tokens;
@@ -75,7 +84,7 @@ impl LandmarkList {
             .and_then(|id| context.mission.landmark(id));
         if let Some(landmark) = selected {
             ui.add_space(tokens.space);
-            self.selected(ui, landmark, context, distinctness);
+            self.selected(ui, landmark, context, examined);
         }
     }
 
@@ -84,7 +93,7 @@ impl LandmarkList {
         ui: &mut Ui,
         landmark: &Landmark,
         context: &mut ViewContext<'_>,
-        distinctness: Option<&Distinctness>,
+        examined: Examined<'_>,
     ) {
         let tokens = context.tokens;
         let id = landmark.id;
@@ -121,7 +130,7 @@ impl LandmarkList {
             ),
         ));
         ui.add_space(4.0);
-        distinctness_card(ui, context, distinctness, &mut self.heat);
+        distinctness_card(ui, context, examined, &mut self.heat);
     }
 }
 
@@ -237,16 +246,20 @@ fn keyboard(ui: &Ui, widget: egui::Id, landmark: &Landmark, commands: &mut Vec<C
 }
 
 /// How distinct the selected landmark is: a verdict, the surface around it, the strongest look-alike.
-pub fn distinctness_card(
+fn distinctness_card(
     ui: &mut Ui,
     context: &ViewContext<'_>,
-    distinctness: Option<&Distinctness>,
+    examined: Examined<'_>,
     heat: &mut Option<(GroundRect, TextureHandle)>,
 ) {
     let tokens = context.tokens;
     caption(ui, tokens, "How distinct it is");
-    let Some(found) = distinctness else {
-        ui.label(muted(tokens, "Comparing it with the map around it …"));
+    let Some(found) = examined.found else {
+        let text = examined.trouble.map_or_else(
+            || "Comparing it with the map around it …".to_owned(),
+            |why| format!("It could not be compared with the map: {why}"),
+        );
+        ui.label(muted(tokens, text));
         return;
     };
     ui.horizontal_wrapped(|ui| {

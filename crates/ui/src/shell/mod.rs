@@ -12,7 +12,7 @@ mod top_bar;
 mod widgets;
 
 pub use help::help_sheet;
-pub use landmark_list::{LandmarkList, distinctness_card};
+pub use landmark_list::{Examined, LandmarkList};
 pub use palette::Palette;
 pub use theme::apply_theme;
 pub use toasts::{Toast, Toasts};

@@ -18,7 +18,7 @@ pub struct Bin {
 pub struct Bins {
     key: (u64, usize, u64, u64),
     used: usize,
-    bins: Vec<Bin>,
+    columns: Vec<Bin>,
     largest: f32,
 }
 
@@ -30,15 +30,15 @@ impl Bins {
         if self.key != key || self.used > run.steps.len() {
             *self = Self {
                 key,
-                bins: vec![Bin::default(); width.max(1)],
+                columns: vec![Bin::default(); width.max(1)],
                 ..Self::default()
             };
         }
         let scale = width as f64 / (span.1 - span.0).max(1e-9);
         for step in &run.steps[self.used..] {
             let index = ((step.time - span.0) * scale).max(0.0) as usize;
-            let last = self.bins.len() - 1;
-            let bin = &mut self.bins[index.min(last)];
+            let last = self.columns.len() - 1;
+            let bin = &mut self.columns[index.min(last)];
             let deviation = step.after.position_covariance().trace().max(0.0).sqrt() as f32;
             bin.deviation = bin.deviation.max(deviation);
             self.largest = self.largest.max(deviation);
@@ -55,7 +55,7 @@ impl Bins {
 
     /// One bin per pixel.
     pub fn bins(&self) -> &[Bin] {
-        &self.bins
+        &self.columns
     }
 
     /// The largest standard deviation, metres.

@@ -40,3 +40,14 @@ fn a_changed_setting_flies_again_and_undo_takes_it_back() {
     };
     assert!(mission.navigator.redraw);
 }
+
+#[test]
+fn opening_the_settings_changes_nothing() {
+    let mut rig = rig();
+    let before = rig.host().flights();
+    rig.harness.get_by_label("Filter settings").click();
+    rig.frames(3);
+    rig.settle();
+    assert_eq!(rig.host().flights(), before);
+    assert_eq!(rig.state()["undo"], 0);
+}
