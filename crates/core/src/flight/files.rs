@@ -105,7 +105,8 @@ impl ZipSink {
 
 impl FileSink for ZipSink {
     fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
-        let packed = name.ends_with(".jpg") || name.ends_with(".png");
+        let ending = name.rsplit('.').next().unwrap_or("");
+        let packed = ["jpg", "jpeg", "png"].contains(&ending);
         let options = zip::write::SimpleFileOptions::default().compression_method(if packed {
             zip::CompressionMethod::Stored
         } else {

@@ -16,7 +16,7 @@ pub enum MissionError {
         /// What is wrong.
         cause: String,
     },
-    /// It is JSON but no GeoJSON FeatureCollection.
+    /// It is JSON but no `FeatureCollection` of GeoJSON.
     #[error("line 1: this is not a GeoJSON FeatureCollection, which a mission file is")]
     NotAFeatureCollection,
     /// It was written by a later version.

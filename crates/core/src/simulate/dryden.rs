@@ -25,10 +25,15 @@ pub struct Turbulence {
 impl Turbulence {
     /// Turbulence at `height` metres above ground where the mean wind there is `wind_speed` m/s.
     ///
-    /// MIL-F-8785C, 3.7.3.4: with h in feet and u₂₀ the wind at 20 ft, σ_w = 0.1 u₂₀,
-    /// σ_u = σ_v = σ_w / (0.177 + 0.000823 h)^0.4, `L_w` = h, `L_u` = `L_v` = h / (0.177 + 0.000823 h)^1.2.
+    /// MIL-F-8785C, 3.7.3.4, with h in feet and u₂₀ the wind at 20 ft; u along, v across, w down:
+    ///
+    /// ```text
+    /// σ_w = 0.1 u₂₀      σ_u = σ_v = σ_w / (0.177 + 0.000823 h)^0.4
+    /// L_w = h            L_u = L_v = h / (0.177 + 0.000823 h)^1.2
+    /// ```
+    ///
     /// u₂₀ follows from the wind at flight height by a power law with the exponent 0.3 of stable
-    /// air. Calm air keeps σ_w = 0.1 m/s.
+    /// air. Calm air keeps a vertical intensity of 0.1 m/s.
     pub fn low_altitude(height: f64, wind_speed: f64) -> Self {
         let height_ft = (height / METRES_PER_FOOT).clamp(10.0, 1000.0);
         let wind_at_20_ft =

@@ -1,5 +1,7 @@
 //! Following a path of straight legs over the ground.
 
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
+
 use nalgebra::Vector2;
 
 use crate::frames::units::GRAVITY;
@@ -100,9 +102,11 @@ impl PathFollower {
         let gain = 4.0 * self.settings.damping * self.settings.damping;
         // Positive to the right of the leg.
         let cross_track = right.dot(&(position - self.way_points[self.leg]));
-        let to_leg = (cross_track / ahead).clamp(-0.7071, 0.7071).asin();
+        let to_leg = (cross_track / ahead)
+            .clamp(-FRAC_1_SQRT_2, FRAC_1_SQRT_2)
+            .asin();
         let drift = right.dot(ground_velocity).atan2(along.dot(ground_velocity));
-        let eta = wrap_pi(drift + to_leg).clamp(-1.5708, 1.5708);
+        let eta = wrap_pi(drift + to_leg).clamp(-FRAC_PI_2, FRAC_PI_2);
         let acceleration = -gain * speed * speed / ahead * eta.sin();
         (acceleration / GRAVITY)
             .atan()

@@ -30,28 +30,26 @@ pub(super) fn extended() -> Vec<GroundPoint> {
         (290.0, -50.0),
         (370.0, 140.0),
         (520.0, 230.0),
-        // Wide right-hand loop back to the south-east: nothing known below.
-        (620.0, 360.0),
-        (520.0, 520.0),
-        (300.0, 560.0),
-        (20.0, 430.0),
-        // S-turns south-west, across the leg of the buildings.
-        (-90.0, 330.0),
-        (-130.0, 180.0),
-        (-270.0, 100.0),
-        (-300.0, -40.0),
-        // Right turn, back across the leg towards the north-east.
-        (-190.0, -140.0),
-        (-40.0, -30.0),
-        (-20.0, 110.0),
-        (140.0, 190.0),
-        // Right turn, south along the eastern side, and once more along the buildings.
-        (130.0, 370.0),
-        (-80.0, 420.0),
-        (-230.0, 350.0),
-        (-190.0, 200.0),
-        (-50.0, 90.0),
-        (60.0, -40.0),
-        (200.0, -180.0),
+        // Right-hand loop and back south-west: nothing known below.
+        (600.0, 320.0),
+        (540.0, 430.0),
+        (420.0, 410.0),
+        (240.0, 230.0),
+        (140.0, 60.0),
+        (10.0, -50.0),
+        // S-turns along the buildings, south-east.
+        (-40.0, 90.0),
+        (-170.0, 150.0),
+        (-240.0, 290.0),
+        (-380.0, 350.0),
+        // Right-hand loop, and once more along the buildings, north-west.
+        (-480.0, 330.0),
+        (-500.0, 210.0),
+        (-400.0, 120.0),
+        (-270.0, 150.0),
+        (-170.0, 40.0),
+        (-40.0, 60.0),
+        (60.0, -80.0),
+        (150.0, -130.0),
     ])
 }

@@ -139,7 +139,7 @@ impl Scenario {
             Self {
                 name: "distinct-1000ft-extended",
                 title: "S-turns over the same places, 1000 ft, calm",
-                description: "Four minutes at 1000 ft with S-turns in several directions over the \
+                description: "Over three minutes at 1000 ft with S-turns in several directions over the \
                               same ten landmarks, with gaps in which none is in view. Calm air.",
                 route: route::extended(),
                 height: feet(1000.0),
@@ -257,9 +257,66 @@ impl Scenario {
     }
 
     /// The flight alone, without pictures.
+    ///
+    /// # Panics
+    ///
+    /// Only for a scenario put together by hand with fewer than two different way-points.
     pub fn fly(&self, seed: u64, overrides: &Overrides) -> Flight {
         self.plan(overrides)
             .simulate(seed)
             .expect("the routes of the scenarios have more than two way-points")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::flight::FrameTruth;
+
+    /// For every frame, how many of the mission's landmarks lie in it.
+    fn in_view(scenario: &Scenario) -> Vec<usize> {
+        let (flight, mission) = (scenario.fly(1, &Overrides::default()), scenario.mission());
+        let truth = flight.truth.unwrap();
+        let poses = truth.frames.iter().filter_map(FrameTruth::pose);
+        poses
+            .map(|pose| {
+                let seen = mission.landmarks.iter().filter(|landmark| {
+                    let point = landmark.reference_in_world(0.0);
+                    let pixel = flight.camera.project(&pose, &point);
+                    pixel.is_some_and(|p| flight.camera.in_picture(&p, 30.0))
+                });
+                seen.count()
+            })
+            .collect()
+    }
+
+    #[test]
+    fn every_scenario_has_nine_buildings_and_a_pool_and_sees_them_all() {
+        for scenario in Scenario::all() {
+            let mission = scenario.mission();
+            assert_eq!(mission.landmarks.len(), 10);
+            assert_eq!(mission.landmarks[9].name, "swimming pool");
+            assert!(in_view(&scenario).iter().filter(|n| **n > 0).count() > 60);
+        }
+    }
+
+    #[test]
+    fn the_extended_flight_mostly_sees_a_landmark_and_sometimes_none() {
+        let seen = in_view(&Scenario::all()[2]);
+        let share = seen.iter().filter(|n| **n > 0).count() as f64 / seen.len() as f64;
+        let gap = seen.split(|n| *n > 0).map(<[usize]>::len).max().unwrap();
+        println!(
+            "{share:.2} of the frames see a landmark, longest gap {} s",
+            gap / 2
+        );
+        assert!((0.6..0.95).contains(&share), "{share}");
+        assert!((20..=80).contains(&gap), "{gap} frames");
+    }
+
+    #[test]
+    fn a_wind_from_the_north_west_blows_towards_the_south_east() {
+        let wind = Scenario::all()[1].wind.velocity();
+        assert!((wind.norm() - knots(10.0)).abs() < 1e-12);
+        assert!((wind.x + 3.096).abs() < 1e-3 && (wind.y - 4.109).abs() < 1e-3);
     }
 }

@@ -218,7 +218,7 @@ mod tests {
             .map(|i| TruthState {
                 time: f64::from(i) / 20.0,
                 position: Point3::new(0.0, 0.0, -100.0),
-                attitude: Some(Attitude::level(3.141)),
+                attitude: Some(Attitude::level(179.9_f64.to_radians())),
                 wind: None,
             })
             .collect()

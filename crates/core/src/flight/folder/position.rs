@@ -35,7 +35,7 @@ impl Positions {
     }
 
     /// Ground points of columns of latitude and longitude, in degrees unless they name a unit.
-    pub(super) fn from_globe(
+    pub(super) fn on_globe(
         &self,
         table: &Table,
         latitude: &ValueColumn,
@@ -61,7 +61,7 @@ impl Positions {
             .collect()
     }
 
-    fn from_map_pixels(
+    fn at_map_pixels(
         &self,
         folder: &Folder,
         table: &Table,
@@ -133,10 +133,10 @@ impl Positions {
                     .collect()
             }
             (None, None, Some(latitude), Some(longitude), None) => {
-                self.from_globe(table, latitude, longitude, place)?
+                self.on_globe(table, latitude, longitude, place)?
             }
             (None, None, None, None, Some(pixel)) => {
-                self.from_map_pixels(folder, table, pixel, place)?
+                self.at_map_pixels(folder, table, pixel, place)?
             }
             _ => {
                 return Err(contents(

@@ -261,7 +261,7 @@ fn read_channel(
                 "gps needs \"latitude\" and \"longitude\" and no \"value\"",
             ));
         };
-        let points = positions.from_globe(&table, latitude, longitude, &place)?;
+        let points = positions.on_globe(&table, latitude, longitude, &place)?;
         let north = points.iter().map(|p| p.map(|p| p.north)).collect();
         let east = points.iter().map(|p| p.map(|p| p.east)).collect();
         add_channel(

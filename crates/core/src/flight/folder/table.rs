@@ -18,7 +18,8 @@ impl Table {
     pub(super) fn parse(file: &str, bytes: &[u8]) -> Result<Self, FolderError> {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         let first_line = bytes.split(|b| *b == b'\n').next().unwrap_or_default();
-        let count = |separator: u8| first_line.iter().filter(|b| **b == separator).count();
+        let header_line = String::from_utf8_lossy(first_line);
+        let count = |separator: u8| header_line.matches(char::from(separator)).count();
         let separator = [b',', b';', b'\t']
             .into_iter()
             .rev()
