@@ -33,7 +33,6 @@ export async function run(page, tools) {
   await tools.waitFor((s) => s.landmarks.length === before.landmarks.length + 1, "the edit to be back");
   const kept = (await tools.state()).landmarks.at(-1);
 
-  await page.keyboard.press("n");
   await draw(page, tools, -120, -60);
   await page.keyboard.press("Control+z");
   await tools.waitFor((s) => s.landmarks.length === before.landmarks.length + 1, "the second edit to be gone");

@@ -13,7 +13,10 @@ export async function run(page, tools) {
     await tools.screenshot(`size-${width}x${height}`);
   }
   const { dark } = await tools.state();
-  await page.keyboard.press("t");
-  const changed = await tools.waitFor((s) => s.dark !== dark, "the other theme", 5_000).catch(() => null);
-  if (changed) await tools.screenshot("size-768x1024-light");
+  await page.keyboard.press("Control+k");
+  await tools.waitFor((s) => s.dialogs.palette, "the command palette");
+  await page.keyboard.type("dark or light");
+  await page.keyboard.press("Enter");
+  await tools.waitFor((s) => s.dark !== dark, "the other theme");
+  await tools.screenshot("size-768x1024-light");
 }

@@ -11,7 +11,7 @@ const SILENCE: f64 = 60_000.0;
 /// Ticks of the page's timer that must have passed as well: a page that slept accuses nobody.
 const SILENT_TICKS: u32 = 6;
 /// Times that a job is begun anew after its worker died under it.
-const RESTARTS: u8 = 1;
+const RESTARTS: u8 = 2;
 
 /// A line to one worker.
 pub trait WorkerPort {
@@ -142,7 +142,7 @@ impl<P: WorkerPort> Crew<P> {
         replaced
     }
 
-    /// Replaces the worker on a seat; its jobs begin anew, or fail if that happened before.
+    /// Replaces the worker on a seat; its jobs begin anew, or fail if that happened too often.
     pub fn worker_died(&mut self, seat: usize) {
         let Some(mut port) = self.seats[seat].port.take() else {
             return;
@@ -166,7 +166,7 @@ impl<P: WorkerPort> Crew<P> {
                 self.events.push((id, JobEvent::Progress(0.0, text)));
                 self.assign(id, assigned.job, assigned.restarts + 1);
             } else {
-                let text = "The work stopped twice without an answer, perhaps for lack of memory. \
+                let text = "The work stopped again and again, perhaps for lack of memory. \
                     Your documents are safe; try a smaller map or fewer frames."
                     .to_owned();
                 self.events.push((id, JobEvent::Failed(text)));

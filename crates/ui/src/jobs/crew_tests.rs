@@ -116,11 +116,12 @@ fn a_new_worker_gets_the_files_and_the_interrupted_job_again() {
 }
 
 #[test]
-fn a_job_whose_worker_dies_twice_fails_and_says_that_documents_are_safe() {
+fn a_job_whose_worker_dies_three_times_fails_and_says_that_documents_are_safe() {
     let (mut crew, _) = crew();
     let id = crew.start(fly());
-    crew.worker_died(0);
-    crew.worker_died(0);
+    for _ in 0..3 {
+        crew.worker_died(0);
+    }
     let events = crew.take_events();
     let Some((job, JobEvent::Failed(text))) = events.last() else {
         panic!("{events:?}");
