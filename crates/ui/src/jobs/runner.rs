@@ -58,12 +58,22 @@ impl JobRunner {
         };
         let id = entry.id;
         let advance = entry.job.advance(&mut self.workshop, clock, &mut |event| {
-            emit(Reply::Event(id, event));
+            emit(Reply::Event(id, as_sentence(event)));
         });
         if advance == Advance::Done {
             self.entries.remove(0);
         }
         self.busy()
+    }
+}
+
+/// Ends the text of a failure with a full stop: it is shown beside other sentences.
+fn as_sentence(event: JobEvent) -> JobEvent {
+    match event {
+        JobEvent::Failed(text) if !text.trim_end().ends_with(['.', '!', '?']) => {
+            JobEvent::Failed(format!("{}.", text.trim_end()))
+        }
+        event => event,
     }
 }
 
