@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use nalgebra::{Matrix3, Rotation3, Vector3};
+use nalgebra::Rotation3;
 
 use crate::camera::{CameraModel, FARTHEST_HEIGHTS, RayTable};
 use crate::frames::Pose;
@@ -32,7 +32,8 @@ pub(super) struct Light {
 /// The plane seen through the rays of a camera.
 struct View<'a> {
     rays: &'a RayTable,
-    world_from_camera: Matrix3<f32>,
+    /// Rows of the rotation from camera to world.
+    world_from_camera: [[f32; 3]; 3],
     /// Lens over the ground, metres.
     height: f64,
     /// A quarter of a pixel in units of the rays.
@@ -46,13 +47,14 @@ impl View<'_> {
     /// ray; `None` at the horizon.
     #[inline]
     fn ground(&self, [x, y]: [f32; 2]) -> Option<(f32, f32, f32)> {
-        let ray = self.world_from_camera * Vector3::new(x, y, 1.0);
-        // Farther than the limit: north² + east² > (limit · height)².
-        if ray.z <= self.lowest {
+        let [north, east, down] = &self.world_from_camera;
+        let turn = |row: &[f32; 3]| row[0] * x + row[1] * y + row[2];
+        let z = turn(down);
+        if z <= self.lowest {
             return None;
         }
-        let scale = self.height as f32 / ray.z;
-        Some((scale * ray.x, scale * ray.y, ray.z))
+        let scale = self.height as f32 / z;
+        Some((scale * turn(north), scale * turn(east), z))
     }
 }
 
@@ -118,6 +120,8 @@ struct Mosaic {
     east: f32,
     per_metre: f32,
     width: usize,
+    /// Largest coordinates at which the next pixel exists too.
+    last: [f32; 2],
     pixels: Vec<Rgba>,
 }
 
@@ -149,6 +153,7 @@ impl Mosaic {
             east: (nadir.1 / gsd - left as f64 * side) as f32,
             per_metre: (1.0 / gsd) as f32,
             width,
+            last: [(width - 2) as f32, (height - 2) as f32],
             pixels,
         }
     }
@@ -156,9 +161,8 @@ impl Mosaic {
     /// Red, green, blue and coverage at a ground point from the nadir point, bilinear.
     #[inline]
     fn sample(&self, north: f32, east: f32) -> [f32; 4] {
-        let height = self.pixels.len() / self.width;
-        let x = (self.east + east * self.per_metre - 0.5).clamp(0.0, (self.width - 2) as f32);
-        let y = (self.south - north * self.per_metre - 0.5).clamp(0.0, (height - 2) as f32);
+        let x = (self.east + east * self.per_metre - 0.5).clamp(0.0, self.last[0]);
+        let y = (self.south - north * self.per_metre - 0.5).clamp(0.0, self.last[1]);
         let (column, row) = (x as usize, y as usize);
         let (u, v) = (x - column as f32, y - row as f32);
         let above = &self.pixels[row * self.width + column..][..2];
@@ -194,7 +198,9 @@ pub(super) fn render(
     }
     let view = View {
         rays,
-        world_from_camera: world_from_camera.matrix().cast(),
+        world_from_camera: std::array::from_fn(|r| {
+            std::array::from_fn(|c| world_from_camera[(r, c)] as f32)
+        }),
         height,
         quarter: (0.25 / camera.focal) as f32,
         // A ray of the length of the axis; longer ones, off the axis, end a little farther out.
