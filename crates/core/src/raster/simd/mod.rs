@@ -4,6 +4,7 @@
 //! here works on buffers padded by the caller, so that no loop has a ragged end.
 
 mod elementwise;
+#[cfg(any(test, not(all(target_arch = "wasm32", target_feature = "simd128"))))]
 mod scalar;
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 mod wasm;
