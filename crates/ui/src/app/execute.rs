@@ -247,11 +247,10 @@ impl App {
     }
 
     fn save_mission(&mut self, host: &mut dyn Host) {
-        let now = host.now();
+        let name = format!("{}.geojson", self.file_stem());
         let text = pilotage_core::mission::write_mission(&self.documents.mission);
-        let name = format!("{}.mission.json", self.file_stem());
         host.save_file(&name, text.as_bytes());
-        self.toasts.note(now, "Mission saved", name);
+        self.toasts.note(host.now(), "Mission saved", name);
     }
 
     fn look(&mut self, command: &Command, context: &egui::Context) {

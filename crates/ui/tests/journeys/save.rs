@@ -10,7 +10,9 @@ fn the_mission_is_offered_as_a_file() {
     rig.key_with(Modifiers::COMMAND, Key::S);
     let (name, bytes) = rig.host().saved.pop().expect("a file");
     assert!(name.contains("Invented"), "{name}");
-    assert!(String::from_utf8_lossy(&bytes).contains("Chapel"));
+    let mission = pilotage_core::mission::read_mission(&bytes).expect("a mission");
+    let names: Vec<&str> = mission.landmarks.iter().map(|l| l.name.as_str()).collect();
+    assert_eq!(names, ["Barn", "Chapel", "Pool", "Mill"]);
 }
 
 #[test]
