@@ -114,21 +114,3 @@ impl FrameSource for SimulatedFrames {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::super::scenario::{Overrides, Scenario};
-    use super::*;
-
-    #[test]
-    #[ignore = "writes pictures to be looked at"]
-    fn write_some_pictures() {
-        for scenario in [&Scenario::all()[0], &Scenario::all()[2]] {
-            let mut flight = scenario.simulate(1, &Overrides::default());
-            for index in [8, 40, 78, 132] {
-                let bytes = flight.frames.encoded(index).unwrap();
-                std::fs::write(format!("/tmp/{}-{index}.jpg", scenario.name), bytes).unwrap();
-            }
-        }
-    }
-}
