@@ -1,2 +1,58 @@
 //! `pilotage`: the jobs of the app without a screen.
-fn main() {}
+
+mod bench;
+mod files;
+mod filter_options;
+mod inspect;
+mod replay;
+mod simulate;
+mod statistics;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Navigate aircraft by what can be seen on the ground.
+#[derive(Parser)]
+#[command(version, about)]
+struct Arguments {
+    #[command(subcommand)]
+    job: Job,
+}
+
+#[derive(Subcommand)]
+enum Job {
+    /// List the built-in scenarios.
+    Scenarios,
+    /// Fly a built-in scenario and write it as a flight folder.
+    Simulate(simulate::Arguments),
+    /// Run flights through the estimator.
+    Replay(replay::Arguments),
+    /// Say what a file or folder is.
+    Inspect(inspect::Arguments),
+    /// Time the kernels and the filter.
+    Bench(bench::Arguments),
+}
+
+/// What a job may end with: an error that names the place and what to do.
+type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+fn main() -> ExitCode {
+    let outcome = match Arguments::parse().job {
+        Job::Scenarios => {
+            simulate::list();
+            Ok(())
+        }
+        Job::Simulate(arguments) => simulate::run(&arguments),
+        Job::Replay(arguments) => replay::run(&arguments),
+        Job::Inspect(arguments) => inspect::run(&arguments),
+        Job::Bench(arguments) => bench::run(&arguments),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("pilotage: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::Landmark;
 use super::features::{FeatureTemplate, Features};
+use super::peak::best_peaks;
 use crate::frames::GroundRect;
 use crate::imagery::{Imagery, Window};
 use crate::raster::{Gray, bilinear};
@@ -33,6 +34,9 @@ pub struct PatchLevel {
     pub size: (usize, usize),
     /// Standard deviation of the patch's grey values.
     pub contrast: f64,
+    /// Score of the strongest look-alike on the map within one patch size around: a place that scores
+    /// no better in a picture may as well be the look-alike.
+    pub look_alike: Option<f64>,
     surroundings: Gray,
     templates: HashMap<(i32, i32), Option<Arc<FeatureTemplate>>>,
     patches: HashMap<(i32, i32), Arc<Gray>>,
@@ -56,6 +60,7 @@ impl PatchLevel {
             gsd,
             size,
             contrast: 0.0,
+            look_alike: None,
             surroundings,
             templates: HashMap::new(),
             patches: HashMap::new(),
@@ -71,6 +76,32 @@ impl PatchLevel {
             / n;
         level.contrast = variance.sqrt();
         level
+    }
+
+    /// Finds the strongest look-alike on the map around `bounds`, once.
+    pub fn find_look_alike(&mut self, map: &dyn Imagery, bounds: &GroundRect) -> f64 {
+        if let Some(known) = self.look_alike {
+            return known;
+        }
+        let (width, height) = self.size;
+        let center = bounds.center();
+        let window = Window {
+            north_edge: center.north + 1.5 * height as f64 * self.gsd,
+            west_edge: center.east - 1.5 * width as f64 * self.gsd,
+            gsd: self.gsd,
+            width: 3 * width,
+            height: 3 * height,
+        };
+        let around = Features::new(map.window(&window).to_gray());
+        let score = self.template(0.0, 1.0).map_or(0.0, |template| {
+            let surface = template.correlate(&around);
+            let separation = (width.min(height) / 4).max(2);
+            best_peaks(&surface, separation, 2)
+                .get(1)
+                .map_or(0.0, |p| f64::from(p.score))
+        });
+        self.look_alike = Some(score);
+        score
     }
 
     /// Luminance of the patch turned by `rotation` (radians clockwise) and enlarged by `scale`.
@@ -132,6 +163,13 @@ impl PatchBank {
     /// Finest ground sample distance that the map carries, metres per pixel.
     pub fn native_gsd(&self) -> f64 {
         self.map.native_gsd()
+    }
+
+    /// Score of the landmark's strongest look-alike around it on the map, at a scale level.
+    pub fn look_alike(&mut self, landmark: &Landmark, level: i32) -> f64 {
+        let map = Arc::clone(&self.map);
+        self.level(landmark, level)
+            .find_look_alike(map.as_ref(), &landmark.bounds)
     }
 
     /// The landmark at a scale level; a box that has changed since is cut anew.

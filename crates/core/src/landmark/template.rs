@@ -28,6 +28,8 @@ const COARSE_LEVELS: i32 = 2;
 const MOST_CANDIDATES: usize = 4;
 /// Share of the patch that the camera must have seen.
 const LEAST_COVERAGE: f32 = 0.995;
+/// A place must score this much better than the landmark's own look-alike does on the map.
+const LOOK_ALIKE_MARGIN: f64 = 0.05;
 /// Fine offsets tried on either side of a coarse place.
 const FINE_REACH: usize = 2;
 
@@ -224,7 +226,13 @@ impl TemplateDetector {
             rotation: fit.rotation,
             log_scale: fit.scale.ln(),
         };
+        let (most_turn, most_scale) = (self.settings.rotation_range, self.settings.scale_range);
         let aligned = align(&patch.patch(0.0, 1.0), &picture.luminance, start)
+            .filter(|a| {
+                // Beyond the ranges it aligned itself with something else.
+                a.similarity.rotation.abs() <= 1.5 * most_turn
+                    && a.similarity.log_scale.abs() <= 1.5 * most_scale
+            })
             .unwrap_or_else(|| unaligned(start, size));
         let found = aligned.similarity;
         let center = window.ground_at(
@@ -310,9 +318,12 @@ impl Detector for TemplateDetector {
             .fold(0.0, f64::max);
         let fit = self.polish(view, landmark, level, fit);
         let detection = self.detection(view, landmark, level, &fit, second);
+        let look_alike = self.bank.look_alike(landmark, level + COARSE_LEVELS);
         let refusal = if detection.score < self.settings.least_score {
             Some(Refusal::LowScore)
-        } else if second > self.settings.greatest_ambiguity * detection.score {
+        } else if second > self.settings.greatest_ambiguity * detection.score
+            || detection.score < look_alike + LOOK_ALIKE_MARGIN
+        {
             Some(Refusal::Ambiguous)
         } else if at_edge(&surface, &peak) {
             Some(Refusal::AtSearchEdge)

@@ -4,6 +4,7 @@
 
 mod error;
 mod globe;
+mod map_file;
 mod read;
 mod record;
 #[cfg(test)]
@@ -12,6 +13,7 @@ mod text;
 mod write;
 
 pub use error::MissionError;
+pub use map_file::{MapError, open_map};
 pub use read::read_mission;
 pub use record::{MapReference, Mission};
 pub use write::write_mission;

@@ -7,6 +7,7 @@ mod pipeline;
 mod region;
 mod report;
 mod run;
+mod run_file;
 mod see;
 mod settings;
 mod summary;
@@ -19,5 +20,6 @@ pub use report::{
     StepTiming,
 };
 pub use run::Run;
+pub use run_file::{RunFileError, decode_run, encode_run};
 pub use settings::{NavigatorSettings, ProcessNoise, SensorNoise, StartError, VehicleChoice};
 pub use summary::{ConsistencyFigures, ErrorFigures, FrameTiming, Summary, is_wrong, summarize};

@@ -89,7 +89,8 @@ pub struct SensorNoise {
     pub yaw: f64,
     /// Height above ground, metres.
     pub height: f64,
-    /// Floor of the pixel noise per axis added to what the detector reports, pixels.
+    /// Error of the detector's place that its covariance cannot know, added to it, pixels per axis:
+    /// another sun and season move what a patch looks like, the same way in every frame.
     pub pixel: f64,
 }
 
@@ -150,7 +151,7 @@ impl Default for NavigatorSettings {
                 pitch: 1.05_f64.to_radians(),
                 yaw: 1.15_f64.to_radians(),
                 height: 0.6,
-                pixel: 0.2,
+                pixel: 1.0,
             },
             measurement_scale: 1.0,
             detector: TemplateSettings::default(),

@@ -15,7 +15,7 @@ use super::sensors::{SensorError, SensorSpec};
 use crate::camera::CameraModel;
 use crate::flight::Flight;
 use crate::frames::units::{feet, knots};
-use crate::frames::{Geodetic, GroundPoint, LocalFrame};
+use crate::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
 use crate::landmark::Landmark;
 use crate::mission::{MapReference, Mission};
 use crate::navigator::{NavigatorSettings, ProcessNoise, SensorNoise, StartError, VehicleChoice};
@@ -107,6 +107,19 @@ pub struct Overrides {
     pub day: Option<FlightDay>,
     /// Sensor errors.
     pub sensors: Option<SensorSpec>,
+}
+
+/// Longest side of a landmark's box, metres: at 400 ft a box of this size, turned by any heading, lies
+/// wholly in the picture for five frames or more while the aircraft passes over it.
+const LONGEST_SIDE: f64 = 34.0;
+
+/// The middle of a feature that is larger than a landmark should be.
+fn middle(feature: &GroundRect) -> GroundRect {
+    GroundRect::centered(
+        feature.center(),
+        feature.height().min(LONGEST_SIDE),
+        feature.width().min(LONGEST_SIDE),
+    )
 }
 
 impl Scenario {
@@ -203,7 +216,7 @@ impl Scenario {
             .into_iter()
             .take(LANDMARKS)
             .zip(1..)
-            .map(|(feature, id)| Landmark::new(id, feature.name, feature.landmark_box))
+            .map(|(feature, id)| Landmark::new(id, feature.name, middle(&feature.landmark_box)))
             .collect();
         Mission {
             name: self.title.to_owned(),

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use pilotage_core::flight::files::FileSet as _;
 use pilotage_core::flight::{FLIGHT_FILE, FolderError, read_flight};
 use pilotage_core::frames::LocalFrame;
-use pilotage_core::imagery::{Georeference, GeoreferencedPicture, Imagery, decode_map};
-use pilotage_core::mission::{Mission, read_mission};
+use pilotage_core::imagery::Imagery;
+use pilotage_core::mission::{MapError, Mission, open_map, read_mission};
 use pilotage_core::navigator::Run;
 
 use super::Opened;
@@ -17,19 +17,6 @@ use crate::documents::decode_run;
 
 /// Endings of picture files.
 const PICTURES: [&str; 3] = ["jpg", "jpeg", "png"];
-/// What is put in place of a picture's ending to name the file that says where it lies.
-const SIDE_FILES: [&str; 9] = [
-    ".jgw",
-    ".jpgw",
-    ".pgw",
-    ".pngw",
-    ".wld",
-    "_georef.json",
-    ".georef.json",
-    ".georeference.json",
-    ".json",
-];
-
 /// Looks at every file of a drop; the first that is broken ends it, with its name and the cause.
 pub fn look_through(key: String, pool: &Arc<FilePool>) -> Result<Opened, String> {
     let flight = flight(pool)?;
@@ -77,33 +64,13 @@ pub fn flight(pool: &Arc<FilePool>) -> Result<Option<(OpenFlight, Vec<String>)>,
 /// (around its own origin without one).
 pub fn map(pool: &FilePool, frame: Option<LocalFrame>) -> Result<Option<Arc<dyn Imagery>>, String> {
     for name in pool.ending_in(&PICTURES) {
-        let Some((side, text)) = side_file(pool, &name) else {
-            continue;
-        };
-        let place = Georeference::from_text(&text).map_err(|cause| format!("{side}: {cause}"))?;
-        let bytes = pool.read(&name).unwrap_or_default();
-        let picture = decode_map(&bytes, true).map_err(|cause| format!("{name}: {cause}"))?;
-        let (width, height) = (picture.width(), picture.height());
-        let frame = frame
-            .or_else(|| place.origin(width, height).map(LocalFrame::new))
-            .unwrap_or_else(|| LocalFrame::new(pilotage_core::simulate::world_origin()));
-        let ground_from_pixel = place
-            .in_world(&frame, width, height)
-            .map_err(|cause| format!("{side}: {cause}"))?;
-        let map = GeoreferencedPicture::new(name.clone(), picture, ground_from_pixel)
-            .ok_or_else(|| format!("{side}: the picture would cover no ground"))?;
-        return Ok(Some(Arc::new(map)));
+        match open_map(pool, &name, frame) {
+            Ok(map) => return Ok(Some(Arc::new(map))),
+            Err(MapError::NoGeoreference { .. }) => {}
+            Err(other) => return Err(other.to_string()),
+        }
     }
     Ok(None)
-}
-
-fn side_file(pool: &FilePool, picture: &str) -> Option<(String, String)> {
-    let (stem, _) = picture.rsplit_once('.')?;
-    SIDE_FILES.iter().find_map(|ending| {
-        let side = format!("{stem}{ending}");
-        let bytes = pool.read(&side)?;
-        Some((side, String::from_utf8_lossy(&bytes).into_owned()))
-    })
 }
 
 fn mission(pool: &FilePool) -> Result<Option<Mission>, String> {

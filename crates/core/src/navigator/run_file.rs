@@ -1,6 +1,6 @@
 //! A run as a file: a short header with a version, then the run in postcard.
 
-use pilotage_core::navigator::Run;
+use super::Run;
 
 /// The first bytes of every run file; the last is the version.
 const HEADER: &[u8] = b"PILOTAGE RUN 1\n";
@@ -66,7 +66,7 @@ mod tests {
     fn run() -> Run {
         Run {
             name: "a run".into(),
-            settings: pilotage_core::navigator::NavigatorSettings::default(),
+            settings: crate::navigator::NavigatorSettings::default(),
             landmarks: Vec::new(),
             state_names: vec![("north".into(), "m".into())],
             steps: Vec::new(),

@@ -1,0 +1,63 @@
+//! Folders of the disk as file sets.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use pilotage_core::flight::files::{FileSet, FileSink};
+
+/// The files of a directory and its sub-directories.
+pub struct Directory {
+    root: PathBuf,
+    names: Vec<String>,
+}
+
+impl Directory {
+    /// Lists the files below `root`; a file stands for the directory it lies in.
+    pub fn open(root: &Path) -> std::io::Result<Self> {
+        let root = if root.is_file() {
+            root.parent().unwrap_or(root)
+        } else {
+            root
+        };
+        let mut names = BTreeSet::new();
+        list(root, "", &mut names)?;
+        Ok(Self {
+            root: root.to_owned(),
+            names: names.into_iter().collect(),
+        })
+    }
+}
+
+fn list(directory: &Path, prefix: &str, names: &mut BTreeSet<String>) -> std::io::Result<()> {
+    for entry in fs::read_dir(directory)? {
+        let entry = entry?;
+        let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
+        if entry.path().is_dir() {
+            list(&entry.path(), &format!("{name}/"), names)?;
+        } else {
+            names.insert(name);
+        }
+    }
+    Ok(())
+}
+
+impl FileSet for Directory {
+    fn names(&self) -> Vec<String> {
+        self.names.clone()
+    }
+
+    fn read(&self, name: &str) -> Option<Vec<u8>> {
+        fs::read(self.root.join(name)).ok()
+    }
+}
+
+impl FileSink for Directory {
+    fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
+        let path = self.root.join(name);
+        let parent = path.parent().unwrap_or(&self.root);
+        fs::create_dir_all(parent)
+            .and_then(|()| fs::write(&path, bytes))
+            .map_err(|e| format!("{}: {e}", path.display()))
+    }
+}

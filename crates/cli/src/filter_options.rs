@@ -1,0 +1,91 @@
+//! `--filter key=value,…`: changes to the navigator's settings.
+
+use pilotage_core::navigator::{NavigatorSettings, VehicleChoice};
+
+/// Names of the vehicle models on the command line.
+const VEHICLES: [(&str, VehicleChoice); 5] = [
+    ("airplane-wind", VehicleChoice::AirplaneWind),
+    ("airplane-gust", VehicleChoice::AirplaneGust),
+    ("airplane-full", VehicleChoice::AirplaneFull),
+    ("random-walk", VehicleChoice::RandomWalk),
+    ("constant-velocity", VehicleChoice::ConstantVelocity),
+];
+
+/// Applies `key=value` changes, separated by commas.
+pub fn apply(settings: &mut NavigatorSettings, changes: &str) -> Result<(), String> {
+    for change in changes.split(',').filter(|c| !c.trim().is_empty()) {
+        let (key, value) = change
+            .split_once('=')
+            .ok_or_else(|| format!("--filter: \"{change}\" is not key=value"))?;
+        set(settings, key.trim(), value.trim())?;
+    }
+    Ok(())
+}
+
+fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), String> {
+    let number = || {
+        value
+            .parse::<f64>()
+            .map_err(|_| format!("--filter {key}: \"{value}\" is not a number"))
+    };
+    let switch = || {
+        value
+            .parse::<bool>()
+            .map_err(|_| format!("--filter {key}: say true or false"))
+    };
+    match key {
+        "vehicle" => {
+            let known = VEHICLES.iter().find(|(name, _)| *name == value);
+            settings.vehicle = known.map(|(_, choice)| *choice).ok_or_else(|| {
+                let names: Vec<&str> = VEHICLES.iter().map(|(name, _)| *name).collect();
+                format!("--filter vehicle: there are {}", names.join(", "))
+            })?;
+        }
+        "alpha" => settings.alpha = number()?,
+        "beta" => settings.beta = number()?,
+        "redraw" => settings.redraw = switch()?,
+        "gate" => settings.gate_confidence = number()?,
+        "scale" => settings.measurement_scale = number()?,
+        "thesis-q" => settings.process.thesis_per_step = switch()?,
+        "wind" => settings.process.wind = number()?,
+        "gust" => settings.process.gust = number()?,
+        "gust-time" => settings.process.gust_time = number()?,
+        "airspeed" => settings.process.airspeed = number()?,
+        "heading" => settings.process.heading = number()?,
+        "position" => settings.process.position = number()?,
+        "roll" => settings.sensors.roll = number()?.to_radians(),
+        "pitch" => settings.sensors.pitch = number()?.to_radians(),
+        "yaw" => settings.sensors.yaw = number()?.to_radians(),
+        "height" => settings.sensors.height = number()?,
+        "pixel" => settings.sensors.pixel = number()?,
+        "score" => settings.detector.least_score = number()?,
+        "ambiguity" => settings.detector.greatest_ambiguity = number()?,
+        "start" => settings.start.position = number()?,
+        "start-wind" => settings.start.wind = number()?,
+        _ => return Err(format!("--filter: there is no setting \"{key}\"")),
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn settings_change_by_name_and_unknown_names_are_refused() {
+        let mut settings = NavigatorSettings::default();
+        apply(&mut settings, "alpha=0.5, vehicle=random-walk").unwrap();
+        assert_eq!(settings.alpha, 0.5);
+        assert_eq!(settings.vehicle, VehicleChoice::RandomWalk);
+        assert!(
+            apply(&mut settings, "alhpa=1")
+                .unwrap_err()
+                .contains("alhpa")
+        );
+        assert!(
+            apply(&mut settings, "alpha=one")
+                .unwrap_err()
+                .contains("one")
+        );
+    }
+}

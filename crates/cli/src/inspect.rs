@@ -1,0 +1,90 @@
+//! `pilotage inspect`: what a file or folder is.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use pilotage_core::flight::{Flight, read_flight};
+
+use crate::Outcome;
+use crate::files::Directory;
+
+/// What to look at.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// A flight folder, a mission, or a saved run.
+    path: PathBuf,
+}
+
+/// Says what the path holds.
+pub fn run(arguments: &Arguments) -> Outcome {
+    let path = &arguments.path;
+    if path.is_dir() || path.file_name().is_some_and(|n| n == "flight.json") {
+        let folder = read_flight(Arc::new(Directory::open(path)?))?;
+        describe(&folder.flight);
+        for note in folder.notes {
+            println!("note: {note}");
+        }
+        return Ok(());
+    }
+    let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
+    if let Ok(run) = pilotage_core::navigator::decode_run(&path.to_string_lossy(), &bytes) {
+        println!(
+            "run \"{}\": {} steps, {} landmarks",
+            run.name,
+            run.steps.len(),
+            run.landmarks.len()
+        );
+        return Ok(());
+    }
+    let mission = pilotage_core::mission::read_mission(&bytes).map_err(|e| {
+        format!(
+            "{}: neither a flight, a run nor a mission: {e}",
+            path.display()
+        )
+    })?;
+    println!(
+        "mission \"{}\": {} landmarks",
+        mission.name,
+        mission.landmarks.len()
+    );
+    for landmark in &mission.landmarks {
+        println!(
+            "    {:3} {:24} {:6.1} × {:6.1} m at north {:8.1}, east {:8.1} m",
+            landmark.id,
+            landmark.name,
+            landmark.bounds.width(),
+            landmark.bounds.height(),
+            landmark.reference.north,
+            landmark.reference.east
+        );
+    }
+    Ok(())
+}
+
+fn describe(flight: &Flight) {
+    let (begin, end) = flight.span();
+    println!(
+        "flight \"{}\": {:.1} s, {} frames",
+        flight.name,
+        end - begin,
+        flight.frames.len()
+    );
+    println!(
+        "    camera {} × {} px, focal length {:.1} px",
+        flight.camera.width, flight.camera.height, flight.camera.focal
+    );
+    for channel in &flight.channels {
+        println!(
+            "    {:22} {} samples",
+            channel.name.key(),
+            channel.times.len()
+        );
+    }
+    if let Some(truth) = &flight.truth {
+        println!(
+            "    truth: {} states, {} frames",
+            truth.states.len(),
+            truth.frames.len()
+        );
+    }
+}

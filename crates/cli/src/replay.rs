@@ -1,0 +1,263 @@
+//! `pilotage replay`: flights through the estimator.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Instant;
+
+use pilotage_core::flight::{Flight, FrameSource, read_flight};
+use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::mission::Mission;
+use pilotage_core::navigator::{Navigator, NavigatorSettings, Run, Summary, summarize};
+use pilotage_core::simulate::{Overrides, Scenario};
+use serde::Serialize;
+
+use crate::Outcome;
+use crate::files::Directory;
+use crate::simulate::{Day, scenario};
+use crate::statistics::{Quantiles, print, table};
+
+/// Memory for map tiles, megabytes.
+const MAP_CACHE: usize = 128;
+
+/// What to replay.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// A built-in scenario.
+    #[arg(long, conflicts_with_all = ["mission", "flight", "map"])]
+    scenario: Option<String>,
+    /// Seed of the scenario.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Several seeds, A..B with B left out; prints quantiles.
+    #[arg(long, value_name = "A..B", conflicts_with = "seed")]
+    seeds: Option<String>,
+    /// Day on which the camera sees the ground.
+    #[arg(long, value_enum, default_value_t = Day::Other)]
+    day: Day,
+    /// Mission file (GeoJSON).
+    #[arg(long, requires = "flight")]
+    mission: Option<PathBuf>,
+    /// Flight folder, or its flight.json.
+    #[arg(long, requires_all = ["mission", "map"])]
+    flight: Option<PathBuf>,
+    /// Map picture with its georeference beside it.
+    #[arg(long)]
+    map: Option<PathBuf>,
+    /// Changes to the filter, e.g. alpha=0.5,vehicle=airplane-wind.
+    #[arg(long, default_value = "")]
+    filter: String,
+    /// Where to write the run.
+    #[arg(long)]
+    out: Option<PathBuf>,
+    /// Where to write the summary.
+    #[arg(long)]
+    summary: Option<PathBuf>,
+    /// Print every camera frame.
+    #[arg(long)]
+    verbose: bool,
+}
+
+/// The summary of many runs.
+#[derive(Serialize)]
+struct Study {
+    quantiles: Vec<Quantiles>,
+    runs: Vec<Summary>,
+}
+
+/// Replays what the arguments say.
+pub fn run(arguments: &Arguments) -> Outcome {
+    if let Some(name) = &arguments.scenario {
+        return replay_scenario(&scenario(name)?, arguments);
+    }
+    let (Some(mission), Some(flight), Some(map)) =
+        (&arguments.mission, &arguments.flight, &arguments.map)
+    else {
+        return Err("say --scenario NAME, or --mission FILE --flight DIR --map FILE".into());
+    };
+    let text = std::fs::read(mission).map_err(|e| format!("{}: {e}", mission.display()))?;
+    let mission: Mission =
+        serde_json::from_slice(&text).map_err(|e| format!("{}: {e}", mission.display()))?;
+    let folder = read_flight(Arc::new(Directory::open(flight)?))?;
+    for note in &folder.notes {
+        eprintln!("note: {note}");
+    }
+    let mut settings = mission.navigator.clone();
+    crate::filter_options::apply(&mut settings, &arguments.filter)?;
+    let imagery = open_map(map, &folder.flight)?;
+    let mut frames = folder.frames;
+    let flight = Arc::new(folder.flight);
+    let run = navigate(&flight, &mission, imagery, &settings, &mut frames)?;
+    let summary = summarize(&flight, &run, None);
+    report(arguments, &flight, &run, &summary)
+}
+
+/// The picture with the georeference that lies beside it, in the flight's world frame.
+fn open_map(path: &Path, flight: &Flight) -> Result<Arc<dyn Imagery>, Box<dyn std::error::Error>> {
+    let directory = Directory::open(path)?;
+    let name = path
+        .file_name()
+        .map(|n| n.to_string_lossy().into_owned())
+        .unwrap_or_default();
+    let map = pilotage_core::mission::open_map(&directory, &name, flight.frame_on_globe)?;
+    Ok(Arc::new(CachedImagery::new(Arc::new(map), MAP_CACHE)))
+}
+
+fn navigate(
+    flight: &Arc<Flight>,
+    mission: &Mission,
+    map: Arc<dyn Imagery>,
+    settings: &NavigatorSettings,
+    frames: &mut dyn FrameSource,
+) -> Result<Run, Box<dyn std::error::Error>> {
+    let begun = Instant::now();
+    let stopwatch = || begun.elapsed().as_secs_f64() * 1e3;
+    let mut navigator = Navigator::new(Arc::clone(flight), &mission.landmarks, map, settings)?;
+    let mut run = navigator.run_head();
+    while let Some(step) = navigator.advance(frames, &stopwatch) {
+        run.steps.push(step?);
+    }
+    Ok(run)
+}
+
+/// What many runs of one scenario share.
+struct Ground {
+    map: Arc<dyn Imagery>,
+    seen: Arc<CachedImagery>,
+}
+
+fn replay_scenario(scenario: &Scenario, arguments: &Arguments) -> Outcome {
+    let overrides = Overrides {
+        day: Some(arguments.day.into()),
+        ..Overrides::default()
+    };
+    let map = Arc::new(CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE));
+    let ground = Ground {
+        map,
+        seen: scenario.simulate(0, &overrides).frames.imagery(),
+    };
+    let one = |seed: u64| -> Result<(Flight, Run, Summary), String> {
+        let mission = scenario.mission();
+        let mut settings = mission.navigator.clone();
+        crate::filter_options::apply(&mut settings, &arguments.filter)?;
+        let flown = scenario.simulate(seed, &overrides);
+        let mut frames = flown.frames.over(Arc::clone(&ground.seen));
+        let flight = Arc::new(flown.flight);
+        let map = Arc::clone(&ground.map);
+        let run = navigate(&flight, &mission, map, &settings, &mut frames)
+            .map_err(|e| format!("seed {seed}: {e}"))?;
+        let summary = summarize(&flight, &run, Some(&scenario.navigator()));
+        Ok((Arc::unwrap_or_clone(flight), run, summary))
+    };
+    let Some(seeds) = &arguments.seeds else {
+        let (flight, run, summary) = one(arguments.seed)?;
+        return report(arguments, &flight, &run, &summary);
+    };
+    let (first, end) = seed_range(seeds)?;
+    let next = AtomicU64::new(first);
+    let workers = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let worker = || -> Result<Vec<(u64, Summary)>, String> {
+        let mut done = Vec::new();
+        loop {
+            let seed = next.fetch_add(1, Ordering::Relaxed);
+            if seed >= end {
+                return Ok(done);
+            }
+            let (_, _, summary) = one(seed)?;
+            eprintln!(
+                "seed {seed}: rms {:.2} m, {} of {} frames updated",
+                summary.position_error_m.map_or(f64::NAN, |e| e.rms),
+                summary.frames_with_update,
+                summary.frames
+            );
+            done.push((seed, summary));
+        }
+    };
+    let mut runs = Vec::new();
+    std::thread::scope(|scope| -> Result<(), String> {
+        let handles: Vec<_> = (0..workers).map(|_| scope.spawn(worker)).collect();
+        for handle in handles {
+            runs.extend(handle.join().map_err(|_| "a run panicked".to_owned())??);
+        }
+        Ok(())
+    })?;
+    runs.sort_by_key(|(seed, _)| *seed);
+    let runs: Vec<Summary> = runs.into_iter().map(|(_, summary)| summary).collect();
+    let study = Study {
+        quantiles: table(&runs),
+        runs,
+    };
+    print(&study.quantiles);
+    if let Some(path) = &arguments.summary {
+        write_json(path, &study)?;
+    }
+    Ok(())
+}
+
+fn seed_range(text: &str) -> Result<(u64, u64), String> {
+    text.split_once("..")
+        .and_then(|(a, b)| Some((a.parse().ok()?, b.parse().ok()?)))
+        .filter(|(a, b)| a < b)
+        .ok_or_else(|| format!("--seeds: \"{text}\" is not A..B with A < B"))
+}
+
+fn report(arguments: &Arguments, flight: &Flight, run: &Run, summary: &Summary) -> Outcome {
+    if arguments.verbose {
+        print_frames(flight, run);
+    }
+    println!("{}", serde_json::to_string_pretty(summary)?);
+    if let Some(path) = &arguments.summary {
+        write_json(path, summary)?;
+    }
+    if let Some(path) = &arguments.out {
+        let bytes = pilotage_core::navigator::encode_run(run)?;
+        std::fs::write(path, bytes).map_err(|e| format!("{}: {e}", path.display()))?;
+    }
+    Ok(())
+}
+
+/// One line a frame and one a landmark.
+fn print_frames(flight: &Flight, run: &Run) {
+    let names = |id: u32| {
+        run.landmarks
+            .iter()
+            .find(|l| l.id == id)
+            .map_or("?", |l| &l.name)
+    };
+    for step in &run.steps {
+        let Some(frame) = &step.frame else { continue };
+        let name = flight.frames.get(frame.index).map_or("", |f| &f.name);
+        let truth = flight
+            .truth
+            .as_ref()
+            .and_then(|t| t.frames.get(frame.index));
+        let position = step.after.position();
+        let error = truth.map_or(f64::NAN, |t| {
+            (position.north - t.position.x).hypot(position.east - t.position.y)
+        });
+        let spread = step.after.position_covariance().trace().sqrt();
+        println!(
+            "{:8.2} s {name:14} error {error:6.2} m, 1σ {spread:5.2} m, see {:6.1} ms",
+            step.time, step.timing.see
+        );
+        for c in &frame.candidates {
+            let wrong = truth.and_then(|t| t.camera_attitude).is_some()
+                && c.measured_pixel.is_some()
+                && pilotage_core::navigator::is_wrong(flight, run, frame.index, c);
+            println!(
+                "    {:22} score {:5.2} second {:5.2} NIS {:6.1} {:?}{}",
+                names(c.landmark),
+                c.score,
+                c.second_score,
+                c.nis.unwrap_or(f64::NAN),
+                c.outcome,
+                if wrong { "  WRONG PLACE" } else { "" }
+            );
+        }
+    }
+}
+
+fn write_json(path: &Path, value: &impl Serialize) -> Outcome {
+    std::fs::write(path, serde_json::to_string_pretty(value)?)
+        .map_err(|e| format!("{}: {e}", path.display()).into())
+}

@@ -1,0 +1,103 @@
+//! Many runs in one table.
+
+use pilotage_core::navigator::Summary;
+use serde::Serialize;
+
+/// Quantiles of one figure over the runs.
+#[derive(Clone, Debug, Serialize)]
+pub struct Quantiles {
+    /// Name of the figure.
+    pub figure: &'static str,
+    /// Smallest.
+    pub min: f64,
+    /// Lower quartile.
+    pub q25: f64,
+    /// Median.
+    pub median: f64,
+    /// Upper quartile.
+    pub q75: f64,
+    /// Largest.
+    pub max: f64,
+    /// Mean.
+    pub mean: f64,
+}
+
+fn quantiles(figure: &'static str, mut values: Vec<f64>) -> Option<Quantiles> {
+    values.sort_by(f64::total_cmp);
+    let last = values.len().checked_sub(1)?;
+    let at = |q: f64| {
+        let place = q * last as f64;
+        let (low, high) = (
+            values[place.floor() as usize],
+            values[place.ceil() as usize],
+        );
+        low + place.fract() * (high - low)
+    };
+    Some(Quantiles {
+        figure,
+        min: values[0],
+        q25: at(0.25),
+        median: at(0.5),
+        q75: at(0.75),
+        max: values[last],
+        mean: values.iter().sum::<f64>() / values.len() as f64,
+    })
+}
+
+/// All figures over `summaries`.
+pub fn table(summaries: &[Summary]) -> Vec<Quantiles> {
+    type Figure = (&'static str, fn(&Summary) -> Option<f64>);
+    let figures: [Figure; 13] = [
+        ("position_error_m.rms", |s| {
+            s.position_error_m.map(|e| e.rms)
+        }),
+        ("position_error_m.max", |s| {
+            s.position_error_m.map(|e| e.max)
+        }),
+        ("position_bound_m", |s| s.position_bound_m),
+        ("error_over_bound", |s| s.error_over_bound),
+        ("wind_error_mps.rms", |s| s.wind_error_mps.map(|e| e.rms)),
+        ("wind_error_after_minute_mps.rms", |s| {
+            s.wind_error_after_minute_mps.map(|e| e.rms)
+        }),
+        ("nees.mean", |s| s.nees.map(|n| n.mean)),
+        ("nis.mean / dof", |s| s.nis.map(|n| n.mean / n.dof)),
+        ("frames_with_update", |s| Some(s.frames_with_update as f64)),
+        ("updates_accepted", |s| Some(s.updates_accepted as f64)),
+        ("updates_wrong", |s| s.updates_wrong.map(|w| w as f64)),
+        ("ms_per_frame.see", |s| Some(s.ms_per_frame.see)),
+        ("ms_per_frame.total", |s| Some(s.ms_per_frame.total)),
+    ];
+    figures
+        .into_iter()
+        .filter_map(|(name, of)| quantiles(name, summaries.iter().filter_map(of).collect()))
+        .collect()
+}
+
+/// Prints the table for people.
+pub fn print(table: &[Quantiles]) {
+    println!(
+        "{:34} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}",
+        "", "min", "25 %", "median", "75 %", "max", "mean"
+    );
+    for q in table {
+        println!(
+            "{:34} {:9.3} {:9.3} {:9.3} {:9.3} {:9.3} {:9.3}",
+            q.figure, q.min, q.q25, q.median, q.q75, q.max, q.mean
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quartiles_lie_between_the_values() {
+        let q = quantiles("x", vec![3.0, 1.0, 2.0, 5.0, 4.0]).unwrap();
+        assert_eq!(
+            (q.min, q.q25, q.median, q.q75, q.max),
+            (1.0, 2.0, 3.0, 4.0, 5.0)
+        );
+    }
+}
