@@ -10,7 +10,7 @@ use super::flight::FlightPlan;
 use super::flight_airframe::Airframe;
 use super::flight_frames::{SimulatedFlight, SimulatedFrames};
 use super::route;
-use super::scenery::{DEMO_SEED, Day, Scenery};
+use super::scenery::{DEMO_SEED, Day, DistinctFeature, Scenery};
 use super::sensors::{SensorError, SensorSpec};
 use crate::camera::CameraModel;
 use crate::flight::Flight;
@@ -109,17 +109,32 @@ pub struct Overrides {
     pub sensors: Option<SensorSpec>,
 }
 
-/// Longest side of a landmark's box, metres: at 400 ft a box of this size, turned by any heading, lies
-/// wholly in the picture for five frames or more while the aircraft passes over it.
-const LONGEST_SIDE: f64 = 34.0;
+/// The part of each distinct feature that is picked as its landmark: name, centre north and east of the
+/// middle of the feature, side; metres.
+///
+/// A whole building with its yard does not fit into a picture from 400 ft for long; a box of 34 m or
+/// 40 m does, turned by any heading, for five frames or more. Within the feature the box lies where
+/// it holds roof edges rather than shadows.
+const PICKED: [(&str, f64, f64, f64); LANDMARKS] = [
+    ("dairy barn", 7.0, -14.0, 34.0),
+    ("greenhouse rows", 7.0, 0.0, 40.0),
+    ("church", -7.0, 0.0, 34.0),
+    ("L-shaped school", -7.0, 14.0, 34.0),
+    ("vaulted sports hall", -14.0, 0.0, 40.0),
+    ("H-shaped hospital", 14.0, 14.0, 40.0),
+    ("supermarket", -14.0, -7.0, 40.0),
+    ("water tanks", -14.0, 14.0, 34.0),
+    ("sawtooth factory", 0.0, 0.0, 40.0),
+    ("swimming pool", 14.0, -14.0, 34.0),
+];
 
-/// The middle of a feature that is larger than a landmark should be.
-fn middle(feature: &GroundRect) -> GroundRect {
-    GroundRect::centered(
-        feature.center(),
-        feature.height().min(LONGEST_SIDE),
-        feature.width().min(LONGEST_SIDE),
-    )
+/// The picked part of a feature; its middle if it is not in the list.
+fn picked(feature: &DistinctFeature) -> GroundRect {
+    let middle = feature.landmark_box.center();
+    let known = PICKED.iter().find(|(name, ..)| *name == feature.name);
+    let (north, east, side) = known.map_or((0.0, 0.0, 36.0), |(_, n, e, s)| (*n, *e, *s));
+    let center = GroundPoint::new(middle.north + north, middle.east + east);
+    GroundRect::centered(center, side, side)
 }
 
 impl Scenario {
@@ -216,7 +231,10 @@ impl Scenario {
             .into_iter()
             .take(LANDMARKS)
             .zip(1..)
-            .map(|(feature, id)| Landmark::new(id, feature.name, middle(&feature.landmark_box)))
+            .map(|(feature, id)| {
+                let bounds = picked(&feature);
+                Landmark::new(id, feature.name, bounds)
+            })
             .collect();
         Mission {
             name: self.title.to_owned(),
