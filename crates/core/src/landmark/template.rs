@@ -325,6 +325,8 @@ impl Detector for TemplateDetector {
             || detection.score < look_alike + LOOK_ALIKE_MARGIN
         {
             Some(Refusal::Ambiguous)
+        } else if next_to_unseen(&surface, &peak) {
+            Some(Refusal::OutOfPicture)
         } else if at_edge(&surface, &peak) {
             Some(Refusal::AtSearchEdge)
         } else {
@@ -345,6 +347,19 @@ fn camera_gsd(view: &FrameView<'_>) -> f64 {
 /// Places closer than this to a better one belong to it: a quarter of the patch.
 fn separation(size: (usize, usize)) -> usize {
     (size.0.min(size.1) / 4).max(2)
+}
+
+/// Whether the peak lies next to offsets at which the patch would leave the picture: the true place may
+/// be among them, and what was found only the nearest that is seen.
+fn next_to_unseen(surface: &Gray, peak: &Peak) -> bool {
+    const REACH: usize = 2;
+    let columns = peak.column.saturating_sub(REACH)..(peak.column + REACH + 1).min(surface.width());
+    let rows = peak.row.saturating_sub(REACH)..(peak.row + REACH + 1).min(surface.height());
+    rows.into_iter().any(|row| {
+        surface.row(row)[columns.clone()]
+            .iter()
+            .any(|s| *s <= FORBIDDEN)
+    })
 }
 
 fn at_edge(surface: &Gray, peak: &Peak) -> bool {
