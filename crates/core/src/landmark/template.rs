@@ -297,13 +297,16 @@ impl Detector for TemplateDetector {
         let turn = self.settings.rotation_range * 0.7;
         let variants = [(-turn, 1.0), (0.0, 1.0), (turn, 1.0)];
         let mut fits: Vec<(Fit, Peak)> = Vec::new();
+        // Best coarse score of a place that cannot be looked at closely for the picture's edge.
+        let mut cut = FORBIDDEN;
         for peak in best_peaks(&surface, separation(size), MOST_CANDIDATES) {
             let (offset, _) = refine(&surface, peak.column, peak.row);
             let x = peak.column as f64 + offset.x + 0.5 * size.0 as f64;
             let y = peak.row as f64 + offset.y + 0.5 * size.1 as f64;
             let center = ground.window.ground_at(x, y);
-            if let Some(fit) = self.fit(view, landmark, level, center, &variants) {
-                fits.push((fit, peak));
+            match self.fit(view, landmark, level, center, &variants) {
+                Some(fit) => fits.push((fit, peak)),
+                None => cut = cut.max(peak.score),
             }
         }
         fits.sort_by(|a, b| b.0.score.total_cmp(&a.0.score));
@@ -325,7 +328,7 @@ impl Detector for TemplateDetector {
             || detection.score < look_alike + LOOK_ALIKE_MARGIN
         {
             Some(Refusal::Ambiguous)
-        } else if next_to_unseen(&surface, &peak) {
+        } else if cut > peak.score || next_to_unseen(&surface, &peak) {
             Some(Refusal::OutOfPicture)
         } else if at_edge(&surface, &peak) {
             Some(Refusal::AtSearchEdge)
@@ -352,7 +355,7 @@ fn separation(size: (usize, usize)) -> usize {
 /// Whether the peak lies next to offsets at which the patch would leave the picture: the true place may
 /// be among them, and what was found only the nearest that is seen.
 fn next_to_unseen(surface: &Gray, peak: &Peak) -> bool {
-    const REACH: usize = 2;
+    const REACH: usize = 1;
     let columns = peak.column.saturating_sub(REACH)..(peak.column + REACH + 1).min(surface.width());
     let rows = peak.row.saturating_sub(REACH)..(peak.row + REACH + 1).min(surface.height());
     rows.into_iter().any(|row| {
