@@ -242,6 +242,15 @@ impl World {
                 scale(c, 1.0 + 0.4 * clumps + 0.25 * speckle)
             }
         };
+        // No two fields have quite the same tone and hue.
+        let tone = 0.85 + 0.3 * unit(growth.rotate_left(17));
+        let warm = 0.2 * (unit(growth.rotate_left(23)) - 0.5);
+        let body = if parcel.cover == Cover::Floor {
+            body
+        } else {
+            let [r, g, b] = scale(body, tone);
+            [r * (1.0 + warm), g, b * (1.0 - warm)]
+        };
         let mut out = mix(
             body,
             grass,

@@ -135,16 +135,16 @@ impl Plan {
         !self.solids.iter().any(|s| s.slab.overlaps(slab))
     }
 
-    /// Distance from a place to the nearest road's edge, metres (unlimited search; for layout).
-    pub(super) fn road_clearance(&self, p: Spot) -> f32 {
-        self.roads
-            .iter()
-            .flat_map(|road| {
-                road.curve
-                    .windows(2)
-                    .map(|w| super::shape::segment_distance(p, w[0], w[1]).0 - road.half_width)
+    /// Whether a place lies more than `margin` metres beside every road's edge.
+    pub(super) fn is_clear_of_roads(&self, p: Spot, margin: f32) -> bool {
+        // No piece of a curve is longer than 60 m.
+        let far = |a: Spot| (a.n - p.n).abs() > 70.0 || (a.e - p.e).abs() > 70.0;
+        !self.roads.iter().any(|road| {
+            road.curve.windows(2).any(|w| {
+                !far(w[0])
+                    && super::shape::segment_distance(p, w[0], w[1]).0 < road.half_width + margin
             })
-            .fold(f32::MAX, f32::min)
+        })
     }
 
     /// A road's straight pieces with their road's number, for the grid.

@@ -111,7 +111,7 @@ fn row(
                     .corners()
                     .into_iter()
                     .chain([lot.center])
-                    .all(|c| plan.road_clearance(c) > 0.8);
+                    .all(|c| plan.is_clear_of_roads(c, 0.8));
                 if clear && plan.is_free(&lot.grown(0.2)) && !under_second_leg(lot.center) {
                     house::lot(plan, &lot, heading, dice);
                     built = true;

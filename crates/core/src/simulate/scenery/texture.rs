@@ -82,20 +82,17 @@ impl Texture {
     }
 }
 
-/// Periodic smooth noise from -1 to 1; `cells` lattice cells in `period` metres.
+/// Periodic smooth noise from -1 to 1; `cells` lattice cells in `period` metres, at a place of the
+/// first period or just beyond its end.
 fn periodic(x: f32, y: f32, cells: i32, period: f32, seed: u32) -> f32 {
     let k = cells as f32 / period;
-    let (x, y) = (x * k, y * k);
+    let (x, y) = (x.rem_euclid(period) * k, y.rem_euclid(period) * k);
     let (ix, iy) = (floor(x), floor(y));
     let (tx, ty) = (x - ix as f32, y - iy as f32);
     let (sx, sy) = (tx * tx * (3.0 - 2.0 * tx), ty * ty * (3.0 - 2.0 * ty));
-    let at = |dx: i32, dy: i32| {
-        unit(hash2(
-            (ix + dx).rem_euclid(cells),
-            (iy + dy).rem_euclid(cells),
-            seed,
-        ))
-    };
+    let wrap = |i: i32| if i >= cells { i - cells } else { i };
+    let (ix, iy) = (wrap(ix), wrap(iy));
+    let at = |dx: i32, dy: i32| unit(hash2(wrap(ix + dx), wrap(iy + dy), seed));
     let top = at(0, 0) + (at(1, 0) - at(0, 0)) * sx;
     let bottom = at(0, 1) + (at(1, 1) - at(0, 1)) * sx;
     2.0 * (top + (bottom - top) * sy) - 1.0
@@ -188,15 +185,15 @@ pub(super) const LAND_SCALE: f32 = 1.0 / 45.0;
 
 /// Slow variation of the land: how boundaries bend north and east, dampness, brightness.
 pub(super) fn lay_of_the_land(seed: u32) -> Texture {
-    const SIDE: usize = 512;
+    const SIDE: usize = 256;
     let period = SIDE as f32 * TEXEL;
     Texture::from_fn(SIDE, |x, y| {
         let wave = |cells: i32, salt: u32| periodic(x, y, cells, period, seed ^ salt);
         [
-            0.75 * wave(32, 31) + 0.25 * wave(79, 32),
-            0.75 * wave(31, 33) + 0.25 * wave(83, 34),
-            0.55 * wave(30, 35) + 0.3 * wave(64, 36) + 0.2 * wave(130, 37),
-            0.6 * wave(11, 38) + 0.35 * wave(24, 39),
+            0.75 * wave(16, 31) + 0.25 * wave(39, 32),
+            0.75 * wave(15, 33) + 0.25 * wave(41, 34),
+            0.55 * wave(15, 35) + 0.3 * wave(32, 36) + 0.2 * wave(65, 37),
+            0.6 * wave(5, 38) + 0.35 * wave(12, 39),
         ]
     })
 }
