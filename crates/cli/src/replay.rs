@@ -76,8 +76,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
         return Err("say --scenario NAME, or --mission FILE --flight DIR --map FILE".into());
     };
     let text = std::fs::read(mission).map_err(|e| format!("{}: {e}", mission.display()))?;
-    let mission: Mission =
-        serde_json::from_slice(&text).map_err(|e| format!("{}: {e}", mission.display()))?;
+    let mission = pilotage_core::mission::read_mission(&text)
+        .map_err(|e| format!("{}: {e}", mission.display()))?;
     let folder = read_flight(Arc::new(Directory::open(flight)?))?;
     for note in &folder.notes {
         eprintln!("note: {note}");
