@@ -17,6 +17,7 @@ use crate::tokens::Tokens;
 /// Windows narrower than this stack the side column below the map.
 const NARROW: f32 = 900.0;
 const BAR_HEIGHT: f32 = 48.0;
+const PLOTS_HEIGHT: f32 = 164.0;
 
 /// What the views are drawn from: everything but the views themselves.
 struct Scene<'a> {
@@ -107,7 +108,7 @@ impl App {
             }
         }
         if plots_open && !narrow {
-            plots(ui, &scene, views, commands);
+            plots(ui, &mut scene, views, commands);
         }
         map(ui, &mut scene, views, commands);
         self.overlays(ui, &tokens, now, commands, narrow);
@@ -165,26 +166,30 @@ fn timeline(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Ve
         });
 }
 
-fn plots(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+fn plots(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
     let screen = ui.ctx().content_rect();
-    Panel::bottom("plots")
+    let panel = Panel::bottom("plots")
         .resizable(true)
-        .default_size(164.0)
+        .default_size(scene.view.plots_height.unwrap_or(PLOTS_HEIGHT))
         .size_range(96.0..=0.5 * screen.height())
         .frame(plain_frame(scene.tokens, Margin::symmetric(8, 8)))
         .show(ui, |ui| {
             scene.with_context(commands, |context| views.plots.show(ui, context));
             ui.take_available_space();
         });
+    let height = panel.response.rect.height();
+    if (height - PLOTS_HEIGHT).abs() > 1.0 {
+        scene.view.plots_height = Some(height);
+    }
 }
 
 fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
     let width = ui.ctx().content_rect().width();
     let default = if width >= 1280.0 { 376.0 } else { 320.0 };
     let tokens = scene.tokens;
-    Panel::right("side")
+    let panel = Panel::right("side")
         .resizable(true)
-        .default_size(default)
+        .default_size(scene.view.side_width.unwrap_or(default))
         .size_range(288.0..=0.45 * width)
         .frame(plain_frame(tokens, Margin::ZERO))
         .show(ui, |ui| {
@@ -219,6 +224,10 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
             }
             ui.take_available_space();
         });
+    let taken = panel.response.rect.width();
+    if scene.view.side_width.is_some() || (taken - default).abs() > 1.0 {
+        scene.view.side_width = Some(taken);
+    }
 }
 
 /// The part below the map in a narrow window.

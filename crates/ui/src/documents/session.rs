@@ -78,6 +78,10 @@ pub struct ViewState {
     pub side_open: bool,
     /// Whether the plots are open; by the window's height if the user never said.
     pub plots_open: Option<bool>,
+    /// Width of the column at the right, points, if the user changed it.
+    pub side_width: Option<f32>,
+    /// Height of the plots, points, if the user changed it.
+    pub plots_height: Option<f32>,
     /// Whether the first line of advice was dismissed.
     pub advice_dismissed: bool,
     /// Playback speed, times real time.
@@ -96,6 +100,8 @@ impl Default for ViewState {
             workspace: Workspace::default(),
             side_open: true,
             plots_open: None,
+            side_width: None,
+            plots_height: None,
             advice_dismissed: false,
             speed: 2.0,
             looping: true,
