@@ -6,7 +6,7 @@ export async function run(page, tools) {
   const boot = await page.evaluate(() => window.page.boot);
   const transfer = await page.evaluate(() => performance.getEntriesByType("resource")
     .filter((r) => r.name.endsWith(".wasm")).map((r) => [r.transferSize, r.decodedBodySize]));
-  const flown = await tools.waitFor((s) => s.run_complete || s.run_steps > 400, "a good part of the run", 170_000).catch(() => tools.state());
+  const flown = await tools.waitFor((s) => s.run_complete || s.run_steps > 400, "a good part of the run", 60_000).catch(() => tools.state());
   await page.evaluate(() => window.app.forget_cpu_ms());
   await page.waitForTimeout(6000);
   const cpu = JSON.parse(await page.evaluate(() => window.app.cpu_ms()));

@@ -10,7 +10,7 @@ import { watch } from "./watch.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const pictures = process.env.PILOTAGE_SCREENSHOTS ?? join(here, "../../target/screenshots");
-const longest = 180_000; // milliseconds for one journey, after which it counts as lost
+const longest = 400_000; // milliseconds for one journey, after which it counts as lost
 
 const word = process.argv[2] ?? "";
 const files = readdirSync(here).filter((file) => file.endsWith(".journey.mjs") && file.includes(word)).sort();

@@ -5,7 +5,7 @@ import { join } from "node:path";
 import { startServer } from "./server.mjs";
 
 const patience = 15_000; // milliseconds for anything but the start
-const patienceForStart = 60_000;
+const patienceForStart = 120_000; // a busy machine without a graphics card is slow
 const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 const matches = (wanted, text) => text != null
   && (wanted instanceof RegExp ? wanted.test(text) : text === wanted);
@@ -23,7 +23,7 @@ export function makeTools({ page, address, pictures, watched, atEnd }) {
     expectRequest: watched.expectRequest,
 
     /** Opens the page; `query` such as "?sw=1" is put behind its address. */
-    open: (query = "") => page.goto(address + query),
+    open: (query = "") => page.goto(address + query, { timeout: patienceForStart }),
 
     /** Waits until the page is ready, after opening it if nothing is open. */
     async waitReady() {
@@ -96,7 +96,7 @@ export function makeTools({ page, address, pictures, watched, atEnd }) {
     },
 
     /** Keeps a picture of the window as `name`.png. */
-    screenshot: (name) => page.screenshot({ path: join(pictures, `${name}.png`) }),
+    screenshot: (name) => page.screenshot({ path: join(pictures, `${name}.png`), timeout: patienceForStart }),
 
     /** Fails unless `condition` holds. */
     check(condition, complaint) {
