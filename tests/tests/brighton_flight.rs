@@ -1,4 +1,8 @@
 //! The recorded flight over Brighton Beach is read where its author left it.
+#![expect(
+    clippy::unwrap_used,
+    reason = "a test stops where something is missing"
+)]
 
 use std::{path::PathBuf, sync::Arc};
 

@@ -7,7 +7,7 @@ use pilotage_core::raster::{Gray, Template};
 use pilotage_tests::oracle::ask;
 use serde::{Deserialize, Serialize};
 
-/// Uniform numbers from a seed (SplitMix64), so that every run asks the same question.
+/// Uniform numbers from a seed (`SplitMix64`), so that every run asks the same question.
 struct Uniform(u64);
 
 impl Uniform {

@@ -44,6 +44,10 @@ impl WorkerHandle {
     }
 
     /// Dies as a fault in the program would; for tests.
+    ///
+    /// # Panics
+    ///
+    /// Always: that is what it is for.
     pub fn crash(&self) {
         panic!("asked to crash after {:.0} ms", now() - self.last_word);
     }

@@ -14,7 +14,7 @@ use super::files::{file_meant, media_type, stored_form};
 /// Longest request line with its headers, in bytes.
 const LONGEST_HEAD: u64 = 32 * 1024;
 /// How long a browser may keep a connection open without asking for anything.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_mins(1);
 
 /// Answers the request on `connection` with a file of `dist` or with a refusal.
 pub fn answer(mut connection: TcpStream, dist: &Path) -> io::Result<()> {

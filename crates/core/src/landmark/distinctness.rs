@@ -46,9 +46,10 @@ pub fn distinctness(map: &dyn Imagery, bounds: &GroundRect, radius: f64) -> Patc
         height: height + 2 * reach,
     };
     let around = map.window(&window).to_gray();
+    // The patch lies `reach` pixels inside its window.
     let patch = around
         .crop(reach, reach, width, height)
-        .expect("the patch lies `reach` pixels inside its window");
+        .unwrap_or_else(|| Gray::filled(width, height, 0.0));
     let contrast = standard_deviation(&patch);
     // Centres of the pixels of the surface are centres of the patch.
     let corner = window.ground_at(0.5 * width as f64 - 0.5, 0.5 * height as f64 - 0.5);

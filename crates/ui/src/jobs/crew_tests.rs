@@ -8,6 +8,7 @@ use crate::jobs::FlightSource;
 use crate::jobs::{Job, JobEvent, MapSource, Reply, Request, SimulationOptions};
 
 #[derive(Debug, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "a test keeps a handful of them")]
 enum Note {
     Opened(usize),
     Sent(usize, Request),

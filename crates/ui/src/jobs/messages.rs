@@ -5,6 +5,10 @@ use serde::{Deserialize, Serialize};
 use super::{Job, JobEvent, JobId};
 
 /// Page to worker.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "a request lives for one message; nobody keeps a list of them"
+)]
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Request {
     /// Begin a job.

@@ -2,6 +2,7 @@
 
 mod camera;
 #[cfg(test)]
+#[path = "tests/canvas.rs"]
 mod canvas;
 mod chart;
 mod color_map;

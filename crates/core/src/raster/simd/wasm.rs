@@ -1,7 +1,8 @@
 //! WebAssembly's 128-bit vectors.
 #![expect(
     unsafe_code,
-    reason = "vector loads and stores take pointers; every block's bounds are asserted first"
+    clippy::cast_ptr_alignment,
+    reason = "vector loads and stores take pointers of any alignment; every block's bounds are asserted first"
 )]
 
 use std::arch::wasm32::{f32x4_add, f32x4_mul, f32x4_splat, v128, v128_load, v128_store};
@@ -36,8 +37,8 @@ pub(super) fn correlate(
                     x,
                     y,
                     (rows - y).min(BLOCK_ROWS),
-                )
-            };
+                );
+            }
         }
     }
 }
