@@ -1,7 +1,7 @@
 //! The page and its workers: the only crate that knows the browser.
 //!
-//! The page and every worker are instances of this one module. `www/main.js` makes a [`WebHandle`]
-//! on the page; `www/worker.js` makes a [`WorkerHandle`] in each worker.
+//! The page and every worker are instances of this one module. `www/main.js` makes a `WebHandle`
+//! on the page; `www/worker.js` makes a `WorkerHandle` in each worker.
 #![cfg(target_arch = "wasm32")]
 
 mod accessibility;

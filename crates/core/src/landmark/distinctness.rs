@@ -4,7 +4,7 @@ use super::features::{FeatureTemplate, Features};
 use super::patch::FLAT_CONTRAST;
 use crate::frames::{GroundPoint, GroundRect};
 use crate::imagery::{Imagery, Window};
-use crate::raster::{Gray, highest_peak, rival_peak};
+use crate::raster::{Gray, refine_peak, rival_peak};
 
 /// Longer side of the patch, pixels: the scale at which the detector searches first.
 const COARSE_PIXELS: f64 = 32.0;
@@ -77,16 +77,16 @@ pub fn distinctness(map: &dyn Imagery, bounds: &GroundRect, radius: f64) -> Patc
     };
     let surface = template.correlate(&Features::new(around));
     let own = 0.5 * width.max(height) as f64;
-    let look_alike = highest_peak(&surface)
-        .and_then(|peak| rival_peak(&surface, &peak, own))
-        .map(|rival| {
-            let (column, row) = rival.sample;
-            let at = window.ground_at(
-                column as f64 + 0.5 * width as f64,
-                row as f64 + 0.5 * height as f64,
-            );
-            (at, f64::from(surface.get(column, row)))
-        });
+    // The box itself lies in the middle; a look-alike may score as high to the last digit.
+    let itself = refine_peak(&surface, reach, reach);
+    let look_alike = rival_peak(&surface, &itself, own).map(|rival| {
+        let (column, row) = rival.sample;
+        let at = window.ground_at(
+            column as f64 + 0.5 * width as f64,
+            row as f64 + 0.5 * height as f64,
+        );
+        (at, f64::from(surface.get(column, row)))
+    });
     PatchDistinctness {
         surface,
         surface_rect,

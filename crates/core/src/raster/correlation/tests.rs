@@ -83,7 +83,11 @@ proptest! {
                 for x in 0..surface.width() {
                     let expected = definition(&search, &patch, &mask, x, y);
                     let got = f64::from(surface.get(x, y));
-                    prop_assert!((got - expected).abs() < 3e-5, "{engine:?} {got} {expected}");
+                    // Rounding of single precision, divided by the root of a window's variance: a
+                    // window of a few pixels may have hardly any.
+                    let taps = mask.pixels().iter().filter(|m| **m).count() as f64;
+                    let tolerance = 3e-5 + 1e-3 / taps;
+                    prop_assert!((got - expected).abs() < tolerance, "{engine:?} {got} {expected}");
                 }
             }
         }
