@@ -31,7 +31,7 @@ pub struct LandmarkList {
 }
 
 impl LandmarkList {
-    /// Draws the list and, below, the selected landmark.
+    /// Draws the selected landmark and, below, the list.
     pub fn show(
         &mut self,
         ui: &mut Ui,
@@ -69,6 +69,14 @@ impl LandmarkList {
             ));
             return;
         }
+        // The selected one first: what was just drawn is seen without scrolling.
+        let selected = context
+            .selection
+            .and_then(|id| context.mission.landmark(id));
+        if let Some(landmark) = selected {
+            self.selected(ui, landmark, context, examined);
+            ui.add_space(tokens.space);
+        }
         ui.add_space(4.0);
         for landmark in &context.mission.landmarks {
             row(
@@ -78,13 +86,6 @@ impl LandmarkList {
                 context.tokens,
                 context.selection,
             );
-        }
-        let selected = context
-            .selection
-            .and_then(|id| context.mission.landmark(id));
-        if let Some(landmark) = selected {
-            ui.add_space(tokens.space);
-            self.selected(ui, landmark, context, examined);
         }
     }
 
@@ -316,7 +317,7 @@ fn heat_picture(
     let tokens = context.tokens;
     let width = ui.available_width();
     let aspect = found.surface.height() as f32 / found.surface.width() as f32;
-    let height = (width * aspect).min(280.0);
+    let height = (width * aspect).min(176.0);
     let (rect, response) = ui.allocate_exact_size(vec2(width, height), Sense::hover());
     response.widget_info(|| {
         WidgetInfo::labeled(
