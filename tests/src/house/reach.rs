@@ -47,9 +47,6 @@ pub const FORBIDDEN_IN_UI: [&[&str]; 9] = [
 
 /// Places outside test code where `source` names one of `forbidden`.
 pub fn forbidden_paths(source: &Source, forbidden: &[&[&str]]) -> Vec<Violation> {
-    if is_test_file(&source.path) {
-        return Vec::new();
-    }
     named_paths(&source.text)
         .iter()
         .filter(|path| !path.in_test && forbidden.iter().any(|other| path.reaches(other)))
@@ -61,10 +58,43 @@ pub fn forbidden_paths(source: &Source, forbidden: &[&[&str]]) -> Vec<Violation>
         .collect()
 }
 
-/// Whether a whole file is test code: `tests.rs`, or anything in a folder `tests`.
-fn is_test_file(path: &str) -> bool {
-    path.split('/')
-        .any(|part| part == "tests" || part == "tests.rs")
+/// `sources` (all those of one crate) without the files that are test code as a whole: those that
+/// another one declares by `#[cfg(test)] mod name;`, and what lies below them.
+pub fn without_test_files(sources: Vec<Source>) -> Vec<Source> {
+    let roots: Vec<String> = sources.iter().flat_map(test_modules).collect();
+    let is_test = |path: &str| {
+        let module = path.trim_end_matches(".rs");
+        roots
+            .iter()
+            .any(|root| module == root || module.starts_with(&format!("{root}/")))
+    };
+    sources
+        .into_iter()
+        .filter(|source| !is_test(&source.path))
+        .collect()
+}
+
+/// The modules in files of their own that `source` declares for its tests only, as paths without
+/// an ending.
+fn test_modules(source: &Source) -> Vec<String> {
+    let own = source.path.trim_end_matches(".rs");
+    let (parent, name) = own.rsplit_once('/').unwrap_or(("", own));
+    let folder = if matches!(name, "mod" | "lib" | "main") {
+        parent
+    } else {
+        own
+    };
+    let paths = named_paths(&source.text);
+    let declared = paths
+        .windows(2)
+        .filter(|pair| pair[0].in_test && pair[0].inside.is_empty() && pair[0].segments == ["mod"]);
+    declared
+        .map(|pair| {
+            format!("{folder}/{}", pair[1].text())
+                .trim_matches('/')
+                .to_owned()
+        })
+        .collect()
 }
 
 #[cfg(test)]
@@ -101,6 +131,33 @@ mod tests {
     #[test]
     fn tests_of_core_may_read_files() {
         assert_eq!(in_core("#[cfg(test)]\nmod tests { use std::fs; }"), 0);
+    }
+
+    #[test]
+    fn files_declared_for_tests_only_are_test_code_and_others_are_not() {
+        let source = |path: &str, text: &str| Source {
+            path: path.to_owned(),
+            text: text.to_owned(),
+        };
+        let kept = without_test_files(vec![
+            source("lib.rs", "mod views; #[cfg(test)] mod fixture;"),
+            source("fixture.rs", ""),
+            source("views/mod.rs", "#[cfg(test)]\nmod canvas;\nmod plots;"),
+            source("views/canvas.rs", ""),
+            source("views/plots.rs", "#[cfg(test)] mod tests;"),
+            source("views/plots/tests.rs", ""),
+            source("views/plots/axis.rs", ""),
+        ]);
+        let kept: Vec<_> = kept.iter().map(|source| source.path.as_str()).collect();
+        assert_eq!(
+            kept,
+            [
+                "lib.rs",
+                "views/mod.rs",
+                "views/plots.rs",
+                "views/plots/axis.rs"
+            ]
+        );
     }
 
     #[test]
