@@ -59,11 +59,14 @@ pub fn forbidden_paths(source: &Source, forbidden: &[&[&str]]) -> Vec<Violation>
 }
 
 /// `sources` (all those of one crate) without the files that are test code as a whole: those that
-/// another one declares by `#[cfg(test)] mod name;`, and what lies below them.
+/// another one declares by `#[cfg(test)] mod name;`, what lies below them, and folders `tests`.
 pub fn without_test_files(sources: Vec<Source>) -> Vec<Source> {
     let roots: Vec<String> = sources.iter().flat_map(test_modules).collect();
     let is_test = |path: &str| {
         let module = path.trim_end_matches(".rs");
+        if module.split('/').any(|part| part == "tests") {
+            return true;
+        }
         roots
             .iter()
             .any(|root| module == root || module.starts_with(&format!("{root}/")))
@@ -147,6 +150,7 @@ mod tests {
             source("views/plots.rs", "#[cfg(test)] mod tests;"),
             source("views/plots/tests.rs", ""),
             source("views/plots/axis.rs", ""),
+            source("views/tests/pictures.rs", ""),
         ]);
         let kept: Vec<_> = kept.iter().map(|source| source.path.as_str()).collect();
         assert_eq!(
