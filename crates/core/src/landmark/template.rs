@@ -18,7 +18,7 @@ use super::{
 };
 use crate::frames::GroundPoint;
 use crate::imagery::{Imagery, Window};
-use crate::raster::Gray;
+use crate::raster::{Gray, IntegralImage};
 
 /// Longer side of the patch at the fine scale, pixels.
 const FINE_PIXELS: f64 = 64.0;
@@ -385,23 +385,11 @@ fn forbid_unseen(surface: &mut Gray, ground: &GroundView, size: (usize, usize)) 
     if ground.complete {
         return;
     }
-    // Sums over the patch by a table of cumulative sums.
-    let (width, height) = (ground.seen.width(), ground.seen.height());
-    let mut table = vec![0.0_f64; (width + 1) * (height + 1)];
-    for row in 0..height {
-        let mut line = 0.0;
-        for column in 0..width {
-            line += f64::from(ground.seen.get(column, row));
-            table[(row + 1) * (width + 1) + column + 1] =
-                table[row * (width + 1) + column + 1] + line;
-        }
-    }
-    let at = |column: usize, row: usize| table[row * (width + 1) + column];
+    let table = IntegralImage::new(&ground.seen);
     let least = f64::from(LEAST_COVERAGE) * (size.0 * size.1) as f64;
     for row in 0..surface.height() {
         for column in 0..surface.width() {
-            let (right, below) = (column + size.0, row + size.1);
-            let seen = at(right, below) - at(column, below) - at(right, row) + at(column, row);
+            let seen = table.sum(column, row, size.0, size.1);
             if seen < least {
                 surface.set(column, row, FORBIDDEN);
             }
