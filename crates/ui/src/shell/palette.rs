@@ -67,7 +67,6 @@ impl Palette {
         if !self.open {
             return;
         }
-        let entries = self.matching();
         let (up, down, enter, escape) = ui.input_mut(|input| {
             (
                 input.count_and_consume_key(egui::Modifiers::NONE, Key::ArrowUp),
@@ -76,9 +75,8 @@ impl Palette {
                 input.consume_key(egui::Modifiers::NONE, Key::Escape),
             )
         });
-        let last = entries.len().saturating_sub(1);
-        self.chosen = (self.chosen + down).saturating_sub(up).min(last);
-        let mut run = enter.then_some(self.chosen);
+        let mut entries = Vec::new();
+        let mut run = None;
         let screen = ui.ctx().content_rect();
         let width = 520.0_f32.min(screen.width() - 48.0);
         let area = Area::new(Id::unique("palette"))
@@ -87,8 +85,16 @@ impl Palette {
             .show(ui.ctx(), |ui| {
                 Frame::window(ui.style()).inner_margin(8).show(ui, |ui| {
                     ui.set_width(width);
+                    // The field holds the focus before it reads the frame's first letter.
+                    let id = Id::unique("letters of the palette");
+                    ui.memory_mut(|memory| {
+                        if !memory.has_focus(id) {
+                            memory.request_focus(id);
+                        }
+                    });
                     let field = ui.add(
                         TextEdit::singleline(&mut self.query)
+                            .id(id)
                             .hint_text("Find a command")
                             .margin(vec2(8.0, 8.0))
                             .desired_width(f32::INFINITY),
@@ -96,9 +102,6 @@ impl Palette {
                     let field = field.accessible_name("Find a command");
                     if field.changed() {
                         self.chosen = 0;
-                    }
-                    if !field.has_focus() {
-                        field.request_focus();
                     }
                     ui.memory_mut(|memory| {
                         memory.set_focus_lock_filter(
@@ -110,6 +113,11 @@ impl Palette {
                             },
                         );
                     });
+                    // Letters and Enter may arrive in one frame: what runs is what they name.
+                    entries = self.matching();
+                    let last = entries.len().saturating_sub(1);
+                    self.chosen = (self.chosen + down).saturating_sub(up).min(last);
+                    run = enter.then_some(self.chosen);
                     ui.add_space(4.0);
                     let height = 360.0_f32.min(screen.height() - 240.0);
                     egui::ScrollArea::vertical()

@@ -16,6 +16,17 @@ fn a_command_is_found_by_its_letters_and_runs() {
 }
 
 #[test]
+fn letters_and_enter_that_arrive_in_one_frame_run_what_they_name() {
+    let mut rig = rig();
+    rig.key_with(Modifiers::COMMAND, Key::K);
+    rig.harness.event(egui::Event::Text("aviation".into()));
+    rig.key(Key::Enter);
+    let state = rig.state();
+    assert_eq!(state["units"], "Aviation");
+    assert_eq!(state["dialogs"]["palette"], false);
+}
+
+#[test]
 fn arrows_choose_in_the_palette_and_escape_closes_it() {
     let mut rig = rig();
     let before = rig.state();
