@@ -241,11 +241,12 @@ fn print_frames(flight: &Flight, run: &Run) {
             step.time, step.timing.see
         );
         for c in &frame.candidates {
-            let wrong = truth.and_then(|t| t.camera_attitude).is_some()
-                && c.measured_pixel.is_some()
-                && pilotage_core::navigator::is_wrong(flight, run, frame.index, c);
+            let error = pilotage_core::navigator::place_error(flight, run, frame.index, c);
+            let wrong =
+                error.is_some() && pilotage_core::navigator::is_wrong(flight, run, frame.index, c);
+            let (pixels, metres) = error.unwrap_or((f64::NAN, f64::NAN));
             println!(
-                "    {:22} score {:5.2} second {:5.2} NIS {:6.1} {:?}{}",
+                "    {:22} score {:5.2} second {:5.2} NIS {:6.1} off {pixels:5.1} px {metres:5.2} m {:?}{}",
                 names(c.landmark),
                 c.score,
                 c.second_score,

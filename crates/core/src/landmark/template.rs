@@ -30,6 +30,8 @@ const MOST_CANDIDATES: usize = 4;
 const LEAST_COVERAGE: f32 = 0.995;
 /// A place must score this much better than the landmark's own look-alike does on the map.
 const LOOK_ALIKE_MARGIN: f64 = 0.05;
+/// Fine pixels between a place and its nearest rival.
+const RIVAL_PIXELS: usize = 3;
 /// Fine offsets tried on either side of a coarse place.
 const FINE_REACH: usize = 2;
 
@@ -170,6 +172,44 @@ impl TemplateDetector {
             }
         }
         best
+    }
+
+    /// Looks around a fit at the fine scale for a better place, and for a rival: a patch of nearly
+    /// straight edges fits almost as well where it slid along them by a fence post or a lane marking.
+    ///
+    /// Offsets at which the patch leaves the picture are judged by what is seen of them. `None` if one
+    /// of those is the best: the landmark is leaving the picture.
+    fn survey(
+        &mut self,
+        view: &FrameView<'_>,
+        landmark: &Landmark,
+        level: i32,
+        start: Fit,
+    ) -> Option<(Fit, f64)> {
+        let patch = self.bank.level(landmark, level);
+        let (gsd, size) = (patch.gsd, patch.size);
+        let reach = separation(size);
+        let window = Self::window(start.center, gsd, size, (reach, reach));
+        let ground = rectify(view, &window);
+        let template = patch.template(start.rotation, start.scale)?;
+        let surface = template.correlate(&Features::new(ground.luminance.clone()));
+        let mut seen = surface.clone();
+        forbid_unseen(&mut seen, &ground, size);
+        let peaks = best_peaks(&surface, RIVAL_PIXELS, 2);
+        let best = peaks.first()?;
+        if seen.get(best.column, best.row) <= FORBIDDEN {
+            return None;
+        }
+        let (offset, score) = refine(&surface, best.column, best.row);
+        let x = best.column as f64 + offset.x + 0.5 * size.0 as f64;
+        let y = best.row as f64 + offset.y + 0.5 * size.1 as f64;
+        let rival = peaks.get(1).map_or(0.0, |peak| f64::from(peak.score));
+        let fit = Fit {
+            center: window.ground_at(x, y),
+            score,
+            ..start
+        };
+        Some((if score > start.score { fit } else { start }, rival))
     }
 
     /// Improves turn and scale around a fit by parabolas through the neighbouring variants.
@@ -319,6 +359,10 @@ impl Detector for TemplateDetector {
             .filter(|(other, _)| other.center.distance(&fit.center) > apart)
             .map(|(other, _)| other.score)
             .fold(0.0, f64::max);
+        let Some((fit, rival)) = self.survey(view, landmark, level, fit) else {
+            return Sighting::Refused(Refusal::OutOfPicture, None);
+        };
+        let second = second.max(rival);
         let fit = self.polish(view, landmark, level, fit);
         let detection = self.detection(view, landmark, level, &fit, second);
         let look_alike = self.bank.look_alike(landmark, level + COARSE_LEVELS);

@@ -22,4 +22,6 @@ pub use report::{
 pub use run::Run;
 pub use run_file::{RunFileError, decode_run, encode_run};
 pub use settings::{NavigatorSettings, ProcessNoise, SensorNoise, StartError, VehicleChoice};
-pub use summary::{ConsistencyFigures, ErrorFigures, FrameTiming, Summary, is_wrong, summarize};
+pub use summary::{
+    ConsistencyFigures, ErrorFigures, FrameTiming, Summary, is_wrong, place_error, summarize,
+};

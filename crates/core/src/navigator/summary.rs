@@ -260,21 +260,30 @@ fn wrong_updates(flight: &Flight, run: &Run) -> Option<usize> {
     Some(wrong)
 }
 
+/// How far a place was found from where the landmark truly is in that picture: pixels, and metres on
+/// the ground. `None` where the truth is not known or nothing was found.
+pub fn place_error(
+    flight: &Flight,
+    run: &Run,
+    frame: usize,
+    candidate: &CandidateReport,
+) -> Option<(f64, f64)> {
+    let pose = flight.truth.as_ref()?.frames.get(frame)?.pose()?;
+    let landmark = run.landmarks.iter().find(|l| l.id == candidate.landmark)?;
+    let mut camera = flight.camera.clone();
+    camera.mount.yaw += flight.frames.get(frame)?.stored_turn;
+    let point = landmark.reference_in_world(flight.ground_down);
+    let true_pixel = camera.project(&pose, &point)?;
+    let found = candidate.measured_pixel?;
+    let ground = camera.ground_at(&pose, &found, flight.ground_down)?;
+    let metres = ground.distance(&landmark.reference);
+    Some(((found - true_pixel).norm(), metres))
+}
+
 /// Whether an accepted place is not where the landmark truly is in the picture.
 pub fn is_wrong(flight: &Flight, run: &Run, frame: usize, candidate: &CandidateReport) -> bool {
-    let off = || {
-        let pose = flight.truth.as_ref()?.frames.get(frame)?.pose()?;
-        let landmark = run.landmarks.iter().find(|l| l.id == candidate.landmark)?;
-        let mut camera = flight.camera.clone();
-        camera.mount.yaw += flight.frames.get(frame)?.stored_turn;
-        let point = landmark.reference_in_world(flight.ground_down);
-        let true_pixel = camera.project(&pose, &point)?;
-        let found = candidate.measured_pixel?;
-        let ground = camera.ground_at(&pose, &found, flight.ground_down)?;
-        let pixels = (found - true_pixel).norm();
-        Some(pixels > WRONG_PIXELS && ground.distance(&landmark.reference) > WRONG_METRES)
-    };
-    off().unwrap_or(true)
+    place_error(flight, run, frame, candidate)
+        .is_none_or(|(pixels, metres)| pixels > WRONG_PIXELS && metres > WRONG_METRES)
 }
 
 #[cfg(test)]
