@@ -15,7 +15,7 @@ use serde::Serialize;
 use crate::Outcome;
 use crate::files::Directory;
 use crate::simulate::{Day, scenario};
-use crate::statistics::{Quantiles, print, table};
+use crate::statistics::{Quantiles, error_over_bound, print, table};
 
 /// Memory for map tiles, megabytes.
 const MAP_CACHE: usize = 128;
@@ -62,6 +62,8 @@ pub struct Arguments {
 #[derive(Serialize)]
 struct Study {
     quantiles: Vec<Quantiles>,
+    /// Root mean squares over all runs: error over the Cramér-Rao bound.
+    error_over_bound: Option<f64>,
     runs: Vec<Summary>,
 }
 
@@ -185,9 +187,13 @@ fn replay_scenario(scenario: &Scenario, arguments: &Arguments) -> Outcome {
     let runs: Vec<Summary> = runs.into_iter().map(|(_, summary)| summary).collect();
     let study = Study {
         quantiles: table(&runs),
+        error_over_bound: error_over_bound(&runs),
         runs,
     };
     print(&study.quantiles);
+    if let Some(ratio) = study.error_over_bound {
+        println!("error over the Cramér-Rao bound, root mean squares over all runs: {ratio:.3}");
+    }
     if let Some(path) = &arguments.summary {
         write_json(path, &study)?;
     }

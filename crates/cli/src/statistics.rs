@@ -54,7 +54,9 @@ pub fn table(summaries: &[Summary]) -> Vec<Quantiles> {
         ("position_error_m.max", |s| {
             s.position_error_m.map(|e| e.max)
         }),
-        ("position_bound_m", |s| s.position_bound_m),
+        ("position_bound_m.rms", |s| {
+            s.position_bound_m.map(|b| b.rms)
+        }),
         ("error_over_bound", |s| s.error_over_bound),
         ("wind_error_mps.rms", |s| s.wind_error_mps.map(|e| e.rms)),
         ("wind_error_after_minute_mps.rms", |s| {
@@ -72,6 +74,20 @@ pub fn table(summaries: &[Summary]) -> Vec<Quantiles> {
         .into_iter()
         .filter_map(|(name, of)| quantiles(name, summaries.iter().filter_map(of).collect()))
         .collect()
+}
+
+/// Root mean square error over all runs, over the root mean square bound of all runs.
+///
+/// The bound limits the mean square over an ensemble, not the error of one lucky run: this is the ratio
+/// that no estimator brings below 1, but for the scatter of few runs.
+pub fn error_over_bound(summaries: &[Summary]) -> Option<f64> {
+    let (error, bound) = summaries
+        .iter()
+        .filter_map(|s| Some((s.position_error_m?.rms, s.position_bound_m?.rms)))
+        .fold((0.0, 0.0), |(error, bound), (e, b)| {
+            (error + e * e, bound + b * b)
+        });
+    (bound > 0.0).then(|| (error / bound).sqrt())
 }
 
 /// Prints the table for people.

@@ -79,6 +79,13 @@ pub struct FrameTiming {
     pub total: f64,
 }
 
+/// The posterior Cramér-Rao bound over a run.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BoundFigures {
+    /// Root mean square, metres.
+    pub rms: f64,
+}
+
 /// A run in figures.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
@@ -107,8 +114,8 @@ pub struct Summary {
     pub wind_error_mps: Option<ErrorFigures>,
     /// Error of the wind after the first minute, m/s.
     pub wind_error_after_minute_mps: Option<ErrorFigures>,
-    /// Posterior Cramér-Rao bound of the position, root mean square, metres.
-    pub position_bound_m: Option<f64>,
+    /// Posterior Cramér-Rao bound of the position, where the truth is known, metres.
+    pub position_bound_m: Option<BoundFigures>,
     /// Root mean square position error over the bound.
     pub error_over_bound: Option<f64>,
     /// Normalized estimation error squared of the position.
@@ -184,12 +191,13 @@ pub fn summarize(flight: &Flight, run: &Run, true_noise: Option<&NavigatorSettin
     summary.wind_error_after_minute_mps = ErrorFigures::of(wind_later);
     summary.nees = figures(&nees);
     summary.nis = figures(&nis);
-    summary.position_bound_m =
-        true_noise.and_then(|noise| position_bound(flight, run, noise)?.ok());
+    summary.position_bound_m = true_noise
+        .and_then(|noise| position_bound(flight, run, noise)?.ok())
+        .map(|rms| BoundFigures { rms });
     summary.error_over_bound = summary
         .position_error_m
         .zip(summary.position_bound_m)
-        .map(|(error, bound)| error.rms / bound);
+        .map(|(error, bound)| error.rms / bound.rms);
     summary
 }
 
