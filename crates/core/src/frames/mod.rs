@@ -4,11 +4,13 @@
 //! forward-right-down; camera is x right, y down, z out of the lens. Angles are radians, yaw
 //! clockwise from north. A point on the ground plane is a [`GroundPoint`] (north, east).
 
+mod altitude;
 mod attitude;
 mod ground;
 mod local;
 pub mod units;
 
+pub use altitude::{Altitude, AltitudeFrame, AltitudeReference};
 pub use attitude::{Attitude, Pose, wrap_pi};
 pub use ground::{GroundPoint, GroundRect};
 pub use local::{Geodetic, LocalFrame};
