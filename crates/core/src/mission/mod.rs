@@ -1,4 +1,4 @@
-//! What people author: landmarks, camera, aircraft, filter settings. A value; edits make a new one.
+//! What people author: landmarks, routes, camera, aircraft, filter settings. A value; edits make a new one.
 //!
 //! The file of a mission is GeoJSON; docs/formats.md defines it.
 
@@ -7,6 +7,7 @@ mod globe;
 mod map_file;
 mod read;
 mod record;
+mod route;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -16,6 +17,7 @@ pub use error::MissionError;
 pub use map_file::{MapError, open_map};
 pub use read::read_mission;
 pub use record::{MapReference, Mission};
+pub use route::{Route, WayPoint, WayPointAction};
 pub use write::write_mission;
 
 /// Version of the file that is read and written.

@@ -77,6 +77,7 @@ pub fn read_mission(bytes: &[u8]) -> Result<Mission, MissionError> {
         origin,
         map: map(&text, &mut members)?,
         landmarks: landmarks(found, &LocalFrame::new(origin)),
+        routes: Vec::new(),
         camera,
         navigator: navigator(&text, &mut members)?,
         properties: kept(members),

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::Route;
 use crate::camera::CameraModel;
 use crate::frames::Geodetic;
 use crate::landmark::Landmark;
@@ -29,6 +30,8 @@ pub struct Mission {
     pub map: Option<MapReference>,
     /// Landmarks, in the order of the list.
     pub landmarks: Vec<Landmark>,
+    /// Routes, in the order of the list.
+    pub routes: Vec<Route>,
     /// Camera, where the mission states one (otherwise the flight's).
     pub camera: Option<CameraModel>,
     /// How to navigate.

@@ -30,6 +30,7 @@ fn mission() -> Mission {
         name: "Two places".to_owned(),
         origin: Geodetic::from_degrees(45.0, -30.0, 120.0),
         map: Some(MapReference::Picture("ortho.jpg".to_owned())),
+        routes: Vec::new(),
         landmarks: vec![
             barn,
             Landmark::new(

@@ -242,6 +242,7 @@ impl Scenario {
             origin: world_origin(),
             map: Some(MapReference::Scenario(self.name.to_owned())),
             landmarks,
+            routes: Vec::new(),
             camera: Some(Self::camera()),
             navigator: self.navigator(),
             properties: BTreeMap::new(),

@@ -66,6 +66,7 @@ impl Documents {
             origin: Geodetic::from_degrees(0.0, 0.0, 0.0),
             map: None,
             landmarks: Vec::new(),
+            routes: Vec::new(),
             camera: None,
             navigator: NavigatorSettings::default(),
             properties: BTreeMap::new(),

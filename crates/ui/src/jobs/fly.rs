@@ -98,6 +98,7 @@ fn bare_mission(flight: &Flight) -> Mission {
         origin,
         map: None,
         landmarks: Vec::new(),
+        routes: Vec::new(),
         camera: None,
         navigator,
         properties: std::collections::BTreeMap::new(),

@@ -136,6 +136,7 @@ impl Fixture {
             },
             map: None,
             landmarks: landmarks(),
+            routes: Vec::new(),
             camera: None,
             navigator: settings,
             properties: BTreeMap::new(),

@@ -39,6 +39,7 @@ pub fn mission() -> Mission {
     Mission {
         name: "Invented".into(),
         landmarks: landmarks.collect(),
+        routes: Vec::new(),
         ..Documents::empty_mission()
     }
 }
