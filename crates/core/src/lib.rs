@@ -12,6 +12,7 @@ pub mod imagery;
 pub mod landmark;
 pub mod mission;
 pub mod navigator;
+pub mod plan;
 pub mod raster;
 pub mod simulate;
 pub mod vehicle;

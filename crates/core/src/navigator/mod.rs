@@ -2,7 +2,7 @@
 
 mod bound;
 mod engine;
-mod geometry;
+pub(crate) mod geometry;
 mod pipeline;
 mod region;
 mod report;
@@ -14,6 +14,7 @@ mod summary;
 
 pub use crate::landmark::Refusal;
 pub use bound::position_bound;
+pub(crate) use engine::vehicle;
 pub use pipeline::{Navigator, NavigatorError, explain};
 pub use report::{
     CandidateReport, Control, Estimate, FrameReport, JointReport, Outcome, SigmaSets, StepReport,

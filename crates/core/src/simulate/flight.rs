@@ -1,6 +1,6 @@
 //! A flight along a path, and what was measured on it.
 
-use nalgebra::{Point3, Vector2};
+use nalgebra::{Point3, Vector2, Vector3};
 
 use super::dryden::{DrydenGust, Turbulence};
 use super::flight_airframe::{AircraftState, Airframe, Command};
@@ -40,10 +40,13 @@ pub struct FlightPlan {
     pub ground_down: f64,
 }
 
-/// The true flight, recorded at 20 Hz.
-struct TrueFlight {
-    states: Vec<TruthState>,
-    airspeeds: Vec<f64>,
+/// A flight as it truly goes, recorded at 20 Hz.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TrueFlight {
+    /// Times, positions, attitudes and mean winds.
+    pub states: Vec<TruthState>,
+    /// Airspeed at each of them, m/s.
+    pub airspeeds: Vec<f64>,
 }
 
 impl FlightPlan {
@@ -51,7 +54,7 @@ impl FlightPlan {
     ///
     /// Returns `None` for a path of fewer than two different way-points.
     pub fn simulate(&self, seed: u64) -> Option<Flight> {
-        let flown = self.fly(seed)?;
+        let flown = self.fly(Some(seed))?;
         let channels = sensors::measure(
             &self.sensors,
             seed,
@@ -103,16 +106,31 @@ impl FlightPlan {
         })
     }
 
-    fn fly(&self, seed: u64) -> Option<TrueFlight> {
+    /// The flight as planned: the mean wind blows and no gust.
+    ///
+    /// Returns `None` for a path of fewer than two different way-points.
+    pub fn nominal(&self) -> Option<TrueFlight> {
+        self.fly(None)
+    }
+
+    /// Flies in the gusts of `seed`, or in none.
+    fn fly(&self, seed: Option<u64>) -> Option<TrueFlight> {
         let dt = 1.0 / STEPS_PER_SECOND as f64;
         let guidance = GuidanceSettings {
             bank_limit: self.airframe.bank_limit,
             ..GuidanceSettings::default()
         };
         let mut path = PathFollower::new(&self.way_points, guidance)?;
-        let mut random = Stream::Gust.random(seed);
         let turbulence = Turbulence::low_altitude(self.height, self.wind.norm());
-        let mut gust = DrydenGust::new(&turbulence, self.airframe.cruise, dt, &mut random);
+        let mut gusts = seed.map(|seed| {
+            let mut random = Stream::Gust.random(seed);
+            let gust = DrydenGust::new(&turbulence, self.airframe.cruise, dt, &mut random);
+            (gust, random)
+        });
+        let mut next_gust = || {
+            let gust = gusts.as_mut();
+            gust.map_or_else(Vector3::zeros, |(gust, random)| gust.step(random))
+        };
         let level = self.height - self.ground_down;
         let mut aircraft = AircraftState::cruising(
             &self.airframe,
@@ -120,7 +138,7 @@ impl FlightPlan {
             level,
             self.crab_heading(path.initial_course()),
         );
-        aircraft.gust = gust.step(&mut random);
+        aircraft.gust = next_gust();
 
         let mut states = Vec::new();
         let mut airspeeds = Vec::new();
@@ -145,8 +163,7 @@ impl FlightPlan {
                 airspeed: self.airframe.cruise,
                 height: level,
             };
-            let next_gust = gust.step(&mut random);
-            aircraft.step(&self.airframe, &command, &self.wind, next_gust, dt);
+            aircraft.step(&self.airframe, &command, &self.wind, next_gust(), dt);
         }
         Some(TrueFlight { states, airspeeds })
     }

@@ -1,0 +1,257 @@
+//! The position uncertainty that a filter will have along a route, before the flight.
+
+use serde::{Deserialize, Serialize};
+
+use super::DetectionStatistics;
+use super::corridor::{Corridor, corridor};
+use super::propagate::{Moment, Propagation};
+use crate::frames::GroundPoint;
+use crate::landmark::Landmark;
+use crate::navigator::{NavigatorSettings, vehicle};
+use crate::simulate::{FlightPlan, TrueFlight};
+
+/// Probability with which the true error lies inside the corridor.
+const PROBABILITY: f64 = 0.95;
+/// A frame in which a landmark is found with this probability counts as a fix.
+const LIKELY: f64 = 0.5;
+
+/// A landmark and what is expected of its detection.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlannedLandmark {
+    /// The landmark.
+    pub landmark: Landmark,
+    /// What is expected of it, by height.
+    pub detection: DetectionStatistics,
+}
+
+/// What to predict.
+#[derive(Clone, Copy, Debug)]
+pub struct PredictionRequest<'a> {
+    /// The route, the wind, the aircraft, its sensors and its camera.
+    pub plan: &'a FlightPlan,
+    /// How it will be navigated.
+    pub settings: &'a NavigatorSettings,
+    /// The landmarks over which it leads.
+    pub landmarks: &'a [PlannedLandmark],
+    /// Worlds to try: ways in which the detections may turn out. 8 are coarse, 100 are fine.
+    pub worlds: usize,
+    /// Seed of the worlds.
+    pub seed: u64,
+    /// Uncertainty that the user accepts: standard deviation of the longer axis, metres.
+    pub limit: f64,
+}
+
+/// The predicted uncertainty at one frame.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PredictionSample {
+    /// Seconds after the start.
+    pub time: f64,
+    /// Distance along the flown path, metres.
+    pub distance: f64,
+    /// Where the aircraft is planned to be.
+    pub position: GroundPoint,
+    /// Course over the ground, radians clockwise from north.
+    pub course: f64,
+    /// What holds the error with 95 %.
+    pub corridor: Corridor,
+    /// Probability that each landmark is found in this frame, in the order of the request.
+    pub detection: Vec<f64>,
+    /// Seconds since a frame in which finding any landmark was more likely than not.
+    pub dead_reckoning: f64,
+}
+
+/// A stretch of the route over the user's limit.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Stretch {
+    /// Distance along the path at which it begins, metres.
+    pub begin: f64,
+    /// Distance at which it ends, metres.
+    pub end: f64,
+    /// Largest standard deviation of the longer axis on it, metres.
+    pub sigma: f64,
+    /// Where that is.
+    pub worst: GroundPoint,
+    /// Longest dead reckoning on it, seconds.
+    pub dead_reckoning: f64,
+}
+
+/// The predicted uncertainty along a route.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Prediction {
+    /// One per frame of the camera.
+    pub samples: Vec<PredictionSample>,
+    /// Stretches over the limit, in the order in which they are flown.
+    pub over_limit: Vec<Stretch>,
+}
+
+/// Why nothing can be predicted.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum PredictionError {
+    /// The route has no two different way-points.
+    #[error("the route needs two way-points at different places")]
+    NoRoute,
+    /// The covariance became infinite.
+    #[error("the covariance is not finite at {time:.1} s; check the settings of the filter")]
+    NotFinite {
+        /// Seconds after the start.
+        time: f64,
+    },
+}
+
+impl PredictionRequest<'_> {
+    /// Predicts the uncertainty of the position along the route.
+    ///
+    /// The covariance of the filter is propagated along the flight as planned with the process noise of
+    /// the settings and corrected by the landmarks that lie in each frame, in `worlds` worlds that
+    /// differ in what is recognised, in the shake of the camera and in what is missed; see
+    /// [`corridor`].
+    pub fn predict(&self) -> Result<Prediction, PredictionError> {
+        let flight = self.plan.nominal().ok_or(PredictionError::NoRoute)?;
+        let moments = vehicle(self.settings).visit(Propagation {
+            request: self,
+            flight: &flight,
+        })?;
+        let samples = samples(&flight, moments)?;
+        Ok(Prediction {
+            over_limit: stretches(&samples, self.limit),
+            samples,
+        })
+    }
+}
+
+fn samples(
+    flight: &TrueFlight,
+    moments: Vec<Moment>,
+) -> Result<Vec<PredictionSample>, PredictionError> {
+    let states = &flight.states;
+    let mut distance = 0.0;
+    let mut passed = 0;
+    let mut fix = states.first().map_or(0.0, |s| s.time);
+    let mut samples = Vec::with_capacity(moments.len());
+    for moment in moments {
+        while passed < moment.state {
+            let step = states[passed + 1].position - states[passed].position;
+            distance += step.xy().norm();
+            passed += 1;
+        }
+        let state = &states[moment.state];
+        // Course by the neighbours: the state before, or after at the start.
+        let (from, to) = if moment.state > 0 {
+            (&states[moment.state - 1], state)
+        } else {
+            (state, states.get(1).unwrap_or(state))
+        };
+        let way = to.position - from.position;
+        let course = way.y.atan2(way.x);
+        if moment.any > LIKELY {
+            fix = state.time;
+        }
+        let corridor = corridor(&moment.covariances, course, PROBABILITY)
+            .ok_or(PredictionError::NotFinite { time: state.time })?;
+        samples.push(PredictionSample {
+            time: state.time,
+            distance,
+            position: GroundPoint::new(state.position.x, state.position.y),
+            course,
+            corridor,
+            detection: moment.found,
+            dead_reckoning: state.time - fix,
+        });
+    }
+    Ok(samples)
+}
+
+fn stretches(samples: &[PredictionSample], limit: f64) -> Vec<Stretch> {
+    samples
+        .chunk_by(|a, b| over(a, limit) == over(b, limit))
+        .filter(|stretch| over(&stretch[0], limit))
+        .filter_map(|stretch| {
+            let worst = stretch
+                .iter()
+                .max_by(|a, b| a.corridor.sigma_major.total_cmp(&b.corridor.sigma_major))?;
+            let times = stretch.iter().map(|s| s.dead_reckoning);
+            Some(Stretch {
+                begin: stretch.first()?.distance,
+                end: stretch.last()?.distance,
+                sigma: worst.corridor.sigma_major,
+                worst: worst.position,
+                dead_reckoning: times.fold(0.0, f64::max),
+            })
+        })
+        .collect()
+}
+
+fn over(sample: &PredictionSample, limit: f64) -> bool {
+    sample.corridor.sigma_major > limit
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::ExpectedDetection;
+    use crate::simulate::{Overrides, Scenario};
+    use nalgebra::{Matrix4, Vector4};
+
+    fn landmarks(scenario: &Scenario, probability: f64) -> Vec<PlannedLandmark> {
+        let spread = Vector4::new(0.1, 0.1, 0.005, 0.005).map(|sd: f64| sd * sd);
+        let expected = ExpectedDetection {
+            recognised: 1.0,
+            per_frame: probability,
+            covariance: Matrix4::from_diagonal(&spread),
+        };
+        let mission = scenario.mission();
+        mission
+            .landmarks
+            .into_iter()
+            .map(|landmark| PlannedLandmark {
+                landmark,
+                detection: DetectionStatistics::everywhere(expected),
+            })
+            .collect()
+    }
+
+    fn predict(landmarks: &[PlannedLandmark], worlds: usize) -> Prediction {
+        let scenario = Scenario::named("distinct-400ft-wind").unwrap();
+        let request = PredictionRequest {
+            plan: &scenario.plan(&Overrides::default()),
+            settings: &scenario.navigator(),
+            landmarks,
+            worlds,
+            seed: 7,
+            limit: 10.0,
+        };
+        request.predict().unwrap()
+    }
+
+    fn largest(prediction: &Prediction) -> f64 {
+        let sigmas = prediction.samples.iter().map(|s| s.corridor.sigma_major);
+        sigmas.fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn without_landmarks_the_uncertainty_only_grows_and_with_them_it_shrinks() {
+        let scenario = Scenario::named("distinct-400ft-wind").unwrap();
+        let blind = predict(&[], 4);
+        let grows = |pair: &[PredictionSample]| {
+            pair[1].corridor.sigma_major >= pair[0].corridor.sigma_major - 1e-9
+        };
+        assert!(blind.samples.windows(2).all(grows));
+        let aided = predict(&landmarks(&scenario, 0.9), 16);
+        assert!(largest(&aided) < 0.3 * largest(&blind));
+        assert!(!blind.over_limit.is_empty());
+        assert!(blind.over_limit[0].dead_reckoning > 60.0);
+    }
+
+    #[test]
+    fn landmarks_that_are_seldom_found_leave_more_uncertainty() {
+        let scenario = Scenario::named("distinct-400ft-wind").unwrap();
+        let mean = |prediction: &Prediction| {
+            let n = prediction.samples.len() as f64;
+            let areas = prediction.samples.iter();
+            areas.map(|s| s.corridor.covariance.trace()).sum::<f64>() / n
+        };
+        let often = mean(&predict(&landmarks(&scenario, 0.95), 32));
+        let seldom = mean(&predict(&landmarks(&scenario, 0.1), 32));
+        assert!(seldom > 1.2 * often, "{seldom} against {often}");
+    }
+}
