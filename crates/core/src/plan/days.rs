@@ -1,0 +1,175 @@
+//! The ground as it looks on days other than the map's.
+
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use crate::frames::GroundRect;
+use crate::imagery::{CachedImagery, Imagery, Window};
+use crate::raster::{Gray, Raster, Rgba, gaussian_blur};
+use crate::simulate::scenery::{Day, Scenery, Season};
+
+/// Memory for tiles of one day, megabytes.
+const CACHE_MEGABYTES: usize = 24;
+
+/// The same ground on other days.
+pub trait OtherDays: Send + Sync {
+    /// The ground on a day drawn by `seed`.
+    fn day(&self, seed: u64) -> Arc<dyn Imagery>;
+}
+
+/// Other days of generated scenery: it knows what throws a shadow and what grows.
+pub struct SceneryDays {
+    /// Seed of the scenery.
+    pub seed: u64,
+}
+
+/// A day between spring and autumn with a sun that one flies under.
+pub fn any_day(seed: u64) -> Day {
+    let mut random = ChaCha8Rng::seed_from_u64(seed ^ 0x5eed_da75);
+    let mut between = |low: f64, high: f64| low + (high - low) * random.random::<f64>();
+    let season = match between(0.0, 3.0) as u32 {
+        0 => Season::Spring,
+        1 => Season::Summer,
+        _ => Season::Autumn,
+    };
+    Day {
+        season,
+        sun_azimuth: between(100.0, 260.0).to_radians(),
+        sun_elevation: between(28.0, 58.0).to_radians(),
+        haze: between(0.03, 0.18),
+        exposure: between(0.88, 1.12),
+        tint: [between(0.96, 1.06), 1.0, between(0.93, 1.05)],
+        cars_seed: seed.wrapping_add(101),
+        growth_seed: seed.wrapping_add(202),
+    }
+}
+
+impl OtherDays for SceneryDays {
+    fn day(&self, seed: u64) -> Arc<dyn Imagery> {
+        let scenery = Arc::new(Scenery::new(self.seed, any_day(seed)));
+        Arc::new(CachedImagery::new(scenery, CACHE_MEGABYTES))
+    }
+}
+
+/// Other days of a picture of which nobody knows what it shows.
+pub struct PictureDays {
+    /// The map.
+    pub map: Arc<dyn Imagery>,
+}
+
+impl OtherDays for PictureDays {
+    fn day(&self, seed: u64) -> Arc<dyn Imagery> {
+        let changed = Arc::new(ChangedPicture {
+            map: Arc::clone(&self.map),
+            seed,
+        });
+        Arc::new(CachedImagery::new(changed, CACHE_MEGABYTES))
+    }
+}
+
+/// A picture made to look as on another day, as far as that can be done without knowing what it
+/// shows: shadows fall elsewhere, fine texture grew anew, light and contrast changed by the field.
+struct ChangedPicture {
+    map: Arc<dyn Imagery>,
+    seed: u64,
+}
+
+/// Width of the surroundings next to which a pixel counts as in shadow, metres.
+const SURROUNDINGS: f64 = 6.0;
+/// Size of the fields over which the light changes, metres.
+const FIELD: f64 = 25.0;
+/// Width below which texture is taken to be leaves and grass, metres.
+const TEXTURE: f64 = 0.5;
+/// Share of that texture that is the same on another day.
+const TEXTURE_KEPT: f64 = 0.5;
+/// Furthest that shadows move, metres.
+const SHADOW_SHIFT: f64 = 5.0;
+/// Brightness next to its surroundings below which a pixel is in shadow.
+const SHADOW: f32 = 0.72;
+
+impl Imagery for ChangedPicture {
+    fn name(&self) -> &str {
+        self.map.name()
+    }
+
+    fn bounds(&self) -> GroundRect {
+        self.map.bounds()
+    }
+
+    fn native_gsd(&self) -> f64 {
+        self.map.native_gsd()
+    }
+
+    fn window(&self, window: &Window) -> Raster<Rgba> {
+        let mut random = ChaCha8Rng::seed_from_u64(self.seed);
+        let bearing = TAU * random.random::<f64>();
+        let shift = SHADOW_SHIFT * (0.4 + 0.6 * random.random::<f64>()) / window.gsd;
+        let contrast = 0.8 + 0.35 * random.random::<f64>();
+        // Enough around the window that its pixels do not depend on how it was cut.
+        let margin = ((2.0 * SURROUNDINGS + SHADOW_SHIFT) / window.gsd).ceil() as usize;
+        let wide = Window {
+            north_edge: window.north_edge + margin as f64 * window.gsd,
+            west_edge: window.west_edge - margin as f64 * window.gsd,
+            width: window.width + 2 * margin,
+            height: window.height + 2 * margin,
+            ..*window
+        };
+        let picture = self.map.window(&wide);
+        let bright = picture.to_gray();
+        let around = gaussian_blur(&bright, SURROUNDINGS / window.gsd);
+        let smooth = gaussian_blur(&bright, (TEXTURE / window.gsd).max(0.3));
+        let (dx, dy) = (shift * bearing.sin(), -shift * bearing.cos());
+        Raster::from_fn(window.width, window.height, |column, row| {
+            let (c, r) = (column + margin, row + margin);
+            let pixel = picture.get(c, r);
+            let before = bright.get(c, r).max(1.0);
+            let light = |c: usize, r: usize| shadow(&smooth, &around, c, r);
+            let shaded = light(
+                (c as f64 - dx).round().max(0.0) as usize,
+                (r as f64 - dy).round().max(0.0) as usize,
+            );
+            let place = window.ground_at(column as f64 + 0.5, row as f64 + 0.5);
+            let field = self.noise(place.north / FIELD, place.east / FIELD, 1);
+            let leaf = self.noise(place.north / TEXTURE, place.east / TEXTURE, 2);
+            let texture = bright.get(c, r) - smooth.get(c, r);
+            let strength = texture.abs().min(30.0);
+            let grown = TEXTURE_KEPT as f32 * texture
+                + (1.0 - TEXTURE_KEPT) as f32 * strength * 2.0 * leaf as f32;
+            let lit = smooth.get(c, r) / light(c, r) * shaded + grown;
+            let after = (128.0 + contrast as f32 * (lit - 128.0)) * (1.0 + 0.25 * field as f32);
+            let gain = after.max(0.0) / before;
+            let scale = |v: u8| (f32::from(v) * gain).clamp(0.0, 255.0) as u8;
+            [scale(pixel[0]), scale(pixel[1]), scale(pixel[2]), pixel[3]]
+        })
+    }
+}
+
+/// Share of the light that reaches a pixel: 1, or less where it is much darker than its surroundings.
+fn shadow(bright: &Gray, around: &Gray, column: usize, row: usize) -> f32 {
+    let (c, r) = (column.min(bright.width() - 1), row.min(bright.height() - 1));
+    let ratio = bright.get(c, r) / around.get(c, r).max(1.0);
+    if ratio < SHADOW { ratio.max(0.4) } else { 1.0 }
+}
+
+impl ChangedPicture {
+    /// Smooth noise of unit cells, -1 to 1.
+    fn noise(&self, north: f64, east: f64, layer: u64) -> f64 {
+        let (n0, e0) = (north.floor(), east.floor());
+        let ease = |t: f64| t * t * (3.0 - 2.0 * t);
+        let (tn, te) = (ease(north - n0), ease(east - e0));
+        let corner = |dn: f64, de: f64| {
+            let mut hash = self.seed ^ layer.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+            for key in [(n0 + dn) as i64, (e0 + de) as i64] {
+                hash = (hash ^ key as u64).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+                hash ^= hash >> 29;
+            }
+            (hash >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        };
+        let low = corner(0.0, 0.0) * (1.0 - te) + corner(0.0, 1.0) * te;
+        let high = corner(1.0, 0.0) * (1.0 - te) + corner(1.0, 1.0) * te;
+        low * (1.0 - tn) + high * tn
+    }
+}
