@@ -9,6 +9,15 @@ use crate::jobs::MatchPictures;
 use crate::tokens::Tokens;
 use crate::units::Units;
 
+/// What a view drew last.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drawn {
+    /// Where the time cursor stood, seconds in the flight's time base.
+    pub cursor: f64,
+    /// Time of what was shown for it: of the step, or of the picture, seconds.
+    pub content: f64,
+}
+
 /// Everything a view may query, and where it sends its commands. Views keep only their own zoom,
 /// scroll and textures; documents are never copied into them.
 pub struct ViewContext<'a> {
@@ -37,4 +46,12 @@ pub struct ViewContext<'a> {
     pub units: Units,
     /// Where commands go.
     pub commands: &'a mut Vec<Command>,
+}
+
+impl ViewContext<'_> {
+    /// That a view drew what is of time `content` for the cursor.
+    pub fn drawn(&self, content: f64) -> Option<Drawn> {
+        let cursor = self.time;
+        Some(Drawn { cursor, content })
+    }
 }

@@ -365,14 +365,21 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                     .and_then(|id| scene.documents.distinctness_of(id)),
             };
             scene.with_context(commands, |context| views.map.show(ui, context, &extra));
-            advice(ui, rect, scene, commands);
+            if let Some(covered) = advice(ui, rect, scene, commands) {
+                views.map.cover(covered);
+            }
         });
 }
 
-/// One line on what is seen and what to try first.
-fn advice(ui: &mut Ui, rect: egui::Rect, scene: &mut Scene<'_>, commands: &mut Vec<Command>) {
+/// One line on what is seen and what to try first; what it covers.
+fn advice(
+    ui: &mut Ui,
+    rect: egui::Rect,
+    scene: &mut Scene<'_>,
+    commands: &mut Vec<Command>,
+) -> Option<egui::Rect> {
     if scene.view.advice_dismissed || scene.view.workspace == Workspace::Learn {
-        return;
+        return None;
     }
     let tokens = scene.tokens;
     let text = if scene.documents.run.is_some() {
@@ -389,7 +396,7 @@ fn advice(ui: &mut Ui, rect: egui::Rect, scene: &mut Scene<'_>, commands: &mut V
     let width = (rect.width() - 96.0).min(720.0);
     let at = egui::Rect::from_min_size(rect.left_top() + vec2(16.0, 68.0), vec2(width, 64.0));
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(at).id_salt("advice"));
-    Frame::new()
+    let card = Frame::new()
         .fill(tokens.over_map())
         .stroke(Stroke::new(1.0, tokens.line))
         .corner_radius(tokens.radius)
@@ -409,4 +416,5 @@ fn advice(ui: &mut Ui, rect: egui::Rect, scene: &mut Scene<'_>, commands: &mut V
                 }
             });
         });
+    Some(card.response.rect)
 }

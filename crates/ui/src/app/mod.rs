@@ -95,6 +95,7 @@ impl App {
         for command in commands {
             self.execute(command, ui.ctx(), host);
         }
+        ShortcutListener::hold(ui.ctx(), self.dialogs.palette.is_open());
         if !ui.input(|i| i.pointer.any_down()) {
             let documents = &mut self.documents;
             documents.history.finish_drag(&documents.mission);

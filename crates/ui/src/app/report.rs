@@ -5,12 +5,20 @@ use pilotage_core::navigator::{Run, StepReport};
 use serde_json::{Value, json};
 
 use super::App;
+use crate::context::Drawn;
 use crate::timeline::clock_text;
 
 fn rect_json(rect: Option<Rect>) -> Value {
     rect.map_or(Value::Null, |r| {
         json!([r.left(), r.top(), r.right(), r.bottom()])
     })
+}
+
+fn drawn_json(drawn: Option<Drawn>) -> Value {
+    drawn.map_or(
+        Value::Null,
+        |d| json!({"cursor": d.cursor, "content": d.content}),
+    )
 }
 
 impl App {
@@ -136,6 +144,14 @@ impl App {
                 "known": self.documents.map.is_some(),
             },
             "timeline": rect_json(self.views.timeline.track()),
+            "drawn": {
+                "map": drawn_json(map.drawn()),
+                "camera": drawn_json(self.views.camera.drawn()),
+                "match": drawn_json(self.views.matching.drawn()),
+                "plots": drawn_json(self.views.plots.drawn()),
+                "inspector": drawn_json(self.views.inspector.drawn()),
+                "timeline": drawn_json(self.views.timeline.drawn()),
+            },
         })
     }
 

@@ -1,11 +1,11 @@
 //! The dialog that simulates a flight.
 
 use egui::{DragValue, Frame, Id, Modal, RichText, Ui};
-use pilotage_core::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
+use pilotage_core::simulate::Scenario;
 
-use super::scenarios::SCENARIOS;
 use crate::command::Command;
-use crate::jobs::SimulationOptions;
+use crate::documents::Session;
+use crate::jobs::{FlightSource, SimulationOptions};
 use crate::shell::{caption, icons::Icon, muted, text_button, title};
 use crate::tokens::Tokens;
 use crate::units::Units;
@@ -18,6 +18,7 @@ use crate::units::Units;
 )]
 pub struct SimulateDialog {
     open: bool,
+    scenarios: Vec<Scenario>,
     scenario: usize,
     seed: u64,
     other_day: bool,
@@ -30,9 +31,16 @@ pub struct SimulateDialog {
 
 impl Default for SimulateDialog {
     fn default() -> Self {
+        let scenarios = Scenario::all();
+        let demo = match Session::demo().flight {
+            FlightSource::Simulated(options) => options.scenario,
+            FlightSource::Files(_) => String::new(),
+        };
+        let scenario = scenarios.iter().position(|s| s.name == demo);
         let mut dialog = Self {
             open: false,
-            scenario: 0,
+            scenarios,
+            scenario: scenario.unwrap_or(0),
             seed: 1,
             other_day: true,
             own_wind: false,
@@ -59,19 +67,19 @@ impl SimulateDialog {
 
     /// Takes wind and height of the chosen scenario where the user did not set them.
     fn adopt(&mut self) {
-        let scenario = &SCENARIOS[self.scenario];
+        let scenario = &self.scenarios[self.scenario];
         if !self.own_wind {
-            self.wind_from = scenario.wind.0.to_radians();
-            self.wind_speed = scenario.wind.1 * MPS_PER_KNOT;
+            self.wind_from = scenario.wind.from;
+            self.wind_speed = scenario.wind.speed;
         }
         if !self.own_height {
-            self.height = scenario.height * METRES_PER_FOOT;
+            self.height = scenario.height;
         }
     }
 
     fn options(&self) -> SimulationOptions {
         SimulationOptions {
-            scenario: SCENARIOS[self.scenario].name.to_owned(),
+            scenario: self.scenarios[self.scenario].name.to_owned(),
             seed: self.seed,
             other_day: self.other_day,
             wind: self.own_wind.then_some((self.wind_from, self.wind_speed)),
@@ -123,13 +131,16 @@ impl SimulateDialog {
 
     fn contents(&mut self, ui: &mut Ui, tokens: &Tokens, units: Units) {
         caption(ui, tokens, "Scenario");
-        for (index, scenario) in SCENARIOS.iter().enumerate() {
-            if ui.radio(self.scenario == index, scenario.name).clicked() {
+        for (index, scenario) in self.scenarios.iter().enumerate() {
+            if ui.radio(self.scenario == index, scenario.title).clicked() {
                 self.scenario = index;
             }
             if self.scenario == index {
                 ui.indent(index, |ui| {
-                    ui.label(muted(tokens, scenario.description));
+                    ui.label(muted(
+                        tokens,
+                        format!("{} ({})", scenario.description, scenario.name),
+                    ));
                 });
             }
         }

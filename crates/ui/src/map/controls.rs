@@ -21,7 +21,7 @@ impl MapView {
             vec2(40.0, 300.0),
         );
         let mut ui = ui.new_child(UiBuilder::new().max_rect(at).id_salt("map controls"));
-        Frame::new()
+        let panel = Frame::new()
             .fill(tokens.over_map())
             .stroke(Stroke::new(1.0, tokens.line))
             .corner_radius(tokens.radius)
@@ -47,6 +47,7 @@ impl MapView {
                 }
                 self.compass(ui, context);
             });
+        self.cover(panel.response.rect);
     }
 
     /// The north arrow; a click turns the map with the track or north up again.
@@ -104,6 +105,7 @@ impl MapView {
             pos2(rect.left() + 16.0, rect.bottom() - 16.0 - height),
             vec2(186.0, height),
         );
+        self.cover(at);
         let mut ui = ui.new_child(UiBuilder::new().max_rect(at).id_salt("legend"));
         self.layers.legend(&mut ui, context.tokens, present);
     }

@@ -49,6 +49,8 @@ pub struct LandmarkScene<'a> {
     pub hovered: Option<u32>,
     /// Whether names are drawn.
     pub names: bool,
+    /// What names must not cover, and where they would not be seen.
+    pub covered: &'a [Rect],
     /// Whether lines are drawn, and from where.
     pub lines_from: Option<Pos2>,
 }
@@ -62,7 +64,7 @@ pub fn paint_landmarks(
     tokens: &Tokens,
 ) {
     let room = screen.expand(32.0);
-    let mut labels: Vec<(u8, Pos2, String, Color32)> = Vec::new();
+    let mut labels = Vec::new();
     for landmark in scene.landmarks {
         let corners = view.corners(&landmark.bounds);
         let around = Rect::from_points(&corners);
@@ -88,10 +90,28 @@ pub fn paint_landmarks(
                 Seen::Refused => 2,
                 _ => 3,
             };
-            labels.push((rank, topmost(&corners), text, color));
+            labels.push(Label {
+                rank,
+                around,
+                top: topmost(&corners),
+                text,
+                color,
+            });
         }
     }
-    paint_labels(painter, screen, labels, tokens);
+    paint_labels(painter, screen, labels, scene.covered, tokens);
+}
+
+/// A name to be written beside a landmark.
+struct Label {
+    /// The smaller the sooner it gets a place; 0 always gets one.
+    rank: u8,
+    /// Where the landmark is drawn.
+    around: Rect,
+    /// Its topmost corner.
+    top: Pos2,
+    text: String,
+    color: Color32,
 }
 
 fn color_of(state: Seen, tokens: &Tokens) -> Color32 {
@@ -163,37 +183,45 @@ pub fn handles(corners: &[Pos2; 4]) -> [Pos2; 8] {
     ]
 }
 
-/// Writes each name beside its landmark where no earlier name is; names without a place are left out.
+/// Writes each name beside its landmark where neither a panel nor an earlier name is; names without
+/// a place are left out.
 fn paint_labels(
     painter: &Painter,
     screen: Rect,
-    mut labels: Vec<(u8, Pos2, String, Color32)>,
+    mut labels: Vec<Label>,
+    covered: &[Rect],
     tokens: &Tokens,
 ) {
-    labels.sort_by_key(|l| l.0);
-    let mut taken: Vec<Rect> = Vec::new();
-    for (rank, at, text, color) in labels {
-        let galley = painter.layout_no_wrap(text.clone(), tokens.small(), color);
-        let places = [
-            (at + vec2(0.0, -5.0), Align2::CENTER_BOTTOM),
-            (at + vec2(10.0, 4.0), Align2::LEFT_CENTER),
-            (at + vec2(-10.0, 4.0), Align2::RIGHT_CENTER),
-            (at + vec2(0.0, 24.0), Align2::CENTER_TOP),
-        ];
+    labels.sort_by_key(|l| l.rank);
+    let mut taken: Vec<Rect> = covered.to_vec();
+    for label in labels {
+        let galley = painter.layout_no_wrap(label.text.clone(), tokens.small(), label.color);
+        let places = places(&label);
         let free = places.into_iter().find(|(place, align)| {
-            let rect = align.anchor_size(*place, galley.size()).expand(3.0);
+            let rect = align.anchor_size(*place, galley.size()).expand(4.0);
             screen.contains_rect(rect) && taken.iter().all(|t| !t.intersects(rect))
         });
-        let place = free.or((rank == 0).then_some(places[0]));
+        let place = free.or((label.rank == 0).then_some(places[0]));
         if let Some((place, align)) = place {
             taken.push(paint_halo_text(
                 painter,
                 place,
                 align,
-                &text,
+                &label.text,
                 tokens.small(),
-                color,
+                label.color,
             ));
         }
     }
+}
+
+/// Where a name may stand, the best place first: above, below, at either side.
+fn places(label: &Label) -> [(Pos2, Align2); 4] {
+    let around = label.around;
+    [
+        (label.top + vec2(0.0, -5.0), Align2::CENTER_BOTTOM),
+        (around.center_bottom() + vec2(0.0, 5.0), Align2::CENTER_TOP),
+        (around.right_center() + vec2(8.0, 0.0), Align2::LEFT_CENTER),
+        (around.left_center() - vec2(8.0, 0.0), Align2::RIGHT_CENTER),
+    ]
 }

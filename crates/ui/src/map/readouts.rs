@@ -50,14 +50,14 @@ fn readouts(context: &ViewContext<'_>, step: &StepReport) -> Vec<Readout> {
     list
 }
 
-/// Draws the numbers from `left_top` on; `room` points are free to the right.
+/// Draws the numbers from `left_top` on; `room` points are free to the right. What it covers.
 pub fn paint_readouts(
     ui: &mut Ui,
     context: &ViewContext<'_>,
     step: &StepReport,
     left_top: egui::Pos2,
     room: f32,
-) {
+) -> Rect {
     let tokens: &Tokens = context.tokens;
     let mut list = readouts(context, step);
     let cell = vec2(118.0, 44.0);
@@ -104,4 +104,5 @@ pub fn paint_readouts(
             tokens.text,
         );
     }
+    rect
 }

@@ -16,7 +16,7 @@ use super::symbols::{
 use super::tiles::TileCache;
 use super::tracks::{ThinTrack, TrackStyle, paint_track};
 use super::transform::{MapCamera, ScreenFromWorld};
-use crate::context::ViewContext;
+use crate::context::{Drawn, ViewContext};
 use crate::jobs::{Distinctness, MapInfo};
 
 /// What the map needs beside what every view is given.
@@ -56,6 +56,10 @@ pub struct MapView {
     ghost: ThinTrack,
     wants_fit: Option<GroundRect>,
     rect: Option<Rect>,
+    drawn: Option<Drawn>,
+    /// What panels cover of the map: names of landmarks keep away from it.
+    covered: Vec<Rect>,
+    covering: Vec<Rect>,
 }
 
 impl MapView {
@@ -63,6 +67,16 @@ impl MapView {
     pub fn fit(&mut self, ground: GroundRect) {
         self.wants_fit = Some(ground);
         self.follow = false;
+    }
+
+    /// What was drawn last: the aircraft of which step.
+    pub fn drawn(&self) -> Option<Drawn> {
+        self.drawn
+    }
+
+    /// Says that a panel covers this part of the map, until the map is drawn anew.
+    pub fn cover(&mut self, rect: Rect) {
+        self.covering.push(rect);
     }
 
     /// Where the map was drawn last.
@@ -83,6 +97,7 @@ impl MapView {
             return;
         }
         self.rect = Some(rect);
+        self.covered = std::mem::take(&mut self.covering);
         let step = context.run.and_then(|r| r.step_at(context.time));
         if let Some(ground) = self.wants_fit.take() {
             self.camera.fit(rect, &ground);
@@ -102,7 +117,8 @@ impl MapView {
         let step = context.run.and_then(|r| r.step_at(context.time));
         if let Some(step) = step {
             let corner = rect.left_top() + vec2(16.0, 16.0);
-            paint_readouts(ui, context, step, corner, rect.width() - 96.0);
+            let covered = paint_readouts(ui, context, step, corner, rect.width() - 96.0);
+            self.cover(covered);
         }
         self.controls(ui, rect, context);
         self.legend(ui, rect, context);
@@ -227,6 +243,8 @@ impl MapView {
             paint_footprint(painter, view, &frame.footprint, tokens);
         }
         let aircraft = step.map(|s| view.apply(&s.after.position()));
+        let own = aircraft.map(|at| Rect::from_center_size(at, vec2(36.0, 36.0)));
+        let covered: Vec<Rect> = self.covered.iter().copied().chain(own).collect();
         if shows(Layer::Landmarks) {
             let hovered = response
                 .hover_pos()
@@ -237,6 +255,7 @@ impl MapView {
                 selection: context.selection,
                 hovered,
                 names: view.metres_per_point < 4.0,
+                covered: &covered,
                 lines_from: aircraft.filter(|_| shows(Layer::Matches)),
             };
             paint_landmarks(painter, view, rect, &scene, tokens);
@@ -274,6 +293,7 @@ impl MapView {
         let at = view.apply(&step.after.position());
         let edge = Stroke::new(1.25, tokens.outline());
         paint_aircraft(painter, view, at, heading, 15.0, color, edge);
+        self.drawn = context.drawn(step.time);
         if shows(Layer::Sigma) {
             let spread = view.points(covariance.diagonal().max().max(0.0).sqrt());
             if spread > 2.0 {
@@ -311,7 +331,7 @@ impl MapView {
     }
 
     fn paint_furniture(
-        &self,
+        &mut self,
         painter: &egui::Painter,
         view: &ScreenFromWorld,
         rect: Rect,
@@ -345,6 +365,7 @@ impl MapView {
                 vec2(side, side),
             );
             let truth = truth_at(context, step.time).filter(|_| self.layers.shows(Layer::Truth));
+            self.cover(lens);
             paint_lens(painter, view, lens, step, truth, context.units, tokens);
         }
     }

@@ -9,6 +9,8 @@ use crate::command::Command;
 pub struct ShortcutListener {
     table: Vec<(KeyboardShortcut, Command)>,
     pending: Vec<Command>,
+    /// Whether letters are for a field that is about to have the keyboard.
+    held: bool,
 }
 
 impl Default for ShortcutListener {
@@ -23,6 +25,7 @@ impl Default for ShortcutListener {
         Self {
             table,
             pending: Vec::new(),
+            held: false,
         }
     }
 }
@@ -33,6 +36,11 @@ impl ShortcutListener {
         context
             .with_plugin(|listener: &mut Self| std::mem::take(&mut listener.pending))
             .unwrap_or_default()
+    }
+
+    /// Says whether letters belong to a dialog, even before its field has the keyboard.
+    pub fn hold(context: &Context, held: bool) {
+        context.with_plugin(|listener: &mut Self| listener.held = held);
     }
 
     fn command_for(&self, key: Key, modifiers: Modifiers) -> Option<&Command> {
@@ -70,20 +78,23 @@ impl Plugin for ShortcutListener {
     }
 
     fn input_hook(&mut self, context: &Context, input: &mut RawInput) {
-        let typing = context.text_edit_focused();
+        let mut typing = self.held || context.text_edit_focused();
         let focused = context.memory(|memory| memory.focused().is_some());
         let mut pending = Vec::new();
         let mut took_letter = false;
         input.events.retain(|event| {
-            let Event::Key {
-                key,
-                pressed: true,
-                modifiers,
-                ..
-            } = event
-            else {
-                return true;
+            let (key, modifiers) = match event {
+                Event::Key {
+                    key,
+                    pressed: true,
+                    modifiers,
+                    ..
+                } => (key, modifiers),
+                // The letter would otherwise be typed into the field that its command opens.
+                Event::Text(_) => return !std::mem::take(&mut took_letter),
+                _ => return true,
             };
+            took_letter = false;
             let Some(command) = self.command_for(*key, *modifiers) else {
                 return true;
             };
@@ -91,14 +102,11 @@ impl Plugin for ShortcutListener {
             if (typing && !everywhere) || (focused && belongs_to_focus(*key)) {
                 return true;
             }
-            took_letter = true;
+            took_letter = !modifiers.command && !modifiers.ctrl;
+            typing |= matches!(command, Command::TogglePalette);
             pending.push(command.clone());
             false
         });
-        if took_letter {
-            // The letter would otherwise be typed into the field that the command opens.
-            input.events.retain(|e| !matches!(e, Event::Text(_)));
-        }
         self.pending.extend(pending);
     }
 }

@@ -7,7 +7,7 @@ use egui::{
 use super::bins::Bins;
 use super::playback::Playback;
 use crate::command::Command;
-use crate::context::ViewContext;
+use crate::context::{Drawn, ViewContext};
 use crate::shell::icons::Icon;
 use crate::shell::{icon_button, icon_toggle};
 use crate::tokens::Tokens;
@@ -31,6 +31,7 @@ pub struct TimelineExtra<'a> {
 pub struct Timeline {
     bins: Bins,
     track: Option<Rect>,
+    drawn: Option<Drawn>,
 }
 
 /// Time since the start as minutes and seconds.
@@ -51,6 +52,11 @@ pub fn speed_text(speed: f64) -> String {
 const CHOICES: [f64; 8] = [0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 20.0];
 
 impl Timeline {
+    /// What was drawn last.
+    pub fn drawn(&self) -> Option<Drawn> {
+        self.drawn
+    }
+
     /// Where time was drawn last.
     pub fn track(&self) -> Option<Rect> {
         self.track
@@ -113,6 +119,7 @@ impl Timeline {
             paint_bookmark(&painter, track, scale.x(*mark), tokens);
         }
         paint_cursor(&painter, track, scale.x(context.time), tokens.accent);
+        self.drawn = context.drawn(context.time);
         if response.has_focus() {
             crate::shell::paint_focus_ring(&painter, track, tokens);
             keyboard(ui, response.id, context.commands);

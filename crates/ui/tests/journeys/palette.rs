@@ -27,6 +27,20 @@ fn letters_and_enter_that_arrive_in_one_frame_run_what_they_name() {
 }
 
 #[test]
+fn letters_typed_before_the_palette_is_on_screen_are_no_shortcuts() {
+    let mut rig = rig();
+    let before = rig.state()["loop"].clone();
+    rig.harness.key_press_modifiers(Modifiers::COMMAND, Key::K);
+    rig.harness.key_press(Key::L);
+    rig.frames(1);
+    rig.harness.key_press(Key::L);
+    rig.frames(2);
+    let state = rig.state();
+    assert_eq!(state["dialogs"]["palette"], true);
+    assert_eq!(state["loop"], before);
+}
+
+#[test]
 fn arrows_choose_in_the_palette_and_escape_closes_it() {
     let mut rig = rig();
     let before = rig.state();

@@ -37,3 +37,39 @@ fn digits_set_the_speed() {
     rig.key(Key::Num0);
     assert_eq!(rig.state()["speed"], 20.0);
 }
+
+/// Time of what a view drew last, if it drew it for the cursor as it stands.
+fn shown(rig: &super::support::Rig, view: &str) -> f64 {
+    let state = rig.state();
+    let drawn = &state["drawn"][view];
+    assert_eq!(drawn["cursor"], state["time"], "{view} lags behind");
+    drawn["content"].as_f64().expect("something was drawn")
+}
+
+#[test]
+fn every_view_draws_what_belongs_to_the_new_time() {
+    let mut rig = rig();
+    let track = rig.rect("/timeline");
+    let at = |part: f32| Pos2::new(track.left() + part * track.width(), track.center().y);
+    let mut before = [f64::NAN; 6];
+    for part in [0.7, 0.3] {
+        rig.drag(at(0.5), at(part));
+        let mut now = Vec::new();
+        for (tab, views) in [
+            ("Match", ["map", "camera", "match"]),
+            ("Filter", ["inspector", "plots", "timeline"]),
+        ] {
+            rig.open_tab(tab);
+            now.extend(views.map(|view| shown(&rig, view)));
+        }
+        let time = rig.state()["time"].as_f64().expect("a time");
+        for (index, content) in now.iter().enumerate() {
+            assert!(
+                *content <= time + 1e-6 && *content > time - 5.0,
+                "{index}: {content}"
+            );
+            assert_ne!(*content, before[index], "{index} did not change");
+        }
+        before.copy_from_slice(&now);
+    }
+}

@@ -8,7 +8,9 @@ fn a_scenario_is_chosen_and_flown() {
     let mut rig = rig();
     rig.harness.get_by_label("Simulate…").click();
     rig.frames(8);
-    rig.harness.get_by_label("distinct-400ft-calm").click();
+    rig.harness
+        .get_by_label("Nine buildings and a pool, 400 ft, calm")
+        .click();
     rig.frames(6);
     rig.harness.get_by_label("The same day").click();
     rig.frames(2);

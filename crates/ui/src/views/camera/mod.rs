@@ -10,7 +10,7 @@ use pilotage_core::navigator::{FrameReport, Run};
 
 use super::{parts, picking};
 use crate::command::Command;
-use crate::context::ViewContext;
+use crate::context::{Drawn, ViewContext};
 use picture::PictureCache;
 
 /// Furthest that the wheel goes in.
@@ -24,6 +24,7 @@ pub struct CameraView {
     zoom: f32,
     /// Shift of the picture's centre from the middle of the view, in points at zoom 1.
     shift: Vec2,
+    drawn: Option<Drawn>,
 }
 
 impl Default for CameraView {
@@ -32,6 +33,7 @@ impl Default for CameraView {
             cache: PictureCache::default(),
             zoom: 1.0,
             shift: Vec2::ZERO,
+            drawn: None,
         }
     }
 }
@@ -52,6 +54,11 @@ impl Placement {
 }
 
 impl CameraView {
+    /// What was drawn last.
+    pub fn drawn(&self) -> Option<Drawn> {
+        self.drawn
+    }
+
     /// Draws the view into the space that `ui` has left.
     pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
         let tokens = context.tokens;
@@ -98,6 +105,7 @@ impl CameraView {
         if let Some(texture) = self.cache.texture() {
             let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
             painter.image(texture, placement.rect, uv, egui::Color32::WHITE);
+            self.drawn = context.drawn(flight.frames[index].time);
         } else {
             painter.rect_filled(placement.rect, 0.0, tokens.raised);
             painter.text(

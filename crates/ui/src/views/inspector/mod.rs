@@ -10,7 +10,7 @@ use pilotage_core::navigator::{FrameReport, JointReport, Run, StepReport};
 
 use super::parts::{self, Reading, figures};
 use super::picking;
-use crate::context::ViewContext;
+use crate::context::{Drawn, ViewContext};
 use crate::units::Units;
 
 /// Explains the filter's step at the cursor.
@@ -19,9 +19,15 @@ pub struct InspectorView {
     stages: sigma::Stages,
     /// Show the step at the cursor itself rather than the last one with a picture.
     this_step: bool,
+    drawn: Option<Drawn>,
 }
 
 impl InspectorView {
+    /// What was drawn last.
+    pub fn drawn(&self) -> Option<Drawn> {
+        self.drawn
+    }
+
     /// Draws the view into the space that `ui` has left.
     pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
         let tokens = context.tokens;
@@ -99,6 +105,7 @@ impl InspectorView {
         step: &StepReport,
     ) {
         let tokens = context.tokens;
+        self.drawn = context.drawn(step.time);
         ui.add_space(0.5 * tokens.space);
         let text = sentence::sentence(run, index, context.flight, context.units);
         ui.label(

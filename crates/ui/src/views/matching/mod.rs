@@ -2,21 +2,30 @@
 
 mod numbers;
 mod pictures;
+mod sights;
 
 use egui::{RichText, ScrollArea, Ui};
-use pilotage_core::navigator::{CandidateReport, Outcome, Refusal};
+use pilotage_core::navigator::{CandidateReport, Outcome, Refusal, Run, StepReport};
 
 use super::{parts, picking};
 use crate::command::Command;
-use crate::context::ViewContext;
+use crate::context::{Drawn, ViewContext};
 use crate::jobs::MatchPictures;
+use crate::timeline::clock_text;
 use pictures::MatchTextures;
+use sights::Sights;
 
-/// Explains the match of one landmark in the frame at the cursor.
+/// How old a picture may be and still count as the present one, seconds.
+const PRESENT: f64 = 1.0;
+
+/// Explains the match of one landmark: in the frame at the cursor or, where none was looked for in
+/// it, in the last one before.
 #[derive(Default)]
 pub struct MatchView {
     wanted: Option<(f64, u32)>,
     textures: MatchTextures,
+    sights: Sights,
+    drawn: Option<Drawn>,
 }
 
 impl MatchView {
@@ -25,37 +34,37 @@ impl MatchView {
         self.wanted
     }
 
+    /// What was drawn last.
+    pub fn drawn(&self) -> Option<Drawn> {
+        self.drawn
+    }
+
     /// Draws the view: numbers at once, pictures when they have arrived.
     pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
         let tokens = context.tokens;
         self.wanted = None;
-        let Some(run) = context.run else {
-            parts::empty(
-                ui,
-                tokens,
-                "No run yet",
-                "Fly to see how landmarks are matched.",
-            );
+        let Some((run, index)) = context
+            .run
+            .and_then(|run| Some((run, run.index_at(context.time)?)))
+        else {
+            let hint = "Fly to see how landmarks are matched.";
+            parts::empty(ui, tokens, "No run yet", hint);
             return;
         };
-        let Some((step, frame)) = picking::frame_at(run, context.time) else {
-            parts::empty(
-                ui,
-                tokens,
-                "No picture yet",
-                "Matches appear with the first picture.",
-            );
+        self.drawn = context.drawn(run.steps[index].time);
+        let next = Sights::next(run, index).map(|i| &run.steps[i]);
+        let Some(step) = self.sights.last(run, index).map(|i| &run.steps[i]) else {
+            waiting(ui, context, next);
             return;
         };
-        let Some(candidate) = picking::candidate_to_explain(frame, context.selection) else {
-            parts::empty(
-                ui,
-                tokens,
-                "No landmark near enough",
-                "In this picture none was looked for. Step on, or pick one on the map.",
-            );
+        let Some((frame, candidate)) = step
+            .frame
+            .as_ref()
+            .and_then(|f| Some((f, picking::candidate_to_explain(f, context.selection)?)))
+        else {
             return;
         };
+        self.drawn = context.drawn(step.time);
         self.wanted = Some((step.time, candidate.landmark));
         context.commands.push(Command::ExplainMatch {
             time: step.time,
@@ -69,6 +78,9 @@ impl MatchView {
             .id_salt("match")
             .auto_shrink(false)
             .show(ui, |ui| {
+                if context.time - step.time > PRESENT {
+                    past(ui, context, run, step, next);
+                }
                 selector(ui, context, run, frame.candidates.as_slice(), candidate);
                 if context.selection.is_some_and(|s| s != candidate.landmark) {
                     let selected = context.selection.map(|s| picking::landmark_name(run, s));
@@ -86,6 +98,58 @@ impl MatchView {
                     .show(ui, tokens, chosen, nothing_to_show(candidate));
                 numbers::show(ui, context, run, candidate);
             });
+    }
+}
+
+/// Says that the match shown lies in the past, how far, and when the next one comes.
+fn past(
+    ui: &mut Ui,
+    context: &mut ViewContext<'_>,
+    run: &Run,
+    step: &StepReport,
+    next: Option<&StepReport>,
+) {
+    let tokens = context.tokens;
+    let first = run.steps.first().map_or(0.0, |s| s.time);
+    egui::Frame::new()
+        .fill(tokens.raised)
+        .corner_radius(tokens.radius)
+        .inner_margin(egui::Margin::symmetric(8, 4))
+        .show(ui, |ui| {
+            ui.set_width(ui.available_width());
+            let text = format!(
+                "No landmark in sight now. Below: the last one looked for, {:.1} s ago at {}.",
+                context.time - step.time,
+                clock_text(step.time - first)
+            );
+            ui.label(
+                RichText::new(text)
+                    .size(tokens.text_sizes[0])
+                    .color(tokens.text),
+            );
+            upcoming(ui, context, next);
+        });
+    ui.add_space(0.25 * tokens.space);
+}
+
+/// Before the first landmark: nothing to explain yet, but something to wait for.
+fn waiting(ui: &mut Ui, context: &mut ViewContext<'_>, next: Option<&StepReport>) {
+    let hint = "Matches appear with the first landmark that comes into view.";
+    parts::empty(ui, context.tokens, "No landmark looked for yet", hint);
+    ui.add_space(context.tokens.space);
+    upcoming(ui, context, next);
+}
+
+/// When the next landmark is looked for, and a way to go there.
+fn upcoming(ui: &mut Ui, context: &mut ViewContext<'_>, next: Option<&StepReport>) {
+    let Some(next) = next else { return };
+    let text = format!(
+        "The next comes in {:.1} s: go there",
+        next.time - context.time
+    );
+    let name = "Go to the next landmark looked for";
+    if parts::chip(ui, context.tokens, false, &text, name).clicked() {
+        context.commands.push(Command::SeekTo(next.time));
     }
 }
 

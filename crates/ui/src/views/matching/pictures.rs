@@ -67,8 +67,12 @@ impl MatchTextures {
         let full = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
         let mut left = area.left();
         let mut places = Vec::new();
-        let texts = ["Map patch", "Camera, seen from above", "Score"];
-        for (i, text) in texts.into_iter().enumerate() {
+        let texts = [
+            ("Map patch", "Map"),
+            ("Camera, seen from above", "Camera"),
+            ("Score", "Score"),
+        ];
+        for (i, (long, short)) in texts.into_iter().enumerate() {
             let (texture, size) = (&self.textures[i], sizes[i] * scales[i]);
             let rect = Rect::from_min_size(pos2(left, area.top() + caption), size);
             painter.image(texture.id(), rect, full, egui::Color32::WHITE);
@@ -78,14 +82,16 @@ impl MatchTextures {
                 Stroke::new(1.0, tokens.line),
                 egui::StrokeKind::Outside,
             );
-            let clip = Rect::from_min_max(
-                pos2(left, area.top()),
-                pos2(left + size.x.max(3.0 * caption) + 0.5 * gap, rect.top()),
-            );
-            painter.with_clip_rect(clip).text(
+            let room = size.x.max(3.0 * caption) + 0.5 * gap;
+            let fits = |text: &str| {
+                let galley =
+                    painter.layout_no_wrap(text.to_owned(), parts::small(tokens), tokens.muted);
+                galley.size().x <= room
+            };
+            painter.text(
                 pos2(left, area.top()),
                 Align2::LEFT_TOP,
-                text,
+                if fits(long) { long } else { short },
                 parts::small(tokens),
                 tokens.muted,
             );
@@ -201,5 +207,11 @@ fn legend(ui: &mut Ui, tokens: &Tokens, pictures: &MatchPictures) {
         painter.rect_filled(part, 0.0, color_map::viridis(fraction));
     }
     left = text(bar.right() + 4.0, format!("{:.0}", SCORES.1)) + tokens.space;
-    text(left, format!("{:.2} m per pixel", pictures.gsd));
+    let scale = format!("{:.2} m per pixel", pictures.gsd);
+    let galley = painter.layout_no_wrap(scale.clone(), parts::small(tokens), tokens.muted);
+    if left + galley.size().x <= rect.right() {
+        text(left, scale);
+    } else {
+        text(left, format!("{:.2} m/px", pictures.gsd));
+    }
 }

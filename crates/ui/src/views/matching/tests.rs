@@ -74,3 +74,36 @@ fn pictures_of_another_match_are_not_shown() {
     harness.run();
     harness.get_by_label("Map patch, rectified picture, and score at every place");
 }
+
+#[test]
+fn between_landmarks_the_last_one_stays_with_its_age() {
+    let mut harness = harness(12.0);
+    harness.run();
+    let (seen, landmark) = harness.state().view.wanted().unwrap();
+    for step in &mut harness.state_mut().fixture.run.steps {
+        if step.time > seen
+            && let Some(frame) = &mut step.frame
+        {
+            frame.candidates.clear();
+        }
+    }
+    harness.state_mut().time = seen + 4.0;
+    harness.run();
+    harness.get_by_label_contains("the last one looked for, 4.0 s ago");
+    assert_eq!(harness.state().view.wanted(), Some((seen, landmark)));
+}
+
+#[test]
+fn before_the_first_landmark_it_says_when_one_comes() {
+    let mut harness = harness(0.6);
+    for step in &mut harness.state_mut().fixture.run.steps {
+        if step.time < 2.0
+            && let Some(frame) = &mut step.frame
+        {
+            frame.candidates.clear();
+        }
+    }
+    harness.run();
+    harness.get_by_label("No landmark looked for yet");
+    harness.get_by_label("Go to the next landmark looked for");
+}

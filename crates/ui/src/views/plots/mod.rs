@@ -10,7 +10,7 @@ use egui::{Align, Layout, Rect, ScrollArea, Sense, Stroke, Ui, pos2, vec2};
 use super::chart::Axes;
 use super::parts;
 use crate::command::Command;
-use crate::context::ViewContext;
+use crate::context::{Drawn, ViewContext};
 use crate::tokens::Tokens;
 use panel::{Layer, PanelKind};
 pub(crate) use series::DEAD_RECKONING_AFTER;
@@ -43,6 +43,7 @@ pub struct PlotsView {
     ghost: RunSeries,
     /// Time under the pointer, from the last frame.
     hover: Option<f64>,
+    drawn: Option<Drawn>,
 }
 
 impl Default for PlotsView {
@@ -60,11 +61,17 @@ impl Default for PlotsView {
             series: RunSeries::default(),
             ghost: RunSeries::default(),
             hover: None,
+            drawn: None,
         }
     }
 }
 
 impl PlotsView {
+    /// What was drawn last.
+    pub fn drawn(&self) -> Option<Drawn> {
+        self.drawn
+    }
+
     /// Draws the view into the space that `ui` has left.
     pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
         ui.spacing_mut().item_spacing.y = 0.5 * context.tokens.space;
@@ -93,6 +100,7 @@ impl PlotsView {
         } else {
             self.grid(ui, context, &shown, columns, span)
         };
+        self.drawn = context.drawn(context.time);
     }
 
     /// Panels below each other over one time axis; returns the hovered time.

@@ -65,6 +65,12 @@ impl ScriptedHost {
                 }
                 say(JobEvent::RunStarted(Box::new(run_head(&mission))));
                 say(JobEvent::Steps(run(&mission).steps));
+                let picture = Raster::filled(8, 6, [90, 110, 70]);
+                let encoded = pilotage_core::raster::encode_png(&picture).unwrap_or_default();
+                for index in 0..flight().frames.len() {
+                    let encoded = encoded.clone();
+                    say(JobEvent::FramePicture { index, encoded });
+                }
                 say(JobEvent::Finished);
             }
             Job::DescribeMap(_) => {
