@@ -54,6 +54,7 @@ async function start() {
   const loaded = performance.now();
   const app = new WebHandle();
   for (const [key, bytes] of storage.loaded) app.remember(key, bytes);
+  storage.loaded.clear();
   const canvas = document.getElementById("app");
   const shell = shellServices(storage, (paths, contents) => app.open_files(paths, contents));
   await app.start(canvas, shell);

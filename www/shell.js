@@ -21,6 +21,8 @@ export function shellServices(storage, openFiles) {
       setTimeout(() => URL.revokeObjectURL(address), 60_000);
     },
     store(key, bytes) { storage.put(key, bytes); },
+    forget(key) { storage.remove(key); },
+    failedStores() { const failed = storage.untold; storage.untold = 0; return failed; },
     announce(text) { summary.textContent = text; },
   };
 }

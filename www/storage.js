@@ -15,20 +15,22 @@ async function openDatabase() {
 
 /** Never fails: without a database, documents live as long as the page, and the console says so. */
 export async function openStorage() {
-  const storage = { loaded: new Map(), pending: 0, written: 0, failures: 0, put() {} };
+  const storage = { loaded: new Map(), pending: 0, written: 0, untold: 0, put() {}, remove() {} };
   try {
     const database = await openDatabase();
     const table = database.transaction(TABLE, "readonly").objectStore(TABLE);
     const [keys, values] = await Promise.all([done(table.getAllKeys()), done(table.getAll())]);
     keys.forEach((key, i) => storage.loaded.set(String(key), new Uint8Array(values[i])));
-    storage.put = (key, bytes) => {
+    const change = (key, deed) => {
       storage.pending += 1;
       const write = database.transaction(TABLE, "readwrite");
-      write.objectStore(TABLE).put(bytes.buffer, key);
+      deed(write.objectStore(TABLE));
       write.oncomplete = () => { storage.pending -= 1; storage.written += 1; };
-      write.onabort = () => { storage.pending -= 1; storage.failures += 1; console.warn(`could not store ${key}:`, write.error); };
+      write.onabort = () => { storage.pending -= 1; storage.untold += 1; console.warn(`could not store ${key}:`, write.error); };
       write.commit?.();
     };
+    storage.put = (key, bytes) => change(key, (documents) => documents.put(bytes.buffer, key));
+    storage.remove = (key) => change(key, (documents) => documents.delete(key));
   } catch (error) {
     console.warn("documents cannot be kept in this browser:", error);
   }

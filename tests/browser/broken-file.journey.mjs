@@ -1,4 +1,6 @@
 // Files that are broken or of no use are refused with their name and what is wrong with them.
+import { zip } from "./zip.mjs";
+
 export const name = "a broken file is refused with its name and cause, and nothing is lost";
 
 async function choose(page, files) {
@@ -7,11 +9,28 @@ async function choose(page, files) {
 
 const file = (name, text) => ({ name, mimeType: "application/octet-stream", buffer: Buffer.from(text) });
 
+/** A flight whose table of airspeeds is damaged in its fourth line. */
+const damaged = [
+  ["trip/flight.json", JSON.stringify({
+    pilotage_flight: 1,
+    name: "Trip",
+    camera: { width: 640, height: 480, horizontal_fov_deg: 60 },
+    start: { north_m: 0, east_m: 0, standard_deviation_m: 3 },
+    channels: ["airspeed", "heading"].map((name) => ({
+      name, file: "air.csv", time: { column: "t" }, value: { column: name, unit: name === "airspeed" ? "m/s" : "deg" },
+    })),
+    frames: { file: "frames.csv", name: "name", time: { column: "t" } },
+  })],
+  ["trip/air.csv", "t,airspeed,heading\n0,16,310\n0.1,16,310\n0.2,sixteen,310\n"],
+  ["trip/frames.csv", "name,t\na.jpg,0\n"],
+];
+
 export async function run(page, tools) {
   await tools.waitReady();
   const before = await tools.waitFor((s) => s.run_steps > 20, "the first seconds of the run", 150_000);
   const cases = [
     [[file("flight.json", "{\n  \"pilotage_flight\": one\n}")], /flight\.json.*line 2/s],
+    [[file("damaged.zip", zip(damaged))], /air\.csv.*line 4.*sixteen/s],
     [[file("wandered.zip", "this is no zip file")], /wandered\.zip/],
     [[file("notes.txt", "dear diary")], /notes\.txt.*flight\.json/s],
     [[file("last.run", "PILOTAGE RUN 1\nbroken")], /last\.run/],

@@ -3,7 +3,7 @@ import { existsSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
-export const name = "a recorded flight opens from its folder and is navigated";
+export const name = "a recorded flight opens from its folder, is navigated, and is there again after a reload";
 
 const repository = fileURLToPath(new URL("../../", import.meta.url));
 const folder = join(repository, "../shared/data/brighton_beach");
@@ -28,5 +28,15 @@ export async function run(page, tools) {
   console.log(`        ${flown.landmarks.length} landmarks, ${flown.candidates} looked for, ${flown.accepted} accepted`);
   tools.check(flown.landmarks.length === 0 || flown.accepted >= 10, "hardly a landmark was accepted");
   await tools.waitFor((s) => s.map.tiles > 0, "its map", 60_000);
+  tools.check(!flown.map.follow && flown.map.metres_per_point < 0.6, "the map was not fitted to the flight");
   await tools.screenshot("recorded-flight");
+
+  await page.waitForFunction(() => window.page.storage.pending === 0 && window.page.storage.written > 0, null, { timeout: 30_000 });
+  await page.waitForTimeout(2500); // the app stores the files, then what is open
+  await page.waitForFunction(() => window.page.storage.pending === 0, null, { timeout: 30_000 });
+  await page.reload();
+  await tools.waitReady();
+  const again = await tools.waitFor((s) => s.run_complete, "the flight to be navigated again", 150_000);
+  tools.check(again.flight === flown.flight && again.frames === 18, `after the reload ${again.flight} was open`);
+  tools.check(again.accepted === flown.accepted, `${again.accepted} accepted after the reload, ${flown.accepted} before`);
 }

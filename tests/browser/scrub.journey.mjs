@@ -7,7 +7,8 @@ export async function run(page, tools) {
   await page.keyboard.press("Space");
   await tools.waitFor((s) => !s.playing, "the pause after the space key");
 
-  for (const seconds of [8, 2]) {
+  let before = null;
+  for (const seconds of [8, 5]) {
     const { timeline: [left, top, right, bottom], span: [begin, end], time } = await tools.state();
     const place = (t) => ({ x: left + (right - left) * (t - begin) / (end - begin), y: (top + bottom) / 2 });
     await tools.drag(place(time), place(seconds));
@@ -20,10 +21,27 @@ export async function run(page, tools) {
     const clocks = [-0.05, 0, 0.05].map((d) => `0:0${Math.max(0, state.time - begin + d).toFixed(1)}`);
     tools.check(shown.some((n) => clocks.some((clock) => text(n).includes(clock))), `nothing on screen says ${clocks[1]}`);
     await tools.screenshot(`scrub-${seconds}`);
+    before = await everyView(tools, before);
   }
 
-  const before = await tools.state();
+  const paused = await tools.state();
   await page.keyboard.press("ArrowRight");
-  const after = await tools.waitFor((s) => s.time > before.time, "the next camera frame");
-  tools.check(after.time - before.time <= 0.51, `one frame is ${after.time - before.time} s long`);
+  const after = await tools.waitFor((s) => s.time > paused.time, "the next camera frame");
+  tools.check(after.time - paused.time <= 0.51, `one frame is ${after.time - paused.time} s long`);
+}
+
+/** Every view has drawn the cursor's time, and something of that time, other than `before`. */
+async function everyView(tools, before) {
+  const shown = {};
+  for (const [tab, views] of [["Match", ["map", "camera", "match"]], ["Filter", ["inspector", "plots", "timeline"]]]) {
+    await tools.click(await tools.find("Tab", tab));
+    for (const view of views) {
+      const { drawn, time } = await tools.waitFor((s) => s.drawn[view]?.cursor === s.time, `${view} to draw the new time`);
+      const { content } = drawn[view];
+      tools.check(content <= time + 1e-6 && content > time - 3, `${view} shows ${content} s at ${time} s`);
+      tools.check(content !== before?.[view], `${view} still shows what it showed before`);
+      shown[view] = content;
+    }
+  }
+  return shown;
 }

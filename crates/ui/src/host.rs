@@ -37,8 +37,17 @@ pub trait Host {
     /// Remembers bytes under a key in the browser's own storage.
     fn store(&mut self, key: &str, bytes: &[u8]);
 
-    /// Bytes remembered under a key, if loaded before the app started.
+    /// Bytes remembered under a key, if loaded before the app started. To be asked once: the host
+    /// need not hold them any longer.
     fn recall(&self, key: &str) -> Option<Vec<u8>>;
+
+    /// Throws away what was stored under a key.
+    fn forget(&mut self, _key: &str) {}
+
+    /// How often the browser refused to store something since the last call, for lack of room.
+    fn failed_stores(&mut self) -> usize {
+        0
+    }
 
     /// Times a worker died and was started anew since the last call.
     fn lost_workers(&mut self) -> usize {

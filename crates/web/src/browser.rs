@@ -29,6 +29,14 @@ extern "C" {
     #[wasm_bindgen(method)]
     pub fn store(this: &Shell, key: &str, bytes: Uint8Array);
 
+    /// Throws away what is in the browser's storage under a key, soon.
+    #[wasm_bindgen(method)]
+    pub fn forget(this: &Shell, key: &str);
+
+    /// How often the browser refused to store something since the last call.
+    #[wasm_bindgen(method, js_name = failedStores)]
+    pub fn failed_stores(this: &Shell) -> u32;
+
     /// Puts a text where screen readers read it out.
     #[wasm_bindgen(method)]
     pub fn announce(this: &Shell, text: &str);

@@ -181,13 +181,20 @@ impl Host for PageHost {
     }
 
     fn store(&mut self, key: &str, bytes: &[u8]) {
-        let mut inner = self.inner.borrow_mut();
-        inner.remembered.insert(key.to_owned(), bytes.to_vec());
-        inner.shell.store(key, Uint8Array::from(bytes));
+        let bytes = Uint8Array::from(bytes);
+        self.inner.borrow().shell.store(key, bytes);
     }
 
     fn recall(&self, key: &str) -> Option<Vec<u8>> {
-        self.inner.borrow().remembered.get(key).cloned()
+        self.inner.borrow_mut().remembered.remove(key)
+    }
+
+    fn forget(&mut self, key: &str) {
+        self.inner.borrow().shell.forget(key);
+    }
+
+    fn failed_stores(&mut self) -> usize {
+        self.inner.borrow().shell.failed_stores() as usize
     }
 
     fn lost_workers(&mut self) -> usize {

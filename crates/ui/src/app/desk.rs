@@ -2,7 +2,9 @@
 
 use std::collections::HashMap;
 
+use super::keeping::Keeping;
 use crate::documents::Staged;
+use crate::host::OpenedFile;
 use crate::jobs::{FlightSource, JobId, MapSource};
 use crate::map::TileKey;
 
@@ -36,6 +38,8 @@ pub struct Opening {
     pub key: String,
     /// What people call them.
     pub name: String,
+    /// The files themselves, to be kept if they are of use.
+    pub files: Vec<OpenedFile>,
 }
 
 /// Everything that is being computed.
@@ -63,6 +67,10 @@ pub struct Desk {
     pub opened_batches: usize,
     /// Whether the document changed since it was stored last.
     pub document_changed: bool,
+    /// Opened files on their way into the storage.
+    pub keeping: Keeping,
+    /// Whether the map is to be fitted once it is known how far it reaches.
+    pub fit_when_known: bool,
     /// Matches that could not be explained; not asked again.
     pub unexplained: Option<(f64, u32)>,
 }

@@ -6,6 +6,9 @@ use crate::host::{Host, OpenedFile};
 use crate::jobs::{FlightSource, Job, JobEvent, JobId, MapSource, Opened};
 use pilotage_core::frames::{GroundPoint, GroundRect};
 
+/// Scales of the map at which an aircraft can be followed, metres per point.
+const USUAL_SCALES: std::ops::RangeInclusive<f64> = 0.25..=2.5;
+
 impl App {
     pub(super) fn receive(&mut self, context: &egui::Context, host: &mut dyn Host) {
         if host.lost_workers() > 0 {
@@ -38,15 +41,16 @@ impl App {
             [] => return,
         };
         let files = batch
-            .into_iter()
-            .map(|f| (f.path, f.bytes.to_vec()))
+            .iter()
+            .map(|f| (f.path.clone(), f.bytes.to_vec()))
             .collect();
         host.start(Job::Provide {
             key: key.clone(),
             files,
         });
         let id = host.start(Job::Open { key: key.clone() });
-        self.desk.opening.insert(id, Opening { key, name });
+        let files = batch;
+        self.desk.opening.insert(id, Opening { key, name, files });
     }
 
     fn event(&mut self, context: &egui::Context, host: &mut dyn Host, id: JobId, event: JobEvent) {
@@ -110,6 +114,9 @@ impl App {
                     self.views.map.camera.center = info.bounds.center();
                 }
                 self.documents.map = Some(info);
+                if std::mem::take(&mut self.desk.fit_when_known) {
+                    self.fit_to_flight_and_map();
+                }
             }
             JobEvent::Failed(why) => {
                 self.desk.describe = None;
@@ -164,8 +171,13 @@ impl App {
                 self.documents.pictures.insert(index, encoded.into());
             }
             JobEvent::Finished => {
+                let again = fly.again;
                 self.documents.run_complete = true;
                 self.desk.fly = None;
+                // Where a recorded flight went may be known only now.
+                if !again && self.views.map.is_fitted() {
+                    self.fit_to_flight_and_map();
+                }
             }
             JobEvent::Cancelled => self.desk.fly = None,
             JobEvent::Failed(why) => {
@@ -192,10 +204,36 @@ impl App {
             self.playback.time = first;
         }
         self.playback.playing = true;
-        self.views.map.follow = true;
-        if let Some(flight) = &self.documents.flight {
-            self.views.map.camera.center = flight.start.position;
+        let recorded = matches!(self.documents.flight_source, FlightSource::Files(_));
+        self.desk.fit_when_known = recorded && self.documents.map.is_none();
+        if recorded {
+            self.fit_to_flight_and_map();
+            return;
         }
+        let map = &mut self.views.map;
+        map.follow = true;
+        if let Some(flight) = &self.documents.flight {
+            map.camera.center = flight.start.position;
+        }
+        if !USUAL_SCALES.contains(&map.camera.metres_per_point) {
+            map.camera.metres_per_point = 0.7;
+        }
+    }
+
+    /// Shows all of the flight and, unless it is far larger, all of the map.
+    fn fit_to_flight_and_map(&mut self) {
+        let Some(flight) = self.flight_ground() else {
+            return;
+        };
+        let map = self.documents.map.as_ref().map(|m| m.bounds);
+        let size = |r: &GroundRect| r.width().max(r.height());
+        let both = map.filter(|map| {
+            let flown = size(&flight);
+            flown < 30.0 || size(map) < 4.0 * flown
+        });
+        self.views
+            .map
+            .fit(both.map_or(flight, |map| flight.union(&map)));
     }
 
     /// The ground over which the flight goes, with its landmarks.
@@ -248,6 +286,9 @@ impl App {
         } = opened;
         let mut parts = Vec::new();
         let has_flight = flight.is_some();
+        if has_flight || map.is_some() {
+            self.keep_files(host, &opening.key, &opening.name, &opening.files);
+        }
         let map_source = if map.is_some() {
             parts.push("a map");
             MapSource::Files(opening.key.clone())

@@ -3,6 +3,7 @@
 mod desk;
 mod execute;
 mod inbox;
+mod keeping;
 mod layout;
 mod report;
 mod start;
@@ -101,6 +102,7 @@ impl App {
             documents.history.finish_drag(&documents.mission);
         }
         self.work(ui.ctx(), host);
+        self.tend_files(ui.ctx(), host);
         self.remember(host);
         if self.playback.playing && self.documents.run.is_some() {
             ui.ctx().request_repaint();

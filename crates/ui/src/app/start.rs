@@ -59,6 +59,7 @@ impl App {
     }
 
     pub(super) fn start(&mut self, host: &mut dyn Host) {
+        self.restore_files(host);
         self.describe_map(host);
         let session = self.documents.session();
         self.fly_new(host, session.flight, session.map, session.mission);
@@ -72,7 +73,7 @@ impl App {
         let view = self.view.encode();
         let view_changed = view != self.stored_view;
         let session_changed = self.desk.document_changed;
-        if !view_changed && !session_changed {
+        if !view_changed && !session_changed || !self.desk.keeping.is_done() {
             return;
         }
         let now = host.now();
@@ -90,6 +91,7 @@ impl App {
         if session != self.stored_session {
             host.store(SESSION_KEY, &session);
             self.stored_session = session;
+            self.forget_unused_files();
         }
     }
 }

@@ -2,6 +2,7 @@
 
 mod edit;
 mod history;
+pub mod kept;
 mod session;
 mod store;
 

@@ -113,6 +113,10 @@ impl Host for InlineHost {
         self.stored.insert(key.to_owned(), bytes.to_vec());
     }
 
+    fn forget(&mut self, key: &str) {
+        self.stored.remove(key);
+    }
+
     fn recall(&self, key: &str) -> Option<Vec<u8>> {
         self.stored.get(key).cloned()
     }

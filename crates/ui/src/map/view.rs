@@ -55,6 +55,8 @@ pub struct MapView {
     truth: ThinTrack,
     ghost: ThinTrack,
     wants_fit: Option<GroundRect>,
+    /// Centre and scale to which the map was fitted last.
+    fitted: Option<(GroundPoint, f64)>,
     rect: Option<Rect>,
     drawn: Option<Drawn>,
     /// What panels cover of the map: names of landmarks keep away from it.
@@ -67,6 +69,12 @@ impl MapView {
     pub fn fit(&mut self, ground: GroundRect) {
         self.wants_fit = Some(ground);
         self.follow = false;
+    }
+
+    /// Whether nobody moved the map since it was fitted.
+    pub fn is_fitted(&self) -> bool {
+        let now = (self.camera.center, self.camera.metres_per_point);
+        self.wants_fit.is_some() || (!self.follow && self.fitted == Some(now))
     }
 
     /// What was drawn last: the aircraft of which step.
@@ -101,6 +109,7 @@ impl MapView {
         let step = context.run.and_then(|r| r.step_at(context.time));
         if let Some(ground) = self.wants_fit.take() {
             self.camera.fit(rect, &ground);
+            self.fitted = Some((self.camera.center, self.camera.metres_per_point));
         }
         self.steer(step);
         self.interact(ui, rect, &response, context);

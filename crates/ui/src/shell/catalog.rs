@@ -303,7 +303,7 @@ fn document() -> Vec<Entry> {
         ),
         of("Save the run", vec![], Command::SaveRun),
         of("Stop computing", vec![], Command::CancelJob),
-        of("Go back to the built-in demo", vec![], Command::OpenDemo),
+        of("Open the built-in demo", vec![], Command::OpenDemo),
     ]
 }
 

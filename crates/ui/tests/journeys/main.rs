@@ -13,6 +13,7 @@ mod names;
 mod palette;
 mod pictures;
 mod reload;
+mod reopen;
 mod save;
 mod scrub;
 mod settings;

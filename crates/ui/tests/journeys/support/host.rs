@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::raster::Raster;
 use pilotage_ui::host::{Host, OpenedFile};
-use pilotage_ui::jobs::{Distinctness, Job, JobEvent, JobId, MapInfo};
+use pilotage_ui::jobs::{Distinctness, Job, JobEvent, JobId, MapInfo, Opened};
 
 use super::flight::{flight, mission, run, run_head};
 
@@ -34,6 +34,8 @@ pub struct ScriptedHost {
     pub silent_flights: bool,
     /// What is said of opened files.
     pub opening_fails: Option<String>,
+    /// What opened files turn out to be.
+    pub opens: Option<Opened>,
 }
 
 impl ScriptedHost {
@@ -110,7 +112,12 @@ impl ScriptedHost {
                 })));
                 say(JobEvent::Finished);
             }
-            Job::Open { .. } => {
+            Job::Open { key } => {
+                if let Some(mut opened) = self.opens.clone() {
+                    opened.key.clone_from(key);
+                    say(JobEvent::Opened(Box::new(opened)));
+                    say(JobEvent::Finished);
+                }
                 if let Some(why) = self.opening_fails.clone() {
                     say(JobEvent::Failed(why));
                 }
@@ -156,6 +163,10 @@ impl Host for ScriptedHost {
 
     fn store(&mut self, key: &str, bytes: &[u8]) {
         self.stored.insert(key.into(), bytes.into());
+    }
+
+    fn forget(&mut self, key: &str) {
+        self.stored.remove(key);
     }
 
     fn recall(&self, key: &str) -> Option<Vec<u8>> {

@@ -1,0 +1,161 @@
+//! Opened files put into the browser's storage and thrown away again, a little in every frame.
+
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::sync::Arc;
+
+use super::App;
+use crate::documents::kept::{MOST_KEPT, encode_list, file_key, list_key, recall_files};
+use crate::documents::{Documents, Session};
+use crate::host::{Host, OpenedFile};
+use crate::jobs::{FlightSource, Job, MapSource};
+
+/// Bytes stored in one frame, after which the rest waits for the next.
+const PER_FRAME: usize = 2 << 20;
+
+/// One thing to do with the storage.
+#[derive(Debug)]
+enum Deed {
+    Store(String, Arc<[u8]>),
+    Forget(String),
+}
+
+/// What is in the storage of opened files, and what is still to be done there.
+#[derive(Debug, Default)]
+pub struct Keeping {
+    waiting: VecDeque<Deed>,
+    /// Number of files of every set that is stored, or about to be.
+    sets: BTreeMap<String, usize>,
+}
+
+impl Keeping {
+    /// Whether everything is done.
+    pub fn is_done(&self) -> bool {
+        self.waiting.is_empty()
+    }
+
+    fn keep(&mut self, set: &str, files: &[OpenedFile]) {
+        let stores = files.iter().enumerate();
+        let stores = stores.map(|(n, f)| Deed::Store(file_key(set, n), f.bytes.clone()));
+        self.waiting.extend(stores);
+        let paths: Vec<String> = files.iter().map(|f| f.path.clone()).collect();
+        let list = encode_list(&paths).into();
+        self.waiting.push_back(Deed::Store(list_key(set), list));
+        self.sets.insert(set.to_owned(), files.len());
+    }
+
+    /// Forgets every set but these.
+    fn forget_others(&mut self, used: &BTreeSet<&str>) {
+        let waiting = &mut self.waiting;
+        self.sets.retain(|set, count| {
+            let kept = used.contains(set.as_str());
+            if !kept {
+                waiting.push_back(Deed::Forget(list_key(set)));
+                waiting.extend((0..*count).map(|n| Deed::Forget(file_key(set, n))));
+            }
+            kept
+        });
+    }
+
+    /// Does a frame's share.
+    fn work(&mut self, host: &mut dyn Host) {
+        let mut room = PER_FRAME;
+        while let Some(deed) = self.waiting.pop_front() {
+            match deed {
+                Deed::Store(key, bytes) => {
+                    host.store(&key, &bytes);
+                    room = room.saturating_sub(bytes.len());
+                }
+                Deed::Forget(key) => host.forget(&key),
+            }
+            if room == 0 {
+                return;
+            }
+        }
+    }
+}
+
+/// Keys of the opened files that a session names.
+fn file_sets<'a>(flight: &'a FlightSource, map: &'a MapSource) -> BTreeSet<&'a str> {
+    let flight = match flight {
+        FlightSource::Files(set) => Some(set.as_str()),
+        FlightSource::Simulated(_) => None,
+    };
+    let map = match map {
+        MapSource::Files(set) => Some(set.as_str()),
+        MapSource::Scenery => None,
+    };
+    flight.into_iter().chain(map).collect()
+}
+
+impl App {
+    /// Keeps files that were opened for the next visit, if they are not too many.
+    pub(super) fn keep_files(
+        &mut self,
+        host: &dyn Host,
+        set: &str,
+        name: &str,
+        files: &[OpenedFile],
+    ) {
+        let total: usize = files.iter().map(|f| f.bytes.len()).sum();
+        if total <= MOST_KEPT {
+            self.desk.keeping.keep(set, files);
+            return;
+        }
+        let text = format!(
+            "They are {} MB, and the browser keeps at most {} MB of files. Save the mission before \
+             you leave, and open the files again next time.",
+            total >> 20,
+            MOST_KEPT >> 20
+        );
+        let title = format!("{name} will be gone when the page is closed");
+        self.toasts.note(host.now(), title, text);
+    }
+
+    /// Stores and forgets what is due.
+    pub(super) fn tend_files(&mut self, context: &egui::Context, host: &mut dyn Host) {
+        if host.failed_stores() > 0 {
+            self.toasts.trouble(
+                host.now(),
+                "The browser could not keep everything",
+                "Its storage for this page is full or switched off. Save the mission as a file to be sure of it.",
+            );
+        }
+        if !self.desk.keeping.is_done() {
+            self.desk.keeping.work(host);
+            context.request_repaint();
+        }
+    }
+
+    /// Forgets files that neither the document nor a flight about to begin needs.
+    pub(super) fn forget_unused_files(&mut self) {
+        let documents = &self.documents;
+        let mut used = file_sets(&documents.flight_source, &documents.map_source);
+        if let Some(fly) = &self.desk.fly {
+            used.extend(file_sets(&fly.flight, &fly.map));
+        }
+        if self.desk.opening.is_empty() {
+            self.desk.keeping.forget_others(&used);
+        }
+    }
+
+    /// Gives the workers the files of the earlier visit; without them the demo opens instead.
+    pub(super) fn restore_files(&mut self, host: &mut dyn Host) {
+        let session = self.documents.session();
+        for set in file_sets(&session.flight, &session.map) {
+            let Some(files) = recall_files(host, set) else {
+                self.documents = Documents::new(&Session::demo());
+                self.toasts.note(
+                    host.now(),
+                    "The files of your last visit are not here",
+                    "The browser did not keep them. Open them again; meanwhile, this is the demo.",
+                );
+                return;
+            };
+            let number = set.rsplit('-').next().and_then(|n| n.parse().ok());
+            self.desk.opened_batches = self.desk.opened_batches.max(number.unwrap_or(0));
+            self.desk.keeping.sets.insert(set.to_owned(), files.len());
+            let key = set.to_owned();
+            host.start(Job::Provide { key, files });
+        }
+    }
+}
