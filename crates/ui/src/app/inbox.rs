@@ -241,12 +241,12 @@ impl App {
         let documents = &self.documents;
         let truth = documents.flight.iter().flat_map(|f| &f.truth);
         let truth = truth
-            .flat_map(|t| t.states.iter().step_by(20))
+            .flat_map(|t| t.states.iter().step_by(1 + t.states.len() / 500))
             .map(|s| GroundPoint::new(s.position.x, s.position.y));
         let steps = documents
             .run
             .iter()
-            .flat_map(|r| r.steps.iter().step_by(20));
+            .flat_map(|r| r.steps.iter().step_by(1 + r.steps.len() / 500));
         let estimate = steps.map(|s| s.after.position());
         let landmarks = documents.mission.landmarks.iter().map(|l| l.reference);
         GroundRect::around(truth.chain(estimate).chain(landmarks))

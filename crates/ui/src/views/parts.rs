@@ -192,7 +192,9 @@ pub(crate) fn gauge(ui: &mut Ui, tokens: &Tokens, value: f64, limit: f64, good_b
     }
 }
 
-/// Text with a dark pill behind it, so that it reads on a picture; returns what it covers.
+/// Text with a dark pill behind it, so that it reads on a picture. It stands at `position` or, where
+/// other text is, as near above, below or to the left of it as there is room; without any room it is
+/// left out.
 pub(crate) fn tag(
     painter: &egui::Painter,
     tokens: &Tokens,
@@ -200,7 +202,7 @@ pub(crate) fn tag(
     text: &str,
     color: Color32,
     taken: &mut Vec<Rect>,
-) -> Rect {
+) {
     let galley = painter.layout(
         text.to_owned(),
         small(tokens),
@@ -208,25 +210,31 @@ pub(crate) fn tag(
         22.0 * tokens.text_sizes[0],
     );
     let pad = vec2(0.5 * tokens.space, 0.125 * tokens.space);
-    let size = galley.size() + 2.0 * pad;
-    let clip = painter.clip_rect();
-    let mut rect = Rect::from_min_size(position, size);
-    if rect.right() > clip.right() {
-        rect = rect.translate(vec2(clip.right() - rect.right(), 0.0));
-    }
-    for _ in 0..6 {
-        let Some(other) = taken.iter().find(|other| other.intersects(rect)) else {
-            break;
-        };
-        rect = rect.translate(vec2(0.0, other.bottom() - rect.top() + 1.0));
-    }
-    if rect.bottom() > clip.bottom() {
-        rect = rect.translate(vec2(0.0, clip.bottom() - rect.bottom()));
-    }
+    let wanted = Rect::from_min_size(position, galley.size() + 2.0 * pad);
+    let clip = painter.clip_rect().shrink(2.0);
+    let step = wanted.height() + 1.0;
+    let inside = |rect: Rect| {
+        let left = (clip.right() - rect.right()).min(0.0);
+        let right = (clip.left() - rect.left()).max(0.0);
+        rect.translate(vec2(left + right, 0.0))
+    };
+    let beside = [0.0, -wanted.width() - 2.0 * tokens.space];
+    let places = (0..8).flat_map(|n| {
+        let rows = 0.5 * n as f32 * step;
+        beside.map(|x| [vec2(x, rows), vec2(x, -rows)])
+    });
+    let free = places
+        .flatten()
+        .map(|offset| inside(wanted.translate(offset)));
+    let Some(rect) = free
+        .into_iter()
+        .find(|rect| clip.contains_rect(*rect) && taken.iter().all(|t| !t.intersects(*rect)))
+    else {
+        return;
+    };
     painter.rect_filled(rect, 0.5 * tokens.radius, shade(tokens));
     painter.galley(rect.min + pad, galley, color);
     taken.push(rect);
-    rect
 }
 
 /// What lies behind text on a picture.

@@ -116,7 +116,11 @@ impl CameraView {
                 tokens.muted,
             );
         }
-        let mut taken = Vec::new();
+        let corner = vec2(28.0 * tokens.space, 6.0 * tokens.space);
+        let mut taken = vec![Rect::from_min_max(
+            pos2(outer.right() - corner.x, outer.top()),
+            pos2(outer.right(), outer.top() + corner.y),
+        )];
         if let Some((run, report)) = report {
             let pointer = response.hover_pos();
             let near = nearest(report, &placement, pointer);

@@ -12,6 +12,8 @@ use crate::tokens::Tokens;
 const RING: f32 = 7.0;
 /// Half the size of the mark at a found place, points.
 const MARK: f32 = 5.0;
+/// Up to this many candidates the reasons of those refused are written beside them.
+const FEW: usize = 3;
 
 /// Draws every candidate of `report`, the selected and the hovered one with more weight.
 pub(super) fn draw(
@@ -32,8 +34,15 @@ pub(super) fn draw(
     for candidate in &report.candidates {
         marks(painter, tokens, placement, candidate);
     }
-    for candidate in &report.candidates {
-        label(painter, tokens, run, placement, candidate, taken);
+    // What matters most finds its place first; where there are many, the reasons of those refused
+    // are left to the pointer and the match view.
+    let strong =
+        |c: &CandidateReport| context.selection == Some(c.landmark) || near == Some(c.landmark);
+    let mut order: Vec<&CandidateReport> = report.candidates.iter().collect();
+    order.sort_by_key(|c| (!strong(c), c.outcome != Outcome::Accepted));
+    for candidate in order {
+        let reason = strong(candidate) || report.candidates.len() <= FEW;
+        label(painter, tokens, run, placement, candidate, reason, taken);
     }
     if let Some(trouble) = &report.trouble {
         let at = painter.clip_rect().left_bottom() + vec2(tokens.space, -3.0 * tokens.space);
@@ -113,6 +122,7 @@ fn label(
     run: &Run,
     placement: &Placement,
     candidate: &CandidateReport,
+    reason: bool,
     taken: &mut Vec<Rect>,
 ) {
     let anchor = placement.at(&candidate
@@ -124,10 +134,11 @@ fn label(
     let name = picking::landmark_name(run, candidate.landmark);
     let (text, color) = match candidate.outcome {
         Outcome::Accepted => (format!("{name}  {:.2}", candidate.score), tokens.text),
-        Outcome::Refused(refusal) => (
+        Outcome::Refused(refusal) if reason => (
             format!("{name}  {:.2}\n{}", candidate.score, refusal.reason()),
             tokens.refused,
         ),
+        Outcome::Refused(_) => (format!("{name}  {:.2}", candidate.score), tokens.refused),
     };
     let at = anchor + vec2(RING + 4.0, -RING);
     parts::tag(painter, tokens, at, &text, color, taken);

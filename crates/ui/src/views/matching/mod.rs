@@ -15,9 +15,6 @@ use crate::timeline::clock_text;
 use pictures::MatchTextures;
 use sights::Sights;
 
-/// How old a picture may be and still count as the present one, seconds.
-const PRESENT: f64 = 1.0;
-
 /// Explains the match of one landmark: in the frame at the cursor or, where none was looked for in
 /// it, in the last one before.
 #[derive(Default)]
@@ -78,7 +75,8 @@ impl MatchView {
             .id_salt("match")
             .auto_shrink(false)
             .show(ui, |ui| {
-                if context.time - step.time > PRESENT {
+                let newest = run.frame_step_at(context.time);
+                if newest.is_some_and(|newest| newest.time > step.time) {
                     past(ui, context, run, step, next);
                 }
                 selector(ui, context, run, frame.candidates.as_slice(), candidate);

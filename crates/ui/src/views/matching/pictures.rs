@@ -8,6 +8,8 @@ use crate::tokens::Tokens;
 
 /// Most height of a picture, points.
 const TALLEST: f32 = 260.0;
+/// A picture more times as wide as the patch is shown in part.
+const MOST_PATCHES: f32 = 4.0;
 
 /// Textures of the pictures shown last.
 #[derive(Default)]
@@ -49,10 +51,16 @@ impl MatchTextures {
         };
         self.update(ui, pictures);
         let rasters = [&pictures.patch, &pictures.rectified, &pictures.surface];
-        let sizes = rasters.map(|r| vec2(r.width().max(1) as f32, r.height().max(1) as f32));
+        let whole = rasters.map(|r| vec2(r.width().max(1) as f32, r.height().max(1) as f32));
+        let part = worth_seeing(pictures, whole[0], whole[1]);
+        let sizes = [whole[0], part.size(), whole[2]];
         // Patch and picture share a scale; the surface, often small, takes a third of the width.
         let surface = (0.3 * width / sizes[2].x).min(TALLEST / sizes[2].y);
         let free = width - 2.0 * gap - surface * sizes[2].x;
+        let part_of_picture = Rect::from_min_max(
+            pos2(part.left() / whole[1].x, part.top() / whole[1].y),
+            pos2(part.right() / whole[1].x, part.bottom() / whole[1].y),
+        );
         let tallest = sizes[0].y.max(sizes[1].y);
         let scale = (free / (sizes[0].x + sizes[1].x)).min(TALLEST / tallest);
         let scales = [scale, scale, surface];
@@ -75,7 +83,8 @@ impl MatchTextures {
         for (i, (long, short)) in texts.into_iter().enumerate() {
             let (texture, size) = (&self.textures[i], sizes[i] * scales[i]);
             let rect = Rect::from_min_size(pos2(left, area.top() + caption), size);
-            painter.image(texture.id(), rect, full, egui::Color32::WHITE);
+            let uv = if i == 1 { part_of_picture } else { full };
+            painter.image(texture.id(), rect, uv, egui::Color32::WHITE);
             painter.rect_stroke(
                 rect,
                 0.0,
@@ -104,6 +113,7 @@ impl MatchTextures {
                 tokens,
                 pictures,
                 scales,
+                part.min.to_vec2(),
                 [patch, rectified, surface],
             );
         }
@@ -139,12 +149,30 @@ impl MatchTextures {
     }
 }
 
+/// The part of the rectified picture around the two best places, in its pixels: all of it unless
+/// the patch would be lost in it.
+fn worth_seeing(pictures: &MatchPictures, patch: egui::Vec2, picture: egui::Vec2) -> Rect {
+    let all = Rect::from_min_size(egui::Pos2::ZERO, picture);
+    let places = [pictures.peak, pictures.second];
+    let found = places.into_iter().flatten();
+    let around = found
+        .map(|(column, row)| Rect::from_min_size(pos2(column as f32, row as f32), patch))
+        .reduce(|a, b| a.union(b));
+    match around {
+        Some(around) if picture.max_elem() > MOST_PATCHES * patch.max_elem() => {
+            around.expand2(0.75 * patch).intersect(all)
+        }
+        _ => all,
+    }
+}
+
 /// Best place with the patch's outline, second-best place, on both pictures that have places.
 fn marks(
     painter: &egui::Painter,
     tokens: &Tokens,
     pictures: &MatchPictures,
     scales: [f32; 3],
+    corner: egui::Vec2,
     [patch, rectified, surface]: [Rect; 3],
 ) {
     let both = [
@@ -154,7 +182,8 @@ fn marks(
     for (place, color, width) in both {
         let Some((column, row)) = place else { continue };
         let offset = vec2(column as f32, row as f32);
-        let outline = Rect::from_min_size(rectified.min + offset * scales[1], patch.size());
+        let outline =
+            Rect::from_min_size(rectified.min + (offset - corner) * scales[1], patch.size());
         let clipped = painter.with_clip_rect(rectified);
         clipped.rect_stroke(
             outline,

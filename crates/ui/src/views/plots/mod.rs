@@ -66,6 +66,12 @@ impl Default for PlotsView {
     }
 }
 
+/// Whether a panel has anything to show: a vehicle model without wind has none to plot.
+fn has_data(kind: PanelKind, context: &ViewContext<'_>) -> bool {
+    let windless = |run: &pilotage_core::navigator::Run| run.state_index("wind north").is_none();
+    kind != PanelKind::Wind || !context.run.is_some_and(windless)
+}
+
 impl PlotsView {
     /// What was drawn last.
     pub fn drawn(&self) -> Option<Drawn> {
@@ -92,7 +98,7 @@ impl PlotsView {
         let span = self.zoom.unwrap_or(whole);
         self.chooser(ui, context, whole);
         let shown: Vec<usize> = (0..self.panels.len())
-            .filter(|i| self.panels[*i].shown)
+            .filter(|i| self.panels[*i].shown && has_data(self.panels[*i].kind, context))
             .collect();
         let columns = columns(ui.available_size(), shown.len(), context.tokens);
         self.hover = if columns == 1 {
@@ -191,6 +197,9 @@ impl PlotsView {
             ui.spacing_mut().item_spacing = vec2(0.5 * tokens.space, 0.5 * tokens.space);
             ui.spacing_mut().interact_size.y = 2.0 * tokens.space;
             for panel in &mut self.panels {
+                if !has_data(panel.kind, context) {
+                    continue;
+                }
                 let title = panel.kind.title();
                 let name = format!("Show {title}");
                 if parts::chip(ui, tokens, panel.shown, title, &name).clicked() {
