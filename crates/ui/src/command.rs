@@ -115,6 +115,8 @@ pub enum Command {
     TogglePlots,
     /// Keep the aircraft in the middle of the map, or not.
     ToggleFollow,
+    /// Show how a landmark was matched.
+    ShowMatch,
 }
 
 /// The three workspaces over the same documents.

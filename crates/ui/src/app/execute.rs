@@ -290,6 +290,12 @@ impl App {
                 };
             }
             Command::ShowWorkspace(workspace) => self.view.workspace = *workspace,
+            Command::ShowMatch => {
+                self.view.workspace = Workspace::Replay;
+                self.view.side_open = true;
+                self.dialogs.settings = false;
+                self.side_tab = SideTab::Match;
+            }
             Command::ToggleSide => self.view.side_open = !self.view.side_open,
             Command::TogglePlots => {
                 let tall = context.content_rect().height() >= 760.0;

@@ -232,6 +232,11 @@ fn view() -> Vec<Entry> {
             Command::ShowWorkspace(Workspace::Replay),
         ),
         of("Show Plan", vec![], Command::ShowWorkspace(Workspace::Plan)),
+        of(
+            "Show how a landmark was matched",
+            vec![],
+            Command::ShowMatch,
+        ),
         of("Show Learn: the guided tour", vec![], Command::ToggleTour),
         of("Dark or light", vec![], Command::ToggleTheme),
         of(

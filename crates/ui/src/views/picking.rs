@@ -1,6 +1,6 @@
 //! Questions about a run that several views ask.
 
-use pilotage_core::navigator::{CandidateReport, FrameReport, Outcome, Run, StepReport};
+use pilotage_core::navigator::{CandidateReport, FrameReport, Outcome, Refusal, Run, StepReport};
 
 /// Name of a landmark of the run, or its number.
 pub(crate) fn landmark_name(run: &Run, id: u32) -> String {
@@ -51,5 +51,16 @@ pub(crate) fn ambiguity(candidate: &CandidateReport) -> f64 {
         (candidate.second_score / candidate.score).max(0.0)
     } else {
         f64::INFINITY
+    }
+}
+
+/// Why a match was refused, in words. A place can be ambiguous for what the picture holds or for
+/// what the map holds elsewhere; the numbers tell which.
+pub(crate) fn reason(run: &Run, candidate: &CandidateReport, refusal: Refusal) -> &'static str {
+    let limit = run.settings.detector.greatest_ambiguity;
+    if refusal == Refusal::Ambiguous && ambiguity(candidate) <= limit {
+        "it scores no better than look-alikes on the map"
+    } else {
+        refusal.reason()
     }
 }

@@ -34,6 +34,11 @@ pub(super) fn draw(
     for candidate in &report.candidates {
         marks(painter, tokens, placement, candidate);
     }
+    for candidate in &report.candidates {
+        let pixels = [Some(candidate.predicted_pixel), candidate.measured_pixel];
+        let marks = pixels.into_iter().flatten().map(|p| placement.at(&p));
+        taken.extend(marks.map(|at| Rect::from_center_size(at, vec2(2.0 * MARK, 2.0 * MARK))));
+    }
     // What matters most finds its place first; where there are many, the reasons of those refused
     // are left to the pointer and the match view.
     let strong =
@@ -135,7 +140,11 @@ fn label(
     let (text, color) = match candidate.outcome {
         Outcome::Accepted => (format!("{name}  {:.2}", candidate.score), tokens.text),
         Outcome::Refused(refusal) if reason => (
-            format!("{name}  {:.2}\n{}", candidate.score, refusal.reason()),
+            format!(
+                "{name}  {:.2}\n{}",
+                candidate.score,
+                picking::reason(run, candidate, refusal)
+            ),
             tokens.refused,
         ),
         Outcome::Refused(_) => (format!("{name}  {:.2}", candidate.score), tokens.refused),
@@ -149,7 +158,9 @@ pub(super) fn explain(run: &Run, candidate: &CandidateReport) -> String {
     let name = picking::landmark_name(run, candidate.landmark);
     let verdict = match candidate.outcome {
         Outcome::Accepted => "accepted: it corrected the estimate".to_owned(),
-        Outcome::Refused(refusal) => format!("refused: {}", refusal.reason()),
+        Outcome::Refused(refusal) => {
+            format!("refused: {}", picking::reason(run, candidate, refusal))
+        }
     };
     let distance = candidate.innovation.map_or_else(String::new, |v| {
         format!(

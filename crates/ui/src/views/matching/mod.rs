@@ -91,7 +91,7 @@ impl MatchView {
                         .color(tokens.muted),
                     );
                 }
-                verdict(ui, context, &name, candidate);
+                verdict(ui, context, run, &name, candidate);
                 self.textures
                     .show(ui, tokens, chosen, nothing_to_show(candidate));
                 numbers::show(ui, context, run, candidate);
@@ -195,7 +195,13 @@ fn selector(
 }
 
 /// The verdict as a sentence.
-fn verdict(ui: &mut Ui, context: &ViewContext<'_>, name: &str, candidate: &CandidateReport) {
+fn verdict(
+    ui: &mut Ui,
+    context: &ViewContext<'_>,
+    run: &Run,
+    name: &str,
+    candidate: &CandidateReport,
+) {
     let tokens = context.tokens;
     let (text, color) = match candidate.outcome {
         Outcome::Accepted => (
@@ -203,7 +209,10 @@ fn verdict(ui: &mut Ui, context: &ViewContext<'_>, name: &str, candidate: &Candi
             tokens.truth,
         ),
         Outcome::Refused(refusal) => (
-            format!("“{name}” refused: {}.", refusal.reason()),
+            format!(
+                "“{name}” refused: {}.",
+                picking::reason(run, candidate, refusal)
+            ),
             tokens.refused,
         ),
     };

@@ -157,7 +157,7 @@ fn worth_seeing(pictures: &MatchPictures, patch: egui::Vec2, picture: egui::Vec2
     let found = places.into_iter().flatten();
     let around = found
         .map(|(column, row)| Rect::from_min_size(pos2(column as f32, row as f32), patch))
-        .reduce(|a, b| a.union(b));
+        .reduce(Rect::union);
     match around {
         Some(around) if picture.max_elem() > MOST_PATCHES * patch.max_elem() => {
             around.expand2(0.75 * patch).intersect(all)

@@ -15,24 +15,27 @@ use super::unscented;
 use crate::context::ViewContext;
 use crate::tokens::Tokens;
 
-/// Height of a figure, points.
-const HEIGHT: f32 = 128.0;
+/// Least and most height of a figure, points.
+const HEIGHTS: [f32; 2] = [128.0, 248.0];
 
-/// Draws the figure of `stop`; `alpha` is what the slider says.
+/// Draws the figure of `stop` into `room` points of height, more or less; `alpha` is what the
+/// slider says.
 pub(super) fn draw(
     ui: &mut Ui,
     context: &ViewContext<'_>,
     stop: Stop,
     moment: &Moment,
     alpha: f64,
+    room: f32,
 ) {
     let Some(run) = context.run else { return };
     let Some(step) = run.steps.get(moment.index) else {
         return;
     };
     let tokens = context.tokens;
+    let height = room.clamp(HEIGHTS[0], HEIGHTS[1]);
     let (rect, response) =
-        ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT), Sense::hover());
+        ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     parts::name(&response, format!("Figure: {}", stop.title()));
     let painter = ui.painter_at(rect);
     painter.rect_filled(rect, tokens.radius, tokens.background);

@@ -36,7 +36,7 @@ impl Default for Tour {
             number: 0,
             arrived: false,
             found: None,
-            alpha: 1.0,
+            alpha: 0.3,
             edited: 0,
             drawn: 0,
         }
@@ -96,10 +96,12 @@ impl Tour {
         let tokens = context.tokens;
         ui.spacing_mut().item_spacing = vec2(tokens.space, 0.75 * tokens.space);
         let below = 8.5 * tokens.space;
+        let room = (ui.available_height() - below).max(80.0);
         egui::ScrollArea::vertical()
             .id_salt(("tour", self.number))
-            .max_height((ui.available_height() - below).max(80.0))
-            .show(ui, |ui| self.content(ui, context));
+            .max_height(room)
+            .auto_shrink([false, false])
+            .show(ui, |ui| self.content(ui, context, room));
         self.navigation(ui, context);
     }
 
@@ -135,8 +137,9 @@ impl Tour {
         }
     }
 
-    fn content(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
+    fn content(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, room: f32) {
         let tokens = context.tokens;
+        let top = ui.cursor().top();
         let stop = self.current();
         ui.label(
             RichText::new(format!("LEARN  {} / {}", self.number + 1, Self::STOPS))
@@ -171,7 +174,9 @@ impl Tour {
                 .size(tokens.text_sizes[1])
                 .color(tokens.text),
         );
-        figures::draw(ui, context, stop, &moment, self.alpha);
+        let controls = if stop == Stop::Alpha { 11.0 } else { 6.5 };
+        let left = room - (ui.cursor().top() - top) - controls * tokens.space;
+        figures::draw(ui, context, stop, &moment, self.alpha, left);
         if stop == Stop::Alpha {
             let slider = egui::Slider::new(&mut self.alpha, 0.05..=1.0)
                 .logarithmic(true)
@@ -208,6 +213,15 @@ impl Tour {
         let tokens = context.tokens;
         let mut go_to = None;
         let mut next = false;
+        if !ui.ctx().text_edit_focused() {
+            ui.input_mut(|input| {
+                let none = egui::Modifiers::NONE;
+                next |= input.consume_key(none, Key::PageDown);
+                if input.consume_key(none, Key::PageUp) {
+                    go_to = Some(self.number.saturating_sub(1));
+                }
+            });
+        }
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 0.0;
             for (i, stop) in Stop::ALL.into_iter().enumerate() {
@@ -225,6 +239,11 @@ impl Tour {
                 go_to = Some(self.number.saturating_sub(1));
             }
             next |= forward.clicked();
+            ui.label(
+                RichText::new("or Page Down")
+                    .size(tokens.text_sizes[0])
+                    .color(tokens.muted),
+            );
             for response in [&back, &forward] {
                 if response.has_focus() {
                     let filter = egui::EventFilter {

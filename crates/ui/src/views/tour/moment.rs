@@ -148,31 +148,35 @@ fn refused(run: &Run) -> Option<Moment> {
         })
         .max_by(|a, b| {
             use pilotage_core::navigator::Refusal;
-            let rank = |r: Refusal| match r {
-                Refusal::OutsideGate => 3,
-                Refusal::Contradicted => 2,
+            let limit = run.settings.detector.greatest_ambiguity;
+            let rank = |(_, c, r): &(usize, &CandidateReport, Refusal)| match r {
+                Refusal::OutsideGate => 4,
+                Refusal::Contradicted => 3,
+                Refusal::Ambiguous if picking::ambiguity(c) > limit => 2,
                 Refusal::Ambiguous => 1,
                 _ => 0,
             };
-            rank(a.2)
-                .cmp(&rank(b.2))
-                .then(a.1.score.total_cmp(&b.1.score))
+            rank(a).cmp(&rank(b)).then(a.1.score.total_cmp(&b.1.score))
         });
     if let Some((index, candidate, refusal)) = refusal {
         let name = picking::landmark_name(run, candidate.landmark);
         let numbers = candidate.nis.map_or_else(
             || {
-                format!(
-                    "score {:.2}, second place {:.2}",
-                    candidate.score, candidate.second_score
-                )
+                if candidate.second_score > 0.0 {
+                    format!(
+                        "score {:.2}, second place {:.2}",
+                        candidate.score, candidate.second_score
+                    )
+                } else {
+                    format!("score {:.2}", candidate.score)
+                }
             },
             |nis| format!("score {:.2}, NIS {}", candidate.score, figures(nis)),
         );
         let text = format!(
             "“{name}” was looked for and something was found, but {} ({numbers}). \
              One false landmark does more harm than ten missing ones, so the filter rather goes without.",
-            refusal.reason()
+            picking::reason(run, candidate, refusal)
         );
         return Some(Moment::new(run, index, text).landmark(Some(candidate.landmark)));
     }
@@ -187,7 +191,12 @@ fn refused(run: &Run) -> Option<Moment> {
     Some(Moment::new(run, index, text).landmark(Some(candidate.landmark)))
 }
 
-/// When the wind's σ (or, with a truth, its error) has first come down to half of the start's.
+/// Parts of the start's error, or σ, at which the wind counts as learned: the smallest that the run
+/// comes to.
+const LEARNED: [f64; 3] = [0.15, 0.3, 0.5];
+
+/// When the wind's error (or, without a truth, its σ) has first come down to a small part of the
+/// start's.
 fn wind(run: &Run, flight: Option<&Flight>, units: Units) -> Option<Moment> {
     let (north, east) = run
         .state_index("wind north")
@@ -205,10 +214,7 @@ fn wind(run: &Run, flight: Option<&Flight>, units: Units) -> Option<Moment> {
     let first = run.steps.first()?;
     let measured = error(first).filter(|e| *e > 0.5);
     let (index, text) = if let Some(start) = measured {
-        let index = run
-            .steps
-            .iter()
-            .position(|s| error(s).is_some_and(|e| e < 0.5 * start))?;
+        let index = first_below(run, start, error)?;
         let text = format!(
             "No instrument measures the wind, yet by now its error has fallen from {} to {} {unit}. \
              Each time a landmark shows that the aircraft has drifted, the filter blames the wind in proportion, because position and wind err together.",
@@ -218,7 +224,7 @@ fn wind(run: &Run, flight: Option<&Flight>, units: Units) -> Option<Moment> {
         (index, text)
     } else {
         let start = spread(first);
-        let index = run.steps.iter().position(|s| spread(s) < 0.5 * start)?;
+        let index = first_below(run, start, |s| Some(spread(s)))?;
         let text = format!(
             "No instrument measures the wind, yet by now its uncertainty has fallen from {} to {} {unit}. \
              Each time a landmark shows that the aircraft has drifted, the filter blames the wind in proportion, because position and wind err together.",
@@ -228,6 +234,21 @@ fn wind(run: &Run, flight: Option<&Flight>, units: Units) -> Option<Moment> {
         (index, text)
     };
     Some(Moment::new(run, index, text).from(first.time))
+}
+
+/// How many steps the wind has to stay learned.
+const LASTING: usize = 100;
+
+/// The first step at which `value` is below one of [`LEARNED`] of `start` and stays there a while.
+fn first_below(run: &Run, start: f64, value: impl Fn(&StepReport) -> Option<f64>) -> Option<usize> {
+    let below = |part: f64| {
+        let low = |s: &StepReport| value(s).is_some_and(|v| v < part * start);
+        (0..run.steps.len()).find(|i| {
+            let end = run.steps.len().min(i + LASTING);
+            run.steps[*i..end].iter().all(low)
+        })
+    };
+    LEARNED.into_iter().find_map(below)
 }
 
 /// First and last step of the longest stretch between two corrections (or to the end).
@@ -309,7 +330,7 @@ fn reacquired(run: &Run, units: Units) -> Option<Moment> {
 fn alpha(run: &Run) -> Option<Moment> {
     let index = run.steps.iter().position(StepReport::corrected)?;
     let text = format!(
-        "α sets how far the sigma points stand from the middle: this run uses {}. \
+        "α sets how far the sigma points stand from the middle; this run uses {}. \
          Drag it below: the points move, but the mean and ellipse that they give hardly change as long as the curve they go through is gentle.",
         run.settings.alpha
     );
@@ -438,7 +459,7 @@ mod tests {
     }
 
     #[test]
-    fn the_wind_is_learned_when_its_error_has_halved() {
+    fn the_wind_is_learned_when_little_of_its_error_is_left() {
         let fixture = Fixture::new();
         let moment = moment(&fixture, Stop::Wind);
         let error = |i: usize| {
@@ -446,6 +467,6 @@ mod tests {
             (step.after.mean[2] - 2.0).hypot(step.after.mean[3] + 3.0)
         };
         assert!(error(moment.index) < 0.5 * error(0));
-        assert!(error(moment.index - 1) >= 0.5 * error(0));
+        assert!(error(moment.index - 1) > error(moment.index));
     }
 }

@@ -89,8 +89,11 @@ impl Stop {
             }
             Self::Shrinking => look("Step to the next picture", vec![Command::StepFrames(1)]),
             Self::Refused => look(
-                "Open this match in the match view",
-                vec![Command::SelectLandmark(moment.and_then(|m| m.landmark))],
+                "See its pictures in the match view (Learn leads back here)",
+                vec![
+                    Command::SelectLandmark(moment.and_then(|m| m.landmark)),
+                    Command::ShowMatch,
+                ],
             ),
             Self::DeadReckoning => look("Play this stretch", play(moment.map_or(0.0, |m| m.from))),
             Self::Growing => look(
