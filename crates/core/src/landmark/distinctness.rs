@@ -96,7 +96,7 @@ pub fn distinctness(map: &dyn Imagery, bounds: &GroundRect, radius: f64) -> Patc
     }
 }
 
-fn standard_deviation(patch: &Gray) -> f64 {
+pub(super) fn standard_deviation(patch: &Gray) -> f64 {
     let count = patch.pixels().len().max(1) as f64;
     let values = || patch.pixels().iter().map(|v| f64::from(*v));
     let mean = values().sum::<f64>() / count;

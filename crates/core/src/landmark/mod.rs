@@ -8,11 +8,13 @@ mod features;
 mod patch;
 mod peak;
 mod rectify;
+mod rehearsal;
 mod settings;
 mod template;
 
 pub use detector::{Detection, Detector, FrameView, Refusal, SearchRequest, Sighting};
 pub use distinct::Landmark;
 pub use distinctness::{PatchDistinctness, distinctness};
+pub use rehearsal::{Rehearsal, rehearse};
 pub use settings::TemplateSettings;
 pub use template::{MatchEvidence, TemplateDetector};

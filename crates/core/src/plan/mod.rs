@@ -6,6 +6,7 @@ mod days;
 mod detection;
 mod prediction;
 mod propagate;
+mod suggest;
 mod view;
 
 pub use assess::{Assessor, Circumstances, View};
@@ -15,3 +16,4 @@ pub use detection::{DetectionStatistics, ExpectedDetection};
 pub use prediction::{
     PlannedLandmark, Prediction, PredictionError, PredictionRequest, PredictionSample, Stretch,
 };
+pub use suggest::{Candidate, Ranking, Suggestion, choose, poses_over};

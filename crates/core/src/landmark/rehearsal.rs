@@ -1,0 +1,148 @@
+//! A landmark on another day: how well its map patch fits where it is, and where else it fits.
+
+use super::distinctness::standard_deviation;
+use super::features::{FeatureTemplate, Features};
+use super::patch::FLAT_CONTRAST;
+use super::peak::{best_peaks, refine};
+use crate::frames::{GroundPoint, GroundRect};
+use crate::imagery::{Imagery, Window};
+
+/// Longer side of the patch, pixels.
+const PIXELS: f64 = 32.0;
+/// Pixels between a place and its nearest rival.
+const RIVAL_PIXELS: usize = 3;
+/// A best place further off than this, in pixels, is not the landmark.
+const OFF_PIXELS: f64 = 2.0;
+
+/// How a patch of the map fits the ground on another day.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rehearsal {
+    /// Score at the landmark's own place, -1 to 1; zero if the best place is elsewhere.
+    pub score: f64,
+    /// Score of the best other place.
+    pub rival: f64,
+    /// Where that is.
+    pub rival_place: GroundPoint,
+    /// How far the best place lies from where the landmark is, metres.
+    pub drift: f64,
+}
+
+impl Rehearsal {
+    /// What the detector has in hand before it must refuse the landmark as ambiguous, with
+    /// `ambiguity` the greatest ratio of the rival's score to its own; negative if it must.
+    pub fn margin(&self, ambiguity: f64) -> f64 {
+        ambiguity * self.score - self.rival
+    }
+}
+
+/// Looks for the patch `bounds` of `map` on `day` within `radius` metres.
+///
+/// `None` if the patch is flat or lies partly beyond the map.
+pub fn rehearse(
+    map: &dyn Imagery,
+    day: &dyn Imagery,
+    bounds: &GroundRect,
+    radius: f64,
+) -> Option<Rehearsal> {
+    let gsd = (bounds.width().max(bounds.height()) / PIXELS).max(map.native_gsd());
+    let pixels = |metres: f64| ((metres / gsd).round() as usize).max(8);
+    let (width, height) = (pixels(bounds.width()), pixels(bounds.height()));
+    let reach = (radius / gsd).ceil() as usize;
+    let center = bounds.center();
+    let window = |reach: usize| Window {
+        north_edge: center.north + (0.5 * height as f64 + reach as f64) * gsd,
+        west_edge: center.east - (0.5 * width as f64 + reach as f64) * gsd,
+        gsd,
+        width: width + 2 * reach,
+        height: height + 2 * reach,
+    };
+    let patch = map.window(&window(0));
+    if patch.pixels().iter().any(|p| p[3] == 0) {
+        return None;
+    }
+    let patch = patch.to_gray();
+    if standard_deviation(&patch) < FLAT_CONTRAST {
+        return None;
+    }
+    let template = FeatureTemplate::new(&Features::new(patch))?;
+    let surface = template.correlate(&Features::new(day.window(&window(reach)).to_gray()));
+    let peaks = best_peaks(&surface, RIVAL_PIXELS, 2);
+    let place = |column: f64, row: f64| {
+        GroundPoint::new(
+            center.north - (row - reach as f64) * gsd,
+            center.east + (column - reach as f64) * gsd,
+        )
+    };
+    let best = peaks.first()?;
+    let (offset, score) = refine(&surface, best.column, best.row);
+    let found = place(best.column as f64 + offset.x, best.row as f64 + offset.y);
+    let drift = found.distance(&center);
+    let rival = peaks.get(1);
+    if drift > OFF_PIXELS * gsd {
+        return Some(Rehearsal {
+            score: 0.0,
+            rival: score,
+            rival_place: found,
+            drift,
+        });
+    }
+    Some(Rehearsal {
+        score,
+        rival: rival.map_or(0.0, |p| f64::from(p.score)),
+        rival_place: rival.map_or(center, |p| place(p.column as f64, p.row as f64)),
+        drift,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raster::{Raster, Rgba};
+
+    /// A ground with a fence of posts every 4 m along a straight edge, and one house.
+    struct Fence;
+
+    impl Imagery for Fence {
+        fn name(&self) -> &'static str {
+            "fence"
+        }
+        fn bounds(&self) -> GroundRect {
+            GroundRect::centered(GroundPoint::default(), 400.0, 400.0)
+        }
+        fn native_gsd(&self) -> f64 {
+            0.25
+        }
+        fn window(&self, window: &Window) -> Raster<Rgba> {
+            Raster::from_fn(window.width, window.height, |column, row| {
+                let p = window.ground_at(column as f64 + 0.5, row as f64 + 0.5);
+                let post = p.north.abs() < 1.5 && p.east.rem_euclid(4.0) < 1.0;
+                let house = (p.north + 60.0).abs() < 9.0 && (p.east - 10.0).abs() < 6.0;
+                let chimney = (p.north + 57.0).abs() < 2.0 && (p.east - 13.0).abs() < 1.5;
+                let grey = match (chimney, house, post, p.north > 0.0) {
+                    (true, ..) => 30,
+                    (_, true, ..) => 210,
+                    (_, _, true, _) => 60,
+                    (.., true) => 150,
+                    _ => 110,
+                };
+                [grey, grey, grey, 255]
+            })
+        }
+    }
+
+    #[test]
+    fn a_fence_has_a_rival_one_post_further_on_and_a_house_has_none() {
+        let at =
+            |north: f64, east: f64| GroundRect::centered(GroundPoint::new(north, east), 30.0, 30.0);
+        let fence = rehearse(&Fence, &Fence, &at(0.0, 0.0), 20.0).unwrap();
+        assert!(fence.margin(0.85) < 0.0, "{fence:?}");
+        let step = fence.rival_place.distance(&GroundPoint::default());
+        assert!(
+            (step.rem_euclid(4.0)).min(4.0 - step.rem_euclid(4.0)) < 1.0,
+            "{step}"
+        );
+        let house = rehearse(&Fence, &Fence, &at(-60.0, 10.0), 20.0).unwrap();
+        assert!(house.margin(0.85) > 0.3, "{house:?}");
+        assert!(house.drift < 0.3, "{house:?}");
+    }
+}
