@@ -3,8 +3,11 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use pilotage_core::flight::files::{FileSet, FileSink};
+use pilotage_core::frames::LocalFrame;
+use pilotage_core::imagery::{CachedImagery, Imagery};
 
 /// The files of a directory and its sub-directories.
 pub struct Directory {
@@ -60,4 +63,20 @@ impl FileSink for Directory {
             .and_then(|()| fs::write(&path, bytes))
             .map_err(|e| format!("{}: {e}", path.display()))
     }
+}
+
+/// The picture with the georeference that lies beside it, in the world frame of a flight or mission;
+/// `megabytes` of its tiles are kept.
+pub fn open_map(
+    path: &Path,
+    frame: Option<LocalFrame>,
+    megabytes: usize,
+) -> Result<Arc<dyn Imagery>, Box<dyn std::error::Error>> {
+    let directory = Directory::open(path)?;
+    let name = path
+        .file_name()
+        .map(|n| n.to_string_lossy().into_owned())
+        .unwrap_or_default();
+    let map = pilotage_core::mission::open_map(&directory, &name, frame)?;
+    Ok(Arc::new(CachedImagery::new(Arc::new(map), megabytes)))
 }

@@ -4,6 +4,7 @@ mod bench;
 mod files;
 mod filter_options;
 mod inspect;
+mod plan;
 mod replay;
 mod simulate;
 mod statistics;
@@ -28,6 +29,8 @@ enum Job {
     Simulate(simulate::Arguments),
     /// Run flights through the estimator.
     Replay(replay::Arguments),
+    /// Suggest landmarks, predict the uncertainty along a route.
+    Plan(Box<plan::Arguments>),
     /// Say what a file or folder is.
     Inspect(inspect::Arguments),
     /// Time the kernels and the filter.
@@ -45,6 +48,7 @@ fn main() -> ExitCode {
         }
         Job::Simulate(arguments) => simulate::run(&arguments),
         Job::Replay(arguments) => replay::run(&arguments),
+        Job::Plan(arguments) => plan::run(&arguments),
         Job::Inspect(arguments) => inspect::run(&arguments),
         Job::Bench(arguments) => bench::run(&arguments),
     };

@@ -13,7 +13,7 @@ use pilotage_core::simulate::{Overrides, Scenario};
 use serde::Serialize;
 
 use crate::Outcome;
-use crate::files::Directory;
+use crate::files::{Directory, open_map};
 use crate::simulate::{Day, scenario};
 use crate::statistics::{Quantiles, error_over_bound, print, table};
 
@@ -86,23 +86,12 @@ pub fn run(arguments: &Arguments) -> Outcome {
     }
     let mut settings = mission.navigator.clone();
     crate::filter_options::apply(&mut settings, &arguments.filter)?;
-    let imagery = open_map(map, &folder.flight)?;
+    let imagery = open_map(map, folder.flight.frame_on_globe, MAP_CACHE)?;
     let mut frames = folder.frames;
     let flight = Arc::new(folder.flight);
     let run = navigate(&flight, &mission, imagery, &settings, &mut frames)?;
     let summary = summarize(&flight, &run, None);
     report(arguments, &flight, &run, &summary)
-}
-
-/// The picture with the georeference that lies beside it, in the flight's world frame.
-fn open_map(path: &Path, flight: &Flight) -> Result<Arc<dyn Imagery>, Box<dyn std::error::Error>> {
-    let directory = Directory::open(path)?;
-    let name = path
-        .file_name()
-        .map(|n| n.to_string_lossy().into_owned())
-        .unwrap_or_default();
-    let map = pilotage_core::mission::open_map(&directory, &name, flight.frame_on_globe)?;
-    Ok(Arc::new(CachedImagery::new(Arc::new(map), MAP_CACHE)))
 }
 
 fn navigate(

@@ -16,4 +16,4 @@ pub use detection::{DetectionStatistics, ExpectedDetection};
 pub use prediction::{
     PlannedLandmark, Prediction, PredictionError, PredictionRequest, PredictionSample, Stretch,
 };
-pub use suggest::{Candidate, Ranking, Suggestion, choose, poses_over};
+pub use suggest::{Candidate, Ranking, Suggestion, choose, poses_all_over, poses_over};

@@ -315,6 +315,30 @@ pub fn poses_over(
     poses
 }
 
+/// Level poses at `height` metres, `step` metres apart all over `region`, so far apart in time that no
+/// fix lasts from one to the next: for a map over which nobody knows the route yet.
+pub fn poses_all_over(
+    region: &GroundRect,
+    height: f64,
+    step: f64,
+    ground_down: f64,
+) -> Vec<(f64, Pose)> {
+    let count = |length: f64| (length / step.max(0.1)).floor().max(0.0) as usize + 1;
+    let mut poses = Vec::new();
+    for row in 0..count(region.height()) {
+        for column in 0..count(region.width()) {
+            let north = region.south + step * row as f64;
+            let east = region.west + step * column as f64;
+            let pose = Pose {
+                position_in_world: Point3::new(north, east, ground_down - height),
+                attitude: Attitude::level(0.0),
+            };
+            poses.push((1e3 * poses.len() as f64, pose));
+        }
+    }
+    poses
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

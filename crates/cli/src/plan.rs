@@ -1,0 +1,356 @@
+//! `pilotage plan`: suggest landmarks, predict the uncertainty along a route.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use clap::Args;
+use pilotage_core::camera::CameraModel;
+use pilotage_core::flight::read_flight;
+use pilotage_core::frames::{GroundPoint, LocalFrame, Pose};
+use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::{Mission, read_mission, write_mission};
+use pilotage_core::plan::{
+    Assessor, Circumstances, DetectionStatistics, OtherDays, PictureDays, PlannedLandmark,
+    Prediction, PredictionRequest, Ranking, SceneryDays, Suggestion, choose, poses_all_over,
+    poses_over,
+};
+use pilotage_core::simulate::scenery::DEMO_SEED;
+use pilotage_core::simulate::{FlightPlan, Overrides, Scenario, SensorSpec};
+use serde::Serialize;
+
+use crate::Outcome;
+use crate::files::Directory;
+
+/// Memory for tiles of the map, megabytes.
+const MAP_CACHE: usize = 128;
+/// Rehearsal days of a suggestion.
+const DAYS: u64 = 3;
+/// Pictures by which a landmark is assessed, on how many days.
+const VIEWS: (usize, usize) = (30, 6);
+
+/// What to plan.
+#[derive(Args)]
+pub struct Arguments {
+    /// A built-in scenario: its map, aircraft, camera and route.
+    #[arg(long, conflicts_with_all = ["mission", "map"])]
+    scenario: Option<String>,
+    /// A mission file; its first route is planned.
+    #[arg(long, requires = "map")]
+    mission: Option<PathBuf>,
+    /// The map picture of the mission.
+    #[arg(long)]
+    map: Option<PathBuf>,
+    /// A flight folder whose camera is flown, if the mission states none.
+    #[arg(long)]
+    flight: Option<PathBuf>,
+    /// Propose that many landmarks from the map alone.
+    #[arg(long, value_name = "N")]
+    suggest: Option<usize>,
+    /// Side of the proposed boxes, metres; a third of the picture's shorter side on the ground if
+    /// it is not stated.
+    #[arg(long)]
+    side: Option<f64>,
+    /// Predict the uncertainty along the route.
+    #[arg(long)]
+    predict: bool,
+    /// Height above ground, metres, where neither route nor scenario states one.
+    #[arg(long)]
+    height: Option<f64>,
+    /// Standard deviation of the position (longer axis) that is accepted, metres.
+    #[arg(long, default_value_t = 10.0)]
+    limit: f64,
+    /// Seed of rehearsal days and worlds.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Write the mission with the proposed landmarks instead of its own.
+    #[arg(long)]
+    out: Option<PathBuf>,
+    /// Write the results as JSON.
+    #[arg(long)]
+    summary: Option<PathBuf>,
+}
+
+/// The map, the mission on it and how it is flown.
+struct Ground {
+    map: Arc<dyn Imagery>,
+    days: Box<dyn OtherDays>,
+    mission: Mission,
+    camera: CameraModel,
+    height: f64,
+    plan: Option<FlightPlan>,
+}
+
+/// One sample of the summary.
+#[derive(Serialize)]
+struct Sample {
+    distance_m: f64,
+    sigma_major_m: f64,
+    sigma_minor_m: f64,
+    heading_of_major: f64,
+    corridor_across_m: f64,
+    dead_reckoning_s: f64,
+    p_detect: Vec<f64>,
+}
+
+#[derive(Serialize)]
+struct Summary {
+    landmarks: Vec<String>,
+    suggestions: Vec<Suggestion>,
+    samples: Vec<Sample>,
+    worst_stretch: Option<pilotage_core::plan::Stretch>,
+}
+
+/// Plans what the arguments say.
+pub fn run(arguments: &Arguments) -> Outcome {
+    let mut ground = ground(arguments)?;
+    let mut summary = Summary {
+        landmarks: Vec::new(),
+        suggestions: Vec::new(),
+        samples: Vec::new(),
+        worst_stretch: None,
+    };
+    if let Some(count) = arguments.suggest {
+        summary.suggestions = suggest(arguments, &ground, count)?;
+        let proposed = summary.suggestions.iter().zip(1..);
+        ground.mission.landmarks = proposed
+            .map(|(s, id)| Landmark::new(id, format!("suggestion {id}"), s.candidate.bounds))
+            .collect();
+    }
+    if arguments.predict {
+        let prediction = predict(arguments, &ground)?;
+        summary.worst_stretch = prediction
+            .over_limit
+            .iter()
+            .copied()
+            .max_by(|a, b| a.sigma.total_cmp(&b.sigma));
+        summary.samples = prediction.samples.iter().map(sample).collect();
+    }
+    summary.landmarks = ground
+        .mission
+        .landmarks
+        .iter()
+        .map(|l| l.name.clone())
+        .collect();
+    if let Some(path) = &arguments.out {
+        std::fs::write(path, write_mission(&ground.mission))
+            .map_err(|e| format!("{}: {e}", path.display()))?;
+    }
+    if let Some(path) = &arguments.summary {
+        std::fs::write(path, serde_json::to_string_pretty(&summary)?)
+            .map_err(|e| format!("{}: {e}", path.display()))?;
+    }
+    Ok(())
+}
+
+fn sample(s: &pilotage_core::plan::PredictionSample) -> Sample {
+    Sample {
+        distance_m: s.distance,
+        sigma_major_m: s.corridor.sigma_major,
+        sigma_minor_m: s.corridor.sigma_minor,
+        heading_of_major: s.corridor.heading_of_major,
+        corridor_across_m: s.corridor.across,
+        dead_reckoning_s: s.dead_reckoning,
+        p_detect: s.detection.clone(),
+    }
+}
+
+fn ground(arguments: &Arguments) -> Result<Ground, Box<dyn std::error::Error>> {
+    if let Some(name) = &arguments.scenario {
+        let scenario = Scenario::named(name)
+            .ok_or_else(|| format!("there is no scenario \"{name}\"; see pilotage scenarios"))?;
+        let overrides = Overrides {
+            height: arguments.height,
+            ..Overrides::default()
+        };
+        return Ok(Ground {
+            map: Arc::new(CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE)),
+            days: Box::new(SceneryDays { seed: DEMO_SEED }),
+            mission: scenario.mission(),
+            camera: Scenario::camera(),
+            height: arguments.height.unwrap_or(scenario.height),
+            plan: Some(scenario.plan(&overrides)),
+        });
+    }
+    let (Some(mission), Some(map)) = (&arguments.mission, &arguments.map) else {
+        return Err("say --scenario NAME, or --mission FILE --map FILE".into());
+    };
+    let text = std::fs::read(mission).map_err(|e| format!("{}: {e}", mission.display()))?;
+    let mission = read_mission(&text).map_err(|e| format!("{}: {e}", mission.display()))?;
+    let flown = match &arguments.flight {
+        Some(path) => Some(read_flight(Arc::new(Directory::open(path)?))?.flight),
+        None => None,
+    };
+    let camera = mission
+        .camera
+        .clone()
+        .or_else(|| flown.map(|f| f.camera))
+        .ok_or("the mission states no camera; say --flight DIR to take that of a flight")?;
+    let frame = LocalFrame::new(mission.origin);
+    let map = crate::files::open_map(map, Some(frame), MAP_CACHE)?;
+    let route = mission.routes.first();
+    let height = arguments
+        .height
+        .or_else(|| Some(route?.way_points.first()?.altitude.metres))
+        .ok_or("neither the route nor --height says how high to fly")?;
+    let plan = route.map(|route| FlightPlan {
+        name: route.name.clone(),
+        way_points: route.way_points.iter().map(|w| w.position).collect(),
+        height,
+        camera: camera.clone(),
+        sensors: SensorSpec::default(),
+        frame_on_globe: frame,
+        ..Scenario::all()[0].plan(&Overrides::default())
+    });
+    Ok(Ground {
+        days: Box::new(PictureDays {
+            map: Arc::clone(&map),
+        }),
+        map,
+        mission,
+        camera,
+        height,
+        plan,
+    })
+}
+
+/// The poses from which landmarks may be seen: along the route, or all over the map without one.
+fn poses(ground: &Ground) -> Vec<(f64, Pose)> {
+    if let Some(plan) = &ground.plan {
+        let speed = plan.airframe.cruise;
+        return poses_over(&plan.way_points, ground.height, speed, plan.ground_down);
+    }
+    let step = 0.5 * ground.height * ground.camera.height as f64 / ground.camera.focal;
+    poses_all_over(&ground.map.bounds(), ground.height, step, 0.0)
+}
+
+fn suggest(
+    arguments: &Arguments,
+    ground: &Ground,
+    count: usize,
+) -> Result<Vec<Suggestion>, Box<dyn std::error::Error>> {
+    let shorter = ground.camera.width.min(ground.camera.height) as f64;
+    let across = ground.height * shorter / ground.camera.focal;
+    let side = arguments.side.unwrap_or(across / 3.0);
+    let days: Vec<Arc<dyn Imagery>> = (0..DAYS)
+        .map(|day| ground.days.day(arguments.seed.wrapping_mul(1000) + day))
+        .collect();
+    let frames = poses(ground);
+    let map = Arc::clone(&ground.map);
+    let region = map.bounds();
+    let begun = std::time::Instant::now();
+    let mut ranking = Ranking::new(map, &days, &region, side, side);
+    if ground.plan.is_some() {
+        ranking = ranking.seen_from(&ground.camera, &frames, 0.0);
+    }
+    let (_, places) = ranking.progress();
+    while ranking.advance() {
+        let (done, _) = ranking.progress();
+        if done % 200 == 0 {
+            eprintln!(
+                "{:3} %  {done} of {places} places",
+                100 * done / places.max(1)
+            );
+        }
+    }
+    let ranked = ranking.ranked();
+    eprintln!(
+        "{} of {places} places of {side:.0} m would serve, {:.1} s",
+        ranked.len(),
+        begun.elapsed().as_secs_f64()
+    );
+    let chosen = choose(&ranked, &ground.camera, &frames, 0.0, count);
+    if chosen.is_empty() {
+        return Err(
+            "no place of the map is distinct enough; try another --side or --height".into(),
+        );
+    }
+    for (suggestion, number) in chosen.iter().zip(1..) {
+        let GroundPoint { north, east } = suggestion.candidate.bounds.center();
+        println!(
+            "{number:3}  north {north:7.1} m  east {east:7.1} m  {}",
+            suggestion.reason
+        );
+    }
+    Ok(chosen)
+}
+
+/// Measures each landmark over the map and predicts.
+fn predict(
+    arguments: &Arguments,
+    ground: &Ground,
+) -> Result<Prediction, Box<dyn std::error::Error>> {
+    let plan = ground
+        .plan
+        .as_ref()
+        .ok_or("the mission has no route to predict along")?;
+    let settings = &ground.mission.navigator;
+    let days: Vec<Arc<dyn Imagery>> = (0..VIEWS.1 as u64)
+        .map(|day| ground.days.day(arguments.seed.wrapping_mul(2000) + day))
+        .collect();
+    let mut landmarks = Vec::new();
+    for landmark in ground.mission.landmarks.iter().filter(|l| l.enabled) {
+        let circumstances = Circumstances {
+            camera: ground.camera.clone(),
+            height: ground.height,
+            position: 5.0,
+            sensors: settings.sensors,
+            detector: settings.detector,
+            ground_down: plan.ground_down,
+        };
+        let map = Arc::clone(&ground.map);
+        let mut assessor = Assessor::over(landmark, map, &days, circumstances, arguments.seed);
+        for _ in 0..VIEWS.0 {
+            assessor.look();
+        }
+        let expected = assessor.expected();
+        println!(
+            "{:24} found {}, false {:.3}",
+            landmark.name,
+            expected.map_or_else(
+                || "never: it does not fit into the picture".to_owned(),
+                |e| format!("{:.2}", e.probability())
+            ),
+            assessor.false_matches()
+        );
+        landmarks.push(PlannedLandmark {
+            landmark: landmark.clone(),
+            detection: expected.map_or_else(DetectionStatistics::default, |e| {
+                DetectionStatistics::everywhere(e)
+            }),
+        });
+    }
+    let request = PredictionRequest {
+        plan,
+        settings,
+        landmarks: &landmarks,
+        worlds: 100,
+        seed: arguments.seed,
+        limit: arguments.limit,
+    };
+    let begun = std::time::Instant::now();
+    let prediction = request.predict()?;
+    let largest = prediction
+        .samples
+        .iter()
+        .map(|s| s.corridor.sigma_major)
+        .fold(0.0, f64::max);
+    println!(
+        "{} frames, largest standard deviation {largest:.1} m, predicted in {:.2} s",
+        prediction.samples.len(),
+        begun.elapsed().as_secs_f64()
+    );
+    for stretch in &prediction.over_limit {
+        println!(
+            "over {:.0} m from {:.0} m to {:.0} m: up to {:.1} m at north {:.0} m east {:.0} m, after {:.0} s of dead reckoning",
+            arguments.limit,
+            stretch.begin,
+            stretch.end,
+            stretch.sigma,
+            stretch.worst.north,
+            stretch.worst.east,
+            stretch.dead_reckoning
+        );
+    }
+    Ok(prediction)
+}
