@@ -5,7 +5,7 @@ use nalgebra::Point3;
 use crate::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
 
 /// Longitude and latitude in degrees of a point on the plane through the origin.
-pub(super) fn lon_lat(frame: &LocalFrame, p: &GroundPoint) -> (f64, f64) {
+pub(crate) fn lon_lat(frame: &LocalFrame, p: &GroundPoint) -> (f64, f64) {
     let position = frame.geodetic_from_world(&Point3::new(p.north, p.east, 0.0));
     (
         position.longitude.to_degrees(),
@@ -17,7 +17,7 @@ pub(super) fn lon_lat(frame: &LocalFrame, p: &GroundPoint) -> (f64, f64) {
 ///
 /// The plane leaves the ellipsoid by 0.3 m at 2 km; three rounds put the point onto the plane to
 /// far below a micrometre.
-pub(super) fn ground(frame: &LocalFrame, longitude: f64, latitude: f64) -> GroundPoint {
+pub(crate) fn ground(frame: &LocalFrame, longitude: f64, latitude: f64) -> GroundPoint {
     let mut height = frame.origin.height;
     let mut p = Point3::origin();
     for _ in 0..3 {
@@ -28,7 +28,7 @@ pub(super) fn ground(frame: &LocalFrame, longitude: f64, latitude: f64) -> Groun
 }
 
 /// Corners of a box, counter-clockwise from the south-west and back to it, as GeoJSON asks.
-pub(super) fn ring(rect: &GroundRect) -> [GroundPoint; 5] {
+pub(crate) fn ring(rect: &GroundRect) -> [GroundPoint; 5] {
     [
         GroundPoint::new(rect.south, rect.west),
         GroundPoint::new(rect.south, rect.east),
@@ -42,7 +42,7 @@ pub(super) fn ring(rect: &GroundRect) -> [GroundPoint; 5] {
 ///
 /// Of a box as it is saved, opposite corners are averaged: their coordinates are rounded, and the
 /// mean rounds back to the same digits, where the outermost would creep outward with every saving.
-pub(super) fn bounds(corners: &[GroundPoint]) -> Option<GroundRect> {
+pub(crate) fn bounds(corners: &[GroundPoint]) -> Option<GroundRect> {
     let open = match corners {
         [first, .., last] if corners.len() == 5 && first.distance(last) < 1e-3 => &corners[..4],
         all => all,

@@ -3,14 +3,17 @@
 //! The file of a mission is GeoJSON; docs/formats.md defines it.
 
 mod error;
-mod globe;
+pub(crate) mod found;
+pub(crate) mod globe;
 mod map_file;
 mod read;
+mod read_feature;
 mod record;
 mod route;
 #[cfg(test)]
 mod tests;
-mod text;
+pub(crate) mod text;
+pub(crate) mod way_point_file;
 mod write;
 
 pub use error::MissionError;
@@ -18,6 +21,7 @@ pub use map_file::{MapError, open_map};
 pub use read::read_mission;
 pub use record::{MapReference, Mission};
 pub use route::{Route, WayPoint, WayPointAction};
+pub use way_point_file::USUAL_ALTITUDE;
 pub use write::write_mission;
 
 /// Version of the file that is read and written.
@@ -30,3 +34,6 @@ pub const OTHER_FEATURES: &str = "features";
 /// Prefix of keys in a landmark's properties that stand for unknown members of the feature itself,
 /// beside its properties.
 pub const FEATURE_MEMBER: &str = "feature:";
+
+/// Property and its value, as JSON text, by which a feature says that it is a route.
+const ROUTE_MARK: (&str, &str) = ("pilotage", "\"route\"");

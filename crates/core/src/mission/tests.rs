@@ -4,7 +4,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::camera::CameraModel;
-use crate::frames::{Geodetic, GroundPoint, GroundRect};
+use crate::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint, GroundRect};
 use crate::landmark::Landmark;
 use crate::navigator::{NavigatorSettings, VehicleChoice};
 
@@ -30,7 +30,7 @@ fn mission() -> Mission {
         name: "Two places".to_owned(),
         origin: Geodetic::from_degrees(45.0, -30.0, 120.0),
         map: Some(MapReference::Picture("ortho.jpg".to_owned())),
-        routes: Vec::new(),
+        routes: vec![route()],
         landmarks: vec![
             barn,
             Landmark::new(
@@ -57,6 +57,37 @@ fn mission() -> Mission {
     }
 }
 
+fn route() -> Route {
+    let at =
+        |north, frame| WayPoint::new(GroundPoint::new(north, 40.0), Altitude::new(120.5, frame));
+    let mut loiter = at(300.0, AltitudeFrame::AboveGround);
+    loiter.speed = Some(18.25);
+    loiter.action = WayPointAction::Loiter {
+        radius: -80.0,
+        turns: 2.5,
+    };
+    loiter
+        .properties
+        .insert("hold".to_owned(), "[1,  2]".to_owned());
+    Route {
+        id: 3,
+        name: "there \"and\" back".to_owned(),
+        way_points: vec![
+            WayPoint {
+                action: WayPointAction::TakeOff,
+                ..at(0.0, AltitudeFrame::AboveTakeOff)
+            },
+            loiter,
+            at(900.0, AltitudeFrame::Amsl),
+        ],
+        properties: [
+            ("colour".to_owned(), "\"red\"".to_owned()),
+            ("feature:bbox".to_owned(), "[1,2, 3,4]".to_owned()),
+        ]
+        .into(),
+    }
+}
+
 fn near(a: &GroundPoint, b: &GroundPoint) -> bool {
     a.distance(b) < 2e-5
 }
@@ -72,6 +103,22 @@ fn a_mission_survives_its_file() {
     assert_eq!(after.navigator, before.navigator);
     assert_eq!(after.camera, before.camera);
     assert_eq!(after.properties, before.properties);
+    assert_eq!(after.routes.len(), 1);
+    let (a, b) = (&after.routes[0], &before.routes[0]);
+    assert_eq!((a.id, &a.name), (b.id, &b.name));
+    assert_eq!(a.properties, b.properties);
+    assert_eq!(a.way_points.len(), b.way_points.len());
+    for (a, b) in a.way_points.iter().zip(&b.way_points) {
+        assert!(near(&a.position, &b.position));
+        let position = b.position;
+        assert_eq!(
+            WayPoint {
+                position,
+                ..a.clone()
+            },
+            *b
+        );
+    }
     for (a, b) in after.landmarks.iter().zip(&before.landmarks) {
         assert_eq!((a.id, &a.name, a.enabled), (b.id, &b.name, b.enabled));
         assert_eq!((a.height, &a.properties), (b.height, &b.properties));
@@ -96,7 +143,48 @@ fn what_is_written_is_geojson() {
     let geojson::GeoJson::FeatureCollection(collection) = parsed else {
         panic!("no collection");
     };
-    assert_eq!(collection.features.len(), 3);
+    assert_eq!(collection.features.len(), 4);
+}
+
+#[test]
+fn a_route_that_is_still_being_drawn_is_saved_too() {
+    for count in 0..3 {
+        let mut mission = mission();
+        mission.routes[0].way_points.truncate(count);
+        let text = write_mission(&mission);
+        assert!(text.parse::<geojson::GeoJson>().is_ok());
+        let back = read_mission(text.as_bytes()).unwrap();
+        assert_eq!(back.routes[0].way_points.len(), count);
+        assert_eq!(write_mission(&back), text);
+    }
+}
+
+#[test]
+fn way_points_that_state_nothing_are_flown_by_at_the_usual_altitude() {
+    let text = r#"{ "type": "FeatureCollection", "features": [
+        { "type": "Feature", "properties": { "pilotage": "route" },
+          "geometry": { "type": "LineString", "coordinates": [[10, 45], [10.001, 45]] } } ] }"#;
+    let mission = read_mission(text.as_bytes()).unwrap();
+    let route = &mission.routes[0];
+    assert_eq!((route.id, route.name.as_str()), (1, "Route 1"));
+    assert_eq!(route.way_points[1].altitude, USUAL_ALTITUDE);
+    assert!((route.length() - 78.8).abs() < 0.1, "{}", route.length());
+    assert_eq!(mission.properties.get(OTHER_FEATURES), None);
+}
+
+#[test]
+fn a_way_point_in_words_that_we_do_not_know_is_told_with_its_line() {
+    let text = write_mission(&mission());
+    let line = |word: &str| 1 + text[..text.find(word).unwrap()].matches('\n').count();
+    for (word, other) in [("\"loiter\"", "\"dance\""), ("\"amsl\"", "\"high\"")] {
+        let error = read_mission(text.replacen(word, other, 1).as_bytes()).unwrap_err();
+        let error = error.to_string();
+        assert!(
+            error.starts_with(&format!("line {},", line(word))),
+            "{error}"
+        );
+        assert!(error.contains(&other.replace('"', "`")), "{error}");
+    }
 }
 
 #[test]

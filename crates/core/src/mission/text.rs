@@ -8,10 +8,10 @@ use serde_json::value::RawValue;
 use super::MissionError;
 
 /// Members of an object as they stand in the text.
-pub(super) type Members<'a> = BTreeMap<String, &'a RawValue>;
+pub(crate) type Members<'a> = BTreeMap<String, &'a RawValue>;
 
 /// The whole text, to find the line of a piece of it.
-pub(super) struct Text<'a>(pub(super) &'a str);
+pub(crate) struct Text<'a>(pub(crate) &'a str);
 
 impl<'a> Text<'a> {
     /// Line and column of the beginning of `piece`, counted from one.
@@ -27,7 +27,7 @@ impl<'a> Text<'a> {
     }
 
     /// A complaint about `piece`.
-    pub(super) fn error(&self, piece: &str, cause: impl Into<String>) -> MissionError {
+    pub(crate) fn error(&self, piece: &str, cause: impl Into<String>) -> MissionError {
         let (line, column) = self.place(piece);
         MissionError::Json {
             line,
@@ -37,7 +37,7 @@ impl<'a> Text<'a> {
     }
 
     /// Line of the beginning of `piece`.
-    pub(super) fn line(&self, piece: &str) -> usize {
+    pub(crate) fn line(&self, piece: &str) -> usize {
         self.place(piece).0
     }
 
@@ -59,22 +59,30 @@ impl<'a> Text<'a> {
     }
 
     /// Members of the object that `piece` is.
-    pub(super) fn members(&self, piece: &'a str) -> Result<Members<'a>, MissionError> {
+    pub(crate) fn members(&self, piece: &'a str) -> Result<Members<'a>, MissionError> {
         serde_json::from_str(piece).map_err(|e| self.json_error(piece, &e))
     }
 
     /// Elements of the array that `piece` is.
-    pub(super) fn elements(&self, piece: &'a str) -> Result<Vec<&'a RawValue>, MissionError> {
+    pub(crate) fn elements(&self, piece: &'a str) -> Result<Vec<&'a RawValue>, MissionError> {
+        serde_json::from_str(piece).map_err(|e| self.json_error(piece, &e))
+    }
+
+    /// The value that `piece` stands for, which may borrow from the text.
+    pub(crate) fn read<T: serde::Deserialize<'a>>(
+        &self,
+        piece: &'a str,
+    ) -> Result<T, MissionError> {
         serde_json::from_str(piece).map_err(|e| self.json_error(piece, &e))
     }
 
     /// The value that `piece` stands for.
-    pub(super) fn value<T: DeserializeOwned>(&self, piece: &str) -> Result<T, MissionError> {
+    pub(crate) fn value<T: DeserializeOwned>(&self, piece: &str) -> Result<T, MissionError> {
         serde_json::from_str(piece).map_err(|e| self.json_error(piece, &e))
     }
 
     /// Takes a member out and reads it; `None` if it is absent or null.
-    pub(super) fn take<T: DeserializeOwned>(
+    pub(crate) fn take<T: DeserializeOwned>(
         &self,
         members: &mut Members<'a>,
         name: &str,

@@ -1,11 +1,13 @@
 //! Writing a mission file.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use serde_json::{Value, json};
 
 use super::globe;
-use super::{FEATURE_MEMBER, MapReference, Mission, OTHER_FEATURES, VERSION};
+use super::way_point_file::write_way_point;
+use super::{FEATURE_MEMBER, MapReference, Mission, OTHER_FEATURES, ROUTE_MARK, Route, VERSION};
 use crate::flight::{CameraFile, OriginFile};
 use crate::frames::{GroundPoint, LocalFrame};
 use crate::landmark::Landmark;
@@ -39,11 +41,7 @@ pub fn write_mission(mission: &Mission) -> String {
             member(name, value);
         }
     }
-    let mut features: Vec<String> = mission
-        .landmarks
-        .iter()
-        .map(|landmark| feature(landmark, &frame))
-        .collect();
+    let mut features = write_features(&mission.routes, &mission.landmarks, &frame);
     if let Some(others) = mission.properties.get(OTHER_FEATURES) {
         let inside = others
             .trim()
@@ -62,6 +60,17 @@ pub fn write_mission(mission: &Mission) -> String {
     text
 }
 
+/// Landmarks and routes as features of GeoJSON.
+pub(crate) fn write_features(
+    routes: &[Route],
+    landmarks: &[Landmark],
+    frame: &LocalFrame,
+) -> Vec<String> {
+    let landmarks = landmarks.iter().map(|l| landmark_feature(l, frame));
+    let routes = routes.iter().map(|r| route_feature(r, frame));
+    landmarks.chain(routes).collect()
+}
+
 fn of(value: &impl serde::Serialize) -> String {
     // Plain structures of numbers and names; a number that is not finite is written as null.
     serde_json::to_string(value).unwrap_or_else(|_| "null".to_owned())
@@ -69,7 +78,7 @@ fn of(value: &impl serde::Serialize) -> String {
 
 /// Degrees to ten decimals, a hundredth of a millimetre, so that a saved file reads and saves to
 /// the same text.
-fn degrees(value: f64) -> String {
+pub(crate) fn degrees(value: f64) -> String {
     let text = format!("{value:.10}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
@@ -79,17 +88,34 @@ fn position(frame: &LocalFrame, p: &GroundPoint) -> String {
     format!("[{}, {}]", degrees(longitude), degrees(latitude))
 }
 
-fn feature(landmark: &Landmark, frame: &LocalFrame) -> String {
-    let ring: Vec<String> = globe::ring(&landmark.bounds)
-        .iter()
-        .map(|p| position(frame, p))
-        .collect();
+/// The beginning of a feature, with its members that we do not know.
+fn begin(properties: &BTreeMap<String, String>) -> String {
     let mut text = String::from("{ \"type\": \"Feature\"");
-    for (name, value) in &landmark.properties {
+    for (name, value) in properties {
         if let Some(name) = name.strip_prefix(FEATURE_MEMBER) {
             let _ = write!(text, ", {}: {value}", Value::from(name));
         }
     }
+    text
+}
+
+/// The properties that we do not know, and the end of the feature.
+fn end(mut text: String, properties: &BTreeMap<String, String>) -> String {
+    for (name, value) in properties {
+        if !name.starts_with(FEATURE_MEMBER) {
+            let _ = write!(text, ", {}: {value}", Value::from(name.as_str()));
+        }
+    }
+    text.push_str(" } }");
+    text
+}
+
+fn landmark_feature(landmark: &Landmark, frame: &LocalFrame) -> String {
+    let ring: Vec<String> = globe::ring(&landmark.bounds)
+        .iter()
+        .map(|p| position(frame, p))
+        .collect();
+    let mut text = begin(&landmark.properties);
     let _ = write!(
         text,
         ",\n      \"geometry\": {{ \"type\": \"Polygon\", \"coordinates\": [[{}]] }},\n      \
@@ -102,11 +128,38 @@ fn feature(landmark: &Landmark, frame: &LocalFrame) -> String {
         Value::from(landmark.height),
         landmark.enabled,
     );
-    for (name, value) in &landmark.properties {
-        if !name.starts_with(FEATURE_MEMBER) {
-            let _ = write!(text, ", {}: {value}", Value::from(name.as_str()));
-        }
-    }
-    text.push_str(" } }");
-    text
+    end(text, &landmark.properties)
+}
+
+fn route_feature(route: &Route, frame: &LocalFrame) -> String {
+    let positions: Vec<String> = route
+        .way_points
+        .iter()
+        .map(|w| position(frame, &w.position))
+        .collect();
+    let geometry = match &positions[..] {
+        [] => "null".to_owned(),
+        // A line has two points at least.
+        [only] => format!("{{ \"type\": \"Point\", \"coordinates\": {only} }}"),
+        all => format!(
+            "{{ \"type\": \"LineString\", \"coordinates\": [{}] }}",
+            all.join(", ")
+        ),
+    };
+    let way_points: Vec<String> = route.way_points.iter().map(write_way_point).collect();
+    let way_points = if way_points.is_empty() {
+        "[]".to_owned()
+    } else {
+        format!("[\n        {}\n      ]", way_points.join(",\n        "))
+    };
+    let mut text = begin(&route.properties);
+    let (mark, marked) = ROUTE_MARK;
+    let _ = write!(
+        text,
+        ",\n      \"geometry\": {geometry},\n      \"properties\": {{ \"{mark}\": {marked}, \
+         \"id\": {}, \"name\": {}, \"way_points\": {way_points}",
+        route.id,
+        Value::from(route.name.as_str()),
+    );
+    end(text, &route.properties)
 }

@@ -1,0 +1,180 @@
+//! Landmarks and routes on the globe, as files hold them, before the world frame is known.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::{Route, WayPoint, globe};
+use crate::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
+use crate::landmark::Landmark;
+
+/// Longitude and latitude, degrees.
+pub(crate) type LonLat = (f64, f64);
+
+/// What a file says of the extent of a landmark.
+pub(crate) enum Extent {
+    /// The landmark is the box around these corners.
+    Corners(Vec<LonLat>),
+    #[expect(dead_code, reason = "readers of points are to come")]
+    /// A box of a size around a point.
+    Around {
+        /// The point.
+        point: LonLat,
+        /// Middle of the box from that point, metres north and east.
+        offset: (f64, f64),
+        /// Extents of the box to the north and to the east, metres.
+        size: (f64, f64),
+    },
+}
+
+impl Extent {
+    fn points(&self) -> &[LonLat] {
+        match self {
+            Self::Corners(corners) => corners,
+            Self::Around { point, .. } => std::slice::from_ref(point),
+        }
+    }
+}
+
+/// A landmark of a file.
+pub(crate) struct FoundLandmark {
+    /// Where it lies.
+    pub extent: Extent,
+    /// The point that is measured; the middle of the box where there is none.
+    pub reference: Option<LonLat>,
+    /// Its identity in the file.
+    pub id: Option<u32>,
+    /// What people call it.
+    pub name: Option<String>,
+    /// Height of the reference above the ground, metres.
+    pub height: f64,
+    /// Whether the navigator looks for it.
+    pub enabled: bool,
+    /// What we do not know, as JSON text.
+    pub properties: BTreeMap<String, String>,
+}
+
+impl FoundLandmark {
+    /// A landmark on the ground of which only its place is known.
+    pub fn new(extent: Extent) -> Self {
+        Self {
+            extent,
+            reference: None,
+            id: None,
+            name: None,
+            height: 0.0,
+            enabled: true,
+            properties: BTreeMap::new(),
+        }
+    }
+}
+
+/// A route of a file; the positions of its way-points stand beside them.
+#[derive(Default)]
+pub(crate) struct FoundRoute {
+    /// Its identity in the file.
+    pub id: Option<u32>,
+    /// What people call it.
+    pub name: Option<String>,
+    /// Places of the way-points, and the way-points, which do not know theirs yet.
+    pub way_points: Vec<(LonLat, WayPoint)>,
+    /// What we do not know, as JSON text.
+    pub properties: BTreeMap<String, String>,
+}
+
+/// Whether these can be a longitude and a latitude in degrees.
+pub(crate) fn on_globe(longitude: f64, latitude: f64) -> bool {
+    (-540.0..=540.0).contains(&longitude) && (-90.0..=90.0).contains(&latitude)
+}
+
+/// The middle of all corners and way-points, on the ellipsoid; `None` if there are none.
+pub(crate) fn middle(landmarks: &[FoundLandmark], routes: &[FoundRoute]) -> Option<Geodetic> {
+    let corners = landmarks.iter().flat_map(|l| l.extent.points());
+    let way_points = routes
+        .iter()
+        .flat_map(|r| r.way_points.iter().map(|(place, _)| place));
+    let points: Vec<LonLat> = corners.chain(way_points).copied().collect();
+    let count = points.len() as f64;
+    (!points.is_empty()).then(|| {
+        let longitude = points.iter().map(|p| p.0).sum::<f64>() / count;
+        let latitude = points.iter().map(|p| p.1).sum::<f64>() / count;
+        Geodetic::from_degrees(latitude, longitude, 0.0)
+    })
+}
+
+/// Identities: those of the file, and free ones where it has none or has one twice.
+fn identities(wanted: &[Option<u32>]) -> Vec<u32> {
+    let mut taken = BTreeSet::new();
+    let own: Vec<bool> = wanted
+        .iter()
+        .map(|id| id.is_some_and(|id| taken.insert(id)))
+        .collect();
+    let mut next = 1;
+    let mut free = || {
+        while !taken.insert(next) {
+            next += 1;
+        }
+        next
+    };
+    wanted
+        .iter()
+        .zip(own)
+        .map(|(id, own)| id.filter(|_| own).unwrap_or_else(&mut free))
+        .collect()
+}
+
+/// The landmarks in the world.
+pub(crate) fn landmarks(found: Vec<FoundLandmark>, frame: &LocalFrame) -> Vec<Landmark> {
+    let wanted: Vec<_> = found.iter().map(|f| f.id).collect();
+    let point = |(longitude, latitude): LonLat| globe::ground(frame, longitude, latitude);
+    found
+        .into_iter()
+        .zip(identities(&wanted))
+        .map(|(found, id)| {
+            let bounds = match &found.extent {
+                Extent::Corners(corners) => {
+                    let corners: Vec<GroundPoint> = corners.iter().copied().map(point).collect();
+                    globe::bounds(&corners)
+                        .unwrap_or_else(|| GroundRect::centered(GroundPoint::default(), 0.0, 0.0))
+                }
+                Extent::Around {
+                    point: middle,
+                    offset,
+                    size,
+                } => {
+                    let middle = point(*middle);
+                    let middle = GroundPoint::new(middle.north + offset.0, middle.east + offset.1);
+                    GroundRect::centered(middle, size.0, size.1)
+                }
+            };
+            Landmark {
+                name: found.name.unwrap_or_else(|| format!("Landmark {id}")),
+                height: found.height,
+                enabled: found.enabled,
+                reference: found.reference.map_or(bounds.center(), point),
+                properties: found.properties,
+                ..Landmark::new(id, "", bounds)
+            }
+        })
+        .collect()
+}
+
+/// The routes in the world.
+pub(crate) fn routes(found: Vec<FoundRoute>, frame: &LocalFrame) -> Vec<Route> {
+    let wanted: Vec<_> = found.iter().map(|f| f.id).collect();
+    found
+        .into_iter()
+        .zip(identities(&wanted))
+        .map(|(found, id)| Route {
+            id,
+            name: found.name.unwrap_or_else(|| format!("Route {id}")),
+            way_points: found
+                .way_points
+                .into_iter()
+                .map(|((longitude, latitude), way_point)| WayPoint {
+                    position: globe::ground(frame, longitude, latitude),
+                    ..way_point
+                })
+                .collect(),
+            properties: found.properties,
+        })
+        .collect()
+}

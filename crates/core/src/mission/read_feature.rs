@@ -1,0 +1,179 @@
+//! Features of a mission file: which are landmarks, which routes, and which somebody else's.
+
+use serde::Deserialize;
+use serde_json::Value;
+use serde_json::value::RawValue;
+
+use super::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
+use super::text::{Members, Text};
+use super::way_point_file::{USUAL_ALTITUDE, kept, read_way_point};
+use super::{FEATURE_MEMBER, MissionError, ROUTE_MARK, WayPoint};
+use crate::frames::GroundPoint;
+
+/// What a feature is to us.
+pub(super) enum Feature {
+    Landmark(FoundLandmark),
+    Route(FoundRoute),
+    Other,
+}
+
+/// Type and coordinates of a geometry, the latter as they stand.
+#[derive(Deserialize)]
+struct Geometry<'a> {
+    r#type: String,
+    #[serde(borrow)]
+    coordinates: Option<&'a RawValue>,
+}
+
+/// What the feature `piece` is: a landmark if it is a polygon, whoever wrote it; a route if it says
+/// so itself.
+pub(super) fn feature<'a>(text: &Text<'a>, piece: &'a RawValue) -> Result<Feature, MissionError> {
+    let mut members = text.members(piece.get())?;
+    let Some(geometry) = members.get("geometry").copied() else {
+        return Ok(Feature::Other);
+    };
+    let has_mark = match members.get("properties") {
+        Some(properties) if properties.get().starts_with('{') => is_marked(text, properties.get())?,
+        _ => false,
+    };
+    let kind: Value = text.value(geometry.get())?;
+    let is_polygon = kind.get("type").and_then(Value::as_str) == Some("Polygon");
+    if !is_polygon && !has_mark {
+        return Ok(Feature::Other);
+    }
+    members.remove("geometry");
+    members.remove("type");
+    let mut properties = match members.remove("properties") {
+        Some(piece) if piece.get() != "null" => text.members(piece.get())?,
+        _ => Members::new(),
+    };
+    if is_polygon {
+        let mut found = landmark(text, piece.get(), geometry.get(), &mut properties)?;
+        found.properties = with_members(properties, members);
+        Ok(Feature::Landmark(found))
+    } else {
+        let mut found = route(text, geometry.get(), &mut properties)?;
+        found.properties = with_members(properties, members);
+        Ok(Feature::Route(found))
+    }
+}
+
+fn is_marked<'a>(text: &Text<'a>, properties: &'a str) -> Result<bool, MissionError> {
+    let members = text.members(properties)?;
+    Ok(members
+        .get(ROUTE_MARK.0)
+        .is_some_and(|value| value.get() == ROUTE_MARK.1))
+}
+
+/// Unknown properties, and unknown members of the feature under names of their own.
+fn with_members(
+    properties: Members,
+    members: Members,
+) -> std::collections::BTreeMap<String, String> {
+    let mut all = kept(properties);
+    for (name, value) in kept(members) {
+        all.insert(format!("{FEATURE_MEMBER}{name}"), value);
+    }
+    all
+}
+
+fn lon_lat(text: &Text, piece: &str, position: &[f64], what: &str) -> Result<LonLat, MissionError> {
+    match position {
+        [longitude, latitude, ..] if on_globe(*longitude, *latitude) => Ok((*longitude, *latitude)),
+        _ => Err(text.error(
+            piece,
+            format!("{what} needs a longitude and a latitude in degrees"),
+        )),
+    }
+}
+
+fn landmark<'a>(
+    text: &Text<'a>,
+    feature: &'a str,
+    geometry: &'a str,
+    properties: &mut Members<'a>,
+) -> Result<FoundLandmark, MissionError> {
+    #[derive(Deserialize)]
+    struct Polygon {
+        coordinates: Vec<Vec<Vec<f64>>>,
+    }
+    let polygon: Polygon = text.value(geometry)?;
+    let corners: Vec<LonLat> = polygon
+        .coordinates
+        .iter()
+        .take(1)
+        .flatten()
+        .map(|position| lon_lat(text, geometry, position, "a corner"))
+        .collect::<Result<_, _>>()?;
+    if corners.len() < 3 {
+        return Err(text.error(geometry, "a polygon has at least three corners"));
+    }
+    let reference_place = properties.get("reference").map(|piece| piece.get());
+    let reference: Option<LonLat> = text.take(properties, "reference")?;
+    if let Some((longitude, latitude)) = reference
+        && !on_globe(longitude, latitude)
+    {
+        return Err(text.error(
+            reference_place.unwrap_or(feature),
+            "the reference is not a longitude and a latitude in degrees",
+        ));
+    }
+    Ok(FoundLandmark {
+        reference,
+        id: text.take(properties, "id")?,
+        name: text.take(properties, "name")?,
+        height: text.take(properties, "height_m")?.unwrap_or(0.0),
+        enabled: text.take(properties, "enabled")?.unwrap_or(true),
+        ..FoundLandmark::new(Extent::Corners(corners))
+    })
+}
+
+/// A route: a line, or a point or nothing where it has too few way-points for one.
+fn route<'a>(
+    text: &Text<'a>,
+    geometry: &'a str,
+    properties: &mut Members<'a>,
+) -> Result<FoundRoute, MissionError> {
+    properties.remove(ROUTE_MARK.0);
+    let line: Option<Geometry> = text.read(geometry)?;
+    let positions: Vec<Vec<f64>> = match &line {
+        None => Vec::new(),
+        Some(Geometry {
+            r#type: kind,
+            coordinates: Some(coordinates),
+        }) if kind == "LineString" => text.value(coordinates.get())?,
+        Some(Geometry {
+            r#type: kind,
+            coordinates: Some(coordinates),
+        }) if kind == "Point" => vec![text.value(coordinates.get())?],
+        Some(_) => return Err(text.error(geometry, "a route is a LineString")),
+    };
+    let stated = match properties.remove("way_points") {
+        Some(piece) => text.elements(piece.get())?,
+        None => Vec::new(),
+    };
+    if stated.len() > positions.len() {
+        return Err(text.error(
+            stated[positions.len()].get(),
+            format!(
+                "more way-points than the line has points, {}",
+                positions.len()
+            ),
+        ));
+    }
+    let mut way_points = Vec::with_capacity(positions.len());
+    for (i, position) in positions.iter().enumerate() {
+        let place = lon_lat(text, geometry, position, "a way-point")?;
+        let way_point = match stated.get(i) {
+            Some(piece) => read_way_point(text, piece.get())?,
+            None => WayPoint::new(GroundPoint::default(), USUAL_ALTITUDE),
+        };
+        way_points.push((place, way_point));
+    }
+    Ok(FoundRoute {
+        id: text.take(properties, "id")?,
+        name: text.take(properties, "name")?,
+        way_points,
+        ..FoundRoute::default()
+    })
+}
