@@ -70,8 +70,10 @@ impl OtherDays for PictureDays {
     }
 }
 
-/// A picture made to look as on another day, as far as that can be done without knowing what it
-/// shows: shadows fall elsewhere, fine texture grew anew, light and contrast changed by the field.
+/// A picture made to look as on another day and from another place, as far as that can be done without
+/// knowing what it shows: shadows fall elsewhere, fine texture grew anew, light and contrast changed by
+/// the field, and what stands up leans another way. Leaning is what tells woods from roads: every few
+/// metres the ground moves by a share of a metre, which a long edge survives and a canopy does not.
 struct ChangedPicture {
     map: Arc<dyn Imagery>,
     seed: u64,
@@ -87,6 +89,10 @@ const TEXTURE: f64 = 0.5;
 const TEXTURE_KEPT: f64 = 0.5;
 /// Furthest that shadows move, metres.
 const SHADOW_SHIFT: f64 = 5.0;
+/// Size of what stands up, metres.
+const CROWN: f64 = 4.0;
+/// How far it leans at most, metres: a height of 2 m seen 20° off.
+const LEAN: f64 = 0.8;
 /// Brightness next to its surroundings below which a pixel is in shadow.
 const SHADOW: f32 = 0.72;
 
@@ -123,7 +129,15 @@ impl Imagery for ChangedPicture {
         let smooth = gaussian_blur(&bright, (TEXTURE / window.gsd).max(0.3));
         let (dx, dy) = (shift * bearing.sin(), -shift * bearing.cos());
         Raster::from_fn(window.width, window.height, |column, row| {
-            let (c, r) = (column + margin, row + margin);
+            let place = window.ground_at(column as f64 + 0.5, row as f64 + 0.5);
+            let lean = |layer| {
+                let metres = LEAN * self.noise(place.north / CROWN, place.east / CROWN, layer);
+                (metres / window.gsd).round() as isize
+            };
+            let (c, r) = (
+                (column + margin).saturating_add_signed(lean(3)),
+                (row + margin).saturating_add_signed(lean(4)),
+            );
             let pixel = picture.get(c, r);
             let before = bright.get(c, r).max(1.0);
             let light = |c: usize, r: usize| shadow(&smooth, &around, c, r);
@@ -131,7 +145,6 @@ impl Imagery for ChangedPicture {
                 (c as f64 - dx).round().max(0.0) as usize,
                 (r as f64 - dy).round().max(0.0) as usize,
             );
-            let place = window.ground_at(column as f64 + 0.5, row as f64 + 0.5);
             let field = self.noise(place.north / FIELD, place.east / FIELD, 1);
             let leaf = self.noise(place.north / TEXTURE, place.east / TEXTURE, 2);
             let texture = bright.get(c, r) - smooth.get(c, r);

@@ -19,6 +19,8 @@ const EVEN_MARGIN: f64 = 0.03;
 const MARGIN_WIDTH: f64 = 0.04;
 /// Least score with which the detector accepts.
 const LEAST_SCORE: f64 = 0.45;
+/// What a rehearsal can promise at best: relief, another camera and a real day are not in it.
+const REHEARSAL: f64 = 0.6;
 /// Seconds over which a fix fades: the error of dead reckoning has then grown to about a fix's own.
 const FADING: f64 = 8.0;
 
@@ -54,7 +56,8 @@ impl Candidate {
     /// Probability of being found in a picture, as far as a rehearsal can tell.
     pub fn probability(&self) -> f64 {
         let rise = |x: f64| 1.0 / (1.0 + (-x).exp());
-        rise((self.margin - EVEN_MARGIN) / MARGIN_WIDTH)
+        REHEARSAL
+            * rise((self.margin - EVEN_MARGIN) / MARGIN_WIDTH)
             * rise((self.score - LEAST_SCORE) / MARGIN_WIDTH)
     }
 }
@@ -136,7 +139,7 @@ impl<'a> Ranking<'a> {
             };
             let candidate = Candidate::of(*bounds, &rehearsal);
             // A place that fails on one day need not be tried on the others.
-            if candidate.probability() < 0.05 {
+            if candidate.probability() < 0.03 {
                 return true;
             }
             if worst.is_none_or(|w| candidate.probability() < w.probability()) {
@@ -171,11 +174,11 @@ pub struct Suggestion {
 /// Chooses at most `count` of `candidates` for a flight whose camera is at `frames` (time in seconds,
 /// pose).
 ///
-/// Each second of the flight is worth the certainty of its latest fix, which fades while dead
-/// reckoning: the best of `p exp(-(t - u) / τ)` over landmarks found at u ≤ t. That is a
-/// facility-location function, monotone and submodular, so that taking the landmark of the greatest
-/// gain, again and again, comes to within 1 - 1/e of the best set (Nemhauser, Wolsey and Fisher 1978);
-/// the weakest stretch is where the most is to be gained.
+/// Each second of the flight is worth the probability of having a fix, where a landmark in view u
+/// seconds ago still counts as `p exp(-u / τ)`, and any of several serves: `1 - Π (1 - pᵢ)`. That is
+/// monotone and submodular, so that taking the landmark of the greatest gain, again and again, comes to
+/// within 1 - 1/e of the best set (Nemhauser, Wolsey and Fisher 1978); the weakest stretch is where the
+/// most is to be gained.
 pub fn choose(
     candidates: &[Candidate],
     camera: &CameraModel,
@@ -198,7 +201,7 @@ pub fn choose(
     while chosen.len() < count {
         let gain = |i: &usize| -> f64 {
             let gains = worth[*i].iter().zip(&covered).enumerate();
-            gains.map(|(f, (w, c))| (w - c).max(0.0) * lasting(f)).sum()
+            gains.map(|(f, (w, c))| w * (1.0 - c) * lasting(f)).sum()
         };
         let best = left
             .iter()
@@ -208,7 +211,7 @@ pub fn choose(
             break;
         };
         for (c, w) in covered.iter_mut().zip(&worth[index]) {
-            *c = c.max(*w);
+            *c += w * (1.0 - *c);
         }
         let candidate = candidates[index];
         // Boxes that share ground with it would only be found and missed together with it.
