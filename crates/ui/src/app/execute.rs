@@ -165,13 +165,19 @@ impl App {
                 self.changed(changed, now);
             }
             Command::Undo | Command::Redo => {
+                let known: Vec<u32> = (self.documents.mission.landmarks.iter())
+                    .map(|l| l.id)
+                    .collect();
                 let affected = if command == Command::Undo {
                     self.documents.undo()
                 } else {
                     self.documents.redo()
                 };
                 let mission = &self.documents.mission;
-                self.selection = self.selection.filter(|id| mission.landmark(*id).is_some());
+                let back = mission.landmarks.iter().map(|l| l.id);
+                let back = back.filter(|id| !known.contains(id)).last();
+                let still = self.selection.filter(|id| mission.landmark(*id).is_some());
+                self.selection = back.or(still);
                 self.examine_soon(now);
                 if affected == Some(true) {
                     self.run_is_stale(now);

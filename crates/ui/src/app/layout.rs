@@ -262,7 +262,8 @@ fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
 }
 
 fn settings(ui: &mut Ui, scene: &mut Scene<'_>, commands: &mut Vec<Command>) {
-    let close = scene.with_context(commands, |context| settings_sheet(ui, context));
+    let usual = || scene.documents.usual_navigator();
+    let close = scene.with_context(commands, |context| settings_sheet(ui, context, usual));
     if close {
         *scene.settings = false;
     }

@@ -9,8 +9,12 @@ use crate::shell::{caption, icons::Icon, muted, text_button, title};
 use crate::tokens::Tokens;
 use crate::units::Units;
 
-/// Draws the sheet; true when it is to be closed.
-pub fn settings_sheet(ui: &mut Ui, context: &mut ViewContext<'_>) -> bool {
+/// Draws the sheet; true when it is to be closed. `usual` are the settings made for the flight.
+pub fn settings_sheet(
+    ui: &mut Ui,
+    context: &mut ViewContext<'_>,
+    usual: impl FnOnce() -> NavigatorSettings,
+) -> bool {
     let tokens = context.tokens;
     let close = title(ui, tokens, "Filter settings");
     ui.label(muted(
@@ -29,7 +33,7 @@ pub fn settings_sheet(ui: &mut Ui, context: &mut ViewContext<'_>) -> bool {
             start(ui, tokens, &mut settings, context.units);
             ui.add_space(tokens.space);
             if text_button(ui, tokens, Some(Icon::Undo), "Reset to default", false).clicked() {
-                settings = NavigatorSettings::default();
+                settings = usual();
             }
             ui.add_space(2.0 * tokens.space);
         });

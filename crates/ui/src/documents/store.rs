@@ -7,6 +7,7 @@ use pilotage_core::flight::Flight;
 use pilotage_core::frames::Geodetic;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{NavigatorSettings, Run};
+use pilotage_core::simulate::Scenario;
 
 use super::{History, Session};
 use crate::jobs::{Distinctness, FlightSource, MapInfo, MapSource, MatchPictures};
@@ -103,6 +104,15 @@ impl Documents {
             mission: self.mission_edited.then(|| self.mission.clone()),
             bookmarks: self.bookmarks.clone(),
         }
+    }
+
+    /// Settings of the navigator as they are made for the flight: a scenario's own, else the default.
+    pub fn usual_navigator(&self) -> NavigatorSettings {
+        let scenario = match &self.flight_source {
+            FlightSource::Simulated(options) => Scenario::named(&options.scenario),
+            FlightSource::Files(_) => None,
+        };
+        scenario.map_or_else(NavigatorSettings::default, |s| s.navigator())
     }
 
     /// Title for the top bar.

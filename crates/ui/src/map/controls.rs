@@ -140,15 +140,20 @@ impl MapView {
             .corner_radius(context.tokens.radius)
             .inner_margin(4)
             .show(&mut ui, |ui| {
-                let field = ui
-                    .add(
-                        TextEdit::singleline(&mut self.name_draft)
-                            .desired_width(192.0)
-                            .hint_text("Name"),
-                    )
-                    .accessible_name("Name of the landmark");
+                let letters = self.name_draft.chars().count();
+                let mut output = TextEdit::singleline(&mut self.name_draft)
+                    .desired_width(192.0)
+                    .hint_text("Name")
+                    .show(ui);
+                let field = output.response.response.clone();
+                let field = field.accessible_name("Name of the landmark");
                 if !field.has_focus() && !field.lost_focus() {
                     field.request_focus();
+                    // Whoever types a name replaces the one that was made up.
+                    let [start, end] = [0, letters].map(egui::text::CCursor::new);
+                    let all = egui::text::CCursorRange::two(start, end);
+                    output.state.cursor.set_char_range(Some(all));
+                    output.state.store(ui.ctx(), field.id);
                 }
                 let escape = ui.input(|i| i.key_pressed(Key::Escape));
                 if field.lost_focus() || escape {

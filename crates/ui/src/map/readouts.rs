@@ -41,7 +41,11 @@ fn readouts(context: &ViewContext<'_>, step: &StepReport) -> Vec<Readout> {
         let strength = north.hypot(east) * speed;
         add(
             "Wind learned",
-            format!("{from:03.0}° {strength:.1}"),
+            if strength < 0.05 {
+                "0.0".to_owned()
+            } else {
+                format!("{from:03.0}° {strength:.1}")
+            },
             speed_unit,
         );
     }

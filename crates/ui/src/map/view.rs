@@ -137,7 +137,8 @@ impl MapView {
     /// Keeps the aircraft in the middle and its direction at the top, if so wished.
     fn steer(&mut self, step: Option<&StepReport>) {
         let Some(step) = step else { return };
-        if self.follow && self.drag == Drag::None {
+        // The ground keeps still under whoever is drawing on it.
+        if self.follow && self.drag == Drag::None && !self.picking {
             self.camera.center = step.after.position();
         }
         if self.track_up {

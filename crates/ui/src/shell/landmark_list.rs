@@ -317,7 +317,7 @@ fn heat_picture(
     let tokens = context.tokens;
     let width = ui.available_width();
     let aspect = found.surface.height() as f32 / found.surface.width() as f32;
-    let height = (width * aspect).min(176.0);
+    let height = (width * aspect).min(232.0);
     let (rect, response) = ui.allocate_exact_size(vec2(width, height), Sense::hover());
     response.widget_info(|| {
         WidgetInfo::labeled(

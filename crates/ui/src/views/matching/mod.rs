@@ -135,7 +135,7 @@ fn waiting(ui: &mut Ui, context: &mut ViewContext<'_>, next: Option<&StepReport>
     let hint = "Matches appear with the first landmark that comes into view.";
     parts::empty(ui, context.tokens, "No landmark looked for yet", hint);
     ui.add_space(context.tokens.space);
-    upcoming(ui, context, next);
+    ui.vertical_centered(|ui| upcoming(ui, context, next));
 }
 
 /// When the next landmark is looked for, and a way to go there.

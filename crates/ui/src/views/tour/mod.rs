@@ -159,7 +159,7 @@ impl Tour {
                     "This vehicle model does not estimate the wind. Choose “Airplane + wind” in the filter settings to see it learned."
                 }
                 _ => {
-                    "The run on screen has not come to such a moment yet. Let it go on, or see the next stop."
+                    "The run on screen has no such moment, or has not come to it yet. Let it go on, or see the next stop."
                 }
             };
             ui.label(
@@ -167,6 +167,7 @@ impl Tour {
                     .size(tokens.text_sizes[1])
                     .color(tokens.muted),
             );
+            self.take_back(ui, context);
             return;
         };
         ui.label(
@@ -199,13 +200,17 @@ impl Tour {
                 context.commands.extend(trial.commands);
                 self.edited += usize::from(trial.edits);
             }
-            if self.edited > 0
-                && parts::chip(ui, tokens, false, "Take it back", "Take it back").clicked()
-            {
-                self.edited -= 1;
-                context.commands.push(Command::Undo);
-            }
+            self.take_back(ui, context);
         });
+    }
+
+    /// Takes back what was tried here, if anything.
+    fn take_back(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
+        let text = "Take it back";
+        if self.edited > 0 && parts::chip(ui, context.tokens, false, text, text).clicked() {
+            self.edited -= 1;
+            context.commands.push(Command::Undo);
+        }
     }
 
     /// Dots, previous, next, leave.
