@@ -189,7 +189,8 @@ fn replay_scenario(scenario: &Scenario, arguments: &Arguments) -> Outcome {
     Ok(())
 }
 
-fn seed_range(text: &str) -> Result<(u64, u64), String> {
+/// The seeds "A..B".
+pub fn seed_range(text: &str) -> Result<(u64, u64), String> {
     text.split_once("..")
         .and_then(|(a, b)| Some((a.parse().ok()?, b.parse().ok()?)))
         .filter(|(a, b)| a < b)

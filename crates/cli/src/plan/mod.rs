@@ -1,5 +1,7 @@
 //! `pilotage plan`: suggest landmarks, predict the uncertainty along a route.
 
+mod verify;
+
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -57,6 +59,13 @@ pub struct Arguments {
     /// Height above ground, metres, where neither route nor scenario states one.
     #[arg(long)]
     height: Option<f64>,
+    /// Way-points instead of the scenario's: metres north and east, "0,0;400,300".
+    #[arg(long, requires = "scenario", allow_hyphen_values = true)]
+    route: Option<String>,
+    /// Fly the plan with seeds A..B, B left out, over the generated scenery on another day, and compare
+    /// the errors with the prediction.
+    #[arg(long, requires_all = ["scenario", "predict"], value_name = "A..B")]
+    fly: Option<String>,
     /// Standard deviation of the position (longer axis) that is accepted, metres.
     #[arg(long, default_value_t = 10.0)]
     limit: f64,
@@ -99,6 +108,7 @@ struct Summary {
     suggestions: Vec<Suggestion>,
     samples: Vec<Sample>,
     worst_stretch: Option<pilotage_core::plan::Stretch>,
+    verification: Option<verify::Verification>,
 }
 
 /// Plans what the arguments say.
@@ -109,6 +119,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         suggestions: Vec::new(),
         samples: Vec::new(),
         worst_stretch: None,
+        verification: None,
     };
     if let Some(count) = arguments.suggest {
         summary.suggestions = suggest(arguments, &ground, count)?;
@@ -125,6 +136,22 @@ pub fn run(arguments: &Arguments) -> Outcome {
             .copied()
             .max_by(|a, b| a.sigma.total_cmp(&b.sigma));
         summary.samples = prediction.samples.iter().map(sample).collect();
+        if let Some((seeds, plan)) = arguments.fly.as_ref().zip(ground.plan.as_ref()) {
+            let seeds = crate::replay::seed_range(seeds)?;
+            let found = verify::verify(&ground, plan, &prediction, seeds)?;
+            println!(
+                "{} flights, {} frames: {:.1} % inside the 95 % ellipse, {:.1} % inside the corridor; \
+                 error {:.2} m RMS where {:.2} m was predicted, at most {:.1} m",
+                found.flights,
+                found.frames,
+                100.0 * found.inside_ellipse,
+                100.0 * found.inside_corridor,
+                found.rms_m,
+                found.predicted_rms_m,
+                found.largest_m
+            );
+            summary.verification = Some(found);
+        }
     }
     summary.landmarks = ground
         .mission
@@ -163,13 +190,17 @@ fn ground(arguments: &Arguments) -> Result<Ground, Box<dyn std::error::Error>> {
             height: arguments.height,
             ..Overrides::default()
         };
+        let mut plan = scenario.plan(&overrides);
+        if let Some(text) = &arguments.route {
+            plan.way_points = way_points(text)?;
+        }
         return Ok(Ground {
             map: Arc::new(CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE)),
             days: Box::new(SceneryDays { seed: DEMO_SEED }),
             mission: scenario.mission(),
             camera: Scenario::camera(),
             height: arguments.height.unwrap_or(scenario.height),
-            plan: Some(scenario.plan(&overrides)),
+            plan: Some(plan),
         });
     }
     let (Some(mission), Some(map)) = (&arguments.mission, &arguments.map) else {
@@ -212,6 +243,17 @@ fn ground(arguments: &Arguments) -> Result<Ground, Box<dyn std::error::Error>> {
         height,
         plan,
     })
+}
+
+fn way_points(text: &str) -> Result<Vec<GroundPoint>, String> {
+    text.split(';')
+        .map(|pair| {
+            let (north, east) = pair.split_once(',')?;
+            let number = |t: &str| t.trim().parse().ok();
+            Some(GroundPoint::new(number(north)?, number(east)?))
+        })
+        .collect::<Option<_>>()
+        .ok_or_else(|| format!("--route: \"{text}\" is not NORTH,EAST;NORTH,EAST;…"))
 }
 
 /// The poses from which landmarks may be seen: along the route, or all over the map without one.
