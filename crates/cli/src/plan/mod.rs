@@ -13,9 +13,9 @@ use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{Mission, read_mission, write_mission};
 use pilotage_core::plan::{
-    Assessor, Circumstances, DetectionStatistics, OtherDays, PictureDays, PlannedLandmark,
-    Prediction, PredictionRequest, Ranking, SceneryDays, Suggestion, choose, poses_all_over,
-    poses_over,
+    Assessor, Candidate, Circumstances, DetectionStatistics, FoundRoutes, OtherDays, PictureDays,
+    PlannedLandmark, Prediction, PredictionRequest, Ranking, RouteQuestion, SceneryDays,
+    Suggestion, choose, poses_all_over, poses_over,
 };
 use pilotage_core::simulate::scenery::DEMO_SEED;
 use pilotage_core::simulate::{FlightPlan, Overrides, Scenario, SensorSpec};
@@ -28,6 +28,8 @@ use crate::files::Directory;
 const MAP_CACHE: usize = 128;
 /// Rehearsal days of a suggestion.
 const DAYS: u64 = 3;
+/// A place that is found with this probability counts as a fix when a route is found.
+const LIKELY: f64 = 0.4;
 /// Pictures by which a landmark is assessed, on how many days.
 const VIEWS: (usize, usize) = (30, 6);
 
@@ -62,6 +64,13 @@ pub struct Arguments {
     /// Way-points instead of the scenario's: metres north and east, "0,0;400,300".
     #[arg(long, requires = "scenario", allow_hyphen_values = true)]
     route: Option<String>,
+    /// Find a route between two places, metres north and east, that is never long without a fix; it
+    /// takes the place of the route.
+    #[arg(long, num_args = 2, value_names = ["FROM", "TO"], allow_hyphen_values = true)]
+    find: Option<Vec<String>>,
+    /// Greatest length of the found route over that of the shortest.
+    #[arg(long, default_value_t = 1.3)]
+    budget: f64,
     /// Fly the plan with seeds A..B, B left out, over the generated scenery on another day, and compare
     /// the errors with the prediction.
     #[arg(long, requires_all = ["scenario", "predict"], value_name = "A..B")]
@@ -106,6 +115,7 @@ struct Sample {
 struct Summary {
     landmarks: Vec<String>,
     suggestions: Vec<Suggestion>,
+    found: Option<FoundRoutes>,
     samples: Vec<Sample>,
     worst_stretch: Option<pilotage_core::plan::Stretch>,
     verification: Option<verify::Verification>,
@@ -117,10 +127,14 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let mut summary = Summary {
         landmarks: Vec::new(),
         suggestions: Vec::new(),
+        found: None,
         samples: Vec::new(),
         worst_stretch: None,
         verification: None,
     };
+    if let Some(ends) = &arguments.find {
+        summary.found = Some(find(arguments, &mut ground, ends)?);
+    }
     if let Some(count) = arguments.suggest {
         summary.suggestions = suggest(arguments, &ground, count)?;
         let proposed = summary.suggestions.iter().zip(1..);
@@ -266,29 +280,30 @@ fn poses(ground: &Ground) -> Vec<(f64, Pose)> {
     poses_all_over(&ground.map.bounds(), ground.height, step, 0.0)
 }
 
-fn suggest(
-    arguments: &Arguments,
-    ground: &Ground,
-    count: usize,
-) -> Result<Vec<Suggestion>, Box<dyn std::error::Error>> {
+/// Side of the boxes that are tried, metres.
+fn side(arguments: &Arguments, ground: &Ground) -> f64 {
     let shorter = ground.camera.width.min(ground.camera.height) as f64;
     let across = ground.height * shorter / ground.camera.focal;
-    let side = arguments.side.unwrap_or(across / 3.0);
+    arguments.side.unwrap_or(across / 3.0)
+}
+
+/// The places of the map that would serve as landmarks, the best first; only those in view of `frames`
+/// where some are given.
+fn rank(arguments: &Arguments, ground: &Ground, frames: Option<&[(f64, Pose)]>) -> Vec<Candidate> {
     let days: Vec<Arc<dyn Imagery>> = (0..DAYS)
         .map(|day| ground.days.day(arguments.seed.wrapping_mul(1000) + day))
         .collect();
-    let frames = poses(ground);
-    let map = Arc::clone(&ground.map);
-    let region = map.bounds();
+    let side = side(arguments, ground);
     let begun = std::time::Instant::now();
-    let mut ranking = Ranking::new(map, &days, &region, side, side);
-    if ground.plan.is_some() {
-        ranking = ranking.seen_from(&ground.camera, &frames, 0.0);
+    let region = ground.map.bounds();
+    let mut ranking = Ranking::new(Arc::clone(&ground.map), &days, &region, side, side);
+    if let Some(frames) = frames {
+        ranking = ranking.seen_from(&ground.camera, frames, 0.0);
     }
     let (_, places) = ranking.progress();
     while ranking.advance() {
         let (done, _) = ranking.progress();
-        if done % 200 == 0 {
+        if done % 500 == 0 {
             eprintln!(
                 "{:3} %  {done} of {places} places",
                 100 * done / places.max(1)
@@ -301,6 +316,58 @@ fn suggest(
         ranked.len(),
         begun.elapsed().as_secs_f64()
     );
+    ranked
+}
+
+/// Finds a route over the places that would serve and flies it instead of the plan's.
+fn find(
+    arguments: &Arguments,
+    ground: &mut Ground,
+    ends: &[String],
+) -> Result<FoundRoutes, Box<dyn std::error::Error>> {
+    let ends = way_points(&ends.join(";"))?;
+    let &[from, to] = &ends[..] else {
+        return Err("--find takes two places, NORTH,EAST each".into());
+    };
+    let ranked = rank(arguments, ground, None);
+    let fixes: Vec<GroundPoint> = ranked
+        .iter()
+        .filter(|c| c.probability() > LIKELY)
+        .map(|c| c.bounds.center())
+        .collect();
+    let shorter = ground.camera.width.min(ground.camera.height) as f64;
+    let found = RouteQuestion {
+        from,
+        to,
+        fixes: &fixes,
+        reach: 0.5 * (ground.height * shorter / ground.camera.focal - side(arguments, ground)),
+        no_fly: &[],
+        clearance: 0.0,
+        budget: arguments.budget,
+    }
+    .find()
+    .ok_or("there is no way between the two places")?;
+    for (name, route) in [("straight", &found.shortest), ("found", &found.surest)] {
+        println!(
+            "{name:9} {:.0} m over {} way-points, at most {:.0} m without a fix",
+            route.length,
+            route.way_points.len(),
+            route.longest_gap
+        );
+    }
+    if let Some(plan) = &mut ground.plan {
+        plan.way_points.clone_from(&found.surest.way_points);
+    }
+    Ok(found)
+}
+
+fn suggest(
+    arguments: &Arguments,
+    ground: &Ground,
+    count: usize,
+) -> Result<Vec<Suggestion>, Box<dyn std::error::Error>> {
+    let frames = poses(ground);
+    let ranked = rank(arguments, ground, ground.plan.as_ref().map(|_| &frames[..]));
     let chosen = choose(&ranked, &ground.camera, &frames, 0.0, count);
     if chosen.is_empty() {
         return Err(

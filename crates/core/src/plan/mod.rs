@@ -4,6 +4,7 @@ mod assess;
 mod corridor;
 mod days;
 mod detection;
+mod find;
 mod prediction;
 mod propagate;
 mod suggest;
@@ -13,6 +14,7 @@ pub use assess::{Assessor, Circumstances, View};
 pub use corridor::{Corridor, corridor};
 pub use days::{OtherDays, PictureDays, SceneryDays, any_day};
 pub use detection::{DetectionStatistics, ExpectedDetection};
+pub use find::{FoundRoute, FoundRoutes, NoFlyArea, RouteQuestion};
 pub use prediction::{
     PlannedLandmark, Prediction, PredictionError, PredictionRequest, PredictionSample, Stretch,
 };
