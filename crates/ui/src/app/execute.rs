@@ -175,7 +175,7 @@ impl App {
                 };
                 let mission = &self.documents.mission;
                 let back = mission.landmarks.iter().map(|l| l.id);
-                let back = back.filter(|id| !known.contains(id)).last();
+                let back = back.filter(|id| !known.contains(id)).next_back();
                 let still = self.selection.filter(|id| mission.landmark(*id).is_some());
                 self.selection = back.or(still);
                 self.examine_soon(now);
