@@ -3,7 +3,7 @@
 use nalgebra::{Point2, Point3};
 
 use super::CameraModel;
-use crate::frames::{GroundPoint, Pose};
+use crate::frames::{GroundPoint, GroundRect, Pose};
 
 /// Pieces into which an edge of the picture is cut where it is bent.
 const BENT_PIECES: usize = 12;
@@ -89,6 +89,16 @@ impl CameraModel {
             }
         }
         polygon
+    }
+
+    /// Whether the whole of `rect`, on the plane `ground_down` metres below the world's origin level,
+    /// lies in the picture, `margin` pixels or more from its edges.
+    pub fn holds(&self, pose: &Pose, rect: &GroundRect, ground_down: f64, margin: f64) -> bool {
+        rect.corners().into_iter().all(|corner| {
+            let point = Point3::new(corner.north, corner.east, ground_down);
+            let pixel = self.project(pose, &point);
+            pixel.is_some_and(|p| self.in_picture(&p, margin))
+        })
     }
 
     /// Corners of the picture, clockwise from the top left.

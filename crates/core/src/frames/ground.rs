@@ -80,6 +80,16 @@ impl GroundRect {
         )
     }
 
+    /// Its corners from the south-west by way of the south-east.
+    pub fn corners(&self) -> [GroundPoint; 4] {
+        [
+            GroundPoint::new(self.south, self.west),
+            GroundPoint::new(self.south, self.east),
+            GroundPoint::new(self.north, self.east),
+            GroundPoint::new(self.north, self.west),
+        ]
+    }
+
     /// North-south extent, metres.
     pub fn height(&self) -> f64 {
         self.north - self.south

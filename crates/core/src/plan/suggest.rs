@@ -215,7 +215,7 @@ pub fn choose(
         }
         let candidate = candidates[index];
         // Boxes that share ground with it would only be found and missed together with it.
-        left.retain(|i| !overlap(&candidates[*i].bounds, &candidate.bounds));
+        left.retain(|i| !candidates[*i].bounds.overlaps(&candidate.bounds));
         let held: Vec<f64> = frames
             .iter()
             .enumerate()
@@ -264,25 +264,9 @@ fn certainty(
         .collect()
 }
 
-fn overlap(a: &GroundRect, b: &GroundRect) -> bool {
-    a.north > b.south && b.north > a.south && a.east > b.west && b.east > a.west
-}
-
 /// Whether the whole box lies in the picture, with a twentieth of the picture to spare.
 fn holds(camera: &CameraModel, pose: &Pose, bounds: &GroundRect, ground_down: f64) -> bool {
-    let margin = 0.05 * camera.height as f64;
-    [
-        (bounds.north, bounds.west),
-        (bounds.north, bounds.east),
-        (bounds.south, bounds.east),
-        (bounds.south, bounds.west),
-    ]
-    .into_iter()
-    .all(|(north, east)| {
-        let point = Point3::new(north, east, ground_down);
-        let pixel = camera.project(pose, &point);
-        pixel.is_some_and(|p| camera.in_picture(&p, margin))
-    })
+    camera.holds(pose, bounds, ground_down, 0.05 * camera.height as f64)
 }
 
 /// Level poses at `height` metres over a path, two a second at `speed` m/s: where the camera will be as

@@ -1,6 +1,6 @@
 //! Which landmarks a planned frame holds, and what each would say of the state.
 
-use nalgebra::{Matrix2, Matrix4, Matrix4x3, Point3, Vector3};
+use nalgebra::{Matrix2, Matrix4, Matrix4x3, Vector3};
 
 use super::prediction::PlannedLandmark;
 use crate::camera::CameraModel;
@@ -44,19 +44,8 @@ impl PlannedFrame<'_> {
         pose.attitude.roll += shake[0];
         pose.attitude.pitch += shake[1];
         pose.attitude.yaw += shake[2];
-        let b = landmark.landmark.bounds;
-        [
-            (b.north, b.west),
-            (b.north, b.east),
-            (b.south, b.east),
-            (b.south, b.west),
-        ]
-        .into_iter()
-        .all(|(north, east)| {
-            let point = Point3::new(north, east, self.ground_down);
-            let pixel = self.camera.project(&pose, &point);
-            pixel.is_some_and(|p| self.camera.in_picture(&p, 0.0))
-        })
+        self.camera
+            .holds(&pose, &landmark.landmark.bounds, self.ground_down, 0.0)
     }
 
     /// What landmark `index` would say; `None` if it is out of reach of any shake, or is not expected
