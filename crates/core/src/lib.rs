@@ -5,6 +5,7 @@
 //! reaches a screen, a clock, a file system or a thread. `cargo xtask test` checks both.
 
 pub mod camera;
+pub mod exchange;
 pub mod filter;
 pub mod flight;
 pub mod frames;

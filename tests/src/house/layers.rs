@@ -7,7 +7,7 @@ use super::{
 };
 
 /// The folders of `crates/core/src` from the bottom up.
-pub const ORDER: [&str; 13] = [
+pub const ORDER: [&str; 14] = [
     "frames",
     "raster",
     "camera",
@@ -18,6 +18,7 @@ pub const ORDER: [&str; 13] = [
     "flight",
     "navigator",
     "mission",
+    "exchange",
     "simulate",
     "plan",
     "study",

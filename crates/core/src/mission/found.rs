@@ -13,7 +13,6 @@ pub(crate) type LonLat = (f64, f64);
 pub(crate) enum Extent {
     /// The landmark is the box around these corners.
     Corners(Vec<LonLat>),
-    #[expect(dead_code, reason = "readers of points are to come")]
     /// A box of a size around a point.
     Around {
         /// The point.

@@ -18,11 +18,13 @@ mod write;
 
 pub use error::MissionError;
 pub use map_file::{MapError, open_map};
+pub(crate) use read::read_features;
 pub use read::read_mission;
 pub use record::{MapReference, Mission};
 pub use route::{Route, WayPoint, WayPointAction};
 pub use way_point_file::USUAL_ALTITUDE;
 pub use write::write_mission;
+pub(crate) use write::{degrees, write_features};
 
 /// Version of the file that is read and written.
 const VERSION: &str = "1";

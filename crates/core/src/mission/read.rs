@@ -19,18 +19,58 @@ use crate::navigator::NavigatorSettings;
 /// other features, unknown properties and unknown members are kept as JSON text. Without an origin
 /// the middle of all polygons and routes is taken.
 pub fn read_mission(bytes: &[u8]) -> Result<Mission, MissionError> {
-    read_mission_into(bytes, None)
-}
-
-/// Reads a mission file into the world around `origin` in place of its own, if there is one.
-pub(crate) fn read_mission_into(
-    bytes: &[u8],
-    origin: Option<Geodetic>,
-) -> Result<Mission, MissionError> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let content = std::str::from_utf8(bytes).map_err(|e| MissionError::NotText(e.valid_up_to()))?;
     let text = Text(content);
-    let mut members = text.members(content)?;
+    let (found, mut members) = read_features(&text)?;
+    let origin = found
+        .origin
+        .or_else(|| found::middle(&found.landmarks, &found.routes))
+        .unwrap_or(Geodetic::from_degrees(0.0, 0.0, 0.0));
+    let frame = LocalFrame::new(origin);
+    let camera_place = members.get("camera").map(|piece| piece.get());
+    let camera: Option<CameraFile> = text.take(&mut members, "camera")?;
+    let camera = camera
+        .map(|camera| camera.camera())
+        .transpose()
+        .map_err(|cause| text.error(camera_place.unwrap_or(content), format!("camera: {cause}")))?;
+    let mut mission = Mission {
+        name: text
+            .take(&mut members, "name")?
+            .unwrap_or_else(|| "Mission".to_owned()),
+        origin,
+        map: map(&text, &mut members)?,
+        landmarks: found::landmarks(found.landmarks, &frame),
+        routes: found::routes(found.routes, &frame),
+        camera,
+        navigator: navigator(&text, &mut members)?,
+        properties: kept(members),
+    };
+    if !found.others.is_empty() {
+        let list: Vec<&str> = found.others.iter().map(|f| f.get()).collect();
+        let list = format!("[{}]", list.join(","));
+        mission.properties.insert(OTHER_FEATURES.to_owned(), list);
+    }
+    Ok(mission)
+}
+
+/// What the features of a collection are, still on the globe.
+pub(crate) struct FoundFeatures<'a> {
+    /// Landmarks in the order of the file.
+    pub landmarks: Vec<FoundLandmark>,
+    /// Routes in the order of the file.
+    pub routes: Vec<FoundRoute>,
+    /// Somebody else's features.
+    pub others: Vec<&'a RawValue>,
+    /// Origin that the file states.
+    pub origin: Option<Geodetic>,
+}
+
+/// Reads the features of a collection and its origin; the second is what other members there are.
+pub(crate) fn read_features<'a>(
+    text: &Text<'a>,
+) -> Result<(FoundFeatures<'a>, Members<'a>), MissionError> {
+    let mut members = text.members(text.0)?;
     let kind: Option<Value> = text.take(&mut members, "type")?;
     let features = members.remove("features");
     let (Some("FeatureCollection"), Some(features)) =
@@ -46,57 +86,27 @@ pub(crate) fn read_mission_into(
             version: version.get().chars().take(20).collect(),
         });
     }
-    let (mut landmarks, mut routes) = (Vec::new(), Vec::new());
-    let mut others: Vec<&RawValue> = Vec::new();
+    let (mut landmarks, mut routes, mut others) = (Vec::new(), Vec::new(), Vec::new());
     for piece in text.elements(features.get())? {
-        match feature(&text, piece)? {
+        match feature(text, piece)? {
             Feature::Landmark(landmark) => landmarks.push(landmark),
             Feature::Route(route) => routes.push(route),
             Feature::Other => others.push(piece),
         }
     }
-    let own_origin = own_origin(&text, &mut members, &landmarks, &routes)?;
-    let origin = origin.unwrap_or(own_origin);
-    let frame = LocalFrame::new(origin);
-    let camera_place = members.get("camera").map(|piece| piece.get());
-    let camera: Option<CameraFile> = text.take(&mut members, "camera")?;
-    let camera = camera
-        .map(|camera| camera.camera())
-        .transpose()
-        .map_err(|cause| text.error(camera_place.unwrap_or(content), format!("camera: {cause}")))?;
-    let mut mission = Mission {
-        name: text
-            .take(&mut members, "name")?
-            .unwrap_or_else(|| "Mission".to_owned()),
-        origin,
-        map: map(&text, &mut members)?,
-        landmarks: found::landmarks(landmarks, &frame),
-        routes: found::routes(routes, &frame),
-        camera,
-        navigator: navigator(&text, &mut members)?,
-        properties: kept(members),
-    };
-    if !others.is_empty() {
-        let list: Vec<&str> = others.iter().map(|f| f.get()).collect();
-        let list = format!("[{}]", list.join(","));
-        mission.properties.insert(OTHER_FEATURES.to_owned(), list);
-    }
-    Ok(mission)
-}
-
-fn own_origin<'a>(
-    text: &Text<'a>,
-    members: &mut Members<'a>,
-    landmarks: &[FoundLandmark],
-    routes: &[FoundRoute],
-) -> Result<Geodetic, MissionError> {
     let place = members.get("origin").map(|piece| piece.get());
-    if let Some(origin) = text.take::<OriginFile>(members, "origin")? {
-        return origin
-            .geodetic()
-            .map_err(|cause| text.error(place.unwrap_or(text.0), format!("origin: {cause}")));
-    }
-    Ok(found::middle(landmarks, routes).unwrap_or(Geodetic::from_degrees(0.0, 0.0, 0.0)))
+    let origin = text.take::<OriginFile>(&mut members, "origin")?;
+    let origin = origin
+        .map(|origin| origin.geodetic())
+        .transpose()
+        .map_err(|cause| text.error(place.unwrap_or(text.0), format!("origin: {cause}")))?;
+    let found = FoundFeatures {
+        landmarks,
+        routes,
+        others,
+        origin,
+    };
+    Ok((found, members))
 }
 
 fn map<'a>(

@@ -87,6 +87,20 @@ fn lon_lat(text: &Text, piece: &str, position: &[f64], what: &str) -> Result<Lon
     }
 }
 
+/// Takes a property out if it is of our type; somebody else's of the same name is kept aside.
+fn own<'a, T: serde::de::DeserializeOwned>(
+    text: &Text<'a>,
+    properties: &mut Members<'a>,
+    name: &str,
+) -> Option<T> {
+    let piece = properties.remove(name)?;
+    let value: Option<T> = text.value(piece.get()).ok();
+    if value.is_none() && piece.get() != "null" {
+        properties.insert(format!("{name}_in_file"), piece);
+    }
+    value
+}
+
 fn landmark<'a>(
     text: &Text<'a>,
     feature: &'a str,
@@ -120,8 +134,8 @@ fn landmark<'a>(
     }
     Ok(FoundLandmark {
         reference,
-        id: text.take(properties, "id")?,
-        name: text.take(properties, "name")?,
+        id: own(text, properties, "id"),
+        name: own(text, properties, "name"),
         height: text.take(properties, "height_m")?.unwrap_or(0.0),
         enabled: text.take(properties, "enabled")?.unwrap_or(true),
         ..FoundLandmark::new(Extent::Corners(corners))
@@ -171,8 +185,8 @@ fn route<'a>(
         way_points.push((place, way_point));
     }
     Ok(FoundRoute {
-        id: text.take(properties, "id")?,
-        name: text.take(properties, "name")?,
+        id: own(text, properties, "id"),
+        name: own(text, properties, "name"),
         way_points,
         ..FoundRoute::default()
     })

@@ -1,0 +1,68 @@
+//! What can be wrong with a file of routes or landmarks.
+
+use crate::mission::MissionError;
+
+/// Why a file cannot be read or written, with the file, the place in it and what to do.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ExchangeError {
+    /// Neither content nor extension tell a format that is known.
+    #[error(
+        "{file}: this is no file of routes or landmarks; known are QGroundControl .plan, QGC WPL .waypoints, KML, KMZ, GeoJSON, GPX and CSV"
+    )]
+    Unknown {
+        /// Name of the file.
+        file: String,
+    },
+    /// Something is wrong at a place of the text.
+    #[error("{file}, line {line}, column {column}: {cause}")]
+    Place {
+        /// Name of the file.
+        file: String,
+        /// Line, counted from one.
+        line: usize,
+        /// Column, counted from one.
+        column: usize,
+        /// What is wrong, and for a nested file which member or element.
+        cause: String,
+    },
+    /// Something is wrong with the file as a whole.
+    #[error("{file}: {cause}")]
+    File {
+        /// Name of the file.
+        file: String,
+        /// What is wrong, and what to do.
+        cause: String,
+    },
+    /// What is to be written has no place in the format.
+    #[error("{format} cannot hold {what}; {advice}")]
+    CannotHold {
+        /// Name of the format.
+        format: &'static str,
+        /// What it cannot hold.
+        what: String,
+        /// What to do instead.
+        advice: &'static str,
+    },
+}
+
+impl ExchangeError {
+    /// The complaint of a reader of JSON, about `file`.
+    pub(super) fn of_json(file: &str, error: MissionError) -> Self {
+        match error {
+            MissionError::Json {
+                line,
+                column,
+                cause,
+            } => Self::Place {
+                file: file.to_owned(),
+                line,
+                column,
+                cause,
+            },
+            other => Self::File {
+                file: file.to_owned(),
+                cause: other.to_string(),
+            },
+        }
+    }
+}

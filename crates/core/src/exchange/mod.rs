@@ -1,0 +1,24 @@
+//! Exchange formats: routes and landmarks as other programs read and write them.
+//!
+//! One file per format and direction; docs/formats.md says what each format holds. What a file has
+//! and we do not know is kept in the properties of routes, way-points and landmarks and written
+//! again into the same format; whatever was assumed, kept aside or left out stands in the notes.
+
+mod error;
+mod format;
+mod geojson;
+mod item;
+mod item_route;
+mod plan;
+#[cfg(test)]
+mod plan_schema;
+mod read;
+#[cfg(test)]
+mod tests;
+mod waypoints;
+mod write;
+
+pub use error::ExchangeError;
+pub use format::Format;
+pub use read::{Imported, read_any};
+pub use write::{Written, write_landmarks, write_route, write_routes_and_landmarks};

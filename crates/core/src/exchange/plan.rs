@@ -1,0 +1,353 @@
+//! `QGroundControl`'s plan: JSON with a mission, fences and rally points.
+//!
+//! <https://docs.qgroundcontrol.com/master/en/qgc-dev-guide/file_formats/plan.html>
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
+
+use serde_json::Value;
+use serde_json::value::RawValue;
+
+use super::ExchangeError;
+use super::item::Item;
+use super::item_route::{self, Home, Step, Written, home_of, members, route_of, steps_of};
+use super::read::Found;
+use crate::frames::{Altitude, AltitudeFrame, LocalFrame};
+use crate::mission::text::{Members, Text};
+use crate::mission::way_point_file::kept;
+use crate::mission::{MissionError, Route, degrees};
+
+/// Prefixes of a route's properties that are members of the plan and of its mission.
+const PLAN: &str = "plan:";
+const MISSION: &str = "plan.mission:";
+
+/// Reads a plan as one route.
+pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
+    read_text(file, &Text(content)).map_err(|e| ExchangeError::of_json(file, e))
+}
+
+fn read_text(file: &str, text: &Text) -> Result<Found, MissionError> {
+    let mut plan = text.members(text.0)?;
+    let kind: Option<String> = at("fileType", text.take(&mut plan, "fileType"))?;
+    if kind.as_deref() != Some("Plan") {
+        return Err(text.error(text.0, "fileType: a plan says \"Plan\" here"));
+    }
+    expect_version(text, &plan, "version", 1)?;
+    plan.remove("version");
+    let Some(mission) = plan.remove("mission") else {
+        return Err(text.error(text.0, "mission: the plan has none"));
+    };
+    let mut mission = text.members(mission.get())?;
+    expect_version(text, &mission, "mission.version", 2)?;
+    mission.remove("version");
+    let Some(items) = mission.remove("items") else {
+        return Err(text.error(text.0, "mission.items: there is no list of commands"));
+    };
+    let home: Option<Vec<Option<f64>>> = text.take(&mut mission, "plannedHomePosition")?;
+    let home = home.and_then(|h| match h[..] {
+        [Some(latitude), Some(longitude), altitude, ..] => {
+            Some([latitude, longitude, altitude.unwrap_or(0.0)])
+        }
+        _ => None,
+    });
+    let mut steps = Vec::new();
+    for (i, item) in text.elements(items.get())?.into_iter().enumerate() {
+        steps.push(step(text, i, item)?);
+    }
+    let (mut route, mut notes) = route_of(steps, home);
+    let stem = file.rsplit(['/', '\\']).next().unwrap_or(file);
+    route.name = Some(
+        stem.rsplit_once('.')
+            .map_or(stem, |(stem, _)| stem)
+            .to_owned(),
+    );
+    for (name, what) in [("geoFence", "fences"), ("rallyPoints", "rally points")] {
+        let holds = plan.get(name).is_some_and(|piece| holds_places(piece));
+        if holds {
+            notes.push(format!("the {what} are kept, and not shown"));
+        }
+    }
+    for (prefix, members) in [(PLAN, plan), (MISSION, mission)] {
+        for (name, value) in kept(members) {
+            route.properties.insert(format!("{prefix}{name}"), value);
+        }
+    }
+    Ok(Found {
+        routes: vec![route],
+        notes,
+        ..Found::default()
+    })
+}
+
+/// Puts the path of a member before what is wrong with it.
+fn at<T>(path: &str, result: Result<T, MissionError>) -> Result<T, MissionError> {
+    result.map_err(|error| match error {
+        MissionError::Json {
+            line,
+            column,
+            cause,
+        } => MissionError::Json {
+            line,
+            column,
+            cause: format!("{path}: {cause}"),
+        },
+        other => other,
+    })
+}
+
+fn expect_version(
+    text: &Text,
+    members: &Members,
+    path: &str,
+    version: u32,
+) -> Result<(), MissionError> {
+    match members.get("version") {
+        Some(piece) if piece.get() == version.to_string() => Ok(()),
+        Some(piece) => Err(text.error(
+            piece.get(),
+            format!("{path}: {} is not known, only {version} is", piece.get()),
+        )),
+        None => Err(text.error(text.0, format!("{path}: the version is missing"))),
+    }
+}
+
+/// Whether there is any coordinate in it.
+fn holds_places(piece: &RawValue) -> bool {
+    fn has_fraction(value: &Value) -> bool {
+        match value {
+            Value::Number(number) => number.is_f64(),
+            Value::Array(list) => list.iter().any(has_fraction),
+            Value::Object(members) => members.values().any(has_fraction),
+            _ => false,
+        }
+    }
+    serde_json::from_str::<Value>(piece.get()).is_ok_and(|value| has_fraction(&value))
+}
+
+fn step<'a>(text: &Text<'a>, i: usize, piece: &'a RawValue) -> Result<Step, MissionError> {
+    let path = |name: &str| format!("mission.items[{i}].{name}");
+    let mut members = at(&format!("mission.items[{i}]"), text.members(piece.get()))?;
+    let kind: Option<String> = at(&path("type"), text.take(&mut members, "type"))?;
+    if kind.as_deref() != Some("SimpleItem") {
+        let name: Option<String> = text.take(&mut members, "complexItemType").ok().flatten();
+        let name = name
+            .or(kind)
+            .unwrap_or_else(|| "an item without type".to_owned());
+        return Ok(Step::Other(name, piece.get().to_owned()));
+    }
+    let missing = |name: &str| text.error(piece.get(), format!("{}: it is missing", path(name)));
+    let command: Option<u16> = at(&path("command"), text.take(&mut members, "command"))?;
+    let frame: Option<u8> = at(&path("frame"), text.take(&mut members, "frame"))?;
+    let params_place = members.get("params").map_or(piece.get(), |p| p.get());
+    let params: Option<Vec<Option<f64>>> = at(&path("params"), text.take(&mut members, "params"))?;
+    let mut params = params.ok_or_else(|| missing("params"))?;
+    // Older plans state the place apart.
+    let place: Option<Vec<Option<f64>>> =
+        at(&path("coordinate"), text.take(&mut members, "coordinate"))?;
+    params.extend(place.into_iter().flatten());
+    let count = params.len();
+    let parameters = <[Option<f64>; 7]>::try_from(params).map_err(|_| {
+        text.error(
+            params_place,
+            format!("{}: there are {count} numbers, not 7", path("params")),
+        )
+    })?;
+    let is_continued: Option<bool> = at(
+        &path("autoContinue"),
+        text.take(&mut members, "autoContinue"),
+    )?;
+    let item = Item {
+        command: command.ok_or_else(|| missing("command"))?,
+        frame: frame.ok_or_else(|| missing("frame"))?,
+        parameters,
+        is_continued: is_continued.unwrap_or(true),
+    };
+    let mode: Option<f64> = at(
+        &path("AltitudeMode"),
+        text.take(&mut members, "AltitudeMode"),
+    )?;
+    let metres: Option<f64> = at(&path("Altitude"), text.take(&mut members, "Altitude"))?;
+    members.remove("AMSLAltAboveTerrain");
+    let frame = mode.and_then(|mode| match mode as i64 {
+        1 => Some(AltitudeFrame::AboveTakeOff),
+        2 => Some(AltitudeFrame::Amsl),
+        3 | 4 => Some(AltitudeFrame::AboveGround),
+        _ => None,
+    });
+    Ok(Step::Command {
+        item,
+        altitude: frame.zip(metres).map(|(frame, m)| Altitude::new(m, frame)),
+        members: kept(members),
+        text: piece.get().to_owned(),
+    })
+}
+
+/// The route as a plan, and notes on what was assumed.
+pub(super) fn write(route: &Route, frame: &LocalFrame) -> (String, Vec<String>) {
+    let mut notes = Vec::new();
+    let own = |prefix: &'static str| {
+        route
+            .properties
+            .iter()
+            .filter_map(move |(name, value)| Some((name.strip_prefix(prefix)?, value.clone())))
+            .collect::<BTreeMap<&str, String>>()
+    };
+    let mut mission = own(MISSION);
+    if !mission.contains_key("firmwareType") {
+        notes.push(
+            "the plan says PX4 and fixed wing; choose another vehicle in QGroundControl if need be"
+                .to_owned(),
+        );
+    }
+    let home = home_of(route, frame);
+    if let Some(home) = home {
+        if !route.properties.contains_key("home") {
+            notes.push("the first way-point is written as home, at a height of 0 m".to_owned());
+        }
+        mission.insert("plannedHomePosition", position(home));
+    }
+    let defaults = [
+        ("cruiseSpeed", "15"),
+        ("firmwareType", "12"),
+        ("hoverSpeed", "5"),
+        ("plannedHomePosition", "[0, 0, 0]"),
+        ("vehicleType", "1"),
+    ];
+    for (name, value) in defaults {
+        mission.entry(name).or_insert_with(|| value.to_owned());
+    }
+    mission.insert("globalPlanAltitudeMode", plan_mode(route).to_string());
+    mission.insert("items", items(route, frame));
+    mission.insert("version", "2".to_owned());
+    let mut plan = own(PLAN);
+    let defaults = [
+        (
+            "geoFence",
+            "{ \"circles\": [], \"polygons\": [], \"version\": 2 }",
+        ),
+        ("groundStation", "\"Pilotage\""),
+        ("rallyPoints", "{ \"points\": [], \"version\": 2 }"),
+    ];
+    for (name, value) in defaults {
+        plan.entry(name).or_insert_with(|| value.to_owned());
+    }
+    plan.insert("fileType", "\"Plan\"".to_owned());
+    plan.insert("version", "1".to_owned());
+    plan.insert("mission", object(&mission, "    "));
+    (object(&plan, "") + "\n", notes)
+}
+
+fn object(members: &BTreeMap<&str, String>, indent: &str) -> String {
+    let lines: Vec<String> = members
+        .iter()
+        .map(|(name, value)| format!("{indent}    {}: {value}", Value::from(*name)))
+        .collect();
+    format!("{{\n{}\n{indent}}}", lines.join(",\n"))
+}
+
+fn position([latitude, longitude, altitude]: Home) -> String {
+    format!(
+        "[{}, {}, {}]",
+        degrees(latitude),
+        degrees(longitude),
+        Value::from(altitude)
+    )
+}
+
+/// `QGroundControl`'s number for what altitudes count from.
+fn mode(frame: AltitudeFrame) -> u8 {
+    match frame {
+        AltitudeFrame::AboveTakeOff => 1,
+        AltitudeFrame::Amsl => 2,
+        AltitudeFrame::AboveGround => 4,
+    }
+}
+
+/// The mode of all way-points, or 0 where they differ.
+fn plan_mode(route: &Route) -> u8 {
+    let modes: BTreeSet<u8> = route
+        .way_points
+        .iter()
+        .map(|w| mode(w.altitude.frame))
+        .collect();
+    match modes.len() {
+        0 => 1,
+        1 => modes.into_iter().sum(),
+        _ => 0,
+    }
+}
+
+fn items(route: &Route, frame: &LocalFrame) -> String {
+    let steps = steps_of(route, frame);
+    // Where commands jump to others by number, those with a number keep it.
+    let own_ids: Vec<Option<usize>> = steps.iter().map(jump_id).collect();
+    let is_numbered_anew = !route
+        .way_points
+        .iter()
+        .any(|w| members(w).any(|(name, _)| name == "doJumpId"));
+    let mut next = if is_numbered_anew {
+        1
+    } else {
+        own_ids.iter().flatten().max().map_or(1, |id| id + 1)
+    };
+    let mut lines = Vec::new();
+    for (step, own) in steps.iter().zip(own_ids) {
+        let id = own.filter(|_| !is_numbered_anew).unwrap_or_else(|| {
+            next += 1;
+            next - 1
+        });
+        lines.push(match step {
+            Written::Kept(piece) => with_jump_id(piece.get(), id),
+            Written::Speed(item) => item.json(id),
+            Written::WayPoint(item, way_point) => {
+                let mut text = item.json(id);
+                text.truncate(text.len() - " }".len());
+                // Writing into a string cannot fail.
+                let _ = write!(
+                    text,
+                    ", \"AMSLAltAboveTerrain\": null, \"Altitude\": {}, \"AltitudeMode\": {}",
+                    Value::from(way_point.altitude.metres),
+                    mode(way_point.altitude.frame)
+                );
+                for (name, value) in members(way_point).filter(|(name, _)| *name != "doJumpId") {
+                    let _ = write!(text, ", {}: {value}", Value::from(name));
+                }
+                text + " }"
+            }
+        });
+    }
+    if lines.is_empty() {
+        return "[]".to_owned();
+    }
+    let indent = "\n            ";
+    format!("[{indent}{}\n        ]", lines.join(&format!(",{indent}")))
+}
+
+/// The number by which jumps name a step.
+fn jump_id(step: &Written) -> Option<usize> {
+    match step {
+        Written::Speed(_) => None,
+        Written::WayPoint(_, way_point) => item_route::members(way_point)
+            .find(|(name, _)| *name == "doJumpId")
+            .and_then(|(_, value)| value.parse().ok()),
+        Written::Kept(piece) => {
+            let value: Value = serde_json::from_str(piece.get()).ok()?;
+            usize::try_from(value.get("doJumpId")?.as_u64()?).ok()
+        }
+    }
+}
+
+/// A kept command with its number replaced; what has none stays as it is.
+fn with_jump_id(text: &str, id: usize) -> String {
+    let members: Option<Members> = serde_json::from_str(text).ok();
+    let Some(old) = members.as_ref().and_then(|m| m.get("doJumpId")) else {
+        return text.to_owned();
+    };
+    // The piece is borrowed from the text.
+    let begin = (old.get().as_ptr() as usize).wrapping_sub(text.as_ptr() as usize);
+    let (Some(before), Some(after)) = (text.get(..begin), text.get(begin + old.get().len()..))
+    else {
+        return text.to_owned();
+    };
+    format!("{before}{id}{after}")
+}

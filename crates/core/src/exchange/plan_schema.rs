@@ -1,0 +1,123 @@
+//! What `QGroundControl` documents of its plan files, as checks of what we write.
+//!
+//! <https://docs.qgroundcontrol.com/master/en/qgc-dev-guide/file_formats/plan.html>
+
+use serde_json::Value;
+
+/// What a member has to be.
+#[derive(Clone, Copy, Debug)]
+enum Kind {
+    Number,
+    NumberOrNull,
+    Bool,
+    Is(&'static str),
+    Version(u64),
+    Array,
+    Object,
+}
+
+const PLAN: [(&str, Kind); 6] = [
+    ("fileType", Kind::Is("Plan")),
+    ("version", Kind::Version(1)),
+    ("groundStation", Kind::Is("Pilotage")),
+    ("mission", Kind::Object),
+    ("geoFence", Kind::Object),
+    ("rallyPoints", Kind::Object),
+];
+const MISSION: [(&str, Kind); 8] = [
+    ("version", Kind::Version(2)),
+    ("firmwareType", Kind::Number),
+    ("globalPlanAltitudeMode", Kind::Number),
+    ("vehicleType", Kind::Number),
+    ("cruiseSpeed", Kind::Number),
+    ("hoverSpeed", Kind::Number),
+    ("items", Kind::Array),
+    ("plannedHomePosition", Kind::Array),
+];
+const SIMPLE_ITEM: [(&str, Kind); 6] = [
+    ("type", Kind::Is("SimpleItem")),
+    ("autoContinue", Kind::Bool),
+    ("command", Kind::Number),
+    ("doJumpId", Kind::Number),
+    ("frame", Kind::Number),
+    ("params", Kind::Array),
+];
+/// Either all of these or none: an item that leads to a place has them.
+const ALTITUDE: [(&str, Kind); 3] = [
+    ("AMSLAltAboveTerrain", Kind::NumberOrNull),
+    ("Altitude", Kind::NumberOrNull),
+    ("AltitudeMode", Kind::Number),
+];
+const FENCE: [(&str, Kind); 3] = [
+    ("version", Kind::Version(2)),
+    ("circles", Kind::Array),
+    ("polygons", Kind::Array),
+];
+const RALLY: [(&str, Kind); 2] = [("version", Kind::Version(2)), ("points", Kind::Array)];
+
+fn has(value: &Value, path: &str, members: &[(&str, Kind)]) -> Result<(), String> {
+    for (name, kind) in members {
+        let member = value
+            .get(name)
+            .ok_or_else(|| format!("{path}.{name} is missing"))?;
+        let is_right = match kind {
+            Kind::Number => member.is_number(),
+            Kind::NumberOrNull => member.is_number() || member.is_null(),
+            Kind::Bool => member.is_boolean(),
+            Kind::Is(text) => member == text,
+            Kind::Version(version) => member.as_u64() == Some(*version),
+            Kind::Array => member.is_array(),
+            Kind::Object => member.is_object(),
+        };
+        if !is_right {
+            return Err(format!("{path}.{name} is {member}, not {kind:?}"));
+        }
+    }
+    Ok(())
+}
+
+fn is_position(value: &Value) -> bool {
+    let numbers: Option<Vec<f64>> = value
+        .as_array()
+        .and_then(|list| list.iter().map(Value::as_f64).collect());
+    matches!(numbers.as_deref(), Some([latitude, longitude, _])
+        if latitude.abs() <= 90.0 && longitude.abs() <= 540.0)
+}
+
+/// Whether `text` is a plan as the documentation has it; otherwise what is not.
+pub(super) fn check(text: &str) -> Result<(), String> {
+    let plan: Value = serde_json::from_str(text).map_err(|e| e.to_string())?;
+    has(&plan, "plan", &PLAN)?;
+    has(&plan["geoFence"], "geoFence", &FENCE)?;
+    has(&plan["rallyPoints"], "rallyPoints", &RALLY)?;
+    let mission = &plan["mission"];
+    has(mission, "mission", &MISSION)?;
+    if !is_position(&mission["plannedHomePosition"]) {
+        return Err("plannedHomePosition is no position".to_owned());
+    }
+    let items = mission["items"].as_array().ok_or("no items")?;
+    if items.is_empty() {
+        return Err("a plan has one item at least".to_owned());
+    }
+    let mut ids = Vec::new();
+    for (i, item) in items.iter().enumerate() {
+        if item["type"] == "ComplexItem" {
+            continue;
+        }
+        let path = format!("items[{i}]");
+        has(item, &path, &SIMPLE_ITEM)?;
+        if ALTITUDE.iter().any(|(name, _)| item.get(name).is_some()) {
+            has(item, &path, &ALTITUDE)?;
+        }
+        let params = item["params"].as_array().ok_or("no params")?;
+        if params.len() != 7 || !params.iter().all(|p| p.is_number() || p.is_null()) {
+            return Err(format!("{path}.params are not seven numbers or nulls"));
+        }
+        ids.push(item["doJumpId"].as_u64());
+    }
+    ids.sort_unstable();
+    if ids.windows(2).any(|pair| pair[0] == pair[1]) {
+        return Err("two items have the same doJumpId".to_owned());
+    }
+    Ok(())
+}

@@ -1,0 +1,96 @@
+//! One entry for all formats that are read.
+
+use super::{ExchangeError, Format, geojson, plan, waypoints};
+use crate::frames::{Geodetic, LocalFrame};
+use crate::landmark::Landmark;
+use crate::mission::Route;
+use crate::mission::found::{self, FoundLandmark, FoundRoute};
+
+/// Sides of the box that a place gets of which only a point is known, metres.
+pub(super) const POINT_BOX: f64 = 20.0;
+
+/// What a file brought.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Imported {
+    /// The format it was in.
+    pub format: Format,
+    /// The world frame in which routes and landmarks are placed.
+    pub frame: LocalFrame,
+    /// Its routes.
+    pub routes: Vec<Route>,
+    /// Its landmarks.
+    pub landmarks: Vec<Landmark>,
+    /// What was assumed, kept aside or left out, in sentences for people.
+    pub notes: Vec<String>,
+}
+
+/// What a file brought, still on the globe.
+#[derive(Default)]
+pub(super) struct Found {
+    pub routes: Vec<FoundRoute>,
+    pub landmarks: Vec<FoundLandmark>,
+    pub notes: Vec<String>,
+    /// Origin that the file states.
+    pub origin: Option<Geodetic>,
+}
+
+/// Reads the routes and landmarks of a file in any format, told by its content and its name.
+///
+/// They are placed in `frame`; without one around the middle of what was found. Identities are
+/// unique within the file, not among those that the caller has already.
+pub fn read_any(
+    name: &str,
+    bytes: &[u8],
+    frame: Option<LocalFrame>,
+) -> Result<Imported, ExchangeError> {
+    let unknown = || ExchangeError::Unknown {
+        file: name.to_owned(),
+    };
+    let format = Format::of(name, bytes).ok_or_else(unknown)?;
+    let mut notes = Vec::new();
+    let found = {
+        let content = text(bytes, &mut notes);
+        match format {
+            Format::Plan => plan::read(name, &content)?,
+            Format::Waypoints => waypoints::read(name, &content)?,
+            Format::GeoJson => geojson::read(name, &content)?,
+            _ => return Err(unknown()),
+        }
+    };
+    if found.routes.is_empty() && found.landmarks.is_empty() {
+        let mut cause = "there is neither a route nor a landmark in it".to_owned();
+        for note in &found.notes {
+            cause.push_str("; ");
+            cause.push_str(note);
+        }
+        return Err(ExchangeError::File {
+            file: name.to_owned(),
+            cause,
+        });
+    }
+    let frame = frame.unwrap_or_else(|| {
+        let middle = found::middle(&found.landmarks, &found.routes);
+        let origin = found.origin.or(middle);
+        LocalFrame::new(origin.unwrap_or(Geodetic::from_degrees(0.0, 0.0, 0.0)))
+    });
+    notes.extend(found.notes);
+    Ok(Imported {
+        format,
+        frame,
+        routes: found::routes(found.routes, &frame),
+        landmarks: found::landmarks(found.landmarks, &frame),
+        notes,
+    })
+}
+
+/// The text of a file: UTF-8, or else taken for Latin-1, which is said.
+fn text(bytes: &[u8], notes: &mut Vec<String>) -> String {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    std::str::from_utf8(bytes).map_or_else(
+        |_| {
+            notes.push("the text is not UTF-8: it is read as Latin-1".to_owned());
+            bytes.iter().map(|b| char::from(*b)).collect()
+        },
+        str::to_owned,
+    )
+}

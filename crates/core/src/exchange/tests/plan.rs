@@ -1,0 +1,257 @@
+//! Plans and way-point files of ground stations.
+
+use super::super::{ExchangeError, Format, plan_schema, read_any, write_route};
+use super::{assert_same_way_points, frame, route};
+use crate::frames::{Altitude, AltitudeFrame, GroundPoint};
+use crate::mission::{Route, WayPointAction};
+
+/// A plan as a ground station leaves it, with much that we do not know.
+const SURVEY: &str = r#"{
+    "fileType": "Plan", "version": 1, "groundStation": "Pilotage", "extra": [1,  2],
+    "geoFence": { "circles": [ { "circle": { "center": [47.40, 8.51], "radius": 319.85 }, "inclusion": true, "version": 1 } ], "polygons": [], "version": 2 },
+    "rallyPoints": { "points": [], "version": 2 },
+    "mission": {
+        "cruiseSpeed": 17.5, "firmwareType": 3, "hoverSpeed": 5, "vehicleType": 2, "version": 2, "globalPlanAltitudeMode": 0,
+        "plannedHomePosition": [47.4, 8.5, 412.5],
+        "items": [
+            { "type": "SimpleItem", "command": 178, "frame": 2, "params": [1, 12, -1, 0, 0, 0, 0], "autoContinue": true, "doJumpId": 1 },
+            { "type": "SimpleItem", "command": 22, "frame": 3, "params": [15, 0, 0, null, 0, 0, 50], "autoContinue": true, "doJumpId": 2,
+              "AMSLAltAboveTerrain": null, "Altitude": 50, "AltitudeMode": 1 },
+            { "type": "SimpleItem", "command": 205, "frame": 2, "params": [40, 0, 50, 0, 0, 0, 0], "autoContinue": true, "doJumpId": 3, "colour" : "red" },
+            { "type": "SimpleItem", "command": 178, "frame": 2, "params": [0, 20, -1, 0, 0, 0, 0], "autoContinue": true, "doJumpId": 4 },
+            { "type": "SimpleItem", "command": 206, "frame": 2, "params": [25, 0, 1, 0, 0, 0, 0], "autoContinue": true, "doJumpId": 5 },
+            { "type": "SimpleItem", "command": 16, "frame": 0, "params": [3, 0, 0, 90, 47.41, 8.51, 560], "autoContinue": true, "doJumpId": 6,
+              "AMSLAltAboveTerrain": 560, "Altitude": 120, "AltitudeMode": 3, "note": "bend" },
+            { "type": "ComplexItem", "complexItemType": "survey", "version": 5, "angle": 0, "polygon": [[47.41, 8.51], [47.42, 8.51], [47.42, 8.52]] },
+            { "type": "SimpleItem", "command": 19, "frame": 10, "params": [30, 0, 60, null, 47.42, 8.53, 90], "autoContinue": false, "doJumpId": 30 },
+            { "type": "SimpleItem", "command": 18, "frame": 3, "params": [2, 1, -80, null, 47.43, 8.53, 90], "autoContinue": true, "doJumpId": 31 },
+            { "type": "SimpleItem", "command": 20, "frame": 2, "params": [0, 0, 0, 0, 0, 0, 0], "autoContinue": true, "doJumpId": 32 }
+        ]
+    }
+}"#;
+
+fn plan(route: &Route) -> String {
+    let written = write_route(Format::Plan, route, &frame()).unwrap();
+    String::from_utf8(written.bytes).unwrap()
+}
+
+fn read(name: &str, text: &str) -> (Route, Vec<String>) {
+    let mut imported = read_any(name, text.as_bytes(), Some(frame())).unwrap();
+    assert_eq!(imported.routes.len(), 1);
+    (imported.routes.remove(0), imported.notes)
+}
+
+#[test]
+fn a_route_survives_the_plan_and_the_way_point_file() {
+    for format in [Format::Plan, Format::Waypoints] {
+        let written = write_route(format, &route(), &frame()).unwrap();
+        let back = read_any("there", &written.bytes, Some(frame())).unwrap();
+        assert_eq!(back.format, format);
+        assert_same_way_points(&back.routes[0], &route());
+        let again = write_route(format, &back.routes[0], &frame()).unwrap();
+        assert_eq!(again.bytes, written.bytes);
+    }
+}
+
+#[test]
+fn the_plan_is_as_the_ground_station_documents_it() {
+    plan_schema::check(&plan(&route())).unwrap();
+    let (survey, _) = read("survey.plan", SURVEY);
+    plan_schema::check(&plan(&survey)).unwrap();
+    for (wrong, right) in [
+        ("\"AltitudeMode\": 7", "\"AltitudeModes\": 7"),
+        ("\"version\": 2", "\"version\": 3"),
+        ("\"frame\": 3", "\"frame\": null"),
+    ] {
+        let text = plan(&route()).replace("\"AltitudeMode\": 1", "\"AltitudeMode\": 7");
+        assert!(plan_schema::check(&text.replacen(wrong, right, 1)).is_err());
+    }
+}
+
+#[test]
+fn places_speeds_and_altitudes_of_a_plan_are_understood() {
+    let (route, notes) = read("folder/survey.plan", SURVEY);
+    assert_eq!(route.name, "survey");
+    let speeds: Vec<_> = route.way_points.iter().map(|w| w.speed).collect();
+    assert_eq!(speeds, [Some(12.0), Some(20.0), Some(20.0), Some(20.0)]);
+    let altitudes: Vec<_> = route.way_points.iter().map(|w| w.altitude).collect();
+    assert_eq!(
+        altitudes,
+        [
+            Altitude::new(50.0, AltitudeFrame::AboveTakeOff),
+            Altitude::new(120.0, AltitudeFrame::AboveGround),
+            Altitude::new(90.0, AltitudeFrame::AboveGround),
+            Altitude::new(90.0, AltitudeFrame::AboveTakeOff),
+        ]
+    );
+    assert_eq!(route.way_points[0].action, WayPointAction::TakeOff);
+    assert!(
+        route.way_points[0]
+            .position
+            .distance(&GroundPoint::default())
+            < 0.01
+    );
+    let loiter = WayPointAction::Loiter {
+        radius: -80.0,
+        turns: 2.0,
+    };
+    assert_eq!(route.way_points[3].action, loiter);
+    let told = |words: &str| assert!(notes.iter().any(|n| n.contains(words)), "{notes:#?}");
+    told("3 commands are kept but not understood: DO_MOUNT_CONTROL, DO_SET_CAM_TRIGG_DIST, survey");
+    told("1 command is shown as a way-point, and written again as it was: LOITER_TIME");
+    told("return to launch is kept");
+    told("fences are kept");
+    told("at the home position");
+}
+
+#[test]
+fn what_a_plan_has_and_we_do_not_know_is_written_back_in_its_place() {
+    let (route, _) = read("survey.plan", SURVEY);
+    let after: serde_json::Value = serde_json::from_str(&plan(&route)).unwrap();
+    let before: serde_json::Value = serde_json::from_str(SURVEY).unwrap();
+    for name in ["geoFence", "rallyPoints", "extra", "groundStation"] {
+        assert_eq!(after[name], before[name]);
+    }
+    for name in [
+        "cruiseSpeed",
+        "firmwareType",
+        "vehicleType",
+        "plannedHomePosition",
+    ] {
+        assert_eq!(after["mission"][name], before["mission"][name]);
+    }
+    let numbers = |item: &serde_json::Value| -> Option<Vec<Option<f64>>> {
+        let list = item.get("params")?.as_array()?;
+        Some(list.iter().map(serde_json::Value::as_f64).collect())
+    };
+    let (after, before) = (&after["mission"]["items"], &before["mission"]["items"]);
+    assert_eq!(after.as_array().unwrap().len(), 10);
+    for (i, (after, before)) in after
+        .as_array()
+        .unwrap()
+        .iter()
+        .zip(before.as_array().unwrap())
+        .enumerate()
+    {
+        assert_eq!(after["type"], before["type"], "{i}");
+        assert_eq!(after["command"], before["command"], "{i}");
+        assert_eq!(after["autoContinue"], before["autoContinue"], "{i}");
+        for name in ["colour", "note", "polygon", "angle"] {
+            assert_eq!(after.get(name), before.get(name), "{i}");
+        }
+        if i != 1 && i != 5 && i != 6 {
+            // The take-off gets the place of home; heights over calculated ground become such.
+            assert_eq!(numbers(after), numbers(before), "{i}");
+        }
+    }
+    let (again, _) = read("survey.plan", &plan(&route));
+    assert_eq!(plan(&again), plan(&route));
+}
+
+#[test]
+fn where_commands_jump_to_others_these_keep_their_numbers() {
+    let text = SURVEY.replacen("\"command\": 20,", "\"command\": 177,", 1);
+    let (mut route, notes) = read("jump.plan", &text);
+    assert!(notes.iter().any(|n| n.contains("jumps")), "{notes:#?}");
+    route
+        .way_points
+        .insert(1, super::route().way_points[1].clone());
+    let after: serde_json::Value = serde_json::from_str(&plan(&route)).unwrap();
+    let ids: Vec<_> = after["mission"]["items"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .filter(|i| i["type"] == "SimpleItem")
+        .map(|i| i["doJumpId"].as_u64().unwrap())
+        .collect();
+    assert!(
+        [2, 3, 5, 6, 30, 31, 32].iter().all(|id| ids.contains(id)),
+        "{ids:?}"
+    );
+    plan_schema::check(&plan(&route)).unwrap();
+}
+
+#[test]
+fn what_is_wrong_in_a_plan_is_told_with_its_place() {
+    let told = |from: &str, to: &str| {
+        let text = SURVEY.replacen(from, to, 1);
+        let error = read_any("x.plan", text.as_bytes(), None).unwrap_err();
+        assert!(matches!(error, ExchangeError::Place { .. }), "{error}");
+        error.to_string()
+    };
+    let message = told("[15, 0, 0, null, 0, 0, 50]", "[15, 0, 0, null, 0, 0]");
+    assert!(
+        message.starts_with(
+            "x.plan, line 10, column 74: mission.items[1].params: there are 6 numbers"
+        ),
+        "{message}"
+    );
+    let message = told("\"command\": 205", "\"command\": \"spin\"");
+    assert!(
+        message.contains("line 12") && message.contains("mission.items[2].command"),
+        "{message}"
+    );
+    let message = told("\"version\": 1", "\"version\": 4");
+    assert!(message.contains("version: 4 is not known"), "{message}");
+    let message = told("\"Plan\"", "\"Mission\"");
+    assert!(message.contains("fileType"), "{message}");
+}
+
+#[test]
+fn the_first_line_of_mission_planner_is_home_and_no_way_point() {
+    let text = "QGC WPL 110\r\n\
+        0\t1\t0\t16\t0\t0\t0\t0\t47.4\t8.5\t412.5\t1\r\n\
+        1\t0\t3\t22\t0.0\t0\t0\t0\t0\t0\t30\t1\r\n\
+        2\t0\t3\t16\t0.0\t0\t0\t0\t47.41\t8.51\t100.000000\t1\r\n\
+        3\t0\t3\t181\t1\t1\t0\t0\t0\t0\t0\t1\r\n";
+    let (route, notes) = read("a.waypoints", text);
+    assert_eq!(route.way_points.len(), 2);
+    assert_eq!(route.properties["home"], "[47.4,8.5,412.5]");
+    assert!(
+        notes
+            .iter()
+            .any(|n| n.contains("not understood: command 181")),
+        "{notes:#?}"
+    );
+    let written = write_route(Format::Waypoints, &route, &frame()).unwrap();
+    let lines = String::from_utf8(written.bytes).unwrap();
+    let commands: Vec<_> = lines
+        .lines()
+        .skip(1)
+        .map(|l| l.split('\t').nth(3).unwrap())
+        .collect();
+    assert_eq!(commands, ["16", "22", "16", "181"]);
+    assert_eq!(lines.lines().nth(1), text.lines().nth(1));
+}
+
+#[test]
+fn a_survey_that_has_no_line_is_left_out_and_that_is_said() {
+    let (route, _) = read("survey.plan", SURVEY);
+    let written = write_route(Format::Waypoints, &route, &frame()).unwrap();
+    assert!(
+        written.notes.iter().any(|n| n.contains("left out: survey")),
+        "{:#?}",
+        written.notes
+    );
+    assert!(
+        written.notes.iter().any(|n| n.contains("fences")),
+        "{:#?}",
+        written.notes
+    );
+}
+
+#[test]
+fn what_is_wrong_in_a_way_point_file_is_told_with_line_and_column() {
+    let error = |text: &str| {
+        read_any("a.waypoints", text.as_bytes(), None)
+            .unwrap_err()
+            .to_string()
+    };
+    let text = "QGC WPL 110\n0\t1\t0\t16\t0\t0\tx\t0\t47.4\t8.5\t0\t1\n";
+    assert_eq!(
+        error(text),
+        "a.waypoints, line 2, column 14: `x` is no number"
+    );
+    assert!(error("QGC WPL 100\n").contains("line 1"));
+    assert!(error("QGC WPL 110\n1 2 3\n").contains("there are 3 fields, not 12"));
+}

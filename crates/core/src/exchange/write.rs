@@ -1,0 +1,69 @@
+//! One entry for all formats that are written.
+
+use super::{ExchangeError, Format, geojson, plan, waypoints};
+use crate::frames::LocalFrame;
+use crate::landmark::Landmark;
+use crate::mission::Route;
+
+/// A file that was written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Written {
+    /// Its contents.
+    pub bytes: Vec<u8>,
+    /// What was assumed or left out, in sentences for people.
+    pub notes: Vec<String>,
+}
+
+/// One route, placed in the world `frame`, in any format.
+pub fn write_route(
+    format: Format,
+    route: &Route,
+    frame: &LocalFrame,
+) -> Result<Written, ExchangeError> {
+    write_routes_and_landmarks(format, std::slice::from_ref(route), &[], frame)
+}
+
+/// Landmarks, placed in the world `frame`, in a format that holds them.
+pub fn write_landmarks(
+    format: Format,
+    landmarks: &[Landmark],
+    frame: &LocalFrame,
+) -> Result<Written, ExchangeError> {
+    write_routes_and_landmarks(format, &[], landmarks, frame)
+}
+
+/// Routes and landmarks, placed in the world `frame`, together in one file.
+pub fn write_routes_and_landmarks(
+    format: Format,
+    routes: &[Route],
+    landmarks: &[Landmark],
+    frame: &LocalFrame,
+) -> Result<Written, ExchangeError> {
+    let cannot_hold = |what: String, advice| ExchangeError::CannotHold {
+        format: format.name(),
+        what,
+        advice,
+    };
+    if !landmarks.is_empty() && !format.holds_landmarks() {
+        return Err(cannot_hold(
+            "landmarks".to_owned(),
+            "write them as GeoJSON, KML or CSV",
+        ));
+    }
+    if !format.holds_several_routes() && routes.len() != 1 {
+        return Err(cannot_hold(
+            format!("{} routes", routes.len()),
+            "choose one of them",
+        ));
+    }
+    let (text, notes) = match (format, routes) {
+        (Format::Plan, [route]) => plan::write(route, frame),
+        (Format::Waypoints, [route]) => waypoints::write(route, frame),
+        (Format::GeoJson, _) => geojson::write(routes, landmarks, frame),
+        _ => return Err(cannot_hold("this".to_owned(), "choose another format")),
+    };
+    Ok(Written {
+        bytes: text.into_bytes(),
+        notes,
+    })
+}
