@@ -174,8 +174,8 @@ impl App {
                     self.documents.redo()
                 };
                 let mission = &self.documents.mission;
-                let back = mission.landmarks.iter().map(|l| l.id);
-                let back = back.filter(|id| !known.contains(id)).next_back();
+                let mut ids = mission.landmarks.iter().map(|l| l.id);
+                let back = ids.rfind(|id| !known.contains(id));
                 let still = self.selection.filter(|id| mission.landmark(*id).is_some());
                 self.selection = back.or(still);
                 self.examine_soon(now);
