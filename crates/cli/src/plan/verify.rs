@@ -7,14 +7,14 @@ use pilotage_core::flight::Flight;
 use pilotage_core::imagery::CachedImagery;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Navigator, Run};
-use pilotage_core::plan::{Prediction, PredictionSample};
+use pilotage_core::plan::Prediction;
 use pilotage_core::simulate::{FlightDay, FlightPlan, Overrides, Scenario, SimulatedFrames};
 use serde::Serialize;
 
 use super::Ground;
 
-/// Furthest in time that a moment of a flight is compared with one of the plan, seconds.
-const SAME_MOMENT: f64 = 8.0;
+/// Moments of the plan that a flight may be ahead of the one compared last: a tail wind, a cut corner.
+const AHEAD: usize = 20;
 
 /// How the flights lay in the predicted corridor.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
@@ -36,6 +36,9 @@ pub struct Verification {
 }
 
 /// Flies seeds `first..end` on another day and compares their errors with `prediction`.
+///
+/// Each flight has a wind of its own, drawn from what the filter is told to expect: a prediction is a
+/// statement about all of them, and one wind over and over would be one sample of it.
 pub fn verify(
     ground: &Ground,
     plan: &FlightPlan,
@@ -101,6 +104,7 @@ fn fly(
 ) -> Result<(Flight, Run), String> {
     let named = |e: &dyn std::fmt::Display| format!("seed {seed}: {e}");
     let flight = plan
+        .in_wind_of(seed, ground.mission.navigator.start.wind)
         .simulate(seed)
         .ok_or_else(|| named(&"the route needs two way-points"))?;
     let mut frames = SimulatedFrames::new(&flight, FlightDay::Other, seed).over(Arc::clone(seen));
@@ -123,10 +127,12 @@ fn fly(
 
 fn compare(flight: &Flight, run: &Run, prediction: &Prediction) -> Vec<Comparison> {
     let with_frames = run.steps.iter().filter(|s| s.frame.is_some());
+    let mut last = 0;
     with_frames
         .filter_map(|step| {
             let truth = flight.truth.as_ref()?.position(step.time)?;
-            let planned = nearest(prediction, step.time, truth.x, truth.y)?;
+            last = nearest(prediction, last, truth.x, truth.y)?;
+            let planned = &prediction.samples[last];
             let estimate = step.after.position();
             let (north, east) = (estimate.north - truth.x, estimate.east - truth.y);
             let c = &planned.corridor;
@@ -144,13 +150,12 @@ fn compare(flight: &Flight, run: &Run, prediction: &Prediction) -> Vec<Compariso
         .collect()
 }
 
-/// The planned moment whose place lies nearest, among those about then.
-fn nearest(prediction: &Prediction, time: f64, north: f64, east: f64) -> Option<&PredictionSample> {
-    let about = |s: &&PredictionSample| (s.time - time).abs() <= SAME_MOMENT;
-    let distance = |s: &PredictionSample| (s.position.north - north).hypot(s.position.east - east);
-    prediction
-        .samples
-        .iter()
-        .filter(about)
-        .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+/// Index of the planned moment whose place lies nearest, from the one compared last onward.
+fn nearest(prediction: &Prediction, last: usize, north: f64, east: f64) -> Option<usize> {
+    let distance = |i: &usize| {
+        let place = prediction.samples[*i].position;
+        (place.north - north).hypot(place.east - east)
+    };
+    let end = (last + AHEAD).min(prediction.samples.len());
+    (last..end).min_by(|a, b| distance(a).total_cmp(&distance(b)))
 }

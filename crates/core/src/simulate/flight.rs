@@ -1,6 +1,7 @@
 //! A flight along a path, and what was measured on it.
 
 use nalgebra::{Point3, Vector2, Vector3};
+use rand_distr::{Distribution, StandardNormal};
 
 use super::dryden::{DrydenGust, Turbulence};
 use super::flight_airframe::{AircraftState, Airframe, Command};
@@ -104,6 +105,20 @@ impl FlightPlan {
                 frames: frame_truth,
             }),
         })
+    }
+
+    /// The same plan in a wind drawn by `seed` with `deviation` m/s per axis, for studies over winds.
+    #[must_use]
+    pub fn in_wind_of(&self, seed: u64, deviation: f64) -> Self {
+        let mut random = Stream::Wind.random(seed);
+        let wind = Vector2::from_fn(|_, _| {
+            let z: f64 = StandardNormal.sample(&mut random);
+            deviation * z
+        });
+        Self {
+            wind,
+            ..self.clone()
+        }
     }
 
     /// The flight as planned: the mean wind blows and no gust.

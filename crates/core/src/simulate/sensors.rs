@@ -76,6 +76,7 @@ pub(super) enum Stream {
     Roll,
     Pitch,
     Height,
+    Wind,
     /// Vibration of the mount in frame number so-and-so.
     Vibration(usize),
 }
@@ -90,6 +91,7 @@ impl Stream {
             Self::Roll => 5,
             Self::Pitch => 6,
             Self::Height => 7,
+            Self::Wind => 8,
             Self::Vibration(frame) => (1 << 32) | frame as u64,
         }
     }
