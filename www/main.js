@@ -44,13 +44,16 @@ function keepWatch(app) {
 }
 
 async function start() {
+  const begun = performance.now();
+  // Begun before anything else: it takes longest.
+  const loading = Promise.all([openStorage(), init({ module_or_path: program() })]);
+  loading.catch(() => {});
   if (!hasGraphics()) {
     root.dataset.ready = "no-graphics";
     showTrouble("This browser cannot draw the map", "Pilotage draws with WebGL 2, which is missing or switched off here. Switch on hardware acceleration in the browser's settings, or use a current version of Chrome, Edge, Firefox or Safari.");
     return;
   }
-  const begun = performance.now();
-  const [storage] = await Promise.all([openStorage(), init({ module_or_path: program() })]);
+  const [storage] = await loading;
   const loaded = performance.now();
   const app = new WebHandle();
   for (const [key, bytes] of storage.loaded) app.remember(key, bytes);

@@ -9,6 +9,7 @@ pub mod host;
 pub mod jobs;
 pub mod map;
 pub mod shell;
+pub mod still;
 pub mod timeline;
 pub mod tokens;
 pub mod units;

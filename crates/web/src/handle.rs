@@ -132,6 +132,14 @@ impl WebHandle {
         }
     }
 
+    /// Lets the flight go on, lap after lap, until its run has at least so many steps, to measure
+    /// what long flights cost; returns how many it has then.
+    pub fn repeat_laps(&self, least_steps: usize) -> usize {
+        let mut app = self.runner.app_mut::<PageApp>();
+        app.as_mut()
+            .map_or(0, |page| page.app.repeat_laps(least_steps))
+    }
+
     /// The navigator's milliseconds per camera frame as JSON.
     pub fn navigator_ms(&self) -> String {
         match &*self.running.borrow() {

@@ -30,6 +30,7 @@ pub struct SimulatedFlight {
 #[derive(Clone)]
 pub struct SimulatedFrames {
     imagery: Option<Arc<CachedImagery>>,
+    ground: Option<Scenery>,
     day: FlightDay,
     seed: u64,
     camera: Arc<AerialCamera>,
@@ -52,6 +53,7 @@ impl SimulatedFrames {
         let truth = flight.truth.as_ref().map_or(&[][..], |t| &t.frames);
         Self {
             imagery: None,
+            ground: None,
             day,
             seed,
             camera: Arc::new(AerialCamera::new(flight.camera.clone(), settings)),
@@ -68,12 +70,24 @@ impl SimulatedFrames {
         self
     }
 
+    /// The same over the scenery of `ground`, on the flight's own day; laid out with the first
+    /// picture.
+    #[must_use]
+    pub fn over_ground(mut self, ground: Scenery) -> Self {
+        self.ground = Some(ground);
+        self
+    }
+
     /// What the camera sees, laid out now if it was not yet.
     pub fn imagery(&mut self) -> Arc<CachedImagery> {
-        let day = self.day;
+        let day = self.day.day();
+        let ground = &self.ground;
         Arc::clone(self.imagery.get_or_insert_with(|| {
-            let scenery = Arc::new(Scenery::new(DEMO_SEED, day.day()));
-            Arc::new(CachedImagery::new(scenery, CACHE_MEGABYTES))
+            let scenery = match ground {
+                Some(ground) => ground.on_day(day),
+                None => Scenery::new(DEMO_SEED, day),
+            };
+            Arc::new(CachedImagery::new(Arc::new(scenery), CACHE_MEGABYTES))
         }))
     }
 

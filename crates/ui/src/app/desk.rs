@@ -1,6 +1,7 @@
 //! The jobs under way and what they are for.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use super::keeping::Keeping;
 use crate::documents::Staged;
@@ -59,6 +60,8 @@ pub struct Desk {
     pub examine_at: Option<f64>,
     /// The match being explained: job, time, landmark.
     pub explain: Option<(JobId, f64, u32)>,
+    /// The camera picture being decoded: job, frame, encoded picture.
+    pub decoding: Option<(JobId, usize, Arc<[u8]>)>,
     /// The landmark that could not be examined, and why.
     pub examined_in_vain: Option<(u32, String)>,
     /// Files being looked at.

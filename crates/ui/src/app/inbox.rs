@@ -82,6 +82,8 @@ impl App {
                 JobEvent::Finished | JobEvent::Cancelled => self.desk.explain = None,
                 _ => {}
             }
+        } else if self.desk.decoding.as_ref().is_some_and(|d| d.0 == id) {
+            self.picture_event(event);
         } else if self.desk.opening.contains_key(&id) {
             self.open_event(host, id, event);
         }
@@ -102,6 +104,21 @@ impl App {
                     let empty = pilotage_core::raster::Raster::filled(0, 0, [0; 4]);
                     self.views.map.tiles.insert(context, &key.window(), &empty);
                 }
+            }
+            _ => {}
+        }
+    }
+
+    fn picture_event(&mut self, event: JobEvent) {
+        match event {
+            JobEvent::Picture { width, pixels } => {
+                if let Some((_, frame, encoded)) = &self.desk.decoding {
+                    self.views.camera.prepare(*frame, encoded, width, &pixels);
+                }
+            }
+            // A picture that cannot be read is told by the view that shows it.
+            JobEvent::Finished | JobEvent::Cancelled | JobEvent::Failed(_) => {
+                self.desk.decoding = None;
             }
             _ => {}
         }

@@ -125,6 +125,12 @@ impl App {
         }
     }
 
+    /// Lets the flight go on, lap after lap, until its run has at least so many steps, for measuring
+    /// what long flights cost; returns how many steps it has then.
+    pub fn repeat_laps(&mut self, least_steps: usize) -> usize {
+        self.documents.repeat_laps(least_steps)
+    }
+
     /// Whether the guided tour is on.
     fn learning(&self) -> bool {
         self.view.workspace == Workspace::Learn

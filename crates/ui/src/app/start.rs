@@ -5,7 +5,7 @@ use super::desk::Desk;
 use crate::documents::{Documents, SESSION_KEY, Session, VIEW_KEY, ViewState};
 use crate::host::Host;
 use crate::shell::keys::ShortcutListener;
-use crate::shell::{Toasts, apply_theme};
+use crate::shell::{Toasts, apply_theme, fonts};
 use crate::timeline::Playback;
 use crate::tokens::Tokens;
 
@@ -28,6 +28,7 @@ impl App {
         } else {
             Tokens::light()
         };
+        context.set_fonts(fonts());
         apply_theme(context, &tokens);
         context.add_plugin(ShortcutListener::default());
         let mut app = Self {

@@ -1,5 +1,7 @@
 //! What is asked of the workers, and when.
 
+use std::sync::Arc;
+
 use pilotage_core::mission::Mission;
 
 use super::App;
@@ -14,6 +16,8 @@ const FLY_AGAIN_AFTER: f64 = 350.0;
 const EXAMINE_AFTER: f64 = 120.0;
 /// How far around a landmark look-alikes are looked for, metres.
 const EXAMINE_RADIUS: f64 = 120.0;
+/// Camera pictures decoded before their time has come.
+const DECODED_AHEAD: usize = 2;
 /// Most tiles asked for at a time.
 const TILES_AT_A_TIME: usize = 4;
 
@@ -122,6 +126,7 @@ impl App {
             self.examine(host);
         }
         self.ask_for_tiles(host);
+        self.decode_ahead(host);
         let waiting = self.desk.fly_again_at.is_some()
             || self.desk.examine_at.is_some()
             || self.dirty_since.is_some();
@@ -181,6 +186,28 @@ impl App {
                 window: key.window(),
             });
             self.desk.tiles.insert(id, key);
+        }
+    }
+
+    /// Has the camera pictures decoded that playback is about to show.
+    fn decode_ahead(&mut self, host: &mut dyn Host) {
+        if !self.playback.playing || self.desk.decoding.is_some() {
+            return;
+        }
+        let Some(flight) = &self.documents.flight else {
+            return;
+        };
+        let now = self.playback.time;
+        let next = flight.frames.partition_point(|f| f.time <= now + 1e-9);
+        let wanted = (next..next + DECODED_AHEAD).find_map(|frame| {
+            let encoded = self.documents.pictures.get(&frame)?;
+            (!self.views.camera.is_prepared(frame, encoded)).then(|| (frame, Arc::clone(encoded)))
+        });
+        if let Some((frame, encoded)) = wanted {
+            let id = host.start(Job::DecodePicture {
+                encoded: encoded.to_vec(),
+            });
+            self.desk.decoding = Some((id, frame, encoded));
         }
     }
 

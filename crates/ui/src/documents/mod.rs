@@ -3,6 +3,7 @@
 mod edit;
 mod history;
 pub mod kept;
+mod laps;
 mod session;
 mod store;
 

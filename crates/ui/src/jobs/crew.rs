@@ -230,7 +230,8 @@ fn seat_for(job: &Job) -> usize {
         Job::Provide { .. }
         | Job::Open { .. }
         | Job::Distinctness { .. }
-        | Job::ExplainMatch { .. } => 2,
+        | Job::ExplainMatch { .. }
+        | Job::DecodePicture { .. } => 2,
     }
 }
 
@@ -238,7 +239,7 @@ fn seat_for(job: &Job) -> usize {
 fn file_keys(job: &Job) -> Vec<&str> {
     let mut keys = Vec::new();
     let (flight, map) = match job {
-        Job::Provide { .. } => (None, None),
+        Job::Provide { .. } | Job::DecodePicture { .. } => (None, None),
         Job::Open { key } => {
             keys.push(key.as_str());
             (None, None)

@@ -17,6 +17,7 @@ mod protocol;
 mod runner;
 mod running;
 mod simulated;
+mod whole_bytes;
 mod workshop;
 
 pub use crew::{Crew, WorkerPort};

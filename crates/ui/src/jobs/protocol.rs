@@ -8,6 +8,8 @@ use pilotage_core::navigator::{Run, StepReport};
 use pilotage_core::raster::{Gray, Raster, Rgba};
 use serde::{Deserialize, Serialize};
 
+use super::whole_bytes;
+
 /// Number of a job, unique within a page.
 pub type JobId = u64;
 
@@ -99,6 +101,12 @@ pub enum Job {
         /// The landmark.
         landmark: u32,
     },
+    /// The pixels of a camera picture: event `Picture`.
+    DecodePicture {
+        /// JPEG or PNG bytes.
+        #[serde(with = "whole_bytes")]
+        encoded: Vec<u8>,
+    },
 }
 
 /// What is known of a map.
@@ -187,7 +195,16 @@ pub enum JobEvent {
         /// Index in the flight.
         index: usize,
         /// JPEG or PNG bytes.
+        #[serde(with = "whole_bytes")]
         encoded: Vec<u8>,
+    },
+    /// The pixels of a camera picture.
+    Picture {
+        /// Pixels in a row.
+        width: usize,
+        /// Red, green, blue and opacity of each pixel, row by row.
+        #[serde(with = "whole_bytes")]
+        pixels: Vec<u8>,
     },
     /// What is known of a map.
     MapInfo(MapInfo),

@@ -81,7 +81,7 @@ fn as_sentence(event: JobEvent) -> JobEvent {
 fn urgency(job: &Job) -> u8 {
     match job {
         Job::Provide { .. } => 0,
-        Job::DescribeMap(_) | Job::Open { .. } => 1,
+        Job::DescribeMap(_) | Job::Open { .. } | Job::DecodePicture { .. } => 1,
         Job::Distinctness { .. } | Job::ExplainMatch { .. } => 2,
         Job::Tile { .. } => 3,
         Job::Fly { .. } => 4,

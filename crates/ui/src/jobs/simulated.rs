@@ -34,12 +34,13 @@ pub fn open(options: &SimulationOptions, map: &Scenery) -> Result<OpenFlight, St
         ..Overrides::default()
     };
     let mut simulated = scenario.simulate(options.seed, &overrides);
-    if day == FlightDay::Same {
+    simulated.frames = if day == FlightDay::Same {
         let ground = CachedImagery::new(Arc::new(map.clone()), CACHE_MEGABYTES);
-        simulated.frames = simulated.frames.over(Arc::new(ground));
-    }
-    // Laid out now, so that the first picture takes less long.
-    simulated.frames.imagery();
+        simulated.frames.over(Arc::new(ground))
+    } else {
+        // Laid out with the first picture: until then, the map and its tiles are on screen already.
+        simulated.frames.over_ground(map.clone())
+    };
     Ok(OpenFlight {
         frames: KeptFrames::rendered(&simulated.flight, Box::new(simulated.frames)),
         flight: Arc::new(simulated.flight),

@@ -6,6 +6,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use pilotage_core::imagery::Imagery;
+use pilotage_core::raster::decode_picture;
 use pilotage_core::simulate::Scenario;
 use pilotage_core::simulate::scenery::Scenery;
 
@@ -81,6 +82,15 @@ impl Workshop {
             } => once(move |workshop, emit| {
                 let pictures = match_pictures(workshop, &flight, &map, &mission, &step, landmark)?;
                 emit(JobEvent::Match(Box::new(pictures)));
+                Ok(())
+            }),
+            Job::DecodePicture { encoded } => once(move |_, emit| {
+                let picture = decode_picture(&encoded).map_err(|cause| cause.to_string())?;
+                let opaque = |[r, g, b]: &[u8; 3]| [*r, *g, *b, u8::MAX];
+                emit(JobEvent::Picture {
+                    width: picture.width(),
+                    pixels: picture.pixels().iter().flat_map(opaque).collect(),
+                });
                 Ok(())
             }),
         }

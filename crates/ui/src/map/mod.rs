@@ -10,6 +10,7 @@ mod layers;
 mod picking;
 mod readouts;
 mod symbols;
+mod thin_track;
 mod tiles;
 mod tracks;
 mod transform;

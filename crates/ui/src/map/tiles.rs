@@ -185,8 +185,9 @@ impl TileCache {
     ) {
         let distance = |k: &TileKey| k.window().rect().center().distance(&view.center);
         missing.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
-        // A rough picture of everything first, where there is nothing at all yet.
-        let rough = level + 3;
+        // A rougher picture first, where there is nothing at all yet. Not a much rougher one: pixels
+        // of generated ground take the longer the more ground they show.
+        let rough = level + 1;
         let mut wanted: Vec<TileKey> = TileKey::covering(rough, ground)
             .into_iter()
             .filter(|k| !self.held.contains_key(k) && !self.empty.contains(k))

@@ -1,105 +1,16 @@
-//! Tracks, thinned to what the map's scale can show and kept until the run or the scale changes.
+//! Drawing of tracks: triangles are kept from frame to frame, and only moved and turned.
 
-use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke};
-use pilotage_core::flight::Truth;
-use pilotage_core::frames::GroundPoint;
-use pilotage_core::navigator::Run;
+use std::sync::Arc;
 
-use super::transform::ScreenFromWorld;
-use crate::tokens::Tokens;
+use egui::epaint::{Mesh, Vertex};
+use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, pos2};
 
-/// A point of a thinned track.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TrackPoint {
-    /// Seconds in the flight's time base.
-    pub time: f64,
-    /// Where.
-    pub place: GroundPoint,
-    /// Whether a landmark corrected the estimate in the latest camera frame.
-    pub corrected: bool,
-}
-
-/// A thinned track that grows with its source.
-#[derive(Clone, Debug, Default)]
-pub struct ThinTrack {
-    generation: u64,
-    level: i32,
-    used: usize,
-    corrected: bool,
-    points: Vec<TrackPoint>,
-    last: Option<TrackPoint>,
-}
-
-/// Ground distance below which two points are one at this scale, as a power of two.
-fn level_of(metres_per_point: f64) -> i32 {
-    (metres_per_point * 1.5).log2().floor() as i32
-}
-
-impl ThinTrack {
-    fn reset(&mut self, generation: u64, level: i32, length: usize) {
-        if self.generation != generation || self.level != level || self.used > length {
-            *self = Self {
-                generation,
-                level,
-                ..Self::default()
-            };
-        }
-    }
-
-    fn push(&mut self, point: TrackPoint) {
-        let tolerance = 2.0_f64.powi(self.level);
-        let keep = self.points.last().is_none_or(|p| {
-            p.place.distance(&point.place) >= tolerance || p.corrected != point.corrected
-        });
-        if keep {
-            self.points.push(point);
-        }
-        self.last = Some(point);
-    }
-
-    /// Follows a run; `place` picks the track.
-    pub fn follow_run(
-        &mut self,
-        run: &Run,
-        generation: u64,
-        metres_per_point: f64,
-        place: impl Fn(&pilotage_core::navigator::StepReport) -> GroundPoint,
-    ) {
-        self.reset(generation, level_of(metres_per_point), run.steps.len());
-        for step in &run.steps[self.used..] {
-            if let Some(frame) = &step.frame {
-                self.corrected = frame.joint.is_some();
-            }
-            self.push(TrackPoint {
-                time: step.time,
-                place: place(step),
-                corrected: self.corrected,
-            });
-        }
-        self.used = run.steps.len();
-    }
-
-    /// Follows the truth of a flight.
-    pub fn follow_truth(&mut self, truth: &Truth, generation: u64, metres_per_point: f64) {
-        self.reset(generation, level_of(metres_per_point), truth.states.len());
-        for state in &truth.states[self.used..] {
-            self.push(TrackPoint {
-                time: state.time,
-                place: GroundPoint::new(state.position.x, state.position.y),
-                corrected: true,
-            });
-        }
-        self.used = truth.states.len();
-    }
-
-    /// The thinned points and the latest one.
-    pub fn points(&self) -> impl Iterator<Item = &TrackPoint> {
-        self.points.iter().chain(&self.last)
-    }
-}
+use super::thin_track::{ThinTrack, TrackPoint};
+use super::transform::{MapCamera, ScreenFromWorld};
+use crate::still::triangles;
 
 /// How a track is drawn.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrackStyle {
     /// Colour where corrected.
     pub corrected: Color32,
@@ -111,75 +22,172 @@ pub struct TrackStyle {
     pub dash: Option<(f32, f32)>,
     /// Dash and gap elsewhere, points.
     pub other_dash: Option<(f32, f32)>,
-    /// A dark line below, to lift it off the ground.
-    pub outlined: bool,
+    /// Colour of a line below it, to lift it off the ground.
+    pub outline: Color32,
 }
 
-/// Draws a track: what lies before `now` in full, what lies after it fainter.
-pub fn paint_track(
-    painter: &Painter,
-    view: &ScreenFromWorld,
-    screen: Rect,
-    track: &ThinTrack,
+/// What the triangles of a track depend on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Look {
+    version: (u64, i32),
+    metres_per_point: f64,
+    pixels_per_point: f32,
+    style: TrackStyle,
+}
+
+/// A track and the triangles of its groups: whether they are drawn as past, and as if north were
+/// up and the group's first point at the origin of the screen.
+#[derive(Clone, Debug, Default)]
+pub struct DrawnTrack {
+    /// The track.
+    pub track: ThinTrack,
+    look: Option<Look>,
+    groups: Vec<Option<(bool, Arc<Mesh>)>>,
+}
+
+impl DrawnTrack {
+    /// Draws a track: what lies before `now` in full, what lies after it fainter.
+    pub fn paint(
+        &mut self,
+        painter: &Painter,
+        view: &ScreenFromWorld,
+        screen: Rect,
+        now: f64,
+        style: TrackStyle,
+    ) {
+        let look = Look {
+            version: self.track.version(),
+            metres_per_point: view.metres_per_point,
+            pixels_per_point: painter.pixels_per_point(),
+            style,
+        };
+        if self.look != Some(look) {
+            self.look = Some(look);
+            self.groups.clear();
+        }
+        let mut mesh = Mesh::default();
+        for group in self.track.groups(&view.visible(screen.expand(8.0))) {
+            let points = || group.split_at(now);
+            let Some(past) = group.side(now) else {
+                let shapes = shapes(&points(), now, &style, |p| view.apply(&p.place));
+                mesh.append(triangles(painter, screen, shapes));
+                continue;
+            };
+            if self.groups.len() <= group.index {
+                self.groups.resize(group.index + 1, None);
+            }
+            let kept = &mut self.groups[group.index];
+            let origin = group.first().place;
+            if kept.as_ref().is_none_or(|(side, _)| *side != past) {
+                let north_up = MapCamera {
+                    center: origin,
+                    metres_per_point: view.metres_per_point,
+                    up: 0.0,
+                }
+                .screen_from_world(Rect::ZERO);
+                let shapes = shapes(&points(), now, &style, |p| north_up.apply(&p.place));
+                let drawn = triangles(painter, Rect::EVERYTHING, shapes);
+                *kept = Some((past, Arc::new(drawn)));
+            }
+            if let Some((_, drawn)) = kept {
+                append_turned(&mut mesh, drawn, view.apply(&origin), view.up as f32);
+            }
+        }
+        if !mesh.is_empty() {
+            painter.add(Shape::mesh(mesh));
+        }
+    }
+}
+
+/// Appends triangles with their origin put to `origin`, for a map with the direction `up` at its
+/// top.
+fn append_turned(mesh: &mut Mesh, north_up: &Mesh, origin: Pos2, up: f32) {
+    let (sin, cos) = up.sin_cos();
+    let first = mesh.vertices.len() as u32;
+    mesh.indices
+        .extend(north_up.indices.iter().map(|i| i + first));
+    mesh.vertices.extend(north_up.vertices.iter().map(|v| {
+        let (x, y) = (v.pos.x, v.pos.y);
+        Vertex {
+            pos: pos2(origin.x + cos * x + sin * y, origin.y + cos * y - sin * x),
+            ..*v
+        }
+    }));
+}
+
+/// The lines through `points`.
+fn shapes(
+    points: &[TrackPoint],
     now: f64,
     style: &TrackStyle,
-    tokens: &Tokens,
-) {
-    let room = screen.expand(64.0);
-    let mut piece: Vec<Pos2> = Vec::new();
-    let mut kind = (true, true);
-    let flush = |piece: &mut Vec<Pos2>, (corrected, past): (bool, bool)| {
-        if piece.len() > 1 {
-            let color = if corrected {
-                style.corrected
-            } else {
-                style.other
-            };
-            let color = if past {
-                color
-            } else {
-                color.gamma_multiply(0.42)
-            };
-            let dash = if corrected {
-                style.dash
-            } else {
-                style.other_dash
-            };
-            let points = std::mem::take(piece);
-            if style.outlined && past && dash.is_none() {
-                let below = Stroke::new(style.width + 2.0, tokens.outline().gamma_multiply(0.5));
-                painter.add(Shape::line(points.clone(), below));
-            }
-            let stroke = Stroke::new(style.width, color);
-            match dash {
-                Some((dash, gap)) => painter.extend(Shape::dashed_line(&points, stroke, dash, gap)),
-                None => {
-                    painter.add(Shape::line(points, stroke));
-                }
-            }
-        }
-        piece.clear();
-    };
-    let mut previous: Option<(Pos2, TrackPoint)> = None;
-    for point in track.points() {
-        let at = view.apply(&point.place);
-        let here = (point.corrected, point.time <= now);
-        if let Some((before, _)) = previous {
-            let visible = room.intersects(Rect::from_two_pos(before, at));
-            if !visible || here != kind {
-                flush(&mut piece, kind);
-                kind = here;
-            }
-            if visible {
-                if piece.is_empty() {
-                    piece.push(before);
-                }
-                piece.push(at);
-            }
-        } else {
-            kind = here;
-        }
-        previous = Some((at, *point));
+    place: impl Fn(&TrackPoint) -> Pos2,
+) -> Vec<Shape> {
+    let mut shapes = Vec::new();
+    // A line has the look of its end.
+    let kind = |point: &TrackPoint| (point.corrected, point.time <= now);
+    let mut from = 0;
+    while from + 1 < points.len() {
+        let here = kind(&points[from + 1]);
+        let alike = points[from + 1..].iter().take_while(|p| kind(p) == here);
+        let to = from + alike.count();
+        let line = points[from..=to].iter().map(&place).collect();
+        add_line(&mut shapes, line, here, style);
+        from = to;
     }
-    flush(&mut piece, kind);
+    shapes
+}
+
+fn add_line(
+    shapes: &mut Vec<Shape>,
+    points: Vec<Pos2>,
+    (corrected, past): (bool, bool),
+    style: &TrackStyle,
+) {
+    let (color, dash) = if corrected {
+        (style.corrected, style.dash)
+    } else {
+        (style.other, style.other_dash)
+    };
+    let strength = if past { 1.0 } else { 0.42 };
+    let stroke = Stroke::new(style.width, color.gamma_multiply(strength));
+    if let Some((dash, gap)) = dash {
+        shapes.extend(Shape::dashed_line(&points, stroke, dash, gap));
+        return;
+    }
+    if past {
+        let below = Stroke::new(style.width + 2.0, style.outline.gamma_multiply(0.5));
+        shapes.push(Shape::line(points.clone(), below));
+    }
+    shapes.push(Shape::line(points, stroke));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pilotage_core::frames::GroundPoint;
+
+    #[test]
+    fn kept_triangles_lie_where_new_ones_would() {
+        let anchor = GroundPoint::new(40.0, -30.0);
+        let camera = |center, up| MapCamera {
+            center,
+            metres_per_point: 0.5,
+            up,
+        };
+        let north_up = camera(anchor, 0.0).screen_from_world(Rect::ZERO);
+        let screen = Rect::from_min_max(pos2(100.0, 50.0), pos2(900.0, 650.0));
+        let view = camera(GroundPoint::new(20.0, 10.0), 0.8).screen_from_world(screen);
+        let mut kept = Mesh::default();
+        let corners = [(40.0, -30.0), (60.0, -30.0), (45.0, 5.0)];
+        let corners = corners.map(|(north, east)| GroundPoint::new(north, east));
+        for corner in &corners {
+            kept.colored_vertex(north_up.apply(corner), Color32::RED);
+        }
+        kept.add_triangle(0, 1, 2);
+        let mut mesh = Mesh::default();
+        append_turned(&mut mesh, &kept, view.apply(&anchor), view.up as f32);
+        for (vertex, corner) in mesh.vertices.iter().zip(&corners) {
+            assert!(vertex.pos.distance(view.apply(corner)) < 1e-3);
+        }
+    }
 }

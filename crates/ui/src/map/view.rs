@@ -14,7 +14,7 @@ use super::symbols::{
     paint_sigma, sigma_points,
 };
 use super::tiles::TileCache;
-use super::tracks::{ThinTrack, TrackStyle, paint_track};
+use super::tracks::{DrawnTrack, TrackStyle};
 use super::transform::{MapCamera, ScreenFromWorld};
 use crate::context::{Drawn, ViewContext};
 use crate::jobs::{Distinctness, MapInfo};
@@ -50,10 +50,10 @@ pub struct MapView {
     pub naming: Option<u32>,
     pub(super) drag: Drag,
     pub(super) name_draft: String,
-    estimate: ThinTrack,
-    unaided: ThinTrack,
-    truth: ThinTrack,
-    ghost: ThinTrack,
+    estimate: DrawnTrack,
+    unaided: DrawnTrack,
+    truth: DrawnTrack,
+    ghost: DrawnTrack,
     wants_fit: Option<GroundRect>,
     /// Centre and scale to which the map was fitted last.
     fitted: Option<(GroundPoint, f64)>,
@@ -162,56 +162,37 @@ impl MapView {
             width,
             dash,
             other_dash: dash,
-            outlined: true,
+            outline: tokens.outline(),
         };
         let shown = |layer| self.layers.shows(layer);
         let (show_ghost, show_truth) = (shown(Layer::Ghost), shown(Layer::Truth));
         let (show_unaided, show_estimate) = (shown(Layer::Unaided), shown(Layer::Estimate));
         if let Some(ghost) = context.ghost.filter(|_| show_ghost) {
             self.ghost
+                .track
                 .follow_run(ghost, extra.ghost_generation, scale, |s| s.after.position());
             let look = style(tokens.ghost, 2.0, Some((2.0, 4.0)));
-            paint_track(
-                painter,
-                view,
-                rect,
-                &self.ghost,
-                context.time,
-                &look,
-                tokens,
-            );
+            self.ghost.paint(painter, view, rect, context.time, look);
         }
         let truth = context.flight.and_then(|f| f.truth.as_ref());
         if let Some(truth) = truth.filter(|_| show_truth) {
-            self.truth.follow_truth(truth, extra.run_generation, scale);
+            self.truth
+                .track
+                .follow_truth(truth, extra.run_generation, scale);
             let look = style(tokens.truth, 2.0, None);
-            paint_track(
-                painter,
-                view,
-                rect,
-                &self.truth,
-                context.time,
-                &look,
-                tokens,
-            );
+            self.truth.paint(painter, view, rect, context.time, look);
         }
         let Some(run) = context.run else { return };
         if show_unaided {
             self.unaided
+                .track
                 .follow_run(run, extra.run_generation, scale, |s| s.dead_reckoned);
             let look = style(tokens.unaided, 2.0, Some((8.0, 5.0)));
-            paint_track(
-                painter,
-                view,
-                rect,
-                &self.unaided,
-                context.time,
-                &look,
-                tokens,
-            );
+            self.unaided.paint(painter, view, rect, context.time, look);
         }
         if show_estimate {
             self.estimate
+                .track
                 .follow_run(run, extra.run_generation, scale, |s| s.after.position());
             let look = TrackStyle {
                 corrected: tokens.corrected,
@@ -219,17 +200,9 @@ impl MapView {
                 width: 2.5,
                 dash: None,
                 other_dash: Some((5.0, 3.0)),
-                outlined: true,
+                outline: tokens.outline(),
             };
-            paint_track(
-                painter,
-                view,
-                rect,
-                &self.estimate,
-                context.time,
-                &look,
-                tokens,
-            );
+            self.estimate.paint(painter, view, rect, context.time, look);
         }
     }
 

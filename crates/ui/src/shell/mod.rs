@@ -1,6 +1,7 @@
 //! What surrounds the views: look, top bar, palette, help, notices.
 
 pub mod catalog;
+mod fonts;
 mod help;
 pub mod icons;
 pub mod keys;
@@ -11,6 +12,7 @@ mod toasts;
 mod top_bar;
 mod widgets;
 
+pub use fonts::fonts;
 pub use help::help_sheet;
 pub use landmark_list::{Examined, LandmarkList};
 pub use palette::Palette;

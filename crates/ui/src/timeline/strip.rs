@@ -10,6 +10,7 @@ use crate::command::Command;
 use crate::context::{Drawn, ViewContext};
 use crate::shell::icons::Icon;
 use crate::shell::{icon_button, icon_toggle};
+use crate::still::Still;
 use crate::tokens::Tokens;
 
 /// What the strip needs beside what every view is given.
@@ -30,6 +31,7 @@ pub struct TimelineExtra<'a> {
 #[derive(Debug, Default)]
 pub struct Timeline {
     bins: Bins,
+    events: Still<(u64, usize, bool)>,
     track: Option<Rect>,
     drawn: Option<Drawn>,
 }
@@ -113,7 +115,11 @@ impl Timeline {
             self.bins.follow(run, extra.generation, span, width);
             let until = run.span().map_or(span.0, |s| s.1);
             paint_streamed(&painter, &scale, until, extra.complete, tokens);
-            self.paint_bins(&painter, track, tokens);
+            let key = (extra.generation, run.steps.len(), tokens.dark);
+            let Self { bins, events, .. } = self;
+            events.paint(&painter.with_clip_rect(track), key, |shapes| {
+                paint_bins(shapes, bins, track, tokens);
+            });
         }
         for mark in extra.bookmarks {
             paint_bookmark(&painter, track, scale.x(*mark), tokens);
@@ -134,33 +140,33 @@ impl Timeline {
             }
         }
     }
+}
 
-    /// Accepted above, refused below, the position's standard deviation as a line behind both.
-    fn paint_bins(&self, painter: &Painter, track: Rect, tokens: &Tokens) {
-        let (top, bottom) = (track.top() + 3.0, track.bottom() - 3.0);
-        let largest = self.bins.largest().max(1e-3);
-        let mut line = Vec::new();
-        for (index, bin) in self.bins.bins().iter().enumerate() {
-            if bin.deviation > 0.0 {
-                let x = track.left() + index as f32;
-                let height = (bottom - top - 14.0) * (bin.deviation / largest).sqrt();
-                line.push(pos2(x, bottom - 1.0 - height));
-            }
+/// Accepted above, refused below, the position's standard deviation as a line behind both.
+fn paint_bins(shapes: &mut Vec<Shape>, bins: &Bins, track: Rect, tokens: &Tokens) {
+    let (top, bottom) = (track.top() + 3.0, track.bottom() - 3.0);
+    let largest = bins.largest().max(1e-3);
+    let mut line = Vec::new();
+    for (index, bin) in bins.bins().iter().enumerate() {
+        if bin.deviation > 0.0 {
+            let x = track.left() + index as f32;
+            let height = (bottom - top - 14.0) * (bin.deviation / largest).sqrt();
+            line.push(pos2(x, bottom - 1.0 - height));
         }
-        if line.len() > 1 {
-            let color = tokens.muted.gamma_multiply(0.9);
-            painter.add(Shape::line(line, Stroke::new(1.25, color)));
+    }
+    if line.len() > 1 {
+        let color = tokens.muted.gamma_multiply(0.9);
+        shapes.push(Shape::line(line, Stroke::new(1.25, color)));
+    }
+    for (index, bin) in bins.bins().iter().enumerate() {
+        let x = track.left() + index as f32 + 0.5;
+        if bin.accepted > 0 {
+            let stroke = Stroke::new(1.0, tokens.observed.gamma_multiply(0.85));
+            shapes.push(Shape::vline(x, top..=top + 7.0, stroke));
         }
-        for (index, bin) in self.bins.bins().iter().enumerate() {
-            let x = track.left() + index as f32 + 0.5;
-            if bin.accepted > 0 {
-                let stroke = Stroke::new(1.0, tokens.observed.gamma_multiply(0.85));
-                painter.vline(x, top..=top + 7.0, stroke);
-            }
-            if bin.refused > 0 {
-                let at = pos2(x, top + 11.0);
-                painter.circle_filled(at, 1.2, tokens.refused.gamma_multiply(0.85));
-            }
+        if bin.refused > 0 {
+            let color = tokens.refused.gamma_multiply(0.85);
+            shapes.push(Shape::circle_filled(pos2(x, top + 11.0), 1.2, color));
         }
     }
 }

@@ -69,13 +69,19 @@ pub struct Scenery {
 impl Scenery {
     /// Lays out the scenery of `seed` under the light of `day` (a fraction of a second).
     pub fn new(seed: u64, day: Day) -> Self {
-        let in_plan = Day {
-            sun_azimuth: day.sun_azimuth + std::f64::consts::PI,
-            ..day
-        };
         Self {
-            world: Arc::new(World::new(seed, &in_plan)),
+            world: Arc::new(World::new(seed, &in_plan(day))),
             seed,
+            day,
+        }
+    }
+
+    /// The same ground on another day, laid out in less time than anew.
+    #[must_use]
+    pub fn on_day(&self, day: Day) -> Self {
+        Self {
+            world: Arc::new(self.world.on_day(self.seed, &in_plan(day))),
+            seed: self.seed,
             day,
         }
     }
@@ -101,6 +107,14 @@ impl Scenery {
     pub fn labels(&self, rect: &GroundRect) -> Vec<SceneLabel> {
         let in_plan = labels::labels(&self.world, &turn::rect(rect));
         in_plan.into_iter().map(turn::label).collect()
+    }
+}
+
+/// The day as the plan sees it.
+fn in_plan(day: Day) -> Day {
+    Day {
+        sun_azimuth: day.sun_azimuth + std::f64::consts::PI,
+        ..day
     }
 }
 

@@ -68,6 +68,14 @@ fn the_same_seed_and_day_give_the_same_picture_and_another_seed_another() {
 }
 
 #[test]
+fn another_day_over_laid_out_ground_is_the_same_as_laid_out_anew() {
+    let day = Day::other_day();
+    let window = around(-395.0, 421.0, 0.3, 96);
+    let anew = Scenery::new(DEMO_SEED, day).window(&window);
+    assert_eq!(scenery().on_day(day).window(&window), anew);
+}
+
+#[test]
 fn neighbouring_windows_join_without_a_seam() {
     let scenery = scenery();
     let whole = scenery.window(&Window {

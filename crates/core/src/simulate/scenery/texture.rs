@@ -3,16 +3,36 @@
 //! Costly patterns (foliage, tufts of grass) are looked up instead of computed for every pixel;
 //! individual offsets and turns hide the repetition.
 
+use std::sync::Arc;
+
 use super::noise::{floor, hash2, unit};
 use super::shape::{Spot, spot};
 
 /// Side of a texel at the finest level, metres.
 const TEXEL: f32 = 0.125;
 
+/// The textures of one seed; clones share them.
+#[derive(Clone, Debug)]
+pub(super) struct Textures {
+    pub(super) foliage: Texture,
+    pub(super) grain: Texture,
+    pub(super) land: Texture,
+}
+
+impl Textures {
+    pub(super) fn new(seed: u64) -> Self {
+        Self {
+            foliage: foliage(seed as u32 ^ 0x51),
+            grain: grain(seed as u32 ^ 0x52),
+            land: lay_of_the_land(seed as u32 ^ 0x53),
+        }
+    }
+}
+
 /// A periodic picture of four channels from -1 to 1.
 #[derive(Clone, Debug)]
 pub(super) struct Texture {
-    levels: Vec<Vec<[i8; 4]>>,
+    levels: Arc<[Vec<[i8; 4]>]>,
     side: usize,
 }
 
@@ -42,7 +62,10 @@ impl Texture {
                 .collect();
             levels.push(coarser);
         }
-        Self { levels, side }
+        Self {
+            levels: levels.into(),
+            side,
+        }
     }
 
     /// Channels at a place, averaged over about `gsd` metres.
@@ -82,11 +105,24 @@ impl Texture {
     }
 }
 
+/// `x` in the first period, for a place within one period of it: the same number as that of
+/// `rem_euclid`, whose division costs more than all the rest.
+#[inline]
+fn wrapped(x: f32, period: f32) -> f32 {
+    if x < 0.0 {
+        x + period
+    } else if x >= period {
+        x - period
+    } else {
+        x
+    }
+}
+
 /// Periodic smooth noise from -1 to 1; `cells` lattice cells in `period` metres, at a place of the
 /// first period or just beyond its end.
 fn periodic(x: f32, y: f32, cells: i32, period: f32, seed: u32) -> f32 {
     let k = cells as f32 / period;
-    let (x, y) = (x.rem_euclid(period) * k, y.rem_euclid(period) * k);
+    let (x, y) = (wrapped(x, period) * k, wrapped(y, period) * k);
     let (ix, iy) = (floor(x), floor(y));
     let (tx, ty) = (x - ix as f32, y - iy as f32);
     let (sx, sy) = (tx * tx * (3.0 - 2.0 * tx), ty * ty * (3.0 - 2.0 * ty));
@@ -109,6 +145,10 @@ fn cells(x: f32, y: f32, count: i32, period: f32, seed: u32) -> (f32, f32) {
             let h = hash2((ix + i).rem_euclid(count), (iy + j).rem_euclid(count), seed);
             let dx = (ix + i) as f32 + unit(h) - x;
             let dy = (iy + j) as f32 + unit(h.wrapping_mul(0x9e37_79b1)) - y;
+            // Most are clearly farther, which costs less to see than the distance.
+            if dx * dx + dy * dy > 1.001 * best.0 * best.0 {
+                continue;
+            }
             let d = dx.hypot(dy);
             if d < best.0 {
                 best = (d, unit(h.rotate_left(11)));
@@ -121,7 +161,7 @@ fn cells(x: f32, y: f32, count: i32, period: f32, seed: u32) -> (f32, f32) {
 const FOLIAGE_SIDE: usize = 256;
 
 /// Foliage: height 0 to 1 (as -1 to 1), slopes north and east (in units of 2.5), tone.
-pub(super) fn foliage(seed: u32) -> Texture {
+fn foliage(seed: u32) -> Texture {
     let period = FOLIAGE_SIDE as f32 * TEXEL;
     let dome = |d: f32| (1.0 - d * d).max(0.0);
     let raw = |x: f32, y: f32| {
@@ -162,7 +202,7 @@ pub(super) fn foliage(seed: u32) -> Texture {
 const GRAIN_SIDE: usize = 512;
 
 /// Ground detail: speckle, clumps of half a metre, patches of some metres, thin veins.
-pub(super) fn grain(seed: u32) -> Texture {
+fn grain(seed: u32) -> Texture {
     let period = GRAIN_SIDE as f32 * TEXEL;
     Texture::from_fn(GRAIN_SIDE, |x, y| {
         let speckle =
@@ -184,7 +224,7 @@ pub(super) fn grain(seed: u32) -> Texture {
 pub(super) const LAND_SCALE: f32 = 1.0 / 45.0;
 
 /// Slow variation of the land: how boundaries bend north and east, dampness, brightness.
-pub(super) fn lay_of_the_land(seed: u32) -> Texture {
+fn lay_of_the_land(seed: u32) -> Texture {
     const SIDE: usize = 256;
     let period = SIDE as f32 * TEXEL;
     Texture::from_fn(SIDE, |x, y| {
@@ -222,5 +262,21 @@ pub(super) fn turned_back(slope: Spot, variant: u32) -> Spot {
         1 => spot(-slope.e, slope.n),
         2 => spot(-slope.n, -slope.e),
         _ => spot(slope.e, -slope.n),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::wrapped;
+
+    #[test]
+    fn wrapping_gives_the_very_numbers_of_the_division() {
+        for period in [32.0_f32, 64.0] {
+            for i in -1000..2000 {
+                let x = i as f32 * 0.001 * period + 1e-4;
+                let wanted = x.rem_euclid(period);
+                assert_eq!(wrapped(x, period).to_bits(), wanted.to_bits(), "{x}");
+            }
+        }
     }
 }

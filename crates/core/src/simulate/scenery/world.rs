@@ -10,7 +10,7 @@ use super::parcels::Parcels;
 use super::plan::{Plan, Segment, segment_grid};
 use super::shadows::{CrownShadow, Shadow, prop_vertices};
 use super::shape::{Outline, Slab, Spot, spot};
-use super::texture::{self, Texture};
+use super::texture::{Texture, Textures};
 use super::things::Form;
 use super::{distinct, network, settlement, water, woods};
 
@@ -43,6 +43,20 @@ fn square(center: Spot, radius: f32) -> Vec<Spot> {
 
 impl World {
     pub(super) fn new(seed: u64, day: &Day) -> Self {
+        Self::with_textures(seed, day, Textures::new(seed))
+    }
+
+    /// The same ground on another day: what takes long and does not change is shared.
+    pub(super) fn on_day(&self, seed: u64, day: &Day) -> Self {
+        let textures = Textures {
+            foliage: self.foliage_texture.clone(),
+            grain: self.grain_texture.clone(),
+            land: self.land_texture.clone(),
+        };
+        Self::with_textures(seed, day, textures)
+    }
+
+    fn with_textures(seed: u64, day: &Day, textures: Textures) -> Self {
         let light = Light::new(day);
         let mut plan = Plan::default();
         distinct::build(&mut plan);
@@ -64,9 +78,8 @@ impl World {
             |s| s.outline().corners(),
             |s, center, reach| s.distance(center) < reach,
         );
-        let land_texture = texture::lay_of_the_land(seed as u32 ^ 0x53);
         let ground = woods::Ground {
-            land: &land_texture,
+            land: &textures.land,
             segments: &segments,
             segment_grid: &segment_grid,
             surface_grid: &surface_grid,
@@ -131,9 +144,9 @@ impl World {
             crown_shadow_grid,
             crown_shadows,
             foliage: Foliage::new(day.season, day.growth_seed),
-            foliage_texture: texture::foliage(seed as u32 ^ 0x51),
-            land_texture,
-            grain_texture: texture::grain(seed as u32 ^ 0x52),
+            foliage_texture: textures.foliage,
+            land_texture: textures.land,
+            grain_texture: textures.grain,
             growth: day.growth_seed as u32,
             light,
         }

@@ -59,6 +59,16 @@ impl CameraView {
         self.drawn
     }
 
+    /// Takes the pixels of a frame that is shown soon: red, green, blue and opacity of each.
+    pub fn prepare(&mut self, frame: usize, encoded: &[u8], width: usize, pixels: &[u8]) {
+        self.cache.prepare(frame, encoded, width, pixels);
+    }
+
+    /// Whether the pixels of that frame are here already.
+    pub fn is_prepared(&self, frame: usize, encoded: &[u8]) -> bool {
+        self.cache.is_prepared(frame, encoded)
+    }
+
     /// Draws the view into the space that `ui` has left.
     pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
         let tokens = context.tokens;

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use egui::{Color32, Mesh, Painter, Pos2, Shape, Stroke, pos2};
+use egui::{Color32, Mesh, Pos2, Shape, Stroke, pos2};
 
 use super::super::chart::Axes;
 use super::pyramid::Pyramid;
@@ -113,20 +113,20 @@ fn first_not_before(times: &[f64], range: Range<usize>, until: f64, guess: usize
 }
 
 /// Draws a curve as a line; a column with many samples becomes a stroke from least to greatest.
-pub(crate) fn line(painter: &Painter, axes: &Axes, curve: &Curve<'_>, stroke: Stroke) {
+pub(crate) fn line(shapes: &mut Vec<Shape>, axes: &Axes, curve: &Curve<'_>, stroke: Stroke) {
     for points in polylines(axes, curve) {
         if points.len() > 1 {
-            painter.line(points, stroke);
+            shapes.push(Shape::line(points, stroke));
         } else if let Some(point) = points.first() {
-            painter.circle_filled(*point, stroke.width, stroke.color);
+            shapes.push(Shape::circle_filled(*point, stroke.width, stroke.color));
         }
     }
 }
 
 /// The same with dashes.
-pub(crate) fn dashed(painter: &Painter, axes: &Axes, curve: &Curve<'_>, stroke: Stroke) {
+pub(crate) fn dashed(shapes: &mut Vec<Shape>, axes: &Axes, curve: &Curve<'_>, stroke: Stroke) {
     for points in polylines(axes, curve) {
-        painter.extend(Shape::dashed_line(&points, stroke, 5.0, 4.0));
+        shapes.extend(Shape::dashed_line(&points, stroke, 5.0, 4.0));
     }
 }
 
@@ -163,7 +163,7 @@ fn polylines(axes: &Axes, curve: &Curve<'_>) -> Vec<Vec<Pos2>> {
 
 /// Fills between the least of `low` and the greatest of `high`.
 pub(crate) fn band(
-    painter: &Painter,
+    shapes: &mut Vec<Shape>,
     axes: &Axes,
     low: &Curve<'_>,
     high: &Curve<'_>,
@@ -190,23 +190,18 @@ pub(crate) fn band(
         previous = true;
     }
     if !mesh.is_empty() {
-        painter.add(Shape::mesh(mesh));
+        shapes.push(Shape::mesh(mesh));
     }
 }
 
-/// Draws every sample as a dot, or the least and greatest of each column.
-pub(crate) fn dots(
-    painter: &Painter,
-    axes: &Axes,
-    curve: &Curve<'_>,
-    mark: impl Fn(&Painter, Pos2),
-) {
+/// Marks every sample, or the least and greatest of each column.
+pub(crate) fn marks(axes: &Axes, curve: &Curve<'_>, mut mark: impl FnMut(Pos2)) {
     for place in curve.places(axes).into_iter().flatten() {
         let low = pos2(place.x, axes.screen_y(place.low));
         let high = pos2(place.x, axes.screen_y(place.high));
-        mark(painter, low);
+        mark(low);
         if (low.y - high.y).abs() > 1.0 {
-            mark(painter, high);
+            mark(high);
         }
     }
 }

@@ -5,12 +5,13 @@ mod panel;
 mod pyramid;
 mod series;
 
-use egui::{Align, Layout, Rect, ScrollArea, Sense, Stroke, Ui, pos2, vec2};
+use egui::{Align, Layout, Rect, ScrollArea, Sense, Shape, Stroke, Ui, pos2, vec2};
 
 use super::chart::Axes;
 use super::parts;
 use crate::command::Command;
 use crate::context::{Drawn, ViewContext};
+use crate::still::Still;
 use crate::tokens::Tokens;
 use panel::{Layer, PanelKind};
 pub(crate) use series::DEAD_RECKONING_AFTER;
@@ -34,6 +35,16 @@ struct PanelState {
     choice: usize,
 }
 
+/// What the curves of a panel depend on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct CurvesKey {
+    revisions: [u64; 2],
+    axes: Axes,
+    choice: usize,
+    factor: f64,
+    dark: bool,
+}
+
 /// Shows errors, wind, NIS and innovations of the run over time.
 pub struct PlotsView {
     panels: Vec<PanelState>,
@@ -41,6 +52,8 @@ pub struct PlotsView {
     zoom: Option<(f64, f64)>,
     series: RunSeries,
     ghost: RunSeries,
+    /// What each panel shows, drawn.
+    curves: Vec<Still<CurvesKey>>,
     /// Time under the pointer, from the last frame.
     hover: Option<f64>,
     drawn: Option<Drawn>,
@@ -60,6 +73,7 @@ impl Default for PlotsView {
             zoom: None,
             series: RunSeries::default(),
             ghost: RunSeries::default(),
+            curves: vec![Still::default(); PanelKind::ALL.len()],
             hover: None,
             drawn: None,
         }
@@ -257,16 +271,20 @@ impl PlotsView {
         painter.rect_filled(axes.rect, 2.0, tokens.background);
         axes.draw_y(&painter, tokens);
         let inside = painter.with_clip_rect(axes.rect);
-        for gap in &self.series.gaps {
-            let rect = Rect::from_x_y_ranges(
-                axes.screen_x(gap.0)..=axes.screen_x(gap.1),
-                axes.rect.y_range(),
-            );
-            inside.rect_filled(rect, 0.0, tokens.dead_reckoning.gamma_multiply(0.08));
-        }
-        for layer in &layers {
-            layer.draw(&inside, &axes);
-        }
+        let key = CurvesKey {
+            revisions: [self.series.revision, self.ghost.revision],
+            axes,
+            choice,
+            factor,
+            dark: tokens.dark,
+        };
+        let gaps = &self.series.gaps;
+        self.curves[index].paint(&inside, key, |shapes| {
+            paint_gaps(shapes, gaps, &axes, tokens);
+            for layer in &layers {
+                layer.draw(shapes, &axes);
+            }
+        });
         if !layers.iter().any(|l| l.is_visible(&axes)) {
             painter.text(
                 axes.rect.center(),
@@ -366,6 +384,16 @@ impl PlotsView {
             self.zoom = Some((axes.x.0 + shift, axes.x.1 + shift));
         }
         axes.rect.x_range().contains(pointer.x).then_some(time)
+    }
+}
+
+/// Shades the stretches of dead reckoning.
+fn paint_gaps(shapes: &mut Vec<Shape>, gaps: &[(f64, f64)], axes: &Axes, tokens: &Tokens) {
+    let color = tokens.dead_reckoning.gamma_multiply(0.08);
+    for gap in gaps {
+        let across = axes.screen_x(gap.0)..=axes.screen_x(gap.1);
+        let rect = Rect::from_x_y_ranges(across, axes.rect.y_range());
+        shapes.push(Shape::rect_filled(rect, 0.0, color));
     }
 }
 

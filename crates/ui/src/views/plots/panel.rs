@@ -1,6 +1,6 @@
 //! The panels: which curves each shows, in which colours, with which axis.
 
-use egui::{Color32, Painter, Pos2, Stroke, vec2};
+use egui::{Color32, Painter, Pos2, Shape, Stroke, vec2};
 
 use super::super::chart::Axes;
 use super::super::parts;
@@ -277,27 +277,24 @@ impl<'a> Layer<'a> {
     }
 
     /// Draws the layer.
-    pub fn draw(&self, painter: &Painter, axes: &Axes) {
+    pub fn draw(&self, shapes: &mut Vec<Shape>, axes: &Axes) {
+        let stroke = Stroke::new(1.5, self.color);
         match (self.style, &self.upper) {
             (Style::Band, Some(upper)) => {
-                draw::band(
-                    painter,
-                    axes,
-                    &self.curve,
-                    upper,
-                    self.color.gamma_multiply(0.22),
-                );
+                let color = self.color.gamma_multiply(0.22);
+                draw::band(shapes, axes, &self.curve, upper, color);
             }
-            (Style::Dashed, _) => {
-                draw::dashed(painter, axes, &self.curve, Stroke::new(1.5, self.color));
-            }
-            (Style::Dots, _) => draw::dots(painter, axes, &self.curve, |painter, at| {
-                painter.circle_filled(at, 2.0, self.color);
+            (Style::Dashed, _) => draw::dashed(shapes, axes, &self.curve, stroke),
+            (Style::Dots, _) => draw::marks(axes, &self.curve, |at| {
+                shapes.push(Shape::circle_filled(at, 2.0, self.color));
             }),
-            (Style::Crosses, _) => draw::dots(painter, axes, &self.curve, |painter, at| {
-                parts::cross(painter, at, 3.0, Stroke::new(1.25, self.color));
+            (Style::Crosses, _) => draw::marks(axes, &self.curve, |at| {
+                let stroke = Stroke::new(1.25, self.color);
+                let (down, up) = (vec2(3.0, 3.0), vec2(3.0, -3.0));
+                shapes.push(Shape::line_segment([at - down, at + down], stroke));
+                shapes.push(Shape::line_segment([at - up, at + up], stroke));
             }),
-            _ => draw::line(painter, axes, &self.curve, Stroke::new(1.5, self.color)),
+            _ => draw::line(shapes, axes, &self.curve, stroke),
         }
     }
 
@@ -310,7 +307,7 @@ impl<'a> Layer<'a> {
             }
             Style::Dashed => {
                 let stroke = Stroke::new(2.0, self.color);
-                painter.extend(egui::Shape::dashed_line(
+                painter.extend(Shape::dashed_line(
                     &[at - half, at + half],
                     stroke,
                     4.0,

@@ -120,6 +120,8 @@ pub(crate) struct RunSeries {
     pub refused: Table,
     /// Stretches without a correction, seconds.
     pub gaps: Vec<(f64, f64)>,
+    /// Another number whenever anything in here is another.
+    pub revision: u64,
     last_correction: Option<f64>,
     seen: Option<Fingerprint>,
     bounds: HashMap<usize, (f64, f64)>,
@@ -133,6 +135,7 @@ impl Default for RunSeries {
             accepted: Table::new(4),
             refused: Table::new(4),
             gaps: Vec::new(),
+            revision: 0,
             last_correction: None,
             seen: None,
             bounds: HashMap::new(),
@@ -146,7 +149,9 @@ impl RunSeries {
     /// Returns whether there is more to take over.
     pub fn update(&mut self, run: Option<&Run>, flight: Option<&Flight>) -> bool {
         let Some(run) = run else {
-            *self = Self::default();
+            if !self.steps.times.is_empty() {
+                self.start_anew();
+            }
             return false;
         };
         let taken = self.steps.times.len();
@@ -158,7 +163,7 @@ impl RunSeries {
             _ => true,
         };
         if !same {
-            *self = Self::default();
+            self.start_anew();
         }
         let from = self.steps.times.len();
         let to = run.steps.len().min(from + STEPS_PER_FRAME);
@@ -168,10 +173,20 @@ impl RunSeries {
         for step in &run.steps[from..to] {
             self.add(step, flight, wind);
         }
+        if to > from {
+            self.revision += 1;
+        }
         if let Some(last) = to.checked_sub(1) {
             self.seen = Some(Fingerprint::of(&run.steps[last], flight));
         }
         to < run.steps.len()
+    }
+
+    fn start_anew(&mut self) {
+        *self = Self {
+            revision: self.revision + 1,
+            ..Self::default()
+        };
     }
 
     fn add(&mut self, step: &StepReport, flight: Option<&Flight>, wind: Option<(usize, usize)>) {

@@ -122,7 +122,7 @@ impl ScriptedHost {
                     say(JobEvent::Failed(why));
                 }
             }
-            Job::ExplainMatch { .. } => say(JobEvent::Finished),
+            Job::ExplainMatch { .. } | Job::DecodePicture { .. } => say(JobEvent::Finished),
             Job::Provide { .. } | Job::Fly { .. } => {}
         }
     }

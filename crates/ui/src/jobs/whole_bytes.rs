@@ -1,0 +1,50 @@
+//! Byte arrays in messages, written and read in one piece instead of byte by byte.
+
+use std::fmt::{Formatter, Result as FormatResult};
+
+use serde::de::{Error, Visitor};
+use serde::{Deserializer, Serializer};
+
+pub fn serialize<S: Serializer>(bytes: &[u8], to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_bytes(bytes)
+}
+
+pub fn deserialize<'d, D: Deserializer<'d>>(from: D) -> Result<Vec<u8>, D::Error> {
+    struct Bytes;
+    impl Visitor<'_> for Bytes {
+        type Value = Vec<u8>;
+
+        fn expecting(&self, to: &mut Formatter<'_>) -> FormatResult {
+            to.write_str("bytes")
+        }
+
+        fn visit_bytes<E: Error>(self, bytes: &[u8]) -> Result<Vec<u8>, E> {
+            Ok(bytes.to_vec())
+        }
+
+        fn visit_byte_buf<E: Error>(self, bytes: Vec<u8>) -> Result<Vec<u8>, E> {
+            Ok(bytes)
+        }
+    }
+    from.deserialize_byte_buf(Bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Job, JobEvent};
+
+    #[test]
+    fn pictures_survive_the_way_between_page_and_worker() {
+        let event = JobEvent::FramePicture {
+            index: 3,
+            encoded: (0..=255).collect(),
+        };
+        let sent = postcard::to_stdvec(&event).unwrap();
+        assert_eq!(postcard::from_bytes::<JobEvent>(&sent).unwrap(), event);
+        let job = Job::DecodePicture {
+            encoded: vec![1, 2, 3],
+        };
+        let sent = postcard::to_stdvec(&job).unwrap();
+        assert_eq!(postcard::from_bytes::<Job>(&sent).unwrap(), job);
+    }
+}
