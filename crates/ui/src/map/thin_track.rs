@@ -212,6 +212,12 @@ impl Group<'_> {
         }
     }
 
+    /// Whether any of it lies within `span` seconds of `now`.
+    pub fn is_near(&self, now: f64, span: f64) -> bool {
+        let end = self.last.or(self.points.last().copied());
+        self.first().time <= now + span && end.is_none_or(|e| e.time >= now - span)
+    }
+
     /// The points, with one at `now` put in if that lies between two of them.
     pub fn split_at(&self, now: f64) -> Vec<TrackPoint> {
         let mut points: Vec<_> = self.points.iter().copied().chain(self.last).collect();

@@ -9,6 +9,11 @@ use super::thin_track::{ThinTrack, TrackPoint};
 use super::transform::{MapCamera, ScreenFromWorld};
 use crate::still::triangles;
 
+/// Seconds around the time cursor in which a track has its dashes and its outline. Further off it is a
+/// plain line: the rounds of a long flight lie over each other, where dashes tell nothing any more, and
+/// each of them would cost ten corners in every frame.
+const NEAR: f64 = 120.0;
+
 /// How a track is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrackStyle {
@@ -26,6 +31,20 @@ pub struct TrackStyle {
     pub outline: Color32,
 }
 
+impl TrackStyle {
+    /// Without dashes and outline, and fainter for it.
+    fn plain(self) -> Self {
+        Self {
+            corrected: self.corrected.gamma_multiply(0.6),
+            other: self.other.gamma_multiply(0.6),
+            width: 0.75 * self.width,
+            dash: None,
+            other_dash: None,
+            outline: Color32::TRANSPARENT,
+        }
+    }
+}
+
 /// What the triangles of a track depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Look {
@@ -35,14 +54,17 @@ struct Look {
     style: TrackStyle,
 }
 
-/// A track and the triangles of its groups: whether they are drawn as past, and as if north were
+/// Triangles of a group, and whether they show it as past and as near.
+type Drawn = ((bool, bool), Arc<Mesh>);
+
+/// A track and the triangles of its groups, drawn as if north were
 /// up and the group's first point at the origin of the screen.
 #[derive(Clone, Debug, Default)]
 pub struct DrawnTrack {
     /// The track.
     pub track: ThinTrack,
     look: Option<Look>,
-    groups: Vec<Option<(bool, Arc<Mesh>)>>,
+    groups: Vec<Option<Drawn>>,
 }
 
 impl DrawnTrack {
@@ -78,16 +100,18 @@ impl DrawnTrack {
             }
             let kept = &mut self.groups[group.index];
             let origin = group.first().place;
-            if kept.as_ref().is_none_or(|(side, _)| *side != past) {
+            let shown = (past, group.is_near(now, NEAR));
+            if kept.as_ref().is_none_or(|(before, _)| *before != shown) {
                 let north_up = MapCamera {
                     center: origin,
                     metres_per_point: view.metres_per_point,
                     up: 0.0,
                 }
                 .screen_from_world(Rect::ZERO);
+                let style = if shown.1 { style } else { style.plain() };
                 let shapes = shapes(&points(), now, &style, |p| north_up.apply(&p.place));
                 let drawn = triangles(painter, Rect::EVERYTHING, shapes);
-                *kept = Some((past, Arc::new(drawn)));
+                *kept = Some((shown, Arc::new(drawn)));
             }
             if let Some((_, drawn)) = kept {
                 append_turned(&mut mesh, drawn, view.apply(&origin), view.up as f32);
@@ -154,7 +178,7 @@ fn add_line(
         shapes.extend(Shape::dashed_line(&points, stroke, dash, gap));
         return;
     }
-    if past {
+    if past && style.outline != Color32::TRANSPARENT {
         let below = Stroke::new(style.width + 2.0, style.outline.gamma_multiply(0.5));
         shapes.push(Shape::line(points.clone(), below));
     }
