@@ -8,9 +8,12 @@ mod altitude;
 mod attitude;
 mod ground;
 mod local;
+mod reference_system;
+mod transverse_mercator;
 pub mod units;
 
 pub use altitude::{Altitude, AltitudeFrame, AltitudeReference};
 pub use attitude::{Attitude, Pose, wrap_pi};
 pub use ground::{GroundPoint, GroundRect};
 pub use local::{Geodetic, LocalFrame};
+pub use reference_system::ReferenceSystem;

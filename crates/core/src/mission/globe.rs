@@ -1,12 +1,10 @@
 //! Ground points of a mission as longitude and latitude.
 
-use nalgebra::Point3;
-
 use crate::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
 
 /// Longitude and latitude in degrees of a point on the plane through the origin.
 pub(crate) fn lon_lat(frame: &LocalFrame, p: &GroundPoint) -> (f64, f64) {
-    let position = frame.geodetic_from_world(&Point3::new(p.north, p.east, 0.0));
+    let position = frame.geodetic_from_ground(p);
     (
         position.longitude.to_degrees(),
         position.latitude.to_degrees(),
@@ -14,17 +12,8 @@ pub(crate) fn lon_lat(frame: &LocalFrame, p: &GroundPoint) -> (f64, f64) {
 }
 
 /// The point of the plane through the origin at a longitude and latitude in degrees.
-///
-/// The plane leaves the ellipsoid by 0.3 m at 2 km; three rounds put the point onto the plane to
-/// far below a micrometre.
 pub(crate) fn ground(frame: &LocalFrame, longitude: f64, latitude: f64) -> GroundPoint {
-    let mut height = frame.origin.height;
-    let mut p = Point3::origin();
-    for _ in 0..3 {
-        p = frame.world_from_geodetic(&Geodetic::from_degrees(latitude, longitude, height));
-        height += p.z;
-    }
-    GroundPoint::new(p.x, p.y)
+    frame.ground_from_geodetic(&Geodetic::from_degrees(latitude, longitude, 0.0))
 }
 
 /// Corners of a box, counter-clockwise from the south-west and back to it, as GeoJSON asks.

@@ -1,0 +1,275 @@
+//! The coordinate reference systems that maps come in.
+
+use serde::{Deserialize, Serialize};
+
+use super::local::SEMI_MAJOR;
+use super::{Geodetic, transverse_mercator};
+
+/// False easting of a UTM zone, metres.
+const FALSE_EASTING: f64 = 500_000.0;
+/// False northing of a southern UTM zone, metres.
+const FALSE_NORTHING_SOUTH: f64 = 10_000_000.0;
+/// Farthest from its central meridian that a zone is used, radians: beyond lies another part of the
+/// world, and coordinates that lead there are a mistake.
+const WIDEST: f64 = 0.7;
+
+/// A coordinate reference system on the datum WGS 84: what the x and y of a map mean.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum ReferenceSystem {
+    /// EPSG:4326: x is longitude, y is latitude, degrees.
+    Geographic,
+    /// EPSG:3857: metres on the sphere of web maps, x east of Greenwich, y north of the equator.
+    WebMercator,
+    /// EPSG:32601-32660 and 32701-32760: metres in a zone of the Universal Transverse Mercator.
+    Utm {
+        /// Zone, 1 to 60, six degrees each from 180° west.
+        zone: u8,
+        /// Whether northings count from ten thousand kilometres south of the equator.
+        is_south: bool,
+    },
+}
+
+impl ReferenceSystem {
+    /// The system with that EPSG code, if it is one of those that are known.
+    pub fn from_epsg(code: u32) -> Option<Self> {
+        let utm = |is_south: bool| Self::Utm {
+            zone: (code % 100) as u8,
+            is_south,
+        };
+        match code {
+            4326 => Some(Self::Geographic),
+            // 900913 and 3785 are older names of the same.
+            3857 | 900_913 | 3785 => Some(Self::WebMercator),
+            32_601..=32_660 => Some(utm(false)),
+            32_701..=32_760 => Some(utm(true)),
+            _ => None,
+        }
+    }
+
+    /// The system that a text names: "EPSG:32617", a bare code, a name like "WGS 84 / UTM zone 17N",
+    /// or the well-known text of a .prj file.
+    pub fn from_name(text: &str) -> Option<Self> {
+        let plain = text.to_ascii_uppercase().replace(['_', ' ', '/', '-'], "");
+        let digits = plain.strip_prefix("EPSG:").unwrap_or(&plain);
+        if let Ok(code) = digits.parse() {
+            return Self::from_epsg(code);
+        }
+        // Names of other datums hold the same words; they must not pass for WGS 84.
+        if !plain.contains("WGS84") && !plain.contains("WGS1984") && !plain.contains("PSEUDOMERC") {
+            return None;
+        }
+        if plain.contains("PSEUDOMERCATOR") || plain.contains("WEBMERCATOR") {
+            return Some(Self::WebMercator);
+        }
+        if let Some((_, after)) = plain.split_once("UTMZONE") {
+            let length = after.find(|c: char| !c.is_ascii_digit())?;
+            let (zone, hemisphere) = after.split_at(length);
+            let south = match hemisphere.chars().next()? {
+                'N' => 0,
+                'S' => 100,
+                _ => return None,
+            };
+            let zone: u32 = zone.parse().ok().filter(|zone| *zone <= 60)?;
+            return Self::from_epsg(32_600 + south + zone);
+        }
+        let is_projected = [
+            "PROJCS",
+            "PROJCRS",
+            "PROJECTION",
+            "COMPDCS",
+            "GEOCCS",
+            "UTM",
+        ]
+        .iter()
+        .any(|word| plain.contains(word));
+        (!is_projected).then_some(Self::Geographic)
+    }
+
+    /// EPSG code.
+    pub fn epsg(&self) -> u32 {
+        match self {
+            Self::Geographic => 4326,
+            Self::WebMercator => 3857,
+            Self::Utm { zone, is_south } => 32_600 + 100 * u32::from(*is_south) + u32::from(*zone),
+        }
+    }
+
+    /// Name for people.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Geographic => "WGS 84, longitude and latitude".to_owned(),
+            Self::WebMercator => "WGS 84, Web Mercator".to_owned(),
+            Self::Utm { zone, is_south } => {
+                let hemisphere = if *is_south { 'S' } else { 'N' };
+                format!("WGS 84, UTM zone {zone}{hemisphere}")
+            }
+        }
+    }
+
+    /// The UTM zone that holds a place, without the exceptions of Norway and Svalbard.
+    pub fn utm_around(place: &Geodetic) -> Self {
+        let zones = (place.longitude.to_degrees() + 180.0).rem_euclid(360.0) / 6.0;
+        Self::Utm {
+            zone: (zones.floor() as u8).min(59) + 1,
+            is_south: place.latitude < 0.0,
+        }
+    }
+
+    /// Latitude and longitude of the coordinates (x, y), at height zero; `None` where they name no
+    /// place on Earth.
+    pub fn geodetic(&self, x: f64, y: f64) -> Option<Geodetic> {
+        let (latitude, longitude) = match self {
+            Self::Geographic => (y.to_radians(), x.to_radians()),
+            Self::WebMercator => {
+                let latitude = (y / SEMI_MAJOR).sinh().atan();
+                (latitude, x / SEMI_MAJOR)
+            }
+            Self::Utm { zone, is_south } => {
+                let south = if *is_south { FALSE_NORTHING_SOUTH } else { 0.0 };
+                let (east, north) = (x - FALSE_EASTING, y - south);
+                if !(east.abs() < 0.8 * SEMI_MAJOR && north.abs() < 1.6 * SEMI_MAJOR) {
+                    return None;
+                }
+                let (latitude, longitude) = transverse_mercator::unproject(east, north);
+                (latitude, longitude + central_meridian(*zone))
+            }
+        };
+        let is_place =
+            latitude.abs() <= 90.01_f64.to_radians() && longitude.abs() <= 720.0_f64.to_radians();
+        is_place.then_some(Geodetic {
+            latitude,
+            longitude,
+            height: 0.0,
+        })
+    }
+
+    /// Coordinates (x, y) of a place; `None` where the system does not reach.
+    pub fn coordinates(&self, place: &Geodetic) -> Option<(f64, f64)> {
+        let Geodetic {
+            latitude,
+            longitude,
+            ..
+        } = *place;
+        let (x, y) = match self {
+            Self::Geographic => (longitude.to_degrees(), latitude.to_degrees()),
+            Self::WebMercator => (SEMI_MAJOR * longitude, SEMI_MAJOR * latitude.tan().asinh()),
+            Self::Utm { zone, is_south } => {
+                let from_meridian = super::wrap_pi(longitude - central_meridian(*zone));
+                if from_meridian.abs() > WIDEST {
+                    return None;
+                }
+                let (east, north) = transverse_mercator::project(latitude, from_meridian);
+                let south = if *is_south { FALSE_NORTHING_SOUTH } else { 0.0 };
+                (east + FALSE_EASTING, north + south)
+            }
+        };
+        (x.is_finite() && y.is_finite()).then_some((x, y))
+    }
+}
+
+/// Longitude of the middle of a UTM zone, radians.
+fn central_meridian(zone: u8) -> f64 {
+    (6.0 * f64::from(zone) - 183.0).to_radians()
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn every_code_comes_back() {
+        for code in [4326, 3857, 32_601, 32_660, 32_701, 32_733, 32_760] {
+            let system = ReferenceSystem::from_epsg(code).unwrap();
+            assert_eq!(system.epsg(), code);
+        }
+        for code in [0, 4269, 26_917, 32_600, 32_661, 32_700, 32_761] {
+            assert_eq!(ReferenceSystem::from_epsg(code), None);
+        }
+    }
+
+    #[test]
+    fn systems_are_known_by_the_names_that_programs_write() {
+        let named = |text| ReferenceSystem::from_name(text).map(|system| system.epsg());
+        for (text, code) in [
+            ("EPSG:3857", 3857),
+            ("32733", 32_733),
+            ("WGS 84 / UTM zone 17N", 32_617),
+            ("WGS 84 / Pseudo-Mercator", 3857),
+            ("WGS_1984_Web_Mercator_Auxiliary_Sphere", 3857),
+            (
+                r#"PROJCS["WGS_1984_UTM_Zone_33S",GEOGCS["GCS_WGS_1984",DATUM["D_WGS_1984","#,
+                32_733,
+            ),
+            (
+                r#"GEOGCS["GCS_WGS_1984",DATUM["D_WGS_1984",SPHEROID["WGS_1984","#,
+                4326,
+            ),
+        ] {
+            assert_eq!(named(text), Some(code), "{text}");
+        }
+        for text in [
+            "",
+            "NAD83 / UTM zone 17N",
+            "EPSG:26917",
+            "WGS 84 / UTM zone 99N",
+            r#"PROJCS["WGS_1984_Lambert",GEOGCS["GCS_WGS_1984","#,
+        ] {
+            assert_eq!(named(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn the_corner_of_the_web_map_is_its_well_known_number() {
+        let place = ReferenceSystem::WebMercator
+            .geodetic(20_037_508.342_789_244, 20_037_508.342_789_244)
+            .unwrap();
+        assert!((place.longitude.to_degrees() - 180.0).abs() < 1e-9);
+        assert!((place.latitude.to_degrees() - 85.051_128_779_806_6).abs() < 1e-9);
+    }
+
+    #[test]
+    fn the_zone_around_a_place_holds_it() {
+        let duluth = Geodetic::from_degrees(46.84, -91.99, 0.0);
+        let zone = ReferenceSystem::utm_around(&duluth);
+        assert_eq!(zone.name(), "WGS 84, UTM zone 15N");
+        let date_line = Geodetic::from_degrees(-20.0, 180.0, 0.0);
+        assert_eq!(ReferenceSystem::utm_around(&date_line).epsg(), 32_701);
+    }
+
+    #[test]
+    fn coordinates_that_name_no_place_are_refused() {
+        let utm = ReferenceSystem::from_epsg(32_617).unwrap();
+        assert_eq!(utm.geodetic(f64::NAN, 0.0), None);
+        assert_eq!(utm.geodetic(5e7, 0.0), None);
+        assert_eq!(ReferenceSystem::Geographic.geodetic(0.0, 91.0), None);
+        let far = Geodetic::from_degrees(0.0, 100.0, 0.0);
+        assert_eq!(utm.coordinates(&far), None);
+    }
+
+    proptest! {
+        #[test]
+        fn coordinates_survive_the_round_trip_to_a_micrometre(
+            latitude in -84.0_f64..84.0,
+            from_meridian in -20.0_f64..20.0,
+            zone in 1_u8..=60,
+            is_south: bool,
+        ) {
+            let meridian = 6.0 * f64::from(zone) - 183.0;
+            let place = Geodetic::from_degrees(latitude, meridian + from_meridian, 0.0);
+            let systems = [
+                ReferenceSystem::Geographic,
+                ReferenceSystem::WebMercator,
+                ReferenceSystem::Utm { zone, is_south },
+            ];
+            for system in systems {
+                let (x, y) = system.coordinates(&place).unwrap();
+                let back = system.geodetic(x, y).unwrap();
+                let north = (back.latitude - place.latitude) * SEMI_MAJOR;
+                let east = super::super::wrap_pi(back.longitude - place.longitude) * SEMI_MAJOR;
+                prop_assert!(north.hypot(east) < 1e-6, "{system:?}: {north} {east}");
+            }
+        }
+    }
+}
