@@ -66,3 +66,17 @@ pub fn ask<Question: Serialize, Answer: DeserializeOwned>(
         }),
     )
 }
+
+/// The bytes that a script writes as hexadecimal digits.
+///
+/// # Panics
+/// If there are other letters: that is a failed test.
+pub fn bytes_of_hex(hex: &str) -> Vec<u8> {
+    let digit = |letter: u8| {
+        let digit = char::from(letter).to_digit(16);
+        digit.unwrap_or_else(|| panic!("{letter} is no hexadecimal digit")) as u8
+    };
+    (hex.as_bytes().chunks_exact(2))
+        .map(|pair| digit(pair[0]) << 4 | digit(pair[1]))
+        .collect()
+}

@@ -1,13 +1,52 @@
 //! Folders of the disk as file sets.
 
 use std::collections::BTreeSet;
-use std::fs;
+use std::fs::{self, File};
+use std::io::{Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use pilotage_core::flight::files::{FileSet, FileSink};
 use pilotage_core::frames::LocalFrame;
-use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::imagery::{ByteSource, CachedImagery, Imagery};
+
+/// A file of the disk, read by pieces.
+pub struct DiskFile {
+    name: String,
+    length: u64,
+    file: Mutex<File>,
+}
+
+impl DiskFile {
+    /// Opens the file at `path`; messages call it `name`.
+    pub fn open(path: &Path, name: &str) -> std::io::Result<Self> {
+        let file = File::open(path)?;
+        Ok(Self {
+            name: name.to_owned(),
+            length: file.metadata()?.len(),
+            file: Mutex::new(file),
+        })
+    }
+}
+
+impl ByteSource for DiskFile {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn length(&self) -> u64 {
+        self.length
+    }
+
+    fn read(&self, offset: u64, length: usize) -> Result<Vec<u8>, String> {
+        let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut bytes = vec![0; length];
+        file.seek(SeekFrom::Start(offset))
+            .and_then(|_| file.read_exact(&mut bytes))
+            .map_err(|e| e.to_string())?;
+        Ok(bytes)
+    }
+}
 
 /// The files of a directory and its sub-directories.
 pub struct Directory {
@@ -52,6 +91,11 @@ impl FileSet for Directory {
 
     fn read(&self, name: &str) -> Option<Vec<u8>> {
         fs::read(self.root.join(name)).ok()
+    }
+
+    fn source(&self, name: &str) -> Option<Arc<dyn ByteSource>> {
+        let file = DiskFile::open(&self.root.join(name), name).ok()?;
+        Some(Arc::new(file))
     }
 }
 

@@ -4,6 +4,7 @@ mod bench;
 mod files;
 mod filter_options;
 mod inspect;
+mod map;
 mod plan;
 mod replay;
 mod simulate;
@@ -33,6 +34,8 @@ enum Job {
     Plan(Box<plan::Arguments>),
     /// Say what a file or folder is.
     Inspect(inspect::Arguments),
+    /// Look at maps: what they are, and pictures out of them.
+    Map(map::Arguments),
     /// Time the kernels and the filter.
     Bench(bench::Arguments),
 }
@@ -50,6 +53,7 @@ fn main() -> ExitCode {
         Job::Replay(arguments) => replay::run(&arguments),
         Job::Plan(arguments) => plan::run(&arguments),
         Job::Inspect(arguments) => inspect::run(&arguments),
+        Job::Map(arguments) => map::run(&arguments),
         Job::Bench(arguments) => bench::run(&arguments),
     };
     match outcome {

@@ -6,6 +6,8 @@ use std::sync::Arc;
 
 use zip::ZipArchive;
 
+use crate::imagery::{ByteSource, MemoryBytes};
+
 /// Largest file that is unpacked from a zip, bytes.
 const LARGEST_FILE: u64 = 1 << 30;
 
@@ -16,6 +18,12 @@ pub trait FileSet: Send + Sync {
 
     /// Contents of a file, `None` if there is none of that name.
     fn read(&self, name: &str) -> Option<Vec<u8>>;
+
+    /// A file for reading by pieces, `None` if there is none of that name. Whoever can read pieces
+    /// does not keep large files in memory.
+    fn source(&self, name: &str) -> Option<Arc<dyn ByteSource>> {
+        Some(Arc::new(MemoryBytes::new(name, self.read(name)?)))
+    }
 }
 
 /// Where files are written.

@@ -1,8 +1,9 @@
 //! Tiles of a slow source, kept while memory allows.
 
-use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::convert::Infallible;
+use std::sync::Arc;
 
+use super::kept::Kept;
 use super::{Imagery, Window};
 use crate::frames::GroundRect;
 use crate::raster::{Raster, Rgba};
@@ -14,30 +15,19 @@ const TILE: i64 = TILE_SIDE as i64;
 /// Where a tile lies: scale level, row from the north, column from the west.
 type Place = (i32, i64, i64);
 
-struct Tiles {
-    kept: HashMap<Place, (u64, Arc<Raster<Rgba>>)>,
-    clock: u64,
-}
-
 /// Imagery whose tiles at power-of-two multiples of the native scale are remembered, least recently
 /// used out first. Windows on that grid are put together from tiles; others go to the source.
 pub struct CachedImagery {
     source: Arc<dyn Imagery>,
-    tiles: Mutex<Tiles>,
-    most: usize,
+    tiles: Kept<Place, Raster<Rgba>>,
 }
 
 impl CachedImagery {
     /// Keeps at most `megabytes` of tiles of `source`.
     pub fn new(source: Arc<dyn Imagery>, megabytes: usize) -> Self {
-        let bytes_of_tile = (TILE * TILE * 4) as usize;
         Self {
             source,
-            tiles: Mutex::new(Tiles {
-                kept: HashMap::new(),
-                clock: 0,
-            }),
-            most: (megabytes * 1_000_000 / bytes_of_tile).max(4),
+            tiles: Kept::new(megabytes * 1_000_000),
         }
     }
 
@@ -68,37 +58,20 @@ impl CachedImagery {
     }
 
     fn tile(&self, place: Place) -> Arc<Raster<Rgba>> {
-        {
-            let mut tiles = self.tiles.lock().unwrap_or_else(PoisonError::into_inner);
-            tiles.clock += 1;
-            let now = tiles.clock;
-            if let Some((used, tile)) = tiles.kept.get_mut(&place) {
-                *used = now;
-                return Arc::clone(tile);
-            }
-        }
-        let (level, row, column) = place;
-        let gsd = self.gsd(level);
-        let window = Window {
-            north_edge: -((row * TILE) as f64) * gsd,
-            west_edge: (column * TILE) as f64 * gsd,
-            gsd,
-            width: TILE as usize,
-            height: TILE as usize,
+        let make = || {
+            let (level, row, column) = place;
+            let gsd = self.gsd(level);
+            let window = Window {
+                north_edge: -((row * TILE) as f64) * gsd,
+                west_edge: (column * TILE) as f64 * gsd,
+                gsd,
+                width: TILE as usize,
+                height: TILE as usize,
+            };
+            let bytes = (TILE * TILE * 4) as usize;
+            Ok::<_, Infallible>((self.source.window(&window), bytes))
         };
-        let tile = Arc::new(self.source.window(&window));
-        let mut tiles = self.tiles.lock().unwrap_or_else(PoisonError::into_inner);
-        tiles.clock += 1;
-        let now = tiles.clock;
-        if tiles.kept.len() >= self.most {
-            // A quarter goes at once, so that the search for the oldest is rare.
-            let mut ages: Vec<u64> = tiles.kept.values().map(|(used, _)| *used).collect();
-            let cut = ages.len() / 4;
-            let (_, limit, _) = ages.select_nth_unstable(cut);
-            let limit = *limit;
-            tiles.kept.retain(|_, (used, _)| *used > limit);
-        }
-        tiles.kept.insert(place, (now, Arc::clone(&tile)));
+        let Ok(tile) = self.tiles.get_or_make(place, make);
         tile
     }
 
@@ -230,7 +203,6 @@ mod tests {
             };
             cached.window(&cached.aligned(&rect, 0));
         }
-        let kept = cached.tiles.lock().unwrap().kept.len();
-        assert!(kept <= cached.most, "{kept} tiles");
+        assert!(cached.tiles.bytes() <= 2_000_000);
     }
 }

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix2, Point2, Vector2};
 use serde::{Deserialize, Serialize};
 
-use crate::frames::{Geodetic, GroundPoint, LocalFrame};
+use crate::frames::{Geodetic, GroundPoint, LocalFrame, ReferenceSystem};
 
 /// Radius of the sphere on which the fitted similarities count their metres.
 const SPHERE_RADIUS: f64 = 6_378_137.0;
@@ -48,8 +48,13 @@ pub enum GeoreferenceError {
 pub enum Georeference {
     /// East and north in metres of the world frame itself, per pixel with centres at integers.
     Metres(WorldFile),
-    /// Longitude and latitude in degrees, per pixel with centres at integers.
-    Degrees(WorldFile),
+    /// Coordinates of a reference system, per pixel with centres at integers.
+    Projected {
+        /// What the coordinates mean.
+        system: ReferenceSystem,
+        /// Coordinates of the pixels.
+        file: WorldFile,
+    },
     /// A similarity to metres on a sphere around an origin.
     Similarity(Similarity),
 }
@@ -132,10 +137,23 @@ impl Georeference {
         let file = WorldFile { a, d, b, e, c, f };
         let small = [a, b, d, e].into_iter().all(|v| v.abs() < 1e-3);
         Ok(if small && c.abs() <= 360.0 && f.abs() <= 90.0 {
-            Self::Degrees(file)
+            Self::Projected {
+                system: ReferenceSystem::Geographic,
+                file,
+            }
         } else {
             Self::Metres(file)
         })
+    }
+
+    /// The same numbers of a world file taken for coordinates of `system`; a similarity stays what
+    /// it is.
+    #[must_use]
+    pub fn with_system(self, system: ReferenceSystem) -> Self {
+        match self {
+            Self::Metres(file) | Self::Projected { file, .. } => Self::Projected { system, file },
+            Self::Similarity(_) => self,
+        }
     }
 
     /// Reads a fitted similarity: JSON with `origin_lat`, `origin_lon`, `gsd`, `R` and `T`; other
@@ -168,48 +186,55 @@ impl Georeference {
     pub fn origin(&self, width: usize, height: usize) -> Option<Geodetic> {
         match self {
             Self::Metres(_) => None,
-            Self::Degrees(file) => {
+            Self::Projected { system, file } => {
                 let (x, y) = file.at(0.5 * width as f64, 0.5 * height as f64);
-                Some(Geodetic::from_degrees(y, x, 0.0))
+                system.geodetic(x, y)
             }
             Self::Similarity(s) => Some(Geodetic::from_degrees(s.origin_lat, s.origin_lon, 0.0)),
         }
     }
 
-    /// Ground point of a pixel (centres at half integers) in the world frame `frame`.
+    /// Ground point of a pixel (centres at half integers) in the world frame `frame`; not a number
+    /// where the coordinates name no place on Earth.
     pub fn ground_at(&self, frame: &LocalFrame, x: f64, y: f64) -> GroundPoint {
-        let geodetic = |latitude: f64, longitude: f64| {
-            let height = frame.origin.height;
-            let p = frame.world_from_geodetic(&Geodetic::from_degrees(latitude, longitude, height));
-            GroundPoint::new(p.x, p.y)
-        };
         match self {
             Self::Metres(file) => {
                 let (east, north) = file.at(x, y);
                 GroundPoint::new(north, east)
             }
-            Self::Degrees(file) => {
-                let (longitude, latitude) = file.at(x, y);
-                geodetic(latitude, longitude)
+            Self::Projected { system, file } => {
+                let (x, y) = file.at(x, y);
+                system
+                    .geodetic(x, y)
+                    .map_or(GroundPoint::new(f64::NAN, f64::NAN), |place| {
+                        frame.ground_from_geodetic(&place)
+                    })
             }
             Self::Similarity(s) => {
-                let (column, row) = (x - 0.5, y - 0.5);
-                let [[r00, r01], [r10, r11]] = s.rotation;
-                let east = s.gsd * (r00 * column - r01 * row) + s.translation[0];
-                let north = s.gsd * (r10 * column - r11 * row) + s.translation[1];
-                let cosine = s.origin_lat.to_radians().cos();
-                geodetic(
-                    s.origin_lat + (north / SPHERE_RADIUS).to_degrees(),
-                    s.origin_lon + (east / (SPHERE_RADIUS * cosine)).to_degrees(),
-                )
+                let (latitude, longitude) = s.degrees_at(x, y);
+                frame.ground_from_geodetic(&Geodetic::from_degrees(latitude, longitude, 0.0))
             }
+        }
+    }
+
+    /// Pixel (centres at half integers) of a ground point in the world frame `frame`; `None` where
+    /// the reference system does not reach or the numbers span no area.
+    pub fn pixel_at(&self, frame: &LocalFrame, ground: &GroundPoint) -> Option<Point2<f64>> {
+        match self {
+            Self::Metres(file) => file.pixel_at(ground.east, ground.north),
+            Self::Projected { system, file } => {
+                let (x, y) = system.coordinates(&frame.geodetic_from_ground(ground))?;
+                file.pixel_at(x, y)
+            }
+            Self::Similarity(s) => s.pixel_at(&frame.geodetic_from_ground(ground)),
         }
     }
 
     /// The affine map for a picture of the given size in the world frame `frame`.
     ///
-    /// Longitude and latitude are not affine in the tangent plane; over a kilometre the difference
+    /// Coordinates on the globe are not affine in the tangent plane; over a kilometre the difference
     /// is below a decimetre, and the middle and two sides of the picture are met.
+    /// [`Placement`](super::Placement) is exact.
     pub fn in_world(
         &self,
         frame: &LocalFrame,
@@ -233,6 +258,16 @@ impl Georeference {
     }
 }
 
+/// The six lines of the file, in digits that read back the same.
+impl std::fmt::Display for WorldFile {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        for value in [self.a, self.d, self.b, self.e, self.c, self.f] {
+            writeln!(f, "{value}")?;
+        }
+        Ok(())
+    }
+}
+
 impl WorldFile {
     /// (x, y) at a pixel with centres at half integers.
     fn at(&self, x: f64, y: f64) -> (f64, f64) {
@@ -241,6 +276,42 @@ impl WorldFile {
             self.a * column + self.b * row + self.c,
             self.d * column + self.e * row + self.f,
         )
+    }
+}
+
+impl WorldFile {
+    /// Pixel with centres at half integers of the coordinates (x, y).
+    fn pixel_at(&self, x: f64, y: f64) -> Option<Point2<f64>> {
+        let matrix = Matrix2::new(self.a, self.b, self.d, self.e);
+        let pixel = matrix.try_inverse()? * Vector2::new(x - self.c, y - self.f);
+        Some(Point2::new(pixel.x + 0.5, pixel.y + 0.5))
+    }
+}
+
+impl Similarity {
+    /// Latitude and longitude in degrees at a pixel with centres at half integers.
+    fn degrees_at(&self, x: f64, y: f64) -> (f64, f64) {
+        let (column, row) = (x - 0.5, y - 0.5);
+        let [[r00, r01], [r10, r11]] = self.rotation;
+        let east = self.gsd * (r00 * column - r01 * row) + self.translation[0];
+        let north = self.gsd * (r10 * column - r11 * row) + self.translation[1];
+        let cosine = self.origin_lat.to_radians().cos();
+        (
+            self.origin_lat + (north / SPHERE_RADIUS).to_degrees(),
+            self.origin_lon + (east / (SPHERE_RADIUS * cosine)).to_degrees(),
+        )
+    }
+
+    /// Pixel with centres at half integers of a place.
+    fn pixel_at(&self, place: &Geodetic) -> Option<Point2<f64>> {
+        let [[r00, r01], [r10, r11]] = self.rotation;
+        let origin = Geodetic::from_degrees(self.origin_lat, self.origin_lon, 0.0);
+        let east = (place.longitude - origin.longitude) * SPHERE_RADIUS * origin.latitude.cos();
+        let north = (place.latitude - origin.latitude) * SPHERE_RADIUS;
+        let matrix = self.gsd * Matrix2::new(r00, -r01, r10, -r11);
+        let from = Vector2::new(east - self.translation[0], north - self.translation[1]);
+        let pixel = matrix.try_inverse()? * from;
+        Some(Point2::new(pixel.x + 0.5, pixel.y + 0.5))
     }
 }
 
@@ -310,7 +381,13 @@ mod tests {
     fn a_world_file_in_degrees_meets_the_tangent_plane() {
         let text = "0.000001\n0\n0\n-0.000001\n10.0\n45.0\n";
         let georeference = Georeference::from_world_file(text).unwrap();
-        assert!(matches!(georeference, Georeference::Degrees(_)));
+        assert!(matches!(
+            georeference,
+            Georeference::Projected {
+                system: ReferenceSystem::Geographic,
+                ..
+            }
+        ));
         let frame = LocalFrame::new(Geodetic::from_degrees(45.0, 10.0, 0.0));
         let map = georeference.in_world(&frame, 1000, 1000).unwrap();
         let p = map.ground_at(&Point2::new(0.5, 0.5));

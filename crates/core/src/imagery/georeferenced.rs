@@ -1,9 +1,8 @@
 //! A picture with a georeference as imagery.
 
-use nalgebra::{Matrix2, Point2, Vector2};
-
-use super::{GroundFromPixel, Imagery, Window};
-use crate::frames::{GroundPoint, GroundRect};
+use super::resample::{Part, Sight, halved, samples_per_side};
+use super::{GroundFromPixel, Imagery, Placement, Window};
+use crate::frames::GroundRect;
 use crate::raster::{CodecError, Picture, Raster, Rgba, decode_picture_with_coverage};
 
 /// Brightest channel of a pixel that still counts as the black of an orthophoto's border; the
@@ -18,8 +17,7 @@ const WHITE: u8 = 247;
 #[derive(Clone, Debug)]
 pub struct GeoreferencedPicture {
     name: String,
-    ground_from_pixel: GroundFromPixel,
-    pixel_from_ground: Matrix2<f64>,
+    placement: Placement,
     levels: Vec<Raster<Rgba>>,
 }
 
@@ -92,47 +90,6 @@ fn clear(
     }
 }
 
-/// Half the size: each pixel the mean of four, weighted by coverage.
-fn halved(picture: &Raster<Rgba>) -> Raster<Rgba> {
-    let (width, height) = (picture.width().div_ceil(2), picture.height().div_ceil(2));
-    Raster::from_fn(width, height, |column, row| {
-        let mut sum = Sum::default();
-        for (dc, dr) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
-            // An odd edge leaves the missing pixels empty, so that coverage fades there.
-            let (c, r) = (2 * column + dc, 2 * row + dr);
-            if c < picture.width() && r < picture.height() {
-                sum.add(picture.get(c, r), 0.25);
-            }
-        }
-        sum.pixel()
-    })
-}
-
-/// A weighted sum of pixels with premultiplied coverage.
-#[derive(Clone, Copy, Default)]
-struct Sum {
-    colour: [f32; 3],
-    coverage: f32,
-}
-
-impl Sum {
-    fn add(&mut self, [r, g, b, a]: Rgba, weight: f32) {
-        let weight = weight * f32::from(a);
-        self.coverage += weight;
-        for (sum, value) in self.colour.iter_mut().zip([r, g, b]) {
-            *sum += weight * f32::from(value);
-        }
-    }
-
-    fn pixel(&self) -> Rgba {
-        if self.coverage < 0.5 {
-            return [0; 4];
-        }
-        let [r, g, b] = self.colour.map(|c| (c / self.coverage + 0.5) as u8);
-        [r, g, b, (self.coverage + 0.5).min(255.0) as u8]
-    }
-}
-
 impl GeoreferencedPicture {
     /// Imagery of `picture` lying on the ground as stated; `None` if the picture is empty or the
     /// map does not span an area.
@@ -141,8 +98,18 @@ impl GeoreferencedPicture {
         picture: Raster<Rgba>,
         ground_from_pixel: GroundFromPixel,
     ) -> Option<Self> {
-        let pixel_from_ground = ground_from_pixel.matrix.try_inverse()?;
-        if picture.is_empty() {
+        let (width, height) = (picture.width(), picture.height());
+        let placement = Placement::affine(ground_from_pixel, width, height)?;
+        Self::placed(name, picture, placement)
+    }
+
+    /// Imagery of `picture` lying at `placement`; `None` if the picture is empty or of another size.
+    pub fn placed(
+        name: impl Into<String>,
+        picture: Raster<Rgba>,
+        placement: Placement,
+    ) -> Option<Self> {
+        if picture.is_empty() || placement.size() != (picture.width(), picture.height()) {
             return None;
         }
         let mut levels = vec![picture];
@@ -153,41 +120,19 @@ impl GeoreferencedPicture {
         }
         Some(Self {
             name: name.into(),
-            ground_from_pixel,
-            pixel_from_ground,
+            placement,
             levels,
         })
     }
 
     /// Where the pixels lie.
-    pub fn ground_from_pixel(&self) -> &GroundFromPixel {
-        &self.ground_from_pixel
+    pub fn placement(&self) -> &Placement {
+        &self.placement
     }
 
     /// Size of the picture, pixels.
     pub fn size(&self) -> (usize, usize) {
         (self.levels[0].width(), self.levels[0].height())
-    }
-
-    /// Adds the bilinear sample at pixel (x, y) of a level to `sum`; nothing outside the picture.
-    fn sample(&self, level: usize, x: f64, y: f64, sum: &mut Sum) {
-        let scale = 1.0 / (1_u64 << level) as f64;
-        let (width, height) = self.size();
-        if !(0.0..width as f64).contains(&x) || !(0.0..height as f64).contains(&y) {
-            return;
-        }
-        let picture = &self.levels[level];
-        let (x, y) = (x * scale - 0.5, y * scale - 0.5);
-        let (left, top) = (x.floor(), y.floor());
-        let (fx, fy) = ((x - left) as f32, (y - top) as f32);
-        let column = |c: f64| (c.max(0.0) as usize).min(picture.width() - 1);
-        let row = |r: f64| (r.max(0.0) as usize).min(picture.height() - 1);
-        let (c0, c1) = (column(left), column(left + 1.0));
-        let (r0, r1) = (row(top), row(top + 1.0));
-        sum.add(picture.get(c0, r0), (1.0 - fx) * (1.0 - fy));
-        sum.add(picture.get(c1, r0), fx * (1.0 - fy));
-        sum.add(picture.get(c0, r1), (1.0 - fx) * fy);
-        sum.add(picture.get(c1, r1), fx * fy);
     }
 }
 
@@ -197,54 +142,36 @@ impl Imagery for GeoreferencedPicture {
     }
 
     fn bounds(&self) -> GroundRect {
-        let (width, height) = self.size();
-        let (w, h) = (width as f64, height as f64);
-        let corners = [(0.0, 0.0), (w, 0.0), (0.0, h), (w, h)]
-            .map(|(x, y)| self.ground_from_pixel.ground_at(&Point2::new(x, y)));
-        GroundRect::around(corners).unwrap_or(GroundRect::centered(
-            GroundPoint::default(),
-            0.0,
-            0.0,
-        ))
+        self.placement.bounds()
     }
 
     fn native_gsd(&self) -> f64 {
-        self.ground_from_pixel.gsd()
+        self.placement.gsd()
     }
 
     /// Bilinear from the pyramid's level just finer than asked; where that level is still notably
-    /// finer, four samples per pixel are averaged.
+    /// finer, several samples per pixel are averaged.
     fn window(&self, window: &Window) -> Raster<Rgba> {
         let ratio = window.gsd / self.native_gsd();
         let level = (ratio.log2().floor().max(0.0) as usize).min(self.levels.len() - 1);
-        let remaining = ratio / (1_u64 << level) as f64;
-        let per_side = (remaining - 0.2).ceil().clamp(1.0, 8.0) as usize;
-        let offsets: Vec<f64> = (0..per_side)
-            .map(|i| (i as f64 + 0.5) / per_side as f64)
-            .collect();
-        let weight = (per_side * per_side) as f32;
-        let pixel_at = |x: f64, y: f64| -> Vector2<f64> {
-            let ground = window.ground_at(x, y).to_vector();
-            self.pixel_from_ground * (ground - self.ground_from_pixel.corner)
+        let factor = (1_u64 << level) as f64;
+        let pixels = &self.levels[level];
+        let part = Part {
+            pixels,
+            first: (0, 0),
+            level: (pixels.width(), pixels.height()),
+            scale: (1.0 / factor, 1.0 / factor),
         };
-        Raster::from_fn(window.width, window.height, |column, row| {
-            let mut sum = Sum::default();
-            for dy in &offsets {
-                for dx in &offsets {
-                    let p = pixel_at(column as f64 + dx, row as f64 + dy);
-                    self.sample(level, p.x, p.y, &mut sum);
-                }
-            }
-            sum.coverage /= weight;
-            sum.colour = sum.colour.map(|c| c / weight);
-            sum.pixel()
-        })
+        Sight::new(window, &self.placement).draw(&part, samples_per_side(ratio / factor))
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use nalgebra::{Matrix2, Vector2};
+
     use super::*;
+    use crate::frames::GroundPoint;
 
     /// A picture whose red is 4 × column and whose green is 4 × row.
     fn ramps() -> Raster<Rgba> {

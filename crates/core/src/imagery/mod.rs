@@ -2,13 +2,25 @@
 //!
 //! Nothing above this folder knows where the pixels come from.
 
+mod bytes;
 mod cache;
 mod georeference;
 mod georeferenced;
+pub mod georeferencer;
+mod geotiff;
+mod kept;
+mod placement;
+mod resample;
+pub mod terrain;
+pub mod tiff;
+pub mod web_tiles;
 
+pub use bytes::{ByteSource, MemoryBytes};
 pub use cache::{CachedImagery, TILE_SIDE};
 pub use georeference::{Georeference, GeoreferenceError, GroundFromPixel, Similarity, WorldFile};
 pub use georeferenced::{GeoreferencedPicture, decode_map, opaque, without_border};
+pub use geotiff::{GeoKeys, GeoTiff, GeoTiffError, GeoTiffFile, MapMemory};
+pub use placement::Placement;
 
 use serde::{Deserialize, Serialize};
 
@@ -84,4 +96,22 @@ pub trait Imagery: Send + Sync {
     ///
     /// Pixels without data are transparent black.
     fn window(&self, window: &Window) -> Raster<Rgba>;
+}
+
+impl<T: Imagery + ?Sized> Imagery for std::sync::Arc<T> {
+    fn name(&self) -> &str {
+        (**self).name()
+    }
+
+    fn bounds(&self) -> GroundRect {
+        (**self).bounds()
+    }
+
+    fn native_gsd(&self) -> f64 {
+        (**self).native_gsd()
+    }
+
+    fn window(&self, window: &Window) -> Raster<Rgba> {
+        (**self).window(window)
+    }
 }

@@ -1,16 +1,28 @@
-//! A map picture and the file beside it that says where it lies.
+//! A map: a `GeoTIFF`, an archive of tiles, or a picture and the file beside it that says where it lies.
 
 use crate::flight::files::FileSet;
-use crate::frames::{Geodetic, LocalFrame};
-use crate::imagery::{Georeference, GeoreferenceError, GeoreferencedPicture, decode_map};
-use crate::raster::CodecError;
+use crate::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
+use crate::imagery::web_tiles::{PmTiles, PmTilesError, WebTiles};
+use crate::imagery::{
+    GeoTiff, GeoTiffError, GeoTiffFile, Georeference, GeoreferenceError, GeoreferencedPicture,
+    Imagery, MapMemory, Placement, Window, decode_map,
+};
+use crate::raster::{CodecError, Raster, Rgba};
+
+/// Farthest from the world's origin that tiles of a web map are used, metres.
+const TILES_REACH: f64 = 100_000.0;
+
+/// Endings of a `GeoTIFF`.
+const GEO_TIFF: [&str; 2] = [".tif", ".tiff"];
 
 /// What is put in place of a picture's ending to name the file that says where it lies.
-const SIDE_FILES: [&str; 9] = [
+const SIDE_FILES: [&str; 11] = [
     ".jgw",
     ".jpgw",
     ".pgw",
     ".pngw",
+    ".tfw",
+    ".tifw",
     ".wld",
     "_georef.json",
     ".georef.json",
@@ -51,6 +63,22 @@ pub enum MapError {
         /// What is wrong with it.
         cause: CodecError,
     },
+    /// The file beside the picture names a reference system that is not known.
+    #[error(
+        "{file}: the reference system \"{name}\" is not known; warp the map to EPSG:4326, EPSG:3857 or a UTM zone of WGS 84"
+    )]
+    System {
+        /// Name of the .prj file.
+        file: String,
+        /// What it names.
+        name: String,
+    },
+    /// The `GeoTIFF` cannot be read or does not lie anywhere.
+    #[error(transparent)]
+    GeoTiff(#[from] GeoTiffError),
+    /// The archive of tiles cannot be read.
+    #[error(transparent)]
+    PmTiles(#[from] PmTilesError),
     /// The picture would cover nothing.
     #[error("{file}: the picture would cover no ground; check for zeros")]
     Empty {
@@ -59,38 +87,208 @@ pub enum MapError {
     },
 }
 
-/// The picture `name` among `files` as a map in the world frame `frame`; a georeference on the globe
-/// makes its own frame around its own origin where there is none.
+/// What is known about a map beside its files.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MapOptions {
+    /// The world frame to put it into; its own, around its own middle, if there is none.
+    pub frame: Option<LocalFrame>,
+    /// The reference system of its coordinates, before whatever its files say.
+    pub system: Option<ReferenceSystem>,
+    /// How much memory it may keep.
+    pub memory: MapMemory,
+}
+
+/// An open map.
+pub enum OpenMap {
+    /// A picture, whole in memory.
+    Picture(Box<GeoreferencedPicture>),
+    /// A `GeoTIFF`, read by pieces.
+    GeoTiff(Box<GeoTiff>),
+    /// An archive of tiles.
+    PmTiles(Box<WebTiles>),
+}
+
+impl OpenMap {
+    /// Where the pixels lie; tiles have many sizes of pixels and no one place.
+    pub fn placement(&self) -> Option<&Placement> {
+        match self {
+            Self::Picture(picture) => Some(picture.placement()),
+            Self::GeoTiff(map) => Some(map.placement()),
+            Self::PmTiles(_) => None,
+        }
+    }
+
+    fn imagery(&self) -> &dyn Imagery {
+        match self {
+            Self::Picture(picture) => picture.as_ref(),
+            Self::GeoTiff(map) => map.as_ref(),
+            Self::PmTiles(map) => map.as_ref(),
+        }
+    }
+}
+
+impl Imagery for OpenMap {
+    fn name(&self) -> &str {
+        self.imagery().name()
+    }
+
+    fn bounds(&self) -> GroundRect {
+        self.imagery().bounds()
+    }
+
+    fn native_gsd(&self) -> f64 {
+        self.imagery().native_gsd()
+    }
+
+    fn window(&self, window: &Window) -> Raster<Rgba> {
+        self.imagery().window(window)
+    }
+}
+
+/// The map `name` among `files` in the world frame `frame`; a georeference on the globe makes its
+/// own frame around its own origin where there is none.
 pub fn open_map(
     files: &dyn FileSet,
     name: &str,
     frame: Option<LocalFrame>,
-) -> Result<GeoreferencedPicture, MapError> {
-    let bytes = files.read(name).ok_or_else(|| MapError::Missing {
-        file: name.to_owned(),
-    })?;
-    let (side, text) = side_file(files, name).ok_or_else(|| MapError::NoGeoreference {
-        file: name.to_owned(),
-    })?;
+) -> Result<OpenMap, MapError> {
+    let options = MapOptions {
+        frame,
+        ..MapOptions::default()
+    };
+    open_map_with(files, name, &options)
+}
+
+/// As [`open_map`], with more that is known about the map.
+pub fn open_map_with(
+    files: &dyn FileSet,
+    name: &str,
+    options: &MapOptions,
+) -> Result<OpenMap, MapError> {
+    let lower = name.to_ascii_lowercase();
+    if GEO_TIFF.iter().any(|ending| lower.ends_with(ending)) {
+        return open_geo_tiff(files, name, options).map(|map| OpenMap::GeoTiff(Box::new(map)));
+    }
+    if lower.ends_with(".pmtiles") {
+        return open_pm_tiles(files, name, options).map(|map| OpenMap::PmTiles(Box::new(map)));
+    }
+    let bytes = files.read(name).ok_or_else(|| missing(name))?;
+    let (side, place) =
+        place_beside(files, name, options)?.ok_or_else(|| MapError::NoGeoreference {
+            file: name.to_owned(),
+        })?;
     let georeference = |cause| MapError::Georeference {
         file: side.clone(),
         cause,
     };
-    let place = Georeference::from_text(&text).map_err(georeference)?;
     let picture = decode_map(&bytes, true).map_err(|cause| MapError::Picture {
         file: name.to_owned(),
         cause,
     })?;
     let (width, height) = (picture.width(), picture.height());
-    let frame = frame
-        .or_else(|| place.origin(width, height).map(LocalFrame::new))
-        // A world file in metres needs no place on the globe.
-        .unwrap_or_else(|| LocalFrame::new(Geodetic::from_degrees(0.0, 0.0, 0.0)));
-    let ground_from_pixel = place
-        .in_world(&frame, width, height)
-        .map_err(georeference)?;
-    GeoreferencedPicture::new(name, picture, ground_from_pixel)
+    let frame = frame_of(options, place.origin(width, height));
+    let placement = Placement::on_globe(place, frame, width, height).map_err(georeference)?;
+    GeoreferencedPicture::placed(name, picture, placement)
+        .map(|map| OpenMap::Picture(Box::new(map)))
         .ok_or(MapError::Empty { file: side })
+}
+
+fn open_geo_tiff(
+    files: &dyn FileSet,
+    name: &str,
+    options: &MapOptions,
+) -> Result<GeoTiff, MapError> {
+    let source = files.source(name).ok_or_else(|| missing(name))?;
+    let beside = place_beside(files, name, options)?.map(|(_, place)| place);
+    let system = match options.system {
+        Some(system) => Some(system),
+        // What the file says itself comes before what lies beside it.
+        None => match GeoTiffFile::open(source.clone(), beside, None) {
+            Err(GeoTiffError::NoSystem { .. }) => system_beside(files, name)?,
+            Err(other) => return Err(other.into()),
+            Ok(_) => None,
+        },
+    };
+    let file = GeoTiffFile::open(source, beside, system)?;
+    let frame = frame_of(options, file.origin());
+    Ok(GeoTiff::new(file, &frame, options.memory)?)
+}
+
+fn open_pm_tiles(
+    files: &dyn FileSet,
+    name: &str,
+    options: &MapOptions,
+) -> Result<WebTiles, MapError> {
+    let source = files.source(name).ok_or_else(|| missing(name))?;
+    let archive = PmTiles::open(source)?;
+    let frame = frame_of(options, Some(archive.middle()));
+    let reach = GroundRect::centered(GroundPoint::default(), 2.0 * TILES_REACH, 2.0 * TILES_REACH);
+    // Of a map of the world only the part around the origin lies near the plane.
+    let own = archive.area(&frame).filter(|area| {
+        [area.south, area.north, area.west, area.east]
+            .iter()
+            .all(|v| v.abs() <= TILES_REACH)
+    });
+    let area = own.unwrap_or(reach);
+    Ok(WebTiles::new(
+        Box::new(archive),
+        frame,
+        area,
+        options.memory.tiles,
+    ))
+}
+
+fn missing(name: &str) -> MapError {
+    MapError::Missing {
+        file: name.to_owned(),
+    }
+}
+
+fn frame_of(options: &MapOptions, origin: Option<Geodetic>) -> LocalFrame {
+    (options.frame)
+        .or_else(|| origin.map(LocalFrame::new))
+        // A world file in metres needs no place on the globe.
+        .unwrap_or_else(|| LocalFrame::new(Geodetic::from_degrees(0.0, 0.0, 0.0)))
+}
+
+/// Where the file beside a picture puts it, with that file's name.
+fn place_beside(
+    files: &dyn FileSet,
+    picture: &str,
+    options: &MapOptions,
+) -> Result<Option<(String, Georeference)>, MapError> {
+    let Some((side, text)) = side_file(files, picture) else {
+        return Ok(None);
+    };
+    let place = Georeference::from_text(&text).map_err(|cause| MapError::Georeference {
+        file: side.clone(),
+        cause,
+    })?;
+    let system = match options.system {
+        Some(system) => Some(system),
+        None => system_beside(files, picture)?,
+    };
+    let place = system.map_or(place, |system| place.with_system(system));
+    Ok(Some((side, place)))
+}
+
+/// The reference system that the .prj beside a picture names.
+fn system_beside(files: &dyn FileSet, picture: &str) -> Result<Option<ReferenceSystem>, MapError> {
+    let Some((stem, _)) = picture.rsplit_once('.') else {
+        return Ok(None);
+    };
+    let file = format!("{stem}.prj");
+    let Some(bytes) = files.read(&file) else {
+        return Ok(None);
+    };
+    let text = String::from_utf8_lossy(&bytes);
+    match ReferenceSystem::from_name(&text) {
+        Some(system) => Ok(Some(system)),
+        None => Err(MapError::System {
+            file,
+            name: text.trim().chars().take(60).collect(),
+        }),
+    }
 }
 
 fn side_file(files: &dyn FileSet, picture: &str) -> Option<(String, String)> {
@@ -100,4 +298,79 @@ fn side_file(files: &dyn FileSet, picture: &str) -> Option<(String, String)> {
         let bytes = files.read(&side)?;
         Some((side, String::from_utf8_lossy(&bytes).into_owned()))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Point2;
+
+    use super::*;
+    use crate::flight::files::MemoryFiles;
+    use crate::raster::{Picture, encode_png};
+
+    fn files(files: &[(&str, &[u8])]) -> MemoryFiles {
+        let picture = encode_png(&Picture::filled(40, 20, [90, 120, 60])).unwrap();
+        let mut all = MemoryFiles::default();
+        all.0.insert("map.png".to_owned(), picture);
+        for (name, bytes) in files {
+            all.0.insert((*name).to_owned(), bytes.to_vec());
+        }
+        all
+    }
+
+    const TURNED: &[u8] = b"0.4\n0.3\n0.3\n-0.4\n500000.2\n4000000.0\n";
+    const PRJ: &[u8] = br#"PROJCS["WGS_1984_UTM_Zone_17N",GEOGCS["GCS_WGS_1984","#;
+
+    #[test]
+    fn a_world_file_counts_in_the_system_of_the_prj_beside_it() {
+        let map = open_map(
+            &files(&[("map.pgw", TURNED), ("map.prj", PRJ)]),
+            "map.png",
+            None,
+        );
+        let map = map.unwrap();
+        // The central meridian's scale of 0.9996 makes the ground a little larger than the grid.
+        assert!((map.native_gsd() - 0.5 / 0.9996).abs() < 1e-4);
+        let middle = map.placement().unwrap().ground_at(&Point2::new(20.0, 10.0));
+        assert!(middle.north.hypot(middle.east) < 1e-6, "{middle:?}");
+        let right = map.placement().unwrap().ground_at(&Point2::new(30.0, 10.0));
+        assert!((right.east - 4.0).abs() < 0.01 && (right.north - 3.0).abs() < 0.01);
+    }
+
+    #[test]
+    fn a_system_that_is_asked_for_stands_in_for_a_missing_prj() {
+        let plain = open_map(&files(&[("map.pgw", TURNED)]), "map.png", None).unwrap();
+        assert!(
+            (plain.bounds().west - 500_000.0).abs() < 20.0,
+            "the world's own metres"
+        );
+        let options = MapOptions {
+            system: ReferenceSystem::from_epsg(32_617),
+            ..MapOptions::default()
+        };
+        let map = open_map_with(&files(&[("map.pgw", TURNED)]), "map.png", &options).unwrap();
+        assert!(map.bounds().west.abs() < 20.0);
+    }
+
+    #[test]
+    fn an_unknown_prj_is_named() {
+        let prj: &[u8] = br#"PROJCS["NAD_1983_UTM_Zone_17N","#;
+        let error = open_map(
+            &files(&[("map.pgw", TURNED), ("map.prj", prj)]),
+            "map.png",
+            None,
+        );
+        let text = error.err().unwrap().to_string();
+        assert!(
+            text.starts_with("map.prj") && text.contains("NAD_1983"),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn a_tiff_that_is_none_is_named() {
+        let error = open_map(&files(&[("a.tif", b"GIF89a..")]), "a.tif", None);
+        let text = error.err().unwrap().to_string();
+        assert!(text.starts_with("a.tif: not a TIFF"), "{text}");
+    }
 }

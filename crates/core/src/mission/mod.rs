@@ -17,7 +17,7 @@ pub(crate) mod way_point_file;
 mod write;
 
 pub use error::MissionError;
-pub use map_file::{MapError, open_map};
+pub use map_file::{MapError, MapOptions, OpenMap, open_map, open_map_with};
 pub(crate) use read::read_features;
 pub use read::read_mission;
 pub use record::{MapReference, Mission};

@@ -86,6 +86,20 @@ pub fn encode_png(picture: &Picture) -> Result<Vec<u8>, CodecError> {
     Ok(bytes)
 }
 
+/// A PNG file with coverage as transparency, without loss.
+pub fn encode_png_with_coverage(picture: &Raster<Rgba>) -> Result<Vec<u8>, CodecError> {
+    let mut bytes = Vec::new();
+    PngEncoder::new(&mut bytes)
+        .write_image(
+            picture.pixels().as_flattened(),
+            picture.width() as u32,
+            picture.height() as u32,
+            ExtendedColorType::Rgba8,
+        )
+        .map_err(CodecError::Encode)?;
+    Ok(bytes)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -102,6 +116,9 @@ mod tests {
         assert_eq!(decode_picture(&bytes).unwrap(), picture());
         let covered = decode_picture_with_coverage(&bytes).unwrap();
         assert!(covered.pixels().iter().all(|p| p[3] == 255));
+        let holed = covered.map(|[r, g, b, _]| [r, g, b, r]);
+        let bytes = encode_png_with_coverage(&holed).unwrap();
+        assert_eq!(decode_picture_with_coverage(&bytes).unwrap(), holed);
     }
 
     #[test]

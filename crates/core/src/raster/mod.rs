@@ -20,6 +20,7 @@ mod warp;
 pub use blur::{blur_interleaved, box_blur, gaussian_blur, gaussian_blur_colour};
 pub use codec::{
     CodecError, decode_picture, decode_picture_with_coverage, encode_jpeg, encode_png,
+    encode_png_with_coverage,
 };
 pub use correlation::{SearchSpectrum, Template};
 pub use gradient::Gradient;

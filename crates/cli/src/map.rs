@@ -1,0 +1,361 @@
+//! `pilotage map`: what a map is, and pictures out of it.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use nalgebra::Point2;
+use pilotage_core::flight::files::FileSet;
+use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
+use pilotage_core::imagery::terrain::{Dem, Terrain};
+use pilotage_core::imagery::{GeoTiffFile, Georeference, Imagery, Placement, Window};
+use pilotage_core::mission::{MapOptions, OpenMap, open_map_with};
+use pilotage_core::raster::encode_png_with_coverage;
+use serde::Serialize;
+
+use crate::Outcome;
+use crate::files::{Directory, DiskFile};
+
+/// Most pixels of a picture that is written.
+const MOST_PIXELS: usize = 100_000_000;
+
+/// What to do with a map.
+#[derive(clap::Args)]
+pub struct Arguments {
+    #[command(subcommand)]
+    job: Job,
+}
+
+#[derive(clap::Subcommand)]
+enum Job {
+    /// Say what a map is and where it lies, as JSON.
+    Info {
+        #[command(flatten)]
+        map: MapArguments,
+        /// A place of which the height is wanted, where the file is an elevation model.
+        #[arg(long, value_name = "LAT,LON", allow_hyphen_values = true)]
+        height_at: Option<String>,
+    },
+    /// Write a north-up picture out of a map.
+    Tile {
+        #[command(flatten)]
+        map: MapArguments,
+        /// PNG to write.
+        #[arg(long)]
+        out: PathBuf,
+        /// Which part: column and row of its first pixel in the map, and its width and height in the
+        /// map's pixels. The whole map if absent.
+        #[arg(
+            long,
+            value_name = "COLUMN,ROW,WIDTH,HEIGHT",
+            allow_hyphen_values = true
+        )]
+        window: Option<String>,
+        /// Metres per pixel of the picture; what the map has, or what makes it 2048 pixels wide.
+        #[arg(long)]
+        gsd: Option<f64>,
+    },
+}
+
+#[derive(clap::Args)]
+struct MapArguments {
+    /// `GeoTIFF`, or JPEG or PNG with a world file or a georeference beside it; for info also .hgt.
+    file: PathBuf,
+    /// Reference system of the map's coordinates, before what its files say, e.g. EPSG:32617.
+    #[arg(long)]
+    system: Option<String>,
+}
+
+/// What is told about a map.
+#[derive(Serialize)]
+struct Info {
+    file: String,
+    kind: &'static str,
+    /// Pixels; zero for tiles, which have many sizes.
+    width: usize,
+    height: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reference_system: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    epsg: Option<u32>,
+    gsd_m: f64,
+    width_m: f64,
+    height_m: f64,
+    /// Latitude and longitude in degrees of the corners, from the top left one clockwise.
+    corners_lat_lon: Option<[[f64; 2]; 4]>,
+    #[serde(flatten)]
+    pixels: Option<Pixels>,
+    #[serde(flatten)]
+    heights: Option<Heights>,
+}
+
+/// How the pixels of a `GeoTIFF` are stored.
+#[derive(Serialize)]
+struct Pixels {
+    samples: usize,
+    sample: String,
+    compression: String,
+    cut: String,
+    overviews: Vec<[usize; 2]>,
+    has_mask: bool,
+    no_data: Option<f64>,
+}
+
+/// What an elevation model tells.
+#[derive(Serialize)]
+struct Heights {
+    #[serde(rename = "heights_above")]
+    above: String,
+    height_in_the_middle_m: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    height_at_place_m: Option<f64>,
+}
+
+/// Does what the arguments say.
+pub fn run(arguments: &Arguments) -> Outcome {
+    match &arguments.job {
+        Job::Info { map, height_at } => info(map, height_at.as_deref()),
+        Job::Tile {
+            map,
+            out,
+            window,
+            gsd,
+        } => tile(map, out, window.as_deref(), *gsd),
+    }
+}
+
+impl MapArguments {
+    fn system(&self) -> Result<Option<ReferenceSystem>, String> {
+        let Some(name) = &self.system else {
+            return Ok(None);
+        };
+        ReferenceSystem::from_name(name).map(Some).ok_or_else(|| {
+            format!(
+                "--system: \"{name}\" is not known; EPSG:4326, EPSG:3857 and the UTM zones of WGS 84 are"
+            )
+        })
+    }
+
+    fn name(&self) -> String {
+        let name = self.file.file_name();
+        name.map(|n| n.to_string_lossy().into_owned())
+            .unwrap_or_default()
+    }
+
+    fn has_ending(&self, endings: &[&str]) -> bool {
+        let ending = self.file.extension().unwrap_or_default();
+        endings.iter().any(|e| ending.eq_ignore_ascii_case(e))
+    }
+}
+
+fn info(arguments: &MapArguments, height_at: Option<&str>) -> Outcome {
+    let system = arguments.system()?;
+    let place = height_at.map(lat_lon).transpose()?;
+    let is_tiff = arguments.has_ending(&["tif", "tiff"]);
+    let is_height = arguments.has_ending(&["hgt"]);
+    let info = if is_height || (is_tiff && is_elevation(arguments, system)) {
+        elevation(arguments, system, place)?
+    } else {
+        picture(arguments, system)?
+    };
+    println!("{}", serde_json::to_string_pretty(&info)?);
+    Ok(())
+}
+
+/// Whether a `GeoTIFF` holds heights: one sample a pixel that no picture has.
+fn is_elevation(arguments: &MapArguments, system: Option<ReferenceSystem>) -> bool {
+    use pilotage_core::imagery::tiff::SampleKind;
+    geo_tiff(arguments, system).is_ok_and(|file| {
+        let layout = &file.tiff.levels()[0];
+        layout.samples == 1 && !matches!(layout.kind, SampleKind::U8 | SampleKind::U16)
+    })
+}
+
+fn geo_tiff(
+    arguments: &MapArguments,
+    system: Option<ReferenceSystem>,
+) -> Result<GeoTiffFile, Box<dyn std::error::Error>> {
+    Ok(GeoTiffFile::open(disk_file(arguments)?, None, system)?)
+}
+
+fn disk_file(arguments: &MapArguments) -> Result<Arc<DiskFile>, String> {
+    let file = DiskFile::open(&arguments.file, &arguments.name());
+    file.map(Arc::new)
+        .map_err(|e| format!("{}: {e}", arguments.file.display()))
+}
+
+fn elevation(
+    arguments: &MapArguments,
+    system: Option<ReferenceSystem>,
+    place: Option<Geodetic>,
+) -> Result<Info, Box<dyn std::error::Error>> {
+    let frame = place.map(LocalFrame::new);
+    let dem = Dem::open(disk_file(arguments)?, frame, system)?;
+    let (width, height) = dem.placement().size();
+    let middle = Point2::new(0.5 * width as f64, 0.5 * height as f64);
+    let file = geo_tiff(arguments, system).ok();
+    let heights = Heights {
+        above: dem.datum().name().to_owned(),
+        height_in_the_middle_m: dem.height_at(&dem.placement().ground_at(&middle)),
+        height_at_place_m: place.and_then(|_| dem.height_at(&GroundPoint::default())),
+    };
+    if let Some(problem) = dem.problem() {
+        return Err(problem.into());
+    }
+    let geographic = ReferenceSystem::Geographic;
+    let system = match &file {
+        Some(file) => system_of(&file.georeference),
+        None => Some(geographic),
+    };
+    Ok(Info {
+        file: arguments.name(),
+        kind: "elevation model",
+        width,
+        height,
+        reference_system: system.map(|s| s.name()),
+        epsg: system.map(|s| s.epsg()),
+        gsd_m: dem.spacing(),
+        width_m: dem.bounds().width(),
+        height_m: dem.bounds().height(),
+        corners_lat_lon: Some(corners(dem.placement(), dem.frame())),
+        pixels: file.as_ref().map(pixels),
+        heights: Some(heights),
+    })
+}
+
+fn picture(
+    arguments: &MapArguments,
+    system: Option<ReferenceSystem>,
+) -> Result<Info, Box<dyn std::error::Error>> {
+    let file = if arguments.has_ending(&["tif", "tiff"]) {
+        geo_tiff(arguments, system).ok()
+    } else {
+        None
+    };
+    let map = open(arguments, system)?;
+    let placement = map.placement();
+    let (width, height) = placement.map_or((0, 0), Placement::size);
+    let system = file.as_ref().and_then(|f| system_of(&f.georeference));
+    Ok(Info {
+        file: arguments.name(),
+        kind: match map {
+            OpenMap::Picture(_) => "picture with a georeference beside it",
+            OpenMap::GeoTiff(_) => "GeoTIFF",
+            OpenMap::PmTiles(_) => "PMTiles",
+        },
+        width,
+        height,
+        reference_system: system.map(|s| s.name()),
+        epsg: system.map(|s| s.epsg()),
+        gsd_m: map.native_gsd(),
+        width_m: map.bounds().width(),
+        height_m: map.bounds().height(),
+        corners_lat_lon: placement.and_then(|p| Some(corners(p, p.frame()?))),
+        pixels: file.as_ref().map(pixels),
+        heights: None,
+    })
+}
+
+fn system_of(georeference: &Georeference) -> Option<ReferenceSystem> {
+    match georeference {
+        Georeference::Projected { system, .. } => Some(*system),
+        _ => None,
+    }
+}
+
+fn corners(placement: &pilotage_core::imagery::Placement, frame: &LocalFrame) -> [[f64; 2]; 4] {
+    let (width, height) = placement.size();
+    let (w, h) = (width as f64, height as f64);
+    [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)].map(|(x, y)| {
+        let ground = placement.ground_at(&Point2::new(x, y));
+        let place = frame.geodetic_from_ground(&ground);
+        [place.latitude.to_degrees(), place.longitude.to_degrees()]
+    })
+}
+
+fn pixels(file: &GeoTiffFile) -> Pixels {
+    let layout = &file.tiff.levels()[0];
+    Pixels {
+        samples: layout.samples,
+        sample: format!("{:?}", layout.kind),
+        compression: format!("{:?}", layout.compression),
+        cut: if layout.is_tiled {
+            format!("tiles of {} × {}", layout.chunk_width, layout.chunk_height)
+        } else {
+            "strips".to_owned()
+        },
+        overviews: (file.tiff.levels()[1..].iter())
+            .map(|level| [level.width, level.height])
+            .collect(),
+        has_mask: file.tiff.mask(0).is_some(),
+        no_data: layout.no_data,
+    }
+}
+
+fn open(
+    arguments: &MapArguments,
+    system: Option<ReferenceSystem>,
+) -> Result<OpenMap, Box<dyn std::error::Error>> {
+    let directory = Directory::open(&arguments.file)?;
+    if directory.source(&arguments.name()).is_none() {
+        return Err(format!("{}: there is no such file", arguments.file.display()).into());
+    }
+    let options = MapOptions {
+        system,
+        ..MapOptions::default()
+    };
+    Ok(open_map_with(&directory, &arguments.name(), &options)?)
+}
+
+fn tile(arguments: &MapArguments, out: &Path, window: Option<&str>, gsd: Option<f64>) -> Outcome {
+    let map = open(arguments, arguments.system()?)?;
+    let rect = match (window, map.placement()) {
+        (None, _) => map.bounds(),
+        (Some(_), None) => return Err("--window: tiles have no one size of pixels".into()),
+        (Some(text), Some(placement)) => {
+            let [column, row, width, height] = numbers(text, "--window")?;
+            let corners = [
+                (column, row),
+                (column + width, row),
+                (column, row + height),
+                (column + width, row + height),
+            ];
+            let ground = |(x, y)| placement.ground_at(&Point2::new(x, y));
+            GroundRect::around(corners.map(ground)).unwrap_or(map.bounds())
+        }
+    };
+    let usual = map.native_gsd().max(rect.width() / 2048.0);
+    let gsd = gsd.unwrap_or(usual);
+    let pixels = rect.width() / gsd * (rect.height() / gsd);
+    if !(gsd > 0.0 && pixels.is_finite() && pixels <= MOST_PIXELS as f64) {
+        return Err(format!("a picture of {pixels:.0} pixels; choose a larger --gsd").into());
+    }
+    let picture = map.window(&Window::covering(&rect, gsd));
+    if let OpenMap::GeoTiff(map) = &map {
+        for problem in map.problems() {
+            eprintln!("note: {problem}");
+        }
+    }
+    std::fs::write(out, encode_png_with_coverage(&picture)?)
+        .map_err(|e| format!("{}: {e}", out.display()))?;
+    println!(
+        "{}: {} × {} pixels of {gsd:.3} m",
+        out.display(),
+        picture.width(),
+        picture.height()
+    );
+    Ok(())
+}
+
+fn lat_lon(text: &str) -> Result<Geodetic, String> {
+    let [latitude, longitude] = numbers(text, "--height-at")?;
+    Ok(Geodetic::from_degrees(latitude, longitude, 0.0))
+}
+
+fn numbers<const N: usize>(text: &str, option: &str) -> Result<[f64; N], String> {
+    let parts: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
+    parts
+        .ok()
+        .and_then(|parts| parts.try_into().ok())
+        .filter(|parts: &[f64; N]| parts.iter().all(|v| v.is_finite()))
+        .ok_or_else(|| format!("{option}: \"{text}\" is not {N} numbers with commas between"))
+}

@@ -1,0 +1,13 @@
+//! Putting a picture on the ground by points that are known in both.
+//!
+//! The plane is east and north in metres, or the coordinates of a reference system; a pixel is
+//! counted with centres at half integers. All fits minimize the squared distances in the plane.
+
+mod fit;
+mod points_file;
+mod solve;
+#[cfg(test)]
+mod tests;
+
+pub use fit::{ControlPoint, Fit, FitError, Residual, TransformKind, fit};
+pub use points_file::{PointsFileError, read_points, write_points};

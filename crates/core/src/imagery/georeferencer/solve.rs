@@ -1,0 +1,187 @@
+//! Least squares for the transforms.
+
+use nalgebra::{DMatrix, DVector, Matrix3, Point2, SMatrix, SVector, Vector2};
+
+use super::TransformKind;
+
+/// A pixel and its place.
+type Pair = (Point2<f64>, Point2<f64>);
+
+/// Singular values below this part of the largest count as zero.
+const RANK: f64 = 1e-9;
+/// Rounds of the projective fit; it settles in a few.
+const ROUNDS: usize = 50;
+
+/// The transform that minimizes the squared distances in the plane; `None` if the points do not
+/// determine it.
+pub(super) fn transform(pairs: &[Pair], kind: TransformKind) -> Option<Matrix3<f64>> {
+    // Numbers around zero and of size one keep the equations well conditioned.
+    let from = normalizer(pairs.iter().map(|(pixel, _)| pixel))?;
+    let to = normalizer(pairs.iter().map(|(_, place)| place))?;
+    let scaled: Vec<Pair> = pairs
+        .iter()
+        .map(|(pixel, place)| (from.transform_point(pixel), to.transform_point(place)))
+        .collect();
+    let matrix = match kind {
+        TransformKind::Similarity => similarity(&scaled),
+        TransformKind::Affine => affine(&scaled),
+        TransformKind::Projective => projective(&scaled),
+    }?;
+    let mut matrix = to.try_inverse()? * matrix * from;
+    // Positive before the horizon, on which side the points are.
+    let side = |(pixel, _): &Pair| (matrix * pixel.to_homogeneous()).z > 0.0;
+    let before = pairs.iter().filter(|pair| side(pair)).count();
+    if before == 0 {
+        matrix = -matrix;
+    } else if before < pairs.len() {
+        return None;
+    }
+    let is_sound = matrix.iter().all(|v| v.is_finite()) && matrix.determinant() != 0.0;
+    is_sound.then_some(matrix)
+}
+
+/// Moves the middle of the points to zero and their mean distance from it to one.
+fn normalizer<'a>(points: impl Iterator<Item = &'a Point2<f64>> + Clone) -> Option<Matrix3<f64>> {
+    let count = points.clone().count() as f64;
+    let middle = points.clone().fold(Vector2::zeros(), |s, p| s + p.coords) / count;
+    let spread = points.map(|p| (p.coords - middle).norm()).sum::<f64>() / count;
+    let scale = 1.0 / spread;
+    (scale.is_finite() && scale > 0.0).then(|| {
+        Matrix3::new(
+            scale,
+            0.0,
+            -scale * middle.x,
+            0.0,
+            scale,
+            -scale * middle.y,
+            0.0,
+            0.0,
+            1.0,
+        )
+    })
+}
+
+/// x = p·column + q·row + c, y = q·column - p·row + f: rows go down where y goes up.
+fn similarity(pairs: &[Pair]) -> Option<Matrix3<f64>> {
+    let rows = pairs.iter().flat_map(|(pixel, place)| {
+        [
+            ([pixel.x, pixel.y, 1.0, 0.0], place.x),
+            ([-pixel.y, pixel.x, 0.0, 1.0], place.y),
+        ]
+    });
+    let [p, q, c, f] = least_squares(rows)?;
+    Some(Matrix3::new(p, q, c, q, -p, f, 0.0, 0.0, 1.0))
+}
+
+fn affine(pairs: &[Pair]) -> Option<Matrix3<f64>> {
+    let row = |pixel: &Point2<f64>| [pixel.x, pixel.y, 1.0];
+    let [a, b, c] = least_squares(pairs.iter().map(|(pixel, place)| (row(pixel), place.x)))?;
+    let [d, e, f] = least_squares(pairs.iter().map(|(pixel, place)| (row(pixel), place.y)))?;
+    Some(Matrix3::new(a, b, c, d, e, f, 0.0, 0.0, 1.0))
+}
+
+/// Solves overdetermined linear equations; `None` if they leave something open.
+fn least_squares<const N: usize>(rows: impl Iterator<Item = ([f64; N], f64)>) -> Option<[f64; N]> {
+    let rows: Vec<_> = rows.collect();
+    let matrix = DMatrix::from_fn(rows.len(), N, |r, c| rows[r].0[c]);
+    let right = DVector::from_fn(rows.len(), |r, _| rows[r].1);
+    let svd = matrix.svd(true, true);
+    if svd.rank(RANK * svd.singular_values.max()) < N {
+        return None;
+    }
+    let solution = svd.solve(&right, 0.0).ok()?;
+    Some(std::array::from_fn(|i| solution[i]))
+}
+
+/// Direct linear transform first, then Levenberg's and Marquardt's rounds on the distances.
+fn projective(pairs: &[Pair]) -> Option<Matrix3<f64>> {
+    let mut matrix = direct(pairs)?;
+    let mut error = squared_error(&matrix, pairs)?;
+    let mut damping = 1e-6;
+    for _ in 0..ROUNDS {
+        let (normal, gradient) = equations(&matrix, pairs);
+        let mut damped = normal;
+        for i in 0..8 {
+            damped[(i, i)] += damping * normal[(i, i)].max(1e-12);
+        }
+        let step = damped.lu().solve(&gradient)?;
+        let next = stepped(&matrix, &step);
+        match squared_error(&next, pairs) {
+            Some(better) if better <= error => {
+                let gained = error - better;
+                (matrix, error) = (next, better);
+                damping *= 0.1;
+                if gained <= 1e-15 * error || step.norm() < 1e-14 {
+                    break;
+                }
+            }
+            _ => damping *= 10.0,
+        }
+        if damping > 1e12 {
+            break;
+        }
+    }
+    Some(matrix)
+}
+
+/// The transform from the linear equations x·(g·column + h·row + 1) = a·column + b·row + c and those
+/// for y, as the eigenvector that they map nearest to zero.
+fn direct(pairs: &[Pair]) -> Option<Matrix3<f64>> {
+    let mut normal: SMatrix<f64, 9, 9> = SMatrix::zeros();
+    for (pixel, place) in pairs {
+        let (u, v) = (pixel.x, pixel.y);
+        for (row, value) in [(0, place.x), (3, place.y)] {
+            let mut equation: SVector<f64, 9> = SVector::zeros();
+            for (i, part) in [u, v, 1.0].into_iter().enumerate() {
+                equation[row + i] = part;
+                equation[6 + i] = -value * part;
+            }
+            normal += equation * equation.transpose();
+        }
+    }
+    let eigen = normal.symmetric_eigen();
+    let mut order: Vec<usize> = (0..9).collect();
+    order.sort_by(|a, b| eigen.eigenvalues[*a].total_cmp(&eigen.eigenvalues[*b]));
+    // Two directions mapped to zero leave the transform open. The values are squares.
+    let largest = eigen.eigenvalues[order[8]];
+    if eigen.eigenvalues[order[1]] <= 1e-13 * largest {
+        return None;
+    }
+    let h = eigen.eigenvectors.column(order[0]);
+    let matrix = Matrix3::from_fn(|r, c| h[3 * r + c]);
+    (matrix[(2, 2)].abs() > 1e-12).then(|| matrix / matrix[(2, 2)])
+}
+
+fn squared_error(matrix: &Matrix3<f64>, pairs: &[Pair]) -> Option<f64> {
+    let mut sum = 0.0;
+    let mut side = None;
+    for (pixel, place) in pairs {
+        let h = matrix * pixel.to_homogeneous();
+        // All points on one side of the horizon.
+        if *side.get_or_insert(h.z > 0.0) != (h.z > 0.0) {
+            return None;
+        }
+        sum += (Vector2::new(h.x / h.z, h.y / h.z) - place.coords).norm_squared();
+    }
+    sum.is_finite().then_some(sum)
+}
+
+/// Normal matrix and gradient of the distances by the first eight elements, the ninth being one.
+fn equations(matrix: &Matrix3<f64>, pairs: &[Pair]) -> (SMatrix<f64, 8, 8>, SVector<f64, 8>) {
+    let mut normal = SMatrix::zeros();
+    let mut gradient = SVector::zeros();
+    for (pixel, place) in pairs {
+        let h = matrix * pixel.to_homogeneous();
+        let (x, y) = (h.x / h.z, h.y / h.z);
+        let (u, v, w) = (pixel.x / h.z, pixel.y / h.z, 1.0 / h.z);
+        let by_x = SVector::from([u, v, w, 0.0, 0.0, 0.0, -x * u, -x * v]);
+        let by_y = SVector::from([0.0, 0.0, 0.0, u, v, w, -y * u, -y * v]);
+        normal += by_x * by_x.transpose() + by_y * by_y.transpose();
+        gradient += by_x * (place.x - x) + by_y * (place.y - y);
+    }
+    (normal, gradient)
+}
+
+fn stepped(matrix: &Matrix3<f64>, step: &SVector<f64, 8>) -> Matrix3<f64> {
+    Matrix3::from_fn(|r, c| matrix[(r, c)] + step.get(3 * r + c).copied().unwrap_or(0.0))
+}

@@ -1,0 +1,46 @@
+//! Where the pixels of a `GeoTIFF` lie, in the coordinates of its reference system.
+
+use super::super::WorldFile;
+use super::super::tiff::{Directory, Tag, TiffError};
+
+/// Coordinates of the pixels from the tags of a directory; `None` if there are no such tags.
+///
+/// `is_point` says that the tags count from the centre of the first pixel, not from its corner.
+pub fn world_file(directory: &Directory, is_point: bool) -> Result<Option<WorldFile>, TiffError> {
+    let matrix = directory.reals(Tag::ModelTransformation)?;
+    let scale = directory.reals(Tag::ModelPixelScale)?;
+    let ties = directory.reals(Tag::ModelTiepoint)?;
+    let (tag, [a, b, d, e, x, y]) = if let [a, b, _, x, d, e, _, y, ..] = matrix[..] {
+        (Tag::ModelTransformation, [a, b, d, e, x, y])
+    } else if let ([width, height, ..], [column, row, _, x, y, _, ..]) = (&scale[..], &ties[..]) {
+        // Pixels down go south; a negative height is written by programs that mean north.
+        let (a, e) = (*width, -*height);
+        let corner = [a, 0.0, 0.0, e, x - column * a, y - row * e];
+        (Tag::ModelPixelScale, corner)
+    } else if ties.len() >= 6 {
+        return Err(directory.blame(&Tag::ModelTiepoint.name()).unsupported(
+            "the map is tied to the ground by points only; warp it with them (gdalwarp), or \
+             georeference it anew",
+        ));
+    } else {
+        return Ok(None);
+    };
+    // World files count from the centre of the first pixel.
+    let half = if is_point { 0.0 } else { 0.5 };
+    let file = WorldFile {
+        a,
+        d,
+        b,
+        e,
+        c: x + half * (a + b),
+        f: y + half * (d + e),
+    };
+    let area = a * e - b * d;
+    if area.is_finite() && area != 0.0 && file.c.is_finite() && file.f.is_finite() {
+        Ok(Some(file))
+    } else {
+        Err(directory
+            .blame(&tag.name())
+            .damaged("its numbers do not span an area"))
+    }
+}

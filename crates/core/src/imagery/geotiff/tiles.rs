@@ -1,0 +1,143 @@
+//! Rectangles out of the levels of a TIFF file, through a bounded memory of unpacked tiles.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::super::kept::Kept;
+use super::super::tiff::{Chunk, Layout, TiffError, TiffFile};
+use super::colour::Colours;
+use crate::raster::{Raster, Rgba};
+
+/// Most problems that are remembered.
+const MOST_PROBLEMS: usize = 16;
+
+/// Level, column and row of a tile.
+type Place = (usize, usize, usize);
+
+/// The coloured tiles of a file.
+pub(super) struct Tiles {
+    pub file: TiffFile,
+    pub colours: Colours,
+    kept: Kept<Place, Raster<Rgba>>,
+    problems: Mutex<Vec<TiffError>>,
+}
+
+impl Tiles {
+    /// Tiles of `file`, of which at most `most_bytes` are kept.
+    pub fn new(file: TiffFile, colours: Colours, most_bytes: usize) -> Self {
+        Self {
+            file,
+            colours,
+            kept: Kept::new(most_bytes),
+            problems: Mutex::new(Vec::new()),
+        }
+    }
+
+    /// The first tiles that could not be read.
+    pub fn problems(&self) -> Vec<TiffError> {
+        let problems = self.problems.lock().unwrap_or_else(PoisonError::into_inner);
+        problems.clone()
+    }
+
+    fn remember(&self, problem: TiffError) {
+        let mut problems = self.problems.lock().unwrap_or_else(PoisonError::into_inner);
+        if problems.len() < MOST_PROBLEMS && !problems.contains(&problem) {
+            problems.push(problem);
+        }
+    }
+
+    fn read(&self, (level, column, row): Place) -> Result<Raster<Rgba>, TiffError> {
+        let layout = &self.file.levels()[level];
+        let chunk = self.file.chunk(level, column, row)?;
+        let mut tile = self.colours.paint(layout, chunk.as_ref());
+        if let Some(mask) = self.file.mask(level) {
+            self.cover(&mut tile, mask, (level, column, row))?;
+        }
+        Ok(tile)
+    }
+
+    /// Makes transparent what the mask of the level leaves out.
+    fn cover(
+        &self,
+        tile: &mut Raster<Rgba>,
+        mask: &Layout,
+        (level, column, row): Place,
+    ) -> Result<(), TiffError> {
+        let layout = &self.file.levels()[level];
+        let first = (column * layout.chunk_width, row * layout.chunk_height);
+        let end = (
+            (first.0 + tile.width()).min(mask.width),
+            (first.1 + tile.height()).min(mask.height),
+        );
+        let covered = overlapping(mask, first, end);
+        for (mask_column, mask_row) in covered {
+            let chunk = self.file.mask_chunk(level, mask_column, mask_row)?;
+            let corner = (mask_column * mask.chunk_width, mask_row * mask.chunk_height);
+            let rows = first.1.max(corner.1)..end.1.min(corner.1 + mask.chunk_height);
+            for y in rows {
+                for x in first.0.max(corner.0)..end.0.min(corner.0 + mask.chunk_width) {
+                    if !is_set(chunk.as_ref(), x - corner.0, y - corner.1) {
+                        tile.set(x - first.0, y - first.1, [0; 4]);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The tile at a place; transparent if it cannot be read, which is remembered as a problem.
+    fn tile(&self, place: Place) -> Arc<Raster<Rgba>> {
+        let made = self.kept.get_or_make(place, || {
+            let tile = self.read(place)?;
+            let bytes = tile.pixels().len() * 4;
+            Ok((tile, bytes))
+        });
+        made.unwrap_or_else(|problem| {
+            self.remember(problem);
+            Arc::new(Raster::filled(0, 0, [0; 4]))
+        })
+    }
+
+    /// The pixels of a level from `first` (column and row) to before `end`.
+    pub fn rectangle(
+        &self,
+        level: usize,
+        first: (usize, usize),
+        end: (usize, usize),
+    ) -> Raster<Rgba> {
+        let layout = &self.file.levels()[level];
+        let mut out = Raster::filled(end.0 - first.0, end.1 - first.1, [0; 4]);
+        for (column, row) in overlapping(layout, first, end) {
+            let tile = self.tile((level, column, row));
+            let corner = (column * layout.chunk_width, row * layout.chunk_height);
+            let columns = first.0.max(corner.0)..end.0.min(corner.0 + tile.width());
+            if columns.is_empty() {
+                continue;
+            }
+            for y in first.1.max(corner.1)..end.1.min(corner.1 + tile.height()) {
+                let source = &tile.row(y - corner.1)[columns.start - corner.0..][..columns.len()];
+                out.row_mut(y - first.1)[columns.start - first.0..][..columns.len()]
+                    .copy_from_slice(source);
+            }
+        }
+        out
+    }
+}
+
+/// Columns and rows of the tiles of `layout` that share pixels with the rectangle.
+fn overlapping(
+    layout: &Layout,
+    first: (usize, usize),
+    end: (usize, usize),
+) -> impl Iterator<Item = (usize, usize)> + use<> {
+    let columns = first.0 / layout.chunk_width..end.0.div_ceil(layout.chunk_width);
+    let rows = first.1 / layout.chunk_height..end.1.div_ceil(layout.chunk_height);
+    rows.flat_map(move |row| columns.clone().map(move |column| (column, row)))
+}
+
+/// Whether a pixel of a mask's tile is valid; tiles that are left out are not.
+fn is_set(chunk: Option<&Chunk>, x: usize, y: usize) -> bool {
+    chunk.is_some_and(|chunk| {
+        let index = (y * chunk.width + x) * chunk.samples_per_pixel;
+        y < chunk.height && chunk.samples.real(index) != 0.0
+    })
+}

@@ -1,0 +1,169 @@
+//! Windows of the ground out of pictures that lie there in any way.
+
+use nalgebra::{Point2, Vector2};
+
+use super::{Placement, Window};
+use crate::raster::{Raster, Rgba};
+
+/// Pixels of the window between the places where the map is evaluated. Between them it is linear to
+/// (spacing · gsd)² / (8 · radius of the Earth), far below a hundredth of a pixel at any scale.
+const SPACING: usize = 16;
+
+/// A weighted sum of pixels with premultiplied coverage.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Sum {
+    colour: [f32; 3],
+    coverage: f32,
+}
+
+impl Sum {
+    /// Adds a pixel.
+    pub fn add(&mut self, [r, g, b, a]: Rgba, weight: f32) {
+        let weight = weight * f32::from(a);
+        self.coverage += weight;
+        for (sum, value) in self.colour.iter_mut().zip([r, g, b]) {
+            *sum += weight * f32::from(value);
+        }
+    }
+
+    /// The mean, if the weights add up to `weights`.
+    pub fn pixel(&self, weights: f32) -> Rgba {
+        let coverage = self.coverage / weights;
+        if coverage < 0.5 {
+            return [0; 4];
+        }
+        let [r, g, b] = self.colour.map(|c| (c / self.coverage + 0.5) as u8);
+        [r, g, b, (coverage + 0.5).min(255.0) as u8]
+    }
+}
+
+/// A rectangle out of one level of a picture's pyramid.
+pub(super) struct Part<'a> {
+    /// Pixels of the rectangle.
+    pub pixels: &'a Raster<Rgba>,
+    /// Column and row of the rectangle's first pixel in the level.
+    pub first: (usize, usize),
+    /// Size of the whole level, pixels.
+    pub level: (usize, usize),
+    /// Pixels of the level per pixel of the picture.
+    pub scale: (f64, f64),
+}
+
+/// The pixels of a picture under the pixels of a window.
+pub(super) struct Sight {
+    nodes: Vec<Vector2<f64>>,
+    across: usize,
+    size: (f64, f64),
+    window: (usize, usize),
+}
+
+impl Sight {
+    /// Looks through `window` at the picture that lies at `placement`.
+    pub fn new(window: &Window, placement: &Placement) -> Self {
+        let across = window.width.div_ceil(SPACING) + 1;
+        let down = window.height.div_ceil(SPACING) + 1;
+        let node = |i: usize| {
+            let (x, y) = ((i % across * SPACING) as f64, (i / across * SPACING) as f64);
+            let pixel = placement.pixel_at(&window.ground_at(x, y));
+            // What is not on the map fails every comparison below.
+            pixel.map_or(Vector2::repeat(f64::NAN), |p: Point2<f64>| p.coords)
+        };
+        let (width, height) = placement.size();
+        Self {
+            nodes: (0..across * down).map(node).collect(),
+            across,
+            size: (width as f64, height as f64),
+            window: (window.width, window.height),
+        }
+    }
+
+    /// Columns and rows of the picture in sight, first and last, or `None` if it is out of sight.
+    pub fn extent(&self) -> Option<(Vector2<f64>, Vector2<f64>)> {
+        let limit = Vector2::new(self.size.0, self.size.1);
+        let mut seen = self
+            .nodes
+            .iter()
+            .filter(|n| n.x.is_finite() && n.y.is_finite());
+        let first = *seen.next()?;
+        let (low, high) = seen.fold((first, first), |(low, high), n| (low.inf(n), high.sup(n)));
+        // A pixel to either side pays for the bend between the nodes.
+        let low = low.add_scalar(-1.0).sup(&Vector2::zeros());
+        let high = high.add_scalar(1.0).inf(&limit);
+        (low.x < high.x && low.y < high.y).then_some((low, high))
+    }
+
+    /// Pixel of the picture at (x, y) of the window.
+    fn pixel_at(&self, x: f64, y: f64) -> Vector2<f64> {
+        let (x, y) = (x / SPACING as f64, y / SPACING as f64);
+        let (column, row) = (x as usize, y as usize);
+        let (fx, fy) = (x - column as f64, y - row as f64);
+        let i = row * self.across + column;
+        let top = self.nodes[i] * (1.0 - fx) + self.nodes[i + 1] * fx;
+        let bottom =
+            self.nodes[i + self.across] * (1.0 - fx) + self.nodes[i + self.across + 1] * fx;
+        top * (1.0 - fy) + bottom * fy
+    }
+
+    /// The window's pixels, `per_side`² bilinear samples of `part` each. The part has to hold what
+    /// is in sight.
+    pub fn draw(&self, part: &Part, per_side: usize) -> Raster<Rgba> {
+        let offsets: Vec<f64> = (0..per_side)
+            .map(|i| (i as f64 + 0.5) / per_side as f64)
+            .collect();
+        let weights = (per_side * per_side) as f32;
+        Raster::from_fn(self.window.0, self.window.1, |column, row| {
+            let mut sum = Sum::default();
+            for dy in &offsets {
+                for dx in &offsets {
+                    let p = self.pixel_at(column as f64 + dx, row as f64 + dy);
+                    if (0.0..self.size.0).contains(&p.x) && (0.0..self.size.1).contains(&p.y) {
+                        part.sample(p, &mut sum);
+                    }
+                }
+            }
+            sum.pixel(weights)
+        })
+    }
+}
+
+impl Part<'_> {
+    /// Adds the bilinear sample at a pixel of the picture.
+    fn sample(&self, p: Vector2<f64>, sum: &mut Sum) {
+        let (x, y) = (p.x * self.scale.0 - 0.5, p.y * self.scale.1 - 0.5);
+        let (left, top) = (x.floor(), y.floor());
+        let (fx, fy) = ((x - left) as f32, (y - top) as f32);
+        let place = |v: f64, level: usize, first: usize, held: usize| {
+            let inside = (v.max(0.0) as usize).min(level - 1);
+            inside.saturating_sub(first).min(held - 1)
+        };
+        let column = |v: f64| place(v, self.level.0, self.first.0, self.pixels.width());
+        let row = |v: f64| place(v, self.level.1, self.first.1, self.pixels.height());
+        let (c0, c1) = (column(left), column(left + 1.0));
+        let (r0, r1) = (row(top), row(top + 1.0));
+        sum.add(self.pixels.get(c0, r0), (1.0 - fx) * (1.0 - fy));
+        sum.add(self.pixels.get(c1, r0), fx * (1.0 - fy));
+        sum.add(self.pixels.get(c0, r1), (1.0 - fx) * fy);
+        sum.add(self.pixels.get(c1, r1), fx * fy);
+    }
+}
+
+/// Samples per side of a window's pixel, if that is `remaining` pixels of the level wide.
+pub(super) fn samples_per_side(remaining: f64) -> usize {
+    (remaining - 0.2).ceil().clamp(1.0, 8.0) as usize
+}
+
+/// Half the size: each pixel the mean of four, weighted by coverage.
+pub(super) fn halved(picture: &Raster<Rgba>) -> Raster<Rgba> {
+    let (width, height) = (picture.width().div_ceil(2), picture.height().div_ceil(2));
+    Raster::from_fn(width, height, |column, row| {
+        let mut sum = Sum::default();
+        for (dc, dr) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
+            // An odd edge leaves the missing pixels empty, so that coverage fades there.
+            let (c, r) = (2 * column + dc, 2 * row + dr);
+            if c < picture.width() && r < picture.height() {
+                sum.add(picture.get(c, r), 0.25);
+            }
+        }
+        sum.pixel(1.0)
+    })
+}

@@ -1,0 +1,147 @@
+//! Tiles of the web map as imagery.
+
+use std::sync::Arc;
+
+use super::TileNumber;
+use crate::frames::{GroundRect, LocalFrame};
+use crate::imagery::kept::Kept;
+use crate::imagery::resample::{Part, Sight, samples_per_side};
+use crate::imagery::{Imagery, Placement, Window};
+use crate::raster::{Raster, Rgba};
+
+/// Most tiles that are put together for a window.
+const MOST_TILES: u64 = 1024;
+
+/// Where tiles come from: an archive, or a store that a downloader fills.
+pub trait TileStore: Send + Sync {
+    /// Name for people.
+    fn name(&self) -> &str;
+
+    /// Coarsest and deepest zoom.
+    fn zooms(&self) -> (u8, u8);
+
+    /// Pixels along the side of a tile.
+    fn side(&self) -> usize;
+
+    /// The tile, or `None` if it is not there.
+    fn tile(&self, tile: &TileNumber) -> Option<Raster<Rgba>>;
+}
+
+/// An area of a tiled map, in a world frame.
+pub struct WebTiles {
+    store: Box<dyn TileStore>,
+    frame: LocalFrame,
+    area: GroundRect,
+    gsd: f64,
+    kept: Kept<TileNumber, Option<Raster<Rgba>>>,
+}
+
+impl WebTiles {
+    /// The part of `store` over `area` of the world frame `frame`; keeps at most `memory` bytes of
+    /// tiles.
+    pub fn new(
+        store: Box<dyn TileStore>,
+        frame: LocalFrame,
+        area: GroundRect,
+        memory: usize,
+    ) -> Self {
+        let place = frame.geodetic_from_ground(&area.center());
+        let metres = TileNumber::side(store.zooms().1) * place.latitude.cos();
+        Self {
+            gsd: metres / store.side() as f64,
+            store,
+            frame,
+            area,
+            kept: Kept::new(memory),
+        }
+    }
+
+    fn tile(&self, tile: TileNumber) -> Arc<Option<Raster<Rgba>>> {
+        let made = self.kept.get_or_make(tile, || {
+            let side = self.store.side();
+            let pixels = self
+                .store
+                .tile(&tile)
+                .filter(|p| (p.width(), p.height()) == (side, side));
+            let bytes = pixels.as_ref().map_or(64, |p| p.pixels().len() * 4);
+            // What is not there yet may come: it is asked for again.
+            if pixels.is_some() {
+                Ok((pixels, bytes))
+            } else {
+                Err(())
+            }
+        });
+        made.unwrap_or_default()
+    }
+
+    /// Copies the tiles from `first` to `last` beside each other.
+    fn rectangle(&self, first: TileNumber, last: TileNumber) -> Raster<Rgba> {
+        let side = self.store.side();
+        let across = (last.x - first.x + 1) as usize;
+        let down = (last.y - first.y + 1) as usize;
+        let mut out = Raster::filled(across * side, down * side, [0; 4]);
+        for (x, y) in (first.x..=last.x).flat_map(|x| (first.y..=last.y).map(move |y| (x, y))) {
+            let tile = self.tile(TileNumber { x, y, ..first });
+            let Some(pixels) = tile.as_ref() else {
+                continue;
+            };
+            let (left, top) = ((x - first.x) as usize * side, (y - first.y) as usize * side);
+            for row in 0..side {
+                out.row_mut(top + row)[left..][..side].copy_from_slice(pixels.row(row));
+            }
+        }
+        out
+    }
+}
+
+impl Imagery for WebTiles {
+    fn name(&self) -> &str {
+        self.store.name()
+    }
+
+    fn bounds(&self) -> GroundRect {
+        self.area
+    }
+
+    fn native_gsd(&self) -> f64 {
+        self.gsd
+    }
+
+    /// From the coarsest zoom that is fine enough.
+    fn window(&self, window: &Window) -> Raster<Rgba> {
+        let empty = || Raster::filled(window.width, window.height, [0; 4]);
+        let rect = window.rect();
+        if !rect.overlaps(&self.area) {
+            return empty();
+        }
+        let place = self.frame.geodetic_from_ground(&rect.center());
+        let side = self.store.side();
+        let (least, most) = self.store.zooms();
+        let mut zoom = TileNumber::zoom_for(window.gsd, place.latitude, side).clamp(least, most);
+        let (first, last) = loop {
+            let (first, last) = TileNumber::covering(&rect, &self.frame, zoom);
+            let tiles = u64::from(last.x - first.x + 1) * u64::from(last.y - first.y + 1);
+            if tiles <= MOST_TILES {
+                break (first, last);
+            }
+            if zoom == least {
+                return empty();
+            }
+            zoom -= 1;
+        };
+        let pixels = self.rectangle(first, last);
+        let size = (pixels.width(), pixels.height());
+        let placement = Placement::on_globe(first.georeference(side), self.frame, size.0, size.1);
+        let Ok(placement) = placement else {
+            return empty();
+        };
+        let part = Part {
+            pixels: &pixels,
+            first: (0, 0),
+            level: size,
+            scale: (1.0, 1.0),
+        };
+        let per_side = samples_per_side(window.gsd / placement.gsd());
+        Sight::new(window, &placement).draw(&part, per_side)
+    }
+}

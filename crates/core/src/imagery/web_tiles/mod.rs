@@ -1,0 +1,13 @@
+//! Maps that come as square tiles of the web map: from an address template or a `PMTiles` archive.
+
+mod imagery;
+mod number;
+mod pmtiles;
+mod template;
+#[cfg(test)]
+mod tests;
+
+pub use imagery::{TileStore, WebTiles};
+pub use number::TileNumber;
+pub use pmtiles::{PmTiles, PmTilesError, TileFormat};
+pub use template::{TemplateError, TileTemplate};

@@ -1,0 +1,118 @@
+//! Numbers of the tiles.
+
+use std::f64::consts::PI;
+
+use crate::frames::{Geodetic, GroundRect, LocalFrame, ReferenceSystem};
+use crate::imagery::{Georeference, WorldFile};
+
+/// Half the side of the web map, metres of its own.
+const HALF_WORLD: f64 = PI * 6_378_137.0;
+
+/// Deepest zoom that is counted.
+pub const DEEPEST: u8 = 28;
+
+/// A tile of the web map: at zoom z the world is 2^z tiles wide and high.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct TileNumber {
+    /// Zoom, up to 28.
+    pub zoom: u8,
+    /// Column, from 180° west.
+    pub x: u32,
+    /// Row, from the north.
+    pub y: u32,
+}
+
+impl TileNumber {
+    /// The tile at `zoom` that holds a place; places beyond the map's rim at 85° fall into its
+    /// outermost row.
+    pub fn around(place: &Geodetic, zoom: u8) -> Self {
+        let zoom = zoom.min(DEEPEST);
+        let side = Self::side(zoom);
+        let (x, y) = (ReferenceSystem::WebMercator.coordinates(place)).unwrap_or_default();
+        let index = |v: f64| (v.floor().max(0.0) as u32).min((1 << zoom) - 1);
+        Self {
+            zoom,
+            x: index((x + HALF_WORLD) / side),
+            y: index((HALF_WORLD - y) / side),
+        }
+    }
+
+    /// Side of a tile in metres of the web map.
+    pub fn side(zoom: u8) -> f64 {
+        2.0 * HALF_WORLD / f64::from(1_u32 << zoom.min(DEEPEST))
+    }
+
+    /// Where the pixels of the rectangle of tiles that begins with this one lie, for tiles of `side`
+    /// pixels.
+    pub fn georeference(&self, side: usize) -> Georeference {
+        let metres = Self::side(self.zoom);
+        let pixel = metres / side as f64;
+        Georeference::Projected {
+            system: ReferenceSystem::WebMercator,
+            file: WorldFile {
+                a: pixel,
+                d: 0.0,
+                b: 0.0,
+                e: -pixel,
+                c: -HALF_WORLD + f64::from(self.x) * metres + 0.5 * pixel,
+                f: HALF_WORLD - f64::from(self.y) * metres - 0.5 * pixel,
+            },
+        }
+    }
+
+    /// First and last tile of the rectangle of tiles at `zoom` that covers `area` of the world frame
+    /// `frame`.
+    pub fn covering(area: &GroundRect, frame: &LocalFrame, zoom: u8) -> (Self, Self) {
+        let center = area.center();
+        let mut tiles = Vec::new();
+        // Sides of the area are bent on the web map; their middles reach out farthest.
+        for north in [area.south, center.north, area.north] {
+            for east in [area.west, center.east, area.east] {
+                let ground = crate::frames::GroundPoint::new(north, east);
+                tiles.push(Self::around(&frame.geodetic_from_ground(&ground), zoom));
+            }
+        }
+        let pick = |of: fn(&Self) -> u32| {
+            let values = tiles.iter().map(of);
+            (values.clone().min().unwrap_or(0), values.max().unwrap_or(0))
+        };
+        let ((west, east), (north, south)) = (pick(|t| t.x), pick(|t| t.y));
+        let tile = |x, y| Self {
+            zoom: zoom.min(DEEPEST),
+            x,
+            y,
+        };
+        (tile(west, north), tile(east, south))
+    }
+
+    /// The coarsest zoom whose pixels at `latitude` (radians) are no larger than `gsd` metres, for
+    /// tiles of `side` pixels.
+    pub fn zoom_for(gsd: f64, latitude: f64, side: usize) -> u8 {
+        let at_zero = 2.0 * HALF_WORLD * latitude.cos() / side as f64;
+        let zoom = (at_zero / gsd).log2() - 1e-6;
+        zoom.ceil().clamp(0.0, f64::from(DEEPEST)) as u8
+    }
+
+    /// Number of the tile along the Hilbert curves of all zooms, as `PMTiles` orders them.
+    pub fn hilbert(&self) -> u64 {
+        let mut number: u64 = (0..self.zoom).map(|z| 1_u64 << (2 * z)).sum();
+        let (mut x, mut y) = (u64::from(self.x), u64::from(self.y));
+        let side = 1_u64 << self.zoom;
+        let mut step = side / 2;
+        while step > 0 {
+            let right = u64::from(x & step > 0);
+            let down = u64::from(y & step > 0);
+            number += step * step * ((3 * right) ^ down);
+            // Turn the quadrant, so that the curve runs on in it.
+            if down == 0 {
+                if right == 1 {
+                    x = (side - 1).wrapping_sub(x) & (side - 1);
+                    y = (side - 1).wrapping_sub(y) & (side - 1);
+                }
+                std::mem::swap(&mut x, &mut y);
+            }
+            step /= 2;
+        }
+        number
+    }
+}

@@ -1,0 +1,379 @@
+//! `PMTiles`, version 3: all tiles of a map in one file.
+//!
+//! After the specification of Protomaps: a header of 127 bytes, directories in two steps, tiles in
+//! the order of Hilbert's curve.
+
+use std::io::Read;
+use std::sync::Arc;
+
+use flate2::read::GzDecoder;
+
+use super::{TileNumber, TileStore};
+use crate::frames::{Geodetic, GroundRect, LocalFrame};
+use crate::imagery::ByteSource;
+use crate::imagery::kept::Kept;
+use crate::raster::{Raster, Rgba, decode_picture_with_coverage};
+
+/// Bytes of the header.
+const HEADER: usize = 127;
+/// Most bytes of an unpacked directory.
+const LARGEST_DIRECTORY: u64 = 64 << 20;
+/// Most bytes of a tile.
+const LARGEST_TILE: u64 = 16 << 20;
+/// Most steps from directory to directory; the specification makes two.
+const DEEPEST_DIRECTORY: usize = 4;
+/// Bytes of leaf directories that are kept.
+const DIRECTORIES: usize = 16 << 20;
+
+/// Format of the tiles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TileFormat {
+    /// PNG.
+    Png,
+    /// JPEG.
+    Jpeg,
+}
+
+/// Why an archive cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum PmTilesError {
+    /// The first bytes are not those of an archive.
+    #[error("{file}: not a PMTiles archive of version 3")]
+    NotPmTiles {
+        /// Name of the file.
+        file: String,
+    },
+    /// The bytes could not be had, or contradict each other.
+    #[error("{file}, {place}: {cause}; the file is damaged or cut off, fetch it again")]
+    Damaged {
+        /// Name of the file.
+        file: String,
+        /// Header, directory or tile.
+        place: String,
+        /// What is wrong there.
+        cause: String,
+    },
+    /// The archive is sound, but of a kind that is not read.
+    #[error("{file}: {cause}")]
+    Unsupported {
+        /// Name of the file.
+        file: String,
+        /// What it is, and what would be read instead.
+        cause: String,
+    },
+}
+
+/// An entry of a directory: a run of tiles with the same bytes, or (a run of zero) a directory.
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    id: u64,
+    run: u64,
+    offset: u64,
+    length: u64,
+}
+
+/// An open archive.
+pub struct PmTiles {
+    source: Arc<dyn ByteSource>,
+    root: Vec<Entry>,
+    leaves: Kept<u64, Vec<Entry>>,
+    leaf_offset: u64,
+    data_offset: u64,
+    is_packed: bool,
+    format: TileFormat,
+    zooms: (u8, u8),
+    side: usize,
+    /// South-west and north-east corner.
+    corners: (Geodetic, Geodetic),
+}
+
+impl PmTiles {
+    /// Reads header and root directory.
+    pub fn open(source: Arc<dyn ByteSource>) -> Result<Self, PmTilesError> {
+        let file = source.name().to_owned();
+        let not = || PmTilesError::NotPmTiles { file: file.clone() };
+        if source.length() < HEADER as u64 {
+            return Err(not());
+        }
+        let header = read(source.as_ref(), 0, HEADER as u64, "header")?;
+        if header.get(..8) != Some(b"PMTiles\x03") {
+            return Err(not());
+        }
+        let word = |at: usize| little(&header[at..at + 8]);
+        let angle = |at: usize| {
+            let bytes = [header[at], header[at + 1], header[at + 2], header[at + 3]];
+            f64::from(i32::from_le_bytes(bytes)) / 1e7
+        };
+        let unsupported = |cause: String| PmTilesError::Unsupported {
+            file: file.clone(),
+            cause,
+        };
+        let is_packed = match header[97] {
+            1 => false,
+            2 => true,
+            other => {
+                return Err(unsupported(format!(
+                    "directories packed by method {other}; none and gzip are read"
+                )));
+            }
+        };
+        let format = match header[99] {
+            2 => TileFormat::Png,
+            3 => TileFormat::Jpeg,
+            other => {
+                let name = ["unknown", "vector", "", "", "WebP", "AVIF"];
+                let name = name.get(usize::from(other)).unwrap_or(&"unknown");
+                return Err(unsupported(format!(
+                    "{name} tiles (kind {other}); PNG and JPEG tiles are read"
+                )));
+            }
+        };
+        let zooms = (header[100], header[101]);
+        if zooms.0 > zooms.1 || zooms.1 > super::number::DEEPEST {
+            return Err(damaged(&file, "header", format!("zooms {zooms:?}")));
+        }
+        let root = read(source.as_ref(), word(8), word(16), "root directory")?;
+        let root = unpack(&root, is_packed)
+            .and_then(|bytes| entries(&bytes))
+            .map_err(|cause| damaged(&file, "root directory", cause))?;
+        let mut archive = Self {
+            source,
+            root,
+            leaves: Kept::new(DIRECTORIES),
+            leaf_offset: word(40),
+            data_offset: word(56),
+            is_packed,
+            format,
+            zooms,
+            side: 256,
+            corners: (
+                Geodetic::from_degrees(angle(106), angle(102), 0.0),
+                Geodetic::from_degrees(angle(114), angle(110), 0.0),
+            ),
+        };
+        // The header does not say how large the tiles are: the first one does.
+        let first = archive.first_tile()?;
+        if let Some(tile) = first.and_then(|bytes| decode_picture_with_coverage(&bytes).ok()) {
+            archive.side = tile.width();
+        }
+        Ok(archive)
+    }
+
+    /// Format of the tiles.
+    pub fn format(&self) -> TileFormat {
+        self.format
+    }
+
+    /// South-west and north-east corner of the map.
+    pub fn corners(&self) -> (Geodetic, Geodetic) {
+        self.corners
+    }
+
+    /// Middle of the map, for the origin of a world frame.
+    pub fn middle(&self) -> Geodetic {
+        let (south_west, north_east) = self.corners;
+        Geodetic {
+            latitude: 0.5 * (south_west.latitude + north_east.latitude),
+            longitude: 0.5 * (south_west.longitude + north_east.longitude),
+            height: 0.0,
+        }
+    }
+
+    /// The ground of the world frame `frame` that the map covers.
+    pub fn area(&self, frame: &LocalFrame) -> Option<GroundRect> {
+        let (a, b) = self.corners;
+        let corners = [
+            (a.latitude, a.longitude),
+            (a.latitude, b.longitude),
+            (b.latitude, a.longitude),
+            (b.latitude, b.longitude),
+        ];
+        GroundRect::around(corners.map(|(latitude, longitude)| {
+            frame.ground_from_geodetic(&Geodetic {
+                latitude,
+                longitude,
+                height: 0.0,
+            })
+        }))
+    }
+
+    fn first_tile(&self) -> Result<Option<Vec<u8>>, PmTilesError> {
+        let mut entry = self.root.first().copied();
+        for _ in 0..DEEPEST_DIRECTORY {
+            match entry {
+                Some(leaf) if leaf.run == 0 => entry = self.leaf(&leaf)?.first().copied(),
+                Some(tile) => return self.bytes_of(&tile).map(Some),
+                None => return Ok(None),
+            }
+        }
+        Ok(None)
+    }
+
+    fn leaf(&self, entry: &Entry) -> Result<Arc<Vec<Entry>>, PmTilesError> {
+        let place = "leaf directory";
+        self.leaves.get_or_make(entry.offset, || {
+            let offset = self.leaf_offset.saturating_add(entry.offset);
+            let bytes = read(self.source.as_ref(), offset, entry.length, place)?;
+            let entries = unpack(&bytes, self.is_packed)
+                .and_then(|bytes| entries(&bytes))
+                .map_err(|cause| damaged(self.source.name(), place, cause))?;
+            let size = entries.len() * size_of::<Entry>();
+            Ok((entries, size))
+        })
+    }
+
+    fn bytes_of(&self, entry: &Entry) -> Result<Vec<u8>, PmTilesError> {
+        if entry.length > LARGEST_TILE {
+            let cause = format!("{} bytes", entry.length);
+            return Err(damaged(self.source.name(), "tile", cause));
+        }
+        let offset = self.data_offset.saturating_add(entry.offset);
+        read(self.source.as_ref(), offset, entry.length, "tile")
+    }
+
+    /// Bytes of a tile as they are stored, `None` if the map leaves it out.
+    pub fn bytes(&self, tile: &TileNumber) -> Result<Option<Vec<u8>>, PmTilesError> {
+        let id = tile.hilbert();
+        let Some(mut entry) = find(&self.root, id) else {
+            return Ok(None);
+        };
+        for _ in 0..DEEPEST_DIRECTORY {
+            if entry.run > 0 {
+                return self.bytes_of(&entry).map(Some);
+            }
+            match find(&self.leaf(&entry)?, id) {
+                Some(next) => entry = next,
+                None => return Ok(None),
+            }
+        }
+        Err(damaged(
+            self.source.name(),
+            "leaf directory",
+            "they lead from one to the other".to_owned(),
+        ))
+    }
+}
+
+impl TileStore for PmTiles {
+    fn name(&self) -> &str {
+        self.source.name()
+    }
+
+    fn zooms(&self) -> (u8, u8) {
+        self.zooms
+    }
+
+    fn side(&self) -> usize {
+        self.side
+    }
+
+    fn tile(&self, tile: &TileNumber) -> Option<Raster<Rgba>> {
+        decode_picture_with_coverage(&self.bytes(tile).ok()??).ok()
+    }
+}
+
+fn damaged(file: &str, place: &str, cause: String) -> PmTilesError {
+    PmTilesError::Damaged {
+        file: file.to_owned(),
+        place: place.to_owned(),
+        cause,
+    }
+}
+
+fn read(
+    source: &dyn ByteSource,
+    offset: u64,
+    length: u64,
+    place: &str,
+) -> Result<Vec<u8>, PmTilesError> {
+    let end = offset.checked_add(length);
+    if end.is_none_or(|end| end > source.length()) || length > LARGEST_DIRECTORY {
+        let cause = format!("{length} bytes at byte {offset} lie beyond the end of the file");
+        return Err(damaged(source.name(), place, cause));
+    }
+    let bytes = source
+        .read(offset, length as usize)
+        .map_err(|cause| damaged(source.name(), place, cause))?;
+    if bytes.len() as u64 == length {
+        Ok(bytes)
+    } else {
+        Err(damaged(source.name(), place, "it came cut off".to_owned()))
+    }
+}
+
+fn little(bytes: &[u8]) -> u64 {
+    bytes
+        .iter()
+        .rev()
+        .fold(0, |sum, b| sum << 8 | u64::from(*b))
+}
+
+fn unpack(bytes: &[u8], is_packed: bool) -> Result<Vec<u8>, String> {
+    if !is_packed {
+        return Ok(bytes.to_vec());
+    }
+    let mut out = Vec::new();
+    GzDecoder::new(bytes)
+        .take(LARGEST_DIRECTORY)
+        .read_to_end(&mut out)
+        .map_err(|e| format!("gzip: {e}"))?;
+    Ok(out)
+}
+
+/// The entry that holds `id`: the last that begins at or before it.
+fn find(entries: &[Entry], id: u64) -> Option<Entry> {
+    let after = entries.partition_point(|entry| entry.id <= id);
+    let entry = *entries.get(after.checked_sub(1)?)?;
+    let holds = entry.run == 0 || id - entry.id < entry.run;
+    holds.then_some(entry)
+}
+
+/// Reads a directory: a count, then all ids as differences, all runs, all lengths, all offsets, as
+/// numbers of seven bits a byte. An offset of zero means "behind the one before".
+fn entries(bytes: &[u8]) -> Result<Vec<Entry>, String> {
+    let mut rest = bytes;
+    let mut next = || -> Result<u64, String> {
+        let mut value = 0_u64;
+        for shift in (0..64).step_by(7) {
+            let (byte, after) = rest.split_first().ok_or("the directory ends early")?;
+            rest = after;
+            value |= u64::from(byte & 0x7f) << shift;
+            if byte & 0x80 == 0 {
+                return Ok(value);
+            }
+        }
+        Err("a number of more than 64 bits".to_owned())
+    };
+    let count = next()?;
+    // Every entry takes at least four bytes.
+    if count > bytes.len() as u64 / 4 {
+        return Err(format!("{count} entries in {} bytes", bytes.len()));
+    }
+    let mut entries = Vec::with_capacity(count as usize);
+    let mut id = 0_u64;
+    for _ in 0..count {
+        id = id.checked_add(next()?).ok_or("a tile beyond the last")?;
+        entries.push(Entry {
+            id,
+            run: 0,
+            offset: 0,
+            length: 0,
+        });
+    }
+    for entry in &mut entries {
+        entry.run = next()?;
+    }
+    for entry in &mut entries {
+        entry.length = next()?;
+    }
+    let mut end = 0_u64;
+    for (index, entry) in entries.iter_mut().enumerate() {
+        entry.offset = match next()? {
+            0 if index > 0 => end,
+            0 => return Err("the first entry lies behind none".to_owned()),
+            offset => offset - 1,
+        };
+        end = entry.offset.saturating_add(entry.length);
+    }
+    Ok(entries)
+}

@@ -1,0 +1,276 @@
+//! Tiles made here.
+
+use std::io::Write;
+use std::sync::Arc;
+
+use flate2::{Compression, write::GzEncoder};
+use proptest::prelude::*;
+
+use super::*;
+use crate::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
+use crate::imagery::{Imagery, MemoryBytes, Window};
+use crate::raster::{Picture, Raster, Rgba, encode_png};
+
+const MIDDLE: (f64, f64) = (46.8427, -91.9940);
+
+fn tile(zoom: u8, x: u32, y: u32) -> TileNumber {
+    TileNumber { zoom, x, y }
+}
+
+#[test]
+fn places_fall_into_the_tiles_that_everybody_numbers_so() {
+    // From the wiki of OpenStreetMap on tile names.
+    let place = Geodetic::from_degrees(35.659_069_9, 139.700_679_3, 0.0);
+    assert_eq!(TileNumber::around(&place, 18), tile(18, 232_798, 103_246));
+    let rim = Geodetic::from_degrees(89.9, 180.0, 0.0);
+    assert_eq!(TileNumber::around(&rim, 3), tile(3, 7, 0));
+}
+
+#[test]
+fn the_curve_of_hilbert_begins_as_the_specification_shows() {
+    for (x, y, zoom, id) in [
+        (0, 0, 0, 0),
+        (0, 0, 1, 1),
+        (0, 1, 1, 2),
+        (1, 1, 1, 3),
+        (1, 0, 1, 4),
+        (0, 0, 2, 5),
+        (3423, 1763, 12, 19_078_479),
+    ] {
+        assert_eq!(tile(zoom, x, y).hilbert(), id, "{zoom}/{x}/{y}");
+    }
+}
+
+#[test]
+fn a_template_names_every_tile_in_the_ways_that_servers_want() {
+    let template = |address: &str| TileTemplate {
+        name: "test".to_owned(),
+        address: address.to_owned(),
+        attribution: "© somebody".to_owned(),
+        least_zoom: 0,
+        most_zoom: 19,
+        side: 256,
+    };
+    for (address, expected) in [
+        ("https://a.org/{z}/{x}/{y}.png", "https://a.org/3/5/1.png"),
+        ("https://a.org/{z}/{x}/{-y}", "https://a.org/3/5/6"),
+        ("https://a.org/{q}?k", "https://a.org/103?k"),
+        ("https://{s}.a.org/{z}/{x}/{y}", "https://a.a.org/3/5/1"),
+    ] {
+        let checked = template(address).checked().unwrap();
+        assert_eq!(checked.address_of(&tile(3, 5, 1)), expected);
+    }
+    let error = template("https://a.org/{z}/{x}.png").checked().unwrap_err();
+    assert!(error.to_string().contains("{y}"), "{error}");
+    assert!(template("file:///{z}/{x}/{y}").checked().is_err());
+    let mut zooms = template("https://a.org/{z}/{x}/{y}");
+    zooms.least_zoom = 20;
+    assert!(zooms.checked().is_err());
+}
+
+/// Tiles whose colours tell their pixel's place on the ground.
+struct Places(LocalFrame);
+
+fn shade(place: &GroundPoint) -> Rgba {
+    let wave = |v: f64| (127.0 + 120.0 * (v / 90.0).sin()) as u8;
+    [wave(place.north), wave(place.east), 90, 255]
+}
+
+impl TileStore for Places {
+    fn name(&self) -> &'static str {
+        "places"
+    }
+    fn zooms(&self) -> (u8, u8) {
+        (10, 17)
+    }
+    fn side(&self) -> usize {
+        256
+    }
+    fn tile(&self, tile: &TileNumber) -> Option<Raster<Rgba>> {
+        let georeference = tile.georeference(256);
+        Some(Raster::from_fn(256, 256, |x, y| {
+            let (x, y) = (x as f64 + 0.5, y as f64 + 0.5);
+            shade(&georeference.ground_at(&self.0, x, y))
+        }))
+    }
+}
+
+#[test]
+fn a_window_shows_what_lies_there_at_every_zoom() {
+    let frame = LocalFrame::new(Geodetic::from_degrees(MIDDLE.0, MIDDLE.1, 0.0));
+    let area = GroundRect::centered(GroundPoint::default(), 3000.0, 3000.0);
+    let map = WebTiles::new(Box::new(Places(frame)), frame, area, 64 << 20);
+    assert!(
+        (map.native_gsd() - 0.817).abs() < 0.01,
+        "{}",
+        map.native_gsd()
+    );
+    for gsd in [0.4, 0.9, 1.7, 3.1] {
+        let window = Window {
+            north_edge: 100.0,
+            west_edge: -140.0,
+            gsd,
+            width: 60,
+            height: 50,
+        };
+        let seen = map.window(&window);
+        for row in 0..50 {
+            for column in 0..60 {
+                let ground = window.ground_at(column as f64 + 0.5, row as f64 + 0.5);
+                let (ours, expected) = (seen.get(column, row), shade(&ground));
+                let off = ours.iter().zip(expected).map(|(a, b)| a.abs_diff(b)).max();
+                assert!(off <= Some(6), "{gsd} {ground:?}: {ours:?} {expected:?}");
+            }
+        }
+    }
+    let elsewhere = Window {
+        north_edge: 9000.0,
+        west_edge: 9000.0,
+        gsd: 1.0,
+        width: 4,
+        height: 4,
+    };
+    assert_eq!(map.window(&elsewhere).get(2, 2), [0; 4]);
+}
+
+fn number(out: &mut Vec<u8>, mut value: u64) {
+    while value >= 0x80 {
+        out.push(value as u8 | 0x80);
+        value >>= 7;
+    }
+    out.push(value as u8);
+}
+
+fn directory(entries: &[(u64, u64, u64, u64)]) -> Vec<u8> {
+    let mut plain = Vec::new();
+    number(&mut plain, entries.len() as u64);
+    let mut last = 0;
+    for (id, ..) in entries {
+        number(&mut plain, id - last);
+        last = *id;
+    }
+    for (_, run, ..) in entries {
+        number(&mut plain, *run);
+    }
+    for (.., length) in entries {
+        number(&mut plain, *length);
+    }
+    for (_, _, offset, _) in entries {
+        number(&mut plain, offset + 1);
+    }
+    let mut packed = GzEncoder::new(Vec::new(), Compression::fast());
+    packed.write_all(&plain).unwrap();
+    packed.finish().unwrap()
+}
+
+/// An archive of zoom 1 and 2 with a leaf directory; every tile is of one colour.
+fn archive() -> Vec<u8> {
+    let mut tiles: Vec<TileNumber> = (1..=2)
+        .flat_map(|z| (0..1 << z).flat_map(move |x| (0..1 << z).map(move |y| tile(z, x, y))))
+        .collect();
+    tiles.sort_by_key(TileNumber::hilbert);
+    let mut data = Vec::new();
+    let entries: Vec<_> = (tiles.iter())
+        .map(|t| {
+            let colour = [t.zoom * 50, t.x as u8 * 40, t.y as u8 * 40];
+            let png = encode_png(&Picture::filled(16, 16, colour)).unwrap();
+            let entry = (t.hilbert(), 1, data.len() as u64, png.len() as u64);
+            data.extend(png);
+            entry
+        })
+        .collect();
+    let (head, tail) = entries.split_at(7);
+    let leaf = directory(tail);
+    let mut root_entries = head.to_vec();
+    root_entries.push((tail[0].0, 0, 0, leaf.len() as u64));
+    let root = directory(&root_entries);
+    let mut out = b"PMTiles\x03".to_vec();
+    let places = [
+        127,
+        127 + root.len(),
+        127 + root.len(),
+        127 + root.len() + leaf.len(),
+    ];
+    let lengths = [root.len(), 0, leaf.len(), data.len()];
+    for (place, length) in places.iter().zip(lengths) {
+        out.extend((*place as u64).to_le_bytes());
+        out.extend((length as u64).to_le_bytes());
+    }
+    out.resize(96, 0);
+    out.extend([1, 2, 1, 2, 1, 2]);
+    for angle in [-1_800_000_000_i32, -850_000_000, 1_800_000_000, 850_000_000] {
+        out.extend(angle.to_le_bytes());
+    }
+    out.resize(127, 0);
+    [out, root, leaf, data].concat()
+}
+
+fn open(bytes: Vec<u8>) -> Result<PmTiles, PmTilesError> {
+    PmTiles::open(Arc::new(MemoryBytes::new("map.pmtiles", bytes)))
+}
+
+#[test]
+fn every_tile_of_an_archive_is_found_also_behind_a_leaf() {
+    let archive = open(archive()).unwrap();
+    assert_eq!((archive.zooms(), archive.side()), ((1, 2), 16));
+    assert_eq!(archive.format(), TileFormat::Png);
+    for zoom in 1..=2 {
+        for x in 0..1 << zoom {
+            for y in 0..1 << zoom {
+                let pixels = archive.tile(&tile(zoom, x, y)).unwrap();
+                let expected = [zoom * 50, x as u8 * 40, y as u8 * 40, 255];
+                assert_eq!(pixels.get(3, 3), expected, "{zoom}/{x}/{y}");
+            }
+        }
+    }
+    assert_eq!(archive.bytes(&tile(3, 0, 0)), Ok(None));
+    assert_eq!(archive.bytes(&tile(0, 0, 0)), Ok(None));
+}
+
+#[test]
+fn archives_that_are_none_or_of_another_kind_are_named() {
+    let error = open(b"PMTiles\x02".to_vec()).err().unwrap().to_string();
+    assert!(error.starts_with("map.pmtiles: not"), "{error}");
+    let mut vector = archive();
+    vector[99] = 1;
+    let error = open(vector).err().unwrap().to_string();
+    assert!(error.contains("vector") && error.contains("PNG"), "{error}");
+}
+
+proptest! {
+    #[test]
+    fn a_damaged_archive_never_panics(
+        kept in 0.0_f64..1.2,
+        flips in prop::collection::vec((any::<prop::sample::Index>(), 0_u8..8), 0..6),
+    ) {
+        let mut bytes = archive();
+        let length = bytes.len();
+        bytes.truncate((length as f64 * kept) as usize);
+        for (place, bit) in flips {
+            if !bytes.is_empty() {
+                let place = place.index(bytes.len());
+                bytes[place] ^= 1 << bit;
+            }
+        }
+        if let Ok(archive) = open(bytes) {
+            for x in 0..4 {
+                for y in 0..4 {
+                    let _ = archive.tile(&tile(2, x, y));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_tile_around_a_place_covers_it(
+        latitude in -84.0_f64..84.0,
+        longitude in -180.0_f64..180.0,
+        zoom in 0_u8..20,
+    ) {
+        let place = Geodetic::from_degrees(latitude, longitude, 0.0);
+        let number = TileNumber::around(&place, zoom);
+        let frame = LocalFrame::new(place);
+        let pixel = number.georeference(256).pixel_at(&frame, &GroundPoint::default()).unwrap();
+        prop_assert!((-1e-3..256.001).contains(&pixel.x) && (-1e-3..256.001).contains(&pixel.y));
+    }
+}
