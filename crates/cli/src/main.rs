@@ -1,6 +1,7 @@
 //! `pilotage`: the jobs of the app without a screen.
 
 mod bench;
+mod convert;
 mod files;
 mod filter_options;
 mod inspect;
@@ -32,6 +33,8 @@ enum Job {
     Replay(replay::Arguments),
     /// Suggest landmarks, predict the uncertainty along a route.
     Plan(Box<plan::Arguments>),
+    /// Convert routes and landmarks between file formats.
+    Convert(convert::Arguments),
     /// Say what a file or folder is.
     Inspect(inspect::Arguments),
     /// Look at maps: what they are, and pictures out of them.
@@ -52,6 +55,7 @@ fn main() -> ExitCode {
         Job::Simulate(arguments) => simulate::run(&arguments),
         Job::Replay(arguments) => replay::run(&arguments),
         Job::Plan(arguments) => plan::run(&arguments),
+        Job::Convert(arguments) => convert::run(&arguments),
         Job::Inspect(arguments) => inspect::run(&arguments),
         Job::Map(arguments) => map::run(&arguments),
         Job::Bench(arguments) => bench::run(&arguments),

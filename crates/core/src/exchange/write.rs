@@ -50,6 +50,12 @@ pub fn write_routes_and_landmarks(
             "write them as GeoJSON, KML or CSV",
         ));
     }
+    if routes.is_empty() && !format.holds_landmarks() {
+        return Err(cannot_hold(
+            "a file without a route".to_owned(),
+            "draw a route first",
+        ));
+    }
     if !format.holds_several_routes() && routes.len() != 1 {
         return Err(cannot_hold(
             format!("{} routes", routes.len()),

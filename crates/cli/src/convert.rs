@@ -1,0 +1,116 @@
+//! `pilotage convert`: routes and landmarks from one file format into another.
+
+use std::path::{Path, PathBuf};
+
+use pilotage_core::exchange::{
+    Format, Imported, read_any, write_landmarks, write_routes_and_landmarks,
+};
+use pilotage_core::mission::Route;
+
+use crate::Outcome;
+
+/// What to convert into what.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// File with routes or landmarks: .plan, .waypoints, .kml, .kmz, .geojson, .gpx or .csv.
+    from: PathBuf,
+    /// File to write; its extension names the format.
+    to: PathBuf,
+    /// Take only this route, by its name or its number in the file, counted from one.
+    #[arg(long, value_name = "NAME|N", conflicts_with = "landmarks")]
+    route: Option<String>,
+    /// Take only the landmarks.
+    #[arg(long)]
+    landmarks: bool,
+}
+
+/// Reads, chooses and writes; what was assumed or left out is told on the error stream.
+pub fn run(arguments: &Arguments) -> Outcome {
+    let (from, to) = (&arguments.from, &arguments.to);
+    let name = to.to_string_lossy();
+    let format = Format::of_name(&name).ok_or_else(|| {
+        let known: Vec<_> = Format::ALL.iter().map(|f| f.extensions()[0]).collect();
+        format!(
+            "{name}: the extension names no format; known are .{}",
+            known.join(", .")
+        )
+    })?;
+    let bytes = std::fs::read(from).map_err(|e| format!("{}: {e}", from.display()))?;
+    let mut imported = read_any(&from.to_string_lossy(), &bytes, None)?;
+    tell(from, &imported.notes);
+    let mut notes = Vec::new();
+    if let Some(wanted) = &arguments.route {
+        imported.routes = vec![chosen(&imported, wanted)?];
+        leave_out_landmarks(&mut imported, &mut notes, "one route was asked for");
+    } else if arguments.landmarks {
+        imported.routes.clear();
+    } else if !imported.routes.is_empty() && !holds_both(format) {
+        leave_out_landmarks(&mut imported, &mut notes, "--landmarks takes them alone");
+    }
+    if !format.holds_several_routes() && imported.routes.len() > 1 {
+        let names: Vec<_> = imported.routes.iter().map(|r| r.name.as_str()).collect();
+        return Err(format!(
+            "{name}: {} holds one route; choose by --route one of: {}",
+            format.name(),
+            names.join(", ")
+        )
+        .into());
+    }
+    let written = if arguments.landmarks {
+        write_landmarks(format, &imported.landmarks, &imported.frame)?
+    } else {
+        let (routes, landmarks) = (&imported.routes, &imported.landmarks);
+        write_routes_and_landmarks(format, routes, landmarks, &imported.frame)?
+    };
+    std::fs::write(to, &written.bytes).map_err(|e| format!("{name}: {e}"))?;
+    notes.extend(written.notes);
+    tell(to, &notes);
+    println!(
+        "{name}: {}, {} and {}",
+        format.name(),
+        count(imported.routes.len(), "route"),
+        count(imported.landmarks.len(), "landmark")
+    );
+    Ok(())
+}
+
+fn tell(file: &Path, notes: &[String]) {
+    for note in notes {
+        eprintln!("note: {}: {note}", file.display());
+    }
+}
+
+fn count(number: usize, what: &str) -> String {
+    let ending = if number == 1 { "" } else { "s" };
+    format!("{number} {what}{ending}")
+}
+
+/// Whether routes and landmarks go into one file.
+fn holds_both(format: Format) -> bool {
+    format.holds_landmarks() && format != Format::Csv
+}
+
+fn leave_out_landmarks(imported: &mut Imported, notes: &mut Vec<String>, why: &str) {
+    if !imported.landmarks.is_empty() {
+        let left_out = count(imported.landmarks.len(), "landmark");
+        notes.push(format!("without {left_out}: {why}"));
+        imported.landmarks.clear();
+    }
+}
+
+/// The route of that name, or else of that number.
+fn chosen(imported: &Imported, wanted: &str) -> Result<Route, String> {
+    let routes = &imported.routes;
+    let by_name = routes.iter().find(|route| route.name == wanted);
+    let by_number = || {
+        let number: usize = wanted.parse().ok()?;
+        routes.get(number.checked_sub(1)?)
+    };
+    by_name.or_else(by_number).cloned().ok_or_else(|| {
+        let names: Vec<_> = routes.iter().map(|r| r.name.as_str()).collect();
+        format!(
+            "there is no route `{wanted}`; there are: {}",
+            names.join(", ")
+        )
+    })
+}

@@ -1,0 +1,83 @@
+//! `pilotage convert` as a user calls it.
+
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let folder = format!("pilotage-convert-{name}-{}", std::process::id());
+        let folder = std::env::temp_dir().join(folder);
+        std::fs::create_dir_all(&folder).expect("the temporary folder can be written");
+        Self(folder)
+    }
+
+    fn convert(&self, from: &str, to: &str, more: &[&str]) -> Output {
+        Command::new(env!("CARGO_BIN_EXE_pilotage"))
+            .current_dir(&self.0)
+            .args(["convert", from, to])
+            .args(more)
+            .output()
+            .expect("the program starts")
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        std::fs::remove_dir_all(&self.0).ok();
+    }
+}
+
+fn words(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+#[test]
+fn a_route_goes_through_all_formats_and_comes_back() {
+    let folder = Folder::new("chain");
+    let table = "route,lat,lon,alt_amsl_m,speed_m/s\nR,47.4,8.5,500,\nR,47.41,8.51,510,20\n";
+    std::fs::write(folder.0.join("a.csv"), table).expect("the folder can be written");
+    let chain = [
+        "a.csv",
+        "b.plan",
+        "c.waypoints",
+        "d.kml",
+        "e.kmz",
+        "f.gpx",
+        "g.geojson",
+        "h.csv",
+    ];
+    for pair in chain.windows(2) {
+        let output = folder.convert(pair[0], pair[1], &[]);
+        assert!(output.status.success(), "{}", words(&output.stderr));
+    }
+    let text = std::fs::read_to_string(folder.0.join("h.csv")).expect("it was written");
+    let row = text.lines().nth(2).expect("there are two way-points");
+    assert!(row.contains(",47.41,8.51,510,amsl,20,fly_by,,"), "{text}");
+}
+
+#[test]
+fn notes_go_to_the_error_stream_and_one_of_several_routes_is_chosen() {
+    let folder = Folder::new("choose");
+    let gpx = r#"<gpx><wpt lat="47" lon="8"/><rte><name>A</name><rtept lat="47.4" lon="8.5"/></rte>
+        <rte><name>B</name><rtept lat="47.5" lon="8.5"/></rte></gpx>"#;
+    std::fs::write(folder.0.join("a.gpx"), gpx).expect("the folder can be written");
+    let output = folder.convert("a.gpx", "b.plan", &[]);
+    assert!(!output.status.success());
+    assert!(words(&output.stderr).contains("choose by --route one of: A, B"));
+    for route in ["B", "2"] {
+        let output = folder.convert("a.gpx", "b.plan", &["--route", route]);
+        assert!(output.status.success(), "{}", words(&output.stderr));
+        assert!(words(&output.stderr).contains("note: a.gpx: points without elevation"));
+        assert!(words(&output.stderr).contains("note: b.plan: without 1 landmark"));
+        let plan = std::fs::read_to_string(folder.0.join("b.plan")).expect("it was written");
+        assert!(plan.contains("47.5") && !plan.contains("47.4"), "{plan}");
+    }
+    let output = folder.convert("a.gpx", "b.plan", &["--route", "3"]);
+    assert!(words(&output.stderr).contains("there is no route `3`; there are: A, B"));
+    let output = folder.convert("a.gpx", "b.doc", &[]);
+    assert!(words(&output.stderr).contains("the extension names no format"));
+    let output = folder.convert("a.gpx", "points.csv", &["--landmarks"]);
+    assert!(words(&output.stdout).contains("0 routes and 1 landmark"));
+}
