@@ -4,6 +4,7 @@ use pilotage_core::frames::GroundRect;
 use pilotage_core::navigator::NavigatorSettings;
 
 use crate::jobs::SimulationOptions;
+use crate::plan::PlanCommand;
 use serde::{Deserialize, Serialize};
 
 /// Something to do, sent by a view and carried out by the app at the end of the frame.
@@ -117,6 +118,8 @@ pub enum Command {
     ToggleFollow,
     /// Show how a landmark was matched.
     ShowMatch,
+    /// Something about the plan.
+    Plan(PlanCommand),
 }
 
 /// The three workspaces over the same documents.

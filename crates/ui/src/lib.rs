@@ -8,6 +8,7 @@ pub mod documents;
 pub mod host;
 pub mod jobs;
 pub mod map;
+pub mod plan;
 pub mod shell;
 pub mod still;
 pub mod timeline;

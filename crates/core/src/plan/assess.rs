@@ -71,8 +71,8 @@ impl View {
 }
 
 /// Looks at one landmark again and again; a view a call, so that the caller can show progress and stop.
-pub struct Assessor<'a> {
-    landmark: &'a Landmark,
+pub struct Assessor {
+    landmark: Landmark,
     circumstances: Circumstances,
     days: Vec<Arc<dyn Imagery>>,
     detector: TemplateDetector,
@@ -80,10 +80,10 @@ pub struct Assessor<'a> {
     views: Vec<View>,
 }
 
-impl<'a> Assessor<'a> {
+impl Assessor {
     /// Prepares to look at `landmark` of `map` on `days` other days.
     pub fn new(
-        landmark: &'a Landmark,
+        landmark: &Landmark,
         map: Arc<dyn Imagery>,
         others: &dyn OtherDays,
         days: usize,
@@ -96,7 +96,7 @@ impl<'a> Assessor<'a> {
             .collect();
         Self {
             detector: TemplateDetector::new(map, circumstances.detector),
-            landmark,
+            landmark: landmark.clone(),
             circumstances,
             days,
             random,
@@ -106,7 +106,7 @@ impl<'a> Assessor<'a> {
 
     /// The same days for another landmark or other circumstances.
     pub fn over(
-        landmark: &'a Landmark,
+        landmark: &Landmark,
         map: Arc<dyn Imagery>,
         days: &[Arc<dyn Imagery>],
         circumstances: Circumstances,
@@ -114,7 +114,7 @@ impl<'a> Assessor<'a> {
     ) -> Self {
         Self {
             detector: TemplateDetector::new(map, circumstances.detector),
-            landmark,
+            landmark: landmark.clone(),
             circumstances,
             days: days.to_vec(),
             random: ChaCha8Rng::seed_from_u64(seed),
@@ -200,7 +200,7 @@ impl<'a> Assessor<'a> {
             luminance: &luminance,
         };
         let request = SearchRequest {
-            landmark: self.landmark,
+            landmark: &self.landmark,
             displacement_covariance: Matrix2::identity() * variance,
         };
         let sighting = self.detector.detect(&view, &request);

@@ -98,6 +98,13 @@ pub enum PredictionError {
     },
 }
 
+impl Prediction {
+    /// Marks the stretches over another limit, metres.
+    pub fn mark(&mut self, limit: f64) {
+        self.over_limit = stretches(&self.samples, limit);
+    }
+}
+
 impl PredictionRequest<'_> {
     /// Predicts the uncertainty of the position along the route.
     ///

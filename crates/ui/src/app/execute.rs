@@ -4,6 +4,8 @@ use super::{App, SideTab};
 use crate::command::{Command, Workspace};
 use crate::documents::{Session, encode_run};
 use crate::host::Host;
+use crate::plan::PlanTab;
+use crate::plan::planner::plan_ground;
 use crate::units::Units;
 
 impl App {
@@ -14,7 +16,11 @@ impl App {
         host: &mut dyn Host,
     ) {
         let now = host.now();
+        if self.is_out_of_place(&command) {
+            return;
+        }
         match command {
+            Command::Plan(command) => self.plan(command, now),
             Command::TogglePlay
             | Command::SeekTo(_)
             | Command::StepFrames(_)
@@ -131,16 +137,20 @@ impl App {
             Command::SelectLandmark(id) => {
                 self.selection = id.filter(|id| self.documents.mission.landmark(*id).is_some());
                 if self.selection.is_some() {
+                    self.views.planner.way_point = None;
+                    self.views.planner.tab = PlanTab::Landmarks;
                     self.examine_soon(now);
                 }
             }
             Command::TogglePickTool => {
                 self.views.map.picking = !self.views.map.picking;
+                self.views.planner.drawing = false;
             }
             Command::AddLandmark(bounds) => {
                 let id = self.documents.add_landmark(bounds);
                 self.selection = Some(id);
                 self.side_tab = SideTab::Landmarks;
+                self.views.planner.tab = PlanTab::Landmarks;
                 let name = self.documents.mission.landmark(id).map(|l| l.name.clone());
                 self.views.map.name_new(id, &name.unwrap_or_default());
                 self.examine_soon(now);
@@ -273,7 +283,10 @@ impl App {
                 }
             }
             Command::FitMap => {
-                if let Some(ground) = self.flight_ground() {
+                let plan = self
+                    .planning()
+                    .then(|| plan_ground(&self.documents.mission));
+                if let Some(ground) = plan.flatten().or_else(|| self.flight_ground()) {
                     self.views.map.fit(ground);
                 }
             }
@@ -295,7 +308,7 @@ impl App {
                     Workspace::Learn
                 };
             }
-            Command::ShowWorkspace(workspace) => self.view.workspace = *workspace,
+            Command::ShowWorkspace(workspace) => self.show_workspace(*workspace),
             Command::ShowMatch => {
                 self.view.workspace = Workspace::Replay;
                 self.view.side_open = true;

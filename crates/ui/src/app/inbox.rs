@@ -54,7 +54,8 @@ impl App {
     }
 
     fn event(&mut self, context: &egui::Context, host: &mut dyn Host, id: JobId, event: JobEvent) {
-        if self.desk.fly.as_ref().is_some_and(|f| f.id == id) {
+        if self.plan_event(id, &event, host.now()) {
+        } else if self.desk.fly.as_ref().is_some_and(|f| f.id == id) {
             self.fly_event(host, event);
         } else if self.desk.tiles.contains_key(&id) {
             self.tile_event(context, id, event);
@@ -220,7 +221,8 @@ impl App {
         if let Some((first, _)) = self.documents.span() {
             self.playback.time = first;
         }
-        self.playback.playing = true;
+        self.playback.playing = !self.planning();
+        self.views.planner.fitted = false;
         let recorded = matches!(self.documents.flight_source, FlightSource::Files(_));
         self.desk.fit_when_known = recorded && self.documents.map.is_none();
         if recorded {

@@ -10,6 +10,7 @@ use crate::context::ViewContext;
 use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
 use crate::map::MapExtra;
+use crate::plan::plan_readouts;
 use crate::shell::{Examined, TopBar, help_sheet, icon_button, icons::Icon, tab, top_bar};
 use crate::timeline::TimelineExtra;
 use crate::tokens::Tokens;
@@ -18,6 +19,7 @@ use crate::tokens::Tokens;
 const NARROW: f32 = 900.0;
 const BAR_HEIGHT: f32 = 48.0;
 const PLOTS_HEIGHT: f32 = 164.0;
+const STRIP_HEIGHT: f32 = 216.0;
 
 /// What the views are drawn from: everything but the views themselves.
 struct Scene<'a> {
@@ -99,7 +101,14 @@ impl App {
             job_words: desk.progress().map(|(_, words)| words.to_owned()),
             examined_in_vain: desk.examined_in_vain.as_ref(),
         };
-        timeline(ui, &scene, views, commands);
+        let planning = scene.view.workspace == Workspace::Plan;
+        if planning {
+            if plots_open {
+                plan_strip(ui, &mut scene, views, commands);
+            }
+        } else {
+            timeline(ui, &scene, views, commands);
+        }
         if scene.view.side_open || *scene.settings {
             if narrow {
                 lower(ui, &mut scene, views, commands);
@@ -107,7 +116,7 @@ impl App {
                 side(ui, &mut scene, views, commands);
             }
         }
-        if plots_open && !narrow {
+        if plots_open && !narrow && !planning {
             plots(ui, &mut scene, views, commands);
         }
         map(ui, &mut scene, views, commands);
@@ -207,7 +216,7 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
                     });
                 }
                 Workspace::Plan => {
-                    inner.show(ui, |ui| landmarks(ui, scene, views, commands));
+                    inner.show(ui, |ui| plan_panel(ui, scene, views, commands));
                 }
                 Workspace::Learn => {
                     let picture = picture_size(ui.available_size(), scene).y;
@@ -244,7 +253,7 @@ fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
             } else {
                 match scene.view.workspace {
                     Workspace::Learn => tour(ui, scene, views, commands),
-                    Workspace::Plan => landmarks(ui, scene, views, commands),
+                    Workspace::Plan => plan_panel(ui, scene, views, commands),
                     Workspace::Replay => {
                         let tabs = [
                             SideTab::Camera,
@@ -326,16 +335,49 @@ fn tabbed(
     }
 }
 
-fn landmarks(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
-    let (past, future) = scene.documents.history.depth();
+fn examined<'a>(scene: &Scene<'a>) -> Examined<'a> {
     let selection = scene.selection;
-    let examined = Examined {
+    Examined {
         found: selection.and_then(|id| scene.documents.distinctness_of(id)),
         trouble: scene
             .examined_in_vain
             .filter(|(id, _)| selection == Some(*id))
             .map(|(_, why)| why.as_str()),
-    };
+    }
+}
+
+/// The column at the right while planning.
+fn plan_panel(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+    let examined = examined(scene);
+    let Views {
+        planner, landmarks, ..
+    } = views;
+    scene.with_context(commands, |context| {
+        planner.panel(ui, scene.documents, context, landmarks, examined);
+    });
+}
+
+/// The prediction against distance, below the map.
+fn plan_strip(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+    let screen = ui.ctx().content_rect();
+    let panel = Panel::bottom("plan strip")
+        .resizable(true)
+        .default_size(scene.view.strip_height.unwrap_or(STRIP_HEIGHT))
+        .size_range(112.0..=0.5 * screen.height())
+        .frame(plain_frame(scene.tokens, Margin::symmetric(8, 8)))
+        .show(ui, |ui| {
+            scene.with_context(commands, |context| views.planner.strip(ui, context));
+            ui.take_available_space();
+        });
+    let height = panel.response.rect.height();
+    if (height - STRIP_HEIGHT).abs() > 1.0 {
+        scene.view.strip_height = Some(height);
+    }
+}
+
+fn landmarks(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+    let (past, future) = scene.documents.history.depth();
+    let examined = examined(scene);
     egui::ScrollArea::vertical()
         .id_salt("landmarks")
         .auto_shrink(false)
@@ -353,6 +395,8 @@ fn tour(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Co
 
 fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
     let tokens = scene.tokens;
+    let planning = scene.view.workspace == Workspace::Plan;
+    let planner = &views.planner;
     egui::CentralPanel::default()
         .frame(Frame::new().fill(tokens.background))
         .show(ui, |ui| {
@@ -364,8 +408,23 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                 distinctness: scene
                     .selection
                     .and_then(|id| scene.documents.distinctness_of(id)),
+                plan: planning.then_some(planner),
             };
-            scene.with_context(commands, |context| views.map.show(ui, context, &extra));
+            scene.with_context(commands, |context| {
+                if planning {
+                    // What was flown is Replay's; here lies what is to be flown.
+                    (context.run, context.ghost, context.flight) = (None, None, None);
+                }
+                views.map.show(ui, context, &extra);
+            });
+            if planning {
+                let corner = rect.left_top() + vec2(16.0, 16.0);
+                if let Some(covered) = plan_readouts(ui, tokens, scene.view.units, planner, corner)
+                {
+                    views.map.cover(covered);
+                }
+                return;
+            }
             if let Some(covered) = advice(ui, rect, scene, commands) {
                 views.map.cover(covered);
             }

@@ -5,6 +5,7 @@ mod execute;
 mod inbox;
 mod keeping;
 mod layout;
+mod planning;
 mod report;
 mod start;
 mod work;
@@ -14,6 +15,7 @@ use crate::dialogs::SimulateDialog;
 use crate::documents::{Documents, ViewState};
 use crate::host::Host;
 use crate::map::MapView;
+use crate::plan::Planner;
 use crate::shell::keys::ShortcutListener;
 use crate::shell::{LandmarkList, Palette, Toasts, apply_theme};
 use crate::timeline::{Playback, Timeline};
@@ -58,6 +60,7 @@ struct Views {
     inspector: InspectorView,
     tour: Tour,
     landmarks: LandmarkList,
+    planner: Planner,
 }
 
 /// The app.

@@ -25,7 +25,7 @@ impl App {
     /// What is on screen, as JSON. Places on screen are in points; times in seconds; boxes in metres.
     pub fn state_json(&self) -> String {
         let mut all = self.documents_json();
-        for part in [self.run_json(), self.view_json()] {
+        for part in [self.run_json(), self.view_json(), self.plan_json()] {
             if let (Value::Object(all), Value::Object(part)) = (&mut all, part) {
                 all.extend(part);
             }
@@ -164,7 +164,11 @@ impl App {
             let percent = 100.0 * fraction;
             parts.push(format!("Computing, {percent:.0} percent: {words}."));
         }
+        if self.planning() {
+            parts.push(self.plan_text());
+        }
         match (&documents.run, documents.span()) {
+            _ if self.planning() => {}
             (Some(run), Some(span)) => parts.push(self.run_text(run, span)),
             _ => parts.push("No run yet.".to_owned()),
         }

@@ -56,6 +56,7 @@ impl App {
         app.views.map.follow = true;
         app.views.map.camera.metres_per_point = 0.7;
         app.views.map.layers.hide_names(&app.view.hidden_layers);
+        app.views.planner.preferences = app.view.plan.clone();
         app
     }
 
@@ -70,6 +71,7 @@ impl App {
     pub(super) fn remember(&mut self, host: &mut dyn Host) {
         self.view.speed = self.playback.speed;
         self.view.looping = self.playback.looping;
+        self.view.plan = self.views.planner.preferences.clone();
         self.view.hidden_layers = self.views.map.layers.hidden_names();
         let view = self.view.encode();
         let view_changed = view != self.stored_view;

@@ -118,7 +118,9 @@ impl App {
     /// Starts what is due.
     pub(super) fn work(&mut self, context: &egui::Context, host: &mut dyn Host) {
         let now = host.now();
-        if self.desk.fly_again_at.is_some_and(|at| at <= now) {
+        // While people plan, the flight waits: its time is better spent on the prediction.
+        let flies_now = !self.planning();
+        if flies_now && self.desk.fly_again_at.is_some_and(|at| at <= now) {
             self.fly_again(host);
         }
         if self.desk.examine_at.is_some_and(|at| at <= now) {
@@ -127,7 +129,8 @@ impl App {
         }
         self.ask_for_tiles(host);
         self.decode_ahead(host);
-        let waiting = self.desk.fly_again_at.is_some()
+        self.work_on_plan(context, host);
+        let waiting = self.desk.fly_again_at.is_some() && flies_now
             || self.desk.examine_at.is_some()
             || self.dirty_since.is_some();
         if waiting {

@@ -17,6 +17,22 @@ impl Documents {
         id
     }
 
+    /// Adds a landmark like another one, beside it to the east; its id.
+    pub fn duplicate_landmark(&mut self, of: &Landmark) -> u32 {
+        self.history.remember(&self.mission);
+        let id = self.mission.free_landmark_id();
+        let east = 1.25 * of.bounds.width();
+        let mut copy = of.clone();
+        copy.id = id;
+        copy.name = format!("{}, copy", of.name);
+        copy.bounds.west += east;
+        copy.bounds.east += east;
+        copy.reference.east += east;
+        self.mission.landmarks.push(copy);
+        self.mission_edited = true;
+        id
+    }
+
     /// Gives a landmark another box; the reference point keeps its place in it. True once the drag
     /// is over.
     pub fn reshape_landmark(&mut self, id: u32, bounds: GroundRect, finished: bool) -> bool {

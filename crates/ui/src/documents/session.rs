@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::command::Workspace;
 use crate::jobs::{FlightSource, MapSource, SimulationOptions};
+use crate::plan::PlanPreferences;
 use crate::units::Units;
 
 /// Key of the document in the browser's storage.
@@ -76,6 +77,8 @@ pub struct ViewState {
     pub side_width: Option<f32>,
     /// Height of the plots, points, if the user changed it.
     pub plots_height: Option<f32>,
+    /// Height of the prediction's strip, points, if the user changed it.
+    pub strip_height: Option<f32>,
     /// Whether the first line of advice was dismissed.
     pub advice_dismissed: bool,
     /// Playback speed, times real time.
@@ -84,6 +87,8 @@ pub struct ViewState {
     pub looping: bool,
     /// Map layers that are switched off, by name.
     pub hidden_layers: Vec<String>,
+    /// What is accepted and assumed while planning.
+    pub plan: PlanPreferences,
 }
 
 impl Default for ViewState {
@@ -96,10 +101,12 @@ impl Default for ViewState {
             plots_open: None,
             side_width: None,
             plots_height: None,
+            strip_height: None,
             advice_dismissed: false,
             speed: 2.0,
             looping: true,
             hidden_layers: Vec::new(),
+            plan: PlanPreferences::default(),
         }
     }
 }

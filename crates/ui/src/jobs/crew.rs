@@ -225,13 +225,14 @@ impl<P: WorkerPort> Crew<P> {
 
 fn seat_for(job: &Job) -> usize {
     match job {
-        Job::Fly { .. } => 0,
+        Job::Fly { .. } | Job::Assess(_) => 0,
         Job::Tile { .. } | Job::DescribeMap(_) => 1,
         Job::Provide { .. }
         | Job::Open { .. }
         | Job::Distinctness { .. }
         | Job::ExplainMatch { .. }
-        | Job::DecodePicture { .. } => 2,
+        | Job::DecodePicture { .. }
+        | Job::Predict(_) => 2,
     }
 }
 
@@ -239,7 +240,8 @@ fn seat_for(job: &Job) -> usize {
 fn file_keys(job: &Job) -> Vec<&str> {
     let mut keys = Vec::new();
     let (flight, map) = match job {
-        Job::Provide { .. } | Job::DecodePicture { .. } => (None, None),
+        Job::Provide { .. } | Job::DecodePicture { .. } | Job::Predict(_) => (None, None),
+        Job::Assess(order) => (None, Some(&order.map)),
         Job::Open { key } => {
             keys.push(key.as_str());
             (None, None)

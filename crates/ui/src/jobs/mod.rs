@@ -4,6 +4,7 @@
 //! listen; a [`JobRunner`] holds the jobs of one worker; a [`Crew`] shares jobs out among workers
 //! and replaces one that died; [`InlineHost`] does all of it on the calling thread, for tests.
 
+mod assess;
 mod crew;
 mod distinct;
 mod explain;
@@ -13,6 +14,7 @@ mod fly;
 mod inline;
 mod messages;
 mod opening;
+mod predict;
 mod protocol;
 mod runner;
 mod running;
@@ -20,13 +22,16 @@ mod simulated;
 mod whole_bytes;
 mod workshop;
 
+pub use assess::{Assessment, AssessmentOrder, DAYS, Glance, POSITION, VIEWS};
 pub use crew::{Crew, WorkerPort};
 pub use inline::InlineHost;
 pub use messages::{Reply, Request};
+pub use predict::PredictionOrder;
 pub use protocol::{
     Distinctness, FlightSource, Job, JobEvent, JobId, MapInfo, MapSource, MatchPictures, Opened,
     SimulationOptions,
 };
 pub use runner::JobRunner;
 pub use running::{Advance, RunningJob};
+pub use simulated::{scenario_route, scenario_wind};
 pub use workshop::Workshop;

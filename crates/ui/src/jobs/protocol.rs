@@ -5,10 +5,11 @@ use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::imagery::Window;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Run, StepReport};
+use pilotage_core::plan::Prediction;
 use pilotage_core::raster::{Gray, Raster, Rgba};
 use serde::{Deserialize, Serialize};
 
-use super::whole_bytes;
+use super::{Assessment, AssessmentOrder, PredictionOrder, whole_bytes};
 
 /// Number of a job, unique within a page.
 pub type JobId = u64;
@@ -107,6 +108,10 @@ pub enum Job {
         #[serde(with = "whole_bytes")]
         encoded: Vec<u8>,
     },
+    /// The uncertainty along a planned route: event `Prediction`.
+    Predict(Box<PredictionOrder>),
+    /// How well a landmark is found on other days: event `Assessment`.
+    Assess(Box<AssessmentOrder>),
 }
 
 /// What is known of a map.
@@ -219,6 +224,10 @@ pub enum JobEvent {
     Distinctness(Box<Distinctness>),
     /// Pictures that explain a match.
     Match(Box<MatchPictures>),
+    /// The uncertainty along a planned route.
+    Prediction(Box<Prediction>),
+    /// How well a landmark is found.
+    Assessment(Box<Assessment>),
     /// What provided files are.
     Opened(Box<Opened>),
     /// Done.

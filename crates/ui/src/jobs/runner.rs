@@ -82,8 +82,8 @@ fn urgency(job: &Job) -> u8 {
     match job {
         Job::Provide { .. } => 0,
         Job::DescribeMap(_) | Job::Open { .. } | Job::DecodePicture { .. } => 1,
-        Job::Distinctness { .. } | Job::ExplainMatch { .. } => 2,
-        Job::Tile { .. } => 3,
+        Job::Distinctness { .. } | Job::ExplainMatch { .. } | Job::Predict(_) => 2,
+        Job::Tile { .. } | Job::Assess(_) => 3,
         Job::Fly { .. } => 4,
     }
 }

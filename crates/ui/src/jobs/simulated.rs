@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
+use pilotage_core::frames::{Altitude, AltitudeFrame};
 use pilotage_core::imagery::CachedImagery;
+use pilotage_core::mission::{Mission, Route, WayPoint};
 use pilotage_core::simulate::scenery::Scenery;
 use pilotage_core::simulate::{FlightDay, Overrides, Scenario, Wind};
 
@@ -12,16 +14,46 @@ use super::flights::{KeptFrames, OpenFlight};
 /// Memory for tiles of the ground under a flight on the map's own day.
 const CACHE_MEGABYTES: usize = 96;
 
-/// Flies a scenario over `map`; pictures are taken when they are asked for.
-pub fn open(options: &SimulationOptions, map: &Scenery) -> Result<OpenFlight, String> {
-    let scenario = Scenario::named(&options.scenario).ok_or_else(|| {
+/// The scenario of these options.
+fn scenario(options: &SimulationOptions) -> Result<Scenario, String> {
+    Scenario::named(&options.scenario).ok_or_else(|| {
         let known: Vec<_> = Scenario::all().iter().map(|s| s.name).collect();
         format!(
             "there is no scenario “{}”; there are {}",
             options.scenario,
             known.join(", ")
         )
-    })?;
+    })
+}
+
+/// The route of a scenario, as people plan one.
+pub fn scenario_route(options: &SimulationOptions) -> Result<Route, String> {
+    let scenario = scenario(options)?;
+    let height = options.height.unwrap_or(scenario.height);
+    let altitude = Altitude::new(height, AltitudeFrame::AboveGround);
+    Ok(Route {
+        id: 1,
+        name: "Route of the flight".to_owned(),
+        way_points: scenario
+            .route
+            .iter()
+            .map(|place| WayPoint::new(*place, altitude))
+            .collect(),
+        ..Route::default()
+    })
+}
+
+/// The mean wind of a simulated flight.
+pub fn scenario_wind(options: &SimulationOptions) -> Wind {
+    let stated = options.wind.map(|(from, speed)| Wind { from, speed });
+    stated
+        .or_else(|| Some(scenario(options).ok()?.wind))
+        .unwrap_or_default()
+}
+
+/// Flies a scenario over `map`; pictures are taken when they are asked for.
+pub fn open(options: &SimulationOptions, map: &Scenery) -> Result<OpenFlight, String> {
+    let scenario = scenario(options)?;
     let day = if options.other_day {
         FlightDay::Other
     } else {
@@ -44,6 +76,9 @@ pub fn open(options: &SimulationOptions, map: &Scenery) -> Result<OpenFlight, St
     Ok(OpenFlight {
         frames: KeptFrames::rendered(&simulated.flight, Box::new(simulated.frames)),
         flight: Arc::new(simulated.flight),
-        mission: Some(scenario.mission_over(map)),
+        mission: Some(Mission {
+            routes: vec![scenario_route(options)?],
+            ..scenario.mission_over(map)
+        }),
     })
 }

@@ -6,10 +6,12 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use pilotage_core::imagery::Imagery;
+use pilotage_core::plan::{OtherDays, PictureDays, SceneryDays};
 use pilotage_core::raster::decode_picture;
 use pilotage_core::simulate::Scenario;
-use pilotage_core::simulate::scenery::Scenery;
+use pilotage_core::simulate::scenery::{DEMO_SEED, Scenery};
 
+use super::assess::Assess;
 use super::explain::match_pictures;
 use super::file_pool::FilePool;
 use super::flights::OpenFlight;
@@ -19,6 +21,9 @@ use super::{
     FlightSource, Job, JobEvent, MapInfo, MapSource, RunningJob, distinct, opening, simulated,
 };
 
+/// The same ground on several days.
+type Days = Vec<Arc<dyn Imagery>>;
+
 /// The store of a worker. Everything in it can be made anew from the files.
 #[derive(Default)]
 pub struct Workshop {
@@ -27,6 +32,8 @@ pub struct Workshop {
     maps: BTreeMap<Vec<u8>, Arc<dyn Imagery>>,
     flights: BTreeMap<Vec<u8>, Rc<RefCell<OpenFlight>>>,
     scenery: Option<Scenery>,
+    /// A map and how it looks on other days; of one map at a time.
+    days: Option<(Vec<u8>, Days)>,
 }
 
 impl Workshop {
@@ -73,6 +80,11 @@ impl Workshop {
                 emit(JobEvent::Distinctness(Box::new(found)));
                 Ok(())
             }),
+            Job::Predict(order) => once(move |_, emit| {
+                emit(JobEvent::Prediction(Box::new(order.predict()?)));
+                Ok(())
+            }),
+            Job::Assess(order) => Box::new(Assess::new(*order)),
             Job::ExplainMatch {
                 flight,
                 map,
@@ -99,6 +111,7 @@ impl Workshop {
     /// Keeps files under a key and forgets what was made of earlier ones.
     pub fn provide(&mut self, key: String, files: &[(String, Vec<u8>)]) {
         self.maps.remove(&cache_key(&MapSource::Files(key.clone())));
+        self.days = None;
         self.flights
             .remove(&cache_key(&FlightSource::Files(key.clone())));
         let pool = FilePool::new(files).map(Arc::new);
@@ -135,6 +148,26 @@ impl Workshop {
         };
         self.maps.insert(key, map.clone());
         Ok(map)
+    }
+
+    /// How a map looks on `count` other days, laid out once.
+    pub fn other_days(&mut self, source: &MapSource, count: usize) -> Result<Days, String> {
+        let key = cache_key(source);
+        if let Some((of, days)) = &self.days
+            && *of == key
+            && days.len() == count
+        {
+            return Ok(days.clone());
+        }
+        let others: Box<dyn OtherDays> = match source {
+            MapSource::Scenery => Box::new(SceneryDays { seed: DEMO_SEED }),
+            MapSource::Files(_) => Box::new(PictureDays {
+                map: self.map(source)?,
+            }),
+        };
+        let days: Vec<_> = (0..count as u64).map(|d| others.day(1 + d)).collect();
+        self.days = Some((key, days.clone()));
+        Ok(days)
     }
 
     /// The generated ground, laid out once; clones share it.

@@ -37,10 +37,23 @@ impl MapView {
                 if icon_button(ui, tokens, Icon::Minus, "Zoom out").clicked() {
                     self.camera.zoom(rect, 1.0 / 1.5, rect.center());
                 }
-                if icon_button(ui, tokens, Icon::Fit, "Show the whole flight").clicked() {
+                if icon_button(
+                    ui,
+                    tokens,
+                    Icon::Fit,
+                    if self.planning {
+                        "Show the whole plan"
+                    } else {
+                        "Show the whole flight"
+                    },
+                )
+                .clicked()
+                {
                     context.commands.push(Command::FitMap);
                 }
-                if icon_toggle(ui, tokens, Icon::Follow, "Follow the aircraft", self.follow)
+                if self.planning {
+                    // Nothing flies while people plan.
+                } else if icon_toggle(ui, tokens, Icon::Follow, "Follow the aircraft", self.follow)
                     .clicked()
                 {
                     context.commands.push(Command::ToggleFollow);
@@ -87,10 +100,12 @@ impl MapView {
 
     /// The legend at the bottom left.
     pub(super) fn legend(&mut self, ui: &mut Ui, rect: Rect, context: &ViewContext<'_>) {
+        let planning = self.planning;
         let present = |layer: Layer| match layer {
             Layer::Truth => context.flight.is_some_and(|f| f.truth.is_some()),
             Layer::Ghost => context.ghost.is_some(),
             Layer::Landmarks => !context.mission.landmarks.is_empty(),
+            Layer::Route | Layer::Corridor => planning && !context.mission.routes.is_empty(),
             _ => context.run.is_some(),
         };
         self.layers.fit_into(rect.size());

@@ -15,9 +15,13 @@ impl MapView {
         rect: Rect,
         response: &Response,
         context: &mut ViewContext<'_>,
+        busy: bool,
     ) {
         self.wheel(ui, rect, response);
         self.keyboard(ui, rect, response, context);
+        if busy {
+            return;
+        }
         if response.drag_started() {
             self.begin_drag(rect, ui, response, context);
         }

@@ -28,11 +28,15 @@ pub enum Layer {
     Landmarks,
     /// Lines to accepted matches.
     Matches,
+    /// Routes of the plan.
+    Route,
+    /// The corridor predicted along a route.
+    Corridor,
 }
 
 impl Layer {
     /// Every layer, in the order of the legend.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 11] = [
         Self::Truth,
         Self::Estimate,
         Self::Unaided,
@@ -42,6 +46,8 @@ impl Layer {
         Self::Footprint,
         Self::Landmarks,
         Self::Matches,
+        Self::Route,
+        Self::Corridor,
     ];
 
     /// Name in the legend.
@@ -56,6 +62,8 @@ impl Layer {
             Self::Footprint => "Camera footprint",
             Self::Landmarks => "Landmarks",
             Self::Matches => "Accepted matches",
+            Self::Route => "Routes",
+            Self::Corridor => "95 % corridor",
         }
     }
 
@@ -138,6 +146,24 @@ impl Layer {
             Self::Matches => {
                 line(left, right, tokens.observed, 1.5);
                 painter.circle_filled(left, 2.5, tokens.observed);
+            }
+            Self::Route => {
+                line(left, right, tokens.accent, 2.5);
+                let edge = Stroke::new(1.5, tokens.accent);
+                painter.circle(rect.center(), 4.0, tokens.surface, edge);
+            }
+            Self::Corridor => {
+                let split = rect.center().x + 2.0;
+                let kept = Rect::from_x_y_ranges(rect.left()..=split, rect.y_range());
+                painter.rect_filled(kept, 0.0, tokens.observed.gamma_multiply(0.35));
+                let over = Rect::from_x_y_ranges(split..=rect.right(), rect.y_range());
+                painter.rect_filled(over, 0.0, tokens.warning.gamma_multiply(0.35));
+                for y in [rect.top(), rect.bottom()] {
+                    line(pos2(rect.left(), y), pos2(split, y), tokens.observed, 1.25);
+                    let ends = [pos2(split, y), pos2(rect.right(), y)];
+                    let stroke = Stroke::new(1.5, tokens.warning);
+                    painter.extend(Shape::dashed_line(&ends, stroke, 4.0, 2.5));
+                }
             }
         }
     }

@@ -18,6 +18,7 @@ use super::tracks::{DrawnTrack, TrackStyle};
 use super::transform::{MapCamera, ScreenFromWorld};
 use crate::context::{Drawn, ViewContext};
 use crate::jobs::{Distinctness, MapInfo};
+use crate::plan::{PlanTool, Planner};
 
 /// What the map needs beside what every view is given.
 pub struct MapExtra<'a> {
@@ -29,10 +30,16 @@ pub struct MapExtra<'a> {
     pub ghost_generation: u64,
     /// How distinct the selected landmark is.
     pub distinctness: Option<&'a Distinctness>,
+    /// The plan, if that is what people work on.
+    pub plan: Option<&'a Planner>,
 }
 
 /// The map's own state: how it is looked at, its textures and thinned tracks.
 #[derive(Default)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a switch of its own on screen"
+)]
 pub struct MapView {
     /// How the user looks at the map.
     pub camera: MapCamera,
@@ -48,6 +55,10 @@ pub struct MapView {
     pub picking: bool,
     /// The landmark that is being named in place.
     pub naming: Option<u32>,
+    /// What the pointer does to routes.
+    pub plan_tool: PlanTool,
+    /// Whether the plan is shown.
+    pub(super) planning: bool,
     pub(super) drag: Drag,
     pub(super) name_draft: String,
     estimate: DrawnTrack,
@@ -112,7 +123,13 @@ impl MapView {
             self.fitted = Some((self.camera.center, self.camera.metres_per_point));
         }
         self.steer(step);
-        self.interact(ui, rect, &response, context);
+        self.planning = extra.plan.is_some();
+        let view = self.camera.screen_from_world(rect);
+        let tool = &mut self.plan_tool;
+        let busy = extra
+            .plan
+            .is_some_and(|plan| tool.interact(ui, &view, &response, plan, context));
+        self.interact(ui, rect, &response, context, busy);
         let view = self.camera.screen_from_world(rect);
         let painter = ui.painter_at(rect);
         painter.rect_filled(rect, 0.0, context.tokens.background);
@@ -120,7 +137,9 @@ impl MapView {
             self.tiles.paint(&painter, &view, rect, map);
         }
         self.paint_tracks(&painter, &view, rect, context, extra);
+        self.paint_plan(&painter, &view, context, extra, false);
         self.paint_now(&painter, &view, rect, context, extra, &response);
+        self.paint_plan(&painter, &view, context, extra, true);
         self.paint_drawing(&painter, &view, &response, context);
         self.paint_furniture(&painter, &view, rect, context, &response);
         let step = context.run.and_then(|r| r.step_at(context.time));
@@ -282,6 +301,26 @@ impl MapView {
             if spread > 2.0 {
                 paint_sigma(painter, view, sigma_points(step), tokens, 2.75);
             }
+        }
+    }
+
+    /// Draws the plan: the corridor below the landmarks, the routes above.
+    fn paint_plan(
+        &mut self,
+        painter: &egui::Painter,
+        view: &ScreenFromWorld,
+        context: &ViewContext<'_>,
+        extra: &MapExtra<'_>,
+        above: bool,
+    ) {
+        let Some(plan) = extra.plan else { return };
+        let tokens = context.tokens;
+        let shows = |layer| self.layers.shows(layer);
+        if above && shows(Layer::Route) {
+            let tool = &self.plan_tool;
+            plan.paint_routes(painter, view, context.mission, tool, tokens);
+        } else if !above && shows(Layer::Corridor) {
+            plan.paint_corridor(painter, view, tokens);
         }
     }
 

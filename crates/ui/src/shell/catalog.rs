@@ -4,6 +4,7 @@
 use egui::{Key, KeyboardShortcut, Modifiers};
 
 use crate::command::{Command, Workspace};
+use crate::plan::PlanCommand;
 
 /// Where a command stands in the help sheet and the palette.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,13 +15,21 @@ pub enum Group {
     View,
     /// Landmarks and undo.
     Edit,
+    /// Routes and what is predicted of them.
+    Plan,
     /// Flights, files, settings.
     Document,
 }
 
 impl Group {
     /// Every group, in reading order.
-    pub const ALL: [Self; 4] = [Self::Playback, Self::View, Self::Edit, Self::Document];
+    pub const ALL: [Self; 5] = [
+        Self::Playback,
+        Self::View,
+        Self::Edit,
+        Self::Plan,
+        Self::Document,
+    ];
 
     /// Name for people.
     pub fn label(self) -> &'static str {
@@ -28,6 +37,7 @@ impl Group {
             Self::Playback => "Playback",
             Self::View => "Map and panels",
             Self::Edit => "Landmarks",
+            Self::Plan => "Plan",
             Self::Document => "Flight and files",
         }
     }
@@ -107,6 +117,7 @@ pub fn catalog() -> Vec<Entry> {
     let mut entries = playback();
     entries.extend(view());
     entries.extend(edit());
+    entries.extend(plan());
     entries.extend(document());
     entries
 }
@@ -228,10 +239,14 @@ fn view() -> Vec<Entry> {
         ),
         of(
             "Show Replay",
-            vec![],
+            vec![shift(Key::R)],
             Command::ShowWorkspace(Workspace::Replay),
         ),
-        of("Show Plan", vec![], Command::ShowWorkspace(Workspace::Plan)),
+        of(
+            "Show Plan",
+            vec![shift(Key::P)],
+            Command::ShowWorkspace(Workspace::Plan),
+        ),
         of(
             "Show how a landmark was matched",
             vec![],
@@ -279,6 +294,61 @@ fn edit() -> Vec<Entry> {
             "Fly again over these landmarks",
             vec![plain(Key::R)],
             Command::FlyAgain,
+        ),
+    ]
+}
+
+fn plan() -> Vec<Entry> {
+    let of =
+        |label, shortcuts, command| entry(Group::Plan, label, shortcuts, Command::Plan(command));
+    vec![
+        of(
+            "Draw a route, or finish it",
+            vec![plain(Key::W)],
+            PlanCommand::ToggleDraw,
+        ),
+        of(
+            "Way-point in the middle of the map",
+            vec![plain(Key::I)],
+            PlanCommand::AddWayPoint(None),
+        ),
+        of(
+            "Fly the route the other way",
+            vec![plain(Key::X)],
+            PlanCommand::Reverse,
+        ),
+        of(
+            "Split the route at the way-point",
+            vec![plain(Key::C)],
+            PlanCommand::Split,
+        ),
+        of(
+            "Delete the way-point",
+            vec![],
+            PlanCommand::DeleteWayPoint(None),
+        ),
+        of("Duplicate the route", vec![], PlanCommand::DuplicateRoute),
+        of("Delete the route", vec![], PlanCommand::DeleteRoute),
+        of(
+            "Plan the route of the demo",
+            vec![],
+            PlanCommand::TakeFlightRoute,
+        ),
+        of(
+            "Measure how well the landmark is found",
+            vec![plain(Key::D)],
+            PlanCommand::AssessSelected,
+        ),
+        of(
+            "Measure all landmarks",
+            vec![shift(Key::D)],
+            PlanCommand::AssessAll,
+        ),
+        of("Stop measuring", vec![], PlanCommand::StopAssessing),
+        of(
+            "Duplicate the landmark",
+            vec![control(Key::D)],
+            PlanCommand::DuplicateLandmark,
         ),
     ]
 }

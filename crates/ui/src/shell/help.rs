@@ -27,7 +27,7 @@ pub fn help_sheet(context: &Context, tokens: &Tokens) -> bool {
                     if wide {
                         ui.columns(2, |columns| {
                             group_ui(&mut columns[0], tokens, Group::Playback);
-                            for group in [Group::View, Group::Edit, Group::Document] {
+                            for group in [Group::View, Group::Edit, Group::Plan, Group::Document] {
                                 group_ui(&mut columns[1], tokens, group);
                             }
                         });

@@ -89,7 +89,8 @@ impl LandmarkList {
         }
     }
 
-    fn selected(
+    /// Draws what is known of the selected landmark.
+    pub(crate) fn selected(
         &mut self,
         ui: &mut Ui,
         landmark: &Landmark,
@@ -194,7 +195,12 @@ fn row(
 }
 
 /// Arrows move the box by a metre, Shift with arrows resizes it, Delete deletes it.
-fn keyboard(ui: &Ui, widget: egui::Id, landmark: &Landmark, commands: &mut Vec<Command>) {
+pub(crate) fn keyboard(
+    ui: &Ui,
+    widget: egui::Id,
+    landmark: &Landmark,
+    commands: &mut Vec<Command>,
+) {
     ui.memory_mut(|m| {
         m.set_focus_lock_filter(
             widget,

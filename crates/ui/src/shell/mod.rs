@@ -14,6 +14,7 @@ mod widgets;
 
 pub use fonts::fonts;
 pub use help::help_sheet;
+pub(crate) use landmark_list::keyboard as landmark_keyboard;
 pub use landmark_list::{Examined, LandmarkList};
 pub use palette::Palette;
 pub use theme::apply_theme;

@@ -4,7 +4,7 @@ mod camera;
 #[cfg(test)]
 #[path = "tests/canvas.rs"]
 mod canvas;
-mod chart;
+pub(crate) mod chart;
 mod color_map;
 mod ellipse;
 #[cfg(test)]

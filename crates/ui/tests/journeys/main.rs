@@ -12,6 +12,7 @@ mod lost_worker;
 mod names;
 mod palette;
 mod pictures;
+mod plan;
 mod reload;
 mod reopen;
 mod save;

@@ -53,3 +53,17 @@ fn every_widget_has_a_name_for_screen_readers() {
         everything_is_named(&rig, workspace);
     }
 }
+
+#[test]
+fn every_widget_of_a_plan_has_a_name() {
+    let mut rig = rig();
+    rig.open_tab("Plan");
+    everything_is_named(&rig, "no route");
+    rig.key(Key::I);
+    rig.key(Key::I);
+    everything_is_named(&rig, "a selected way-point");
+    rig.open_tab("Landmarks");
+    rig.harness.get_by_label("Barn").click();
+    rig.settle();
+    everything_is_named(&rig, "a landmark of a plan");
+}

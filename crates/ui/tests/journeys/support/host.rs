@@ -3,9 +3,12 @@
 use std::collections::HashMap;
 
 use pilotage_core::frames::{GroundPoint, GroundRect};
+use pilotage_core::plan::ExpectedDetection;
 use pilotage_core::raster::Raster;
 use pilotage_ui::host::{Host, OpenedFile};
-use pilotage_ui::jobs::{Distinctness, Job, JobEvent, JobId, MapInfo, Opened};
+use pilotage_ui::jobs::{
+    Assessment, AssessmentOrder, Distinctness, Glance, Job, JobEvent, JobId, MapInfo, Opened,
+};
 
 use super::flight::{flight, mission, run, run_head};
 
@@ -122,9 +125,43 @@ impl ScriptedHost {
                     say(JobEvent::Failed(why));
                 }
             }
+            Job::Predict(order) => match order.predict() {
+                Ok(prediction) => {
+                    say(JobEvent::Prediction(Box::new(prediction)));
+                    say(JobEvent::Finished);
+                }
+                Err(why) => say(JobEvent::Failed(why)),
+            },
+            Job::Assess(order) => {
+                say(JobEvent::Progress(0.5, "View 16 of 32".into()));
+                say(JobEvent::Assessment(Box::new(assessment(order))));
+                say(JobEvent::Finished);
+            }
             Job::ExplainMatch { .. } | Job::DecodePicture { .. } => say(JobEvent::Finished),
             Job::Provide { .. } | Job::Fly { .. } => {}
         }
+    }
+}
+
+/// A landmark that is found in every other view.
+fn assessment(order: &AssessmentOrder) -> Assessment {
+    let glance = |i: u32| Glance {
+        heading: f64::from(i),
+        off_centre: 10.0 * f64::from(i),
+        day: i as usize % 4,
+        found: i.is_multiple_of(2),
+        wrong: i == 7,
+    };
+    Assessment {
+        landmark: order.landmark.clone(),
+        height: order.height,
+        expected: ExpectedDetection {
+            recognised: 0.9,
+            per_frame: 0.5,
+            covariance: nalgebra::Matrix4::identity() * 0.04,
+        },
+        false_matches: 1.0 / 32.0,
+        views: (0..32).map(glance).collect(),
     }
 }
 

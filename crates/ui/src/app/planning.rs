@@ -1,0 +1,392 @@
+//! The Plan workspace: its commands carried out, its jobs, and what journeys read of it.
+
+use pilotage_core::frames::GroundPoint;
+use pilotage_core::mission::Route;
+use serde_json::{Value, json};
+
+use super::App;
+use crate::command::{Command, Workspace};
+use crate::host::Host;
+use crate::jobs::{AssessmentOrder, FlightSource, JobEvent, JobId, scenario_route};
+use crate::plan::routes::{Step, like};
+use crate::plan::{Outlook, PlanCommand, planner as planning};
+
+impl App {
+    /// Whether the Plan workspace is open.
+    pub(super) fn planning(&self) -> bool {
+        self.view.workspace == Workspace::Plan
+    }
+
+    /// Opens a workspace; Plan stands still and shows all of the plan.
+    pub(super) fn show_workspace(&mut self, workspace: Workspace) {
+        self.view.workspace = workspace;
+        if self.planning() {
+            self.playback.playing = false;
+        } else {
+            self.views.planner.drawing = false;
+        }
+    }
+
+    /// Carries a command out.
+    pub(super) fn plan(&mut self, command: PlanCommand, now: f64) {
+        if !self.planning() {
+            self.show_workspace(Workspace::Plan);
+        }
+        match command {
+            PlanCommand::ToggleDraw if self.views.planner.drawing => self.finish_drawing(),
+            PlanCommand::ToggleDraw => {
+                let planner = &mut self.views.planner;
+                planner.drawing = true;
+                planner.route = None;
+                planner.way_point = None;
+                self.views.map.picking = false;
+                self.selection = None;
+            }
+            PlanCommand::FinishDraw => self.finish_drawing(),
+            PlanCommand::TakeFlightRoute => self.take_flight_route(now),
+            PlanCommand::SelectRoute(id) => {
+                self.views.planner.route = Some(id);
+                self.views.planner.way_point = None;
+            }
+            PlanCommand::SelectWayPoint(which) => {
+                self.views.planner.way_point = which;
+                if which.is_some() {
+                    self.selection = None;
+                }
+            }
+            PlanCommand::SetLimit(limit) => self.views.planner.preferences.limit = limit,
+            PlanCommand::SetWind(wind) => self.views.planner.preferences.wind = wind,
+            PlanCommand::Assess(_)
+            | PlanCommand::AssessSelected
+            | PlanCommand::AssessAll
+            | PlanCommand::StopAssessing => self.assess(&command),
+            PlanCommand::DuplicateLandmark => {
+                let id = self
+                    .selection
+                    .and_then(|id| self.documents.mission.landmark(id));
+                if let Some(landmark) = id.cloned() {
+                    self.selection = Some(self.documents.duplicate_landmark(&landmark));
+                    self.examine_soon(now);
+                    self.run_is_stale(now);
+                }
+            }
+            other => {
+                self.desk.document_changed = true;
+                self.edit_route(other);
+            }
+        }
+    }
+
+    fn finish_drawing(&mut self) {
+        let planner = &mut self.views.planner;
+        planner.drawing = false;
+        let short = planner.selected(&self.documents.mission);
+        let short = short.filter(|r| r.way_points.len() < 2).map(|r| r.id);
+        if let Some(id) = short {
+            self.documents.delete_route(id);
+        }
+    }
+
+    fn take_flight_route(&mut self, now: f64) {
+        let FlightSource::Simulated(options) = &self.documents.flight_source else {
+            let text = "Draw a route instead: click on the map where it begins.";
+            self.toasts
+                .note(now, "A recorded flight has no planned route", text);
+            return;
+        };
+        if let Ok(route) = scenario_route(options) {
+            let id = self
+                .documents
+                .add_route(Some(&route.name), route.way_points);
+            self.views.planner.route = Some(id);
+            self.views.planner.fitted = false;
+            self.desk.document_changed = true;
+        }
+    }
+
+    fn edit_route(&mut self, command: PlanCommand) {
+        let Self {
+            documents, views, ..
+        } = self;
+        let planner = &mut views.planner;
+        if let PlanCommand::AddWayPoint(at) = &command {
+            let at = at.unwrap_or(views.map.camera.center);
+            let usual = planning::usual_altitude(documents);
+            if let Some(id) = planner.route {
+                documents.edit_route(id, Step::Whole, |route| {
+                    let new = like(route.way_points.last(), at, usual);
+                    route.way_points.push(new);
+                });
+            } else {
+                planner.route = Some(documents.add_route(None, vec![like(None, at, usual)]));
+                planner.drawing = true;
+            }
+            return;
+        }
+        let Some(id) = planner.route else { return };
+        match command {
+            PlanCommand::DeleteRoute => {
+                documents.delete_route(id);
+                planner.drawing = false;
+            }
+            PlanCommand::Split => {
+                let at = planner.way_point;
+                if at
+                    .and_then(|index| documents.split_route(id, index))
+                    .is_some()
+                {
+                    planner.way_point = None;
+                }
+            }
+            PlanCommand::DuplicateRoute => {
+                if let Some(route) = planner.selected(&documents.mission).cloned() {
+                    let name = format!("{}, copy", route.name);
+                    planner.route = Some(documents.add_route(Some(&name), route.way_points));
+                }
+            }
+            PlanCommand::InsertWayPoint { behind, .. } => {
+                documents.edit_route(id, step_of(&command), |r| change(r, &command));
+                planner.way_point = Some(behind + 1);
+            }
+            PlanCommand::DeleteWayPoint(which) => {
+                let which = which.or(planner.way_point);
+                let count = planner
+                    .selected(&documents.mission)
+                    .map_or(0, |r| r.way_points.len());
+                if count <= 1 {
+                    documents.delete_route(id);
+                    return;
+                }
+                let command = PlanCommand::DeleteWayPoint(which);
+                documents.edit_route(id, Step::Whole, |r| change(r, &command));
+                planner.way_point = None;
+            }
+            other => documents.edit_route(id, step_of(&other), |r| change(r, &other)),
+        }
+    }
+
+    fn assess(&mut self, command: &PlanCommand) {
+        let ids: Vec<u32> = match command {
+            PlanCommand::Assess(ids) => ids.clone(),
+            PlanCommand::AssessSelected => self.selection.into_iter().collect(),
+            PlanCommand::AssessAll => {
+                let landmarks = self.documents.mission.landmarks.iter();
+                landmarks.filter(|l| l.enabled).map(|l| l.id).collect()
+            }
+            _ => {
+                self.views.planner.assessments.wants_stop = true;
+                return;
+            }
+        };
+        let documents = &self.documents;
+        let planner = &mut self.views.planner;
+        let height = planner.selected(&documents.mission).map_or_else(
+            || planning::usual_altitude(documents).metres,
+            |route| planning::height(route, &documents.mission, documents),
+        );
+        let landmarks = ids.iter().filter_map(|id| documents.mission.landmark(*id));
+        let orders = landmarks.map(|landmark| AssessmentOrder {
+            map: documents.map_source.clone(),
+            landmark: landmark.clone(),
+            camera: planning::camera(documents),
+            height,
+            navigator: documents.mission.navigator.clone(),
+            ground_down: planning::ground_down(documents),
+        });
+        planner.assessments.ask(orders.collect());
+    }
+
+    /// Takes what a worker says about the plan; false if it is about something else.
+    pub(super) fn plan_event(&mut self, id: JobId, event: &JobEvent, now: f64) -> bool {
+        let planner = &mut self.views.planner;
+        planner.forecast.receive(id, event, now)
+            || planner
+                .assessments
+                .receive(id, event, &self.documents.mission.landmarks)
+    }
+
+    /// Asks the workers for what the plan is missing.
+    pub(super) fn work_on_plan(&mut self, context: &egui::Context, host: &mut dyn Host) {
+        let planner = &mut self.views.planner;
+        planner.settle(&self.documents.mission);
+        planner.assessments.work(host, &self.documents.map_source);
+        if self.view.workspace != Workspace::Plan {
+            return;
+        }
+        if !planner.fitted
+            && let Some(ground) = planning::plan_ground(&self.documents.mission)
+        {
+            planner.fitted = true;
+            self.views.map.fit(ground);
+        }
+        let order = planner.order(&self.documents);
+        let limit = planner.preferences.limit;
+        if planner.forecast.work(order, limit, host) {
+            context.request_repaint_after(std::time::Duration::from_millis(60));
+        }
+    }
+
+    /// The plan for journeys.
+    pub(super) fn plan_json(&self) -> Value {
+        let planner = &self.views.planner;
+        let mission = &self.documents.mission;
+        let view = self.views.map.screen_from_world();
+        let way_point = |w: &pilotage_core::mission::WayPoint| {
+            let screen = view.map(|v| v.apply(&w.position));
+            json!({
+                "north": w.position.north,
+                "east": w.position.east,
+                "altitude": w.altitude.metres,
+                "frame": w.altitude.frame.name(),
+                "speed": w.speed,
+                "screen": screen.map(|p| [p.x, p.y]),
+            })
+        };
+        let routes: Vec<Value> = mission
+            .routes
+            .iter()
+            .map(|r| {
+                json!({
+                    "id": r.id,
+                    "name": r.name,
+                    "length": r.length(),
+                    "way_points": r.way_points.iter().map(way_point).collect::<Vec<_>>(),
+                })
+            })
+            .collect();
+        let shown = planner.forecast.shown();
+        let outlook = shown.and_then(|s| Outlook::of(&s.prediction));
+        let mean = shown.map(|s| {
+            let samples = &s.prediction.samples;
+            let across: f64 = samples.iter().map(|s| s.corridor.across).sum();
+            across / samples.len().max(1) as f64
+        });
+        let measured: Vec<Value> = mission
+            .landmarks
+            .iter()
+            .filter_map(|l| Some((l, planner.assessments.of(l)?)))
+            .map(|(l, m)| {
+                json!({
+                    "id": l.id,
+                    "probability": m.last.expected.probability(),
+                    "false_matches": m.last.false_matches,
+                    "views": m.last.views.len(),
+                })
+            })
+            .collect();
+        json!({"plan": {
+            "routes": routes,
+            "route": planner.route,
+            "way_point": planner.way_point,
+            "drawing": planner.drawing,
+            "limit": planner.preferences.limit,
+            "chart": planner.chart_rect().map(|r| [r.left(), r.top(), r.right(), r.bottom()]),
+            "tab": format!("{:?}", planner.tab),
+            "prediction": outlook.map(|o| json!({
+                "fine": planner.forecast.is_fine(),
+                "worlds": shown.map(|s| s.order.worlds),
+                "took": shown.map(|s| s.took),
+                "coarse_took": planner.forecast.coarse_took(),
+                "landmarks": shown.map(|s| s.order.landmarks.len()),
+                "worst_sigma": o.sigma,
+                "widest": o.across,
+                "mean_width": mean,
+                "dead_reckoning": o.dead_reckoning,
+                "stretches": o.stretches,
+                "over": o.over,
+                "length": o.length,
+            })),
+            "trouble": planner.forecast.trouble(),
+            "measured": measured,
+            "measuring": planner.assessments.under_way().map(|(id, fraction, words)| {
+                json!({"id": id, "progress": fraction, "words": words})
+            }),
+        }})
+    }
+
+    /// The plan in a sentence or two.
+    pub(super) fn plan_text(&self) -> String {
+        let planner = &self.views.planner;
+        let Some(route) = planner.selected(&self.documents.mission) else {
+            return "No route yet.".to_owned();
+        };
+        let mut parts = vec![format!(
+            "{}: {} way-points.",
+            route.name,
+            route.way_points.len()
+        )];
+        let shown = planner.forecast.shown();
+        if let Some(outlook) = shown.and_then(|s| Outlook::of(&s.prediction)) {
+            let landmarks = &self.documents.mission.landmarks;
+            let limit = planner.preferences.limit;
+            parts.extend(outlook.sentences(limit, landmarks, self.view.units));
+        }
+        parts.join(" ")
+    }
+
+    /// Whether a command is about the flight that Plan does not show.
+    pub(super) fn is_out_of_place(&self, command: &Command) -> bool {
+        self.planning()
+            && matches!(
+                command,
+                Command::TogglePlay
+                    | Command::StepFrames(_)
+                    | Command::Jump(_)
+                    | Command::GoToStart
+                    | Command::GoToEnd
+            )
+    }
+}
+
+fn step_of(command: &PlanCommand) -> Step {
+    match command {
+        PlanCommand::InsertWayPoint { finished, .. }
+        | PlanCommand::MoveWayPoint { finished, .. }
+        | PlanCommand::SetAltitude { finished, .. }
+        | PlanCommand::SetSpeed { finished, .. } => Step::of(*finished),
+        _ => Step::Whole,
+    }
+}
+
+/// Does to a route what a command says.
+fn change(route: &mut Route, command: &PlanCommand) {
+    match command {
+        PlanCommand::MoveWayPoint { index, to, .. } => {
+            if let Some(way_point) = route.way_points.get_mut(*index) {
+                way_point.position = *to;
+            }
+        }
+        PlanCommand::InsertWayPoint { behind, at, .. } => insert(route, *behind, *at),
+        PlanCommand::DeleteWayPoint(Some(index)) if *index < route.way_points.len() => {
+            route.way_points.remove(*index);
+        }
+        PlanCommand::SetAltitude {
+            index, altitude, ..
+        } => {
+            for (at, way_point) in route.way_points.iter_mut().enumerate() {
+                if index.is_none_or(|index| index == at) {
+                    way_point.altitude = *altitude;
+                }
+            }
+        }
+        PlanCommand::SetSpeed { index, speed, .. } => {
+            if let Some(way_point) = route.way_points.get_mut(*index) {
+                way_point.speed = *speed;
+            }
+        }
+        PlanCommand::Reverse => *route = route.reversed(),
+        PlanCommand::RenameRoute(name) => route.name.clone_from(name),
+        _ => {}
+    }
+}
+
+fn insert(route: &mut Route, behind: usize, at: GroundPoint) {
+    // Both parts of the leg keep its speed.
+    let after = route.way_points.get(behind + 1).and_then(|w| w.speed);
+    let Some(before) = route.way_points.get(behind) else {
+        return;
+    };
+    let mut new = like(Some(before), at, before.altitude);
+    new.speed = after;
+    route.way_points.insert(behind + 1, new);
+}

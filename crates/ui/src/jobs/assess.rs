@@ -1,0 +1,176 @@
+//! How well a landmark is found on other days, a view after the other.
+
+use std::sync::Arc;
+
+use pilotage_core::camera::CameraModel;
+use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::landmark::Landmark;
+use pilotage_core::navigator::NavigatorSettings;
+use pilotage_core::plan::{Assessor, Circumstances, ExpectedDetection};
+use serde::{Deserialize, Serialize};
+
+use super::running::SLICE;
+use super::{Advance, JobEvent, MapSource, RunningJob, Workshop};
+
+/// Other days that are tried.
+pub const DAYS: usize = 4;
+/// Views in all.
+pub const VIEWS: usize = 32;
+/// Standard deviation of the filter's position that is assumed, per axis, metres.
+pub const POSITION: f64 = 4.0;
+const SEED: u64 = 11;
+const CACHE_MEGABYTES: usize = 48;
+
+/// Which landmark to measure, and how it will be looked for.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct AssessmentOrder {
+    /// The map.
+    pub map: MapSource,
+    /// The landmark.
+    pub landmark: Landmark,
+    /// The camera.
+    pub camera: CameraModel,
+    /// Height of the camera above ground, metres.
+    pub height: f64,
+    /// How it will be navigated.
+    pub navigator: NavigatorSettings,
+    /// Down coordinate of the ground plane, metres.
+    pub ground_down: f64,
+}
+
+/// One look at a landmark.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Glance {
+    /// Heading of the camera, radians.
+    pub heading: f64,
+    /// Distance from the middle of the picture, pixels.
+    pub off_centre: f64,
+    /// Which of the days it was on.
+    pub day: usize,
+    /// Whether it was accepted and right.
+    pub found: bool,
+    /// Whether a wrong place was accepted.
+    pub wrong: bool,
+}
+
+/// How well a landmark is found.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Assessment {
+    /// The landmark as it was measured.
+    pub landmark: Landmark,
+    /// Height above ground, metres.
+    pub height: f64,
+    /// What is to be expected.
+    pub expected: ExpectedDetection,
+    /// Share of the views in which a wrong place was accepted.
+    pub false_matches: f64,
+    /// Every view.
+    pub views: Vec<Glance>,
+}
+
+/// A landmark being measured.
+pub struct Assess {
+    order: AssessmentOrder,
+    assessor: Option<Assessor>,
+}
+
+impl Assess {
+    /// Nothing looked at yet.
+    pub fn new(order: AssessmentOrder) -> Self {
+        Self {
+            order,
+            assessor: None,
+        }
+    }
+
+    fn begin(&self, workshop: &mut Workshop) -> Result<Assessor, String> {
+        let order = &self.order;
+        let days = workshop.other_days(&order.map, DAYS)?;
+        let map = workshop.map(&order.map)?;
+        let map: Arc<dyn Imagery> = Arc::new(CachedImagery::new(map, CACHE_MEGABYTES));
+        let circumstances = Circumstances {
+            camera: order.camera.clone(),
+            height: order.height,
+            position: POSITION,
+            sensors: order.navigator.sensors,
+            detector: order.navigator.detector,
+            ground_down: order.ground_down,
+        };
+        Ok(Assessor::over(
+            &order.landmark,
+            map,
+            &days,
+            circumstances,
+            SEED,
+        ))
+    }
+
+    fn look(
+        &mut self,
+        workshop: &mut Workshop,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Result<Advance, String> {
+        if self.assessor.is_none() {
+            let words = "Laying out the ground of other days".to_owned();
+            emit(JobEvent::Progress(0.0, words));
+            self.assessor = Some(self.begin(workshop)?);
+            return Ok(Advance::More);
+        }
+        let Some(assessor) = &mut self.assessor else {
+            return Ok(Advance::Done);
+        };
+        let begun = clock();
+        while assessor.views().len() < VIEWS {
+            let fits = assessor.look().is_some();
+            if !fits {
+                return Err(format!(
+                    "{} does not fit into a picture from {:.0} m; make its box smaller or fly higher",
+                    self.order.landmark.name, self.order.height
+                ));
+            }
+            if clock() - begun > SLICE {
+                break;
+            }
+        }
+        let done = assessor.views().len();
+        emit(JobEvent::Progress(
+            done as f32 / VIEWS as f32,
+            format!("View {done} of {VIEWS}"),
+        ));
+        if done < VIEWS {
+            return Ok(Advance::More);
+        }
+        let expected = assessor.expected().ok_or("there was nothing to look at")?;
+        let glance = |view: &pilotage_core::plan::View| Glance {
+            heading: view.heading,
+            off_centre: view.off_centre,
+            day: view.day,
+            found: view.found(),
+            wrong: view.wrong,
+        };
+        emit(JobEvent::Assessment(Box::new(Assessment {
+            landmark: self.order.landmark.clone(),
+            height: self.order.height,
+            expected,
+            false_matches: assessor.false_matches(),
+            views: assessor.views().iter().map(glance).collect(),
+        })));
+        emit(JobEvent::Finished);
+        Ok(Advance::Done)
+    }
+}
+
+impl RunningJob for Assess {
+    fn advance(
+        &mut self,
+        workshop: &mut Workshop,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Advance {
+        self.look(workshop, clock, emit).unwrap_or_else(|why| {
+            emit(JobEvent::Failed(why));
+            Advance::Done
+        })
+    }
+}

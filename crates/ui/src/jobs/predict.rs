@@ -1,0 +1,79 @@
+//! The uncertainty along a planned route, as a job.
+
+use pilotage_core::camera::CameraModel;
+use pilotage_core::frames::{GroundPoint, LocalFrame};
+use pilotage_core::landmark::Landmark;
+use pilotage_core::navigator::NavigatorSettings;
+use pilotage_core::plan::{DetectionStatistics, PlannedLandmark, Prediction, PredictionRequest};
+use pilotage_core::simulate::{Airframe, FlightPlan, SensorSpec, Wind, world_origin};
+use serde::{Deserialize, Serialize};
+
+/// Seed of the worlds: the same plan always has the same prediction.
+const SEED: u64 = 1;
+/// Time beyond that of the way itself before a flight that does not get on is broken off, seconds.
+const PATIENCE: f64 = 120.0;
+
+/// What to predict.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PredictionOrder {
+    /// Way-points over the ground.
+    pub way_points: Vec<GroundPoint>,
+    /// Height above ground, metres.
+    pub height: f64,
+    /// Airspeed, m/s; the aircraft's cruise if `None`.
+    pub airspeed: Option<f64>,
+    /// Mean wind.
+    pub wind: Wind,
+    /// The camera.
+    pub camera: CameraModel,
+    /// Down coordinate of the ground plane, metres.
+    pub ground_down: f64,
+    /// How it will be navigated.
+    pub navigator: NavigatorSettings,
+    /// The landmarks that are switched on, and what is expected of them.
+    pub landmarks: Vec<(Landmark, DetectionStatistics)>,
+    /// Worlds to try: 8 are coarse, 100 are fine.
+    pub worlds: usize,
+}
+
+impl PredictionOrder {
+    /// Predicts. Stretches over a limit are not marked yet.
+    pub fn predict(&self) -> Result<Prediction, String> {
+        let mut airframe = Airframe::sig_kadet_senior();
+        airframe.cruise = self.airspeed.unwrap_or(airframe.cruise);
+        let length: f64 = self
+            .way_points
+            .windows(2)
+            .map(|pair| pair[0].distance(&pair[1]))
+            .sum();
+        let plan = FlightPlan {
+            name: String::new(),
+            way_points: self.way_points.clone(),
+            height: self.height,
+            wind: self.wind.velocity(),
+            longest: PATIENCE + 4.0 * length / airframe.cruise.max(1.0),
+            airframe,
+            sensors: SensorSpec::default(),
+            camera: self.camera.clone(),
+            frame_on_globe: LocalFrame::new(world_origin()),
+            ground_down: self.ground_down,
+        };
+        let landmarks: Vec<PlannedLandmark> = self
+            .landmarks
+            .iter()
+            .map(|(landmark, detection)| PlannedLandmark {
+                landmark: landmark.clone(),
+                detection: detection.clone(),
+            })
+            .collect();
+        let request = PredictionRequest {
+            plan: &plan,
+            settings: &self.navigator,
+            landmarks: &landmarks,
+            worlds: self.worlds,
+            seed: SEED,
+            limit: f64::INFINITY,
+        };
+        request.predict().map_err(|error| error.to_string())
+    }
+}

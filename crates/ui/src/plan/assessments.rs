@@ -1,0 +1,184 @@
+//! How well landmarks are found: measured where that was done, assumed elsewhere.
+
+use std::collections::{HashMap, VecDeque};
+
+use nalgebra::{Matrix4, Vector4};
+use pilotage_core::landmark::Landmark;
+use pilotage_core::plan::{DetectionStatistics, ExpectedDetection};
+
+use crate::host::Host;
+use crate::jobs::{Assessment, AssessmentOrder, Job, JobEvent, JobId, MapSource};
+
+/// Probability that is assumed of a landmark to be recognised on the day of the flight.
+pub const ASSUMED_RECOGNISED: f64 = 0.9;
+/// Probability that is assumed of it to be accepted in a frame, if it can be recognised.
+pub const ASSUMED_PER_FRAME: f64 = 0.8;
+
+/// What is assumed of a landmark that was not measured.
+pub fn assumed() -> ExpectedDetection {
+    let spread = Vector4::new(0.15, 0.15, 0.005, 0.005);
+    ExpectedDetection {
+        recognised: ASSUMED_RECOGNISED,
+        per_frame: ASSUMED_PER_FRAME,
+        covariance: Matrix4::from_diagonal(&spread.map(|sd: f64| sd * sd)),
+    }
+}
+
+/// What was measured of a landmark.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measured {
+    /// The last measurement.
+    pub last: Assessment,
+    /// By height.
+    pub statistics: DetectionStatistics,
+}
+
+/// Landmark ids being measured, and what came of it.
+#[derive(Debug, Default)]
+pub struct Assessments {
+    measured: HashMap<u32, Measured>,
+    /// Why a landmark could not be measured.
+    failed: HashMap<u32, (Landmark, String)>,
+    waiting: VecDeque<AssessmentOrder>,
+    asked: Option<(JobId, u32)>,
+    /// How far the one under way is, 0 to 1, and in words.
+    progress: (f32, String),
+    /// How many were asked for in one go.
+    batch: usize,
+    /// The map that all of it is about.
+    map: Option<MapSource>,
+    /// Whether to stop as soon as a host is at hand.
+    pub wants_stop: bool,
+}
+
+/// The same patch, looked at in the same way.
+fn same(a: &Landmark, b: &Landmark) -> bool {
+    (a.bounds, a.reference, a.height) == (b.bounds, b.reference, b.height)
+}
+
+impl Assessments {
+    /// What was measured of a landmark, while its box is still the same.
+    pub fn of(&self, landmark: &Landmark) -> Option<&Measured> {
+        let known = self.measured.get(&landmark.id);
+        known.filter(|m| same(&m.last.landmark, landmark))
+    }
+
+    /// Why it could not be measured.
+    pub fn trouble(&self, landmark: &Landmark) -> Option<&str> {
+        let known = self.failed.get(&landmark.id);
+        known
+            .filter(|(of, _)| same(of, landmark))
+            .map(|(_, why)| why.as_str())
+    }
+
+    /// What is expected of a landmark: measured, or assumed.
+    pub fn expected(&self, landmark: &Landmark) -> DetectionStatistics {
+        self.of(landmark).map_or_else(
+            || DetectionStatistics::everywhere(assumed()),
+            |m| m.statistics.clone(),
+        )
+    }
+
+    /// The landmark being measured, and how far that is.
+    pub fn under_way(&self) -> Option<(u32, f32, &str)> {
+        let (_, landmark) = self.asked?;
+        Some((landmark, self.progress.0, self.progress.1.as_str()))
+    }
+
+    /// How many of how many are done, while several are measured.
+    pub fn batch(&self) -> Option<(usize, usize)> {
+        let left = self.waiting.len() + usize::from(self.asked.is_some());
+        (left > 0).then(|| (self.batch.saturating_sub(left), self.batch))
+    }
+
+    /// How many landmarks were measured and still are as they were.
+    pub fn count(&self, landmarks: &[Landmark]) -> usize {
+        landmarks.iter().filter(|l| self.of(l).is_some()).count()
+    }
+
+    /// Measures these, after those already asked for.
+    pub fn ask(&mut self, orders: Vec<AssessmentOrder>) {
+        if self.batch().is_none() {
+            self.batch = 0;
+        }
+        for order in orders {
+            let id = order.landmark.id;
+            self.failed.remove(&id);
+            let asked = self.asked.is_some_and(|(_, of)| of == id);
+            if !asked && self.waiting.iter().all(|o| o.landmark.id != id) {
+                self.waiting.push_back(order);
+                self.batch += 1;
+            }
+        }
+    }
+
+    /// Stops measuring; what is known stays.
+    pub fn stop(&mut self, host: &mut dyn Host) {
+        self.waiting.clear();
+        if let Some((id, _)) = self.asked.take() {
+            host.cancel(id);
+        }
+    }
+
+    /// Forgets everything: another map is shown.
+    pub fn clear(&mut self, host: &mut dyn Host) {
+        self.stop(host);
+        self.measured.clear();
+        self.failed.clear();
+    }
+
+    /// Begins the next one.
+    pub fn work(&mut self, host: &mut dyn Host, map: &MapSource) {
+        if self.map.as_ref() != Some(map) {
+            self.clear(host);
+            self.map = Some(map.clone());
+        }
+        if std::mem::take(&mut self.wants_stop) {
+            self.stop(host);
+        }
+        if self.asked.is_none()
+            && let Some(order) = self.waiting.pop_front()
+        {
+            let landmark = order.landmark.id;
+            self.progress = (0.0, "Waiting for a worker".to_owned());
+            let id = host.start(Job::Assess(Box::new(order)));
+            self.asked = Some((id, landmark));
+        }
+    }
+
+    /// Takes what a worker says; false if it is about something else.
+    pub fn receive(&mut self, id: JobId, event: &JobEvent, landmarks: &[Landmark]) -> bool {
+        let Some((_, landmark)) = self.asked.filter(|(asked, _)| *asked == id) else {
+            return false;
+        };
+        match event {
+            JobEvent::Progress(fraction, words) => self.progress = (*fraction, words.clone()),
+            JobEvent::Assessment(found) => self.keep(found),
+            JobEvent::Failed(why) => {
+                if let Some(of) = landmarks.iter().find(|l| l.id == landmark) {
+                    self.failed.insert(landmark, (of.clone(), why.clone()));
+                }
+                self.asked = None;
+            }
+            JobEvent::Finished | JobEvent::Cancelled => self.asked = None,
+            _ => {}
+        }
+        true
+    }
+
+    fn keep(&mut self, found: &Assessment) {
+        let id = found.landmark.id;
+        let before = self.measured.remove(&id);
+        let mut by_height = before
+            .filter(|m| same(&m.last.landmark, &found.landmark))
+            .map_or_else(Vec::new, |m| m.statistics.by_height);
+        by_height.retain(|(height, _)| (height - found.height).abs() > 1.0);
+        by_height.push((found.height, found.expected));
+        by_height.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let measured = Measured {
+            last: found.clone(),
+            statistics: DetectionStatistics { by_height },
+        };
+        self.measured.insert(id, measured);
+    }
+}

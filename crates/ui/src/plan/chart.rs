@@ -1,0 +1,301 @@
+//! The prediction against distance: σ, corridor, limit; below, where which landmark is found.
+
+use egui::{
+    Align2, Color32, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
+use pilotage_core::landmark::Landmark;
+use pilotage_core::plan::{Prediction, PredictionSample};
+
+use super::lanes::{Blip, blips};
+use super::paint::kept_color;
+use super::words::{distance_text, long};
+use crate::tokens::Tokens;
+use crate::units::Units;
+use crate::views::chart::Axes;
+
+const LEFT: f32 = 44.0;
+const HEADER: f32 = 18.0;
+const BOTTOM: f32 = 18.0;
+const LANE: f32 = 15.0;
+/// Most lanes of landmarks.
+const MOST_LANES: usize = 5;
+
+/// What the chart shows.
+pub struct ChartScene<'a> {
+    /// The prediction.
+    pub prediction: &'a Prediction,
+    /// The landmarks of it.
+    pub landmarks: &'a [&'a Landmark],
+    /// The limit, metres.
+    pub limit: f64,
+    /// What is being computed, or how fine it is.
+    pub state: &'a str,
+    /// The look.
+    pub tokens: &'a Tokens,
+    /// The user's units.
+    pub units: Units,
+}
+
+/// The chart's own state.
+#[derive(Debug, Default)]
+pub struct Chart {
+    rect: Option<Rect>,
+}
+
+impl Chart {
+    /// Where curves were drawn last.
+    pub fn rect(&self) -> Option<Rect> {
+        self.rect
+    }
+
+    /// Draws the chart; the distance under the pointer, metres.
+    pub fn show(&mut self, ui: &mut Ui, scene: &ChartScene<'_>) -> Option<f64> {
+        let (outer, response) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
+        let tokens = scene.tokens;
+        let samples = &scene.prediction.samples;
+        let last = samples.last()?;
+        let (far, far_unit) = long(scene.units, last.distance);
+        let (near, near_unit) = scene.units.length();
+        let painter = ui.painter_at(outer);
+        let width = outer.width() - LEFT - 8.0;
+        let per_metre = f64::from(width) / (last.distance * far).max(1e-6) * far;
+        let name_of = |blip: &Blip| {
+            let landmark = scene.landmarks.get(blip.landmark);
+            landmark.map_or("", |l| l.name.as_str())
+        };
+        let text_width = |blip: &Blip| {
+            let galley =
+                painter.layout_no_wrap(name_of(blip).to_owned(), tokens.small(), tokens.text);
+            galley.size().x
+        };
+        let (blips, lanes) = blips(samples, |blip| {
+            samples[blip.samples[1]].distance + f64::from(text_width(blip) + 52.0) / per_metre
+        });
+        let lanes = lanes.min(MOST_LANES);
+        let below = BOTTOM + LANE * lanes as f32 + if lanes > 0 { 4.0 } else { 0.0 };
+        let rect = Rect::from_min_max(
+            outer.min + vec2(LEFT, HEADER + 6.0),
+            pos2(outer.right() - 8.0, outer.bottom() - below),
+        );
+        if rect.height() < 24.0 || rect.width() < 80.0 {
+            return None;
+        }
+        let top = samples.iter().map(|s| s.corridor.across);
+        let top = 1.08 * near * top.fold(1.4 * scene.limit, f64::max);
+        let axes = Axes {
+            rect,
+            x: (0.0, last.distance * far),
+            y: (0.0, top),
+            log: false,
+        };
+        self.rect = Some(rect);
+        axes.draw_y(&painter, tokens);
+        let mut below = axes;
+        below.rect.set_bottom(outer.bottom() - BOTTOM);
+        below.draw_x(&painter, tokens, far_unit);
+        let clip = painter.with_clip_rect(rect);
+        let at = |distance: f64, metres: f64| axes.at(distance * far, metres * near);
+        paint_over(&clip, scene, &at, rect);
+        curve(
+            &clip,
+            samples,
+            &at,
+            |s| s.corridor.across,
+            Stroke::new(1.25, kept_color(tokens)),
+        );
+        curve(
+            &clip,
+            samples,
+            &at,
+            |s| s.corridor.sigma_major,
+            Stroke::new(2.0, tokens.text),
+        );
+        let limit = [at(0.0, scene.limit), at(last.distance, scene.limit)];
+        clip.extend(Shape::dashed_line(
+            &limit,
+            Stroke::new(1.5, tokens.warning),
+            6.0,
+            4.0,
+        ));
+        header(&painter, outer, scene, near, near_unit);
+        for blip in blips.iter().filter(|b| b.lane < lanes) {
+            let y = rect.bottom() + 6.0 + LANE * (blip.lane as f32 + 0.5);
+            let x = |d: f64| axes.screen_x(d * far);
+            paint_blip(&painter, samples, blip, name_of(blip), y, &x, tokens);
+        }
+        let words = format!(
+            "Predicted uncertainty along {}: {}",
+            distance_text(last.distance, scene.units),
+            scene.state
+        );
+        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, words.clone()));
+        let pointer = response
+            .hover_pos()
+            .filter(|p| rect.x_range().contains(p.x))?;
+        let distance = axes.x_at(pointer.x) / far;
+        let sample = sample_at(samples, distance)?;
+        paint_cursor(&painter, scene, sample, at(sample.distance, 0.0).x, rect);
+        Some(sample.distance)
+    }
+}
+
+/// The sample nearest to a distance.
+pub fn sample_at(samples: &[PredictionSample], distance: f64) -> Option<&PredictionSample> {
+    let away = |s: &PredictionSample| (s.distance - distance).abs();
+    samples.iter().min_by(|a, b| away(a).total_cmp(&away(b)))
+}
+
+fn curve(
+    painter: &Painter,
+    samples: &[PredictionSample],
+    at: &impl Fn(f64, f64) -> Pos2,
+    of: impl Fn(&PredictionSample) -> f64,
+    stroke: Stroke,
+) {
+    let line = samples.iter().map(|s| at(s.distance, of(s))).collect();
+    painter.add(Shape::line(line, stroke));
+}
+
+/// Shades the stretches over the limit.
+fn paint_over(
+    painter: &Painter,
+    scene: &ChartScene<'_>,
+    at: &impl Fn(f64, f64) -> Pos2,
+    rect: Rect,
+) {
+    for stretch in &scene.prediction.over_limit {
+        let (left, right) = (at(stretch.begin, 0.0).x, at(stretch.end, 0.0).x);
+        let shade = Rect::from_x_y_ranges(left..=right.max(left + 2.0), rect.y_range());
+        painter.rect_filled(shade, 0.0, scene.tokens.warning.gamma_multiply(0.14));
+        let text = format!("{:.0} s dead reckoning", stretch.dead_reckoning);
+        if shade.width() > 110.0 && stretch.dead_reckoning >= 1.0 {
+            let place = pos2(shade.center().x, rect.top() + 4.0);
+            let (font, color) = (scene.tokens.small(), scene.tokens.warning);
+            painter.text(place, Align2::CENTER_TOP, text, font, color);
+        }
+    }
+}
+
+fn header(painter: &Painter, outer: Rect, scene: &ChartScene<'_>, near: f64, unit: &str) {
+    let tokens = scene.tokens;
+    let y = outer.top() + 0.5 * HEADER;
+    let mut x = outer.left() + LEFT;
+    let limit = format!("limit {:.0} {unit}", scene.limit * near);
+    let entries: [(&str, Color32, f32, bool); 3] = [
+        ("σ, longer axis", tokens.text, 2.0, false),
+        ("95 % corridor, half width", kept_color(tokens), 1.25, false),
+        (&limit, tokens.warning, 1.5, true),
+    ];
+    let unit_at = pos2(outer.left() + LEFT - 4.0, y);
+    painter.text(
+        unit_at,
+        Align2::RIGHT_CENTER,
+        unit,
+        tokens.small(),
+        tokens.muted,
+    );
+    for (text, color, width, dashed) in entries {
+        let ends = [pos2(x, y), pos2(x + 18.0, y)];
+        let stroke = Stroke::new(width, color);
+        if dashed {
+            painter.extend(Shape::dashed_line(&ends, stroke, 5.0, 3.0));
+        } else {
+            painter.line_segment(ends, stroke);
+        }
+        let place = pos2(x + 24.0, y);
+        let drawn = painter.text(
+            place,
+            Align2::LEFT_CENTER,
+            text,
+            tokens.small(),
+            tokens.muted,
+        );
+        x = drawn.right() + 20.0;
+    }
+    let right = pos2(outer.right() - 8.0, y);
+    painter.text(
+        right,
+        Align2::RIGHT_CENTER,
+        scene.state,
+        tokens.small(),
+        tokens.muted,
+    );
+}
+
+/// A bar as high as the probability in each frame, with the landmark's name and its best.
+fn paint_blip(
+    painter: &Painter,
+    samples: &[PredictionSample],
+    blip: &Blip,
+    name: &str,
+    y: f32,
+    x: &impl Fn(f64) -> f32,
+    tokens: &Tokens,
+) {
+    let [first, last] = blip.samples;
+    let (left, right) = (x(samples[first].distance), x(samples[last].distance));
+    let base = y + 0.4 * LANE;
+    let mut mesh = egui::epaint::Mesh::default();
+    let color = tokens.observed;
+    for pair in samples[first..=last].windows(2) {
+        let corner = |s: &PredictionSample| {
+            let height = 0.8 * LANE * s.detection[blip.landmark] as f32;
+            [
+                pos2(x(s.distance), base),
+                pos2(x(s.distance), base - height.max(1.0)),
+            ]
+        };
+        let ([a, b], [d, c]) = (corner(&pair[0]), corner(&pair[1]));
+        let begin = mesh.vertices.len() as u32;
+        for p in [a, b, c, d] {
+            mesh.colored_vertex(p, color);
+        }
+        mesh.add_triangle(begin, begin + 1, begin + 2);
+        mesh.add_triangle(begin, begin + 2, begin + 3);
+    }
+    painter.add(Shape::mesh(mesh));
+    let line = [pos2(left, base), pos2(right.max(left + 3.0), base)];
+    painter.line_segment(line, Stroke::new(1.0, color));
+    let place = pos2(right.max(left + 3.0) + 5.0, y);
+    let drawn = painter.text(
+        place,
+        Align2::LEFT_CENTER,
+        name,
+        tokens.small(),
+        tokens.text,
+    );
+    let place = pos2(drawn.right() + 5.0, y);
+    let text = format!("{:.0} %", 100.0 * blip.best);
+    painter.text(
+        place,
+        Align2::LEFT_CENTER,
+        text,
+        tokens.small(),
+        tokens.muted,
+    );
+}
+
+fn paint_cursor(
+    painter: &Painter,
+    scene: &ChartScene<'_>,
+    sample: &PredictionSample,
+    x: f32,
+    rect: Rect,
+) {
+    let tokens = scene.tokens;
+    painter.vline(x, rect.y_range(), Stroke::new(1.0, tokens.text));
+    let (near, unit) = scene.units.length();
+    let text = format!(
+        "{}   σ {:.1} {unit}   corridor ±{:.1} {unit}   {:.0} s since a likely fix",
+        distance_text(sample.distance, scene.units),
+        sample.corridor.sigma_major * near,
+        sample.corridor.across * near,
+        sample.dead_reckoning
+    );
+    let galley = painter.layout_no_wrap(text, tokens.small(), tokens.text);
+    let size = galley.size() + vec2(12.0, 6.0);
+    let left = (x + 8.0).min(rect.right() - size.x);
+    let card = Rect::from_min_size(pos2(left, rect.top() + 2.0), size);
+    painter.rect_filled(card, tokens.radius, tokens.raised);
+    painter.galley(card.min + vec2(6.0, 3.0), galley, tokens.text);
+}

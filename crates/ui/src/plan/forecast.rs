@@ -1,0 +1,170 @@
+//! The prediction on screen: a coarse one at once, a fine one as soon as the plan rests.
+
+use pilotage_core::plan::Prediction;
+
+use crate::host::Host;
+use crate::jobs::{Job, JobEvent, JobId, PredictionOrder};
+
+/// Worlds of the coarse prediction.
+pub const COARSE: usize = 8;
+/// Worlds of the fine one.
+pub const FINE: usize = 100;
+/// How long a plan must rest before it is predicted finely, milliseconds.
+const REST: f64 = 250.0;
+
+/// A prediction under way.
+#[derive(Debug)]
+struct Asked {
+    id: JobId,
+    order: PredictionOrder,
+    since: f64,
+}
+
+/// A prediction, and what it is of.
+#[derive(Debug)]
+pub struct Shown {
+    /// The prediction, marked by the user's limit.
+    pub prediction: Prediction,
+    /// What it is of.
+    pub order: PredictionOrder,
+    /// How long it took until it was here, milliseconds.
+    pub took: f64,
+}
+
+/// What is predicted, and what is being predicted.
+#[derive(Debug, Default)]
+pub struct Forecast {
+    shown: Option<Shown>,
+    /// Why nothing can be predicted.
+    trouble: Option<String>,
+    asked: Option<Asked>,
+    /// The plan as it was last, and since when, milliseconds.
+    plan: Option<(PredictionOrder, f64)>,
+    limit: f64,
+    /// Longest that the coarse one took lately, milliseconds.
+    coarse: Option<f64>,
+}
+
+impl Forecast {
+    /// The prediction on screen.
+    pub fn shown(&self) -> Option<&Shown> {
+        self.shown.as_ref()
+    }
+
+    /// Why nothing can be predicted.
+    pub fn trouble(&self) -> Option<&str> {
+        self.trouble.as_deref()
+    }
+
+    /// Whether it is of the plan as it is now, with all worlds.
+    pub fn is_fine(&self) -> bool {
+        let fine = |s: &Shown| s.order.worlds == FINE && self.is_of_now(&s.order);
+        self.shown.as_ref().is_some_and(fine)
+    }
+
+    /// How long the last coarse prediction took, milliseconds.
+    pub fn coarse_took(&self) -> Option<f64> {
+        self.coarse
+    }
+
+    fn is_of_now(&self, order: &PredictionOrder) -> bool {
+        self.plan.as_ref().is_some_and(|(plan, _)| {
+            PredictionOrder {
+                worlds: plan.worlds,
+                ..order.clone()
+            } == *plan
+        })
+    }
+
+    /// Asks for what is missing; true if time must pass first.
+    pub fn work(&mut self, plan: Option<PredictionOrder>, limit: f64, host: &mut dyn Host) -> bool {
+        let now = host.now();
+        if self.limit != limit {
+            self.limit = limit;
+            if let Some(shown) = &mut self.shown {
+                shown.prediction.mark(limit);
+            }
+        }
+        let Some(plan) = plan else {
+            self.forget(host);
+            return false;
+        };
+        if self.plan.as_ref().is_none_or(|(before, _)| *before != plan) {
+            self.plan = Some((plan.clone(), now));
+            self.trouble = None;
+        }
+        let rested = self
+            .plan
+            .as_ref()
+            .is_some_and(|(_, since)| now - since >= REST);
+        if let Some(asked) = &self.asked {
+            // A fine one that has become old is in the way of the next coarse one.
+            if asked.order.worlds == FINE && !self.is_of_now(&asked.order) {
+                host.cancel(asked.id);
+                self.asked = None;
+            } else {
+                return false;
+            }
+        }
+        let known = |worlds: usize| {
+            let of_now = |s: &Shown| s.order.worlds >= worlds && self.is_of_now(&s.order);
+            self.shown.as_ref().is_some_and(of_now)
+        };
+        if self.trouble.is_some() || known(FINE) {
+            return false;
+        }
+        let worlds = if !known(COARSE) {
+            COARSE
+        } else if rested {
+            FINE
+        } else {
+            return true;
+        };
+        let order = PredictionOrder { worlds, ..plan };
+        let id = host.start(Job::Predict(Box::new(order.clone())));
+        self.asked = Some(Asked {
+            id,
+            order,
+            since: now,
+        });
+        false
+    }
+
+    fn forget(&mut self, host: &mut dyn Host) {
+        if let Some(asked) = self.asked.take() {
+            host.cancel(asked.id);
+        }
+        self.shown = None;
+        self.plan = None;
+        self.trouble = None;
+    }
+
+    /// Takes what a worker says; false if it is about something else.
+    pub fn receive(&mut self, id: JobId, event: &JobEvent, now: f64) -> bool {
+        let Some(asked) = self.asked.take_if(|asked| asked.id == id) else {
+            return false;
+        };
+        match event {
+            JobEvent::Prediction(prediction) => {
+                let mut prediction = prediction.as_ref().clone();
+                prediction.mark(self.limit);
+                let took = now - asked.since;
+                if asked.order.worlds == COARSE {
+                    self.coarse = Some(took);
+                }
+                self.shown = Some(Shown {
+                    prediction,
+                    order: asked.order,
+                    took,
+                });
+            }
+            JobEvent::Failed(why) => {
+                self.trouble = Some(why.clone());
+                self.shown = None;
+            }
+            JobEvent::Finished | JobEvent::Cancelled => {}
+            _ => self.asked = Some(asked),
+        }
+        true
+    }
+}

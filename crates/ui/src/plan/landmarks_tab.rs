@@ -1,0 +1,232 @@
+//! Landmarks while planning: the selected one, how well it is found, and the table of all.
+
+use egui::{Align2, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
+use pilotage_core::landmark::Landmark;
+
+use super::PlanCommand;
+use super::assessments::{ASSUMED_PER_FRAME, ASSUMED_RECOGNISED, Measured};
+use super::panel::button;
+use super::planner::Planner;
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::documents::Documents;
+use crate::shell::{
+    Examined, LandmarkList, caption, chip, icon_button, icons::Icon, muted, text_button,
+};
+
+/// Draws the tab.
+pub fn landmarks_tab(
+    ui: &mut Ui,
+    planner: &mut Planner,
+    _documents: &Documents,
+    context: &mut ViewContext<'_>,
+    list: &mut LandmarkList,
+    examined: Examined<'_>,
+) {
+    let tokens = context.tokens;
+    let mission = context.mission;
+    ui.horizontal(|ui| {
+        if text_button(ui, tokens, Some(Icon::Pick), "Draw", false).clicked() {
+            context.commands.push(Command::TogglePickTool);
+        }
+        if let Some((done, of)) = planner.assessments.batch() {
+            if icon_button(ui, tokens, Icon::Close, "Stop measuring").clicked() {
+                let stop = PlanCommand::StopAssessing;
+                context.commands.push(Command::Plan(stop));
+            }
+            let words = planner.assessments.under_way().map_or("", |(_, _, w)| w);
+            let text = if of > 1 {
+                format!("{} of {of} · {words}", done + 1)
+            } else {
+                words.to_owned()
+            };
+            ui.add(egui::Label::new(muted(tokens, text)).truncate());
+        } else if mission.landmarks.iter().any(|l| l.enabled) {
+            button(
+                ui,
+                context,
+                None,
+                "Measure all",
+                false,
+                PlanCommand::AssessAll,
+            );
+        }
+    });
+    if mission.landmarks.is_empty() {
+        ui.label(muted(
+            tokens,
+            "None yet. Press N and draw a box around something that stands out on the map: a lone \
+             building, a crossing, a pool.",
+        ));
+        return;
+    }
+    if let Some(landmark) = context.selection.and_then(|id| mission.landmark(id)) {
+        list.selected(ui, landmark, context, examined);
+        ui.add_space(tokens.space);
+        card(ui, planner, landmark, context);
+        ui.add_space(tokens.space);
+    }
+    planner.table.show(ui, &planner.assessments, context);
+}
+
+/// How well the selected landmark is found.
+fn card(ui: &mut Ui, planner: &Planner, landmark: &Landmark, context: &mut ViewContext<'_>) {
+    let tokens = context.tokens;
+    caption(ui, tokens, "How well it is found");
+    let under_way = planner.assessments.under_way();
+    if let Some((_, fraction, words)) = under_way.filter(|(id, ..)| *id == landmark.id) {
+        let bar = egui::ProgressBar::new(fraction).desired_height(4.0);
+        ui.add(bar).accessible_name("How far the measurement is");
+        ui.label(muted(tokens, words));
+        return;
+    }
+    if let Some(measured) = planner.assessments.of(landmark) {
+        result(ui, measured, context);
+    } else {
+        ui.label(muted(
+            tokens,
+            format!(
+                "Not measured: assumed to be recognised on {:.0} % of days, and then found in {:.0} % of \
+                 frames.",
+                100.0 * ASSUMED_RECOGNISED,
+                100.0 * ASSUMED_PER_FRAME
+            ),
+        ));
+    }
+    if let Some(why) = planner.assessments.trouble(landmark) {
+        let text = egui::RichText::new(format!("It could not be measured: {why}"));
+        ui.label(text.color(tokens.warning));
+    }
+    ui.horizontal_wrapped(|ui| {
+        let label = if planner.assessments.of(landmark).is_some() {
+            "Measure again"
+        } else {
+            "Measure how well it is found"
+        };
+        button(ui, context, None, label, true, PlanCommand::AssessSelected);
+        let copy = PlanCommand::DuplicateLandmark;
+        button(ui, context, None, "Duplicate", false, copy);
+    });
+}
+
+fn result(ui: &mut Ui, measured: &Measured, context: &ViewContext<'_>) {
+    let tokens = context.tokens;
+    let found = &measured.last;
+    let expected = &found.expected;
+    let probability = expected.probability();
+    let (factor, unit) = context.units.length();
+    ui.horizontal_wrapped(|ui| {
+        let tone = match probability {
+            p if p >= 0.6 => tokens.truth,
+            p if p >= 0.3 => tokens.accent,
+            _ => tokens.warning,
+        };
+        let text = format!("found {:.0} % of the time", 100.0 * probability);
+        chip(ui, tokens, &text, tone);
+        let tone = if found.false_matches > 0.0 {
+            tokens.warning
+        } else {
+            tokens.truth
+        };
+        let text = format!("wrong {:.0} %", 100.0 * found.false_matches);
+        chip(ui, tokens, &text, tone);
+        let place = expected.covariance.fixed_view::<2, 2>(0, 0);
+        let deviation = (0.5 * place.trace()).max(0.0).sqrt() * factor;
+        let text = format!("place ±{deviation:.2} {unit}");
+        chip(ui, tokens, &text, tokens.muted);
+    });
+    ui.label(egui::RichText::new(sentence(measured)).color(tokens.text));
+    rose(ui, measured, context);
+}
+
+fn sentence(measured: &Measured) -> String {
+    let found = &measured.last;
+    let days = 1 + found.views.iter().map(|v| v.day).max().unwrap_or(0);
+    let good = |day| found.views.iter().any(|v| v.day == day && v.found);
+    let recognised = (0..days).filter(|d| good(*d)).count();
+    let hits = found.views.iter().filter(|v| v.found).count();
+    format!(
+        "Recognised on {recognised} of {days} other days, found in {hits} of {} views from {:.0} m.",
+        found.views.len(),
+        found.height
+    )
+}
+
+/// Every view: its angle is the camera's heading, its distance from the middle how far from the
+/// picture's middle the landmark lay.
+fn rose(ui: &mut Ui, measured: &Measured, context: &ViewContext<'_>) {
+    let tokens = context.tokens;
+    let size = vec2(ui.available_width(), 148.0);
+    let (outer, response) = ui.allocate_exact_size(size, Sense::hover());
+    let name = "Views by heading of the camera and distance from the picture's middle";
+    response.widget_info(|| WidgetInfo::labeled(Role::Image, true, name));
+    let painter = ui.painter();
+    let rect = Rect::from_min_size(outer.min, vec2(outer.height(), outer.height()));
+    let (middle, radius) = (rect.center(), 0.5 * rect.height() - 14.0);
+    let line = Stroke::new(1.0, tokens.line);
+    for share in [0.5, 1.0] {
+        painter.circle_stroke(middle, share * radius, line);
+    }
+    for (angle, text) in [(0.0_f32, "N"), (90.0, "E"), (180.0, "S"), (270.0, "W")] {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        let at = middle + (radius + 8.0) * vec2(sin, -cos);
+        painter.text(
+            at,
+            Align2::CENTER_CENTER,
+            text,
+            tokens.small(),
+            tokens.muted,
+        );
+    }
+    let views = &measured.last.views;
+    let farthest = views.iter().map(|v| v.off_centre).fold(1.0, f64::max);
+    for view in views {
+        let far = radius * (view.off_centre / farthest) as f32;
+        let (sin, cos) = (view.heading as f32).sin_cos();
+        let at = middle + far * vec2(sin, -cos);
+        mark(painter, at, view.found, view.wrong, tokens);
+    }
+    let mut at = Pos2::new(rect.right() + 16.0, rect.top() + 20.0);
+    for (found, wrong, text) in [
+        (true, false, "found"),
+        (false, false, "not found"),
+        (false, true, "a wrong place believed"),
+    ] {
+        mark(painter, at, found, wrong, tokens);
+        let place = at + vec2(12.0, 0.0);
+        painter.text(
+            place,
+            Align2::LEFT_CENTER,
+            text,
+            tokens.small(),
+            tokens.text,
+        );
+        at.y += 18.0;
+    }
+    for text in [
+        "Angle: heading of the camera.".to_owned(),
+        "From the middle: off the".to_owned(),
+        format!("picture's middle, rim {farthest:.0} px."),
+    ] {
+        painter.text(at, Align2::LEFT_CENTER, text, tokens.small(), tokens.muted);
+        at.y += 15.0;
+    }
+}
+
+fn mark(
+    painter: &egui::Painter,
+    at: Pos2,
+    found: bool,
+    wrong: bool,
+    tokens: &crate::tokens::Tokens,
+) {
+    if wrong {
+        let stroke = Stroke::new(2.0, tokens.warning);
+        painter.line_segment([at - vec2(4.0, 4.0), at + vec2(4.0, 4.0)], stroke);
+        painter.line_segment([at + vec2(-4.0, 4.0), at + vec2(4.0, -4.0)], stroke);
+    } else if found {
+        painter.circle_filled(at, 4.0, tokens.observed);
+    } else {
+        painter.circle_stroke(at, 3.5, Stroke::new(1.5, tokens.muted));
+    }
+}

@@ -1,0 +1,103 @@
+//! Where along the route which landmark is likely to be found, packed into few lanes.
+
+use pilotage_core::plan::PredictionSample;
+
+/// Below this probability a landmark counts as out of view.
+const SEEN: f64 = 0.02;
+/// A landmark may be out of view for as many samples without a blip of its own.
+const GAP: usize = 6;
+
+/// One landmark in view.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Blip {
+    /// Index of the landmark in the prediction.
+    pub landmark: usize,
+    /// First and last sample in view.
+    pub samples: [usize; 2],
+    /// Largest probability.
+    pub best: f64,
+    /// The lane it lies in, from the top.
+    pub lane: usize,
+}
+
+/// Every time that a landmark is in view, in lanes where none lies over another. `ends` says where
+/// the text beside a blip ends, in the unit of the distances.
+pub fn blips(samples: &[PredictionSample], ends: impl Fn(&Blip) -> f64) -> (Vec<Blip>, usize) {
+    let count = samples.first().map_or(0, |s| s.detection.len());
+    let mut all = Vec::new();
+    for landmark in 0..count {
+        let mut open: Option<Blip> = None;
+        for (index, sample) in samples.iter().enumerate() {
+            let probability = sample.detection[landmark];
+            if probability < SEEN {
+                continue;
+            }
+            match &mut open {
+                Some(blip) if index <= blip.samples[1] + GAP => {
+                    blip.samples[1] = index;
+                    blip.best = blip.best.max(probability);
+                }
+                _ => {
+                    all.extend(open.take());
+                    open = Some(Blip {
+                        landmark,
+                        samples: [index, index],
+                        best: probability,
+                        lane: 0,
+                    });
+                }
+            }
+        }
+        all.extend(open);
+    }
+    all.sort_by_key(|b| b.samples[0]);
+    let mut free_from: Vec<f64> = Vec::new();
+    for blip in &mut all {
+        let begin = samples[blip.samples[0]].distance;
+        let lane = free_from.iter().position(|free| *free <= begin);
+        blip.lane = lane.unwrap_or(free_from.len());
+        if blip.lane == free_from.len() {
+            free_from.push(0.0);
+        }
+        free_from[blip.lane] = ends(blip);
+    }
+    (all, free_from.len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pilotage_core::frames::GroundPoint;
+    use pilotage_core::plan::corridor;
+
+    fn samples(detections: &[[f64; 2]]) -> Vec<PredictionSample> {
+        let corridor = corridor(&[nalgebra::Matrix2::identity()], 0.0, 0.95).unwrap();
+        let of = |(i, d): (usize, &[f64; 2])| PredictionSample {
+            time: i as f64,
+            distance: 10.0 * i as f64,
+            position: GroundPoint::default(),
+            course: 0.0,
+            corridor,
+            detection: d.to_vec(),
+            dead_reckoning: 0.0,
+        };
+        detections.iter().enumerate().map(of).collect()
+    }
+
+    #[test]
+    fn landmarks_in_view_together_lie_in_two_lanes_and_later_ones_in_the_first_again() {
+        let mut views = vec![[0.0, 0.0]; 30];
+        views[2] = [0.5, 0.9];
+        views[3] = [0.7, 0.0];
+        views[20] = [0.0, 0.4];
+        let samples = samples(&views);
+        let (blips, lanes) = blips(&samples, |b| samples[b.samples[1]].distance + 15.0);
+        assert_eq!(lanes, 2);
+        let told: Vec<_> = blips
+            .iter()
+            .map(|b| (b.landmark, b.samples, b.lane))
+            .collect();
+        assert_eq!(told, [(0, [2, 3], 0), (1, [2, 2], 1), (1, [20, 20], 0)]);
+        assert_eq!(blips[0].best, 0.7);
+    }
+}

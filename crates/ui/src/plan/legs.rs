@@ -1,0 +1,103 @@
+//! The legs of a route: distance, course and time in the wind.
+
+use nalgebra::Vector2;
+use pilotage_core::mission::Route;
+use pilotage_core::simulate::Wind;
+
+/// The way from one way-point to the next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Leg {
+    /// Metres.
+    pub distance: f64,
+    /// Course over the ground, radians clockwise from north; `None` without a distance.
+    pub course: Option<f64>,
+    /// Seconds; `None` where the wind is too strong for the airspeed.
+    pub time: Option<f64>,
+}
+
+/// The legs of `route` for an aircraft that cruises at `cruise` m/s.
+pub fn legs(route: &Route, cruise: f64, wind: &Wind) -> Vec<Leg> {
+    let air = wind.velocity();
+    route
+        .way_points
+        .windows(2)
+        .map(|pair| {
+            let way = pair[1].position.to_vector() - pair[0].position.to_vector();
+            let distance = way.norm();
+            if distance < 1e-6 {
+                return Leg {
+                    distance: 0.0,
+                    course: None,
+                    time: Some(0.0),
+                };
+            }
+            let along = way / distance;
+            let speed = ground_speed(pair[1].speed.unwrap_or(cruise), &along, &air);
+            Leg {
+                distance,
+                course: Some(along.y.atan2(along.x).rem_euclid(std::f64::consts::TAU)),
+                time: speed.map(|speed| distance / speed),
+            }
+        })
+        .collect()
+}
+
+/// Speed over the ground on a course in a wind: what is left of the airspeed after holding against
+/// the wind across, plus the wind along. `None` if it does not get on.
+fn ground_speed(airspeed: f64, along: &Vector2<f64>, wind: &Vector2<f64>) -> Option<f64> {
+    let tail = wind.dot(along);
+    let across = wind - along * tail;
+    let left = airspeed * airspeed - across.norm_squared();
+    let speed = left.max(0.0).sqrt() + tail;
+    (left > 0.0 && speed > 0.1).then_some(speed)
+}
+
+/// Length, metres, and time, seconds, of all legs.
+pub fn totals(legs: &[Leg]) -> (f64, Option<f64>) {
+    let time = legs.iter().map(|l| l.time).sum::<Option<f64>>();
+    (legs.iter().map(|l| l.distance).sum(), time)
+}
+
+/// Minutes and seconds.
+pub fn time_text(seconds: Option<f64>) -> String {
+    seconds.map_or_else(
+        || "no way".to_owned(),
+        |s| format!("{}:{:02}", s.round() as u64 / 60, s.round() as u64 % 60),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint};
+    use pilotage_core::mission::WayPoint;
+
+    fn east() -> Route {
+        let altitude = Altitude::new(100.0, AltitudeFrame::AboveGround);
+        let at = |e| WayPoint::new(GroundPoint::new(0.0, e), altitude);
+        Route {
+            way_points: vec![at(0.0), at(600.0)],
+            ..Route::default()
+        }
+    }
+
+    #[test]
+    fn a_head_wind_lengthens_the_time_and_a_cross_wind_a_little() {
+        let from = |degrees: f64, speed| Wind {
+            from: degrees.to_radians(),
+            speed,
+        };
+        let time = |wind| legs(&east(), 20.0, &wind)[0].time;
+        assert_eq!(time(Wind::default()), Some(30.0));
+        assert!((time(from(90.0, 5.0)).unwrap() - 40.0).abs() < 1e-9);
+        assert!((time(from(0.0, 12.0)).unwrap() - 37.5).abs() < 1e-9);
+        assert_eq!(time(from(90.0, 20.0)), None);
+        assert_eq!(time_text(Some(97.6)), "1:38");
+    }
+
+    #[test]
+    fn the_course_counts_clockwise_from_north() {
+        let leg = legs(&east(), 20.0, &Wind::default())[0];
+        assert!((leg.course.unwrap().to_degrees() - 90.0).abs() < 1e-9);
+    }
+}

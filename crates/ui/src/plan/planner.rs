@@ -1,0 +1,233 @@
+//! What the Plan workspace remembers beside the documents.
+
+use pilotage_core::camera::CameraModel;
+use pilotage_core::frames::{Altitude, AltitudeFrame, AltitudeReference, GroundPoint, GroundRect};
+use pilotage_core::mission::{Mission, Route};
+use pilotage_core::simulate::{Airframe, Scenario, Wind};
+use serde::{Deserialize, Serialize};
+
+use super::assessments::Assessments;
+use super::chart::Chart;
+use super::forecast::Forecast;
+use super::landmark_table::LandmarkTable;
+use super::routes::route_of;
+use crate::documents::Documents;
+use crate::jobs::{FlightSource, PredictionOrder, scenario_wind};
+
+/// Height of a first way-point where no flight says another, metres above ground.
+const USUAL_HEIGHT: f64 = 120.0;
+
+/// What the user accepts and assumes; remembered between visits.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct PlanPreferences {
+    /// Standard deviation of the position that is accepted, metres.
+    pub limit: f64,
+    /// The wind to plan with; the flight's if `None`.
+    pub wind: Option<Wind>,
+}
+
+impl Default for PlanPreferences {
+    fn default() -> Self {
+        Self {
+            limit: 10.0,
+            wind: None,
+        }
+    }
+}
+
+/// What the column at the right shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum PlanTab {
+    /// Routes, legs and prediction.
+    #[default]
+    Route,
+    /// Landmarks and how well they are found.
+    Landmarks,
+}
+
+/// The state of the Plan workspace.
+#[derive(Default)]
+pub struct Planner {
+    /// The selected route.
+    pub route: Option<u32>,
+    /// The selected way-point of it.
+    pub way_point: Option<usize>,
+    /// Whether clicks on the map add way-points.
+    pub drawing: bool,
+    /// The open tab.
+    pub tab: PlanTab,
+    /// What the user accepts and assumes.
+    pub preferences: PlanPreferences,
+    /// Distance along the flown path under the pointer in the chart, metres.
+    pub hovered: Option<f64>,
+    /// The prediction.
+    pub forecast: Forecast,
+    /// How well landmarks are found.
+    pub assessments: Assessments,
+    /// The chart.
+    pub(super) chart: Chart,
+    /// The table of landmarks.
+    pub(super) table: LandmarkTable,
+    /// The name being typed for the selected route.
+    pub(super) name_draft: Option<(u32, String)>,
+    /// Whether the map was fitted to the plan.
+    pub fitted: bool,
+}
+
+impl Planner {
+    /// Lets go of what does not exist any more, and selects the first route if none is.
+    pub fn settle(&mut self, mission: &Mission) {
+        let known = self.route.filter(|id| route_of(mission, *id).is_some());
+        let first = || mission.routes.first().map(|r| r.id);
+        self.route = if self.drawing {
+            known
+        } else {
+            known.or_else(first)
+        };
+        let count = self.selected(mission).map_or(0, |r| r.way_points.len());
+        self.way_point = self.way_point.filter(|i| *i < count);
+    }
+
+    /// Where the chart's curves were drawn last.
+    pub fn chart_rect(&self) -> Option<egui::Rect> {
+        self.chart.rect()
+    }
+
+    /// The selected route.
+    pub fn selected<'m>(&self, mission: &'m Mission) -> Option<&'m Route> {
+        route_of(mission, self.route?)
+    }
+
+    /// The wind that is planned with.
+    pub fn wind(&self, documents: &Documents) -> Wind {
+        self.preferences
+            .wind
+            .unwrap_or_else(|| flight_wind(documents))
+    }
+
+    /// What to predict for the selected route; `None` while it is none that can be flown.
+    pub fn order(&self, documents: &Documents) -> Option<PredictionOrder> {
+        let mission = &documents.mission;
+        let route = self.selected(mission)?;
+        if route.length() < 1.0 {
+            return None;
+        }
+        let camera = camera(documents);
+        let height = height(route, mission, documents);
+        Some(PredictionOrder {
+            way_points: route.way_points.iter().map(|w| w.position).collect(),
+            height,
+            airspeed: mean_speed(route),
+            wind: self.wind(documents),
+            camera,
+            ground_down: ground_down(documents),
+            navigator: mission.navigator.clone(),
+            landmarks: mission
+                .landmarks
+                .iter()
+                .filter(|l| l.enabled)
+                .map(|l| (l.clone(), self.assessments.expected(l)))
+                .collect(),
+            worlds: 0,
+        })
+    }
+}
+
+/// Airspeed in cruise of the aircraft that is planned for, m/s.
+pub fn cruise() -> f64 {
+    Airframe::sig_kadet_senior().cruise
+}
+
+/// The mean wind of the open flight.
+pub fn flight_wind(documents: &Documents) -> Wind {
+    match &documents.flight_source {
+        FlightSource::Simulated(options) => scenario_wind(options),
+        FlightSource::Files(_) => Wind::default(),
+    }
+}
+
+/// The camera that is planned with.
+pub fn camera(documents: &Documents) -> CameraModel {
+    let flown = documents.flight.as_ref().map(|f| f.camera.clone());
+    documents
+        .mission
+        .camera
+        .clone()
+        .or(flown)
+        .unwrap_or_else(Scenario::camera)
+}
+
+/// Down coordinate of the ground plane, metres.
+pub fn ground_down(documents: &Documents) -> f64 {
+    documents.flight.as_ref().map_or(0.0, |f| f.ground_down)
+}
+
+/// Flat ground at the height of the mission's origin.
+pub fn reference(mission: &Mission) -> AltitudeReference {
+    AltitudeReference {
+        take_off: mission.origin.height,
+        ground: mission.origin.height,
+    }
+}
+
+/// Mean height of a route above ground, metres, each way-point by the length of its legs.
+pub fn height(route: &Route, mission: &Mission, documents: &Documents) -> f64 {
+    let reference = reference(mission);
+    let above = |altitude: &Altitude| {
+        let counted = altitude.counted_from(AltitudeFrame::AboveGround, &reference);
+        counted.metres + ground_down(documents)
+    };
+    let (mut sum, mut weight) = (0.0, 0.0);
+    for pair in route.way_points.windows(2) {
+        let length = pair[0].position.distance(&pair[1].position);
+        sum += length * 0.5 * (above(&pair[0].altitude) + above(&pair[1].altitude));
+        weight += length;
+    }
+    if weight > 0.0 {
+        (sum / weight).max(1.0)
+    } else {
+        route
+            .way_points
+            .first()
+            .map_or(USUAL_HEIGHT, |w| above(&w.altitude))
+    }
+}
+
+/// Mean airspeed of a route, m/s; `None` if every leg is flown in cruise.
+fn mean_speed(route: &Route) -> Option<f64> {
+    let pairs = || route.way_points.windows(2);
+    pairs().find(|pair| pair[1].speed.is_some())?;
+    let length =
+        |pair: &[pilotage_core::mission::WayPoint]| pair[0].position.distance(&pair[1].position);
+    let time: f64 = pairs()
+        .map(|pair| length(pair) / pair[1].speed.unwrap_or_else(cruise).max(1.0))
+        .sum();
+    (time > 0.0).then(|| route.length() / time)
+}
+
+/// The altitude of a first way-point.
+pub fn usual_altitude(documents: &Documents) -> Altitude {
+    let flown = match &documents.flight_source {
+        FlightSource::Simulated(options) => options
+            .height
+            .or_else(|| Some(Scenario::named(&options.scenario)?.height)),
+        FlightSource::Files(_) => None,
+    };
+    Altitude::new(flown.unwrap_or(USUAL_HEIGHT), AltitudeFrame::AboveGround)
+}
+
+/// The ground that the plan is about: routes and landmarks.
+pub fn plan_ground(mission: &Mission) -> Option<GroundRect> {
+    let routes = mission.routes.iter().flat_map(|r| &r.way_points);
+    let places = routes.map(|w| w.position);
+    let landmarks = mission.landmarks.iter();
+    let corners = landmarks.flat_map(|l| {
+        let b = l.bounds;
+        [
+            GroundPoint::new(b.north, b.west),
+            GroundPoint::new(b.south, b.east),
+        ]
+    });
+    GroundRect::around(places.chain(corners))
+}

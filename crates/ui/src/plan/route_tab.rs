@@ -1,0 +1,299 @@
+//! Routes: which, its legs and totals, the wind, the limit, and what is predicted.
+
+use egui::{Align, DragValue, Layout, TextEdit, Ui, UiBuilder};
+use pilotage_core::mission::Route;
+
+use super::PlanCommand;
+use super::assessments::{ASSUMED_PER_FRAME, ASSUMED_RECOGNISED};
+use super::legs::{legs, time_text, totals};
+use super::panel::button;
+use super::planner::{Planner, cruise, height};
+use super::way_points::way_points;
+use super::words::{Outlook, distance_text};
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::documents::Documents;
+use crate::jobs::FlightSource;
+use crate::shell::{caption, heading, icon_button, icon_toggle, icons::Icon, muted};
+
+/// Draws the tab.
+pub fn route_tab(
+    ui: &mut Ui,
+    planner: &mut Planner,
+    documents: &Documents,
+    context: &mut ViewContext<'_>,
+) {
+    let mission = context.mission;
+    let tokens = context.tokens;
+    let Some(route) = planner.selected(mission) else {
+        nothing(ui, planner, documents, context);
+        return;
+    };
+    chooser(ui, planner, route, context);
+    ui.add_space(tokens.space);
+    let id = egui::Id::unique("plan prediction");
+    ui.scope_builder(UiBuilder::new().scope_id(id), |ui| {
+        prediction(ui, planner, route, documents, context);
+    });
+    ui.add_space(tokens.space);
+    let legs = legs(route, cruise(), &planner.wind(documents));
+    let (length, time) = totals(&legs);
+    ui.horizontal(|ui| {
+        caption(ui, tokens, "Legs");
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let total = format!(
+                "{} · {} in the wind",
+                distance_text(length, context.units),
+                time_text(time)
+            );
+            ui.label(egui::RichText::new(total).color(tokens.text));
+        });
+    });
+    way_points(ui, planner, route, &legs, context);
+    ui.add_space(tokens.space);
+    let id = egui::Id::unique("plan wind");
+    ui.scope_builder(UiBuilder::new().scope_id(id), |ui| {
+        wind(ui, planner, documents, context);
+    });
+}
+
+fn nothing(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut ViewContext<'_>) {
+    let tokens = context.tokens;
+    ui.add_space(tokens.space);
+    if planner.drawing {
+        heading(ui, tokens, "Draw a route");
+        ui.label(muted(
+            tokens,
+            "Click on the map where it begins, then where it goes on. Enter or a double click ends it. \
+             Or press I for a way-point in the middle of the map.",
+        ));
+        return;
+    }
+    heading(ui, tokens, "No route yet");
+    ui.label(muted(
+        tokens,
+        "A route is drawn by clicking its way-points on the map. While you draw you see how well the \
+         aircraft will know its place along it.",
+    ));
+    ui.add_space(tokens.space);
+    let built_in = matches!(documents.flight_source, FlightSource::Simulated(_));
+    ui.horizontal_wrapped(|ui| {
+        button(
+            ui,
+            context,
+            Some(Icon::Plus),
+            "Draw a route",
+            true,
+            PlanCommand::ToggleDraw,
+        );
+        if built_in {
+            let take = PlanCommand::TakeFlightRoute;
+            button(ui, context, None, "Plan the route of the demo", false, take);
+        }
+    });
+}
+
+fn chooser(ui: &mut Ui, planner: &mut Planner, route: &Route, context: &mut ViewContext<'_>) {
+    let tokens = context.tokens;
+    let mut say = Vec::new();
+    if context.mission.routes.len() > 1 {
+        ui.horizontal_wrapped(|ui| {
+            for other in &context.mission.routes {
+                let on = other.id == route.id;
+                let label = ui.selectable_label(on, &other.name);
+                if label.clicked() {
+                    say.push(PlanCommand::SelectRoute(other.id));
+                }
+            }
+        });
+    }
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 0.0;
+        let draft = match &mut planner.name_draft {
+            Some((of, text)) if *of == route.id => text,
+            other => &mut other.insert((route.id, route.name.clone())).1,
+        };
+        let width = ui.available_width() - 5.0 * 32.0 - 8.0;
+        let field = ui
+            .add(TextEdit::singleline(draft).desired_width(width))
+            .accessible_name("Name of the route");
+        if field.lost_focus() {
+            let name = draft.trim().to_owned();
+            if !name.is_empty() {
+                say.push(PlanCommand::RenameRoute(name));
+            }
+            planner.name_draft = None;
+        } else if !field.has_focus() {
+            planner.name_draft = None;
+        }
+        ui.add_space(8.0);
+        let draw = if planner.drawing {
+            "Finish the route"
+        } else {
+            "Draw another route"
+        };
+        if icon_toggle(ui, tokens, Icon::Plus, draw, planner.drawing).clicked() {
+            say.push(PlanCommand::ToggleDraw);
+        }
+        for (icon, label, command) in [
+            (Icon::Loop, "Fly it the other way", PlanCommand::Reverse),
+            (
+                Icon::Layers,
+                "Duplicate the route",
+                PlanCommand::DuplicateRoute,
+            ),
+            (Icon::Trash, "Delete the route", PlanCommand::DeleteRoute),
+        ] {
+            if icon_button(ui, tokens, icon, label).clicked() {
+                say.push(command);
+            }
+        }
+    });
+    context.commands.extend(say.into_iter().map(Command::Plan));
+}
+
+fn prediction(
+    ui: &mut Ui,
+    planner: &Planner,
+    route: &Route,
+    documents: &Documents,
+    context: &mut ViewContext<'_>,
+) {
+    let tokens = context.tokens;
+    ui.horizontal(|ui| {
+        caption(ui, tokens, "How well it knows its place");
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let (factor, unit) = context.units.length();
+            let mut limit = planner.preferences.limit * factor;
+            let field = DragValue::new(&mut limit)
+                .range(1.0..=5000.0)
+                .speed(0.25)
+                .fixed_decimals(0)
+                .suffix(format!(" {unit}"));
+            if ui.add(field).accessible_name("Limit of σ").changed() {
+                let limit = PlanCommand::SetLimit(limit / factor);
+                context.commands.push(Command::Plan(limit));
+            }
+            ui.label(muted(tokens, "limit of σ"));
+        });
+    });
+    let Some(shown) = planner.forecast.shown() else {
+        let words = planner.forecast.trouble().map_or_else(
+            || "It is predicted as soon as the route has two way-points.".to_owned(),
+            |why| format!("It cannot be predicted: {why}."),
+        );
+        ui.label(muted(tokens, words));
+        return;
+    };
+    if let Some(outlook) = Outlook::of(&shown.prediction) {
+        let limit = planner.preferences.limit;
+        let landmarks: Vec<_> = shown
+            .order
+            .landmarks
+            .iter()
+            .map(|(l, _)| l.clone())
+            .collect();
+        for (index, sentence) in outlook
+            .sentences(limit, &landmarks, context.units)
+            .into_iter()
+            .enumerate()
+        {
+            let bad = index == 2 && outlook.stretches > 0;
+            let color = if bad { tokens.warning } else { tokens.text };
+            ui.label(egui::RichText::new(sentence).color(color));
+        }
+    }
+    for sentence in assumptions(planner, route, documents, context) {
+        ui.label(muted(tokens, sentence));
+    }
+}
+
+/// What the prediction assumes, in words.
+fn assumptions(
+    planner: &Planner,
+    route: &Route,
+    documents: &Documents,
+    context: &ViewContext<'_>,
+) -> Vec<String> {
+    let mission = context.mission;
+    let used: Vec<_> = mission
+        .landmarks
+        .iter()
+        .filter(|l| l.enabled)
+        .cloned()
+        .collect();
+    let measured = planner.assessments.count(&used);
+    let mut list = Vec::new();
+    if used.is_empty() {
+        list.push("No landmark is switched on.".to_owned());
+    } else if measured < used.len() {
+        list.push(format!(
+            "Of {} landmarks {measured} are measured. The others are assumed to be recognised on {:.0} % \
+             of days, and then found in {:.0} % of frames.",
+            used.len(),
+            100.0 * ASSUMED_RECOGNISED,
+            100.0 * ASSUMED_PER_FRAME
+        ));
+    } else {
+        list.push(format!(
+            "All {measured} landmarks that are on are measured."
+        ));
+    }
+    let (factor, unit) = context.units.length();
+    let one_height = route
+        .way_points
+        .windows(2)
+        .all(|p| p[0].altitude == p[1].altitude);
+    let one_speed = route.way_points.iter().all(|w| w.speed.is_none());
+    if !one_height {
+        let mean = height(route, mission, documents) * factor;
+        list.push(format!(
+            "Predicted at the mean height, {mean:.0} {unit} above flat ground."
+        ));
+    }
+    if !one_speed {
+        list.push("Predicted at the mean airspeed of the legs.".to_owned());
+    }
+    list
+}
+
+fn wind(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut ViewContext<'_>) {
+    let tokens = context.tokens;
+    let own = planner.preferences.wind.is_some();
+    let mut wind = planner.wind(documents);
+    ui.horizontal(|ui| {
+        caption(ui, tokens, "Wind");
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let (factor, unit) = context.units.speed();
+            let mut speed = wind.speed * factor;
+            let mut from = wind.from.to_degrees().rem_euclid(360.0);
+            let speed_field = DragValue::new(&mut speed)
+                .range(0.0..=60.0)
+                .speed(0.1)
+                .fixed_decimals(1)
+                .suffix(format!(" {unit}"));
+            let mut changed = ui.add(speed_field).accessible_name("Wind speed").changed();
+            let from_field = DragValue::new(&mut from)
+                .range(0.0..=360.0)
+                .speed(1.0)
+                .fixed_decimals(0)
+                .suffix("°");
+            changed |= ui.add(from_field).accessible_name("Wind from").changed();
+            if changed {
+                wind.speed = speed / factor;
+                wind.from = from.to_radians();
+                let wind = PlanCommand::SetWind(Some(wind));
+                context.commands.push(Command::Plan(wind));
+            }
+            if own {
+                if icon_button(ui, tokens, Icon::Undo, "Use the flight's wind").clicked() {
+                    context
+                        .commands
+                        .push(Command::Plan(PlanCommand::SetWind(None)));
+                }
+            } else {
+                ui.label(muted(tokens, "as on the flight, from"));
+            }
+        });
+    });
+}

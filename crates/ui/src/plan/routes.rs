@@ -1,0 +1,145 @@
+//! Edits of routes, each one undo step; a drag is one.
+
+use pilotage_core::frames::{Altitude, GroundPoint};
+use pilotage_core::mission::{Mission, Route, WayPoint};
+
+use crate::documents::Documents;
+
+/// Whether an edit is whole, or part of a drag that goes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Step {
+    /// One undo step of its own.
+    Whole,
+    /// Part of a drag.
+    Drag,
+}
+
+impl Step {
+    /// A whole step if `finished`.
+    pub fn of(finished: bool) -> Self {
+        if finished { Self::Whole } else { Self::Drag }
+    }
+}
+
+/// The route with that id.
+pub fn route_of(mission: &Mission, id: u32) -> Option<&Route> {
+    mission.routes.iter().find(|r| r.id == id)
+}
+
+fn free_route_id(mission: &Mission) -> u32 {
+    mission.routes.iter().map(|r| r.id + 1).max().unwrap_or(1)
+}
+
+impl Documents {
+    /// Adds a route and returns its id.
+    pub fn add_route(&mut self, name: Option<&str>, way_points: Vec<WayPoint>) -> u32 {
+        self.history.remember(&self.mission);
+        self.mission_edited = true;
+        let id = free_route_id(&self.mission);
+        self.mission.routes.push(Route {
+            id,
+            name: name.map_or_else(|| format!("Route {id}"), str::to_owned),
+            way_points,
+            ..Route::default()
+        });
+        id
+    }
+
+    /// Changes a route. A step that changes nothing is none.
+    pub fn edit_route(&mut self, id: u32, step: Step, change: impl FnOnce(&mut Route)) {
+        let Some(at) = self.mission.routes.iter().position(|r| r.id == id) else {
+            return;
+        };
+        let mut route = self.mission.routes[at].clone();
+        change(&mut route);
+        // The end of a drag closes its step, whether or not the last move changed anything.
+        if route != self.mission.routes[at] {
+            self.history.begin_drag(&self.mission);
+            self.mission.routes[at] = route;
+            self.mission_edited = true;
+        }
+        if step == Step::Whole {
+            self.history.finish_drag(&self.mission);
+        }
+    }
+
+    /// Deletes a route.
+    pub fn delete_route(&mut self, id: u32) {
+        if route_of(&self.mission, id).is_some() {
+            self.history.remember(&self.mission);
+            self.mission.routes.retain(|r| r.id != id);
+            self.mission_edited = true;
+        }
+    }
+
+    /// Makes two routes of one at a way-point; the second one's id.
+    pub fn split_route(&mut self, id: u32, index: usize) -> Option<u32> {
+        let (first, mut second) = route_of(&self.mission, id)?.split(index)?;
+        self.history.remember(&self.mission);
+        self.mission_edited = true;
+        let at = self.mission.routes.iter().position(|r| r.id == id)?;
+        second.id = free_route_id(&self.mission);
+        second.name = format!("{}, second part", first.name);
+        let new = second.id;
+        self.mission.routes[at] = first;
+        self.mission.routes.insert(at + 1, second);
+        Some(new)
+    }
+}
+
+/// A way-point like `before` at another place.
+pub fn like(before: Option<&WayPoint>, at: GroundPoint, otherwise: Altitude) -> WayPoint {
+    let mut new = WayPoint::new(at, before.map_or(otherwise, |w| w.altitude));
+    new.speed = before.and_then(|w| w.speed);
+    new
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::documents::Session;
+    use pilotage_core::frames::AltitudeFrame;
+
+    const ALTITUDE: Altitude = Altitude::new(120.0, AltitudeFrame::AboveGround);
+
+    fn documents() -> (Documents, u32) {
+        let mut documents = Documents::new(&Session::demo());
+        let places = [(0.0, 0.0), (300.0, 0.0), (300.0, 400.0)];
+        let way_points = places.map(|(n, e)| WayPoint::new(GroundPoint::new(n, e), ALTITUDE));
+        let id = documents.add_route(None, way_points.to_vec());
+        (documents, id)
+    }
+
+    #[test]
+    fn a_way_point_dragged_far_goes_back_in_one_step() {
+        let (mut documents, id) = documents();
+        let depth = documents.history.depth().0;
+        for metres in [10.0, 20.0, 30.0] {
+            documents.edit_route(id, Step::Drag, |r| r.way_points[1].position.north += metres);
+        }
+        documents.edit_route(id, Step::Whole, |_| {});
+        assert_eq!(documents.history.depth().0, depth + 1);
+        documents.undo();
+        let route = route_of(&documents.mission, id).unwrap();
+        assert_eq!(route.way_points[1].position.north, 300.0);
+    }
+
+    #[test]
+    fn a_split_route_is_whole_again_after_one_undo() {
+        let (mut documents, id) = documents();
+        let before = documents.mission.clone();
+        let second = documents.split_route(id, 1).unwrap();
+        assert_ne!(second, id);
+        assert_eq!(documents.mission.routes.len(), 2);
+        assert_eq!(documents.undo(), Some(false), "the flight is not affected");
+        assert_eq!(documents.mission, before);
+    }
+
+    #[test]
+    fn an_edit_that_changes_nothing_is_no_step() {
+        let (mut documents, id) = documents();
+        let depth = documents.history.depth();
+        documents.edit_route(id, Step::Whole, |r| r.name = "Route 1".into());
+        assert_eq!(documents.history.depth(), depth);
+    }
+}

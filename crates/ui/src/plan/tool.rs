@@ -1,0 +1,232 @@
+//! What the pointer does to routes on the map.
+
+use egui::{CursorIcon, Key, PointerButton, Pos2, Response, Ui};
+use pilotage_core::frames::GroundPoint;
+use pilotage_core::mission::{Mission, Route};
+
+use super::PlanCommand;
+use super::planner::Planner;
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::map::ScreenFromWorld;
+
+/// Distance from a way-point that still counts as on it, points.
+const HIT_RADIUS: f32 = 14.0;
+/// Shortest leg on screen that has a handle in its middle, points.
+const SHORTEST_WITH_HANDLE: f32 = 56.0;
+
+/// What is under the pointer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Hit {
+    /// A way-point of the selected route.
+    WayPoint(usize),
+    /// The middle of the leg behind a way-point of the selected route.
+    Middle(usize),
+    /// Another route.
+    Route(u32),
+}
+
+/// The pointer's own state.
+#[derive(Debug, Default)]
+pub struct PlanTool {
+    /// The way-point that is being dragged.
+    dragged: Option<usize>,
+    /// What the pointer is over.
+    pub(super) hovered: Option<Hit>,
+    /// Where the pointer is, while a route is drawn.
+    pub(super) pointer: Option<GroundPoint>,
+}
+
+/// The point in the middle of a leg.
+pub fn middle(a: GroundPoint, b: GroundPoint) -> GroundPoint {
+    GroundPoint::new(0.5 * (a.north + b.north), 0.5 * (a.east + b.east))
+}
+
+/// The middles of the legs that are long enough on screen to be taken there, with the way-point
+/// before each.
+pub fn middles(route: &Route, view: &ScreenFromWorld) -> Vec<(usize, Pos2)> {
+    route
+        .way_points
+        .windows(2)
+        .enumerate()
+        .filter_map(|(index, pair)| {
+            let (a, b) = (pair[0].position, pair[1].position);
+            let long = view.points(a.distance(&b)) >= SHORTEST_WITH_HANDLE;
+            long.then(|| (index, view.apply(&middle(a, b))))
+        })
+        .collect()
+}
+
+fn nearest<T>(places: impl Iterator<Item = (T, Pos2)>, at: Pos2) -> Option<T> {
+    places
+        .map(|(what, place)| (what, place.distance(at)))
+        .filter(|(_, distance)| *distance <= HIT_RADIUS)
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(what, _)| what)
+}
+
+fn distance_to_line(a: Pos2, b: Pos2, at: Pos2) -> f32 {
+    let way = b - a;
+    let share = (at - a).dot(way) / way.length_sq().max(1e-6);
+    (a + share.clamp(0.0, 1.0) * way).distance(at)
+}
+
+fn hit(mission: &Mission, planner: &Planner, view: &ScreenFromWorld, at: Pos2) -> Option<Hit> {
+    if let Some(route) = planner.selected(mission) {
+        let places = route.way_points.iter().enumerate();
+        let places = places.map(|(index, w)| (index, view.apply(&w.position)));
+        if let Some(index) = nearest(places, at) {
+            return Some(Hit::WayPoint(index));
+        }
+        if let Some(index) = nearest(middles(route, view).into_iter(), at) {
+            return Some(Hit::Middle(index));
+        }
+    }
+    let others = mission
+        .routes
+        .iter()
+        .filter(|r| Some(r.id) != planner.route);
+    let near = |route: &&Route| {
+        route.way_points.windows(2).any(|pair| {
+            let ends = [&pair[0], &pair[1]].map(|w| view.apply(&w.position));
+            distance_to_line(ends[0], ends[1], at) < 0.6 * HIT_RADIUS
+        })
+    };
+    others.into_iter().find(near).map(|r| Hit::Route(r.id))
+}
+
+impl PlanTool {
+    /// Takes the pointer; true if it is busy with the plan, so that nobody else shall use it.
+    pub fn interact(
+        &mut self,
+        ui: &Ui,
+        view: &ScreenFromWorld,
+        response: &Response,
+        planner: &Planner,
+        context: &mut ViewContext<'_>,
+    ) -> bool {
+        let mission = context.mission;
+        let mut say = |command| context.commands.push(Command::Plan(command));
+        let under = |at: Pos2| hit(mission, planner, view, at);
+        let at = response.interact_pointer_pos();
+        self.hovered = response.hover_pos().and_then(under);
+        let over = response.hover_pos().filter(|_| planner.drawing);
+        self.pointer = over.map(|p| view.inverse(p));
+        keyboard(ui, planner, context.selection, &mut say);
+        if response.drag_started_by(PointerButton::Primary)
+            && let Some(origin) = ui.input(|i| i.pointer.press_origin()).or(at)
+        {
+            match under(origin) {
+                Some(Hit::WayPoint(index)) => {
+                    self.dragged = Some(index);
+                    say(PlanCommand::SelectWayPoint(Some(index)));
+                }
+                Some(Hit::Middle(behind)) => {
+                    self.dragged = Some(behind + 1);
+                    let at = view.inverse(origin);
+                    say(PlanCommand::InsertWayPoint {
+                        behind,
+                        at,
+                        finished: false,
+                    });
+                }
+                _ => {}
+            }
+        }
+        if let Some(index) = self.dragged {
+            let over = response.drag_stopped() || !response.dragged();
+            if let Some(at) = at {
+                say(PlanCommand::MoveWayPoint {
+                    index,
+                    to: view.inverse(at),
+                    finished: over,
+                });
+            }
+            if over {
+                self.dragged = None;
+            }
+            ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
+            return true;
+        }
+        if response.clicked()
+            && let Some(at) = at
+        {
+            return clicked(response, under(at), view.inverse(at), planner, &mut say);
+        }
+        if planner.drawing && self.hovered.is_none() {
+            ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
+        } else if self.hovered.is_some() {
+            ui.ctx().set_cursor_icon(CursorIcon::Grab);
+        }
+        false
+    }
+}
+
+/// A click: true if it was for the plan.
+fn clicked(
+    response: &Response,
+    hit: Option<Hit>,
+    ground: GroundPoint,
+    planner: &Planner,
+    say: &mut impl FnMut(PlanCommand),
+) -> bool {
+    if planner.drawing {
+        if response.double_clicked() {
+            say(PlanCommand::FinishDraw);
+        } else {
+            say(PlanCommand::AddWayPoint(Some(ground)));
+        }
+        return true;
+    }
+    match hit {
+        Some(Hit::WayPoint(index)) => say(PlanCommand::SelectWayPoint(Some(index))),
+        Some(Hit::Middle(behind)) => say(PlanCommand::InsertWayPoint {
+            behind,
+            at: ground,
+            finished: true,
+        }),
+        Some(Hit::Route(id)) => say(PlanCommand::SelectRoute(id)),
+        None => {
+            if planner.way_point.is_some() {
+                say(PlanCommand::SelectWayPoint(None));
+            }
+            return false;
+        }
+    }
+    true
+}
+
+fn keyboard(ui: &Ui, planner: &Planner, landmark: Option<u32>, say: &mut impl FnMut(PlanCommand)) {
+    if ui.ctx().text_edit_focused() {
+        return;
+    }
+    let (enter, escape, delete) = ui.input(|i| {
+        (
+            i.key_pressed(Key::Enter),
+            i.key_pressed(Key::Escape),
+            i.key_pressed(Key::Delete) || i.key_pressed(Key::Backspace),
+        )
+    });
+    let focused = ui.memory(|m| m.focused().is_some());
+    if planner.drawing && (escape || (enter && !focused)) {
+        say(PlanCommand::FinishDraw);
+    } else if escape && planner.way_point.is_some() {
+        say(PlanCommand::SelectWayPoint(None));
+    }
+    if delete && landmark.is_none() && planner.way_point.is_some() {
+        say(PlanCommand::DeleteWayPoint(None));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui::pos2;
+
+    #[test]
+    fn beside_the_end_of_a_line_the_distance_is_that_to_the_end() {
+        let (a, b) = (pos2(0.0, 0.0), pos2(10.0, 0.0));
+        assert_eq!(distance_to_line(a, b, pos2(5.0, 3.0)), 3.0);
+        assert_eq!(distance_to_line(a, b, pos2(14.0, 3.0)), 5.0);
+    }
+}

@@ -1,0 +1,337 @@
+//! The table of way-points and legs, with a keyboard path for everything the map does.
+
+use egui::{
+    Align2, ComboBox, DragValue, EventFilter, Key, Role, Sense, Ui, UiBuilder, WidgetInfo, pos2,
+    vec2,
+};
+use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint};
+use pilotage_core::mission::Route;
+
+use super::PlanCommand;
+use super::legs::{Leg, time_text};
+use super::planner::{Planner, cruise, reference};
+use super::tool::middle;
+use super::words::distance_text;
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::shell::{icon_button, icons::Icon, muted, paint_focus_ring};
+
+const ROW: f32 = 38.0;
+
+/// Draws the table, and below it what can be set of the selected way-point.
+pub fn way_points(
+    ui: &mut Ui,
+    planner: &Planner,
+    route: &Route,
+    legs: &[Leg],
+    context: &mut ViewContext<'_>,
+) {
+    ui.spacing_mut().item_spacing.y = 0.0;
+    for index in 0..route.way_points.len() {
+        let leg = index.checked_sub(1).and_then(|i| legs.get(i));
+        row(ui, planner, route, index, leg, context);
+        if planner.way_point == Some(index) {
+            // An id of its own: what stands above may change while a value is dragged.
+            let id = egui::Id::unique("selected way-point");
+            ui.scope_builder(UiBuilder::new().scope_id(id), |ui| {
+                ui.spacing_mut().item_spacing.y = 4.0;
+                selected(ui, route, index, context);
+            });
+        }
+    }
+    ui.spacing_mut().item_spacing.y = 4.0;
+    if planner.way_point.is_none() {
+        let words = "Choose a way-point to set its altitude and speed. Arrows move it, Shift with arrows \
+                     by ten metres, Insert adds one, Delete deletes it.";
+        ui.add_space(4.0);
+        ui.label(muted(context.tokens, words));
+    }
+}
+
+fn altitude_text(altitude: &Altitude, context: &ViewContext<'_>) -> String {
+    let (factor, unit) = context.units.length();
+    let value = altitude.metres * factor;
+    format!("{value:.0} {unit} {}", altitude.frame.name())
+}
+
+fn row(
+    ui: &mut Ui,
+    planner: &Planner,
+    route: &Route,
+    index: usize,
+    leg: Option<&Leg>,
+    context: &mut ViewContext<'_>,
+) {
+    let tokens = context.tokens;
+    let way_point = &route.way_points[index];
+    let chosen = planner.way_point == Some(index);
+    let size = vec2(ui.available_width(), ROW);
+    let (_, rect) = ui.allocate_space(size);
+    let id = egui::Id::unique(("way-point", index));
+    let response = ui.interact(rect, id, Sense::click());
+    let leg_words = leg.map(|leg| {
+        let course = leg.course.map_or("–".to_owned(), |c| {
+            format!("{:03.0}°", c.to_degrees().round().rem_euclid(360.0))
+        });
+        let distance = distance_text(leg.distance, context.units);
+        [course, distance, time_text(leg.time)]
+    });
+    let altitude = altitude_text(&way_point.altitude, context);
+    response.widget_info(|| {
+        let leg = leg_words.as_ref().map_or_else(
+            || "start".to_owned(),
+            |[course, distance, time]| format!("course {course}, {distance}, {time}"),
+        );
+        let name = format!("Way-point {}: {leg}, {altitude}", index + 1);
+        WidgetInfo::selected(Role::Button, true, chosen, name)
+    });
+    let painter = ui.painter();
+    if chosen || response.hovered() {
+        let fill = if chosen {
+            tokens.accent.gamma_multiply(0.16)
+        } else {
+            tokens.hover()
+        };
+        painter.rect_filled(rect.shrink2(vec2(0.0, 1.0)), tokens.radius, fill);
+    }
+    let (upper, lower) = (rect.top() + 12.0, rect.top() + 27.0);
+    let number = pos2(rect.left() + 16.0, rect.center().y);
+    painter.circle_stroke(number, 10.0, egui::Stroke::new(1.5, tokens.accent));
+    let text = (index + 1).to_string();
+    painter.text(
+        number,
+        Align2::CENTER_CENTER,
+        text,
+        tokens.small(),
+        tokens.text,
+    );
+    let left = rect.left() + 38.0;
+    let columns = [left + 44.0, rect.center().x + 36.0, rect.right() - 10.0];
+    if let Some(words) = leg_words {
+        for (x, text) in columns.into_iter().zip(words) {
+            let at = pos2(x, upper);
+            painter.text(at, Align2::RIGHT_CENTER, text, tokens.normal(), tokens.text);
+        }
+    } else {
+        let at = pos2(left, upper);
+        painter.text(
+            at,
+            Align2::LEFT_CENTER,
+            "Start",
+            tokens.normal(),
+            tokens.text,
+        );
+    }
+    let at = pos2(left, lower);
+    painter.text(
+        at,
+        Align2::LEFT_CENTER,
+        altitude,
+        tokens.small(),
+        tokens.muted,
+    );
+    if leg.is_some() {
+        let (factor, unit) = context.units.speed();
+        let speed = way_point.speed.unwrap_or_else(cruise) * factor;
+        let kind = if way_point.speed.is_some() {
+            ""
+        } else {
+            "cruise "
+        };
+        let text = format!("{kind}{speed:.1} {unit}");
+        let at = pos2(rect.right() - 10.0, lower);
+        painter.text(at, Align2::RIGHT_CENTER, text, tokens.small(), tokens.muted);
+    }
+    if response.clicked() {
+        let which = (!chosen).then_some(index);
+        let command = PlanCommand::SelectWayPoint(which);
+        context.commands.push(Command::Plan(command));
+    }
+    if response.has_focus() {
+        paint_focus_ring(painter, rect, tokens);
+        keyboard(ui, response.id, route, index, context);
+    }
+}
+
+/// Arrows move the way-point by a metre, with Shift by ten; Insert adds one behind it.
+fn keyboard(ui: &Ui, widget: egui::Id, route: &Route, index: usize, context: &mut ViewContext<'_>) {
+    let filter = EventFilter {
+        horizontal_arrows: true,
+        vertical_arrows: true,
+        ..Default::default()
+    };
+    ui.memory_mut(|m| m.set_focus_lock_filter(widget, filter));
+    let (north, east, insert, delete) = ui.input(|i| {
+        let along = |minus: Key, plus: Key| {
+            f64::from(u32::try_from(i.num_presses(plus)).unwrap_or(0))
+                - f64::from(u32::try_from(i.num_presses(minus)).unwrap_or(0))
+        };
+        let scale = if i.modifiers.shift { 10.0 } else { 1.0 };
+        (
+            scale * along(Key::ArrowDown, Key::ArrowUp),
+            scale * along(Key::ArrowLeft, Key::ArrowRight),
+            i.key_pressed(Key::Insert),
+            i.key_pressed(Key::Delete),
+        )
+    });
+    let mut say = |command| context.commands.push(Command::Plan(command));
+    let at = route.way_points[index].position;
+    if north != 0.0 || east != 0.0 {
+        say(PlanCommand::MoveWayPoint {
+            index,
+            to: GroundPoint::new(at.north + north, at.east + east),
+            finished: true,
+        });
+    }
+    if insert {
+        say(insertion(route, index));
+    }
+    if delete {
+        say(PlanCommand::DeleteWayPoint(Some(index)));
+    }
+}
+
+/// A way-point behind another: in the middle of the leg, or beyond the end.
+fn insertion(route: &Route, index: usize) -> PlanCommand {
+    let here = route.way_points[index].position;
+    let at = match route.way_points.get(index + 1) {
+        Some(next) => middle(here, next.position),
+        None => match index.checked_sub(1).and_then(|i| route.way_points.get(i)) {
+            Some(before) => {
+                let back = before.position;
+                GroundPoint::new(2.0 * here.north - back.north, 2.0 * here.east - back.east)
+            }
+            None => GroundPoint::new(here.north + 100.0, here.east),
+        },
+    };
+    PlanCommand::InsertWayPoint {
+        behind: index,
+        at,
+        finished: true,
+    }
+}
+
+/// Altitude with its frame, speed, and what can be done with the way-point.
+fn selected(ui: &mut Ui, route: &Route, index: usize, context: &mut ViewContext<'_>) {
+    let tokens = context.tokens;
+    let way_point = &route.way_points[index];
+    let mut say: Vec<PlanCommand> = Vec::new();
+    ui.horizontal(|ui| {
+        ui.add_space(34.0);
+        say.extend(altitude(ui, way_point.altitude, index, context));
+        if index > 0 {
+            say.extend(speed(ui, way_point.speed, index, context));
+        }
+    });
+    ui.horizontal(|ui| {
+        ui.add_space(34.0);
+        ui.spacing_mut().item_spacing.x = 0.0;
+        let all_same = route
+            .way_points
+            .iter()
+            .all(|w| w.altitude == way_point.altitude);
+        ui.add_enabled_ui(!all_same, |ui| {
+            let label = "This altitude for all way-points";
+            if icon_button(ui, tokens, Icon::Layers, label).clicked() {
+                say.push(PlanCommand::SetAltitude {
+                    index: None,
+                    altitude: way_point.altitude,
+                    finished: true,
+                });
+            }
+        });
+        if icon_button(ui, tokens, Icon::Plus, "Insert a way-point behind it").clicked() {
+            say.push(insertion(route, index));
+        }
+        let inner = index > 0 && index + 1 < route.way_points.len();
+        ui.add_enabled_ui(inner, |ui| {
+            if icon_button(ui, tokens, Icon::Pause, "Split the route here").clicked() {
+                say.push(PlanCommand::Split);
+            }
+        });
+        if icon_button(ui, tokens, Icon::Trash, "Delete the way-point").clicked() {
+            say.push(PlanCommand::DeleteWayPoint(Some(index)));
+        }
+        let (factor, unit) = context.units.length();
+        let p = way_point.position;
+        let place = format!(
+            "{:.0} north, {:.0} {unit} east",
+            p.north * factor,
+            p.east * factor
+        );
+        ui.add_space(6.0);
+        ui.label(muted(tokens, place));
+    });
+    ui.add_space(4.0);
+    context.commands.extend(say.into_iter().map(Command::Plan));
+}
+
+fn altitude(
+    ui: &mut Ui,
+    now: Altitude,
+    index: usize,
+    context: &ViewContext<'_>,
+) -> Option<PlanCommand> {
+    let (factor, unit) = context.units.length();
+    let mut value = now.metres * factor;
+    let field = DragValue::new(&mut value)
+        .speed(1.0)
+        .fixed_decimals(0)
+        .suffix(format!(" {unit}"));
+    let field = ui.add(field).accessible_name("Altitude of the way-point");
+    let mut altitude = None;
+    if field.changed() {
+        altitude = Some(Altitude::new(value / factor, now.frame));
+    }
+    let reference = reference(context.mission);
+    let combo = ComboBox::from_id_salt("frame").width(104.0);
+    let combo = combo.selected_text(now.frame.name()).show_ui(ui, |ui| {
+        for frame in AltitudeFrame::ALL {
+            if ui
+                .selectable_label(frame == now.frame, frame.name())
+                .clicked()
+            {
+                altitude = Some(now.counted_from(frame, &reference));
+            }
+        }
+    });
+    combo
+        .response
+        .accessible_name("What the altitude counts from");
+    altitude.map(|altitude| PlanCommand::SetAltitude {
+        index: Some(index),
+        altitude,
+        finished: !field.dragged(),
+    })
+}
+
+fn speed(
+    ui: &mut Ui,
+    now: Option<f64>,
+    index: usize,
+    context: &ViewContext<'_>,
+) -> Option<PlanCommand> {
+    let (factor, unit) = context.units.speed();
+    let mut value = now.unwrap_or_else(cruise) * factor;
+    let field = DragValue::new(&mut value)
+        .range(5.0 * factor..=100.0 * factor)
+        .speed(0.1)
+        .fixed_decimals(1)
+        .suffix(format!(" {unit}"));
+    let field = ui.add(field).accessible_name("Airspeed on the leg to it");
+    let finished = !field.dragged();
+    if field.changed() {
+        return Some(PlanCommand::SetSpeed {
+            index,
+            speed: Some(value / factor),
+            finished,
+        });
+    }
+    let back =
+        now.is_some() && icon_button(ui, context.tokens, Icon::Undo, "Cruise speed").clicked();
+    back.then_some(PlanCommand::SetSpeed {
+        index,
+        speed: None,
+        finished: true,
+    })
+}

@@ -1,0 +1,28 @@
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable as _;
+
+use super::{place, planning};
+
+#[test]
+fn a_route_is_made_and_moved_without_a_pointer() {
+    let mut rig = planning();
+    rig.key(Key::I);
+    rig.key(Key::I);
+    rig.key(Key::Enter);
+    rig.frames(2);
+    let row = "Way-point 2: course –, 0 m, 0:00";
+    let row = rig
+        .harness
+        .get_by(|n| n.label().is_some_and(|l| l.starts_with(row)));
+    row.focus();
+    rig.frames(2);
+    let (_, before) = place(&rig, 1);
+    rig.key_with(Modifiers::SHIFT, Key::ArrowRight);
+    rig.key(Key::ArrowRight);
+    assert!((place(&rig, 1).1 - before - 11.0).abs() < 1e-6);
+    rig.key(Key::Insert);
+    let count = rig.state()["plan"]["routes"][0]["way_points"]
+        .as_array()
+        .map(Vec::len);
+    assert_eq!(count, Some(3));
+}

@@ -1,0 +1,72 @@
+//! What people do while they plan.
+
+mod assess;
+mod corridor;
+mod drag;
+mod draw;
+mod insert;
+mod keyboard;
+mod undo;
+mod workspace;
+
+use egui::{Key, Pos2, Vec2};
+
+use super::support::{Rig, rig};
+
+/// The Plan workspace, with nothing in it but the landmarks of the flight.
+pub fn planning() -> Rig {
+    let mut rig = rig();
+    rig.open_tab("Plan");
+    rig.settle();
+    rig
+}
+
+/// Where a place on the ground lies on the screen.
+pub fn screen(rig: &Rig, north: f64, east: f64) -> Pos2 {
+    let state = rig.state();
+    let map = &state["map"];
+    let scale = map["metres_per_point"].as_f64().expect("a scale");
+    let center = |i: usize| map["center"][i].as_f64().expect("a centre");
+    let right = (east - center(1)) / scale;
+    let down = (center(0) - north) / scale;
+    rig.rect("/map/rect").center() + Vec2::new(right as f32, down as f32)
+}
+
+/// Clicks a place on the ground, late enough to be no double click.
+pub fn click(rig: &mut Rig, north: f64, east: f64) {
+    let at = screen(rig, north, east);
+    rig.harness.state_mut().host.now += 1000.0;
+    rig.harness.hover_at(at);
+    rig.frames(30);
+    rig.harness.drag_at(at);
+    rig.frames(1);
+    rig.harness.drop_at(at);
+    rig.frames(2);
+}
+
+/// Draws a route over these places.
+pub fn draw(rig: &mut Rig, places: &[(f64, f64)]) {
+    rig.key(Key::W);
+    for (north, east) in places {
+        click(rig, *north, *east);
+    }
+    rig.key(Key::Enter);
+    rig.settle();
+}
+
+/// A place of a way-point of the first route, metres north and east.
+pub fn place(rig: &Rig, index: usize) -> (f64, f64) {
+    let state = rig.state();
+    let at = &state["plan"]["routes"][0]["way_points"][index];
+    let metres = |k: &str| at[k].as_f64().expect("metres");
+    (metres("north"), metres("east"))
+}
+
+/// A number of the plan.
+pub fn number(rig: &Rig, pointer: &str) -> f64 {
+    let state = rig.state();
+    let found = state["plan"].pointer(pointer);
+    found
+        .and_then(serde_json::Value::as_f64)
+        .unwrap_or_else(|| panic!("no {pointer} in {}", state["plan"]))
+}
