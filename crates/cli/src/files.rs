@@ -55,6 +55,18 @@ pub struct Directory {
 }
 
 impl Directory {
+    /// The folder in which `file` lies, without a list of what else is there: what lies beside a
+    /// file is asked for by name.
+    pub fn around(file: &Path) -> Result<Self, String> {
+        if !file.is_file() {
+            return Err(format!("{}: there is no such file", file.display()));
+        }
+        Ok(Self {
+            root: file.parent().unwrap_or(file).to_owned(),
+            names: Vec::new(),
+        })
+    }
+
     /// Lists the files below `root`; a file stands for the directory it lies in.
     pub fn open(root: &Path) -> std::io::Result<Self> {
         let root = if root.is_file() {
@@ -116,7 +128,7 @@ pub fn open_map(
     frame: Option<LocalFrame>,
     megabytes: usize,
 ) -> Result<Arc<dyn Imagery>, Box<dyn std::error::Error>> {
-    let directory = Directory::open(path)?;
+    let directory = Directory::around(path)?;
     let name = path
         .file_name()
         .map(|n| n.to_string_lossy().into_owned())

@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use nalgebra::Point2;
-use pilotage_core::flight::files::FileSet;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
 use pilotage_core::imagery::terrain::{Dem, Terrain};
 use pilotage_core::imagery::{GeoTiffFile, Georeference, Imagery, Placement, Window};
@@ -295,10 +294,7 @@ fn open(
     arguments: &MapArguments,
     system: Option<ReferenceSystem>,
 ) -> Result<OpenMap, Box<dyn std::error::Error>> {
-    let directory = Directory::open(&arguments.file)?;
-    if directory.source(&arguments.name()).is_none() {
-        return Err(format!("{}: there is no such file", arguments.file.display()).into());
-    }
+    let directory = Directory::around(&arguments.file)?;
     let options = MapOptions {
         system,
         ..MapOptions::default()
