@@ -4,11 +4,18 @@
 //! and we do not know is kept in the properties of routes, way-points and landmarks and written
 //! again into the same format; whatever was assumed, kept aside or left out stands in the notes.
 
+mod csv_columns;
+mod csv_read;
+mod csv_write;
+mod embedded;
 mod error;
 mod format;
 mod geojson;
+mod gpx;
 mod item;
 mod item_route;
+mod kml_read;
+mod kml_write;
 mod plan;
 #[cfg(test)]
 mod plan_schema;
@@ -17,6 +24,7 @@ mod read;
 mod tests;
 mod waypoints;
 mod write;
+mod xml;
 
 pub use error::ExchangeError;
 pub use format::Format;

@@ -1,6 +1,6 @@
 //! One entry for all formats that are read.
 
-use super::{ExchangeError, Format, geojson, plan, waypoints};
+use super::{ExchangeError, Format, csv_read, geojson, gpx, kml_read, plan, waypoints};
 use crate::frames::{Geodetic, LocalFrame};
 use crate::landmark::Landmark;
 use crate::mission::Route;
@@ -48,13 +48,24 @@ pub fn read_any(
     };
     let format = Format::of(name, bytes).ok_or_else(unknown)?;
     let mut notes = Vec::new();
+    let unpacked = match format {
+        Format::Kmz => kml_read::unpack(name, bytes)?,
+        _ => Vec::new(),
+    };
+    let bytes = if format == Format::Kmz {
+        &unpacked
+    } else {
+        bytes
+    };
     let found = {
         let content = text(bytes, &mut notes);
         match format {
             Format::Plan => plan::read(name, &content)?,
             Format::Waypoints => waypoints::read(name, &content)?,
             Format::GeoJson => geojson::read(name, &content)?,
-            _ => return Err(unknown()),
+            Format::Kml | Format::Kmz => kml_read::read(name, &content)?,
+            Format::Gpx => gpx::read(name, &content)?,
+            Format::Csv => csv_read::read(name, &content)?,
         }
     };
     if found.routes.is_empty() && found.landmarks.is_empty() {

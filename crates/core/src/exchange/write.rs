@@ -1,6 +1,6 @@
 //! One entry for all formats that are written.
 
-use super::{ExchangeError, Format, geojson, plan, waypoints};
+use super::{ExchangeError, Format, csv_write, geojson, gpx, kml_write, plan, waypoints};
 use crate::frames::LocalFrame;
 use crate::landmark::Landmark;
 use crate::mission::Route;
@@ -66,10 +66,25 @@ pub fn write_routes_and_landmarks(
         (Format::Plan, [route]) => plan::write(route, frame),
         (Format::Waypoints, [route]) => waypoints::write(route, frame),
         (Format::GeoJson, _) => geojson::write(routes, landmarks, frame),
-        _ => return Err(cannot_hold("this".to_owned(), "choose another format")),
+        (Format::Kml | Format::Kmz, _) => kml_write::write(routes, landmarks, frame),
+        (Format::Gpx, _) => gpx::write(routes, landmarks, frame),
+        (Format::Csv, []) => (csv_write::write_landmarks(landmarks, frame), Vec::new()),
+        (Format::Csv, _) if landmarks.is_empty() => {
+            (csv_write::write_routes(routes, frame), Vec::new())
+        }
+        _ => {
+            return Err(cannot_hold(
+                "routes and landmarks in one table".to_owned(),
+                "write them into two files",
+            ));
+        }
     };
-    Ok(Written {
-        bytes: text.into_bytes(),
-        notes,
-    })
+    let bytes = match format {
+        Format::Kmz => kml_write::pack(&text).map_err(|cause| ExchangeError::File {
+            file: "doc.kml".to_owned(),
+            cause,
+        })?,
+        _ => text.into_bytes(),
+    };
+    Ok(Written { bytes, notes })
 }

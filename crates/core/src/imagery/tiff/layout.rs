@@ -5,7 +5,7 @@ use super::{Directory, LARGEST_CHUNK, MOST_CHUNK_PIXELS, Tag, TiffError};
 /// Longest side of an image, pixels.
 const LONGEST_SIDE: u64 = 1 << 20;
 /// Most pixels of an image.
-const MOST_PIXELS: usize = 1 << 34;
+const MOST_PIXELS: u64 = 1 << 34;
 /// Most samples of a pixel.
 const MOST_SAMPLES: u64 = 64;
 /// Uncompressed strips above this are read in parts, bytes.
@@ -145,7 +145,7 @@ impl Layout {
         };
         let subfile = directory.number(Tag::NewSubfileType)?.unwrap_or(0);
         let (width, height) = (side(Tag::ImageWidth)?, side(Tag::ImageLength)?);
-        if width * height > MOST_PIXELS {
+        if width as u64 * height as u64 > MOST_PIXELS {
             return Err(directory
                 .blame(&Tag::ImageLength.name())
                 .unsupported(format!(

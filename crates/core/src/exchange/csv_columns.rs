@@ -1,0 +1,244 @@
+//! What the columns of a table mean, guessed from their names.
+
+use crate::frames::AltitudeFrame;
+use crate::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
+
+/// What a column holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Role {
+    Latitude,
+    Longitude,
+    Altitude,
+    Frame,
+    Speed,
+    Action,
+    Radius,
+    Turns,
+    Route,
+    Id,
+    Name,
+    Height,
+    Enabled,
+    BoxNorth,
+    BoxEast,
+    OffsetNorth,
+    OffsetEast,
+}
+
+/// Roles by what their columns are called, units and brackets aside; ours come first.
+const NAMES: [(Role, &[&str]); 17] = [
+    (Role::Latitude, &["latitude", "lat", "gps latitude"]),
+    (
+        Role::Longitude,
+        &["longitude", "lon", "lng", "long", "gps longitude"],
+    ),
+    (Role::Altitude, &["altitude", "alt", "ele", "elevation"]),
+    (
+        Role::Frame,
+        &["altitude frame", "alt frame", "frame", "altitude mode"],
+    ),
+    (Role::Speed, &["speed", "airspeed"]),
+    (Role::Action, &["action"]),
+    (Role::Radius, &["radius", "loiter radius"]),
+    (Role::Turns, &["turns", "loiter turns"]),
+    (Role::Route, &["route"]),
+    (Role::Id, &["id"]),
+    (Role::Name, &["name", "title", "label"]),
+    (Role::Height, &["height", "height above ground"]),
+    (Role::Enabled, &["enabled"]),
+    (Role::BoxNorth, &["box north"]),
+    (Role::BoxEast, &["box east"]),
+    (Role::OffsetNorth, &["offset north"]),
+    (Role::OffsetEast, &["offset east"]),
+];
+
+impl Role {
+    /// What it is called, for people.
+    pub(super) fn name(self) -> &'static str {
+        NAMES
+            .iter()
+            .find(|(role, _)| *role == self)
+            .and_then(|(_, names)| names.first())
+            .unwrap_or(&"")
+    }
+
+    /// Units that the column may state; none for text.
+    fn units(self) -> &'static [Unit] {
+        match self {
+            Self::Latitude | Self::Longitude => &[Unit::Degree],
+            Self::Speed => &[
+                Unit::MetrePerSecond,
+                Unit::KilometrePerHour,
+                Unit::Knot,
+                Unit::MilePerHour,
+            ],
+            Self::Altitude
+            | Self::Radius
+            | Self::Height
+            | Self::BoxNorth
+            | Self::BoxEast
+            | Self::OffsetNorth
+            | Self::OffsetEast => &[Unit::Metre, Unit::Foot, Unit::Kilometre],
+            _ => &[],
+        }
+    }
+}
+
+/// Unit of a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Unit {
+    Degree,
+    Metre,
+    Foot,
+    Kilometre,
+    MetrePerSecond,
+    KilometrePerHour,
+    Knot,
+    MilePerHour,
+}
+
+impl Unit {
+    const ALL: [(Self, &'static [&'static str]); 8] = [
+        (Self::Degree, &["deg", "degree", "degrees", "°"]),
+        (Self::Metre, &["m", "metre", "metres", "meter", "meters"]),
+        (Self::Foot, &["ft", "feet", "foot"]),
+        (Self::Kilometre, &["km"]),
+        (Self::MetrePerSecond, &["m/s", "mps", "ms"]),
+        (Self::KilometrePerHour, &["km/h", "kmh", "kph"]),
+        (Self::Knot, &["kt", "kts", "kn", "knots"]),
+        (Self::MilePerHour, &["mph"]),
+    ];
+
+    fn of(word: &str) -> Option<Self> {
+        let found = Self::ALL.iter().find(|(_, words)| words.contains(&word));
+        found.map(|(unit, _)| *unit)
+    }
+
+    /// What a number is multiplied with to be in SI, or in degrees.
+    pub(super) fn factor(self) -> f64 {
+        match self {
+            Self::Degree | Self::Metre | Self::MetrePerSecond => 1.0,
+            Self::Foot => METRES_PER_FOOT,
+            Self::Kilometre => 1000.0,
+            Self::KilometrePerHour => 1.0 / 3.6,
+            Self::Knot => MPS_PER_KNOT,
+            Self::MilePerHour => 5280.0 * METRES_PER_FOOT / 3600.0,
+        }
+    }
+}
+
+/// A column of a table.
+#[derive(Debug)]
+pub(super) struct Column {
+    /// Its name as it stands.
+    pub name: String,
+    /// What it holds; `None` if we do not know.
+    pub role: Option<Role>,
+    /// Unit that its name states.
+    pub unit: Option<Unit>,
+    /// What altitudes count from, where its name states that.
+    pub frame: Option<AltitudeFrame>,
+}
+
+/// What the columns of those names hold, or in words what is wrong with one.
+pub(super) fn columns(names: &[String]) -> Result<Vec<Column>, String> {
+    let mut taken = Vec::new();
+    names
+        .iter()
+        .map(|name| {
+            let mut column = column(name);
+            if let Some(role) = column.role {
+                if taken.contains(&role) {
+                    // The first of several is meant.
+                    column.role = None;
+                } else {
+                    taken.push(role);
+                    if let Some(unit) = column.unit
+                        && !role.units().contains(&unit)
+                    {
+                        return Err(format!("column `{name}`: a {} in {unit:?}", role.name()));
+                    }
+                }
+            }
+            Ok(column)
+        })
+        .collect()
+}
+
+fn column(name: &str) -> Column {
+    let plain = name.to_lowercase();
+    let is_break = |c: char| c.is_whitespace() || "_-()[]{}:,.".contains(c);
+    let mut words: Vec<&str> = plain.split(is_break).filter(|w| !w.is_empty()).collect();
+    let role_of = |words: &[&str]| {
+        let name = words.join(" ");
+        NAMES
+            .iter()
+            .find(|(_, names)| names.contains(&name.as_str()))
+            .map(|(role, _)| *role)
+    };
+    let (mut unit, mut frame) = (None, None);
+    loop {
+        if let Some(role) = role_of(&words) {
+            return Column {
+                name: name.to_owned(),
+                role: Some(role),
+                unit,
+                frame,
+            };
+        }
+        let last = words.pop();
+        match last {
+            Some("amsl" | "msl") => frame = Some(AltitudeFrame::Amsl),
+            Some("agl") => frame = Some(AltitudeFrame::AboveGround),
+            Some("rel" | "relative") => frame = Some(AltitudeFrame::AboveTakeOff),
+            Some(word) if unit.is_none() && Unit::of(word).is_some() => unit = Unit::of(word),
+            _ => {
+                return Column {
+                    name: name.to_owned(),
+                    role: None,
+                    unit: None,
+                    frame: None,
+                };
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_known_in_the_spellings_that_people_use() {
+        let of = |name: &str| {
+            let column = column(name);
+            (column.role, column.unit, column.frame)
+        };
+        assert_eq!(of("Lat"), (Some(Role::Latitude), None, None));
+        assert_eq!(
+            of("Longitude (°)"),
+            (Some(Role::Longitude), Some(Unit::Degree), None)
+        );
+        assert_eq!(
+            of("ALT_AGL_ft"),
+            (
+                Some(Role::Altitude),
+                Some(Unit::Foot),
+                Some(AltitudeFrame::AboveGround)
+            )
+        );
+        assert_eq!(
+            of("speed [km/h]"),
+            (Some(Role::Speed), Some(Unit::KilometrePerHour), None)
+        );
+        assert_eq!(of("altitude_frame"), (Some(Role::Frame), None, None));
+        assert_eq!(of("colour").0, None);
+        assert_eq!(of("m").0, None);
+    }
+
+    #[test]
+    fn a_unit_that_does_not_fit_is_refused() {
+        let error = columns(&["speed_ft".to_owned()]).unwrap_err();
+        assert!(error.contains("speed_ft"), "{error}");
+    }
+}

@@ -1,0 +1,311 @@
+//! Reading tables of way-points or landmarks whose columns anybody has named.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde_json::Value;
+
+use super::ExchangeError;
+use super::csv_columns::{Column, Role, Unit, columns};
+use super::read::{Found, POINT_BOX};
+use crate::frames::{Altitude, AltitudeFrame, GroundPoint};
+use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
+use crate::mission::way_point_file::{action_of_word, frame_of_word};
+use crate::mission::{USUAL_ALTITUDE, WayPoint};
+
+/// Reads a table with a header line.
+pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
+    let header = content.lines().next().unwrap_or("");
+    let count = |c: char| header.matches(c).count();
+    let delimiter = [',', ';', '\t']
+        .into_iter()
+        .max_by_key(|c| (count(*c), *c == ','))
+        .unwrap_or(',');
+    let mut reader = csv::ReaderBuilder::new()
+        .delimiter(delimiter as u8)
+        .flexible(true)
+        .trim(csv::Trim::All)
+        .from_reader(content.as_bytes());
+    let error = |line: u64, cause: String| ExchangeError::Place {
+        file: file.to_owned(),
+        line: line as usize,
+        column: 1,
+        cause,
+    };
+    let names = reader.headers().map_err(|e| error(1, e.to_string()))?;
+    let names: Vec<String> = names.iter().map(str::to_owned).collect();
+    let table = Table {
+        file,
+        columns: columns(&names).map_err(|cause| error(1, cause))?,
+        has_decimal_comma: delimiter == ';',
+    };
+    for role in [Role::Latitude, Role::Longitude] {
+        if !table.has(role) {
+            return Err(error(
+                1,
+                format!(
+                    "there is no column for the {}; there are: {}",
+                    role.name(),
+                    names.join(", ")
+                ),
+            ));
+        }
+    }
+    let mut rows = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|e| {
+            let line = e.position().map_or(0, csv::Position::line);
+            error(line, e.to_string())
+        })?;
+        let line = record.position().map_or(0, csv::Position::line);
+        if record.iter().any(|cell| !cell.is_empty()) {
+            rows.push(Row {
+                table: &table,
+                line: line as usize,
+                record,
+            });
+        }
+    }
+    if table.holds_way_points() {
+        way_points(&table, &rows)
+    } else {
+        landmarks(&table, &rows)
+    }
+}
+
+struct Table<'a> {
+    file: &'a str,
+    columns: Vec<Column>,
+    has_decimal_comma: bool,
+}
+
+impl Table<'_> {
+    fn has(&self, role: Role) -> bool {
+        self.columns.iter().any(|c| c.role == Some(role))
+    }
+
+    /// Whether the rows are way-points: something says how they are flown over.
+    fn holds_way_points(&self) -> bool {
+        let is_flown = [
+            Role::Route,
+            Role::Altitude,
+            Role::Speed,
+            Role::Action,
+            Role::Frame,
+        ];
+        let is_box = [Role::BoxNorth, Role::BoxEast, Role::Enabled];
+        !is_box.iter().any(|r| self.has(*r))
+            && (is_flown.iter().any(|r| self.has(*r)) || !self.has(Role::Name))
+    }
+}
+
+struct Row<'a> {
+    table: &'a Table<'a>,
+    line: usize,
+    record: csv::StringRecord,
+}
+
+impl Row<'_> {
+    fn error(&self, column: &str, cause: &str) -> ExchangeError {
+        ExchangeError::Place {
+            file: self.table.file.to_owned(),
+            line: self.line,
+            column: 1,
+            cause: format!("column `{column}`: {cause}"),
+        }
+    }
+
+    /// The column and the cell of a role, if the cell is not empty.
+    fn cell(&self, role: Role) -> Option<(&Column, &str)> {
+        let columns = self.table.columns.iter().enumerate();
+        columns
+            .filter(|(_, column)| column.role == Some(role))
+            .find_map(|(i, column)| Some((column, self.record.get(i)?)))
+            .filter(|(_, cell)| !cell.is_empty())
+    }
+
+    fn text(&self, role: Role) -> Option<String> {
+        self.cell(role).map(|(_, cell)| cell.to_owned())
+    }
+
+    /// A number in SI, or in degrees.
+    fn number(&self, role: Role) -> Result<Option<f64>, ExchangeError> {
+        let Some((column, cell)) = self.cell(role) else {
+            return Ok(None);
+        };
+        let plain = if self.table.has_decimal_comma {
+            cell.replace(',', ".")
+        } else {
+            cell.to_owned()
+        };
+        let value: f64 = plain
+            .parse()
+            .ok()
+            .filter(|v: &f64| v.is_finite())
+            .ok_or_else(|| self.error(&column.name, &format!("`{cell}` is no number")))?;
+        Ok(Some(value * column.unit.map_or(1.0, Unit::factor)))
+    }
+
+    fn place(&self) -> Result<LonLat, ExchangeError> {
+        let (latitude, longitude) = (self.number(Role::Latitude)?, self.number(Role::Longitude)?);
+        match (longitude, latitude) {
+            (Some(longitude), Some(latitude)) if on_globe(longitude, latitude) => {
+                Ok((longitude, latitude))
+            }
+            _ => Err(ExchangeError::Place {
+                file: self.table.file.to_owned(),
+                line: self.line,
+                column: 1,
+                cause: "the row has no latitude and longitude in degrees".to_owned(),
+            }),
+        }
+    }
+
+    /// Cells that we do not know, by the names of their columns, as JSON text.
+    fn properties(&self) -> BTreeMap<String, String> {
+        let columns = self.table.columns.iter().enumerate();
+        columns
+            .filter(|(_, column)| column.role.is_none() && !column.name.is_empty())
+            .filter_map(|(i, column)| Some((column, self.record.get(i)?)))
+            .filter(|(_, cell)| !cell.is_empty())
+            .map(|(column, cell)| {
+                let is_nested =
+                    cell.starts_with(['{', '[']) && serde_json::from_str::<Value>(cell).is_ok();
+                let value = if is_nested {
+                    cell.to_owned()
+                } else {
+                    Value::from(cell).to_string()
+                };
+                (column.name.clone(), value)
+            })
+            .collect()
+    }
+}
+
+fn way_points(table: &Table, rows: &[Row]) -> Result<Found, ExchangeError> {
+    let mut found = Found::default();
+    let mut assumed_frames = 0;
+    let stated = table
+        .columns
+        .iter()
+        .find(|c| c.role == Some(Role::Altitude))
+        .and_then(|c| c.frame);
+    for row in rows {
+        let place = row.place()?;
+        let frame = match row.cell(Role::Frame) {
+            None => stated,
+            Some((column, word)) => {
+                let plain = word.to_lowercase().replace([' ', '-'], "_");
+                let frame = frame_of_word(&plain).or_else(|| frame_of_abbreviation(&plain));
+                Some(frame.ok_or_else(|| {
+                    let cause =
+                        format!("`{word}` is none of amsl, above_take_off and above_ground");
+                    row.error(&column.name, &cause)
+                })?)
+            }
+        };
+        let altitude = match row.number(Role::Altitude)? {
+            Some(metres) => {
+                assumed_frames += usize::from(frame.is_none());
+                Altitude::new(metres, frame.unwrap_or(USUAL_ALTITUDE.frame))
+            }
+            None => USUAL_ALTITUDE,
+        };
+        let mut way_point = WayPoint::new(GroundPoint::default(), altitude);
+        way_point.speed = row.number(Role::Speed)?;
+        if let Some((column, word)) = row.cell(Role::Action) {
+            let plain = word.to_lowercase().replace([' ', '-'], "_");
+            let radius = row.number(Role::Radius)?.unwrap_or(0.0);
+            let turns = row.number(Role::Turns)?.unwrap_or(1.0);
+            way_point.action = action_of_word(&plain, radius, turns).ok_or_else(|| {
+                let cause = format!("`{word}` is none of fly_by, loiter, take_off and land");
+                row.error(&column.name, &cause)
+            })?;
+        }
+        way_point.properties = row.properties();
+        for (role, key) in [(Role::Name, "name"), (Role::Id, "id")] {
+            if let Some(text) = row.text(role) {
+                let text = Value::from(text).to_string();
+                way_point.properties.insert(key.to_owned(), text);
+            }
+        }
+        let name = row.text(Role::Route);
+        match found.routes.last_mut() {
+            Some(route) if route.name == name => route.way_points.push((place, way_point)),
+            _ => found.routes.push(FoundRoute {
+                name,
+                way_points: vec![(place, way_point)],
+                ..FoundRoute::default()
+            }),
+        }
+    }
+    found
+        .notes
+        .push("the rows are read as way-points".to_owned());
+    if assumed_frames > 0 {
+        found.notes.push(format!(
+            "the table does not say what altitudes count from: {} is taken",
+            USUAL_ALTITUDE.frame.name()
+        ));
+    }
+    if !table.has(Role::Altitude) {
+        found.notes.push(format!(
+            "the table states no altitude: {USUAL_ALTITUDE} is taken"
+        ));
+    }
+    Ok(found)
+}
+
+fn frame_of_abbreviation(word: &str) -> Option<AltitudeFrame> {
+    Some(match word {
+        "msl" | "absolute" => AltitudeFrame::Amsl,
+        "agl" | "terrain" => AltitudeFrame::AboveGround,
+        "rel" | "relative" | "ato" | "home" => AltitudeFrame::AboveTakeOff,
+        _ => return None,
+    })
+}
+
+fn landmarks(table: &Table, rows: &[Row]) -> Result<Found, ExchangeError> {
+    let mut found = Found::default();
+    let mut ids = BTreeSet::new();
+    for row in rows {
+        let place = row.place()?;
+        let (north, east) = (row.number(Role::BoxNorth)?, row.number(Role::BoxEast)?);
+        let size = (
+            north.or(east).unwrap_or(POINT_BOX),
+            east.or(north).unwrap_or(POINT_BOX),
+        );
+        let offset = (
+            row.number(Role::OffsetNorth)?.unwrap_or(0.0),
+            row.number(Role::OffsetEast)?.unwrap_or(0.0),
+        );
+        let mut properties = row.properties();
+        let id = row.text(Role::Id);
+        let own_id = id.as_ref().and_then(|id| id.parse::<u32>().ok());
+        if let (Some(id), None) = (id, own_id.filter(|id| ids.insert(*id))) {
+            properties.insert("id_in_file".to_owned(), Value::from(id).to_string());
+        }
+        let enabled = row.text(Role::Enabled).map(|text| text.to_lowercase());
+        found.landmarks.push(FoundLandmark {
+            reference: Some(place),
+            id: own_id,
+            name: row.text(Role::Name),
+            height: row.number(Role::Height)?.unwrap_or(0.0),
+            enabled: !enabled.is_some_and(|e| ["false", "0", "no", "off"].contains(&e.as_str())),
+            properties,
+            ..FoundLandmark::new(Extent::Around {
+                point: place,
+                offset,
+                size,
+            })
+        });
+    }
+    found
+        .notes
+        .push("the rows are read as landmarks".to_owned());
+    if !table.has(Role::BoxNorth) && !table.has(Role::BoxEast) {
+        found.notes.push(format!(
+            "the table states no sizes: each landmark gets a box of {POINT_BOX} m"
+        ));
+    }
+    Ok(found)
+}

@@ -1,0 +1,156 @@
+//! Writing tables of way-points or landmarks, units in the header.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde_json::Value;
+
+use crate::frames::{GroundPoint, LocalFrame};
+use crate::landmark::Landmark;
+use crate::mission::way_point_file::{action_word, frame_word};
+use crate::mission::{FEATURE_MEMBER, Route, WayPoint, WayPointAction, degrees, globe};
+
+/// Way-points of routes, one a row.
+pub(super) fn write_routes(routes: &[Route], frame: &LocalFrame) -> String {
+    let rows: Vec<(&Route, &WayPoint)> = routes
+        .iter()
+        .flat_map(|route| route.way_points.iter().map(move |w| (route, w)))
+        .collect();
+    let others = other_columns(rows.iter().map(|(_, w)| &w.properties));
+    let mut table = Table::new(&[
+        "route",
+        "latitude_deg",
+        "longitude_deg",
+        "altitude_m",
+        "altitude_frame",
+        "speed_m/s",
+        "action",
+        "radius_m",
+        "turns",
+    ]);
+    table.row_of(&others);
+    for (route, way_point) in rows {
+        let (latitude, longitude) = place(frame, &way_point.position);
+        let (radius, turns) = match way_point.action {
+            WayPointAction::Loiter { radius, turns } => (radius.to_string(), turns.to_string()),
+            _ => (String::new(), String::new()),
+        };
+        table.row(&[
+            &route.name,
+            &latitude,
+            &longitude,
+            &way_point.altitude.metres.to_string(),
+            frame_word(way_point.altitude.frame),
+            &way_point.speed.map_or_else(String::new, |v| v.to_string()),
+            action_word(&way_point.action),
+            &radius,
+            &turns,
+        ]);
+        table.row_of(&cells(&others, &way_point.properties));
+    }
+    table.finish()
+}
+
+/// Landmarks, one a row.
+pub(super) fn write_landmarks(landmarks: &[Landmark], frame: &LocalFrame) -> String {
+    let others = other_columns(landmarks.iter().map(|l| &l.properties));
+    let mut table = Table::new(&[
+        "id",
+        "name",
+        "latitude_deg",
+        "longitude_deg",
+        "height_m",
+        "enabled",
+        "box_north_m",
+        "box_east_m",
+        "offset_north_m",
+        "offset_east_m",
+    ]);
+    table.row_of(&others);
+    // A hundredth of a millimetre, as places are written.
+    let metres = |value: f64| ((value * 1e5).round() / 1e5).to_string();
+    for landmark in landmarks {
+        let (latitude, longitude) = place(frame, &landmark.reference);
+        let middle = landmark.bounds.center();
+        table.row(&[
+            &landmark.id.to_string(),
+            &landmark.name,
+            &latitude,
+            &longitude,
+            &landmark.height.to_string(),
+            &landmark.enabled.to_string(),
+            &metres(landmark.bounds.height()),
+            &metres(landmark.bounds.width()),
+            &metres(middle.north - landmark.reference.north),
+            &metres(middle.east - landmark.reference.east),
+        ]);
+        table.row_of(&cells(&others, &landmark.properties));
+    }
+    table.finish()
+}
+
+fn place(frame: &LocalFrame, p: &GroundPoint) -> (String, String) {
+    let (longitude, latitude) = globe::lon_lat(frame, p);
+    (degrees(latitude), degrees(longitude))
+}
+
+/// Names of properties that any row has.
+fn other_columns<'a>(rows: impl Iterator<Item = &'a BTreeMap<String, String>>) -> Vec<String> {
+    let names: BTreeSet<&String> = rows
+        .flat_map(BTreeMap::keys)
+        .filter(|name| !name.starts_with(FEATURE_MEMBER))
+        .collect();
+    names.into_iter().cloned().collect()
+}
+
+fn cells(columns: &[String], properties: &BTreeMap<String, String>) -> Vec<String> {
+    columns
+        .iter()
+        .map(|name| {
+            let text = properties.get(name).map_or("", String::as_str);
+            match serde_json::from_str(text) {
+                Ok(Value::String(plain)) => plain,
+                _ => text.to_owned(),
+            }
+        })
+        .collect()
+}
+
+/// A table that is written in pieces of rows: the known columns, then the others.
+struct Table {
+    text: String,
+    row: Vec<String>,
+}
+
+impl Table {
+    fn new(columns: &[&str]) -> Self {
+        let mut table = Self {
+            text: String::new(),
+            row: Vec::new(),
+        };
+        table.row(columns);
+        table
+    }
+
+    fn row(&mut self, cells: &[&str]) {
+        self.row = cells.iter().map(|cell| quoted(cell)).collect();
+    }
+
+    /// Adds the last cells of the row and ends it.
+    fn row_of(&mut self, cells: &[String]) {
+        self.row.extend(cells.iter().map(|cell| quoted(cell)));
+        self.text.push_str(&self.row.join(","));
+        self.text.push('\n');
+    }
+
+    fn finish(self) -> String {
+        self.text
+    }
+}
+
+fn quoted(cell: &str) -> String {
+    if cell.contains([',', ';', '\t', '"', '\n', '\r']) || cell.trim() != cell {
+        format!("\"{}\"", cell.replace('"', "\"\""))
+    } else {
+        cell.to_owned()
+    }
+}

@@ -1,0 +1,194 @@
+//! GPX: routes and tracks as routes, way-points as landmarks.
+
+use std::fmt::Write;
+
+use serde_json::Value;
+
+use super::ExchangeError;
+use super::embedded::{self, Item};
+use super::read::{Found, POINT_BOX};
+use super::xml::{Element, Source, escape};
+use crate::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
+use crate::landmark::Landmark;
+use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
+use crate::mission::{Route, USUAL_ALTITUDE, WayPoint, degrees, globe};
+
+/// Element in a route's extensions that holds what only we know.
+const OWN: &str = "feature";
+
+/// Reads routes, tracks and way-points.
+pub(super) fn read(file: &str, text: &str) -> Result<Found, ExchangeError> {
+    let source = Source { file, text };
+    let root = source.root()?;
+    let mut found = Found::default();
+    let mut is_assumed = false;
+    for route in root.all("rte") {
+        is_assumed |= line(&source, route, route, "rtept", &mut found)?;
+    }
+    for track in root.all("trk") {
+        for segment in track.all("trkseg") {
+            is_assumed |= line(&source, track, segment, "trkpt", &mut found)?;
+        }
+    }
+    if is_assumed {
+        found
+            .notes
+            .push(format!("points without elevation are at {USUAL_ALTITUDE}"));
+    }
+    let mut points = 0;
+    for point in root.all("wpt") {
+        points += 1;
+        let mut landmark = FoundLandmark::new(Extent::Around {
+            point: place(&source, point)?,
+            offset: (0.0, 0.0),
+            size: (POINT_BOX, POINT_BOX),
+        });
+        landmark.name = point.child_text("name").map(str::to_owned);
+        for child in &point.children {
+            if child.name != "name" && child.children.is_empty() && !child.text.is_empty() {
+                let value = Value::from(child.text.as_str()).to_string();
+                landmark.properties.insert(child.name.clone(), value);
+            }
+        }
+        found.landmarks.push(landmark);
+    }
+    if points > 0 {
+        found.notes.push(format!(
+            "{points} way-points outside of routes are landmarks, each in a box of {POINT_BOX} m"
+        ));
+    }
+    Ok(found)
+}
+
+/// Adds the line of `points` in `holder`; says whether an elevation had to be assumed.
+fn line(
+    source: &Source,
+    named: &Element,
+    holder: &Element,
+    points: &str,
+    found: &mut Found,
+) -> Result<bool, ExchangeError> {
+    let mut is_assumed = false;
+    let mut way_points = Vec::new();
+    for point in holder.all(points) {
+        let place = place(source, point)?;
+        let elevation = point.child_text("ele").map(|text| {
+            text.parse::<f64>().map_err(|_| {
+                source.error(point.begin, format!("{points}/ele: `{text}` is no number"))
+            })
+        });
+        let elevation = elevation.transpose()?.filter(|m| m.is_finite());
+        is_assumed |= elevation.is_none();
+        let altitude = elevation.map_or(USUAL_ALTITUDE, |m| Altitude::new(m, AltitudeFrame::Amsl));
+        let mut way_point = WayPoint::new(GroundPoint::default(), altitude);
+        if let Some(name) = point.child_text("name") {
+            let name = Value::from(name).to_string();
+            way_point.properties.insert("name".to_owned(), name);
+        }
+        way_points.push((place, way_point));
+    }
+    let name = named.child_text("name").map(str::to_owned);
+    let places: Vec<LonLat> = way_points.iter().map(|w| w.0).collect();
+    let own = named
+        .child("extensions")
+        .and_then(|extensions| extensions.child_text(OWN));
+    if let Some((Item::Route(mut route), false)) = own.and_then(|own| embedded::read(own, &places))
+    {
+        route.name = name;
+        found.routes.push(route);
+        return Ok(false);
+    }
+    if way_points.is_empty() {
+        return Ok(false);
+    }
+    let mut route = FoundRoute {
+        name,
+        way_points,
+        ..FoundRoute::default()
+    };
+    if let Some(description) = named.child_text("desc") {
+        let description = Value::from(description).to_string();
+        route.properties.insert("desc".to_owned(), description);
+    }
+    found.routes.push(route);
+    Ok(is_assumed)
+}
+
+fn place(source: &Source, point: &Element) -> Result<LonLat, ExchangeError> {
+    let number = |name: &str| point.attribute(name)?.trim().parse::<f64>().ok();
+    match (number("lon"), number("lat")) {
+        (Some(longitude), Some(latitude)) if on_globe(longitude, latitude) => {
+            Ok((longitude, latitude))
+        }
+        _ => Err(source.error(
+            point.begin,
+            format!("{}: it needs lat and lon in degrees", point.name),
+        )),
+    }
+}
+
+/// Routes as routes, landmarks as way-points.
+pub(super) fn write(
+    routes: &[Route],
+    landmarks: &[Landmark],
+    frame: &LocalFrame,
+) -> (String, Vec<String>) {
+    let mut text = String::from(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<gpx version=\"1.1\" creator=\"Pilotage\" \
+         xmlns=\"http://www.topografix.com/GPX/1/1\" xmlns:pilotage=\"urn:pilotage:1\">\n",
+    );
+    let point = |p: &GroundPoint| {
+        let (longitude, latitude) = globe::lon_lat(frame, p);
+        format!(
+            "lat=\"{}\" lon=\"{}\"",
+            degrees(latitude),
+            degrees(longitude)
+        )
+    };
+    for landmark in landmarks {
+        let _ = writeln!(
+            text,
+            "<wpt {}><name>{}</name></wpt>",
+            point(&landmark.reference),
+            escape(&landmark.name)
+        );
+    }
+    let mut has_hidden = false;
+    for route in routes {
+        let own = embedded::of_route_whole(route, frame);
+        let _ = writeln!(
+            text,
+            "<rte>\n  <name>{}</name>\n  <extensions><pilotage:{OWN}>{}</pilotage:{OWN}></extensions>",
+            escape(&route.name),
+            escape(&own)
+        );
+        for way_point in &route.way_points {
+            let altitude = &way_point.altitude;
+            let is_shown = altitude.frame == AltitudeFrame::Amsl && altitude.metres.is_finite();
+            has_hidden |= !is_shown;
+            let elevation = if is_shown {
+                format!("<ele>{}</ele>", altitude.metres)
+            } else {
+                String::new()
+            };
+            let _ = writeln!(
+                text,
+                "  <rtept {}>{elevation}</rtept>",
+                point(&way_point.position)
+            );
+        }
+        text.push_str("</rte>\n");
+    }
+    text.push_str("</gpx>\n");
+    let mut notes = Vec::new();
+    if has_hidden {
+        notes.push(
+            "GPX has elevations above mean sea level only: other programs do not see the others"
+                .to_owned(),
+        );
+    }
+    if !landmarks.is_empty() {
+        notes.push("GPX has points only: the boxes of the landmarks are left out".to_owned());
+    }
+    (text, notes)
+}

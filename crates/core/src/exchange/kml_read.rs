@@ -1,0 +1,308 @@
+//! Reading KML, and KMZ, which is KML in a zip. Styles are not needed.
+
+use std::collections::BTreeMap;
+
+use serde_json::Value;
+
+use super::embedded::{self, Item};
+use super::read::{Found, POINT_BOX};
+use super::xml::{Element, Source};
+use super::{ExchangeError, kml_write};
+use crate::flight::files::{FileSet, ZipFiles};
+use crate::frames::{Altitude, AltitudeFrame, GroundPoint};
+use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
+use crate::mission::{USUAL_ALTITUDE, WayPoint};
+
+/// Geometries that a placemark may have.
+const GEOMETRIES: [&str; 7] = [
+    "Point",
+    "LineString",
+    "LinearRing",
+    "Polygon",
+    "MultiGeometry",
+    "Track",
+    "MultiTrack",
+];
+
+/// The KML in a zip.
+pub(super) fn unpack(file: &str, bytes: &[u8]) -> Result<Vec<u8>, ExchangeError> {
+    let error = |cause: String| ExchangeError::File {
+        file: file.to_owned(),
+        cause,
+    };
+    let zip = ZipFiles::open(bytes).map_err(error)?;
+    let names = zip.names();
+    let is_kml = |name: &&String| name.to_ascii_lowercase().ends_with(".kml");
+    let name = names
+        .iter()
+        .find(|name| *name == "doc.kml")
+        .or_else(|| names.iter().find(is_kml))
+        .ok_or_else(|| error("there is no .kml in the zip".to_owned()))?;
+    zip.read(name)
+        .ok_or_else(|| error(format!("{name} in the zip cannot be unpacked")))
+}
+
+/// Reads all placemarks, however they lie in folders.
+pub(super) fn read(file: &str, text: &str) -> Result<Found, ExchangeError> {
+    let source = Source { file, text };
+    let root = source.root()?;
+    let mut reader = Reader {
+        source,
+        found: Found::default(),
+        counts: BTreeMap::new(),
+    };
+    reader.walk(&root)?;
+    let mut found = reader.found;
+    for (note, count) in reader.counts {
+        found.notes.push(format!("{count} × {note}"));
+    }
+    Ok(found)
+}
+
+struct Reader<'a> {
+    source: Source<'a>,
+    found: Found,
+    counts: BTreeMap<String, usize>,
+}
+
+/// What a placemark says beside its geometry.
+#[derive(Default, Clone)]
+struct Said {
+    name: Option<String>,
+    own: Option<String>,
+    properties: BTreeMap<String, String>,
+}
+
+impl Reader<'_> {
+    fn count(&mut self, note: impl Into<String>) {
+        *self.counts.entry(note.into()).or_default() += 1;
+    }
+
+    fn walk(&mut self, element: &Element) -> Result<(), ExchangeError> {
+        for child in &element.children {
+            match child.name.as_str() {
+                "Placemark" => self.placemark(child)?,
+                "GroundOverlay" | "NetworkLink" | "ScreenOverlay" | "PhotoOverlay" => {
+                    self.count(format!("{} is left out", child.name));
+                }
+                _ => self.walk(child)?,
+            }
+        }
+        Ok(())
+    }
+
+    fn placemark(&mut self, placemark: &Element) -> Result<(), ExchangeError> {
+        let mut said = Said {
+            name: placemark.child_text("name").map(str::to_owned),
+            ..Said::default()
+        };
+        for child in &placemark.children {
+            match child.name.as_str() {
+                "name" => {}
+                "ExtendedData" => extended(child, &mut said),
+                name if GEOMETRIES.contains(&name) => {}
+                name => {
+                    let raw = self.source.text.get(child.begin..child.end).unwrap_or("");
+                    let raw = Value::from(raw).to_string();
+                    let key = format!("{}{name}", kml_write::ELEMENT);
+                    said.properties.insert(key, raw);
+                }
+            }
+        }
+        let geometries: Vec<&Element> = placemark
+            .children
+            .iter()
+            .filter(|c| GEOMETRIES.contains(&c.name.as_str()))
+            .collect();
+        if geometries.is_empty() {
+            self.count("placemark without geometry is left out");
+        }
+        for geometry in geometries {
+            self.geometry(geometry, &said)?;
+        }
+        Ok(())
+    }
+
+    fn geometry(&mut self, geometry: &Element, said: &Said) -> Result<(), ExchangeError> {
+        match geometry.name.as_str() {
+            "Point" => {
+                let places = self.places(geometry, geometry)?;
+                let Some(&(place, _)) = places.first() else {
+                    self.count("point without coordinates is left out");
+                    return Ok(());
+                };
+                if self.embedded(said, &[place]) {
+                    return Ok(());
+                }
+                self.count(format!("point, which gets a box of {POINT_BOX} m"));
+                self.landmark(
+                    Extent::Around {
+                        point: place,
+                        offset: (0.0, 0.0),
+                        size: (POINT_BOX, POINT_BOX),
+                    },
+                    said,
+                );
+            }
+            "Polygon" => {
+                let ring = geometry
+                    .child("outerBoundaryIs")
+                    .and_then(|b| b.child("LinearRing"))
+                    .unwrap_or(geometry);
+                let corners: Vec<LonLat> =
+                    self.places(geometry, ring)?.iter().map(|p| p.0).collect();
+                if corners.len() < 3 {
+                    self.count("polygon of fewer than three corners is left out");
+                } else if !self.embedded(said, &corners) {
+                    self.landmark(Extent::Corners(corners), said);
+                }
+            }
+            "LineString" | "LinearRing" | "Track" => {
+                let places = self.places(geometry, geometry)?;
+                self.line(geometry, &places, said);
+            }
+            _ => {
+                for child in &geometry.children {
+                    if GEOMETRIES.contains(&child.name.as_str()) {
+                        self.geometry(child, said)?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn landmark(&mut self, extent: Extent, said: &Said) {
+        self.found.landmarks.push(FoundLandmark {
+            name: said.name.clone(),
+            properties: said.properties.clone(),
+            ..FoundLandmark::new(extent)
+        });
+    }
+
+    /// Takes what we have written ourselves; otherwise says no.
+    fn embedded(&mut self, said: &Said, places: &[LonLat]) -> bool {
+        let Some((item, is_changed)) = said
+            .own
+            .as_deref()
+            .and_then(|own| embedded::read(own, places))
+        else {
+            return false;
+        };
+        if is_changed {
+            self.count(format!(
+                "line, which was changed elsewhere: its way-points are at {USUAL_ALTITUDE}"
+            ));
+        }
+        let properties = said.properties.clone();
+        match item {
+            Item::Route(mut route) => {
+                route.name.clone_from(&said.name);
+                route.properties.extend(properties);
+                self.found.routes.push(route);
+            }
+            Item::Landmark(mut landmark) => {
+                landmark.name.clone_from(&said.name);
+                landmark.properties.extend(properties);
+                self.found.landmarks.push(landmark);
+            }
+        }
+        true
+    }
+
+    fn line(&mut self, geometry: &Element, places: &[(LonLat, Option<f64>)], said: &Said) {
+        let lon_lats: Vec<LonLat> = places.iter().map(|p| p.0).collect();
+        if self.embedded(said, &lon_lats) {
+            return;
+        }
+        if places.is_empty() {
+            self.count("line without coordinates is left out");
+            return;
+        }
+        let frame = match geometry.child_text("altitudeMode") {
+            Some("absolute") => Some(AltitudeFrame::Amsl),
+            Some("relativeToGround") => Some(AltitudeFrame::AboveGround),
+            _ => None,
+        };
+        let altitude = |height: Option<f64>| {
+            frame
+                .zip(height)
+                .map_or(USUAL_ALTITUDE, |(frame, m)| Altitude::new(m, frame))
+        };
+        if frame.is_none() || places.iter().any(|p| p.1.is_none()) {
+            self.count(format!(
+                "line, which lies on the ground: its way-points are at {USUAL_ALTITUDE}"
+            ));
+        }
+        let way_points = places
+            .iter()
+            .map(|(place, height)| {
+                (
+                    *place,
+                    WayPoint::new(GroundPoint::default(), altitude(*height)),
+                )
+            })
+            .collect();
+        self.found.routes.push(FoundRoute {
+            name: said.name.clone(),
+            properties: said.properties.clone(),
+            way_points,
+            ..FoundRoute::default()
+        });
+    }
+
+    /// The coordinates that stand in `holder`, a part of `geometry`.
+    fn places(
+        &self,
+        geometry: &Element,
+        holder: &Element,
+    ) -> Result<Vec<(LonLat, Option<f64>)>, ExchangeError> {
+        let path = format!("Placemark/{}/coordinates", geometry.name);
+        let mut places = Vec::new();
+        for list in holder.all("coordinates") {
+            for tuple in list.text.split_whitespace() {
+                let place = place(tuple.split(',')).ok_or_else(|| {
+                    let cause = format!("{path}: `{tuple}` is no longitude,latitude,altitude");
+                    self.source.error(list.begin, cause)
+                })?;
+                places.push(place);
+            }
+        }
+        for coord in holder.all("coord") {
+            let place = place(coord.text.split_whitespace()).ok_or_else(|| {
+                let cause = format!("gx:coord: `{}` is no place", coord.text);
+                self.source.error(coord.begin, cause)
+            })?;
+            places.push(place);
+        }
+        Ok(places)
+    }
+}
+
+fn place<'a>(parts: impl Iterator<Item = &'a str>) -> Option<(LonLat, Option<f64>)> {
+    let mut numbers = parts.map(|part| part.trim().parse::<f64>().ok());
+    let (longitude, latitude) = (numbers.next()??, numbers.next()??);
+    let height = numbers.next().flatten().filter(|m| m.is_finite());
+    on_globe(longitude, latitude).then_some(((longitude, latitude), height))
+}
+
+/// The name-value pairs of a placemark, of both kinds.
+fn extended(element: &Element, said: &mut Said) {
+    let pairs = element
+        .all("Data")
+        .map(|data| (data.attribute("name"), data.child_text("value")));
+    let simple = element
+        .all("SchemaData")
+        .flat_map(|schema| schema.all("SimpleData"))
+        .map(|data| (data.attribute("name"), Some(data.text.as_str())));
+    for (name, value) in pairs.chain(simple) {
+        match (name, value) {
+            (Some(kml_write::OWN), Some(own)) => said.own = Some(own.to_owned()),
+            (Some(name), value) => {
+                let value = Value::from(value.unwrap_or("")).to_string();
+                said.properties.insert(name.to_owned(), value);
+            }
+            (None, _) => {}
+        }
+    }
+}

@@ -1,0 +1,147 @@
+//! Writing KML and KMZ.
+
+use std::collections::BTreeSet;
+use std::fmt::Write;
+
+use serde_json::Value;
+
+use super::embedded::{self, Embedded};
+use super::xml::escape;
+use crate::flight::files::{FileSink, ZipSink};
+use crate::frames::{AltitudeFrame, GroundPoint, LocalFrame};
+use crate::landmark::Landmark;
+use crate::mission::{Route, degrees, globe};
+
+/// Name of the datum that holds what only we know.
+pub(super) const OWN: &str = "pilotage";
+/// Prefix of properties that are elements of a placemark, as they stand.
+pub(super) const ELEMENT: &str = "kml:";
+
+/// Elements of a placemark in the order that the schema asks for; the data and the geometry follow.
+const ORDER: [&str; 13] = [
+    "visibility",
+    "open",
+    "address",
+    "phoneNumber",
+    "Snippet",
+    "description",
+    "Camera",
+    "LookAt",
+    "TimeStamp",
+    "TimeSpan",
+    "styleUrl",
+    "Style",
+    "StyleMap",
+];
+
+/// Routes as lines and landmarks as polygons.
+pub(super) fn write(
+    routes: &[Route],
+    landmarks: &[Landmark],
+    frame: &LocalFrame,
+) -> (String, Vec<String>) {
+    let mut text = String::from(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
+         <kml xmlns=\"http://www.opengis.net/kml/2.2\" \
+         xmlns:gx=\"http://www.google.com/kml/ext/2.2\">\n<Document>\n",
+    );
+    let mut hidden = 0;
+    for route in routes {
+        let frames: BTreeSet<&str> = route
+            .way_points
+            .iter()
+            .map(|w| w.altitude.frame.name())
+            .collect();
+        let first = route.way_points.first().map(|w| w.altitude.frame);
+        let mode = match first {
+            Some(AltitudeFrame::Amsl) if frames.len() == 1 => "absolute",
+            Some(AltitudeFrame::AboveGround) if frames.len() == 1 => "relativeToGround",
+            _ => "clampToGround",
+        };
+        hidden += usize::from(mode == "clampToGround" && first.is_some());
+        let coordinates: Vec<String> = route
+            .way_points
+            .iter()
+            .map(|w| {
+                let height = w.altitude.metres;
+                match mode {
+                    "clampToGround" => position(frame, &w.position),
+                    _ => format!("{},{}", position(frame, &w.position), Value::from(height)),
+                }
+            })
+            .collect();
+        let geometry = format!(
+            "<LineString><tessellate>1</tessellate><altitudeMode>{mode}</altitudeMode>\
+             <coordinates>{}</coordinates></LineString>",
+            coordinates.join(" ")
+        );
+        let embedded = embedded::of_route(route, frame);
+        placemark(&mut text, &route.name, &embedded, &geometry);
+    }
+    for landmark in landmarks {
+        let ring: Vec<String> = globe::ring(&landmark.bounds)
+            .iter()
+            .map(|corner| position(frame, corner))
+            .collect();
+        let geometry = format!(
+            "<Polygon><outerBoundaryIs><LinearRing><coordinates>{}</coordinates></LinearRing>\
+             </outerBoundaryIs></Polygon>",
+            ring.join(" ")
+        );
+        let embedded = embedded::of_landmark(landmark, frame);
+        placemark(&mut text, &landmark.name, &embedded, &geometry);
+    }
+    text.push_str("</Document>\n</kml>\n");
+    let mut notes = Vec::new();
+    if hidden > 0 {
+        notes.push(
+            "KML has no altitudes above take-off: other programs see the route on the ground"
+                .to_owned(),
+        );
+    }
+    (text, notes)
+}
+
+fn position(frame: &LocalFrame, p: &GroundPoint) -> String {
+    let (longitude, latitude) = globe::lon_lat(frame, p);
+    format!("{},{}", degrees(longitude), degrees(latitude))
+}
+
+fn placemark(text: &mut String, name: &str, embedded: &Embedded, geometry: &str) {
+    let _ = write!(text, "<Placemark>\n  <name>{}</name>\n", escape(name));
+    let mut elements: Vec<(usize, &String)> = embedded
+        .texts
+        .iter()
+        .filter_map(|(name, raw)| {
+            let name = name.strip_prefix(ELEMENT)?;
+            Some((ORDER.iter().position(|own| *own == name)?, raw))
+        })
+        .collect();
+    elements.sort_unstable();
+    for (_, raw) in elements {
+        let _ = writeln!(text, "  {raw}");
+    }
+    text.push_str("  <ExtendedData>\n");
+    let datum = |text: &mut String, name: &str, value: &str| {
+        let _ = writeln!(
+            text,
+            "    <Data name=\"{}\"><value>{}</value></Data>",
+            escape(name),
+            escape(value)
+        );
+    };
+    datum(text, OWN, &embedded.own);
+    for (name, value) in &embedded.texts {
+        if !name.starts_with(ELEMENT) {
+            datum(text, name, value);
+        }
+    }
+    let _ = write!(text, "  </ExtendedData>\n  {geometry}\n</Placemark>\n");
+}
+
+/// The KML in a zip.
+pub(super) fn pack(text: &str) -> Result<Vec<u8>, String> {
+    let mut zip = ZipSink::default();
+    zip.write("doc.kml", text.as_bytes())?;
+    zip.finish()
+}
