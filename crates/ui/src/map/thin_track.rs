@@ -17,8 +17,14 @@ pub struct TrackPoint {
 
 /// Points per group that is looked at or passed over together.
 const GROUP: usize = 32;
+/// The same of a rough track.
+const ROUGH_GROUP: usize = 8;
+/// Powers of two by which a rough track is rougher.
+const ROUGHER: i32 = 2;
 /// Longest time between two points: along the line between them, time is taken to run evenly.
 const LONGEST: f64 = 4.0;
+/// The same of a rough track.
+const ROUGH_LONGEST: f64 = 60.0;
 
 /// A track thinned to what the map's scale can show, that grows with its source.
 ///
@@ -27,6 +33,9 @@ const LONGEST: f64 = 4.0;
 /// point before the first that lies outside the fan is kept.
 #[derive(Clone, Debug, Default)]
 pub struct ThinTrack {
+    /// A rough one is for what lies far from the time cursor: it goes by in a pixel or two, and does
+    /// not tell where landmarks corrected.
+    rough: bool,
     generation: u64,
     level: i32,
     used: usize,
@@ -53,9 +62,26 @@ fn level_of(metres_per_point: f64) -> i32 {
 }
 
 impl ThinTrack {
+    /// A rough track.
+    pub fn rough() -> Self {
+        Self {
+            rough: true,
+            ..Self::default()
+        }
+    }
+
+    fn group(&self) -> usize {
+        if self.rough { ROUGH_GROUP } else { GROUP }
+    }
+
+    fn level_for(&self, metres_per_point: f64) -> i32 {
+        level_of(metres_per_point) + if self.rough { ROUGHER } else { 0 }
+    }
+
     fn reset(&mut self, generation: u64, level: i32, length: usize) {
         if self.generation != generation || self.level != level || self.used > length {
             *self = Self {
+                rough: self.rough,
                 generation,
                 level,
                 ..Self::default()
@@ -67,8 +93,9 @@ impl ThinTrack {
         match (self.points.last().copied(), self.last) {
             (Some(kept), Some(last)) => {
                 // A line has the look of its end.
-                let alike = last == kept || last.corrected == point.corrected;
-                let brief = point.time - kept.time < LONGEST;
+                let alike = self.rough || last == kept || last.corrected == point.corrected;
+                let longest = if self.rough { ROUGH_LONGEST } else { LONGEST };
+                let brief = point.time - kept.time < longest;
                 if !(alike && brief && self.is_straight_on(&kept.place, &point.place)) {
                     self.keep(last);
                     self.is_straight_on(&last.place, &point.place);
@@ -84,7 +111,7 @@ impl ThinTrack {
         if let Some(group) = self.groups.last_mut() {
             *group = group.union(&here);
         }
-        if self.points.len().is_multiple_of(GROUP) {
+        if self.points.len().is_multiple_of(self.group()) {
             self.groups.push(here);
         }
         self.points.push(point);
@@ -128,7 +155,11 @@ impl ThinTrack {
         metres_per_point: f64,
         place: impl Fn(&pilotage_core::navigator::StepReport) -> GroundPoint,
     ) {
-        self.reset(generation, level_of(metres_per_point), run.steps.len());
+        self.reset(
+            generation,
+            self.level_for(metres_per_point),
+            run.steps.len(),
+        );
         for step in &run.steps[self.used..] {
             if let Some(frame) = &step.frame {
                 self.corrected = frame.joint.is_some();
@@ -136,7 +167,7 @@ impl ThinTrack {
             self.push(TrackPoint {
                 time: step.time,
                 place: place(step),
-                corrected: self.corrected,
+                corrected: self.rough || self.corrected,
             });
         }
         self.used = run.steps.len();
@@ -144,7 +175,11 @@ impl ThinTrack {
 
     /// Follows the truth of a flight.
     pub fn follow_truth(&mut self, truth: &Truth, generation: u64, metres_per_point: f64) {
-        self.reset(generation, level_of(metres_per_point), truth.states.len());
+        self.reset(
+            generation,
+            self.level_for(metres_per_point),
+            truth.states.len(),
+        );
         for state in &truth.states[self.used..] {
             self.push(TrackPoint {
                 time: state.time,
@@ -167,8 +202,9 @@ impl ThinTrack {
             .iter()
             .enumerate()
             .filter_map(move |(index, around)| {
-                let from = index * GROUP;
-                let points = &self.points[from..(from + GROUP + 1).min(self.points.len())];
+                let from = index * self.group();
+                let end = (from + self.group() + 1).min(self.points.len());
+                let points = &self.points[from..end];
                 let last = self.last.filter(|_| index == latest);
                 let around = last.map_or(*around, |l| {
                     around.union(&GroundRect::centered(l.place, 0.0, 0.0))
@@ -212,10 +248,11 @@ impl Group<'_> {
         }
     }
 
-    /// Whether any of it lies within `span` seconds of `now`.
-    pub fn is_near(&self, now: f64, span: f64) -> bool {
+    /// Times at which it begins and ends.
+    pub fn times(&self) -> (f64, f64) {
         let end = self.last.or(self.points.last().copied());
-        self.first().time <= now + span && end.is_none_or(|e| e.time >= now - span)
+        let begin = self.first().time;
+        (begin, end.map_or(begin, |e| e.time))
     }
 
     /// The points, with one at `now` put in if that lies between two of them.

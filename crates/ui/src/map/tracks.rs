@@ -4,8 +4,11 @@ use std::sync::Arc;
 
 use egui::epaint::{Mesh, Vertex};
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, pos2};
+use pilotage_core::flight::Truth;
+use pilotage_core::frames::{GroundPoint, GroundRect};
+use pilotage_core::navigator::{Run, StepReport};
 
-use super::thin_track::{ThinTrack, TrackPoint};
+use super::thin_track::{Group, ThinTrack, TrackPoint};
 use super::transform::{MapCamera, ScreenFromWorld};
 use crate::still::triangles;
 
@@ -54,20 +57,53 @@ struct Look {
     style: TrackStyle,
 }
 
-/// Triangles of a group, and whether they show it as past and as near.
-type Drawn = ((bool, bool), Arc<Mesh>);
+/// Triangles of a group as if north were up and the group's first point at the origin of the screen,
+/// and whether they show it as past.
+type Drawn = Option<(bool, Arc<Mesh>)>;
 
-/// A track and the triangles of its groups, drawn as if north were
-/// up and the group's first point at the origin of the screen.
-#[derive(Clone, Debug, Default)]
+/// A track and the triangles of its groups: in detail around the time cursor, roughly elsewhere.
+#[derive(Clone, Debug)]
 pub struct DrawnTrack {
-    /// The track.
-    pub track: ThinTrack,
+    near: ThinTrack,
+    far: ThinTrack,
     look: Option<Look>,
-    groups: Vec<Option<Drawn>>,
+    near_drawn: Vec<Drawn>,
+    far_drawn: Vec<Drawn>,
+}
+
+impl Default for DrawnTrack {
+    fn default() -> Self {
+        Self {
+            near: ThinTrack::default(),
+            far: ThinTrack::rough(),
+            look: None,
+            near_drawn: Vec::new(),
+            far_drawn: Vec::new(),
+        }
+    }
 }
 
 impl DrawnTrack {
+    /// Follows a run; `place` picks the track.
+    pub fn follow_run(
+        &mut self,
+        run: &Run,
+        generation: u64,
+        metres_per_point: f64,
+        place: impl Fn(&StepReport) -> GroundPoint + Copy,
+    ) {
+        for track in [&mut self.near, &mut self.far] {
+            track.follow_run(run, generation, metres_per_point, place);
+        }
+    }
+
+    /// Follows the truth of a flight.
+    pub fn follow_truth(&mut self, truth: &Truth, generation: u64, metres_per_point: f64) {
+        for track in [&mut self.near, &mut self.far] {
+            track.follow_truth(truth, generation, metres_per_point);
+        }
+    }
+
     /// Draws a track: what lies before `now` in full, what lies after it fainter.
     pub fn paint(
         &mut self,
@@ -78,43 +114,65 @@ impl DrawnTrack {
         style: TrackStyle,
     ) {
         let look = Look {
-            version: self.track.version(),
+            version: self.near.version(),
             metres_per_point: view.metres_per_point,
             pixels_per_point: painter.pixels_per_point(),
             style,
         };
         if self.look != Some(look) {
             self.look = Some(look);
-            self.groups.clear();
+            self.near_drawn.clear();
+            self.far_drawn.clear();
         }
+        let ground = view.visible(screen.expand(8.0));
+        // Rough groups that come near the cursor are drawn in detail from end to end.
+        let everywhere = GroundRect::centered(GroundPoint::default(), f64::MAX, f64::MAX);
+        let touches = |(begin, end): (f64, f64), from: f64, to: f64| begin <= to && end >= from;
+        let is_near = |times| touches(times, now - NEAR, now + NEAR);
+        let (from, to) = self
+            .far
+            .groups(&everywhere)
+            .map(|group| group.times())
+            .filter(|times| is_near(*times))
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(from, to), times| {
+                (from.min(times.0), to.max(times.1))
+            });
         let mut mesh = Mesh::default();
-        for group in self.track.groups(&view.visible(screen.expand(8.0))) {
+        let mut add = |group: &Group<'_>, drawn: &mut Vec<Drawn>, style: &TrackStyle| {
             let points = || group.split_at(now);
             let Some(past) = group.side(now) else {
-                let shapes = shapes(&points(), now, &style, |p| view.apply(&p.place));
+                let shapes = shapes(&points(), now, style, |p| view.apply(&p.place));
                 mesh.append(triangles(painter, screen, shapes));
-                continue;
+                return;
             };
-            if self.groups.len() <= group.index {
-                self.groups.resize(group.index + 1, None);
+            if drawn.len() <= group.index {
+                drawn.resize(group.index + 1, None);
             }
-            let kept = &mut self.groups[group.index];
+            let kept = &mut drawn[group.index];
             let origin = group.first().place;
-            let shown = (past, group.is_near(now, NEAR));
-            if kept.as_ref().is_none_or(|(before, _)| *before != shown) {
+            if kept.as_ref().is_none_or(|(before, _)| *before != past) {
                 let north_up = MapCamera {
                     center: origin,
                     metres_per_point: view.metres_per_point,
                     up: 0.0,
                 }
                 .screen_from_world(Rect::ZERO);
-                let style = if shown.1 { style } else { style.plain() };
-                let shapes = shapes(&points(), now, &style, |p| north_up.apply(&p.place));
-                let drawn = triangles(painter, Rect::EVERYTHING, shapes);
-                *kept = Some((shown, Arc::new(drawn)));
+                let shapes = shapes(&points(), now, style, |p| north_up.apply(&p.place));
+                *kept = Some((past, Arc::new(triangles(painter, Rect::EVERYTHING, shapes))));
             }
             if let Some((_, drawn)) = kept {
                 append_turned(&mut mesh, drawn, view.apply(&origin), view.up as f32);
+            }
+        };
+        let plain = style.plain();
+        for group in self.far.groups(&ground) {
+            if !is_near(group.times()) {
+                add(&group, &mut self.far_drawn, &plain);
+            }
+        }
+        for group in self.near.groups(&ground) {
+            if touches(group.times(), from, to) {
+                add(&group, &mut self.near_drawn, &style);
             }
         }
         if !mesh.is_empty() {
@@ -188,7 +246,6 @@ fn add_line(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use pilotage_core::frames::GroundPoint;
 
     #[test]
     fn kept_triangles_lie_where_new_ones_would() {

@@ -188,30 +188,25 @@ impl MapView {
         let (show_unaided, show_estimate) = (shown(Layer::Unaided), shown(Layer::Estimate));
         if let Some(ghost) = context.ghost.filter(|_| show_ghost) {
             self.ghost
-                .track
                 .follow_run(ghost, extra.ghost_generation, scale, |s| s.after.position());
             let look = style(tokens.ghost, 2.0, Some((2.0, 4.0)));
             self.ghost.paint(painter, view, rect, context.time, look);
         }
         let truth = context.flight.and_then(|f| f.truth.as_ref());
         if let Some(truth) = truth.filter(|_| show_truth) {
-            self.truth
-                .track
-                .follow_truth(truth, extra.run_generation, scale);
+            self.truth.follow_truth(truth, extra.run_generation, scale);
             let look = style(tokens.truth, 2.0, None);
             self.truth.paint(painter, view, rect, context.time, look);
         }
         let Some(run) = context.run else { return };
         if show_unaided {
             self.unaided
-                .track
                 .follow_run(run, extra.run_generation, scale, |s| s.dead_reckoned);
             let look = style(tokens.unaided, 2.0, Some((8.0, 5.0)));
             self.unaided.paint(painter, view, rect, context.time, look);
         }
         if show_estimate {
             self.estimate
-                .track
                 .follow_run(run, extra.run_generation, scale, |s| s.after.position());
             let look = TrackStyle {
                 corrected: tokens.corrected,
