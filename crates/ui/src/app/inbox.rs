@@ -193,7 +193,7 @@ impl App {
                 self.documents.run_complete = true;
                 self.desk.fly = None;
                 // Where a recorded flight went may be known only now.
-                if !again && self.views.map.is_fitted() {
+                if !again && self.views.map.is_fitted() && !self.planning() {
                     self.fit_to_flight_and_map();
                 }
             }
