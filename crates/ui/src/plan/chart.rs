@@ -256,23 +256,19 @@ fn paint_blip(
     painter.add(Shape::mesh(mesh));
     let line = [pos2(left, base), pos2(right.max(left + 3.0), base)];
     painter.line_segment(line, Stroke::new(1.0, color));
-    let place = pos2(right.max(left + 3.0) + 5.0, y);
-    let drawn = painter.text(
-        place,
-        Align2::LEFT_CENTER,
-        name,
-        tokens.small(),
-        tokens.text,
-    );
-    let place = pos2(drawn.right() + 5.0, y);
+    let font = tokens.small();
+    let name = painter.layout_no_wrap(name.to_owned(), font.clone(), tokens.text);
     let text = format!("{:.0} %", 100.0 * blip.best);
-    painter.text(
-        place,
-        Align2::LEFT_CENTER,
-        text,
-        tokens.small(),
-        tokens.muted,
-    );
+    let best = painter.layout_no_wrap(text, font, tokens.muted);
+    let width = name.size().x + 5.0 + best.size().x;
+    let behind = right.max(left + 3.0) + 5.0;
+    // Before the bar where there is no room behind it.
+    let fits = behind + width <= painter.clip_rect().right();
+    let start = if fits { behind } else { left - 5.0 - width };
+    let top = y - 0.5 * name.size().y;
+    let then = pos2(start + name.size().x + 5.0, top);
+    painter.galley(pos2(start, top), name, tokens.text);
+    painter.galley(then, best, tokens.muted);
 }
 
 fn paint_cursor(

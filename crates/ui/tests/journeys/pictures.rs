@@ -125,6 +125,17 @@ fn the_app_is_drawn_for_people_to_look_at() {
     if wanted("tablet") {
         flown(vec2(768.0, 1024.0), 60.0).save("tablet");
     }
+    if wanted("plan") {
+        let mut scene = flown(wide, 2.0);
+        scene.tab("Plan");
+        scene.work(160, 20.0);
+        scene.save("plan");
+        scene.tab("Landmarks");
+        scene.click("church");
+        scene.click("Measure how well it is found");
+        scene.work(120, 20.0);
+        scene.save("plan-landmarks");
+    }
     if wanted("panels") {
         let mut scene = flown(wide, 40.0);
         scene.key(Modifiers::NONE, Key::F);
