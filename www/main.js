@@ -26,6 +26,15 @@ async function program() {
   return new Response(counted, { headers: { "content-type": "application/wasm" } });
 }
 
+/** Has the workers' program compiled, once for all of them, and sent to each worker that asks. */
+function prepareWorkers() {
+  const compiled = WebAssembly.compileStreaming(fetch(new URL("./pkg/pilotage_worker_bg.wasm", import.meta.url), { credentials: "same-origin" }));
+  compiled.catch((error) => {
+    showTrouble("Pilotage could not start", "The part of the program that computes could not be loaded. Load the page again.", String(error?.stack ?? error));
+  });
+  window.sendProgram = (worker, lock) => { compiled.then((module) => worker.postMessage({ module, lock }), () => {}); };
+}
+
 function hasGraphics() {
   const context = document.createElement("canvas").getContext("webgl2");
   context?.getExtension("WEBGL_lose_context")?.loseContext();
@@ -48,6 +57,7 @@ async function start() {
   // Begun before anything else: it takes longest.
   const loading = Promise.all([openStorage(), init({ module_or_path: program() })]);
   loading.catch(() => {});
+  prepareWorkers();
   if (!hasGraphics()) {
     root.dataset.ready = "no-graphics";
     showTrouble("This browser cannot draw the map", "Pilotage draws with WebGL 2, which is missing or switched off here. Switch on hardware acceleration in the browser's settings, or use a current version of Chrome, Edge, Firefox or Safari.");

@@ -1,7 +1,9 @@
-// A worker: holds a second instance of the page's module and works in slices, listening in between.
-import { initSync, WorkerHandle } from "./pkg/pilotage_web.js";
+// A worker: holds an instance of the workers' program and works in slices, listening in between.
+import { initSync, WorkerHandle } from "./pkg/pilotage_worker.js";
 
 let worker;
+/** Messages that came before the program. */
+const early = [];
 let scheduled = false;
 const { port1, port2 } = new MessageChannel();
 const schedule = () => {
@@ -14,16 +16,22 @@ port1.onmessage = () => {
   if (worker.turn()) schedule();
 };
 
+function hear(data) {
+  if (data === "crash") return worker.crash();
+  worker.receive(data);
+  schedule();
+}
+
 onmessage = ({ data }) => {
   if (data.module) {
     initSync({ module: data.module });
     worker = new WorkerHandle((bytes) => postMessage(bytes, [bytes.buffer]));
     // Held for as long as this worker lives; the page waits for it and so learns of its end.
     navigator.locks?.request(data.lock, () => { postMessage("held"); return new Promise(() => {}); });
-  } else if (data === "crash") {
-    worker.crash();
+    early.splice(0).forEach(hear);
+  } else if (worker) {
+    hear(data);
   } else {
-    worker.receive(data);
-    schedule();
+    early.push(data);
   }
 };

@@ -1,7 +1,6 @@
-//! The page and its workers: the only crate that knows the browser.
+//! The page: with `crates/worker`, the only crate that knows the browser.
 //!
-//! The page and every worker are instances of this one module. `www/main.js` makes a `WebHandle`
-//! on the page; `www/worker.js` makes a `WorkerHandle` in each worker.
+//! `www/main.js` makes a `WebHandle`.
 #![cfg(target_arch = "wasm32")]
 
 mod accessibility;
@@ -10,8 +9,7 @@ mod browser;
 mod frame_times;
 mod handle;
 mod host;
+mod message;
 mod port;
-mod worker;
 
 pub use handle::WebHandle;
-pub use worker::WorkerHandle;

@@ -3,13 +3,13 @@
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
-use js_sys::{Object, Reflect, Uint8Array};
+use js_sys::Uint8Array;
 use pilotage_ui::jobs::{Request, WorkerPort};
 use wasm_bindgen::prelude::*;
 use web_sys::{ErrorEvent, MessageEvent, Worker, WorkerOptions, WorkerType};
 
-use crate::browser::request_lock;
-use crate::worker::encode;
+use crate::browser::{request_lock, send_program};
+use crate::message::encode;
 
 /// What came from the worker on a seat.
 pub enum Notice {
@@ -50,7 +50,7 @@ pub struct BrowserPort {
 }
 
 impl BrowserPort {
-    /// Starts a worker that holds a second instance of this very module.
+    /// Starts a worker; the page's JavaScript sends it its program, and it keeps what it hears until then.
     pub fn open(seat: usize, inbox: Inbox) -> Self {
         let closed = Rc::new(Cell::new(false));
         let died = {
@@ -120,10 +120,7 @@ fn start_worker(
     worker.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
     worker.set_onerror(Some(on_error.as_ref().unchecked_ref()));
     worker.set_onmessageerror(Some(on_error.as_ref().unchecked_ref()));
-    let first = Object::new();
-    Reflect::set(&first, &"module".into(), &wasm_bindgen::module())?;
-    Reflect::set(&first, &"lock".into(), &lock.into())?;
-    worker.post_message(&first)?;
+    send_program(&worker, lock)?;
     Ok(worker)
 }
 

@@ -3,7 +3,7 @@
 use toml::{Table, Value};
 
 /// Libraries that would give `core` a screen, a clock, files, threads or a browser.
-pub const FORBIDDEN_FOR_CORE: [&str; 18] = [
+pub const FORBIDDEN_FOR_CORE: [&str; 19] = [
     "crossbeam",
     "eframe",
     "egui",
@@ -14,6 +14,7 @@ pub const FORBIDDEN_FOR_CORE: [&str; 18] = [
     "pilotage-cli",
     "pilotage-ui",
     "pilotage-web",
+    "pilotage-worker",
     "rayon",
     "tokio",
     "walkers",
@@ -25,10 +26,11 @@ pub const FORBIDDEN_FOR_CORE: [&str; 18] = [
 ];
 
 /// Libraries that would tie `ui` to a page or a window.
-pub const FORBIDDEN_FOR_UI: [&str; 6] = [
+pub const FORBIDDEN_FOR_UI: [&str; 7] = [
     "eframe",
     "js-sys",
     "pilotage-web",
+    "pilotage-worker",
     "wasm-bindgen",
     "web-sys",
     "winit",

@@ -4,7 +4,7 @@ use super::{Violation, sources::Source, tokens::named_paths};
 
 /// What `core` must not name outside its tests. Time, files and threads come in as values from
 /// the caller, so that the same flight gives the same run on every platform.
-pub const FORBIDDEN_IN_CORE: [&[&str]; 25] = [
+pub const FORBIDDEN_IN_CORE: [&[&str]; 26] = [
     &["std", "time", "Instant"],
     &["std", "time", "SystemTime"],
     &["std", "fs"],
@@ -29,17 +29,19 @@ pub const FORBIDDEN_IN_CORE: [&[&str]; 25] = [
     &["rayon"],
     &["pilotage_ui"],
     &["pilotage_web"],
+    &["pilotage_worker"],
     &["rand", "rng"],
 ];
 
 /// What `ui` must not name: it runs natively under test, without page or window.
-pub const FORBIDDEN_IN_UI: [&[&str]; 9] = [
+pub const FORBIDDEN_IN_UI: [&[&str]; 10] = [
     &["eframe"],
     &["web_sys"],
     &["js_sys"],
     &["wasm_bindgen"],
     &["wasm_bindgen_futures"],
     &["pilotage_web"],
+    &["pilotage_worker"],
     &["std", "fs"],
     &["std", "thread"],
     &["std", "net"],

@@ -1,6 +1,7 @@
-//! The page: a folder of plain files made from the wasm crate, `index.html` and `www/`.
+//! The page: a folder of plain files made from the wasm crates, `index.html` and `www/`.
 //!
-//! Layout: `index.html` and the content of `www/` at the root, the module and its glue in `pkg/`,
+//! Layout: `index.html` and the content of `www/` at the root, the programs of the page and of its
+//! workers with their glue in `pkg/`,
 //! beside each text and module a `.br` and a `.gz`, and `build.json` with what was built.
 
 mod compress;
@@ -15,8 +16,11 @@ pub use wasm::{TARGET, ensure_target, without_flags};
 
 use crate::{failure::Failure, progress::step};
 
-/// Name of the module in `pkg/`, without its endings.
+/// Name of the page's program in `pkg/`, without its endings.
 pub const MODULE: &str = "pilotage_web";
+
+/// Name of the workers' program in `pkg/`, without its endings.
+pub const WORKER_MODULE: &str = "pilotage_worker";
 
 /// How a page is built.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -59,12 +63,14 @@ impl Profile {
 /// Builds the page into `dist`, replacing a page that is there.
 pub fn build(profile: Profile, dist: &Path) -> Result<(), Failure> {
     wasm::ensure_target()?;
-    let module = step(&format!("compiling the page ({})", profile.name()), || {
+    let modules = step(&format!("compiling the page ({})", profile.name()), || {
         wasm::compile(profile)
     })?;
     step("putting the page together", || {
         files::clear(dist)?;
-        wasm::bind(&module, dist)?;
+        for module in &modules {
+            wasm::bind(module, dist)?;
+        }
         files::copy_shell(dist)?;
         offline::stamp(dist)
     })?;

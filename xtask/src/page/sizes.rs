@@ -2,13 +2,13 @@
 
 use std::{fs, path::Path};
 
-use super::{MODULE, compress::beside, files};
+use super::{MODULE, WORKER_MODULE, compress::beside, files};
 use crate::failure::Failure;
 
-/// What the module may weigh with brotli, in bytes.
+/// What the page's program may weigh with brotli, in bytes.
 const MODULE_BAR: u64 = 1_600_000;
 
-/// Prints a table of the files of `dist`; fails if the module is over its bar.
+/// Prints a table of the files of `dist`; fails if the page's program is over its bar.
 pub fn print(dist: &Path) -> Result<(), Failure> {
     println!(
         "{:<28}{:>12}{:>12}{:>12}",
@@ -36,14 +36,17 @@ pub fn print(dist: &Path) -> Result<(), Failure> {
         "{:<28}{:>12}{:>12}{:>12}",
         "together", sums[0], sums[1], sums[2]
     );
-    let module = size(&dist.join("pkg").join(format!("{MODULE}_bg.wasm.br")))?;
+    let [module, workers] = [MODULE, WORKER_MODULE]
+        .map(|name| size(&dist.join("pkg").join(format!("{name}_bg.wasm.br"))));
+    let (module, workers) = (module?, workers?);
     if module > MODULE_BAR {
         return Err(Failure::Check(format!(
-            "the module has {module} bytes with brotli, over the bar of {MODULE_BAR}; look for what \
+            "the page's program has {module} bytes with brotli, over the bar of {MODULE_BAR}; look for what \
              came in lately: a library, a font, code made for many types"
         )));
     }
-    println!("\nmodule with brotli: {module} bytes, within the bar of {MODULE_BAR}");
+    println!("\nthe page's program with brotli: {module} bytes, within the bar of {MODULE_BAR}");
+    println!("the workers' program with brotli: {workers} bytes");
     Ok(())
 }
 

@@ -1,10 +1,10 @@
-//! The module: compiled for WebAssembly, then given its glue for the browser.
+//! The programs: compiled for WebAssembly, then given their glue for the browser.
 
 use std::path::{Path, PathBuf};
 
 use wasm_bindgen_cli_support::Bindgen;
 
-use super::{MODULE, Profile};
+use super::{MODULE, Profile, WORKER_MODULE};
 use crate::{failure::Failure, places, process, progress::step};
 
 /// The target of the page.
@@ -29,16 +29,15 @@ pub fn ensure_target() -> Result<(), Failure> {
     })
 }
 
-/// Compiles the page's crate and returns the module.
-pub fn compile(profile: Profile) -> Result<PathBuf, Failure> {
-    let mut cargo = process::cargo(&["build", "--locked", "-p", "pilotage-web", "--lib"]);
+/// Compiles the crates of the page and of its workers and returns the modules.
+pub fn compile(profile: Profile) -> Result<[PathBuf; 2], Failure> {
+    let mut cargo = process::cargo(&["build", "--locked", "--lib"]);
+    cargo.args(["-p", "pilotage-web", "-p", "pilotage-worker"]);
     cargo.args(["--target", TARGET, "--profile", profile.name()]);
     without_flags(&mut cargo);
     process::run(&mut cargo, "cargo came with rustup")?;
-    Ok(places::target()
-        .join(TARGET)
-        .join(profile.name())
-        .join(format!("{MODULE}.wasm")))
+    let folder = places::target().join(TARGET).join(profile.name());
+    Ok([MODULE, WORKER_MODULE].map(|name| folder.join(format!("{name}.wasm"))))
 }
 
 /// Takes away compiler flags from the environment: they would replace those of
@@ -49,7 +48,7 @@ pub fn without_flags(cargo: &mut std::process::Command) {
         .env_remove("CARGO_ENCODED_RUSTFLAGS");
 }
 
-/// Writes `pkg/pilotage_web.js` and `pkg/pilotage_web_bg.wasm` into `dist`.
+/// Writes the glue and the finished module, `pkg/NAME.js` and `pkg/NAME_bg.wasm`, into `dist`.
 pub fn bind(module: &Path, dist: &Path) -> Result<(), Failure> {
     let mut bindgen = Bindgen::new();
     let made = bindgen.input_path(module).web(true).and_then(|bindgen| {

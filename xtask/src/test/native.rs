@@ -55,6 +55,8 @@ pub fn page_lints() -> Result<(), Failure> {
         "--locked",
         "-p",
         "pilotage-web",
+        "-p",
+        "pilotage-worker",
         "--target",
         TARGET,
     ]);

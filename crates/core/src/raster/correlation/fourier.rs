@@ -17,7 +17,7 @@ use std::f64::consts::PI;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use rustfft::num_complex::Complex32;
-use rustfft::{Fft, FftPlanner};
+use rustfft::Fft;
 
 use crate::raster::pool::Buffer;
 use crate::raster::simd::{self, Twist};
@@ -42,6 +42,18 @@ struct Plan {
 /// Plans kept; a navigator meets few lengths.
 const KEPT_PLANS: usize = 64;
 
+/// What plans transforms for the machine it runs on.
+#[cfg(not(target_arch = "wasm32"))]
+fn planner() -> rustfft::FftPlanner<f32> {
+    rustfft::FftPlanner::new()
+}
+
+/// In a browser only the vector forms are taken along: the plain ones are as much code again.
+#[cfg(target_arch = "wasm32")]
+fn planner() -> rustfft::FftPlannerWasmSimd<f32> {
+    rustfft::FftPlannerWasmSimd::new().expect("the page is built with vector instructions")
+}
+
 /// The plan for signals of `length` real samples.
 fn plan(length: usize) -> Arc<Plan> {
     static PLANS: Mutex<Vec<(usize, Arc<Plan>)>> = Mutex::new(Vec::new());
@@ -49,7 +61,7 @@ fn plan(length: usize) -> Arc<Plan> {
     if let Some((_, plan)) = plans.iter().find(|(own, _)| *own == length) {
         return Arc::clone(plan);
     }
-    let mut planner = FftPlanner::new();
+    let mut planner = planner();
     let angle = |n: usize| PI * n as f64 / length as f64;
     let plan = Arc::new(Plan {
         forward: planner.plan_fft_forward(length / 2),

@@ -1,10 +1,15 @@
 //! The worker's end: a job runner behind messages.
 
-use js_sys::{Array, Function, Object, Reflect, Uint8Array};
+use js_sys::{Array, Function, Reflect, Uint8Array};
 use pilotage_ui::jobs::{Job, JobRunner, Reply, Request};
 use wasm_bindgen::prelude::*;
 
-use crate::browser::now;
+#[wasm_bindgen]
+extern "C" {
+    /// Milliseconds since the worker began, never going back.
+    #[wasm_bindgen(js_namespace = performance, js_name = now)]
+    fn now() -> f64;
+}
 
 /// What `www/worker.js` drives: it passes messages in, calls [`WorkerHandle::turn`] as long as
 /// that says there is more, and posts what comes out.
@@ -60,29 +65,7 @@ fn say(post: &Function, reply: &Reply) {
     }
 }
 
-/// Makes the message for a request. Files travel as byte arrays beside the rest, because encoding
-/// megabytes would hold up the page.
-pub fn encode(request: Request) -> Result<JsValue, JsError> {
-    if let Request::Start(_, Job::Provide { key, files }) = request {
-        let (paths, contents) = (Array::new(), Array::new());
-        for (path, bytes) in files {
-            paths.push(&path.into());
-            contents.push(&Uint8Array::from(bytes.as_slice()));
-        }
-        let message = Object::new();
-        for (name, value) in [
-            ("provide", JsValue::from(key)),
-            ("paths", paths.into()),
-            ("contents", contents.into()),
-        ] {
-            Reflect::set(&message, &name.into(), &value)
-                .map_err(|_| JsError::new("cannot build a message"))?;
-        }
-        return Ok(message.into());
-    }
-    Ok(Uint8Array::from(postcard::to_stdvec(&request)?.as_slice()).into())
-}
-
+/// Takes a message of the page apart: bytes, or an object with files beside their key.
 fn decode(message: &JsValue) -> Result<Request, JsError> {
     if let Some(bytes) = message.dyn_ref::<Uint8Array>() {
         return Ok(postcard::from_bytes(&bytes.to_vec())?);
