@@ -7,6 +7,7 @@ pub mod dialogs;
 pub mod documents;
 pub mod host;
 pub mod jobs;
+pub mod kept_mesh;
 pub mod map;
 pub mod plan;
 pub mod shell;

@@ -8,6 +8,8 @@ use std::sync::Arc;
 use egui::epaint::{Mesh, TessellationOptions, Tessellator};
 use egui::{Painter, Rect, Shape};
 
+use crate::kept_mesh::PlacedMesh;
+
 /// Cuts shapes into triangles. Texts cannot be among the shapes: where their letters lie in the
 /// texture may change.
 pub fn triangles(painter: &Painter, clip_rect: Rect, shapes: Vec<Shape>) -> Mesh {
@@ -51,15 +53,14 @@ impl<Key: PartialEq> Still<Key> {
     pub fn paint(&mut self, painter: &Painter, key: Key, draw: impl FnOnce(&mut Vec<Shape>)) {
         let clip_rect = painter.clip_rect();
         let wanted = Some((key, clip_rect, painter.pixels_per_point()));
-        if self.made_for != wanted {
+        let lasting = self.made_for == wanted;
+        if !lasting {
             let mut shapes = Vec::new();
             draw(&mut shapes);
             self.mesh = Arc::new(triangles(painter, clip_rect, shapes));
             self.made_for = wanted;
         }
-        if !self.mesh.is_empty() {
-            painter.add(Shape::mesh(Arc::clone(&self.mesh)));
-        }
+        PlacedMesh::whole(Arc::clone(&self.mesh)).paint(painter, lasting);
     }
 }
 

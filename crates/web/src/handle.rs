@@ -6,12 +6,14 @@ use std::rc::Rc;
 
 use js_sys::{Array, Uint8Array};
 use pilotage_ui::host::OpenedFile;
+use pilotage_ui::kept_mesh::install;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
 
 use crate::accessibility::{KeptTree, tree_json};
 use crate::app::PageApp;
 use crate::browser::Shell;
+use crate::graphics::Graphics;
 use crate::host::PageHost;
 
 /// What `www/main.js` drives, and `window.app` for tests.
@@ -45,9 +47,13 @@ impl WebHandle {
     pub async fn start(&self, canvas: HtmlCanvasElement, shell: Shell) -> Result<(), JsValue> {
         let remembered = self.remembered.take();
         let running = self.running.clone();
+        let drawn_on = canvas.clone();
         let create: eframe::AppCreator<'static> = Box::new(move |creation| {
             let context = creation.egui_ctx.clone();
             context.add_plugin(KeptTree::default());
+            if let Some(keeper) = Graphics::of(&drawn_on) {
+                install(&context, keeper);
+            }
             let host = PageHost::new(shell, context.clone(), remembered);
             *running.borrow_mut() = Some((context.clone(), host.clone()));
             Ok(Box::new(PageApp::new(&context, host)))

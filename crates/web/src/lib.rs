@@ -7,6 +7,7 @@ mod accessibility;
 mod app;
 mod browser;
 mod frame_times;
+mod graphics;
 mod handle;
 mod host;
 mod message;

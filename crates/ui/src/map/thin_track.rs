@@ -248,6 +248,16 @@ impl Group<'_> {
         }
     }
 
+    /// Whether it grows no more.
+    pub fn is_complete(&self) -> bool {
+        self.last.is_none()
+    }
+
+    /// All of its points.
+    pub fn points(&self) -> &[TrackPoint] {
+        self.points
+    }
+
     /// Times at which it begins and ends.
     pub fn times(&self) -> (f64, f64) {
         let end = self.last.or(self.points.last().copied());

@@ -2,14 +2,15 @@
 
 use std::sync::Arc;
 
-use egui::epaint::{Mesh, Vertex};
-use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, pos2};
+use egui::epaint::Mesh;
+use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke};
 use pilotage_core::flight::Truth;
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::navigator::{Run, StepReport};
 
 use super::thin_track::{Group, ThinTrack, TrackPoint};
 use super::transform::{MapCamera, ScreenFromWorld};
+use crate::kept_mesh::{Part, PlacedMesh};
 use crate::still::triangles;
 
 /// Seconds around the time cursor in which a track has its dashes and its outline. Further off it is a
@@ -48,6 +49,9 @@ impl TrackStyle {
     }
 }
 
+/// How strongly what is still to come is drawn.
+const FUTURE: f32 = 0.42;
+
 /// What the triangles of a track depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Look {
@@ -61,6 +65,72 @@ struct Look {
 /// and whether they show it as past.
 type Drawn = Option<(bool, Arc<Mesh>)>;
 
+/// The triangles of all complete groups of the rough track in one mesh, as if they were past.
+#[derive(Clone, Debug, Default)]
+struct FarDrawn {
+    mesh: Arc<Mesh>,
+    /// Of each group.
+    parts: Vec<Part>,
+    origin: GroundPoint,
+}
+
+impl FarDrawn {
+    /// Takes up groups that have become complete; false if there were any.
+    fn follow(
+        &mut self,
+        far: &ThinTrack,
+        painter: &Painter,
+        view: &ScreenFromWorld,
+        style: &TrackStyle,
+    ) -> bool {
+        let mut lasting = true;
+        for group in far.groups(&everywhere()).skip(self.parts.len()) {
+            if !group.is_complete() {
+                break;
+            }
+            if self.parts.is_empty() {
+                self.origin = group.first().place;
+            }
+            let north_up = MapCamera {
+                center: self.origin,
+                metres_per_point: view.metres_per_point,
+                up: 0.0,
+            }
+            .screen_from_world(Rect::ZERO);
+            let place = |p: &TrackPoint| north_up.apply(&p.place);
+            let shapes = shapes(group.points(), f64::INFINITY, style, place);
+            let mesh = Arc::make_mut(&mut self.mesh);
+            let (vertices, indices) = (mesh.vertices.len(), mesh.indices.len());
+            mesh.append(triangles(painter, Rect::EVERYTHING, shapes));
+            self.parts.push(Part {
+                vertices: vertices..mesh.vertices.len(),
+                indices: indices..mesh.indices.len(),
+                strength: 1.0,
+            });
+            lasting = false;
+        }
+        lasting
+    }
+}
+
+/// Adds a part to those drawn: one that follows the last of them makes it longer.
+fn add_part(parts: &mut Vec<Part>, part: &Part, strength: f32) {
+    match parts.last_mut() {
+        Some(last) if last.indices.end == part.indices.start && last.strength == strength => {
+            last.indices.end = part.indices.end;
+            last.vertices.end = part.vertices.end;
+        }
+        _ => parts.push(Part {
+            strength,
+            ..part.clone()
+        }),
+    }
+}
+
+fn everywhere() -> GroundRect {
+    GroundRect::centered(GroundPoint::default(), f64::MAX, f64::MAX)
+}
+
 /// A track and the triangles of its groups: in detail around the time cursor, roughly elsewhere.
 #[derive(Clone, Debug)]
 pub struct DrawnTrack {
@@ -68,7 +138,7 @@ pub struct DrawnTrack {
     far: ThinTrack,
     look: Option<Look>,
     near_drawn: Vec<Drawn>,
-    far_drawn: Vec<Drawn>,
+    far_drawn: FarDrawn,
 }
 
 impl Default for DrawnTrack {
@@ -78,7 +148,7 @@ impl Default for DrawnTrack {
             far: ThinTrack::rough(),
             look: None,
             near_drawn: Vec::new(),
-            far_drawn: Vec::new(),
+            far_drawn: FarDrawn::default(),
         }
     }
 }
@@ -122,22 +192,44 @@ impl DrawnTrack {
         if self.look != Some(look) {
             self.look = Some(look);
             self.near_drawn.clear();
-            self.far_drawn.clear();
+            self.far_drawn = FarDrawn::default();
         }
         let ground = view.visible(screen.expand(8.0));
         // Rough groups that come near the cursor are drawn in detail from end to end.
-        let everywhere = GroundRect::centered(GroundPoint::default(), f64::MAX, f64::MAX);
         let touches = |(begin, end): (f64, f64), from: f64, to: f64| begin <= to && end >= from;
         let is_near = |times| touches(times, now - NEAR, now + NEAR);
         let (from, to) = self
             .far
-            .groups(&everywhere)
+            .groups(&everywhere())
             .map(|group| group.times())
             .filter(|times| is_near(*times))
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(from, to), times| {
                 (from.min(times.0), to.max(times.1))
             });
+        let plain = style.plain();
+        let lasting = self.far_drawn.follow(&self.far, painter, view, &plain);
+        let mut parts = Vec::new();
         let mut mesh = Mesh::default();
+        for group in self.far.groups(&ground) {
+            if is_near(group.times()) {
+                continue;
+            }
+            let past = group.times().1 <= now;
+            if let Some(part) = self.far_drawn.parts.get(group.index) {
+                add_part(&mut parts, part, if past { 1.0 } else { FUTURE });
+            } else {
+                let place = |p: &TrackPoint| view.apply(&p.place);
+                let shapes = shapes(&group.split_at(now), now, &plain, place);
+                mesh.append(triangles(painter, screen, shapes));
+            }
+        }
+        let far = PlacedMesh {
+            mesh: Arc::clone(&self.far_drawn.mesh),
+            origin: view.apply(&self.far_drawn.origin),
+            turned: view.up as f32,
+            parts,
+        };
+        far.paint(painter, lasting);
         let mut add = |group: &Group<'_>, drawn: &mut Vec<Drawn>, style: &TrackStyle| {
             let points = || group.split_at(now);
             let Some(past) = group.side(now) else {
@@ -161,15 +253,14 @@ impl DrawnTrack {
                 *kept = Some((past, Arc::new(triangles(painter, Rect::EVERYTHING, shapes))));
             }
             if let Some((_, drawn)) = kept {
-                append_turned(&mut mesh, drawn, view.apply(&origin), view.up as f32);
+                let placed = PlacedMesh {
+                    origin: view.apply(&origin),
+                    turned: view.up as f32,
+                    ..PlacedMesh::whole(Arc::clone(drawn))
+                };
+                placed.append_to(&mut mesh);
             }
         };
-        let plain = style.plain();
-        for group in self.far.groups(&ground) {
-            if !is_near(group.times()) {
-                add(&group, &mut self.far_drawn, &plain);
-            }
-        }
         for group in self.near.groups(&ground) {
             if touches(group.times(), from, to) {
                 add(&group, &mut self.near_drawn, &style);
@@ -179,22 +270,6 @@ impl DrawnTrack {
             painter.add(Shape::mesh(mesh));
         }
     }
-}
-
-/// Appends triangles with their origin put to `origin`, for a map with the direction `up` at its
-/// top.
-fn append_turned(mesh: &mut Mesh, north_up: &Mesh, origin: Pos2, up: f32) {
-    let (sin, cos) = up.sin_cos();
-    let first = mesh.vertices.len() as u32;
-    mesh.indices
-        .extend(north_up.indices.iter().map(|i| i + first));
-    mesh.vertices.extend(north_up.vertices.iter().map(|v| {
-        let (x, y) = (v.pos.x, v.pos.y);
-        Vertex {
-            pos: pos2(origin.x + cos * x + sin * y, origin.y + cos * y - sin * x),
-            ..*v
-        }
-    }));
 }
 
 /// The lines through `points`.
@@ -230,7 +305,7 @@ fn add_line(
     } else {
         (style.other, style.other_dash)
     };
-    let strength = if past { 1.0 } else { 0.42 };
+    let strength = if past { 1.0 } else { FUTURE };
     let stroke = Stroke::new(style.width, color.gamma_multiply(strength));
     if let Some((dash, gap)) = dash {
         shapes.extend(Shape::dashed_line(&points, stroke, dash, gap));
@@ -245,6 +320,8 @@ fn add_line(
 
 #[cfg(test)]
 mod tests {
+    use egui::pos2;
+
     use super::*;
 
     #[test]
@@ -266,7 +343,12 @@ mod tests {
         }
         kept.add_triangle(0, 1, 2);
         let mut mesh = Mesh::default();
-        append_turned(&mut mesh, &kept, view.apply(&anchor), view.up as f32);
+        let placed = PlacedMesh {
+            origin: view.apply(&anchor),
+            turned: view.up as f32,
+            ..PlacedMesh::whole(Arc::new(kept))
+        };
+        placed.append_to(&mut mesh);
         for (vertex, corner) in mesh.vertices.iter().zip(&corners) {
             assert!(vertex.pos.distance(view.apply(corner)) < 1e-3);
         }

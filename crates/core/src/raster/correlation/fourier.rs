@@ -16,8 +16,8 @@
 use std::f64::consts::PI;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use rustfft::num_complex::Complex32;
 use rustfft::Fft;
+use rustfft::num_complex::Complex32;
 
 use crate::raster::pool::Buffer;
 use crate::raster::simd::{self, Twist};
