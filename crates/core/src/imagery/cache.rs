@@ -104,6 +104,10 @@ impl Imagery for CachedImagery {
         self.source.native_gsd()
     }
 
+    fn is_coarse_cheap(&self) -> bool {
+        self.source.is_coarse_cheap()
+    }
+
     fn window(&self, window: &Window) -> Raster<Rgba> {
         let Some((level, first_row, first_column)) = self.on_grid(window) else {
             return self.source.window(window);

@@ -96,6 +96,12 @@ pub trait Imagery: Send + Sync {
     ///
     /// Pixels without data are transparent black.
     fn window(&self, window: &Window) -> Raster<Rgba>;
+
+    /// Whether a coarser window of the same ground costs less than a fine one. Not so for ground that
+    /// is made as it is looked at: a coarse pixel is the mean of many fine ones.
+    fn is_coarse_cheap(&self) -> bool {
+        true
+    }
 }
 
 impl<T: Imagery + ?Sized> Imagery for std::sync::Arc<T> {
@@ -113,5 +119,9 @@ impl<T: Imagery + ?Sized> Imagery for std::sync::Arc<T> {
 
     fn window(&self, window: &Window) -> Raster<Rgba> {
         (**self).window(window)
+    }
+
+    fn is_coarse_cheap(&self) -> bool {
+        (**self).is_coarse_cheap()
     }
 }

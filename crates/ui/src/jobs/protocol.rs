@@ -123,6 +123,8 @@ pub struct MapInfo {
     pub bounds: GroundRect,
     /// Finest ground sample distance, metres per pixel.
     pub native_gsd: f64,
+    /// Whether a coarser window of the same ground costs less than a fine one.
+    pub is_coarse_cheap: bool,
 }
 
 /// How distinct a box of the map is.

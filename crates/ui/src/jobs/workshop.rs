@@ -210,6 +210,7 @@ pub fn describe(map: &dyn Imagery) -> MapInfo {
         name: map.name().to_owned(),
         bounds: map.bounds(),
         native_gsd: map.native_gsd(),
+        is_coarse_cheap: map.is_coarse_cheap(),
     }
 }
 

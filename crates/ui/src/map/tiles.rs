@@ -172,7 +172,12 @@ impl TileCache {
         for key in stand_ins.iter().chain(&tiles) {
             self.paint_tile(painter, view, *key);
         }
-        self.note_missing(missing, view, &ground, level);
+        self.note_missing(
+            missing,
+            view,
+            &ground,
+            map.is_coarse_cheap.then_some(level + 1),
+        );
         self.evict();
     }
 
@@ -181,15 +186,14 @@ impl TileCache {
         mut missing: Vec<TileKey>,
         view: &ScreenFromWorld,
         ground: &GroundRect,
-        level: i32,
+        rough: Option<i32>,
     ) {
         let distance = |k: &TileKey| k.window().rect().center().distance(&view.center);
         missing.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
-        // A rougher picture first, where there is nothing at all yet. Not a much rougher one: pixels
-        // of generated ground take the longer the more ground they show.
-        let rough = level + 1;
-        let mut wanted: Vec<TileKey> = TileKey::covering(rough, ground)
+        // A rougher picture first, where there is nothing at all yet.
+        let mut wanted: Vec<TileKey> = rough
             .into_iter()
+            .flat_map(|level| TileKey::covering(level, ground))
             .filter(|k| !self.held.contains_key(k) && !self.empty.contains(k))
             .collect();
         wanted.sort_by(|a, b| distance(a).total_cmp(&distance(b)));

@@ -60,7 +60,7 @@ impl Grid {
                 }
             }
         }
-        pairs.sort_unstable();
+        // Sorted by counting: the pairs come in the order of the objects already.
         let mut starts = vec![0_u32; (SIDE * SIDE + 1) as usize];
         for &(cell, _) in &pairs {
             starts[cell as usize + 1] += 1;
@@ -68,10 +68,14 @@ impl Grid {
         for i in 1..starts.len() {
             starts[i] += starts[i - 1];
         }
-        Self {
-            starts,
-            items: pairs.into_iter().map(|(_, number)| number).collect(),
+        let mut next = starts.clone();
+        let mut items = vec![0; pairs.len()];
+        for (cell, number) in pairs {
+            let place = &mut next[cell as usize];
+            items[*place as usize] = number;
+            *place += 1;
         }
+        Self { starts, items }
     }
 
     /// The objects of a cell, in ascending order.

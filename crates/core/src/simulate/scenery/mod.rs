@@ -137,6 +137,10 @@ impl Imagery for Scenery {
         NATIVE_GSD
     }
 
+    fn is_coarse_cheap(&self) -> bool {
+        false
+    }
+
     fn window(&self, window: &Window) -> Raster<Rgba> {
         let mut picture = render::window(&self.world, &turn::window(window));
         picture.pixels_mut().reverse();

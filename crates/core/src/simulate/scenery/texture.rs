@@ -118,20 +118,40 @@ fn wrapped(x: f32, period: f32) -> f32 {
     }
 }
 
-/// Periodic smooth noise from -1 to 1; `cells` lattice cells in `period` metres, at a place of the
-/// first period or just beyond its end.
-fn periodic(x: f32, y: f32, cells: i32, period: f32, seed: u32) -> f32 {
-    let k = cells as f32 / period;
-    let (x, y) = (wrapped(x, period) * k, wrapped(y, period) * k);
-    let (ix, iy) = (floor(x), floor(y));
-    let (tx, ty) = (x - ix as f32, y - iy as f32);
-    let (sx, sy) = (tx * tx * (3.0 - 2.0 * tx), ty * ty * (3.0 - 2.0 * ty));
-    let wrap = |i: i32| if i >= cells { i - cells } else { i };
-    let (ix, iy) = (wrap(ix), wrap(iy));
-    let at = |dx: i32, dy: i32| unit(hash2(wrap(ix + dx), wrap(iy + dy), seed));
-    let top = at(0, 0) + (at(1, 0) - at(0, 0)) * sx;
-    let bottom = at(0, 1) + (at(1, 1) - at(0, 1)) * sx;
-    2.0 * (top + (bottom - top) * sy) - 1.0
+/// Periodic smooth noise from -1 to 1 on a lattice whose values are drawn once.
+struct Periodic {
+    cells: i32,
+    period: f32,
+    lattice: Vec<f32>,
+}
+
+impl Periodic {
+    /// `cells` lattice cells in `period` metres.
+    fn new(cells: i32, period: f32, seed: u32) -> Self {
+        let places = (0..cells).flat_map(|x| (0..cells).map(move |y| (x, y)));
+        Self {
+            cells,
+            period,
+            lattice: places.map(|(x, y)| unit(hash2(x, y, seed))).collect(),
+        }
+    }
+
+    /// The noise at a place of the first period or just beyond its end.
+    #[inline]
+    fn at(&self, x: f32, y: f32) -> f32 {
+        let k = self.cells as f32 / self.period;
+        let (x, y) = (wrapped(x, self.period) * k, wrapped(y, self.period) * k);
+        let (ix, iy) = (floor(x), floor(y));
+        let (tx, ty) = (x - ix as f32, y - iy as f32);
+        let (sx, sy) = (tx * tx * (3.0 - 2.0 * tx), ty * ty * (3.0 - 2.0 * ty));
+        let wrap = |i: i32| if i >= self.cells { i - self.cells } else { i };
+        let (ix, iy) = (wrap(ix), wrap(iy));
+        let (next_x, next_y) = (wrap(ix + 1), wrap(iy + 1));
+        let at = |x: i32, y: i32| self.lattice[(x * self.cells + y) as usize];
+        let top = at(ix, iy) + (at(next_x, iy) - at(ix, iy)) * sx;
+        let bottom = at(ix, next_y) + (at(next_x, next_y) - at(ix, next_y)) * sx;
+        2.0 * (top + (bottom - top) * sy) - 1.0
+    }
 }
 
 /// Periodic cells: distance to the nearest seed point in cell sides, and that point's own number.
@@ -164,9 +184,11 @@ const FOLIAGE_SIDE: usize = 256;
 fn foliage(seed: u32) -> Texture {
     let period = FOLIAGE_SIDE as f32 * TEXEL;
     let dome = |d: f32| (1.0 - d * d).max(0.0);
+    let wave = |cells, salt| Periodic::new(cells, period, seed ^ salt);
+    let (warps, bends) = (wave(32, 1), wave(35, 5));
     let raw = |x: f32, y: f32| {
-        let warp = 0.5 * periodic(x, y, 32, period, seed ^ 1);
-        let bend = 0.5 * periodic(x, y, 35, period, seed ^ 5);
+        let warp = 0.5 * warps.at(x, y);
+        let bend = 0.5 * bends.at(x, y);
         let (big, big_tone) = cells(x + warp, y + bend, 15, period, seed ^ 2);
         let (middle, middle_tone) = cells(x - bend, y + warp, 33, period, seed ^ 3);
         let (small, small_tone) = cells(x + 0.3 * bend, y - 0.3 * warp, 84, period, seed ^ 4);
@@ -204,17 +226,19 @@ const GRAIN_SIDE: usize = 512;
 /// Ground detail: speckle, clumps of half a metre, patches of some metres, thin veins.
 fn grain(seed: u32) -> Texture {
     let period = GRAIN_SIDE as f32 * TEXEL;
+    let wave = |cells, salt| Periodic::new(cells, period, seed ^ salt);
+    let speckles = [wave(512, 0), wave(301, 6)];
+    let clumped = [wave(150, 7), wave(83, 8), wave(240, 9)];
+    let patched = [wave(13, 0xa), wave(27, 0xb), wave(49, 0xc)];
+    let (bends, ridges) = (wave(20, 0xd), wave(16, 0xe));
     Texture::from_fn(GRAIN_SIDE, |x, y| {
-        let speckle =
-            0.6 * periodic(x, y, 512, period, seed) + 0.5 * periodic(x, y, 301, period, seed ^ 6);
-        let clumps = 0.6 * periodic(x, y, 150, period, seed ^ 7)
-            + 0.45 * periodic(x, y, 83, period, seed ^ 8)
-            + 0.3 * periodic(x, y, 240, period, seed ^ 9);
-        let patches = 0.55 * periodic(x, y, 13, period, seed ^ 0xa)
-            + 0.4 * periodic(x, y, 27, period, seed ^ 0xb)
-            + 0.3 * periodic(x, y, 49, period, seed ^ 0xc);
-        let bend = 1.5 * periodic(x, y, 20, period, seed ^ 0xd);
-        let ridge = periodic(x + bend, y - bend, 16, period, seed ^ 0xe).abs();
+        let speckle = 0.6 * speckles[0].at(x, y) + 0.5 * speckles[1].at(x, y);
+        let clumps =
+            0.6 * clumped[0].at(x, y) + 0.45 * clumped[1].at(x, y) + 0.3 * clumped[2].at(x, y);
+        let patches =
+            0.55 * patched[0].at(x, y) + 0.4 * patched[1].at(x, y) + 0.3 * patched[2].at(x, y);
+        let bend = 1.5 * bends.at(x, y);
+        let ridge = ridges.at(x + bend, y - bend).abs();
         let veins = 1.0 - (ridge * 14.0).min(1.0);
         [speckle, clumps, patches, veins]
     })
@@ -227,13 +251,17 @@ pub(super) const LAND_SCALE: f32 = 1.0 / 45.0;
 fn lay_of_the_land(seed: u32) -> Texture {
     const SIDE: usize = 256;
     let period = SIDE as f32 * TEXEL;
+    let wave = |cells, salt| Periodic::new(cells, period, seed ^ salt);
+    let north = [wave(16, 31), wave(39, 32)];
+    let east = [wave(15, 33), wave(41, 34)];
+    let damp = [wave(15, 35), wave(32, 36), wave(65, 37)];
+    let bright = [wave(5, 38), wave(12, 39)];
     Texture::from_fn(SIDE, |x, y| {
-        let wave = |cells: i32, salt: u32| periodic(x, y, cells, period, seed ^ salt);
         [
-            0.75 * wave(16, 31) + 0.25 * wave(39, 32),
-            0.75 * wave(15, 33) + 0.25 * wave(41, 34),
-            0.55 * wave(15, 35) + 0.3 * wave(32, 36) + 0.2 * wave(65, 37),
-            0.6 * wave(5, 38) + 0.35 * wave(12, 39),
+            0.75 * north[0].at(x, y) + 0.25 * north[1].at(x, y),
+            0.75 * east[0].at(x, y) + 0.25 * east[1].at(x, y),
+            0.55 * damp[0].at(x, y) + 0.3 * damp[1].at(x, y) + 0.2 * damp[2].at(x, y),
+            0.6 * bright[0].at(x, y) + 0.35 * bright[1].at(x, y),
         ]
     })
 }

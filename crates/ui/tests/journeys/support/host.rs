@@ -83,6 +83,7 @@ impl ScriptedHost {
                     name: "Invented ground".into(),
                     bounds: GroundRect::centered(GroundPoint::new(0.0, 0.0), 2000.0, 2000.0),
                     native_gsd: 0.15,
+                    is_coarse_cheap: true,
                 }));
                 say(JobEvent::Finished);
             }
