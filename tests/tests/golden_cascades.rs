@@ -1,0 +1,172 @@
+//! Cascades against what OpenCV 4.14 finds with the same files in the same pictures.
+
+use std::collections::BTreeMap;
+use std::fs;
+
+use pilotage_core::landmark::cascade::{Cascade, Rectangle, ScanSettings, group, scan};
+use pilotage_core::raster::{Raster, decode_picture};
+use pilotage_tests::data::shared;
+use rand::{RngExt as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+use serde_json::Value;
+
+fn rectangle(value: &Value) -> Rectangle {
+    let side = |i: usize| value[i].as_i64().expect("a whole number of pixels") as i32;
+    Rectangle {
+        x: side(0),
+        y: side(1),
+        width: side(2),
+        height: side(3),
+    }
+}
+
+#[test]
+fn cascades_find_the_very_windows_that_opencv_finds() {
+    let Some(folder) = shared("opencv_cascades") else {
+        return;
+    };
+    let expected = fs::read(folder.join("expected_opencv_4.14.json")).unwrap();
+    let expected: Value = serde_json::from_slice(&expected).unwrap();
+    let mut pictures: BTreeMap<String, Raster<u8>> = BTreeMap::new();
+    let mut cascades: BTreeMap<String, Cascade> = BTreeMap::new();
+    let (mut wanted, mut matched, mut extra, mut groups, mut complaints) = (0, 0, 0, 0, Vec::new());
+    for case in expected["cases"].as_array().unwrap() {
+        let name = |key: &str| case[key].as_str().unwrap().to_owned();
+        let picture = pictures.entry(name("image")).or_insert_with(|| {
+            let bytes = fs::read(folder.join("images").join(name("image"))).unwrap();
+            decode_picture(&bytes).unwrap().map(|p| p[0])
+        });
+        let cascade = cascades.entry(name("xml")).or_insert_with(|| {
+            let text = fs::read_to_string(folder.join(name("xml"))).unwrap();
+            Cascade::read(&name("xml"), &text).unwrap()
+        });
+        let settings = ScanSettings {
+            scale_step: case["scaleFactor"].as_f64().unwrap(),
+            ..ScanSettings::default()
+        };
+        let found = scan(cascade, picture, &settings);
+        let (width, height) = (picture.width(), picture.height());
+        let clipped = |r: &Rectangle| r.within(width, height);
+        let mut raw: Vec<Rectangle> = found.iter().map(|f| clipped(&f.rectangle)).collect();
+        raw.sort_unstable();
+        let theirs: Vec<Rectangle> = case["raw"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(rectangle)
+            .collect();
+        let common = theirs
+            .iter()
+            .filter(|r| raw.binary_search(r).is_ok())
+            .count();
+        wanted += theirs.len();
+        matched += common;
+        extra += raw.len() - common.min(raw.len());
+        let title = format!("{} {} {}", name("xml"), name("image"), settings.scale_step);
+        if common != theirs.len() || raw.len() != theirs.len() {
+            complaints.push(format!(
+                "{title}: {} of {}, {} found",
+                common,
+                theirs.len(),
+                raw.len()
+            ));
+        }
+        let mut ours: Vec<(Rectangle, f64)> = group(&found, 3)
+            .iter()
+            .map(|g| (clipped(&g.rectangle), g.score))
+            .collect();
+        ours.sort_by_key(|(r, _)| *r);
+        let mut theirs: Vec<(Rectangle, f64)> = case["reject_levels"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|g| (rectangle(&g["rect"]), g["weight"].as_f64().unwrap()))
+            .collect();
+        theirs.sort_by_key(|(r, _)| *r);
+        groups += theirs.len();
+        let alike = ours.len() == theirs.len()
+            && ours
+                .iter()
+                .zip(&theirs)
+                .all(|(a, b)| a.0 == b.0 && (a.1 - b.1).abs() < 1e-6);
+        if !alike {
+            complaints.push(format!("{title}: groups {ours:?} instead of {theirs:?}"));
+        }
+    }
+    println!("{matched} of {wanted} windows, {extra} more; {groups} groups");
+    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+}
+
+/// One file of every kind, the smallest ones.
+const SMALL: [&str; 3] = [
+    "lbpcascades/lbpcascade_frontalface.xml",
+    "haarcascades/haarcascade_licence_plate_rus_16stages.xml",
+    "haarcascades/haarcascade_russian_plate_number.xml",
+];
+
+fn mutated(text: &str, random: &mut ChaCha8Rng) -> String {
+    let mut bytes = text.as_bytes().to_vec();
+    let place = |random: &mut ChaCha8Rng, len: usize| random.random_range(0..len.max(1));
+    match random.random_range(0..5) {
+        0 => bytes.truncate(place(random, bytes.len())),
+        1 => {
+            let (from, to) = (place(random, bytes.len()), place(random, bytes.len()));
+            bytes.drain(from.min(to)..from.max(to));
+        }
+        2 => {
+            let (from, to) = (place(random, bytes.len()), place(random, bytes.len()));
+            let piece = bytes[from.min(to)..from.max(to)].to_vec();
+            let at = place(random, bytes.len());
+            bytes.splice(at..at, piece);
+        }
+        3 => {
+            // A digit turned into another one: mostly a cascade still, with other thoughts.
+            let digits: Vec<usize> = (0..bytes.len())
+                .filter(|i| bytes[*i].is_ascii_digit())
+                .collect();
+            let at = digits[place(random, digits.len())];
+            bytes[at] = b'0' + random.random_range(0..10);
+        }
+        _ => {
+            for _ in 0..random.random_range(1..20) {
+                let at = place(random, bytes.len());
+                bytes[at] = *b"0123456789-.e<>/_ a"
+                    .get(random.random_range(0..19))
+                    .unwrap_or(&b' ');
+            }
+        }
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+#[test]
+fn two_thousand_broken_files_are_refused_or_read_and_never_more() {
+    let Some(folder) = shared("opencv_cascades") else {
+        return;
+    };
+    let mut random = ChaCha8Rng::seed_from_u64(4);
+    let picture = Raster::from_fn(90, 60, |x, y| ((x * 31 + y * 57 + x * y) % 256) as u8);
+    let settings = ScanSettings {
+        scale_step: 1.3,
+        ..ScanSettings::default()
+    };
+    let (mut read, mut refused) = (0, 0);
+    for name in SMALL {
+        let text = fs::read_to_string(folder.join(name)).unwrap();
+        assert!(Cascade::read(name, &text).is_ok());
+        for _ in 0..667 {
+            match Cascade::read(name, &mutated(&text, &mut random)) {
+                Ok(cascade) => {
+                    scan(&cascade, &picture, &settings);
+                    read += 1;
+                }
+                Err(cause) => {
+                    assert!(cause.to_string().starts_with(name), "{cause}");
+                    refused += 1;
+                }
+            }
+        }
+    }
+    println!("{read} read, {refused} refused");
+    assert!(read > 50 && refused > 500, "{read} read, {refused} refused");
+}
