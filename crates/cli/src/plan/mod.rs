@@ -1,5 +1,6 @@
 //! `pilotage plan`: suggest landmarks, predict the uncertainty along a route.
 
+mod find;
 mod verify;
 
 use std::path::PathBuf;
@@ -13,9 +14,9 @@ use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{Mission, read_mission, write_mission};
 use pilotage_core::plan::{
-    Assessor, Candidate, Circumstances, DetectionStatistics, FoundRoutes, OtherDays, PictureDays,
-    PlannedLandmark, Prediction, PredictionRequest, Ranking, RouteQuestion, SceneryDays,
-    Suggestion, choose, poses_all_over, poses_over,
+    Assessor, Candidate, Circumstances, DetectionStatistics, OtherDays, PictureDays,
+    PlannedLandmark, Prediction, PredictionRequest, Ranking, SceneryDays, Suggestion, choose,
+    poses_all_over, poses_over,
 };
 use pilotage_core::simulate::scenery::DEMO_SEED;
 use pilotage_core::simulate::{FlightPlan, Overrides, Scenario, SensorSpec};
@@ -28,8 +29,6 @@ use crate::files::Directory;
 const MAP_CACHE: usize = 128;
 /// Rehearsal days of a suggestion.
 const DAYS: u64 = 3;
-/// A place that is found with this probability counts as a fix when a route is found.
-const LIKELY: f64 = 0.4;
 /// Pictures by which a landmark is assessed, on how many days.
 const VIEWS: (usize, usize) = (30, 6);
 
@@ -64,13 +63,8 @@ pub struct Arguments {
     /// Way-points instead of the scenario's: metres north and east, "0,0;400,300".
     #[arg(long, requires = "scenario", allow_hyphen_values = true)]
     route: Option<String>,
-    /// Find a route between two places, metres north and east, that is never long without a fix; it
-    /// takes the place of the route.
-    #[arg(long, num_args = 2, value_names = ["FROM", "TO"], allow_hyphen_values = true)]
-    find: Option<Vec<String>>,
-    /// Greatest length of the found route over that of the shortest.
-    #[arg(long, default_value_t = 1.3)]
-    budget: f64,
+    #[command(flatten)]
+    find: find::FindArguments,
     /// Fly the plan with seeds A..B, B left out, over the generated scenery on another day, and compare
     /// the errors with the prediction.
     #[arg(long, requires_all = ["scenario", "predict"], value_name = "A..B")]
@@ -115,7 +109,7 @@ struct Sample {
 struct Summary {
     landmarks: Vec<String>,
     suggestions: Vec<Suggestion>,
-    found: Option<FoundRoutes>,
+    found: Option<find::Found>,
     samples: Vec<Sample>,
     worst_stretch: Option<pilotage_core::plan::Stretch>,
     verification: Option<verify::Verification>,
@@ -132,8 +126,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
         worst_stretch: None,
         verification: None,
     };
-    if let Some(ends) = &arguments.find {
-        summary.found = Some(find(arguments, &mut ground, ends)?);
+    if let Some(ends) = &arguments.find.find {
+        summary.found = Some(find::find(arguments, &mut ground, ends)?);
     }
     if let Some(count) = arguments.suggest {
         summary.suggestions = suggest(arguments, &ground, count)?;
@@ -319,48 +313,6 @@ fn rank(arguments: &Arguments, ground: &Ground, frames: Option<&[(f64, Pose)]>) 
     ranked
 }
 
-/// Finds a route over the places that would serve and flies it instead of the plan's.
-fn find(
-    arguments: &Arguments,
-    ground: &mut Ground,
-    ends: &[String],
-) -> Result<FoundRoutes, Box<dyn std::error::Error>> {
-    let ends = way_points(&ends.join(";"))?;
-    let &[from, to] = &ends[..] else {
-        return Err("--find takes two places, NORTH,EAST each".into());
-    };
-    let ranked = rank(arguments, ground, None);
-    let fixes: Vec<GroundPoint> = ranked
-        .iter()
-        .filter(|c| c.probability() > LIKELY)
-        .map(|c| c.bounds.center())
-        .collect();
-    let shorter = ground.camera.width.min(ground.camera.height) as f64;
-    let found = RouteQuestion {
-        from,
-        to,
-        fixes: &fixes,
-        reach: 0.5 * (ground.height * shorter / ground.camera.focal - side(arguments, ground)),
-        no_fly: &[],
-        clearance: 0.0,
-        budget: arguments.budget,
-    }
-    .find()
-    .ok_or("there is no way between the two places")?;
-    for (name, route) in [("straight", &found.shortest), ("found", &found.surest)] {
-        println!(
-            "{name:9} {:.0} m over {} way-points, at most {:.0} m without a fix",
-            route.length,
-            route.way_points.len(),
-            route.longest_gap
-        );
-    }
-    if let Some(plan) = &mut ground.plan {
-        plan.way_points.clone_from(&found.surest.way_points);
-    }
-    Ok(found)
-}
-
 fn suggest(
     arguments: &Arguments,
     ground: &Ground,
@@ -384,15 +336,8 @@ fn suggest(
     Ok(chosen)
 }
 
-/// Measures each landmark over the map and predicts.
-fn predict(
-    arguments: &Arguments,
-    ground: &Ground,
-) -> Result<Prediction, Box<dyn std::error::Error>> {
-    let plan = ground
-        .plan
-        .as_ref()
-        .ok_or("the mission has no route to predict along")?;
+/// Measures each landmark over the map.
+fn expected(arguments: &Arguments, ground: &Ground, ground_down: f64) -> Vec<PlannedLandmark> {
     let settings = &ground.mission.navigator;
     let days: Vec<Arc<dyn Imagery>> = (0..VIEWS.1 as u64)
         .map(|day| ground.days.day(arguments.seed.wrapping_mul(2000) + day))
@@ -405,7 +350,7 @@ fn predict(
             position: 5.0,
             sensors: settings.sensors,
             detector: settings.detector,
-            ground_down: plan.ground_down,
+            ground_down,
         };
         let map = Arc::clone(&ground.map);
         let mut assessor = Assessor::over(landmark, map, &days, circumstances, arguments.seed);
@@ -429,6 +374,20 @@ fn predict(
             }),
         });
     }
+    landmarks
+}
+
+/// Measures the landmarks and predicts.
+fn predict(
+    arguments: &Arguments,
+    ground: &Ground,
+) -> Result<Prediction, Box<dyn std::error::Error>> {
+    let plan = ground
+        .plan
+        .as_ref()
+        .ok_or("the mission has no route to predict along")?;
+    let settings = &ground.mission.navigator;
+    let landmarks = expected(arguments, ground, plan.ground_down);
     let request = PredictionRequest {
         plan,
         settings,

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Route, WayPoint, globe};
+use super::{NoFlyZone, Route, WayPoint, globe};
 use crate::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
 use crate::landmark::Landmark;
 
@@ -77,6 +77,33 @@ pub(crate) struct FoundRoute {
     pub way_points: Vec<(LonLat, WayPoint)>,
     /// What we do not know, as JSON text.
     pub properties: BTreeMap<String, String>,
+}
+
+/// An area of a file that must not be flown over.
+pub(crate) struct FoundNoFly {
+    /// What people call it.
+    pub name: Option<String>,
+    /// Its corners.
+    pub corners: Vec<LonLat>,
+    /// What we do not know, as JSON text.
+    pub properties: BTreeMap<String, String>,
+}
+
+/// The areas in the world.
+pub(crate) fn no_fly(found: Vec<FoundNoFly>, frame: &LocalFrame) -> Vec<NoFlyZone> {
+    let zones = found.into_iter().enumerate().map(|(index, found)| {
+        let corners = found.corners.iter();
+        NoFlyZone {
+            name: found
+                .name
+                .unwrap_or_else(|| format!("No-fly area {}", index + 1)),
+            corners: corners
+                .map(|(lon, lat)| globe::ground(frame, *lon, *lat))
+                .collect(),
+            properties: found.properties,
+        }
+    });
+    zones.collect()
 }
 
 /// Whether these can be a longitude and a latitude in degrees.

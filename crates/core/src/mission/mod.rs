@@ -6,6 +6,7 @@ mod error;
 pub(crate) mod found;
 pub(crate) mod globe;
 mod map_file;
+mod no_fly;
 mod read;
 mod read_feature;
 mod record;
@@ -18,6 +19,7 @@ mod write;
 
 pub use error::MissionError;
 pub use map_file::{MapError, MapOptions, OpenMap, open_map, open_map_with};
+pub use no_fly::NoFlyZone;
 pub(crate) use read::read_features;
 pub use read::read_mission;
 pub use record::{MapReference, Mission};
@@ -39,3 +41,6 @@ pub const FEATURE_MEMBER: &str = "feature:";
 
 /// Property and its value, as JSON text, by which a feature says that it is a route.
 const ROUTE_MARK: (&str, &str) = ("pilotage", "\"route\"");
+
+/// Property and its value by which a polygon says that it is an area that must not be flown over.
+const NO_FLY_MARK: (&str, &str) = ("pilotage", "\"no-fly\"");

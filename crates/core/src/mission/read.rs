@@ -4,7 +4,7 @@ use serde::Deserialize;
 use serde_json::Value;
 use serde_json::value::RawValue;
 
-use super::found::{self, FoundLandmark, FoundRoute};
+use super::found::{self, FoundLandmark, FoundNoFly, FoundRoute};
 use super::read_feature::{Feature, feature};
 use super::text::{Members, Text};
 use super::way_point_file::kept;
@@ -15,8 +15,8 @@ use crate::navigator::NavigatorSettings;
 
 /// Reads a mission file.
 ///
-/// Every polygon feature is a landmark, whoever wrote it, and every feature marked as one a route;
-/// other features, unknown properties and unknown members are kept as JSON text. Without an origin
+/// Every polygon feature is a landmark, whoever wrote it, unless it is marked as a no-fly area, and
+/// every feature marked as one a route; other features, unknown properties and unknown members are kept as JSON text. Without an origin
 /// the middle of all polygons and routes is taken.
 pub fn read_mission(bytes: &[u8]) -> Result<Mission, MissionError> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
@@ -42,6 +42,7 @@ pub fn read_mission(bytes: &[u8]) -> Result<Mission, MissionError> {
         map: map(&text, &mut members)?,
         landmarks: found::landmarks(found.landmarks, &frame),
         routes: found::routes(found.routes, &frame),
+        no_fly: found::no_fly(found.no_fly, &frame),
         camera,
         navigator: navigator(&text, &mut members)?,
         properties: kept(members),
@@ -60,6 +61,8 @@ pub(crate) struct FoundFeatures<'a> {
     pub landmarks: Vec<FoundLandmark>,
     /// Routes in the order of the file.
     pub routes: Vec<FoundRoute>,
+    /// Areas that must not be flown over.
+    pub no_fly: Vec<FoundNoFly>,
     /// Somebody else's features.
     pub others: Vec<&'a RawValue>,
     /// Origin that the file states.
@@ -86,11 +89,13 @@ pub(crate) fn read_features<'a>(
             version: version.get().chars().take(20).collect(),
         });
     }
-    let (mut landmarks, mut routes, mut others) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut landmarks, mut routes) = (Vec::new(), Vec::new());
+    let (mut no_fly, mut others) = (Vec::new(), Vec::new());
     for piece in text.elements(features.get())? {
         match feature(text, piece)? {
             Feature::Landmark(landmark) => landmarks.push(landmark),
             Feature::Route(route) => routes.push(route),
+            Feature::NoFly(zone) => no_fly.push(zone),
             Feature::Other => others.push(piece),
         }
     }
@@ -103,6 +108,7 @@ pub(crate) fn read_features<'a>(
     let found = FoundFeatures {
         landmarks,
         routes,
+        no_fly,
         others,
         origin,
     };

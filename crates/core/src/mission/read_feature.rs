@@ -4,16 +4,17 @@ use serde::Deserialize;
 use serde_json::Value;
 use serde_json::value::RawValue;
 
-use super::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
+use super::found::{Extent, FoundLandmark, FoundNoFly, FoundRoute, LonLat, on_globe};
 use super::text::{Members, Text};
 use super::way_point_file::{USUAL_ALTITUDE, kept, read_way_point};
-use super::{FEATURE_MEMBER, MissionError, ROUTE_MARK, WayPoint};
+use super::{FEATURE_MEMBER, MissionError, NO_FLY_MARK, ROUTE_MARK, WayPoint};
 use crate::frames::GroundPoint;
 
 /// What a feature is to us.
 pub(super) enum Feature {
     Landmark(FoundLandmark),
     Route(FoundRoute),
+    NoFly(FoundNoFly),
     Other,
 }
 
@@ -32,10 +33,13 @@ pub(super) fn feature<'a>(text: &Text<'a>, piece: &'a RawValue) -> Result<Featur
     let Some(geometry) = members.get("geometry").copied() else {
         return Ok(Feature::Other);
     };
-    let has_mark = match members.get("properties") {
-        Some(properties) if properties.get().starts_with('{') => is_marked(text, properties.get())?,
-        _ => false,
+    let marked = |mark| match members.get("properties") {
+        Some(properties) if properties.get().starts_with('{') => {
+            is_marked(text, properties.get(), mark)
+        }
+        _ => Ok(false),
     };
+    let (has_mark, is_no_fly) = (marked(ROUTE_MARK)?, marked(NO_FLY_MARK)?);
     let kind: Value = text.value(geometry.get())?;
     let is_polygon = kind.get("type").and_then(Value::as_str) == Some("Polygon");
     if !is_polygon && !has_mark {
@@ -47,7 +51,19 @@ pub(super) fn feature<'a>(text: &Text<'a>, piece: &'a RawValue) -> Result<Featur
         Some(piece) if piece.get() != "null" => text.members(piece.get())?,
         _ => Members::new(),
     };
-    if is_polygon {
+    if is_polygon && is_no_fly {
+        properties.remove(NO_FLY_MARK.0);
+        let mut corners = corners(text, geometry.get())?;
+        // A ring ends where it begins.
+        if corners.len() > 3 && corners.first() == corners.last() {
+            corners.pop();
+        }
+        Ok(Feature::NoFly(FoundNoFly {
+            name: own(text, &mut properties, "name"),
+            corners,
+            properties: with_members(properties, members),
+        }))
+    } else if is_polygon {
         let mut found = landmark(text, piece.get(), geometry.get(), &mut properties)?;
         found.properties = with_members(properties, members);
         Ok(Feature::Landmark(found))
@@ -58,11 +74,13 @@ pub(super) fn feature<'a>(text: &Text<'a>, piece: &'a RawValue) -> Result<Featur
     }
 }
 
-fn is_marked<'a>(text: &Text<'a>, properties: &'a str) -> Result<bool, MissionError> {
+fn is_marked<'a>(
+    text: &Text<'a>,
+    properties: &'a str,
+    (name, said): (&str, &str),
+) -> Result<bool, MissionError> {
     let members = text.members(properties)?;
-    Ok(members
-        .get(ROUTE_MARK.0)
-        .is_some_and(|value| value.get() == ROUTE_MARK.1))
+    Ok(members.get(name).is_some_and(|value| value.get() == said))
 }
 
 /// Unknown properties, and unknown members of the feature under names of their own.
@@ -101,12 +119,8 @@ fn own<'a, T: serde::de::DeserializeOwned>(
     value
 }
 
-fn landmark<'a>(
-    text: &Text<'a>,
-    feature: &'a str,
-    geometry: &'a str,
-    properties: &mut Members<'a>,
-) -> Result<FoundLandmark, MissionError> {
+/// Corners of the outer ring of a polygon.
+fn corners<'a>(text: &Text<'a>, geometry: &'a str) -> Result<Vec<LonLat>, MissionError> {
     #[derive(Deserialize)]
     struct Polygon {
         coordinates: Vec<Vec<Vec<f64>>>,
@@ -122,6 +136,16 @@ fn landmark<'a>(
     if corners.len() < 3 {
         return Err(text.error(geometry, "a polygon has at least three corners"));
     }
+    Ok(corners)
+}
+
+fn landmark<'a>(
+    text: &Text<'a>,
+    feature: &'a str,
+    geometry: &'a str,
+    properties: &mut Members<'a>,
+) -> Result<FoundLandmark, MissionError> {
+    let corners = corners(text, geometry)?;
     let reference_place = properties.get("reference").map(|piece| piece.get());
     let reference: Option<LonLat> = text.take(properties, "reference")?;
     if let Some((longitude, latitude)) = reference

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::Route;
+use super::{NoFlyZone, Route};
 use crate::camera::CameraModel;
 use crate::frames::Geodetic;
 use crate::landmark::Landmark;
@@ -32,6 +32,9 @@ pub struct Mission {
     pub landmarks: Vec<Landmark>,
     /// Routes, in the order of the list.
     pub routes: Vec<Route>,
+    /// Areas that must not be flown over.
+    #[serde(default)]
+    pub no_fly: Vec<NoFlyZone>,
     /// Camera, where the mission states one (otherwise the flight's).
     pub camera: Option<CameraModel>,
     /// How to navigate.

@@ -31,6 +31,13 @@ fn mission() -> Mission {
         origin: Geodetic::from_degrees(45.0, -30.0, 120.0),
         map: Some(MapReference::Picture("ortho.jpg".to_owned())),
         routes: vec![route()],
+        no_fly: vec![NoFlyZone {
+            name: "airfield".to_owned(),
+            corners: [(0.0, 0.0), (0.0, 400.0), (250.0, 350.0), (300.0, -20.0)]
+                .map(|(n, e)| GroundPoint::new(n, e))
+                .to_vec(),
+            properties: [("floor_m".to_owned(), "120".to_owned())].into(),
+        }],
         landmarks: vec![
             barn,
             Landmark::new(
@@ -104,6 +111,10 @@ fn a_mission_survives_its_file() {
     assert_eq!(after.camera, before.camera);
     assert_eq!(after.properties, before.properties);
     assert_eq!(after.routes.len(), 1);
+    let (a, b) = (&after.no_fly[0], &before.no_fly[0]);
+    assert_eq!((&a.name, &a.properties), (&b.name, &b.properties));
+    assert_eq!(a.corners.len(), 4);
+    assert!(a.corners.iter().zip(&b.corners).all(|(a, b)| near(a, b)));
     let (a, b) = (&after.routes[0], &before.routes[0]);
     assert_eq!((a.id, &a.name), (b.id, &b.name));
     assert_eq!(a.properties, b.properties);
@@ -143,7 +154,7 @@ fn what_is_written_is_geojson() {
     let geojson::GeoJson::FeatureCollection(collection) = parsed else {
         panic!("no collection");
     };
-    assert_eq!(collection.features.len(), 4);
+    assert_eq!(collection.features.len(), 5);
 }
 
 #[test]

@@ -7,7 +7,10 @@ use serde_json::{Value, json};
 
 use super::globe;
 use super::way_point_file::write_way_point;
-use super::{FEATURE_MEMBER, MapReference, Mission, OTHER_FEATURES, ROUTE_MARK, Route, VERSION};
+use super::{
+    FEATURE_MEMBER, MapReference, Mission, NO_FLY_MARK, NoFlyZone, OTHER_FEATURES, ROUTE_MARK,
+    Route, VERSION,
+};
 use crate::flight::{CameraFile, OriginFile};
 use crate::frames::{GroundPoint, LocalFrame};
 use crate::landmark::Landmark;
@@ -42,6 +45,7 @@ pub fn write_mission(mission: &Mission) -> String {
         }
     }
     let mut features = write_features(&mission.routes, &mission.landmarks, &frame);
+    features.extend(mission.no_fly.iter().map(|z| no_fly_feature(z, &frame)));
     if let Some(others) = mission.properties.get(OTHER_FEATURES) {
         let inside = others
             .trim()
@@ -129,6 +133,21 @@ fn landmark_feature(landmark: &Landmark, frame: &LocalFrame) -> String {
         landmark.enabled,
     );
     end(text, &landmark.properties)
+}
+
+fn no_fly_feature(zone: &NoFlyZone, frame: &LocalFrame) -> String {
+    let around = zone.corners.iter().chain(zone.corners.first());
+    let ring: Vec<String> = around.map(|p| position(frame, p)).collect();
+    let mut text = begin(&zone.properties);
+    let (mark, marked) = NO_FLY_MARK;
+    let _ = write!(
+        text,
+        ",\n      \"geometry\": {{ \"type\": \"Polygon\", \"coordinates\": [[{}]] }},\n      \
+         \"properties\": {{ \"{mark}\": {marked}, \"name\": {}",
+        ring.join(", "),
+        Value::from(zone.name.as_str()),
+    );
+    end(text, &zone.properties)
 }
 
 fn route_feature(route: &Route, frame: &LocalFrame) -> String {

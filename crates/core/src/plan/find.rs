@@ -1,401 +1,456 @@
-//! Finding a route: from A to B over places where a fix will be had.
+//! Finding a route: from A to B over ground where a fix will be had.
 //!
-//! Uncertainty grows with the way since the last fix, so that the worst uncertainty of a route is that
-//! of its longest stretch without one. Places that give a fix are the nodes of a graph, and its edges the
-//! ways between them around no-fly areas. The least longest stretch within a length budget is found by
-//! bisection over the stretches that occur: for each, the shortest path over edges no longer than it.
+//! Sources of fixes, corners of no-fly areas and a coarse lattice are the nodes of a graph; its edges
+//! are the straight ways between them that are allowed, each with what it does to the metres flown
+//! without a fix (see `blind_way`). The least worst of them within a budget is found by bisection: for a
+//! stated worst, the cheapest path that never exceeds it. The least mean is that of the cheapest paths
+//! where every metre without a fix has a price.
 
-use std::cmp::Ordering;
-use std::collections::BinaryHeap;
+use std::sync::Arc;
 
+use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
-use crate::frames::GroundPoint;
+use super::blind_way::{Ground, Pace};
+use super::field::Localizability;
+use super::graph::{Aimed, Graph};
+use super::no_fly::{NoFlyArea, Obstacles};
+use super::smooth::{Turns, fits, pull_tight};
+use crate::frames::{GroundPoint, GroundRect};
 
-/// A closed polygon that must not be flown over, its corners in either order.
-pub type NoFlyArea = Vec<GroundPoint>;
+/// Most nodes taken from the field.
+const MOST_SOURCES: usize = 260;
+/// Least probability of a fix at a node.
+const WORTH_A_VISIT: f64 = 0.15;
+/// Nodes of the lattice on a side.
+const LATTICE: usize = 12;
+/// Steps of the bisection.
+const STEPS: usize = 10;
+/// Share of the worst at which the bisection ends, and which a simpler route may be worse.
+const CLOSE: f64 = 0.02;
+/// Prices of a metre beside those without a fix, in worst metres of the shortest route.
+const PRICES: [f64; 6] = [0.0, 0.03, 0.08, 0.2, 0.5, 1.0];
+
+/// What the budget is about.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum BudgetOf {
+    /// The time in the wind.
+    #[default]
+    Time,
+    /// The length.
+    Length,
+}
+
+/// What is to be least.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Aim {
+    /// The worst uncertainty on the way.
+    #[default]
+    Worst,
+    /// The mean uncertainty over the way.
+    Mean,
+}
+
+/// Whether a place is forbidden, e.g. because the ground is too high there.
+pub type Forbidden = Arc<dyn Fn(&GroundPoint) -> bool + Send + Sync>;
 
 /// What to find.
-#[derive(Clone, Debug)]
-pub struct RouteQuestion<'a> {
-    /// Where the route begins; a fix is had there.
+#[derive(Clone)]
+pub struct RouteQuestion {
+    /// Where the route begins; the position is known there.
     pub from: GroundPoint,
     /// Where it ends.
     pub to: GroundPoint,
-    /// Places over which a fix will be had.
-    pub fixes: &'a [GroundPoint],
-    /// Distance from the way at which a fix is still had: half a picture, metres.
-    pub reach: f64,
+    /// Where a fix would be had.
+    pub field: Arc<Localizability>,
+    /// Shorter side of the picture on the ground, metres: the length of a pass over a landmark.
+    pub pass: f64,
     /// Areas to fly around.
-    pub no_fly: &'a [NoFlyArea],
-    /// Distance that is kept from the corners of no-fly areas, metres.
+    pub no_fly: Vec<NoFlyArea>,
+    /// Distance that is kept from them, metres.
     pub clearance: f64,
-    /// Greatest length of the route over that of the shortest allowed one, e.g. 1.3.
+    /// Other places that are forbidden.
+    pub forbidden: Option<Forbidden>,
+    /// Airspeed, m/s.
+    pub airspeed: f64,
+    /// Velocity of the air (north, east), m/s.
+    pub wind: Vector2<f64>,
+    /// Radius of a turn, metres, and the way flown while rolling into it, metres.
+    pub turns: Turns,
+    /// Greatest cost of the route over that of the shortest allowed one, e.g. 1.3.
     pub budget: f64,
+    /// What the cost is.
+    pub budget_of: BudgetOf,
+    /// What is to be least.
+    pub aim: Aim,
 }
 
 /// A route and what it is worth.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FoundRoute {
     /// Way-points, both ends included.
     pub way_points: Vec<GroundPoint>,
     /// Its length, metres.
     pub length: f64,
-    /// Its longest stretch without a fix, metres.
-    pub longest_gap: f64,
+    /// How long it takes in the wind, without turns, seconds.
+    pub time: f64,
+    /// Greatest metres since the last fix: root mean square over the ways in which detections may turn
+    /// out.
+    pub worst_blind: f64,
+    /// Their mean over the way.
+    pub mean_blind: f64,
 }
 
-/// The shortest allowed route, and the one with the least longest stretch without a fix within the
-/// budget.
+/// The shortest allowed route, and the surest one within the budget.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FoundRoutes {
     /// The shortest allowed.
     pub shortest: FoundRoute,
-    /// The one that is never long without a fix; the shortest itself where nothing is better.
+    /// The surest; the shortest itself where nothing is better.
     pub surest: FoundRoute,
 }
 
-/// A way between two nodes.
-#[derive(Clone, Debug)]
-struct Way {
-    to: usize,
-    length: f64,
-    /// Corners of no-fly areas on it.
-    around: Vec<GroundPoint>,
+/// Why no route was found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum FindError {
+    /// An end lies where one must not fly.
+    #[error("{0} lies in a no-fly area, too near to one, or over ground that is too high")]
+    EndForbidden(&'static str),
+    /// There is no way.
+    #[error(
+        "no way leads from A to B: no-fly areas, high ground or the wind are in between; move an end, \
+         lessen the clearance or fly higher"
+    )]
+    NoWay,
+    /// Both ends are the same place.
+    #[error("A and B are the same place")]
+    SamePlace,
 }
 
-impl RouteQuestion<'_> {
-    /// Finds both routes; `None` if no-fly areas lie over an end or between the ends all around.
-    pub fn find(&self) -> Option<FoundRoutes> {
-        let (direct, around) = self.way(self.from, self.to)?;
-        let mut line = vec![self.from];
-        line.extend(around);
-        line.push(self.to);
-        let shortest = self.route(line);
-        let most = self.budget * direct;
-        // Both ends first, then every fix that the budget allows to pass at all.
-        let mut nodes = vec![self.from, self.to];
-        nodes.extend(self.fixes.iter().copied().filter(|f| {
-            self.from.distance(f) + f.distance(&self.to) <= most && !self.forbidden(f)
-        }));
-        let ways = self.ways(&nodes, direct);
-        let mut gaps: Vec<f64> = ways.iter().flatten().map(|w| w.length).collect();
-        gaps.sort_by(f64::total_cmp);
-        let (mut low, mut high) = (0, gaps.len());
-        let mut surest = None;
-        while low < high {
-            let middle = usize::midpoint(low, high);
-            match path(&nodes, &ways, gaps[middle], most) {
-                Some(line) => {
-                    surest = Some(self.route(line));
-                    high = middle;
-                }
-                None => low = middle + 1,
+impl RouteQuestion {
+    fn obstacles(&self) -> Obstacles<'_> {
+        Obstacles {
+            areas: &self.no_fly,
+            clearance: self.clearance,
+        }
+    }
+
+    pub(super) fn ground(&self) -> Ground<'_> {
+        Ground {
+            field: &self.field,
+            pass: self.pass.max(1.0),
+            pace: Pace {
+                airspeed: self.airspeed,
+                wind: self.wind,
+            },
+        }
+    }
+
+    fn forbids(&self, place: &GroundPoint) -> bool {
+        self.obstacles().forbid(place) || self.forbidden.as_ref().is_some_and(|f| f(place))
+    }
+
+    /// Whether one may fly straight from `a` to `b`.
+    pub(super) fn allows(&self, a: &GroundPoint, b: &GroundPoint) -> bool {
+        let Some(forbidden) = &self.forbidden else {
+            return self.obstacles().leave_free(a, b);
+        };
+        let way = b.to_vector() - a.to_vector();
+        let pieces = (way.norm() / self.field.step.max(1.0)).ceil().max(1.0);
+        self.obstacles().leave_free(a, b)
+            && (0..=pieces as usize).all(|i| {
+                let place = GroundPoint::from(a.to_vector() + way * (i as f64 / pieces));
+                !forbidden(&place)
+            })
+    }
+
+    /// What counts against the budget.
+    pub(super) fn cost(&self, length: f64, time: f64) -> f64 {
+        match self.budget_of {
+            BudgetOf::Length => length,
+            BudgetOf::Time => time,
+        }
+    }
+
+    /// Least cost that the way between two places can have.
+    pub(super) fn least_cost(&self, a: &GroundPoint, b: &GroundPoint) -> f64 {
+        let length = a.distance(b);
+        let fastest = self.airspeed + self.wind.norm();
+        self.cost(length, length / fastest.max(1e-3))
+    }
+
+    /// What a line over way-points is worth; `None` where it is not allowed.
+    pub fn judge(&self, way_points: &[GroundPoint]) -> Option<FoundRoute> {
+        let ground = self.ground();
+        let mut route = FoundRoute {
+            way_points: way_points.to_vec(),
+            ..FoundRoute::default()
+        };
+        let (mut u, mut integral) = (0.0, 0.0);
+        for leg in way_points.windows(2) {
+            if !self.allows(&leg[0], &leg[1]) {
+                return None;
+            }
+            let way = ground.follow(&leg[0], &leg[1])?;
+            route.worst_blind = way.worst(u).max(route.worst_blind);
+            integral += way.integral.of(u);
+            u = way.end.of(u);
+            route.length += way.length;
+            route.time += way.time;
+        }
+        route.mean_blind = integral / route.length.max(1e-9);
+        Some(route)
+    }
+
+    pub(super) fn aimed(&self, route: &FoundRoute) -> f64 {
+        match self.aim {
+            Aim::Worst => route.worst_blind,
+            Aim::Mean => route.mean_blind,
+        }
+    }
+
+    /// Finds both routes.
+    pub fn find(self) -> Result<FoundRoutes, FindError> {
+        let mut search = RouteSearch::new(self)?;
+        while search.advance() {}
+        search.found()
+    }
+
+    /// Places of a lattice over the ground around both ends.
+    fn lattice(&self) -> Vec<GroundPoint> {
+        let far = self.from.distance(&self.to);
+        let Some(around) = GroundRect::around([self.from, self.to]) else {
+            return Vec::new();
+        };
+        let around = around.grown(0.45 * far);
+        let at =
+            |i: usize, low: f64, high: f64| low + (high - low) * (i as f64 + 0.5) / LATTICE as f64;
+        (0..LATTICE * LATTICE)
+            .map(|i| {
+                GroundPoint::new(
+                    at(i / LATTICE, around.south, around.north),
+                    at(i % LATTICE, around.west, around.east),
+                )
+            })
+            .collect()
+    }
+
+    /// Places where the field is greatest, none close to another.
+    fn summits(&self, keep: impl Fn(&GroundPoint) -> bool) -> Vec<GroundPoint> {
+        let field = &self.field;
+        let mut cells: Vec<(f32, GroundPoint)> = (0..field.rows)
+            .flat_map(|row| (0..field.columns).map(move |column| (row, column)))
+            .map(|(row, column)| {
+                let value = field.values[row * field.columns + column];
+                (value, field.place(column, row))
+            })
+            .filter(|(value, place)| f64::from(*value) >= WORTH_A_VISIT && keep(place))
+            .collect();
+        cells.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let mut apart = 0.6 * self.pass;
+        loop {
+            let chosen = thinned(&cells, apart);
+            if chosen.len() <= MOST_SOURCES {
+                return chosen;
+            }
+            apart *= 1.4;
+        }
+    }
+}
+
+/// The best cells, none closer than `apart` to a better one.
+fn thinned(cells: &[(f32, GroundPoint)], apart: f64) -> Vec<GroundPoint> {
+    let mut taken: std::collections::HashMap<(i64, i64), Vec<GroundPoint>> =
+        std::collections::HashMap::new();
+    let mut chosen = Vec::new();
+    for (_, place) in cells {
+        let key = (
+            (place.north / apart).floor() as i64,
+            (place.east / apart).floor() as i64,
+        );
+        let close = (-1..=1).any(|n| {
+            (-1..=1).any(|e| {
+                let others = taken.get(&(key.0 + n, key.1 + e));
+                others.is_some_and(|o| o.iter().any(|p| p.distance(place) < apart))
+            })
+        });
+        if !close {
+            taken.entry(key).or_default().push(*place);
+            chosen.push(*place);
+        }
+    }
+    chosen
+}
+
+/// What the search does next.
+enum Stage {
+    /// Ways from the next node.
+    Ways,
+    /// One more step of the bisection, or one more price.
+    Solve(usize),
+    Done,
+}
+
+/// A search under way, by pieces, so that the caller can show progress and stop.
+pub struct RouteSearch {
+    question: RouteQuestion,
+    graph: Graph,
+    stage: Stage,
+    shortest: FoundRoute,
+    /// Greatest cost.
+    most: f64,
+    /// Worst that was found to be possible, and the greatest that was found not to be.
+    bracket: (f64, f64),
+    best: Option<FoundRoute>,
+}
+
+impl RouteSearch {
+    /// Prepares the search and finds the shortest route.
+    pub fn new(question: RouteQuestion) -> Result<Self, FindError> {
+        if question.from.distance(&question.to) < 1.0 {
+            return Err(FindError::SamePlace);
+        }
+        for (end, name) in [(question.from, "A"), (question.to, "B")] {
+            if question.forbids(&end) {
+                return Err(FindError::EndForbidden(name));
             }
         }
-        Some(FoundRoutes {
-            // Fixes beside the shortest may make it the surest as well.
-            surest: surest
-                .filter(|s| s.longest_gap < shortest.longest_gap)
-                .unwrap_or_else(|| shortest.clone()),
+        let corners = question.obstacles().corners();
+        let lattice: Vec<GroundPoint> = question
+            .lattice()
+            .into_iter()
+            .filter(|p| !question.forbids(p))
+            .collect();
+        let shortest = shortest(&question, &corners, &lattice).ok_or(FindError::NoWay)?;
+        let most = question.budget.max(1.0) * question.cost(shortest.length, shortest.time);
+        let in_reach = |p: &GroundPoint| {
+            question.least_cost(&question.from, p) + question.least_cost(p, &question.to) <= most
+        };
+        let mut nodes = vec![question.from, question.to];
+        nodes.extend(question.summits(|p| in_reach(p) && !question.forbids(p)));
+        nodes.extend(corners.into_iter().chain(lattice).filter(in_reach));
+        nodes.extend(&shortest.way_points[1..shortest.way_points.len() - 1]);
+        Ok(Self {
+            bracket: (shortest.worst_blind, 0.0),
+            graph: Graph::new(nodes),
+            question,
+            stage: Stage::Ways,
             shortest,
+            most,
+            best: None,
         })
     }
 
-    /// The route over a line, with the fixes that lie within reach of it.
-    fn route(&self, way_points: Vec<GroundPoint>) -> FoundRoute {
-        let mut passed = vec![0.0];
-        let mut length = 0.0;
-        for leg in way_points.windows(2) {
-            let way = leg[1].to_vector() - leg[0].to_vector();
-            let long = way.norm();
-            let mut on_leg: Vec<f64> = self
-                .fixes
-                .iter()
-                .filter_map(|fix| {
-                    let to = fix.to_vector() - leg[0].to_vector();
-                    let along = (way.dot(&to) / long.max(1e-9)).clamp(0.0, long);
-                    let off = (to - way * (along / long.max(1e-9))).norm();
-                    (off <= self.reach).then_some(length + along)
-                })
-                .collect();
-            on_leg.sort_by(f64::total_cmp);
-            passed.extend(on_leg);
-            length += long;
-        }
-        passed.push(length);
-        let gaps = passed.windows(2).map(|p| p[1] - p[0]);
-        FoundRoute {
-            longest_gap: gaps.fold(0.0, f64::max),
-            length,
-            way_points,
+    /// How far the search is, 0 to 1.
+    pub fn progress(&self) -> f32 {
+        match self.stage {
+            Stage::Ways => 0.6 * self.graph.progress(),
+            Stage::Solve(step) => 0.6 + 0.4 * step as f32 / STEPS as f32,
+            Stage::Done => 1.0,
         }
     }
 
-    /// Ways between all pairs of nodes that are no longer than `longest`.
-    fn ways(&self, nodes: &[GroundPoint], longest: f64) -> Vec<Vec<Way>> {
-        let mut ways: Vec<Vec<Way>> = vec![Vec::new(); nodes.len()];
-        for i in 0..nodes.len() {
-            for j in i + 1..nodes.len() {
-                if nodes[i].distance(&nodes[j]) > longest {
-                    continue;
+    /// Does a piece of the work; false when all is done.
+    pub fn advance(&mut self) -> bool {
+        match self.stage {
+            Stage::Ways => {
+                if !self.graph.connect_next(&self.question, self.most) {
+                    self.stage = Stage::Solve(0);
                 }
-                let Some((length, around)) = self.way(nodes[i], nodes[j]) else {
-                    continue;
+            }
+            Stage::Solve(step) => {
+                let over = match self.question.aim {
+                    Aim::Worst => self.bisect(step),
+                    Aim::Mean => self.weigh(step),
                 };
-                let mut back = around.clone();
-                back.reverse();
-                ways[i].push(Way {
-                    to: j,
-                    length,
-                    around,
-                });
-                ways[j].push(Way {
-                    to: i,
-                    length,
-                    around: back,
-                });
+                self.stage = if over {
+                    Stage::Done
+                } else {
+                    Stage::Solve(step + 1)
+                };
             }
+            Stage::Done => return false,
         }
-        ways
+        true
     }
 
-    /// Length of the shortest way from `a` to `b` around the no-fly areas, and the corners it turns at.
-    fn way(&self, a: GroundPoint, b: GroundPoint) -> Option<(f64, Vec<GroundPoint>)> {
-        if self.free(&a, &b) {
-            return Some((a.distance(&b), Vec::new()));
+    /// What was found, with as few way-points as it takes.
+    pub fn found(mut self) -> Result<FoundRoutes, FindError> {
+        if let Some(best) = self.best.take() {
+            let pulled = pull_tight(&self.question, &best, self.most, CLOSE);
+            let better = self.question.aimed(&pulled) < self.question.aimed(&self.shortest);
+            self.best = better.then_some(pulled);
         }
-        let mut nodes = vec![a, b];
-        nodes.extend(self.corners());
-        let ways: Vec<Vec<Way>> = (0..nodes.len())
-            .map(|i| {
-                let others = (0..nodes.len()).filter(|j| *j != i);
-                others
-                    .filter(|j| self.free(&nodes[i], &nodes[*j]))
-                    .map(|j| Way {
-                        to: j,
-                        length: nodes[i].distance(&nodes[j]),
-                        around: Vec::new(),
-                    })
-                    .collect()
-            })
-            .collect();
-        let line = path(&nodes, &ways, f64::INFINITY, f64::INFINITY)?;
-        let length = line.windows(2).map(|p| p[0].distance(&p[1])).sum();
-        Some((length, line[1..line.len() - 1].to_vec()))
+        Ok(FoundRoutes {
+            surest: self.best.unwrap_or_else(|| self.shortest.clone()),
+            shortest: self.shortest,
+        })
     }
 
-    /// Corners of the no-fly areas, moved away from their middle by the clearance.
-    fn corners(&self) -> Vec<GroundPoint> {
-        let mut corners = Vec::new();
-        for area in self.no_fly {
-            let n = area.len().max(1) as f64;
-            let middle = area
-                .iter()
-                .map(|p| p.to_vector())
-                .sum::<nalgebra::Vector2<f64>>()
-                / n;
-            for corner in area {
-                let out = corner.to_vector() - middle;
-                let place: GroundPoint =
-                    (corner.to_vector() + out.normalize() * self.clearance.max(0.1)).into();
-                if !self.forbidden(&place) {
-                    corners.push(place);
+    fn bisect(&mut self, step: usize) -> bool {
+        let (high, low) = self.bracket;
+        let last = step + 1 >= STEPS || high - low <= CLOSE * high;
+        // In the end the cheapest of those that are about as good.
+        let limit = if last {
+            (1.0 + CLOSE) * high
+        } else {
+            0.5 * (high + low)
+        };
+        let aimed = Aimed::Under(limit);
+        let line = self.graph.solve(&self.question, aimed, self.most);
+        match line.and_then(|line| self.question.judge(&line)) {
+            Some(route) => {
+                if !last {
+                    self.bracket.0 = route.worst_blind.min(limit);
                 }
+                self.best = Some(route);
             }
+            None => self.bracket.1 = limit,
         }
-        corners
+        last
     }
 
-    fn forbidden(&self, p: &GroundPoint) -> bool {
-        self.no_fly.iter().any(|area| inside(area, p))
-    }
-
-    fn free(&self, a: &GroundPoint, b: &GroundPoint) -> bool {
-        let middle: GroundPoint = (0.5 * (a.to_vector() + b.to_vector())).into();
-        !self.forbidden(&middle)
-            && self.no_fly.iter().all(|area| {
-                (0..area.len()).all(|i| !cross(a, b, &area[i], &area[(i + 1) % area.len()]))
-            })
-    }
-}
-
-/// Whether a point lies in a polygon (crossing number).
-fn inside(area: &[GroundPoint], p: &GroundPoint) -> bool {
-    let mut within = false;
-    for i in 0..area.len() {
-        let (a, b) = (&area[i], &area[(i + 1) % area.len()]);
-        if (a.east > p.east) != (b.east > p.east) {
-            let north = a.north + (p.east - a.east) / (b.east - a.east) * (b.north - a.north);
-            if p.north < north {
-                within = !within;
-            }
-        }
-    }
-    within
-}
-
-/// Whether two segments cross at inner points of both.
-fn cross(a: &GroundPoint, b: &GroundPoint, c: &GroundPoint, d: &GroundPoint) -> bool {
-    let side = |p: &GroundPoint, q: &GroundPoint, r: &GroundPoint| {
-        (q.north - p.north) * (r.east - p.east) - (q.east - p.east) * (r.north - p.north)
-    };
-    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
-}
-
-/// A place in the queue of Dijkstra's search: the shortest first.
-struct Reached {
-    length: f64,
-    node: usize,
-}
-
-impl PartialEq for Reached {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other) == Ordering::Equal
-    }
-}
-impl Eq for Reached {}
-impl PartialOrd for Reached {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Reached {
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.length.total_cmp(&self.length)
-    }
-}
-
-/// Shortest path from node 0 to node 1 over ways no longer than `gap`, if it is within `most` metres.
-fn path(nodes: &[GroundPoint], ways: &[Vec<Way>], gap: f64, most: f64) -> Option<Vec<GroundPoint>> {
-    let mut best = vec![f64::INFINITY; nodes.len()];
-    let mut before: Vec<Option<(usize, usize)>> = vec![None; nodes.len()];
-    let mut queue = BinaryHeap::new();
-    best[0] = 0.0;
-    queue.push(Reached {
-        length: 0.0,
-        node: 0,
-    });
-    while let Some(Reached { length, node }) = queue.pop() {
-        if node == 1 {
-            break;
-        }
-        if length > best[node] {
-            continue;
-        }
-        for (index, way) in ways[node]
-            .iter()
-            .enumerate()
-            .filter(|(_, w)| w.length <= gap)
+    fn weigh(&mut self, step: usize) -> bool {
+        let price = PRICES[step.min(PRICES.len() - 1)] * self.shortest.worst_blind;
+        let aimed = Aimed::Priced(price);
+        let line = self.graph.solve(&self.question, aimed, self.most);
+        if let Some(route) = line.and_then(|line| self.question.judge(&line))
+            && self
+                .best
+                .as_ref()
+                .is_none_or(|b| route.mean_blind < b.mean_blind)
         {
-            let reached = length + way.length;
-            if reached <= most && reached < best[way.to] {
-                best[way.to] = reached;
-                before[way.to] = Some((node, index));
-                queue.push(Reached {
-                    length: reached,
-                    node: way.to,
-                });
-            }
+            self.best = Some(route);
         }
+        step + 1 >= PRICES.len()
     }
-    best[1].is_finite().then(|| {
-        let mut line = vec![nodes[1]];
-        let mut at = 1;
-        while let Some((from, index)) = before[at] {
-            line.extend(ways[from][index].around.iter().rev().copied());
-            line.push(nodes[from]);
-            at = from;
-        }
-        line.reverse();
-        line
-    })
+}
+
+/// The cheapest allowed route, over corners alone if that is possible.
+fn shortest(
+    question: &RouteQuestion,
+    corners: &[GroundPoint],
+    lattice: &[GroundPoint],
+) -> Option<FoundRoute> {
+    let straight = [question.from, question.to];
+    if let Some(route) = question.judge(&straight) {
+        return Some(route);
+    }
+    let mut nodes = straight.to_vec();
+    nodes.extend(corners);
+    if question.forbidden.is_some() {
+        nodes.extend(lattice);
+    }
+    let mut graph = Graph::new(nodes);
+    while graph.connect_next(question, f64::INFINITY) {}
+    let line = graph.solve(question, Aimed::Under(f64::INFINITY), f64::INFINITY)?;
+    let route = question.judge(&line)?;
+    if fits(&route.way_points, &question.turns).is_none() {
+        return Some(route);
+    }
+    Some(pull_tight(question, &route, f64::INFINITY, f64::INFINITY))
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use proptest::prelude::*;
-
-    fn point(north: f64, east: f64) -> GroundPoint {
-        GroundPoint::new(north, east)
-    }
-
-    #[test]
-    fn a_detour_over_fixes_is_taken_while_the_budget_allows_it() {
-        let fixes = [
-            point(300.0, 250.0),
-            point(700.0, 250.0),
-            point(500.0, 2000.0),
-        ];
-        let question = RouteQuestion {
-            from: point(0.0, 0.0),
-            to: point(1000.0, 0.0),
-            fixes: &fixes,
-            reach: 30.0,
-            no_fly: &[],
-            clearance: 10.0,
-            budget: 1.3,
-        };
-        let found = question.find().unwrap();
-        assert_eq!(found.shortest.longest_gap, 1000.0);
-        assert_eq!(found.surest.way_points.len(), 4, "{found:?}");
-        assert!(found.surest.longest_gap <= 400.0 + 1e-9);
-        let poor = RouteQuestion {
-            budget: 1.05,
-            ..question
-        };
-        assert_eq!(poor.find().unwrap().surest.way_points.len(), 2);
-    }
-
-    #[test]
-    fn a_no_fly_area_is_flown_around_with_its_clearance() {
-        let area = vec![
-            point(400.0, -200.0),
-            point(600.0, -200.0),
-            point(600.0, 100.0),
-            point(400.0, 100.0),
-        ];
-        let question = RouteQuestion {
-            from: point(0.0, 0.0),
-            to: point(1000.0, 0.0),
-            fixes: &[],
-            reach: 30.0,
-            no_fly: std::slice::from_ref(&area),
-            clearance: 20.0,
-            budget: 2.0,
-        };
-        let route = question.find().unwrap().shortest;
-        assert!(route.way_points.iter().any(|p| p.east > 100.0), "{route:?}");
-        assert!(route.length > 1000.0 && route.length < 1100.0);
-        let walled = RouteQuestion {
-            to: point(500.0, 0.0),
-            ..question
-        };
-        assert_eq!(walled.find(), None, "the end lies inside");
-    }
-
-    proptest! {
-        #[test]
-        fn the_surest_route_keeps_to_its_budget_and_is_never_longer_without_a_fix(
-            fixes in prop::collection::vec((-200.0_f64..1200.0, -500.0_f64..500.0), 0..25),
-            budget in 1.0_f64..1.6,
-        ) {
-            let fixes: Vec<GroundPoint> = fixes.into_iter().map(|(n, e)| point(n, e)).collect();
-            let question = RouteQuestion {
-                from: point(0.0, 0.0),
-                to: point(1000.0, 0.0),
-                fixes: &fixes,
-                reach: 30.0,
-                no_fly: &[],
-                clearance: 10.0,
-                budget,
-            };
-            let found = question.find().unwrap();
-            prop_assert!(found.surest.length <= budget * found.shortest.length + 1e-6);
-            prop_assert!(found.surest.longest_gap <= found.shortest.longest_gap + 1e-9);
-            let walked: f64 = found.surest.way_points.windows(2).map(|p| p[0].distance(&p[1])).sum();
-            prop_assert!((walked - found.surest.length).abs() < 1e-6);
-        }
-    }
-}
+#[path = "find_tests.rs"]
+mod tests;

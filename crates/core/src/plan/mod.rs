@@ -1,12 +1,18 @@
 //! Planning: what can be known before take-off of how well a route will be navigated.
 
 mod assess;
+mod blind_way;
 mod corridor;
 mod days;
 mod detection;
+mod field;
 mod find;
+mod graph;
+mod no_fly;
+mod offered;
 mod prediction;
 mod propagate;
+mod smooth;
 mod suggest;
 mod view;
 
@@ -14,8 +20,14 @@ pub use assess::{Assessor, Circumstances, View};
 pub use corridor::{Corridor, corridor};
 pub use days::{OtherDays, PictureDays, SceneryDays, any_day};
 pub use detection::{DetectionStatistics, ExpectedDetection};
-pub use find::{FoundRoute, FoundRoutes, NoFlyArea, RouteQuestion};
+pub use field::{FieldBuilder, FieldView, FixSource, Localizability};
+pub use find::{
+    Aim, BudgetOf, FindError, Forbidden, FoundRoute, FoundRoutes, RouteQuestion, RouteSearch,
+};
+pub use no_fly::{NoFlyArea, inside};
+pub use offered::OfferedField;
 pub use prediction::{
     PlannedLandmark, Prediction, PredictionError, PredictionRequest, PredictionSample, Stretch,
 };
+pub use smooth::{Turns, fits};
 pub use suggest::{Candidate, Ranking, Suggestion, choose, poses_all_over, poses_over};

@@ -21,7 +21,7 @@ use crate::mission::{MapReference, Mission};
 use crate::navigator::{NavigatorSettings, ProcessNoise, SensorNoise, StartError, VehicleChoice};
 
 /// Landmarks of the scenarios: nine buildings and a pool.
-const LANDMARKS: usize = 10;
+pub(super) const LANDMARKS: usize = 10;
 
 /// Where the generated world lies on the globe: a place without a map, in the North Atlantic.
 pub fn world_origin() -> Geodetic {
@@ -130,7 +130,7 @@ const PICKED: [(&str, f64, f64, f64); LANDMARKS] = [
 ];
 
 /// The picked part of a feature; its middle if it is not in the list.
-fn picked(feature: &DistinctFeature) -> GroundRect {
+pub(super) fn picked(feature: &DistinctFeature) -> GroundRect {
     let middle = feature.landmark_box.center();
     let known = PICKED.iter().find(|(name, ..)| *name == feature.name);
     let (north, east, side) = known.map_or((0.0, 0.0, 36.0), |(_, n, e, s)| (*n, *e, *s));
@@ -243,6 +243,7 @@ impl Scenario {
             map: Some(MapReference::Scenario(self.name.to_owned())),
             landmarks,
             routes: Vec::new(),
+            no_fly: Vec::new(),
             camera: Some(Self::camera()),
             navigator: self.navigator(),
             properties: BTreeMap::new(),

@@ -423,6 +423,10 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                 {
                     views.map.cover(covered);
                 }
+                let below = rect.left_top() + vec2(16.0, 68.0);
+                if let Some(covered) = planner.heat_legend(ui, tokens, below) {
+                    views.map.cover(covered);
+                }
                 return;
             }
             if let Some(covered) = advice(ui, rect, scene, commands) {

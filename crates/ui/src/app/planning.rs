@@ -9,7 +9,9 @@ use crate::command::{Command, Workspace};
 use crate::host::Host;
 use crate::jobs::{AssessmentOrder, FlightSource, JobEvent, JobId, scenario_route};
 use crate::plan::routes::{Step, like};
-use crate::plan::{Outlook, PlanCommand, planner as planning};
+use crate::plan::{
+    FindCommand, FindPick, HeatCommand, Outlook, PlanCommand, PlanTab, planner as planning,
+};
 
 impl App {
     /// Whether the Plan workspace is open.
@@ -37,6 +39,7 @@ impl App {
             PlanCommand::ToggleDraw => {
                 let planner = &mut self.views.planner;
                 planner.drawing = true;
+                planner.finder.pick = FindPick::Nothing;
                 planner.route = None;
                 planner.way_point = None;
                 self.views.map.picking = false;
@@ -60,6 +63,24 @@ impl App {
             | PlanCommand::AssessSelected
             | PlanCommand::AssessAll
             | PlanCommand::StopAssessing => self.assess(&command),
+            PlanCommand::Heat(command) => {
+                if command == HeatCommand::ToggleBlind || command == HeatCommand::Toggle {
+                    self.views.planner.tab = PlanTab::Ground;
+                }
+                self.views.planner.heat_command(command);
+            }
+            PlanCommand::Find(command) => {
+                let Self {
+                    documents, views, ..
+                } = self;
+                if matches!(command, FindCommand::Begin | FindCommand::Pick(_)) {
+                    views.planner.tab = PlanTab::Ground;
+                    views.planner.drawing = false;
+                    views.map.picking = false;
+                }
+                self.desk.document_changed |= views.planner.find_command(command, documents);
+            }
+            PlanCommand::ShowTab(tab) => self.views.planner.tab = tab,
             PlanCommand::DuplicateLandmark => {
                 let id = self
                     .selection
@@ -200,6 +221,8 @@ impl App {
     pub(super) fn plan_event(&mut self, id: JobId, event: &JobEvent, now: f64) -> bool {
         let planner = &mut self.views.planner;
         planner.forecast.receive(id, event, now)
+            || planner.heat.receive(id, event)
+            || planner.finder.receive(id, event)
             || planner
                 .assessments
                 .receive(id, event, &self.documents.mission.landmarks)
@@ -219,9 +242,18 @@ impl App {
             planner.fitted = true;
             self.views.map.fit(ground);
         }
+        let heat = planner.heat_order(&self.documents);
+        let blind = planner.preferences.heat.blind;
+        let mut waits = planner.heat.work(heat, blind, host, context);
+        let mut finder = std::mem::take(&mut planner.finder);
+        // The order looks at the ends that the search has.
+        (planner.finder.from, planner.finder.to) = (finder.from, finder.to);
+        finder.work(|| planner.find_order(&self.documents), host);
+        planner.finder = finder;
         let order = planner.order(&self.documents);
         let limit = planner.preferences.limit;
-        if planner.forecast.work(order, limit, host) {
+        waits |= planner.forecast.work(order, limit, host);
+        if waits {
             context.request_repaint_after(std::time::Duration::from_millis(60));
         }
     }
@@ -298,6 +330,9 @@ impl App {
             })),
             "trouble": planner.forecast.trouble(),
             "measured": measured,
+            "no_fly": mission.no_fly.iter().map(|z| z.corners.len()).collect::<Vec<_>>(),
+            "heat": planner.heat_json(),
+            "find": planner.find_json(),
             "measuring": planner.assessments.under_way().map(|(id, fraction, words)| {
                 json!({"id": id, "progress": fraction, "words": words})
             }),

@@ -45,12 +45,12 @@ impl Session {
 
     /// As bytes for the storage.
     pub fn encode(&self) -> Vec<u8> {
-        postcard::to_extend(self, vec![1]).unwrap_or_default()
+        postcard::to_extend(self, vec![2]).unwrap_or_default()
     }
 
     /// From the storage; `None` if it was written by another version or is damaged.
     pub fn decode(bytes: &[u8]) -> Option<Self> {
-        let body = bytes.strip_prefix(&[1])?;
+        let body = bytes.strip_prefix(&[2])?;
         postcard::from_bytes(body).ok()
     }
 }

@@ -68,6 +68,7 @@ impl Documents {
             map: None,
             landmarks: Vec::new(),
             routes: Vec::new(),
+            no_fly: Vec::new(),
             camera: None,
             navigator: NavigatorSettings::default(),
             properties: BTreeMap::new(),

@@ -225,13 +225,14 @@ impl<P: WorkerPort> Crew<P> {
 
 fn seat_for(job: &Job) -> usize {
     match job {
-        Job::Fly { .. } | Job::Assess(_) => 0,
+        Job::Fly { .. } | Job::Assess(_) | Job::Field(_) => 0,
         Job::Tile { .. } | Job::DescribeMap(_) => 1,
         Job::Provide { .. }
         | Job::Open { .. }
         | Job::Distinctness { .. }
         | Job::ExplainMatch { .. }
         | Job::DecodePicture { .. }
+        | Job::Find(_)
         | Job::Predict(_) => 2,
     }
 }
@@ -240,8 +241,11 @@ fn seat_for(job: &Job) -> usize {
 fn file_keys(job: &Job) -> Vec<&str> {
     let mut keys = Vec::new();
     let (flight, map) = match job {
-        Job::Provide { .. } | Job::DecodePicture { .. } | Job::Predict(_) => (None, None),
+        Job::Provide { .. } | Job::DecodePicture { .. } | Job::Predict(_) | Job::Find(_) => {
+            (None, None)
+        }
         Job::Assess(order) => (None, Some(&order.map)),
+        Job::Field(order) => (None, Some(&order.map)),
         Job::Open { key } => {
             keys.push(key.as_str());
             (None, None)

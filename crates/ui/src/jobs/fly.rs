@@ -99,6 +99,7 @@ fn bare_mission(flight: &Flight) -> Mission {
         map: None,
         landmarks: Vec::new(),
         routes: Vec::new(),
+        no_fly: Vec::new(),
         camera: None,
         navigator,
         properties: std::collections::BTreeMap::new(),

@@ -8,7 +8,9 @@ mod assess;
 mod crew;
 mod distinct;
 mod explain;
+mod field;
 mod file_pool;
+mod find;
 mod flights;
 mod fly;
 mod inline;
@@ -24,6 +26,8 @@ mod workshop;
 
 pub use assess::{Assessment, AssessmentOrder, DAYS, Glance, POSITION, VIEWS};
 pub use crew::{Crew, WorkerPort};
+pub use field::{FieldFrom, FieldOrder};
+pub use find::{FindOrder, Foreseen, FoundPlan};
 pub use inline::InlineHost;
 pub use messages::{Reply, Request};
 pub use predict::PredictionOrder;

@@ -5,11 +5,13 @@ use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::imagery::Window;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Run, StepReport};
-use pilotage_core::plan::Prediction;
+use pilotage_core::plan::{Localizability, Prediction};
 use pilotage_core::raster::{Gray, Raster, Rgba};
 use serde::{Deserialize, Serialize};
 
-use super::{Assessment, AssessmentOrder, PredictionOrder, whole_bytes};
+use super::{
+    Assessment, AssessmentOrder, FieldOrder, FindOrder, FoundPlan, PredictionOrder, whole_bytes,
+};
 
 /// Number of a job, unique within a page.
 pub type JobId = u64;
@@ -112,6 +114,10 @@ pub enum Job {
     Predict(Box<PredictionOrder>),
     /// How well a landmark is found on other days: event `Assessment`.
     Assess(Box<AssessmentOrder>),
+    /// Where a fix would be had: events `Field`, each knowing more.
+    Field(Box<FieldOrder>),
+    /// A route over ground where fixes are had: event `FoundPlan`.
+    Find(Box<FindOrder>),
 }
 
 /// What is known of a map.
@@ -230,6 +236,10 @@ pub enum JobEvent {
     Prediction(Box<Prediction>),
     /// How well a landmark is found.
     Assessment(Box<Assessment>),
+    /// Where a fix would be had, as far as it is known.
+    Field(Box<Localizability>),
+    /// A route that was found, beside the shortest.
+    FoundPlan(Box<FoundPlan>),
     /// What provided files are.
     Opened(Box<Opened>),
     /// Done.

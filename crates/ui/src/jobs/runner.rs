@@ -83,7 +83,7 @@ fn urgency(job: &Job) -> u8 {
         Job::Provide { .. } => 0,
         Job::DescribeMap(_) | Job::Open { .. } | Job::DecodePicture { .. } => 1,
         Job::Distinctness { .. } | Job::ExplainMatch { .. } | Job::Predict(_) => 2,
-        Job::Tile { .. } | Job::Assess(_) => 3,
-        Job::Fly { .. } => 4,
+        Job::Tile { .. } | Job::Assess(_) | Job::Find(_) => 3,
+        Job::Fly { .. } | Job::Field(_) => 4,
     }
 }

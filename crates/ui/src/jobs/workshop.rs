@@ -13,7 +13,9 @@ use pilotage_core::simulate::scenery::{DEMO_SEED, Scenery};
 
 use super::assess::Assess;
 use super::explain::match_pictures;
+use super::field::ComputeField;
 use super::file_pool::FilePool;
+use super::find::FindRoute;
 use super::flights::OpenFlight;
 use super::fly::Fly;
 use super::running::Once;
@@ -85,6 +87,8 @@ impl Workshop {
                 Ok(())
             }),
             Job::Assess(order) => Box::new(Assess::new(*order)),
+            Job::Field(order) => Box::new(ComputeField::new(*order)),
+            Job::Find(order) => Box::new(FindRoute::new(*order)),
             Job::ExplainMatch {
                 flight,
                 map,

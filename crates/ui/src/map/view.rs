@@ -18,7 +18,7 @@ use super::tracks::{DrawnTrack, TrackStyle};
 use super::transform::{MapCamera, ScreenFromWorld};
 use crate::context::{Drawn, ViewContext};
 use crate::jobs::{Distinctness, MapInfo};
-use crate::plan::{PlanTool, Planner};
+use crate::plan::{FindPick, PlanTool, Planner, paint_hint};
 
 /// What the map needs beside what every view is given.
 pub struct MapExtra<'a> {
@@ -126,9 +126,17 @@ impl MapView {
         self.planning = extra.plan.is_some();
         let view = self.camera.screen_from_world(rect);
         let tool = &mut self.plan_tool;
-        let busy = extra
+        let chosen = extra
             .plan
-            .is_some_and(|plan| tool.interact(ui, &view, &response, plan, context));
+            .is_some_and(|plan| plan.choose_on_map(ui, &view, &response, context));
+        let choosing = extra
+            .plan
+            .is_some_and(|plan| plan.finder.pick != FindPick::Nothing);
+        let busy = chosen
+            || (!choosing
+                && extra
+                    .plan
+                    .is_some_and(|plan| tool.interact(ui, &view, &response, plan, context)));
         self.interact(ui, rect, &response, context, busy);
         let view = self.camera.screen_from_world(rect);
         let painter = ui.painter_at(rect);
@@ -136,10 +144,23 @@ impl MapView {
         if let Some(map) = extra.map {
             self.tiles.paint(&painter, &view, rect, map);
         }
+        if let Some(plan) = extra.plan {
+            plan.paint_heat(&painter, &view);
+        }
         self.paint_tracks(&painter, &view, rect, context, extra);
         self.paint_plan(&painter, &view, context, extra, false);
         self.paint_now(&painter, &view, rect, context, extra, &response);
         self.paint_plan(&painter, &view, context, extra, true);
+        if let Some(plan) = extra.plan {
+            let pointer = response.hover_pos();
+            let tokens = context.tokens;
+            plan.paint_find(&painter, &view, context.mission, pointer, tokens);
+            if let Some(pointer) = pointer {
+                plan.paint_heat_readout(&painter, &view, pointer, tokens);
+            }
+            let finder = &plan.finder;
+            paint_hint(&painter, rect, finder.pick, finder.corners.len(), tokens);
+        }
         self.paint_drawing(&painter, &view, &response, context);
         self.paint_furniture(&painter, &view, rect, context, &response);
         let step = context.run.and_then(|r| r.step_at(context.time));

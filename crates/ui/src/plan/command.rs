@@ -3,6 +3,10 @@
 use pilotage_core::frames::{Altitude, GroundPoint};
 use pilotage_core::simulate::Wind;
 
+use super::finder::FindCommand;
+use super::heat::HeatCommand;
+use super::planner::PlanTab;
+
 /// Something to do in the Plan workspace. Way-points are those of the selected route, counted from 0.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlanCommand {
@@ -80,4 +84,10 @@ pub enum PlanCommand {
     StopAssessing,
     /// A second landmark like the selected one, beside it.
     DuplicateLandmark,
+    /// Something about where fixes would be had.
+    Heat(HeatCommand),
+    /// Something about finding a route.
+    Find(FindCommand),
+    /// Choose another tab of the column.
+    ShowTab(PlanTab),
 }

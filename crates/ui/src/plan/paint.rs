@@ -66,6 +66,26 @@ impl Planner {
     }
 }
 
+/// A band along the flown path, as wide as the 95 % corridor.
+pub(super) fn corridor_band(
+    view: &ScreenFromWorld,
+    prediction: &Prediction,
+    color: Color32,
+) -> Shape {
+    let mut mesh = Mesh::default();
+    for pair in prediction.samples.windows(2) {
+        let [a, b] = [&pair[0], &pair[1]].map(|s| edges(s).map(|p| view.apply(&p)));
+        let first = mesh.vertices.len() as u32;
+        for pos in [a[0], a[1], b[1], b[0]] {
+            let uv = WHITE_UV;
+            mesh.vertices.push(Vertex { pos, uv, color });
+        }
+        mesh.add_triangle(first, first + 1, first + 2);
+        mesh.add_triangle(first, first + 2, first + 3);
+    }
+    Shape::mesh(mesh)
+}
+
 /// Draws the 95 % corridor along the flown path: a band, its edges, and ellipses at intervals.
 fn paint_corridor(
     painter: &Painter,

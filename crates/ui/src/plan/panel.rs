@@ -4,6 +4,7 @@ use egui::{Stroke, Ui};
 
 use super::PlanCommand;
 use super::chart::ChartScene;
+use super::ground_tab::ground_tab;
 use super::landmarks_tab::landmarks_tab;
 use super::planner::{PlanTab, Planner};
 use super::route_tab::route_tab;
@@ -25,7 +26,11 @@ impl Planner {
         let tokens = context.tokens;
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 0.0;
-            for (choice, label) in [(PlanTab::Route, "Route"), (PlanTab::Landmarks, "Landmarks")] {
+            for (choice, label) in [
+                (PlanTab::Route, "Route"),
+                (PlanTab::Landmarks, "Landmarks"),
+                (PlanTab::Ground, "Ground"),
+            ] {
                 if tab(ui, tokens, label, choice == self.tab, 32.0).clicked() {
                     self.tab = choice;
                 }
@@ -48,10 +53,11 @@ impl Planner {
         let y = ui.cursor().top() - 4.0;
         ui.painter().hline(line, y, Stroke::new(1.0, tokens.line));
         egui::ScrollArea::vertical()
-            .id_salt(("plan", self.tab == PlanTab::Route))
+            .id_salt(("plan", self.tab as u8))
             .auto_shrink(false)
             .show(ui, |ui| match self.tab {
                 PlanTab::Route => route_tab(ui, self, documents, context),
+                PlanTab::Ground => ground_tab(ui, self, context),
                 PlanTab::Landmarks => landmarks_tab(ui, self, documents, context, list, examined),
             });
     }

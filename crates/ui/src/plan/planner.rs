@@ -8,7 +8,9 @@ use serde::{Deserialize, Serialize};
 
 use super::assessments::Assessments;
 use super::chart::Chart;
+use super::finder::{FindPreferences, Finder};
 use super::forecast::Forecast;
+use super::heat::{Heat, HeatPreferences};
 use super::landmark_table::LandmarkTable;
 use super::routes::route_of;
 use crate::documents::Documents;
@@ -25,6 +27,10 @@ pub struct PlanPreferences {
     pub limit: f64,
     /// The wind to plan with; the flight's if `None`.
     pub wind: Option<Wind>,
+    /// How the heat map is shown.
+    pub heat: HeatPreferences,
+    /// What is looked for when a route is found.
+    pub find: FindPreferences,
 }
 
 impl Default for PlanPreferences {
@@ -32,6 +38,8 @@ impl Default for PlanPreferences {
         Self {
             limit: 10.0,
             wind: None,
+            heat: HeatPreferences::default(),
+            find: FindPreferences::default(),
         }
     }
 }
@@ -44,6 +52,8 @@ pub enum PlanTab {
     Route,
     /// Landmarks and how well they are found.
     Landmarks,
+    /// Where fixes would be had, no-fly areas, and finding a route.
+    Ground,
 }
 
 /// The state of the Plan workspace.
@@ -65,6 +75,10 @@ pub struct Planner {
     pub forecast: Forecast,
     /// How well landmarks are found.
     pub assessments: Assessments,
+    /// Where fixes would be had.
+    pub heat: Heat,
+    /// The search for a route.
+    pub finder: Finder,
     /// The chart.
     pub(super) chart: Chart,
     /// The table of landmarks.

@@ -4,7 +4,7 @@
 use egui::{Key, KeyboardShortcut, Modifiers};
 
 use crate::command::{Command, Workspace};
-use crate::plan::PlanCommand;
+use crate::plan::{FindCommand, FindPick, HeatCommand, PlanCommand};
 
 /// Where a command stands in the help sheet and the palette.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -349,6 +349,31 @@ fn plan() -> Vec<Entry> {
             "Duplicate the landmark",
             vec![control(Key::D)],
             PlanCommand::DuplicateLandmark,
+        ),
+        of(
+            "Show or hide where a fix would be had",
+            vec![plain(Key::H)],
+            PlanCommand::Heat(HeatCommand::Toggle),
+        ),
+        of(
+            "Show blind areas",
+            vec![shift(Key::H)],
+            PlanCommand::Heat(HeatCommand::ToggleBlind),
+        ),
+        of(
+            "Find a route: choose A and B",
+            vec![shift(Key::F)],
+            PlanCommand::Find(FindCommand::Begin),
+        ),
+        of(
+            "Find the route from A to B",
+            vec![],
+            PlanCommand::Find(FindCommand::Start),
+        ),
+        of(
+            "Draw a no-fly area",
+            vec![shift(Key::N)],
+            PlanCommand::Find(FindCommand::Pick(FindPick::Area)),
         ),
     ]
 }

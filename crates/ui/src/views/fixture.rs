@@ -137,6 +137,7 @@ impl Fixture {
             map: None,
             landmarks: landmarks(),
             routes: Vec::new(),
+            no_fly: Vec::new(),
             camera: None,
             navigator: settings,
             properties: BTreeMap::new(),

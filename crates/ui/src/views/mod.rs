@@ -5,7 +5,7 @@ mod camera;
 #[path = "tests/canvas.rs"]
 mod canvas;
 pub(crate) mod chart;
-mod color_map;
+pub(crate) mod color_map;
 mod ellipse;
 #[cfg(test)]
 mod fixture;

@@ -64,15 +64,26 @@ pub struct Scenery {
     world: Arc<World>,
     seed: u64,
     day: Day,
+    settled: bool,
 }
 
 impl Scenery {
     /// Lays out the scenery of `seed` under the light of `day` (a fraction of a second).
     pub fn new(seed: u64, day: Day) -> Self {
+        Self::laid_out(seed, day, true)
+    }
+
+    /// The same square without village, roads and distinct places: fields, woods and water alone.
+    pub fn open_country(seed: u64, day: Day) -> Self {
+        Self::laid_out(seed, day, false)
+    }
+
+    fn laid_out(seed: u64, day: Day, settled: bool) -> Self {
         Self {
-            world: Arc::new(World::new(seed, &in_plan(day))),
+            world: Arc::new(World::new(seed, &in_plan(day), settled)),
             seed,
             day,
+            settled,
         }
     }
 
@@ -80,9 +91,10 @@ impl Scenery {
     #[must_use]
     pub fn on_day(&self, day: Day) -> Self {
         Self {
-            world: Arc::new(self.world.on_day(self.seed, &in_plan(day))),
+            world: Arc::new(self.world.on_day(self.seed, &in_plan(day), self.settled)),
             seed: self.seed,
             day,
+            settled: self.settled,
         }
     }
 

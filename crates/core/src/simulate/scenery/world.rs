@@ -42,27 +42,32 @@ fn square(center: Spot, radius: f32) -> Vec<Spot> {
 }
 
 impl World {
-    pub(super) fn new(seed: u64, day: &Day) -> Self {
-        Self::with_textures(seed, day, Textures::new(seed))
+    /// With the village and its roads, or open country without them.
+    pub(super) fn new(seed: u64, day: &Day, settled: bool) -> Self {
+        Self::with_textures(seed, day, settled, Textures::new(seed))
     }
 
     /// The same ground on another day: what takes long and does not change is shared.
-    pub(super) fn on_day(&self, seed: u64, day: &Day) -> Self {
+    pub(super) fn on_day(&self, seed: u64, day: &Day, settled: bool) -> Self {
         let textures = Textures {
             foliage: self.foliage_texture.clone(),
             grain: self.grain_texture.clone(),
             land: self.land_texture.clone(),
         };
-        Self::with_textures(seed, day, textures)
+        Self::with_textures(seed, day, settled, textures)
     }
 
-    fn with_textures(seed: u64, day: &Day, textures: Textures) -> Self {
+    fn with_textures(seed: u64, day: &Day, settled: bool, textures: Textures) -> Self {
         let light = Light::new(day);
         let mut plan = Plan::default();
-        distinct::build(&mut plan);
-        network::build(&mut plan);
+        if settled {
+            distinct::build(&mut plan);
+            network::build(&mut plan);
+        }
         water::build(&mut plan);
-        settlement::build(&mut plan, seed);
+        if settled {
+            settlement::build(&mut plan, seed);
+        }
         let parcels = Parcels::new(seed, day);
         let segments = plan.segments();
         let segment_grid = segment_grid(&segments);

@@ -4,6 +4,8 @@ mod assess;
 mod corridor;
 mod drag;
 mod draw;
+mod find;
+mod heat;
 mod insert;
 mod keyboard;
 mod undo;

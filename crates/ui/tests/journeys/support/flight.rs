@@ -40,6 +40,7 @@ pub fn mission() -> Mission {
         name: "Invented".into(),
         landmarks: landmarks.collect(),
         routes: Vec::new(),
+        no_fly: Vec::new(),
         ..Documents::empty_mission()
     }
 }

@@ -3,11 +3,12 @@
 use std::collections::HashMap;
 
 use pilotage_core::frames::{GroundPoint, GroundRect};
-use pilotage_core::plan::ExpectedDetection;
+use pilotage_core::plan::{ExpectedDetection, Localizability};
 use pilotage_core::raster::Raster;
 use pilotage_ui::host::{Host, OpenedFile};
 use pilotage_ui::jobs::{
-    Assessment, AssessmentOrder, Distinctness, Glance, Job, JobEvent, JobId, MapInfo, Opened,
+    Assessment, AssessmentOrder, Distinctness, Glance, Job, JobEvent, JobId, JobRunner, MapInfo,
+    Opened, Reply, Request,
 };
 
 use super::flight::{flight, mission, run, run_head};
@@ -56,6 +57,19 @@ impl ScriptedHost {
             .iter()
             .rev()
             .find(|(_, j)| matches!(j, Job::Fly { .. }))
+    }
+
+    /// Does what a worker would do.
+    fn carry_out(&mut self, id: JobId, job: &Job) {
+        let mut runner = JobRunner::new();
+        let events = &mut self.events;
+        let mut keep = |reply| {
+            if let Reply::Event(id, event) = reply {
+                events.push((id, event));
+            }
+        };
+        runner.receive(Request::Start(id, job.clone()), &mut keep);
+        while runner.turn(&|| 0.0, &mut keep) {}
     }
 
     fn answer(&mut self, id: JobId, job: &Job) {
@@ -138,6 +152,17 @@ impl ScriptedHost {
                 say(JobEvent::Assessment(Box::new(assessment(order))));
                 say(JobEvent::Finished);
             }
+            Job::Field(order) => {
+                let mut field = Localizability::unknown(&order.region, order.step());
+                let half = field.values.len() / 2;
+                field.values[..half].fill(0.9);
+                say(JobEvent::Progress(0.5, "Row 1 of 2".into()));
+                say(JobEvent::Field(Box::new(field.clone())));
+                field.values[half..].fill(0.0);
+                say(JobEvent::Field(Box::new(field)));
+                say(JobEvent::Finished);
+            }
+            Job::Find(_) => self.carry_out(id, job),
             Job::ExplainMatch { .. } | Job::DecodePicture { .. } => say(JobEvent::Finished),
             Job::Provide { .. } | Job::Fly { .. } => {}
         }

@@ -1,0 +1,257 @@
+//! `pilotage plan --find FROM TO`: a route over ground where a fix will be had, beside the straight one.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use clap::ValueEnum;
+use pilotage_core::frames::units::GRAVITY;
+use pilotage_core::frames::{GroundPoint, LocalFrame};
+use pilotage_core::imagery::terrain::{Dem, Terrain as _};
+use pilotage_core::plan::{
+    Aim, BudgetOf, FieldBuilder, FieldView, FixSource, Forbidden, FoundRoutes, PlannedLandmark,
+    Prediction, PredictionRequest, RouteQuestion, Turns,
+};
+use pilotage_core::simulate::{FlightPlan, GuidanceSettings};
+use serde::Serialize;
+
+use super::{Arguments, Ground, expected, rank, way_points};
+use crate::files::DiskFile;
+
+/// Standard deviation of the position with which the field is computed, metres.
+const POSITION: f64 = 15.0;
+/// Most cells along the longer side of the field.
+const MOST_CELLS: f64 = 700.0;
+/// Worlds of each prediction.
+const WORLDS: usize = 32;
+
+/// What the route shall lead over.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Over {
+    /// The landmarks of the mission.
+    #[default]
+    Landmarks,
+    /// Whatever places of the map would serve as landmarks.
+    Map,
+}
+
+/// What the budget is about.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Of {
+    /// The time in the wind.
+    #[default]
+    Time,
+    /// The length.
+    Length,
+}
+
+/// What is to be least.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Least {
+    /// The worst uncertainty on the way.
+    #[default]
+    Worst,
+    /// The mean uncertainty over the way.
+    Mean,
+}
+
+/// How to find a route.
+#[derive(clap::Args)]
+pub struct FindArguments {
+    /// Find a route between two places, metres north and east, over ground where a fix will be had; it
+    /// takes the place of the route.
+    #[arg(long, num_args = 2, value_names = ["FROM", "TO"], allow_hyphen_values = true)]
+    pub find: Option<Vec<String>>,
+    /// Greatest cost of the found route over that of the shortest.
+    #[arg(long, default_value_t = 1.3)]
+    pub budget: f64,
+    /// What the cost is.
+    #[arg(long, default_value = "time")]
+    pub budget_of: Of,
+    /// What is to be least.
+    #[arg(long, default_value = "worst")]
+    pub least: Least,
+    /// What the route shall lead over.
+    #[arg(long, default_value = "landmarks")]
+    pub over: Over,
+    /// Distance that is kept from the no-fly areas of the mission, metres.
+    #[arg(long, default_value_t = 50.0)]
+    pub clearance: f64,
+    /// An elevation model; the route keeps clear of the ground in it.
+    #[arg(long, value_name = "FILE")]
+    pub dem: Option<PathBuf>,
+    /// Height that is kept above the ground of the elevation model, metres.
+    #[arg(long, default_value_t = 60.0)]
+    pub ground_clearance: f64,
+}
+
+/// What one of the two routes comes to.
+#[derive(Clone, Debug, Serialize)]
+pub struct Compared {
+    name: &'static str,
+    length_m: f64,
+    time_s: f64,
+    way_points: usize,
+    worst_blind_m: f64,
+    mean_blind_m: f64,
+    worst_sigma_m: f64,
+    mean_sigma_m: f64,
+}
+
+/// Both routes and what they come to.
+#[derive(Clone, Debug, Serialize)]
+pub struct Found {
+    routes: FoundRoutes,
+    comparison: Vec<Compared>,
+}
+
+/// Finds a route and flies it instead of the plan's.
+pub(super) fn find(
+    arguments: &Arguments,
+    ground: &mut Ground,
+    ends: &[String],
+) -> Result<Found, Box<dyn std::error::Error>> {
+    let wanted = &arguments.find;
+    let ends = way_points(&ends.join(";"))?;
+    let &[from, to] = &ends[..] else {
+        return Err("--find takes two places, NORTH,EAST each".into());
+    };
+    let plan = ground
+        .plan
+        .clone()
+        .ok_or("the mission has no route whose height and speed could be taken")?;
+    let settings = &ground.mission.navigator;
+    let view = FieldView {
+        camera: ground.camera.clone(),
+        height: ground.height,
+        position: POSITION,
+        tilt: settings.sensors.roll.max(settings.sensors.pitch),
+    };
+    let pass = view.across().ok_or("the camera does not see the ground")?;
+    let landmarks = if wanted.over == Over::Landmarks || arguments.predict {
+        expected(arguments, ground, plan.ground_down)
+    } else {
+        Vec::new()
+    };
+    let sources: Vec<FixSource> = match wanted.over {
+        Over::Landmarks => landmarks
+            .iter()
+            .filter_map(|l| FixSource::of(l, ground.height))
+            .collect(),
+        Over::Map => rank(arguments, ground, None)
+            .iter()
+            .map(|c| FixSource {
+                bounds: c.bounds,
+                probability: c.probability(),
+            })
+            .collect(),
+    };
+    let region = ground.map.bounds();
+    let step = (pass / 6.0).max(region.width().max(region.height()) / MOST_CELLS);
+    let mut builder = FieldBuilder::new(view, &region, step, sources);
+    while builder.advance() {}
+    let zones = ground.mission.no_fly.iter();
+    let routes = RouteQuestion {
+        from,
+        to,
+        field: Arc::new(builder.into_field()),
+        pass,
+        no_fly: zones.map(|z| z.corners.clone()).collect(),
+        clearance: wanted.clearance,
+        forbidden: high_ground(wanted, ground)?,
+        airspeed: plan.airframe.cruise,
+        wind: plan.wind,
+        turns: turns(&plan),
+        budget: wanted.budget,
+        budget_of: match wanted.budget_of {
+            Of::Time => BudgetOf::Time,
+            Of::Length => BudgetOf::Length,
+        },
+        aim: match wanted.least {
+            Least::Worst => Aim::Worst,
+            Least::Mean => Aim::Mean,
+        },
+    }
+    .find()?;
+    let mut comparison = Vec::new();
+    println!("            length    time  turns  worst blind   worst σ    mean σ");
+    for (name, route) in [("straight", &routes.shortest), ("found", &routes.surest)] {
+        let plan = FlightPlan {
+            way_points: route.way_points.clone(),
+            longest: 300.0 + 4.0 * route.time,
+            ..plan.clone()
+        };
+        let prediction = predict(&plan, ground, &landmarks)?;
+        let sigmas = || prediction.samples.iter().map(|s| s.corridor.sigma_major);
+        let compared = Compared {
+            name,
+            length_m: route.length,
+            time_s: prediction.samples.last().map_or(route.time, |s| s.time),
+            way_points: route.way_points.len(),
+            worst_blind_m: route.worst_blind,
+            mean_blind_m: route.mean_blind,
+            worst_sigma_m: sigmas().fold(0.0, f64::max),
+            mean_sigma_m: sigmas().sum::<f64>() / prediction.samples.len().max(1) as f64,
+        };
+        println!(
+            "{name:10} {:6.0} m {:5.0} s {:6} {:10.0} m {:7.1} m {:7.1} m",
+            compared.length_m,
+            compared.time_s,
+            compared.way_points.saturating_sub(2),
+            compared.worst_blind_m,
+            compared.worst_sigma_m,
+            compared.mean_sigma_m
+        );
+        comparison.push(compared);
+    }
+    if let Some(plan) = &mut ground.plan {
+        plan.way_points.clone_from(&routes.surest.way_points);
+    }
+    Ok(Found { routes, comparison })
+}
+
+fn predict(
+    plan: &FlightPlan,
+    ground: &Ground,
+    landmarks: &[PlannedLandmark],
+) -> Result<Prediction, pilotage_core::plan::PredictionError> {
+    let request = PredictionRequest {
+        plan,
+        settings: &ground.mission.navigator,
+        landmarks,
+        worlds: WORLDS,
+        seed: 1,
+        limit: f64::INFINITY,
+    };
+    request.predict()
+}
+
+/// How the aircraft turns with the wind behind it.
+fn turns(plan: &FlightPlan) -> Turns {
+    let guidance = GuidanceSettings::default();
+    let speed = plan.airframe.cruise + plan.wind.norm();
+    Turns {
+        radius: speed * speed / (GRAVITY * guidance.planned_bank.tan()),
+        roll_in: speed * guidance.roll_in,
+    }
+}
+
+/// Where the ground of the elevation model is too high for the height of the flight, which counts from
+/// the ground at its origin.
+fn high_ground(
+    wanted: &FindArguments,
+    ground: &Ground,
+) -> Result<Option<Forbidden>, Box<dyn std::error::Error>> {
+    let Some(path) = &wanted.dem else {
+        return Ok(None);
+    };
+    let frame = LocalFrame::new(ground.mission.origin);
+    let name = path.file_name().unwrap_or(path.as_os_str());
+    let file = DiskFile::open(path, &name.to_string_lossy())
+        .map_err(|e| format!("{}: {e}", path.display()))?;
+    let dem = Dem::open(Arc::new(file), Some(frame), None)?;
+    let base = dem.height_at(&GroundPoint::default()).unwrap_or(0.0);
+    let highest = base + ground.height - wanted.ground_clearance;
+    Ok(Some(Arc::new(move |place: &GroundPoint| {
+        dem.height_at(place).is_some_and(|height| height > highest)
+    })))
+}

@@ -1,0 +1,18 @@
+//! Areas that must not be flown over.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::frames::GroundPoint;
+
+/// An area that must not be flown over.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct NoFlyZone {
+    /// What people call it.
+    pub name: String,
+    /// Its corners, at least three, in either order; the last is not the first again.
+    pub corners: Vec<GroundPoint>,
+    /// Properties that a file brought and we do not know, by name, as JSON text.
+    pub properties: BTreeMap<String, String>,
+}

@@ -1,0 +1,211 @@
+//! The graph of ways between places, and the cheapest path through it that is never long without a fix.
+
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
+use super::blind_way::BlindWay;
+use super::find::RouteQuestion;
+use crate::frames::GroundPoint;
+
+/// A path is only followed further if it comes with that share less without a fix than a cheaper one.
+const LESS: f64 = 0.97;
+
+/// What a path is to be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Aimed {
+    /// The cheapest that never has more than so many metres without a fix.
+    Under(f64),
+    /// The one with the least integral of metres without a fix plus its cost at so much a metre.
+    Priced(f64),
+}
+
+/// A way between two nodes.
+#[derive(Clone, Debug)]
+struct Way {
+    to: usize,
+    cost: f64,
+    blind: BlindWay,
+}
+
+/// Places, the first that where the path begins and the second that where it ends, and ways.
+pub(super) struct Graph {
+    nodes: Vec<GroundPoint>,
+    ways: Vec<Vec<Way>>,
+    next: usize,
+}
+
+/// How far a path has come.
+struct Label {
+    node: usize,
+    cost: f64,
+    /// Metres without a fix.
+    u: f64,
+    before: Option<usize>,
+}
+
+/// A label in the queue: the least first.
+struct Queued {
+    order: f64,
+    /// What is paid so far, as the order has it.
+    paid: f64,
+    cost: f64,
+    u: f64,
+    node: usize,
+    before: Option<usize>,
+}
+
+impl PartialEq for Queued {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+impl Eq for Queued {}
+impl PartialOrd for Queued {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+impl Ord for Queued {
+    fn cmp(&self, other: &Self) -> Ordering {
+        other.order.total_cmp(&self.order)
+    }
+}
+
+impl Graph {
+    /// A graph without ways yet.
+    pub fn new(nodes: Vec<GroundPoint>) -> Self {
+        Self {
+            ways: vec![Vec::new(); nodes.len()],
+            nodes,
+            next: 0,
+        }
+    }
+
+    /// Share of the nodes whose ways are known.
+    pub fn progress(&self) -> f32 {
+        self.next as f32 / self.nodes.len().max(1) as f32
+    }
+
+    /// Finds the ways between the next node and those behind it, as far as a path over them can cost no
+    /// more than `most`; false when all are known.
+    pub fn connect_next(&mut self, question: &RouteQuestion, most: f64) -> bool {
+        let i = self.next;
+        if i >= self.nodes.len() {
+            return false;
+        }
+        self.next += 1;
+        let ground = question.ground();
+        let a = self.nodes[i];
+        let least = |a: &GroundPoint, b: &GroundPoint| question.least_cost(a, b);
+        let (from, to) = (self.nodes[0], self.nodes[1]);
+        for j in i + 1..self.nodes.len() {
+            let b = self.nodes[j];
+            let through = |a: &GroundPoint, b: &GroundPoint| {
+                least(&from, a) + least(a, b) + least(b, &to) <= most * (1.0 + 1e-9)
+            };
+            let (there, back) = (through(&a, &b), through(&b, &a));
+            if !(there || back) || a.distance(&b) < 1.0 || !question.allows(&a, &b) {
+                continue;
+            }
+            for (begin, end, wanted) in [(i, j, there), (j, i, back)] {
+                let way = ground.follow(&self.nodes[begin], &self.nodes[end]);
+                // Nothing leads into the first node or out of the second.
+                if let Some(blind) = way.filter(|_| wanted && end != 0 && begin != 1) {
+                    self.ways[begin].push(Way {
+                        to: end,
+                        cost: question.cost(blind.length, blind.time),
+                        blind,
+                    });
+                }
+            }
+        }
+        true
+    }
+
+    /// The best path within `most`, as its places.
+    ///
+    /// Labels are taken in the order of what they cost. One that comes to a node later than another is
+    /// worth following only if it has fewer metres without a fix: that makes the search exact but for
+    /// [`LESS`].
+    pub fn solve(
+        &self,
+        question: &RouteQuestion,
+        aimed: Aimed,
+        most: f64,
+    ) -> Option<Vec<GroundPoint>> {
+        let ahead: Vec<f64> = self
+            .nodes
+            .iter()
+            .map(|n| question.least_cost(n, &self.nodes[1]))
+            .collect();
+        let mut least_blind = vec![f64::INFINITY; self.nodes.len()];
+        let mut labels: Vec<Label> = Vec::new();
+        let mut queue = BinaryHeap::new();
+        queue.push(Queued {
+            order: 0.0,
+            paid: 0.0,
+            cost: 0.0,
+            u: 0.0,
+            node: 0,
+            before: None,
+        });
+        while let Some(head) = queue.pop() {
+            // The end is reached with whatever is left.
+            if head.node != 1 && head.u >= LESS * least_blind[head.node] {
+                continue;
+            }
+            least_blind[head.node] = head.u;
+            let number = labels.len();
+            labels.push(Label {
+                node: head.node,
+                cost: head.cost,
+                u: head.u,
+                before: head.before,
+            });
+            if head.node == 1 {
+                return Some(self.line(&labels, number));
+            }
+            let label = &labels[number];
+            for way in &self.ways[label.node] {
+                let cost = label.cost + way.cost;
+                let u = way.blind.end.of(label.u);
+                if cost + ahead[way.to] > most * (1.0 + 1e-9) || u >= LESS * least_blind[way.to] {
+                    continue;
+                }
+                let (paid, order) = match aimed {
+                    Aimed::Under(limit) => {
+                        if way.blind.worst(label.u) > limit {
+                            continue;
+                        }
+                        (cost, cost + ahead[way.to])
+                    }
+                    Aimed::Priced(price) => {
+                        let blind = way.blind.integral.of(label.u);
+                        let paid = head.paid + blind + price * way.blind.length;
+                        (paid, paid)
+                    }
+                };
+                queue.push(Queued {
+                    order,
+                    paid,
+                    cost,
+                    u,
+                    node: way.to,
+                    before: Some(number),
+                });
+            }
+        }
+        None
+    }
+
+    fn line(&self, labels: &[Label], last: usize) -> Vec<GroundPoint> {
+        let mut line = Vec::new();
+        let mut at = Some(last);
+        while let Some(number) = at {
+            line.push(self.nodes[labels[number].node]);
+            at = labels[number].before;
+        }
+        line.reverse();
+        line
+    }
+}

@@ -1,0 +1,188 @@
+//! Areas that must not be flown over, and the ways around them.
+
+use nalgebra::Vector2;
+
+use crate::frames::GroundPoint;
+
+/// A closed polygon that must not be flown over, its corners in either order.
+pub type NoFlyArea = Vec<GroundPoint>;
+
+/// Most that a way-point around a sharp corner is put off it, in clearances.
+const SHARPEST: f64 = 3.0;
+/// What rounding may take from a clearance.
+const ROUNDING: f64 = 1e-6;
+
+/// No-fly areas and the distance that is kept from them, metres.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Obstacles<'a> {
+    pub areas: &'a [NoFlyArea],
+    pub clearance: f64,
+}
+
+impl Obstacles<'_> {
+    /// Whether a place lies in an area or too near to one.
+    pub fn forbid(&self, place: &GroundPoint) -> bool {
+        self.areas.iter().any(|area| {
+            inside(area, place)
+                || edges(area).any(|(a, b)| distance(place, &a, &b) < self.clearance - ROUNDING)
+        })
+    }
+
+    /// Whether the straight way from `a` to `b` keeps clear of every area.
+    pub fn leave_free(&self, a: &GroundPoint, b: &GroundPoint) -> bool {
+        self.areas.iter().all(|area| {
+            !inside(area, a)
+                && !inside(area, b)
+                && edges(area)
+                    .all(|(c, d)| apart(a, b, &c, &d) >= (self.clearance - ROUNDING).max(0.0))
+                && edges(area).all(|(c, d)| !cross(a, b, &c, &d))
+        })
+    }
+
+    /// Places beside the corners of the areas from which one can fly along both sides.
+    pub fn corners(&self) -> Vec<GroundPoint> {
+        let mut corners = Vec::new();
+        let off = self.clearance.max(0.5);
+        for area in self.areas {
+            let n = area.len();
+            for i in 0..n {
+                let corner = area[i].to_vector();
+                let before = corner - area[(i + n - 1) % n].to_vector();
+                let after = corner - area[(i + 1) % n].to_vector();
+                if before.norm() < 1e-6 || after.norm() < 1e-6 {
+                    continue;
+                }
+                let (before, after) = (before.normalize(), after.normalize());
+                let out = before + after;
+                if out.norm() < 1e-3 {
+                    continue;
+                }
+                let out = out.normalize();
+                // Sine of half the angle between the sides.
+                let half = before.perp(&out).abs().max(1.0 / SHARPEST);
+                for side in beside(&out, &before, &after, half) {
+                    let place = GroundPoint::from(corner + side * (1.01 * off / half));
+                    if !self.forbid(&place) {
+                        corners.push(place);
+                    }
+                }
+            }
+        }
+        corners
+    }
+}
+
+/// Directions in which to go off a corner: ahead of it, and for a sharp one also beside both sides.
+fn beside(
+    out: &Vector2<f64>,
+    before: &Vector2<f64>,
+    after: &Vector2<f64>,
+    half: f64,
+) -> Vec<Vector2<f64>> {
+    if half > 0.5 {
+        return vec![*out];
+    }
+    vec![
+        *out,
+        (out + 0.5 * before).normalize(),
+        (out + 0.5 * after).normalize(),
+    ]
+}
+
+fn edges(area: &NoFlyArea) -> impl Iterator<Item = (GroundPoint, GroundPoint)> + '_ {
+    (0..area.len()).map(|i| (area[i], area[(i + 1) % area.len()]))
+}
+
+/// Whether a point lies in a polygon (crossing number).
+pub fn inside(area: &[GroundPoint], p: &GroundPoint) -> bool {
+    let mut within = false;
+    for i in 0..area.len() {
+        let (a, b) = (&area[i], &area[(i + 1) % area.len()]);
+        if (a.east > p.east) != (b.east > p.east) {
+            let north = a.north + (p.east - a.east) / (b.east - a.east) * (b.north - a.north);
+            if p.north < north {
+                within = !within;
+            }
+        }
+    }
+    within
+}
+
+/// Distance from a point to a segment, metres.
+fn distance(p: &GroundPoint, a: &GroundPoint, b: &GroundPoint) -> f64 {
+    let way = b.to_vector() - a.to_vector();
+    let to = p.to_vector() - a.to_vector();
+    let share = (way.dot(&to) / way.norm_squared().max(1e-12)).clamp(0.0, 1.0);
+    (to - way * share).norm()
+}
+
+/// Least distance between two segments that do not cross, metres.
+fn apart(a: &GroundPoint, b: &GroundPoint, c: &GroundPoint, d: &GroundPoint) -> f64 {
+    distance(a, c, d)
+        .min(distance(b, c, d))
+        .min(distance(c, a, b))
+        .min(distance(d, a, b))
+}
+
+/// Whether two segments cross at inner points of both.
+fn cross(a: &GroundPoint, b: &GroundPoint, c: &GroundPoint, d: &GroundPoint) -> bool {
+    let side = |p: &GroundPoint, q: &GroundPoint, r: &GroundPoint| {
+        (q.north - p.north) * (r.east - p.east) - (q.east - p.east) * (r.north - p.north)
+    };
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn point(north: f64, east: f64) -> GroundPoint {
+        GroundPoint::new(north, east)
+    }
+
+    fn square() -> NoFlyArea {
+        [(0.0, 0.0), (0.0, 100.0), (100.0, 100.0), (100.0, 0.0)]
+            .map(|(n, e)| point(n, e))
+            .to_vec()
+    }
+
+    #[test]
+    fn a_way_through_or_close_by_an_area_is_not_free_and_one_with_clearance_is() {
+        let areas = [square()];
+        let obstacles = Obstacles {
+            areas: &areas,
+            clearance: 20.0,
+        };
+        assert!(!obstacles.leave_free(&point(-50.0, 50.0), &point(150.0, 50.0)));
+        assert!(!obstacles.leave_free(&point(-50.0, 110.0), &point(150.0, 110.0)));
+        assert!(obstacles.leave_free(&point(-50.0, 121.0), &point(150.0, 121.0)));
+        assert!(!obstacles.leave_free(&point(50.0, 40.0), &point(50.0, 60.0)));
+    }
+
+    #[test]
+    fn one_can_fly_around_a_square_from_corner_to_corner() {
+        let areas = [square()];
+        let obstacles = Obstacles {
+            areas: &areas,
+            clearance: 20.0,
+        };
+        let corners = obstacles.corners();
+        assert_eq!(corners.len(), 4, "{corners:?}");
+        for i in 0..4 {
+            assert!(obstacles.leave_free(&corners[i], &corners[(i + 1) % 4]));
+            assert!(!obstacles.leave_free(&corners[i], &corners[(i + 2) % 4]));
+        }
+    }
+
+    #[test]
+    fn a_dent_in_an_area_has_no_corner_to_fly_around() {
+        let mut dented = square();
+        dented.insert(1, point(40.0, 50.0));
+        let areas = [dented];
+        let obstacles = Obstacles {
+            areas: &areas,
+            clearance: 5.0,
+        };
+        assert_eq!(obstacles.corners().len(), 4);
+    }
+}

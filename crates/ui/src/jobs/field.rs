@@ -1,0 +1,177 @@
+//! Where a fix would be had, as a job: the field streams in while it is computed.
+
+use std::sync::Arc;
+
+use pilotage_core::frames::GroundRect;
+use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::plan::{FieldBuilder, FieldView, FixSource, Localizability, OfferedField};
+use serde::{Deserialize, Serialize};
+
+use super::running::SLICE;
+use super::{Advance, JobEvent, MapSource, RunningJob, Workshop};
+
+/// Cells along the longer side of the map at most.
+const MOST_CELLS: f64 = 260.0;
+/// Other days on which the map's places are rehearsed.
+const DAYS: usize = 2;
+/// Milliseconds between two looks at what is known so far.
+const EVERY: f64 = 400.0;
+const CACHE_MEGABYTES: usize = 48;
+
+/// What gives fixes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum FieldFrom {
+    /// Landmarks, and what is expected of them.
+    Landmarks(Vec<FixSource>),
+    /// Whatever the map itself offers: every place is rehearsed as if it were a landmark.
+    Map {
+        /// Half width of the detector's search in standard deviations.
+        search_sigmas: f64,
+    },
+}
+
+/// Which field to compute.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FieldOrder {
+    /// The map.
+    pub map: MapSource,
+    /// The ground to be covered.
+    pub region: GroundRect,
+    /// How it is looked at.
+    pub view: FieldView,
+    /// What gives fixes.
+    pub from: FieldFrom,
+}
+
+impl FieldOrder {
+    /// Side of a cell, metres: a ninth of the picture, but no more cells than can be seen.
+    pub fn step(&self) -> f64 {
+        let longer = self.region.width().max(self.region.height());
+        let across = self.view.across().unwrap_or(self.view.height);
+        (across / 9.0).max(longer / MOST_CELLS)
+    }
+
+    /// A field of the landmarks at once.
+    pub fn of_landmarks(&self, sources: Vec<FixSource>, step: f64) -> Localizability {
+        let mut builder = FieldBuilder::new(self.view.clone(), &self.region, step, sources);
+        while builder.advance() {}
+        builder.into_field()
+    }
+}
+
+enum Work {
+    Waiting,
+    Landmarks(FieldBuilder),
+    Map(Box<OfferedField>),
+}
+
+/// A field being computed.
+pub struct ComputeField {
+    order: FieldOrder,
+    work: Work,
+    told: f64,
+}
+
+impl ComputeField {
+    /// Nothing computed yet.
+    pub fn new(order: FieldOrder) -> Self {
+        Self {
+            order,
+            work: Work::Waiting,
+            told: 0.0,
+        }
+    }
+
+    fn begin(&self, workshop: &mut Workshop) -> Result<Work, String> {
+        let order = &self.order;
+        let across = order
+            .view
+            .across()
+            .ok_or("the camera does not look down at the ground")?;
+        match &order.from {
+            FieldFrom::Landmarks(sources) => Ok(Work::Landmarks(FieldBuilder::new(
+                order.view.clone(),
+                &order.region,
+                order.step(),
+                sources.clone(),
+            ))),
+            FieldFrom::Map { search_sigmas } => {
+                let days = workshop.other_days(&order.map, DAYS)?;
+                let map = workshop.map(&order.map)?;
+                let map: Arc<dyn Imagery> = Arc::new(CachedImagery::new(map, CACHE_MEGABYTES));
+                Ok(Work::Map(Box::new(OfferedField::new(
+                    map,
+                    days,
+                    order.view.clone(),
+                    &order.region,
+                    (across / 3.0, order.step()),
+                    *search_sigmas,
+                ))))
+            }
+        }
+    }
+}
+
+impl RunningJob for ComputeField {
+    fn advance(
+        &mut self,
+        workshop: &mut Workshop,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Advance {
+        let begun = clock();
+        let more = match &mut self.work {
+            Work::Waiting => {
+                let words = "Laying out the ground of other days".to_owned();
+                emit(JobEvent::Progress(0.0, words));
+                self.told = begun;
+                match self.begin(workshop) {
+                    Ok(work) => self.work = work,
+                    Err(why) => {
+                        emit(JobEvent::Failed(why));
+                        return Advance::Done;
+                    }
+                }
+                return Advance::More;
+            }
+            Work::Landmarks(builder) => loop {
+                if !builder.advance() {
+                    break false;
+                }
+                if clock() - begun > SLICE {
+                    break true;
+                }
+            },
+            Work::Map(offered) => loop {
+                if !offered.advance() {
+                    break false;
+                }
+                if clock() - begun > SLICE {
+                    break true;
+                }
+            },
+        };
+        let (done, of, what, field) = match &self.work {
+            Work::Landmarks(builder) => {
+                let (done, of) = builder.progress();
+                (done, of, "Row", builder.field())
+            }
+            Work::Map(offered) => {
+                let (done, of) = offered.progress();
+                (done, of, "Place", offered.field())
+            }
+            Work::Waiting => return Advance::More,
+        };
+        let share = done as f32 / of.max(1) as f32;
+        emit(JobEvent::Progress(share, format!("{what} {done} of {of}")));
+        if !more || clock() - self.told > EVERY {
+            self.told = clock();
+            emit(JobEvent::Field(Box::new(field.clone())));
+        }
+        if more {
+            return Advance::More;
+        }
+        emit(JobEvent::Finished);
+        Advance::Done
+    }
+}

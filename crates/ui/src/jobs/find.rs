@@ -1,0 +1,198 @@
+//! Finding a route, as a job: the field, the search, and what is predicted of both routes.
+
+use std::sync::Arc;
+
+use pilotage_core::frames::GroundPoint;
+use pilotage_core::plan::{
+    Aim, BudgetOf, FixSource, FoundRoute, NoFlyArea, PlannedLandmark, Prediction, RouteQuestion,
+    RouteSearch, Turns,
+};
+use pilotage_core::simulate::Airframe;
+use serde::{Deserialize, Serialize};
+
+use super::running::SLICE;
+use super::{Advance, FieldFrom, FieldOrder, JobEvent, PredictionOrder, RunningJob, Workshop};
+
+/// Cells along the longer side of the ground that is searched, at most.
+const MOST_CELLS: f64 = 700.0;
+/// Worlds of the two predictions.
+const WORLDS: usize = 32;
+
+/// Which route to find.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FindOrder {
+    /// Where it begins.
+    pub from: GroundPoint,
+    /// Where it ends.
+    pub to: GroundPoint,
+    /// The ground and how it is looked at.
+    pub field: FieldOrder,
+    /// How it is flown and navigated; the way-points are found.
+    pub flight: PredictionOrder,
+    /// Areas to fly around.
+    pub no_fly: Vec<NoFlyArea>,
+    /// Distance that is kept from them, metres.
+    pub clearance: f64,
+    /// How the aircraft turns.
+    pub turns: Turns,
+    /// Greatest cost over that of the shortest route.
+    pub budget: f64,
+    /// What the cost is.
+    pub budget_of: BudgetOf,
+    /// What is to be least.
+    pub aim: Aim,
+}
+
+/// A route and what is predicted of it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Foreseen {
+    /// The route.
+    pub route: FoundRoute,
+    /// The prediction.
+    pub prediction: Prediction,
+}
+
+/// The shortest route and the one that was found.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FoundPlan {
+    /// The shortest allowed.
+    pub shortest: Foreseen,
+    /// The surest.
+    pub surest: Foreseen,
+}
+
+enum Stage {
+    Field,
+    Search(Box<RouteSearch>),
+    Predict(Vec<FoundRoute>, Vec<Foreseen>),
+}
+
+/// A search under way.
+pub struct FindRoute {
+    order: FindOrder,
+    stage: Stage,
+}
+
+impl FindRoute {
+    /// Nothing searched yet.
+    pub fn new(order: FindOrder) -> Self {
+        Self {
+            order,
+            stage: Stage::Field,
+        }
+    }
+
+    fn search(&self) -> Result<RouteSearch, String> {
+        let order = &self.order;
+        let view = &order.field.view;
+        let pass = view
+            .across()
+            .ok_or("the camera does not look down at the ground")?;
+        let sources: Vec<FixSource> = match &order.field.from {
+            FieldFrom::Landmarks(sources) => sources.clone(),
+            FieldFrom::Map { .. } => order
+                .flight
+                .landmarks
+                .iter()
+                .filter_map(|(landmark, detection)| {
+                    let planned = PlannedLandmark {
+                        landmark: landmark.clone(),
+                        detection: detection.clone(),
+                    };
+                    FixSource::of(&planned, view.height)
+                })
+                .collect(),
+        };
+        if sources.is_empty() {
+            return Err(
+                "no landmark is switched on that would be found from this height; draw some first"
+                    .to_owned(),
+            );
+        }
+        let region = order.field.region;
+        let step = (pass / 6.0).max(region.width().max(region.height()) / MOST_CELLS);
+        let field = order.field.of_landmarks(sources, step);
+        let cruise = Airframe::sig_kadet_senior().cruise;
+        RouteSearch::new(RouteQuestion {
+            from: order.from,
+            to: order.to,
+            field: Arc::new(field),
+            pass,
+            no_fly: order.no_fly.clone(),
+            clearance: order.clearance,
+            forbidden: None,
+            airspeed: order.flight.airspeed.unwrap_or(cruise),
+            wind: order.flight.wind.velocity(),
+            turns: order.turns,
+            budget: order.budget,
+            budget_of: order.budget_of,
+            aim: order.aim,
+        })
+        .map_err(|e| e.to_string())
+    }
+
+    fn work(
+        &mut self,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Result<Advance, String> {
+        match &mut self.stage {
+            Stage::Field => {
+                let words = "Where a fix would be had".to_owned();
+                emit(JobEvent::Progress(0.02, words));
+                self.stage = Stage::Search(Box::new(self.search()?));
+            }
+            Stage::Search(search) => {
+                let begun = clock();
+                let mut more = true;
+                while more && clock() - begun < SLICE {
+                    more = search.advance();
+                }
+                let share = 0.05 + 0.65 * search.progress();
+                let words = "Comparing ways from fix to fix".to_owned();
+                emit(JobEvent::Progress(share, words));
+                if !more {
+                    let stage = std::mem::replace(&mut self.stage, Stage::Field);
+                    if let Stage::Search(search) = stage {
+                        let found = search.found().map_err(|e| e.to_string())?;
+                        let both = vec![found.surest, found.shortest];
+                        self.stage = Stage::Predict(both, Vec::new());
+                    }
+                }
+            }
+            Stage::Predict(left, done) => {
+                if let Some(route) = left.pop() {
+                    let share = 0.75 + 0.12 * done.len() as f32;
+                    emit(JobEvent::Progress(share, "Predicting both".to_owned()));
+                    let order = PredictionOrder {
+                        way_points: route.way_points.clone(),
+                        worlds: WORLDS,
+                        ..self.order.flight.clone()
+                    };
+                    let prediction = order.predict()?;
+                    done.push(Foreseen { route, prediction });
+                } else if let (Some(surest), Some(shortest)) = (done.pop(), done.pop()) {
+                    let plan = FoundPlan { shortest, surest };
+                    emit(JobEvent::FoundPlan(Box::new(plan)));
+                    emit(JobEvent::Finished);
+                    return Ok(Advance::Done);
+                }
+            }
+        }
+        Ok(Advance::More)
+    }
+}
+
+impl RunningJob for FindRoute {
+    fn advance(
+        &mut self,
+        _workshop: &mut Workshop,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Advance {
+        self.work(clock, emit).unwrap_or_else(|why| {
+            emit(JobEvent::Failed(why));
+            Advance::Done
+        })
+    }
+}

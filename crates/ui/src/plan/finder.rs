@@ -1,0 +1,364 @@
+//! Finding a route: its two ends, its budget, no-fly areas, and what was found.
+
+use pilotage_core::frames::GroundPoint;
+use pilotage_core::frames::units::GRAVITY;
+use pilotage_core::mission::{NoFlyZone, WayPoint};
+use pilotage_core::plan::{Aim, BudgetOf, Turns};
+use pilotage_core::simulate::GuidanceSettings;
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+use super::heat::HeatOf;
+use super::planner::{Planner, cruise, ground_down, usual_altitude};
+use super::words::Outlook;
+use crate::documents::Documents;
+use crate::host::Host;
+use crate::jobs::{FindOrder, Foreseen, FoundPlan, Job, JobEvent, JobId, PredictionOrder};
+
+/// What is looked for; remembered between visits.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct FindPreferences {
+    /// Greatest cost over that of the shortest route.
+    pub budget: f64,
+    /// What the cost is.
+    pub budget_of: BudgetOf,
+    /// What is to be least.
+    pub aim: Aim,
+    /// Distance that is kept from no-fly areas, metres.
+    pub clearance: f64,
+}
+
+impl Default for FindPreferences {
+    fn default() -> Self {
+        Self {
+            budget: 1.3,
+            budget_of: BudgetOf::default(),
+            aim: Aim::default(),
+            clearance: 50.0,
+        }
+    }
+}
+
+/// What the next click on the map says.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum FindPick {
+    /// Nothing.
+    #[default]
+    Nothing,
+    /// Where the route begins.
+    From,
+    /// Where it ends.
+    To,
+    /// The next corner of a no-fly area.
+    Area,
+}
+
+/// What people can ask of the search.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FindCommand {
+    /// Choose both ends on the map, one after the other.
+    Begin,
+    /// Say what the next click means.
+    Pick(FindPick),
+    /// A click on the map.
+    Click(GroundPoint),
+    /// Finish the no-fly area that is being drawn.
+    FinishArea,
+    /// Look for other things.
+    Set(FindPreferences),
+    /// Search.
+    Start,
+    /// Stop searching.
+    Stop,
+    /// Make a route of what was found.
+    Accept,
+    /// Forget what was found.
+    Dismiss,
+    /// Delete a no-fly area, by its number.
+    DeleteArea(usize),
+}
+
+/// One route of the comparison in numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Compared {
+    /// Length over the way-points, metres.
+    pub length: f64,
+    /// How long it takes with its turns, seconds.
+    pub time: f64,
+    /// Largest predicted standard deviation, metres.
+    pub worst: f64,
+    /// Its mean along the route, metres.
+    pub mean: f64,
+}
+
+impl Compared {
+    /// What a route comes to; `None` without a prediction.
+    pub fn of(foreseen: &Foreseen) -> Option<Self> {
+        let samples = &foreseen.prediction.samples;
+        let outlook = Outlook::of(&foreseen.prediction)?;
+        let sum: f64 = samples.iter().map(|s| s.corridor.sigma_major).sum();
+        Some(Self {
+            length: foreseen.route.length,
+            time: samples.last()?.time,
+            worst: outlook.sigma,
+            mean: sum / samples.len() as f64,
+        })
+    }
+}
+
+/// The search.
+#[derive(Debug, Default)]
+pub struct Finder {
+    /// Where the route begins.
+    pub from: Option<GroundPoint>,
+    /// Where it ends.
+    pub to: Option<GroundPoint>,
+    /// What the next click says.
+    pub pick: FindPick,
+    /// Corners of the no-fly area that is being drawn.
+    pub corners: Vec<GroundPoint>,
+    /// What was found.
+    pub found: Option<Box<FoundPlan>>,
+    /// Why nothing was found.
+    pub trouble: Option<String>,
+    asked: Option<JobId>,
+    progress: (f32, String),
+    wants: Option<bool>,
+}
+
+impl Finder {
+    /// How far the search is, 0 to 1, and in words.
+    pub fn under_way(&self) -> Option<(f32, &str)> {
+        self.asked?;
+        Some((self.progress.0, self.progress.1.as_str()))
+    }
+
+    /// Starts or stops what is wanted.
+    pub fn work(&mut self, order: impl FnOnce() -> Option<FindOrder>, host: &mut dyn Host) {
+        let Some(start) = self.wants.take() else {
+            return;
+        };
+        if let Some(id) = self.asked.take() {
+            host.cancel(id);
+        }
+        if !start {
+            return;
+        }
+        self.trouble = None;
+        self.found = None;
+        if let Some(order) = order() {
+            self.progress = (0.0, "Waiting for a worker".to_owned());
+            self.asked = Some(host.start(Job::Find(Box::new(order))));
+        } else {
+            let why = "choose A and B on the map first, and wait until the map is there.";
+            self.trouble = Some(why.to_owned());
+        }
+    }
+
+    /// Takes what a worker says; false if it is about something else.
+    pub fn receive(&mut self, id: JobId, event: &JobEvent) -> bool {
+        if self.asked != Some(id) {
+            return false;
+        }
+        match event {
+            JobEvent::Progress(fraction, words) => self.progress = (*fraction, words.clone()),
+            JobEvent::FoundPlan(plan) => self.found = Some(plan.clone()),
+            JobEvent::Failed(why) => {
+                self.trouble = Some(why.clone());
+                self.asked = None;
+            }
+            JobEvent::Finished | JobEvent::Cancelled => self.asked = None,
+            _ => {}
+        }
+        true
+    }
+
+    fn click(&mut self, at: GroundPoint) {
+        match self.pick {
+            FindPick::Nothing => {}
+            FindPick::From => {
+                self.from = Some(at);
+                self.found = None;
+                self.pick = if self.to.is_none() {
+                    FindPick::To
+                } else {
+                    FindPick::Nothing
+                };
+            }
+            FindPick::To => {
+                self.to = Some(at);
+                self.found = None;
+                self.pick = FindPick::Nothing;
+            }
+            FindPick::Area => self.corners.push(at),
+        }
+    }
+}
+
+impl Planner {
+    /// Which route to find; `None` while an end or the map is missing.
+    pub fn find_order(&self, documents: &Documents) -> Option<FindOrder> {
+        let mission = &documents.mission;
+        let (from, to) = (self.finder.from?, self.finder.to?);
+        let wanted = &self.preferences.find;
+        let field = self.field_order(documents, HeatOf::Landmarks)?;
+        let wind = self.wind(documents);
+        let guidance = GuidanceSettings::default();
+        let speed = cruise() + wind.speed;
+        let enabled = mission.landmarks.iter().filter(|l| l.enabled);
+        Some(FindOrder {
+            from,
+            to,
+            flight: PredictionOrder {
+                way_points: vec![from, to],
+                height: field.view.height,
+                airspeed: None,
+                wind,
+                camera: field.view.camera.clone(),
+                ground_down: ground_down(documents),
+                navigator: mission.navigator.clone(),
+                landmarks: enabled
+                    .map(|l| (l.clone(), self.assessments.expected(l)))
+                    .collect(),
+                worlds: 0,
+            },
+            field,
+            no_fly: mission.no_fly.iter().map(|z| z.corners.clone()).collect(),
+            clearance: wanted.clearance,
+            turns: Turns {
+                radius: speed * speed / (GRAVITY * guidance.planned_bank.tan()),
+                roll_in: speed * guidance.roll_in,
+            },
+            budget: wanted.budget,
+            budget_of: wanted.budget_of,
+            aim: wanted.aim,
+        })
+    }
+
+    /// Carries a command out; true if the mission changed.
+    pub fn find_command(&mut self, command: FindCommand, documents: &mut Documents) -> bool {
+        let finder = &mut self.finder;
+        match command {
+            FindCommand::Begin => {
+                (finder.from, finder.to, finder.found) = (None, None, None);
+                finder.trouble = None;
+                finder.pick = FindPick::From;
+            }
+            FindCommand::Pick(pick) => {
+                finder.pick = if finder.pick == pick {
+                    FindPick::Nothing
+                } else {
+                    pick
+                };
+                finder.corners.clear();
+            }
+            FindCommand::Click(at) => finder.click(at),
+            FindCommand::FinishArea => {
+                let corners = std::mem::take(&mut finder.corners);
+                finder.pick = FindPick::Nothing;
+                if corners.len() >= 3 {
+                    finder.found = None;
+                    documents.add_no_fly(corners);
+                    return true;
+                }
+            }
+            FindCommand::Set(preferences) => self.preferences.find = preferences,
+            FindCommand::Start => finder.wants = Some(true),
+            FindCommand::Stop => finder.wants = Some(false),
+            FindCommand::Accept => {
+                let Some(found) = finder.found.take() else {
+                    return false;
+                };
+                let altitude = self.selected(&documents.mission).map_or_else(
+                    || usual_altitude(documents),
+                    |r| {
+                        let first = r.way_points.first().map(|w| w.altitude);
+                        first.unwrap_or_else(|| usual_altitude(documents))
+                    },
+                );
+                let places = &found.surest.route.way_points;
+                let way_points = places.iter().map(|p| WayPoint::new(*p, altitude));
+                let id = documents.add_route(Some("Found route"), way_points.collect());
+                self.route = Some(id);
+                self.way_point = None;
+                self.tab = super::planner::PlanTab::Route;
+                return true;
+            }
+            FindCommand::Dismiss => finder.found = None,
+            FindCommand::DeleteArea(index) => {
+                finder.found = None;
+                return documents.delete_no_fly(index);
+            }
+        }
+        false
+    }
+}
+
+impl Planner {
+    /// The heat map for journeys.
+    pub fn heat_json(&self) -> Value {
+        let heat = &self.preferences.heat;
+        let field = self.heat.field();
+        json!({
+            "shown": heat.shown,
+            "blind": heat.blind,
+            "known": field.map(pilotage_core::plan::Localizability::known),
+            "blind_share": field.and_then(|f| f.blind_share(super::heat::BLIND)),
+            "complete": self.heat.is_complete(),
+            "progress": self.heat.under_way().map(|(share, _)| share),
+            "trouble": self.heat.trouble(),
+        })
+    }
+
+    /// The search for journeys.
+    pub fn find_json(&self) -> Value {
+        let finder = &self.finder;
+        let place = |p: GroundPoint| json!([p.north, p.east]);
+        let of = |foreseen: &Foreseen| {
+            Compared::of(foreseen).map(|c| {
+                json!({
+                    "length": c.length,
+                    "time": c.time,
+                    "worst": c.worst,
+                    "mean": c.mean,
+                    "way_points": foreseen.route.way_points.len(),
+                })
+            })
+        };
+        json!({
+            "from": finder.from.map(place),
+            "to": finder.to.map(place),
+            "pick": format!("{:?}", finder.pick),
+            "progress": finder.under_way().map(|(share, _)| share),
+            "trouble": finder.trouble,
+            "shortest": finder.found.as_ref().and_then(|f| of(&f.shortest)),
+            "surest": finder.found.as_ref().and_then(|f| of(&f.surest)),
+        })
+    }
+}
+
+impl Documents {
+    /// Adds an area that must not be flown over.
+    pub fn add_no_fly(&mut self, corners: Vec<GroundPoint>) {
+        self.history.remember(&self.mission);
+        self.mission_edited = true;
+        let number = self.mission.no_fly.len() + 1;
+        self.mission.no_fly.push(NoFlyZone {
+            name: format!("No-fly area {number}"),
+            corners,
+            ..NoFlyZone::default()
+        });
+    }
+
+    /// Deletes an area that must not be flown over; false if there is none of that number.
+    pub fn delete_no_fly(&mut self, index: usize) -> bool {
+        if index >= self.mission.no_fly.len() {
+            return false;
+        }
+        self.history.remember(&self.mission);
+        self.mission_edited = true;
+        self.mission.no_fly.remove(index);
+        true
+    }
+}

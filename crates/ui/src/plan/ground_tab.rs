@@ -1,0 +1,332 @@
+//! The ground: where a fix would be had, no-fly areas, and finding a route over it.
+
+use egui::{Align, DragValue, Layout, Slider, Ui};
+use pilotage_core::plan::{Aim, BudgetOf};
+
+use super::PlanCommand;
+use super::find_tool::hint;
+use super::finder::{Compared, FindCommand, FindPick};
+use super::heat::{HeatCommand, HeatOf};
+use super::legs::time_text;
+use super::panel::button;
+use super::planner::Planner;
+use super::words::distance_text;
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::shell::{caption, icon_button, icons::Icon, muted};
+
+/// Draws the tab.
+pub fn ground_tab(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
+    let space = context.tokens.space;
+    heat(ui, planner, context);
+    ui.add_space(2.0 * space);
+    areas(ui, planner, context);
+    ui.add_space(2.0 * space);
+    find(ui, planner, context);
+}
+
+fn say_heat(context: &mut ViewContext<'_>, command: HeatCommand) {
+    let command = Command::Plan(PlanCommand::Heat(command));
+    context.commands.push(command);
+}
+
+fn say(context: &mut ViewContext<'_>, command: FindCommand) {
+    let command = Command::Plan(PlanCommand::Find(command));
+    context.commands.push(command);
+}
+
+/// A label at the left and something at the right of one line.
+fn row(ui: &mut Ui, label: &str, add: impl FnOnce(&mut Ui)) {
+    ui.horizontal(|ui| {
+        ui.label(label);
+        ui.with_layout(Layout::right_to_left(Align::Center), add);
+    });
+}
+
+fn heat(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
+    let tokens = context.tokens;
+    let mut heat = planner.preferences.heat;
+    caption(ui, tokens, "Where a fix would be had");
+    ui.horizontal(|ui| {
+        ui.checkbox(&mut heat.shown, "Heat map");
+        ui.add_enabled_ui(heat.shown, |ui| {
+            ui.checkbox(&mut heat.blind, "Blind areas only");
+        });
+    });
+    row(ui, "Fixes from", |ui| {
+        // Right to left.
+        ui.selectable_value(&mut heat.of, HeatOf::Map, "the map alone");
+        ui.selectable_value(&mut heat.of, HeatOf::Landmarks, "landmarks");
+    });
+    let (factor, unit) = context.units.length();
+    row(ui, "Uncertainty of the position, σ", |ui| {
+        let mut sigma = heat.position * factor;
+        let field = DragValue::new(&mut sigma)
+            .range(0.0..=1000.0)
+            .speed(0.5)
+            .fixed_decimals(0)
+            .suffix(format!(" {unit}"));
+        let field = ui.add(field).accessible_name("Uncertainty of the position");
+        if field.changed() {
+            heat.position = sigma / factor;
+        }
+    });
+    row(ui, "Opacity", |ui| {
+        let slider = Slider::new(&mut heat.opacity, 0.1..=1.0).show_value(false);
+        ui.add(slider).accessible_name("Opacity of the heat map");
+    });
+    if heat != planner.preferences.heat {
+        say_heat(context, HeatCommand::Set(heat));
+    }
+    if !heat.shown {
+        let words = "Shows on the map how likely the camera finds its place there. Press H.";
+        ui.label(muted(tokens, words));
+        return;
+    }
+    heat_state(ui, planner, context);
+}
+
+fn heat_state(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
+    let tokens = context.tokens;
+    if let Some((share, words)) = planner.heat.under_way() {
+        ui.horizontal(|ui| {
+            if icon_button(ui, tokens, Icon::Close, "Stop the heat map").clicked() {
+                say_heat(context, HeatCommand::Stop);
+            }
+            ui.vertical(|ui| {
+                let bar = egui::ProgressBar::new(share).desired_height(4.0);
+                ui.add(bar).accessible_name("How far the heat map is");
+                ui.add(egui::Label::new(muted(tokens, words)).truncate());
+            });
+        });
+        return;
+    }
+    if let Some(why) = planner.heat.trouble() {
+        let text = format!("It cannot be computed: {why}");
+        ui.label(egui::RichText::new(text).color(tokens.warning));
+        return;
+    }
+    if planner.heat.is_stopped() {
+        ui.horizontal(|ui| {
+            ui.label(muted(tokens, "Stopped; what is known stays."));
+            let resume = PlanCommand::Heat(HeatCommand::Resume);
+            button(ui, context, None, "Compute all of it", false, resume);
+        });
+        return;
+    }
+    let (factor, unit) = context.units.length();
+    let share = planner
+        .heat
+        .field()
+        .and_then(|f| f.blind_share(super::heat::BLIND));
+    if let Some((share, order)) = share.zip(planner.heat.order()) {
+        ui.label(muted(
+            tokens,
+            format!(
+                "{:.0} % of the map is blind from {:.0} {unit} above ground.",
+                100.0 * share,
+                order.view.height * factor
+            ),
+        ));
+    }
+}
+
+fn areas(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
+    let tokens = context.tokens;
+    let drawing = planner.finder.pick == FindPick::Area;
+    caption(ui, tokens, "No-fly areas");
+    let mission = context.mission;
+    for (index, zone) in mission.no_fly.iter().enumerate() {
+        row(ui, &zone.name, |ui| {
+            let label = format!("Delete {}", zone.name);
+            if icon_button(ui, tokens, Icon::Trash, &label).clicked() {
+                say(context, FindCommand::DeleteArea(index));
+            }
+            let corners = format!("{} corners", zone.corners.len());
+            ui.label(muted(tokens, corners));
+        });
+    }
+    ui.horizontal(|ui| {
+        let label = if drawing {
+            "Stop drawing"
+        } else {
+            "Draw an area"
+        };
+        let pick = PlanCommand::Find(FindCommand::Pick(FindPick::Area));
+        button(ui, context, Some(Icon::Plus), label, false, pick);
+        if drawing && planner.finder.corners.len() >= 3 {
+            let finish = PlanCommand::Find(FindCommand::FinishArea);
+            button(ui, context, None, "Close the area", true, finish);
+        }
+    });
+}
+
+fn find(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
+    let tokens = context.tokens;
+    let finder = &planner.finder;
+    caption(ui, tokens, "Find a route");
+    ui.horizontal(|ui| {
+        for (pick, end, name) in [
+            (FindPick::From, finder.from, "A"),
+            (FindPick::To, finder.to, "B"),
+        ] {
+            let label = match (finder.pick == pick, end) {
+                (true, _) => format!("{name}: click …"),
+                (false, Some(_)) => format!("Move {name}"),
+                (false, None) => format!("Choose {name}"),
+            };
+            let command = PlanCommand::Find(FindCommand::Pick(pick));
+            button(ui, context, None, &label, false, command);
+        }
+        if let Some(straight) = finder.from.zip(finder.to).map(|(a, b)| a.distance(&b)) {
+            let text = format!("{} apart", distance_text(straight, context.units));
+            ui.label(muted(tokens, text));
+        }
+    });
+    if let Some(words) = hint(finder.pick, finder.corners.len()) {
+        ui.label(egui::RichText::new(words).color(tokens.accent));
+    }
+    wishes(ui, planner, context);
+    if let Some((share, words)) = finder.under_way() {
+        ui.horizontal(|ui| {
+            if icon_button(ui, tokens, Icon::Close, "Stop searching").clicked() {
+                say(context, FindCommand::Stop);
+            }
+            ui.vertical(|ui| {
+                let bar = egui::ProgressBar::new(share).desired_height(4.0);
+                ui.add(bar).accessible_name("How far the search is");
+                ui.label(muted(tokens, words));
+            });
+        });
+    } else {
+        let ready = finder.from.is_some() && finder.to.is_some();
+        ui.add_enabled_ui(ready, |ui| {
+            let strong = finder.found.is_none();
+            let start = PlanCommand::Find(FindCommand::Start);
+            button(ui, context, None, "Find the route", strong, start);
+        });
+    }
+    if let Some(why) = &finder.trouble {
+        let text = egui::RichText::new(format!("No route: {why}"));
+        ui.label(text.color(tokens.warning));
+    }
+    comparison(ui, planner, context);
+}
+
+fn wishes(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
+    let mut wanted = planner.preferences.find;
+    row(ui, "Keep small", |ui| {
+        ui.selectable_value(&mut wanted.aim, Aim::Mean, "the mean");
+        ui.selectable_value(&mut wanted.aim, Aim::Worst, "the worst uncertainty");
+    });
+    row(ui, "For at most", |ui| {
+        ui.selectable_value(&mut wanted.budget_of, BudgetOf::Length, "length");
+        ui.selectable_value(&mut wanted.budget_of, BudgetOf::Time, "time");
+        let mut percent = 100.0 * (wanted.budget - 1.0);
+        let field = DragValue::new(&mut percent)
+            .range(0.0..=400.0)
+            .speed(0.5)
+            .fixed_decimals(0)
+            .prefix("+")
+            .suffix(" %");
+        let field = ui
+            .add(field)
+            .accessible_name("Budget over the shortest route");
+        if field.changed() {
+            wanted.budget = 1.0 + percent / 100.0;
+        }
+    });
+    if !context.mission.no_fly.is_empty() {
+        let (factor, unit) = context.units.length();
+        row(ui, "Distance from no-fly areas", |ui| {
+            let mut metres = wanted.clearance * factor;
+            let field = DragValue::new(&mut metres)
+                .range(0.0..=5000.0)
+                .fixed_decimals(0)
+                .suffix(format!(" {unit}"));
+            let field = ui.add(field).accessible_name("Distance from no-fly areas");
+            if field.changed() {
+                wanted.clearance = metres / factor;
+            }
+        });
+    }
+    if wanted != planner.preferences.find {
+        say(context, FindCommand::Set(wanted));
+    }
+}
+
+fn comparison(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
+    let tokens = context.tokens;
+    let Some(found) = &planner.finder.found else {
+        return;
+    };
+    let both = Compared::of(&found.shortest).zip(Compared::of(&found.surest));
+    let Some((shortest, surest)) = both else {
+        return;
+    };
+    ui.add_space(tokens.space);
+    let (factor, unit) = context.units.length();
+    let units = context.units;
+    let metres = |m: f64| format!("{:.1} {unit}", m * factor);
+    let change = |a: f64, b: f64| format!("{:+.0} %", 100.0 * (b / a - 1.0));
+    let rows = [
+        (
+            "Length",
+            distance_text(shortest.length, units),
+            distance_text(surest.length, units),
+            change(shortest.length, surest.length),
+        ),
+        (
+            "Time",
+            time_text(Some(shortest.time)),
+            time_text(Some(surest.time)),
+            change(shortest.time, surest.time),
+        ),
+        (
+            "Worst σ",
+            metres(shortest.worst),
+            metres(surest.worst),
+            change(shortest.worst, surest.worst),
+        ),
+        (
+            "Mean σ",
+            metres(shortest.mean),
+            metres(surest.mean),
+            change(shortest.mean, surest.mean),
+        ),
+    ];
+    let width = (ui.available_width() - 3.0 * 12.0) / 4.0;
+    egui::Grid::new("found route")
+        .num_columns(4)
+        .min_col_width(width)
+        .spacing([12.0, 4.0])
+        .show(ui, |ui| {
+            let right = |ui: &mut Ui, text: egui::RichText| {
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.label(text));
+            };
+            ui.label("");
+            for head in ["Straight", "Found", ""] {
+                right(ui, muted(tokens, head));
+            }
+            ui.end_row();
+            for (name, straight, found, change) in rows {
+                ui.label(muted(tokens, name));
+                right(ui, egui::RichText::new(straight));
+                right(ui, egui::RichText::new(found).strong());
+                right(ui, muted(tokens, change));
+                ui.end_row();
+            }
+        });
+    if found.surest.route.way_points == found.shortest.route.way_points {
+        ui.label(muted(
+            tokens,
+            "Nothing within the budget is better than the shortest way.",
+        ));
+    }
+    ui.horizontal(|ui| {
+        let accept = PlanCommand::Find(FindCommand::Accept);
+        button(ui, context, None, "Make it a route", true, accept);
+        let dismiss = PlanCommand::Find(FindCommand::Dismiss);
+        button(ui, context, None, "Dismiss", false, dismiss);
+    });
+}

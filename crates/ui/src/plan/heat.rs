@@ -1,0 +1,302 @@
+//! The heat map: where a fix would be had, as a worker computes it.
+
+use egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
+use pilotage_core::plan::{FieldView, FixSource, Localizability, PlannedLandmark};
+use serde::{Deserialize, Serialize};
+
+use super::planner::{Planner, camera, height, usual_altitude};
+use crate::documents::Documents;
+use crate::host::Host;
+use crate::jobs::{FieldFrom, FieldOrder, Job, JobEvent, JobId};
+use crate::views::color_map::viridis;
+
+/// A place where a fix is less likely than this is blind.
+pub const BLIND: f64 = 0.2;
+/// How long the plan must rest before the heat map is computed anew, milliseconds.
+const REST: f64 = 300.0;
+
+/// What gives fixes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum HeatOf {
+    /// The landmarks that are switched on.
+    #[default]
+    Landmarks,
+    /// Whatever the map offers.
+    Map,
+}
+
+/// How the heat map is shown; remembered between visits.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct HeatPreferences {
+    /// Whether it is shown.
+    pub shown: bool,
+    /// Whether only blind areas are marked.
+    pub blind: bool,
+    /// How much of the map it covers, 0 to 1.
+    pub opacity: f32,
+    /// Standard deviation of the position that is assumed, metres.
+    pub position: f64,
+    /// What gives fixes.
+    pub of: HeatOf,
+}
+
+impl Default for HeatPreferences {
+    fn default() -> Self {
+        Self {
+            shown: false,
+            blind: false,
+            opacity: 0.6,
+            position: 10.0,
+            of: HeatOf::default(),
+        }
+    }
+}
+
+/// What people can ask of the heat map.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum HeatCommand {
+    /// Show or hide it.
+    Toggle,
+    /// Mark blind areas only, or show the probability everywhere.
+    ToggleBlind,
+    /// Show it in another way.
+    Set(HeatPreferences),
+    /// Stop computing it; what is known stays.
+    Stop,
+    /// Compute it after all.
+    Resume,
+}
+
+/// A heat map under way.
+#[derive(Debug)]
+struct Asked {
+    id: JobId,
+    order: FieldOrder,
+}
+
+/// The heat map, and what is being computed of it.
+#[derive(Default)]
+pub struct Heat {
+    field: Option<(FieldOrder, Localizability)>,
+    asked: Option<Asked>,
+    progress: (f32, String),
+    trouble: Option<String>,
+    /// What was asked for last, and since when, milliseconds.
+    wanted: Option<(FieldOrder, f64)>,
+    complete: bool,
+    stopped: bool,
+    texture: Option<TextureHandle>,
+    /// How the texture was made, and whether it is of the field as it is now.
+    painted: Option<bool>,
+}
+
+impl Heat {
+    /// The field, as far as it is known.
+    pub fn field(&self) -> Option<&Localizability> {
+        self.field.as_ref().map(|(_, field)| field)
+    }
+
+    /// What it is of.
+    pub fn order(&self) -> Option<&FieldOrder> {
+        self.field.as_ref().map(|(order, _)| order)
+    }
+
+    /// How far the work is, 0 to 1, and in words.
+    pub fn under_way(&self) -> Option<(f32, &str)> {
+        self.asked.as_ref()?;
+        Some((self.progress.0, self.progress.1.as_str()))
+    }
+
+    /// Whether all of it is known.
+    pub fn is_complete(&self) -> bool {
+        self.complete && self.asked.is_none()
+    }
+
+    /// Whether the user stopped it.
+    pub fn is_stopped(&self) -> bool {
+        self.stopped
+    }
+
+    /// Why there is none.
+    pub fn trouble(&self) -> Option<&str> {
+        self.trouble.as_deref()
+    }
+
+    /// Its picture.
+    pub fn texture(&self) -> Option<&TextureHandle> {
+        self.texture.as_ref()
+    }
+
+    /// Stops or goes on at the next opportunity.
+    pub fn stop(&mut self, stopped: bool) {
+        self.stopped = stopped;
+        self.complete &= stopped;
+    }
+
+    /// Asks for what is missing; true if time must pass first.
+    pub fn work(
+        &mut self,
+        wanted: Option<FieldOrder>,
+        blind: bool,
+        host: &mut dyn Host,
+        context: &Context,
+    ) -> bool {
+        let now = host.now();
+        let Some(wanted) = wanted else {
+            self.cancel(host);
+            return false;
+        };
+        if self.wanted.as_ref().is_none_or(|(w, _)| *w != wanted) {
+            self.wanted = Some((wanted.clone(), now));
+            self.cancel(host);
+            self.trouble = None;
+            self.complete = false;
+            self.stopped = false;
+        }
+        if self.stopped {
+            self.cancel(host);
+        }
+        self.paint(blind, context);
+        if self.asked.is_some() || self.complete || self.stopped || self.trouble.is_some() {
+            return false;
+        }
+        let first = self.field.is_none();
+        if !first && self.wanted.as_ref().is_some_and(|(_, at)| now - at < REST) {
+            return true;
+        }
+        let id = host.start(Job::Field(Box::new(wanted.clone())));
+        self.progress = (0.0, "Waiting for a worker".to_owned());
+        self.asked = Some(Asked { id, order: wanted });
+        false
+    }
+
+    fn cancel(&mut self, host: &mut dyn Host) {
+        if let Some(asked) = self.asked.take() {
+            host.cancel(asked.id);
+        }
+    }
+
+    /// Takes what a worker says; false if it is about something else.
+    pub fn receive(&mut self, id: JobId, event: &JobEvent) -> bool {
+        let Some(asked) = self.asked.take_if(|asked| asked.id == id) else {
+            return false;
+        };
+        match event {
+            JobEvent::Progress(fraction, words) => {
+                self.progress = (*fraction, words.clone());
+                self.asked = Some(asked);
+            }
+            JobEvent::Field(field) => {
+                self.field = Some((asked.order.clone(), field.as_ref().clone()));
+                self.painted = None;
+                self.asked = Some(asked);
+            }
+            JobEvent::Finished => self.complete = true,
+            JobEvent::Failed(why) => self.trouble = Some(why.clone()),
+            _ => {}
+        }
+        true
+    }
+
+    fn paint(&mut self, blind: bool, context: &Context) {
+        if self.painted == Some(blind) {
+            return;
+        }
+        let Some((_, field)) = &self.field else {
+            return;
+        };
+        let pixel = |value: &f32| match value {
+            v if !v.is_finite() => Color32::TRANSPARENT,
+            v if blind && f64::from(*v) < BLIND => blind_color(),
+            _ if blind => Color32::TRANSPARENT,
+            v => viridis(*v),
+        };
+        let size = [field.columns, field.rows];
+        let image = ColorImage::new(size, field.values.iter().map(pixel).collect());
+        let options = if blind {
+            TextureOptions::NEAREST
+        } else {
+            TextureOptions::LINEAR
+        };
+        self.texture = Some(context.load_texture("localizability", image, options));
+        self.painted = Some(blind);
+    }
+}
+
+/// What marks a blind place.
+pub fn blind_color() -> Color32 {
+    Color32::from_rgb(214, 60, 90)
+}
+
+impl Planner {
+    /// The ground, the camera and what gives fixes, for the heat map or a search; `None` without a map.
+    pub fn field_order(&self, documents: &Documents, of: HeatOf) -> Option<FieldOrder> {
+        let mission = &documents.mission;
+        let map = documents.map.as_ref()?;
+        let height = self.flown_height(documents);
+        let sensors = &mission.navigator.sensors;
+        let from = match of {
+            HeatOf::Landmarks => {
+                let enabled = mission.landmarks.iter().filter(|l| l.enabled);
+                let sources = enabled.filter_map(|l| {
+                    let planned = PlannedLandmark {
+                        landmark: l.clone(),
+                        detection: self.assessments.expected(l),
+                    };
+                    FixSource::of(&planned, height)
+                });
+                FieldFrom::Landmarks(sources.collect())
+            }
+            HeatOf::Map => FieldFrom::Map {
+                search_sigmas: mission.navigator.detector.search_sigmas,
+            },
+        };
+        Some(FieldOrder {
+            map: documents.map_source.clone(),
+            region: map.bounds,
+            view: FieldView {
+                camera: camera(documents),
+                height,
+                position: self.preferences.heat.position,
+                tilt: sensors.roll.max(sensors.pitch),
+            },
+            from,
+        })
+    }
+
+    /// Height above ground of the selected route, or the usual one, metres.
+    pub fn flown_height(&self, documents: &Documents) -> f64 {
+        let mission = &documents.mission;
+        self.selected(mission).map_or_else(
+            || usual_altitude(documents).metres,
+            |route| height(route, mission, documents),
+        )
+    }
+
+    /// What the heat map is to show; `None` while it is hidden.
+    pub fn heat_order(&self, documents: &Documents) -> Option<FieldOrder> {
+        let heat = &self.preferences.heat;
+        if heat.shown {
+            self.field_order(documents, heat.of)
+        } else {
+            None
+        }
+    }
+
+    /// Carries a command out.
+    pub fn heat_command(&mut self, command: HeatCommand) {
+        let heat = &mut self.preferences.heat;
+        match command {
+            HeatCommand::Toggle => heat.shown = !heat.shown,
+            HeatCommand::ToggleBlind => {
+                // Whoever asks for blind areas wants to see them.
+                heat.blind = !heat.blind || !heat.shown;
+                heat.shown = true;
+            }
+            HeatCommand::Set(preferences) => *heat = preferences,
+            HeatCommand::Stop => self.heat.stop(true),
+            HeatCommand::Resume => self.heat.stop(false),
+        }
+    }
+}

@@ -1,0 +1,75 @@
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable as _;
+
+use super::{click, number, planning};
+
+#[test]
+fn a_route_is_found_beside_the_straight_line_accepted_and_undone() {
+    let mut rig = planning();
+    rig.harness.key_press_modifiers(Modifiers::SHIFT, Key::F);
+    rig.settle();
+    click(&mut rig, 0.0, -300.0);
+    click(&mut rig, 0.0, 300.0);
+    rig.settle();
+    assert_eq!(number(&rig, "/find/from/1").round(), -300.0);
+    assert_eq!(number(&rig, "/find/to/1").round(), 300.0);
+    rig.harness.get_by_label("Find the route").click();
+    rig.settle();
+    let (straight, found) = (
+        number(&rig, "/find/shortest/worst"),
+        number(&rig, "/find/surest/worst"),
+    );
+    assert!(found <= straight + 1e-6, "{straight} {found}");
+    assert!((number(&rig, "/find/shortest/length") - 600.0).abs() < 12.0);
+    assert!(
+        number(&rig, "/find/surest/length") <= 1.3 * number(&rig, "/find/shortest/length") + 1.0
+    );
+    rig.harness.get_by_label("Make it a route").click();
+    rig.settle();
+    assert_eq!(rig.state()["plan"]["routes"][0]["name"], "Found route");
+    rig.harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    rig.settle();
+    assert_eq!(
+        rig.state()["plan"]["routes"].as_array().map(Vec::len),
+        Some(0)
+    );
+}
+
+#[test]
+fn a_no_fly_area_is_drawn_flown_around_and_undone() {
+    let mut rig = planning();
+    rig.harness.key_press_modifiers(Modifiers::SHIFT, Key::N);
+    rig.settle();
+    for (north, east) in [
+        (-120.0, -60.0),
+        (120.0, -60.0),
+        (120.0, 60.0),
+        (-120.0, 60.0),
+    ] {
+        click(&mut rig, north, east);
+    }
+    rig.key(Key::Enter);
+    rig.settle();
+    assert_eq!(rig.state()["plan"]["no_fly"][0], 4);
+    rig.harness.key_press_modifiers(Modifiers::SHIFT, Key::F);
+    rig.settle();
+    click(&mut rig, 0.0, -300.0);
+    click(&mut rig, 0.0, 300.0);
+    rig.settle();
+    rig.harness.get_by_label("Find the route").click();
+    rig.settle();
+    assert!(number(&rig, "/find/shortest/way_points") > 2.0);
+    assert!(number(&rig, "/find/shortest/length") > 640.0);
+    rig.harness.get_by_label("Delete No-fly area 1").click();
+    rig.settle();
+    assert_eq!(
+        rig.state()["plan"]["no_fly"].as_array().map(Vec::len),
+        Some(0)
+    );
+    rig.harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    rig.settle();
+    assert_eq!(
+        rig.state()["plan"]["no_fly"].as_array().map(Vec::len),
+        Some(1)
+    );
+}

@@ -1,0 +1,45 @@
+use egui::Key;
+use egui_kittest::kittest::Queryable as _;
+
+use super::{number, planning};
+
+#[test]
+fn the_heat_map_is_shown_by_its_key_and_tells_how_much_of_the_map_is_blind() {
+    let mut rig = planning();
+    rig.key(Key::H);
+    rig.settle();
+    assert_eq!(rig.state()["plan"]["heat"]["shown"], true);
+    assert_eq!(number(&rig, "/heat/known"), 1.0);
+    assert!((number(&rig, "/heat/blind_share") - 0.5).abs() < 0.01);
+    rig.harness
+        .get_by_label_contains("Legend: Probability of a fix");
+    rig.harness
+        .get_by_label_contains("50 % of the map is blind");
+    rig.harness.get_by_label("Blind areas only").click();
+    rig.settle();
+    assert_eq!(rig.state()["plan"]["heat"]["blind"], true);
+    rig.harness.get_by_label_contains("Legend: Blind areas");
+    rig.key(Key::H);
+    rig.settle();
+    assert_eq!(rig.state()["plan"]["heat"]["shown"], false);
+}
+
+#[test]
+fn another_uncertainty_is_computed_anew() {
+    let mut rig = planning();
+    rig.key(Key::H);
+    rig.settle();
+    let fields = |rig: &super::Rig| {
+        let jobs = &rig.harness.state().host.jobs;
+        let field =
+            |j: &&(u64, pilotage_ui::jobs::Job)| matches!(j.1, pilotage_ui::jobs::Job::Field(_));
+        jobs.iter().filter(field).count()
+    };
+    assert_eq!(fields(&rig), 1);
+    rig.harness.get_by_label("the map alone").click();
+    rig.settle();
+    rig.harness.state_mut().host.now += 1000.0;
+    rig.settle();
+    assert_eq!(fields(&rig), 2);
+    rig.harness.get_by_label_contains("map alone, 0 to 1");
+}

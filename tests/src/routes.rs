@@ -1,0 +1,352 @@
+//! Found routes flown beside straight lines over generated counties: what a detour is worth.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use nalgebra::Vector2;
+use pilotage_core::flight::{Flight, FrameError, FrameSource};
+use pilotage_core::frames::GroundPoint;
+use pilotage_core::frames::units::GRAVITY;
+use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::mission::Mission;
+use pilotage_core::navigator::Navigator;
+use pilotage_core::plan::{
+    Aim, Assessor, BudgetOf, Circumstances, DetectionStatistics, ExpectedDetection, FieldBuilder,
+    FieldView, FixSource, FoundRoute, FoundRoutes, Localizability, PlannedLandmark, Prediction,
+    PredictionRequest, RouteQuestion, SceneryDays, Turns,
+};
+use pilotage_core::raster::Picture;
+use pilotage_core::simulate::scenery::{DEMO_SEED, Day};
+use pilotage_core::simulate::{
+    County, FlightDay, FlightPlan, GuidanceSettings, Overrides, Scenario, SimulatedFrames,
+};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+/// The scenario whose aircraft, camera and settings are flown; its wind is drawn anew for each flight.
+const SCENARIO: &str = "distinct-400ft-wind";
+/// Pictures and days by which each kind of landmark is assessed.
+const VIEWS: (usize, usize) = (32, 4);
+/// Standard deviation of the position with which the field is computed, metres.
+const POSITION: f64 = 15.0;
+/// Side of a cell of the field, metres.
+const STEP: f64 = 20.0;
+/// Worlds of a prediction.
+const WORLDS: usize = 32;
+/// Memory for tiles of the county on either day, megabytes.
+const CACHE: usize = 400;
+/// Shortest and longest distance from A to B, metres.
+const APART: (f64, f64) = (7000.0, 9500.0);
+/// Least share of the straight line that is flown without a fix in one go.
+const BLIND: f64 = 0.4;
+/// A landmark further from the estimate than this and as many standard deviations is not looked for.
+const LOOKED_FOR: (f64, f64) = (250.0, 6.0);
+
+/// What one route came to.
+#[derive(Clone, Debug, Default)]
+pub struct Flown {
+    /// The route.
+    pub route: FoundRoute,
+    /// Largest predicted standard deviation of the longer axis, metres.
+    pub predicted_worst: f64,
+    /// Its mean along the route, metres.
+    pub predicted_mean: f64,
+    /// How long the plan takes in calm air with its turns, seconds.
+    pub time: f64,
+    /// Largest error of each flight, metres.
+    pub largest: Vec<f64>,
+    /// Root mean square error of all frames of all flights, metres.
+    pub rms: f64,
+}
+
+impl Flown {
+    /// Largest error of all flights, metres.
+    pub fn largest_of_all(&self) -> f64 {
+        self.largest.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// Median of the largest errors, metres.
+    pub fn median_largest(&self) -> f64 {
+        let mut sorted = self.largest.clone();
+        sorted.sort_by(f64::total_cmp);
+        sorted.get(sorted.len() / 2).copied().unwrap_or(f64::NAN)
+    }
+}
+
+/// A county, two places in it, and how one gets from one to the other.
+pub struct Case {
+    /// Seed of the county and of the places.
+    pub seed: u64,
+    mission: Mission,
+    landmarks: Vec<PlannedLandmark>,
+    map: Arc<dyn Imagery>,
+    seen: Arc<CachedImagery>,
+    scenario: Scenario,
+    /// The straight line and the route that was found.
+    pub found: FoundRoutes,
+    /// Villages of the county.
+    pub villages: usize,
+}
+
+/// What is expected of each of the ten kinds of landmarks, measured in the village of the demo.
+pub fn expectations() -> Result<Vec<(String, ExpectedDetection)>, String> {
+    let scenario = Scenario::named(SCENARIO).ok_or("the scenario is gone")?;
+    let mission = scenario.mission();
+    let map: Arc<dyn Imagery> = Arc::new(CachedImagery::new(Arc::new(Scenario::map()), 64));
+    let others = SceneryDays { seed: DEMO_SEED };
+    mission
+        .landmarks
+        .iter()
+        .map(|landmark| {
+            let circumstances = Circumstances {
+                camera: Scenario::camera(),
+                height: scenario.height,
+                position: 5.0,
+                sensors: mission.navigator.sensors,
+                detector: mission.navigator.detector,
+                ground_down: 0.0,
+            };
+            let map = Arc::clone(&map);
+            let mut assessor = Assessor::new(landmark, map, &others, VIEWS.1, circumstances, 5);
+            for _ in 0..VIEWS.0 {
+                assessor.look();
+            }
+            let expected = assessor.expected().ok_or("a landmark cannot be seen")?;
+            Ok((landmark.name.clone(), expected))
+        })
+        .collect()
+}
+
+/// How the aircraft of the scenarios turns, with the wind behind it.
+fn turns(scenario: &Scenario, wind: f64) -> Turns {
+    let guidance = GuidanceSettings::default();
+    let speed = scenario.plan(&Overrides::default()).airframe.cruise + wind;
+    Turns {
+        radius: speed * speed / (GRAVITY * guidance.planned_bank.tan()),
+        roll_in: speed * guidance.roll_in,
+    }
+}
+
+impl Case {
+    /// Draws A and B until the straight line between them crosses blind ground, and finds a route for
+    /// at most `budget` times the time.
+    pub fn new(
+        seed: u64,
+        expected: &[(String, ExpectedDetection)],
+        budget: f64,
+    ) -> Result<Self, String> {
+        let scenario = Scenario::named(SCENARIO).ok_or("the scenario is gone")?;
+        let county = County::new(seed, Day::map_day());
+        let villages = county.villages().len();
+        let mut mission = scenario.mission();
+        mission.landmarks = county.landmarks();
+        let of = |name: &str| {
+            let (_, known) = expected.iter().find(|(kind, _)| name.starts_with(kind))?;
+            Some(DetectionStatistics::everywhere(*known))
+        };
+        let landmarks: Vec<PlannedLandmark> = mission
+            .landmarks
+            .iter()
+            .map(|landmark| PlannedLandmark {
+                detection: of(&landmark.name).unwrap_or_default(),
+                landmark: landmark.clone(),
+            })
+            .collect();
+        let view = FieldView {
+            camera: Scenario::camera(),
+            height: scenario.height,
+            position: POSITION,
+            tilt: mission.navigator.sensors.roll,
+        };
+        let sources = landmarks
+            .iter()
+            .filter_map(|l| FixSource::of(l, scenario.height))
+            .collect();
+        let mut builder = FieldBuilder::new(view.clone(), &county.bounds(), STEP, sources);
+        while builder.advance() {}
+        let field = Arc::new(builder.into_field());
+        let pass = view.across().ok_or("the camera does not see the ground")?;
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let bounds = county.bounds().grown(-700.0);
+        let mut place = || {
+            GroundPoint::new(
+                bounds.south + bounds.height() * random.random::<f64>(),
+                bounds.west + bounds.width() * random.random::<f64>(),
+            )
+        };
+        for _ in 0..10_000 {
+            let (from, to) = (place(), place());
+            if !(APART.0..APART.1).contains(&from.distance(&to)) {
+                continue;
+            }
+            let question = question(from, to, &field, pass, &scenario, budget);
+            let straight = question.judge(&[from, to]).ok_or("nothing is forbidden")?;
+            if straight.worst_blind < BLIND * straight.length {
+                continue;
+            }
+            let found = question.find().map_err(|e| e.to_string())?;
+            let other = Arc::new(County::new(seed, Day::other_day()));
+            return Ok(Self {
+                seed,
+                mission,
+                landmarks,
+                map: Arc::new(CachedImagery::new(Arc::new(county), CACHE)),
+                seen: Arc::new(CachedImagery::new(other, CACHE)),
+                scenario,
+                found,
+                villages,
+            });
+        }
+        Err(format!("county {seed} has no blind ground"))
+    }
+
+    fn plan(&self, way_points: &[GroundPoint]) -> FlightPlan {
+        FlightPlan {
+            name: format!("county {}", self.seed),
+            way_points: way_points.to_vec(),
+            wind: Vector2::zeros(),
+            longest: 3600.0,
+            ..self.scenario.plan(&Overrides::default())
+        }
+    }
+
+    fn predict(&self, plan: &FlightPlan) -> Result<Prediction, String> {
+        let request = PredictionRequest {
+            plan,
+            settings: &self.mission.navigator,
+            landmarks: &self.landmarks,
+            worlds: WORLDS,
+            seed: 1,
+            limit: f64::INFINITY,
+        };
+        request.predict().map_err(|e| e.to_string())
+    }
+
+    /// Predicts a route and flies it with every seed below `flights`, each in a wind of its own.
+    pub fn fly(&self, route: &FoundRoute, flights: u64) -> Result<Flown, String> {
+        let plan = self.plan(&route.way_points);
+        let prediction = self.predict(&plan)?;
+        let samples = &prediction.samples;
+        let sigmas = || samples.iter().map(|s| s.corridor.sigma_major);
+        let next = AtomicU64::new(0);
+        let worker = || -> Result<Vec<Vec<f64>>, String> {
+            let mut all = Vec::new();
+            loop {
+                let seed = next.fetch_add(1, Ordering::Relaxed);
+                if seed >= flights {
+                    return Ok(all);
+                }
+                all.push(self.errors(&plan, seed)?);
+            }
+        };
+        let workers = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+        let mut errors: Vec<Vec<f64>> = Vec::new();
+        std::thread::scope(|scope| -> Result<(), String> {
+            let handles: Vec<_> = (0..workers).map(|_| scope.spawn(worker)).collect();
+            for handle in handles {
+                let flown = handle.join().map_err(|_| "a flight panicked".to_owned())?;
+                errors.extend(flown?);
+            }
+            Ok(())
+        })?;
+        let all = || errors.iter().flatten();
+        Ok(Flown {
+            route: route.clone(),
+            predicted_worst: sigmas().fold(0.0, f64::max),
+            predicted_mean: sigmas().sum::<f64>() / samples.len().max(1) as f64,
+            time: samples.last().map_or(0.0, |s| s.time),
+            largest: errors
+                .iter()
+                .map(|flight| flight.iter().copied().fold(0.0, f64::max))
+                .collect(),
+            rms: (all().map(|e| e * e).sum::<f64>() / all().count().max(1) as f64).sqrt(),
+        })
+    }
+
+    /// Error after every step of one flight, metres.
+    fn errors(&self, plan: &FlightPlan, seed: u64) -> Result<Vec<f64>, String> {
+        let named = |e: &dyn std::fmt::Display| format!("county {}, seed {seed}: {e}", self.seed);
+        let settings = &self.mission.navigator;
+        let flight = plan
+            .in_wind_of(seed, settings.start.wind)
+            .simulate(seed)
+            .ok_or_else(|| named(&"the route needs two way-points"))?;
+        let frames =
+            SimulatedFrames::new(&flight, FlightDay::Other, seed).over(Arc::clone(&self.seen));
+        let blank = Picture::filled(flight.camera.width, flight.camera.height, [90; 3]);
+        let mut frames = FramesInNeed {
+            frames,
+            blank,
+            needed: true,
+        };
+        let flight = Arc::new(flight);
+        let landmarks = &self.mission.landmarks;
+        let map = Arc::clone(&self.map);
+        let mut navigator =
+            Navigator::new(Arc::clone(&flight), landmarks, map, settings).map_err(|e| named(&e))?;
+        let mut errors = Vec::new();
+        while let Some(step) = navigator.advance(&mut frames, &|| 0.0) {
+            let step = step.map_err(|e| named(&e))?;
+            let estimate = step.after.position();
+            let spread = step.after.position_covariance().diagonal().max().sqrt();
+            let reach = LOOKED_FOR.0 + LOOKED_FOR.1 * spread;
+            frames.needed = landmarks
+                .iter()
+                .any(|l| l.reference.distance(&estimate) < reach);
+            errors.extend(error(&flight, step.time, &estimate));
+        }
+        Ok(errors)
+    }
+}
+
+fn error(flight: &Flight, time: f64, estimate: &GroundPoint) -> Option<f64> {
+    let truth = flight.truth.as_ref()?.position(time)?;
+    Some((estimate.north - truth.x).hypot(estimate.east - truth.y))
+}
+
+fn question(
+    from: GroundPoint,
+    to: GroundPoint,
+    field: &Arc<Localizability>,
+    pass: f64,
+    scenario: &Scenario,
+    budget: f64,
+) -> RouteQuestion {
+    RouteQuestion {
+        from,
+        to,
+        field: Arc::clone(field),
+        pass,
+        no_fly: Vec::new(),
+        clearance: 0.0,
+        forbidden: None,
+        airspeed: scenario.plan(&Overrides::default()).airframe.cruise,
+        wind: Vector2::zeros(),
+        turns: turns(scenario, 0.0),
+        budget,
+        budget_of: BudgetOf::Time,
+        aim: Aim::Worst,
+    }
+}
+
+/// Pictures that are only taken where the navigator will look for a landmark; otherwise it gets one
+/// that it does not look at.
+struct FramesInNeed {
+    frames: SimulatedFrames,
+    blank: Picture,
+    needed: bool,
+}
+
+impl FrameSource for FramesInNeed {
+    fn picture(&mut self, index: usize) -> Result<Picture, FrameError> {
+        if self.needed {
+            self.frames.picture(index)
+        } else {
+            Ok(self.blank.clone())
+        }
+    }
+
+    fn encoded(&mut self, index: usize) -> Result<Vec<u8>, FrameError> {
+        self.frames.encoded(index)
+    }
+}
