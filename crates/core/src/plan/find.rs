@@ -26,8 +26,10 @@ const WORTH_A_VISIT: f64 = 0.15;
 const LATTICE: usize = 12;
 /// Steps of the bisection.
 const STEPS: usize = 10;
-/// Share of the worst at which the bisection ends, and which a simpler route may be worse.
+/// Share of the worst at which the bisection ends.
 const CLOSE: f64 = 0.02;
+/// Share by which a route with fewer way-points may be worse.
+const SIMPLER: f64 = 0.04;
 /// Prices of a metre beside those without a fix, in worst metres of the shortest route.
 const PRICES: [f64; 6] = [0.0, 0.03, 0.08, 0.2, 0.5, 1.0];
 
@@ -377,7 +379,7 @@ impl RouteSearch {
     /// What was found, with as few way-points as it takes.
     pub fn found(mut self) -> Result<FoundRoutes, FindError> {
         if let Some(best) = self.best.take() {
-            let pulled = pull_tight(&self.question, &best, self.most, CLOSE);
+            let pulled = pull_tight(&self.question, &best, self.most, SIMPLER);
             let better = self.question.aimed(&pulled) < self.question.aimed(&self.shortest);
             self.best = better.then_some(pulled);
         }

@@ -169,7 +169,10 @@ impl Graph {
             for way in &self.ways[label.node] {
                 let cost = label.cost + way.cost;
                 let u = way.blind.end.of(label.u);
-                if cost + ahead[way.to] > most * (1.0 + 1e-9) || u >= LESS * least_blind[way.to] {
+                if cost + ahead[way.to] > most * (1.0 + 1e-9)
+                    || u >= LESS * least_blind[way.to]
+                    || Self::passed(&labels, number, way.to)
+                {
                     continue;
                 }
                 let (paid, order) = match aimed {
@@ -196,6 +199,18 @@ impl Graph {
             }
         }
         None
+    }
+
+    /// Whether the path to a label leads over a node: circling over a landmark makes it no surer.
+    fn passed(labels: &[Label], last: usize, node: usize) -> bool {
+        let mut at = Some(last);
+        while let Some(number) = at {
+            if labels[number].node == node {
+                return true;
+            }
+            at = labels[number].before;
+        }
+        false
     }
 
     fn line(&self, labels: &[Label], last: usize) -> Vec<GroundPoint> {

@@ -45,7 +45,7 @@ pub fn fits(way_points: &[GroundPoint], turns: &Turns) -> Option<usize> {
         .find(|&i| way_points[i].distance(&way_points[i + 1]) < lead(i) + lead(i + 1))
 }
 
-/// Takes way-points out of a route as long as it gets worse by no more than the share `worse` and costs
+/// Takes way-points out of a route, or makes one of two, as long as it gets worse by no more than the share `worse` and costs
 /// no more than `most`; then those between which the aircraft cannot turn, at whatever price.
 pub(super) fn pull_tight(
     question: &RouteQuestion,
@@ -64,10 +64,12 @@ pub(super) fn pull_tight(
     };
     let mut now = route.clone();
     loop {
-        let shorter = (1..now.way_points.len().saturating_sub(1))
-            .map(|i| without(&now.way_points, i))
-            .collect();
-        match best(shorter).filter(|r| question.aimed(r) <= limit) {
+        let line = &now.way_points;
+        let inner = 1..line.len().saturating_sub(1);
+        let removed = inner.clone().map(|i| without(line, i));
+        let merged = inner.skip(1).map(|i| merged(line, i - 1));
+        let simpler = removed.chain(merged).collect();
+        match best(simpler).filter(|r| question.aimed(r) <= limit) {
             Some(simpler) => now = simpler,
             None => break,
         }
@@ -81,10 +83,7 @@ pub(super) fn pull_tight(
             .map(|i| without(line, i))
             .collect();
         if inner(leg) && inner(leg + 1) {
-            let mut merged = without(line, leg + 1);
-            let (a, b) = (line[leg].to_vector(), line[leg + 1].to_vector());
-            merged[leg] = GroundPoint::from(0.5 * (a + b));
-            others.push(merged);
+            others.push(merged(line, leg));
         }
         match best(others) {
             Some(flyable) => now = flyable,
@@ -92,6 +91,14 @@ pub(super) fn pull_tight(
         }
     }
     now
+}
+
+/// The line with two way-points made one, between them.
+fn merged(line: &[GroundPoint], index: usize) -> Vec<GroundPoint> {
+    let mut shorter = without(line, index + 1);
+    let (a, b) = (line[index].to_vector(), line[index + 1].to_vector());
+    shorter[index] = GroundPoint::from(0.5 * (a + b));
+    shorter
 }
 
 fn without(line: &[GroundPoint], index: usize) -> Vec<GroundPoint> {
