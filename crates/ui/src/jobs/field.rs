@@ -61,7 +61,7 @@ impl FieldOrder {
 
 enum Work {
     Waiting,
-    Landmarks(FieldBuilder),
+    Landmarks(Box<FieldBuilder>),
     Map(Box<OfferedField>),
 }
 
@@ -89,12 +89,12 @@ impl ComputeField {
             .across()
             .ok_or("the camera does not look down at the ground")?;
         match &order.from {
-            FieldFrom::Landmarks(sources) => Ok(Work::Landmarks(FieldBuilder::new(
+            FieldFrom::Landmarks(sources) => Ok(Work::Landmarks(Box::new(FieldBuilder::new(
                 order.view.clone(),
                 &order.region,
                 order.step(),
                 sources.clone(),
-            ))),
+            )))),
             FieldFrom::Map { search_sigmas } => {
                 let days = workshop.other_days(&order.map, DAYS)?;
                 let map = workshop.map(&order.map)?;

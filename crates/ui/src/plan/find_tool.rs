@@ -33,7 +33,7 @@ impl Planner {
         let mut say = |command| {
             context
                 .commands
-                .push(Command::Plan(PlanCommand::Find(command)))
+                .push(Command::Plan(PlanCommand::Find(command)));
         };
         if !ui.ctx().text_edit_focused() {
             let (enter, escape) =
