@@ -7,8 +7,47 @@ use super::blind_way::BlindWay;
 use super::find::RouteQuestion;
 use crate::frames::GroundPoint;
 
-/// A path is only followed further if it comes with that share less without a fix than a cheaper one.
-const LESS: f64 = 0.97;
+/// Metres without a fix are told apart by this ratio: a path is only followed further if it comes to a
+/// place with a class less than every cheaper one.
+const RATIO: f64 = 1.1;
+/// Metres without a fix below which paths are alike.
+const FINEST: f64 = 20.0;
+/// Classes of metres without a fix, up to 200 km.
+const CLASSES: usize = 97;
+
+/// The class of so many metres without a fix.
+fn class(u: f64) -> usize {
+    let class = (u / FINEST).max(1.0).ln() / RATIO.ln();
+    (class as usize).min(CLASSES - 1)
+}
+
+/// The least that a path paid to come to each node with at most each class of metres without a fix.
+struct Frontier(Vec<f64>);
+
+impl Frontier {
+    fn new(nodes: usize) -> Self {
+        Self(vec![f64::INFINITY; nodes * CLASSES])
+    }
+
+    /// Whether a path that paid `order` is better than all before; they are forgotten if so.
+    fn take(&mut self, node: usize, u: f64, order: f64) -> bool {
+        let own = &mut self.0[node * CLASSES..(node + 1) * CLASSES];
+        let class = class(u);
+        if own[class] <= order {
+            return false;
+        }
+        // Whoever comes with more and later is no better.
+        for other in &mut own[class..] {
+            *other = other.min(order);
+        }
+        true
+    }
+
+    /// Whether nobody came cheaper since.
+    fn still(&self, node: usize, u: f64, order: f64) -> bool {
+        self.0[node * CLASSES + class(u)] >= order
+    }
+}
 
 /// What a path is to be.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -126,7 +165,7 @@ impl Graph {
     ///
     /// Labels are taken in the order of what they cost. One that comes to a node later than another is
     /// worth following only if it has fewer metres without a fix: that makes the search exact but for
-    /// [`LESS`].
+    /// the width of the classes.
     pub fn solve(
         &self,
         question: &RouteQuestion,
@@ -138,7 +177,7 @@ impl Graph {
             .iter()
             .map(|n| question.least_cost(n, &self.nodes[1]))
             .collect();
-        let mut least_blind = vec![f64::INFINITY; self.nodes.len()];
+        let mut frontier = Frontier::new(self.nodes.len());
         let mut labels: Vec<Label> = Vec::new();
         let mut queue = BinaryHeap::new();
         queue.push(Queued {
@@ -150,11 +189,9 @@ impl Graph {
             before: None,
         });
         while let Some(head) = queue.pop() {
-            // The end is reached with whatever is left.
-            if head.node != 1 && head.u >= LESS * least_blind[head.node] {
+            if head.node != 0 && !frontier.still(head.node, head.u, head.order) {
                 continue;
             }
-            least_blind[head.node] = head.u;
             let number = labels.len();
             labels.push(Label {
                 node: head.node,
@@ -170,7 +207,6 @@ impl Graph {
                 let cost = label.cost + way.cost;
                 let u = way.blind.end.of(label.u);
                 if cost + ahead[way.to] > most * (1.0 + 1e-9)
-                    || u >= LESS * least_blind[way.to]
                     || Self::passed(&labels, number, way.to)
                 {
                     continue;
@@ -188,6 +224,9 @@ impl Graph {
                         (paid, paid)
                     }
                 };
+                if !frontier.take(way.to, u, order) {
+                    continue;
+                }
                 queue.push(Queued {
                     order,
                     paid,
