@@ -1,9 +1,14 @@
 // Reads what was dropped or chosen: files, and folders with everything in them.
+
+/** Maps and heights larger than this many bytes stay where they are; workers read pieces of them. */
+const LARGE = 4 << 20;
+const READ_BY_PIECES = /\.(tiff?|pmtiles|hgt)$/i;
 async function gather(list) {
   const paths = [], contents = [];
   for (const [path, file] of list) {
     try {
-      contents.push(new Uint8Array(await file.arrayBuffer()));
+      const stays = file.size > LARGE && READ_BY_PIECES.test(path);
+      contents.push(stays ? file : new Uint8Array(await file.arrayBuffer()));
       paths.push(path);
     } catch (error) {
       console.warn(`could not read ${path}:`, error);

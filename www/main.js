@@ -66,7 +66,10 @@ async function start() {
   const [storage] = await loading;
   const loaded = performance.now();
   const app = new WebHandle();
-  for (const [key, bytes] of storage.loaded) app.remember(key, bytes);
+  for (const [key, kept] of storage.loaded) {
+    if (kept instanceof Blob) app.remember_file(key, kept);
+    else app.remember(key, kept);
+  }
   storage.loaded.clear();
   const canvas = document.getElementById("app");
   const shell = shellServices(storage, (paths, contents) => app.open_files(paths, contents));

@@ -1,5 +1,6 @@
 // What the app asks of the browser: files in and out, storage, words for screen readers.
 import { readDropped, readChosen } from "./files.js";
+import { fetchTiles, downloadTiles, downloadState, stopDownload } from "./tiles.js";
 
 export function shellServices(storage, openFiles) {
   const input = document.getElementById("files");
@@ -21,6 +22,11 @@ export function shellServices(storage, openFiles) {
       setTimeout(() => URL.revokeObjectURL(address), 60_000);
     },
     store(key, bytes) { storage.put(key, bytes); },
+    fetchTiles,
+    downloadTiles,
+    downloadState,
+    stopDownload,
+    storeFile(key, file) { storage.putFile(key, file); },
     forget(key) { storage.remove(key); },
     failedStores() { const failed = storage.untold; storage.untold = 0; return failed; },
     announce(text) { summary.textContent = text; },

@@ -15,12 +15,12 @@ async function openDatabase() {
 
 /** Never fails: without a database, documents live as long as the page, and the console says so. */
 export async function openStorage() {
-  const storage = { loaded: new Map(), pending: 0, written: 0, untold: 0, put() {}, remove() {} };
+  const storage = { loaded: new Map(), pending: 0, written: 0, untold: 0, put() {}, putFile() {}, remove() {} };
   try {
     const database = await openDatabase();
     const table = database.transaction(TABLE, "readonly").objectStore(TABLE);
     const [keys, values] = await Promise.all([done(table.getAllKeys()), done(table.getAll())]);
-    keys.forEach((key, i) => storage.loaded.set(String(key), new Uint8Array(values[i])));
+    keys.forEach((key, i) => storage.loaded.set(String(key), values[i] instanceof Blob ? values[i] : new Uint8Array(values[i])));
     const change = (key, deed) => {
       storage.pending += 1;
       const write = database.transaction(TABLE, "readwrite");
@@ -30,6 +30,7 @@ export async function openStorage() {
       write.commit?.();
     };
     storage.put = (key, bytes) => change(key, (documents) => documents.put(bytes.buffer, key));
+    storage.putFile = (key, file) => change(key, (documents) => documents.put(file, key));
     storage.remove = (key) => change(key, (documents) => documents.delete(key));
   } catch (error) {
     console.warn("documents cannot be kept in this browser:", error);

@@ -1,6 +1,6 @@
 // The simplest zip file: everything stored, nothing compressed.
 
-function crc32(bytes) {
+export function crc32(bytes) {
   let crc = 0xffffffff;
   for (const byte of bytes) {
     crc ^= byte;

@@ -4,6 +4,7 @@ mod bench;
 mod convert;
 mod files;
 mod filter_options;
+mod georef;
 mod inspect;
 mod map;
 mod plan;

@@ -53,6 +53,8 @@ enum Job {
         #[arg(long)]
         gsd: Option<f64>,
     },
+    /// Put a picture on the ground by points that are known in both.
+    Georef(crate::georef::Arguments),
 }
 
 #[derive(clap::Args)]
@@ -119,6 +121,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
             window,
             gsd,
         } => tile(map, out, window.as_deref(), *gsd),
+        Job::Georef(arguments) => crate::georef::run(arguments),
     }
 }
 

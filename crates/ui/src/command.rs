@@ -3,6 +3,8 @@
 use pilotage_core::frames::GroundRect;
 use pilotage_core::navigator::NavigatorSettings;
 
+use crate::dialogs::WebMapCommand;
+use crate::georeference::GeoreferenceCommand;
 use crate::jobs::SimulationOptions;
 use crate::plan::PlanCommand;
 use serde::{Deserialize, Serialize};
@@ -118,6 +120,10 @@ pub enum Command {
     ToggleFollow,
     /// Show how a landmark was matched.
     ShowMatch,
+    /// Something about a map of the web.
+    WebMap(WebMapCommand),
+    /// Something about the picture that is put on the ground.
+    Georeference(GeoreferenceCommand),
     /// Something about the plan.
     Plan(PlanCommand),
 }

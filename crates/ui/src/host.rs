@@ -1,14 +1,15 @@
 //! What the shell (the page, or a test) gives the app.
 
-use crate::jobs::{Job, JobEvent, JobId};
+use crate::dialogs::Download;
+use crate::jobs::{FileContent, Job, JobEvent, JobId};
 
 /// A file that the user chose or dropped.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OpenedFile {
     /// Path within what was dropped, with `/`.
     pub path: String,
-    /// Its bytes.
-    pub bytes: std::sync::Arc<[u8]>,
+    /// Its bytes, or where to read them.
+    pub content: FileContent,
 }
 
 /// The shell's services.
@@ -41,8 +42,27 @@ pub trait Host {
     /// need not hold them any longer.
     fn recall(&self, key: &str) -> Option<Vec<u8>>;
 
+    /// Remembers a lent file under a key in the browser's own storage.
+    fn store_lent(&mut self, _key: &str, _number: u32) {}
+
+    /// The lent file remembered under a key, if loaded before the app started.
+    fn recall_lent(&self, _key: &str) -> Option<FileContent> {
+        None
+    }
+
     /// Throws away what was stored under a key.
     fn forget(&mut self, _key: &str) {}
+
+    /// Fetches tiles into the browser's cache; those that are there are passed over.
+    fn download(&mut self, _addresses: Vec<String>) {}
+
+    /// How far that is, if it was ever begun.
+    fn download_state(&mut self) -> Option<Download> {
+        None
+    }
+
+    /// Ends it; what has come stays.
+    fn stop_download(&mut self) {}
 
     /// How often the browser refused to store something since the last call, for lack of room.
     fn failed_stores(&mut self) -> usize {

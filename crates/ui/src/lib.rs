@@ -5,6 +5,7 @@ pub mod command;
 pub mod context;
 pub mod dialogs;
 pub mod documents;
+pub mod georeference;
 pub mod host;
 pub mod jobs;
 pub mod kept_mesh;

@@ -34,6 +34,27 @@ extern "C" {
     #[wasm_bindgen(method)]
     pub fn store(this: &Shell, key: &str, bytes: Uint8Array);
 
+    /// Remembers a file in the browser's storage, soon.
+    #[wasm_bindgen(method, js_name = storeFile)]
+    pub fn store_file(this: &Shell, key: &str, file: &JsValue);
+
+    /// Tiles at addresses, from the browser's cache or the web: a promise of an object with `tiles`,
+    /// byte arrays or null, and `problem`, a text or null.
+    #[wasm_bindgen(method, js_name = fetchTiles)]
+    pub fn fetch_tiles(this: &Shell, addresses: js_sys::Array) -> js_sys::Promise;
+
+    /// Fetches tiles into the browser's cache.
+    #[wasm_bindgen(method, js_name = downloadTiles)]
+    pub fn download_tiles(this: &Shell, addresses: js_sys::Array);
+
+    /// How far that is: done, all, failed, over; empty if it was never begun.
+    #[wasm_bindgen(method, js_name = downloadState)]
+    pub fn download_state(this: &Shell) -> Vec<f64>;
+
+    /// Ends it.
+    #[wasm_bindgen(method, js_name = stopDownload)]
+    pub fn stop_download(this: &Shell);
+
     /// Throws away what is in the browser's storage under a key, soon.
     #[wasm_bindgen(method)]
     pub fn forget(this: &Shell, key: &str);

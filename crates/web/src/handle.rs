@@ -6,6 +6,7 @@ use std::rc::Rc;
 
 use js_sys::{Array, Uint8Array};
 use pilotage_ui::host::OpenedFile;
+use pilotage_ui::jobs::FileContent;
 use pilotage_ui::kept_mesh::install;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;
@@ -14,7 +15,8 @@ use crate::accessibility::{KeptTree, tree_json};
 use crate::app::PageApp;
 use crate::browser::Shell;
 use crate::graphics::Graphics;
-use crate::host::PageHost;
+use crate::host::{PageHost, Remembered};
+use crate::lent::{Blob, lend};
 
 /// What `www/main.js` drives, and `window.app` for tests.
 #[wasm_bindgen]
@@ -22,6 +24,7 @@ use crate::host::PageHost;
 pub struct WebHandle {
     runner: eframe::WebRunner,
     remembered: Rc<RefCell<HashMap<String, Vec<u8>>>>,
+    remembered_files: Rc<RefCell<HashMap<String, FileContent>>>,
     running: Rc<RefCell<Option<(egui::Context, PageHost)>>>,
 }
 
@@ -34,6 +37,7 @@ impl WebHandle {
         Self {
             runner: eframe::WebRunner::new(),
             remembered: Rc::default(),
+            remembered_files: Rc::default(),
             running: Rc::default(),
         }
     }
@@ -45,7 +49,10 @@ impl WebHandle {
 
     /// Starts the app on a canvas.
     pub async fn start(&self, canvas: HtmlCanvasElement, shell: Shell) -> Result<(), JsValue> {
-        let remembered = self.remembered.take();
+        let remembered = Remembered {
+            bytes: self.remembered.take(),
+            files: self.remembered_files.take(),
+        };
         let running = self.running.clone();
         let drawn_on = canvas.clone();
         let create: eframe::AppCreator<'static> = Box::new(move |creation| {
@@ -63,14 +70,23 @@ impl WebHandle {
             .await
     }
 
-    /// Gives files to the app: paths and byte arrays, one for one.
+    /// Tells, before the start, which file the browser remembered under a key.
+    pub fn remember_file(&self, key: String, file: &Blob) {
+        self.remembered_files.borrow_mut().insert(key, lend(file));
+    }
+
+    /// Gives files to the app: paths and contents, one for one. A content is a byte array, or the
+    /// file itself, to be read by pieces.
     pub fn open_files(&self, paths: &Array, contents: &Array) {
         let files = paths
             .iter()
             .zip(contents.iter())
-            .map(|(path, bytes)| OpenedFile {
+            .map(|(path, content)| OpenedFile {
                 path: path.as_string().unwrap_or_default(),
-                bytes: Uint8Array::new(&bytes).to_vec().into(),
+                content: match content.dyn_ref::<Uint8Array>() {
+                    Some(bytes) => bytes.to_vec().into(),
+                    None => lend(content.unchecked_ref()),
+                },
             });
         if let Some((_, host)) = &*self.running.borrow() {
             host.open_files(files.collect());

@@ -1,19 +1,33 @@
 //! The page's services for the app.
 
 use std::cell::RefCell;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 use js_sys::Uint8Array;
 use pilotage_core::navigator::{StepReport, StepTiming};
+use pilotage_ui::dialogs::Download;
 use pilotage_ui::host::{Host, OpenedFile};
-use pilotage_ui::jobs::{Crew, Job, JobEvent, JobId, Reply};
+use pilotage_ui::jobs::{Crew, FileContent, Job, JobEvent, JobId, Reply, wanted_addresses};
+
+use wasm_bindgen::JsValue;
 
 use crate::browser::{Shell, now};
+use crate::fetched::fetched;
+use crate::lent;
 use crate::port::{BrowserPort, Inbox, Notice};
 
 /// Longest time spent in one frame on reading what workers said, milliseconds.
 const READING: f64 = 3.0;
+
+/// What the browser remembered of an earlier visit, by key.
+#[derive(Default)]
+pub struct Remembered {
+    /// Documents.
+    pub bytes: HashMap<String, Vec<u8>>,
+    /// Large files.
+    pub files: HashMap<String, FileContent>,
+}
 
 /// The page's services; every clone is the same.
 #[derive(Clone)]
@@ -25,15 +39,44 @@ struct Inner {
     shell: Shell,
     crew: Crew<BrowserPort>,
     inbox: Inbox,
-    remembered: HashMap<String, Vec<u8>>,
+    remembered: Remembered,
     opened: Vec<Vec<OpenedFile>>,
     announced: String,
     timings: Vec<StepTiming>,
+    /// Jobs that wait for tiles of the web.
+    fetching: HashSet<JobId>,
+    /// What was told of tiles that cannot be had.
+    told: Option<String>,
 }
 
 impl PageHost {
+    /// Fetches tiles, then begins the job that reads them.
+    fn fetch_for(&self, job: Job, addresses: Vec<String>) -> JobId {
+        let mut inner = self.inner.borrow_mut();
+        let id = inner.crew.reserve();
+        inner.fetching.insert(id);
+        let list = addresses.iter().map(JsValue::from).collect();
+        let promise = inner.shell.fetch_tiles(list);
+        let shared = self.inner.clone();
+        wasm_bindgen_futures::spawn_local(async move {
+            let came = fetched(addresses, promise).await;
+            let mut inner = shared.borrow_mut();
+            if !inner.fetching.remove(&id) {
+                return;
+            }
+            if came.problem.is_some() && came.problem != inner.told {
+                let text = came.problem.clone().unwrap_or_default();
+                inner.crew.say(id, JobEvent::Remark(text));
+                inner.told = came.problem;
+            }
+            inner.crew.begin(id, job, came.tiles);
+            inner.inbox.context.request_repaint();
+        });
+        id
+    }
+
     /// Services for a page with these remembered documents.
-    pub fn new(shell: Shell, context: egui::Context, remembered: HashMap<String, Vec<u8>>) -> Self {
+    pub fn new(shell: Shell, context: egui::Context, remembered: Remembered) -> Self {
         let inbox = Inbox {
             notices: Rc::default(),
             context,
@@ -49,6 +92,8 @@ impl PageHost {
             opened: Vec::new(),
             announced: String::new(),
             timings: Vec::new(),
+            fetching: HashSet::new(),
+            told: None,
         };
         Self {
             inner: Rc::new(RefCell::new(inner)),
@@ -150,11 +195,42 @@ impl Host for PageHost {
     }
 
     fn start(&mut self, job: Job) -> JobId {
-        self.inner.borrow_mut().crew.start(job)
+        let addresses = wanted_addresses(&job);
+        if addresses.is_empty() {
+            return self.inner.borrow_mut().crew.start(job);
+        }
+        self.fetch_for(job, addresses)
     }
 
     fn cancel(&mut self, job: JobId) {
-        self.inner.borrow_mut().crew.cancel(job);
+        let mut inner = self.inner.borrow_mut();
+        if inner.fetching.remove(&job) {
+            inner.crew.say(job, JobEvent::Cancelled);
+        } else {
+            inner.crew.cancel(job);
+        }
+    }
+
+    fn download(&mut self, addresses: Vec<String>) {
+        let list = addresses.into_iter().map(JsValue::from).collect();
+        self.inner.borrow().shell.download_tiles(list);
+    }
+
+    fn download_state(&mut self) -> Option<Download> {
+        let state = self.inner.borrow().shell.download_state();
+        let [done, all, failed, over] = state[..] else {
+            return None;
+        };
+        Some(Download {
+            done: done as u64,
+            all: all as u64,
+            failed: failed as u64,
+            over: over > 0.0,
+        })
+    }
+
+    fn stop_download(&mut self) {
+        self.inner.borrow().shell.stop_download();
     }
 
     fn events(&mut self) -> Vec<(JobId, JobEvent)> {
@@ -186,7 +262,16 @@ impl Host for PageHost {
     }
 
     fn recall(&self, key: &str) -> Option<Vec<u8>> {
-        self.inner.borrow_mut().remembered.remove(key)
+        self.inner.borrow_mut().remembered.bytes.remove(key)
+    }
+
+    fn store_lent(&mut self, key: &str, number: u32) {
+        let file = lent::file(number);
+        self.inner.borrow().shell.store_file(key, &file);
+    }
+
+    fn recall_lent(&self, key: &str) -> Option<FileContent> {
+        self.inner.borrow_mut().remembered.files.remove(key)
     }
 
     fn forget(&mut self, key: &str) {

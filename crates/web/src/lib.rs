@@ -6,10 +6,12 @@
 mod accessibility;
 mod app;
 mod browser;
+mod fetched;
 mod frame_times;
 mod graphics;
 mod handle;
 mod host;
+mod lent;
 mod message;
 mod port;
 

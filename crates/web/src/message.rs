@@ -1,23 +1,34 @@
 //! What the page posts to a worker; `crates/worker` takes it apart.
 
 use js_sys::{Array, Object, Reflect, Uint8Array};
-use pilotage_ui::jobs::{Job, Request};
+use pilotage_ui::jobs::{FileContent, Job, Request};
 use wasm_bindgen::prelude::*;
 
-/// Makes the message for a request. Files travel as byte arrays beside the rest, because encoding
-/// megabytes would hold up the page.
+use crate::lent;
+
+/// Makes the message for a request. Files travel beside the rest as byte arrays, because encoding
+/// megabytes would hold up the page, and large ones as something to read them from.
 pub fn encode(request: Request) -> Result<JsValue, JsError> {
     if let Request::Start(_, Job::Provide { key, files }) = request {
         let (paths, contents) = (Array::new(), Array::new());
-        for (path, bytes) in files {
+        // Numbers of lent files; zero for others.
+        let numbers = Array::new();
+        for (path, content) in files {
             paths.push(&path.into());
-            contents.push(&Uint8Array::from(bytes.as_slice()));
+            let (number, content) = match content {
+                FileContent::Bytes(bytes) => (0, Uint8Array::from(&*bytes).into()),
+                FileContent::Lent { number, .. } => (number, lent::file(number)),
+                FileContent::Address(address) => (0, address.into()),
+            };
+            contents.push(&content);
+            numbers.push(&number.into());
         }
         let message = Object::new();
         for (name, value) in [
             ("provide", JsValue::from(key)),
             ("paths", paths.into()),
             ("contents", contents.into()),
+            ("numbers", numbers.into()),
         ] {
             Reflect::set(&message, &name.into(), &value)
                 .map_err(|_| JsError::new("cannot build a message"))?;

@@ -1,8 +1,14 @@
 //! The worker's end: a job runner behind messages.
 
+use std::sync::Arc;
+
 use js_sys::{Array, Function, Reflect, Uint8Array};
-use pilotage_ui::jobs::{Job, JobRunner, Reply, Request};
+use pilotage_core::imagery::ByteSource;
+use pilotage_ui::jobs::{FileContent, Job, JobRunner, Reply, Request};
 use wasm_bindgen::prelude::*;
+
+use crate::address::AddressBytes;
+use crate::blob::BlobBytes;
 
 #[wasm_bindgen]
 extern "C" {
@@ -26,8 +32,12 @@ impl WorkerHandle {
     #[wasm_bindgen(constructor)]
     pub fn new(post: Function) -> Self {
         console_error_panic_hook::set_once();
+        let mut runner = JobRunner::new();
+        runner.workshop_mut().open_addresses_by(Box::new(|address| {
+            AddressBytes::open(address).map(|file| Arc::new(file) as Arc<dyn ByteSource>)
+        }));
         Self {
-            runner: JobRunner::new(),
+            runner,
             post,
             last_word: now(),
         }
@@ -35,7 +45,7 @@ impl WorkerHandle {
 
     /// Takes a message of the page.
     pub fn receive(&mut self, message: &JsValue) -> Result<(), JsError> {
-        let request = decode(message)?;
+        let request = self.decode(message)?;
         let post = &self.post;
         self.runner.receive(request, &mut |reply| say(post, &reply));
         Ok(())
@@ -65,29 +75,46 @@ fn say(post: &Function, reply: &Reply) {
     }
 }
 
-/// Takes a message of the page apart: bytes, or an object with files beside their key.
-fn decode(message: &JsValue) -> Result<Request, JsError> {
-    if let Some(bytes) = message.dyn_ref::<Uint8Array>() {
-        return Ok(postcard::from_bytes(&bytes.to_vec())?);
+impl WorkerHandle {
+    /// Takes a message of the page apart: bytes, or an object with files beside their key.
+    fn decode(&mut self, message: &JsValue) -> Result<Request, JsError> {
+        if let Some(bytes) = message.dyn_ref::<Uint8Array>() {
+            return Ok(postcard::from_bytes(&bytes.to_vec())?);
+        }
+        let field = |name: &str| {
+            Reflect::get(message, &name.into())
+                .map_err(|_| JsError::new("a message without its fields"))
+        };
+        let key = field("provide")?
+            .as_string()
+            .ok_or_else(|| JsError::new("a message of an unknown kind"))?;
+        let (paths, contents, numbers) = (
+            Array::from(&field("paths")?),
+            Array::from(&field("contents")?),
+            Array::from(&field("numbers")?),
+        );
+        let mut files = Vec::new();
+        for ((path, content), number) in paths.iter().zip(contents.iter()).zip(numbers.iter()) {
+            let content = match content.dyn_ref::<Uint8Array>() {
+                Some(bytes) => bytes.to_vec().into(),
+                None if content.is_string() => {
+                    FileContent::Address(content.as_string().unwrap_or_default())
+                }
+                None => self.lend(&content, number.as_f64().unwrap_or_default() as u32),
+            };
+            files.push((path.as_string().unwrap_or_default(), content));
+        }
+        Ok(Request::Start(0, Job::Provide { key, files }))
     }
-    let field = |name: &str| {
-        Reflect::get(message, &name.into())
-            .map_err(|_| JsError::new("a message without its fields"))
-    };
-    let key = field("provide")?
-        .as_string()
-        .ok_or_else(|| JsError::new("a message of an unknown kind"))?;
-    let (paths, contents) = (
-        Array::from(&field("paths")?),
-        Array::from(&field("contents")?),
-    );
-    let files = paths
-        .iter()
-        .zip(contents.iter())
-        .map(|(path, bytes)| {
-            let path = path.as_string().unwrap_or_default();
-            (path, Uint8Array::new(&bytes).to_vec())
-        })
-        .collect();
-    Ok(Request::Start(0, Job::Provide { key, files }))
+
+    /// Takes a file that the page lends.
+    fn lend(&mut self, content: &JsValue, number: u32) -> FileContent {
+        let mut length = 0;
+        if content.is_object() {
+            let source = Arc::new(BlobBytes::new(number, content.unchecked_ref()));
+            length = source.length();
+            self.runner.workshop_mut().lend(number, source);
+        }
+        FileContent::Lent { number, length }
+    }
 }

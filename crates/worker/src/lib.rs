@@ -4,6 +4,8 @@
 //! `www/worker.js` makes a `WorkerHandle` in each worker.
 #![cfg(target_arch = "wasm32")]
 
+mod address;
+mod blob;
 mod handle;
 
 pub use handle::WorkerHandle;

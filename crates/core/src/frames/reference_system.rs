@@ -106,6 +106,25 @@ impl ReferenceSystem {
         }
     }
 
+    /// Well-known text as .prj files hold it, in the words of ESRI, which most programs read.
+    pub fn well_known_text(&self) -> String {
+        let globe = r#"GEOGCS["GCS_WGS_1984",DATUM["D_WGS_1984",SPHEROID["WGS_1984",6378137.0,298.257223563]],PRIMEM["Greenwich",0.0],UNIT["Degree",0.0174532925199433]]"#;
+        match self {
+            Self::Geographic => globe.to_owned(),
+            Self::WebMercator => format!(
+                r#"PROJCS["WGS_1984_Web_Mercator_Auxiliary_Sphere",{globe},PROJECTION["Mercator_Auxiliary_Sphere"],PARAMETER["False_Easting",0.0],PARAMETER["False_Northing",0.0],PARAMETER["Central_Meridian",0.0],PARAMETER["Standard_Parallel_1",0.0],PARAMETER["Auxiliary_Sphere_Type",0.0],UNIT["Meter",1.0]]"#
+            ),
+            Self::Utm { zone, is_south } => {
+                let hemisphere = if *is_south { 'S' } else { 'N' };
+                let north = if *is_south { FALSE_NORTHING_SOUTH } else { 0.0 };
+                let meridian = 6 * i32::from(*zone) - 183;
+                format!(
+                    r#"PROJCS["WGS_1984_UTM_Zone_{zone}{hemisphere}",{globe},PROJECTION["Transverse_Mercator"],PARAMETER["False_Easting",{FALSE_EASTING:.1}],PARAMETER["False_Northing",{north:.1}],PARAMETER["Central_Meridian",{meridian}.0],PARAMETER["Scale_Factor",0.9996],PARAMETER["Latitude_Of_Origin",0.0],UNIT["Meter",1.0]]"#
+                )
+            }
+        }
+    }
+
     /// The UTM zone that holds a place, without the exceptions of Norway and Svalbard.
     pub fn utm_around(place: &Geodetic) -> Self {
         let zones = (place.longitude.to_degrees() + 180.0).rem_euclid(360.0) / 6.0;
@@ -217,6 +236,15 @@ mod tests {
             r#"PROJCS["WGS_1984_Lambert",GEOGCS["GCS_WGS_1984","#,
         ] {
             assert_eq!(named(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_system_is_known_by_the_text_that_is_written_for_it() {
+        for code in [4326, 3857, 32_601, 32_615, 32_760] {
+            let system = ReferenceSystem::from_epsg(code).unwrap();
+            let text = system.well_known_text();
+            assert_eq!(ReferenceSystem::from_name(&text), Some(system), "{text}");
         }
     }
 

@@ -1,6 +1,6 @@
 //! Where the pixels of a picture lie on the ground: world files and fitted similarities.
 
-use nalgebra::{Matrix2, Point2, Vector2};
+use nalgebra::{Matrix2, Matrix3, Point2, Vector2};
 use serde::{Deserialize, Serialize};
 
 use crate::frames::{Geodetic, GroundPoint, LocalFrame, ReferenceSystem};
@@ -57,6 +57,14 @@ pub enum Georeference {
     },
     /// A similarity to metres on a sphere around an origin.
     Similarity(Similarity),
+    /// Coordinates of a reference system through perspective, as of a plane that was seen askew.
+    Projective {
+        /// What the coordinates mean.
+        system: ReferenceSystem,
+        /// (x, y, 1) up to a factor from (column, row, 1), pixel centres at half integers; the factor
+        /// is positive on the seen side of the horizon.
+        plane_from_pixel: Matrix3<f64>,
+    },
 }
 
 /// The six numbers of a world file: x = a·column + b·row + c, y = d·column + e·row + f for the
@@ -153,6 +161,12 @@ impl Georeference {
         match self {
             Self::Metres(file) | Self::Projected { file, .. } => Self::Projected { system, file },
             Self::Similarity(_) => self,
+            Self::Projective {
+                plane_from_pixel, ..
+            } => Self::Projective {
+                system,
+                plane_from_pixel,
+            },
         }
     }
 
@@ -191,6 +205,14 @@ impl Georeference {
                 system.geodetic(x, y)
             }
             Self::Similarity(s) => Some(Geodetic::from_degrees(s.origin_lat, s.origin_lon, 0.0)),
+            Self::Projective {
+                system,
+                plane_from_pixel,
+            } => {
+                let middle = Point2::new(0.5 * width as f64, 0.5 * height as f64);
+                let place = seen_through(plane_from_pixel, &middle)?;
+                system.geodetic(place.x, place.y)
+            }
         }
     }
 
@@ -214,6 +236,14 @@ impl Georeference {
                 let (latitude, longitude) = s.degrees_at(x, y);
                 frame.ground_from_geodetic(&Geodetic::from_degrees(latitude, longitude, 0.0))
             }
+            Self::Projective {
+                system,
+                plane_from_pixel,
+            } => seen_through(plane_from_pixel, &Point2::new(x, y))
+                .and_then(|place| system.geodetic(place.x, place.y))
+                .map_or(GroundPoint::new(f64::NAN, f64::NAN), |place| {
+                    frame.ground_from_geodetic(&place)
+                }),
         }
     }
 
@@ -227,6 +257,17 @@ impl Georeference {
                 file.pixel_at(x, y)
             }
             Self::Similarity(s) => s.pixel_at(&frame.geodetic_from_ground(ground)),
+            Self::Projective {
+                system,
+                plane_from_pixel,
+            } => {
+                let (x, y) = system.coordinates(&frame.geodetic_from_ground(ground))?;
+                let inverse = plane_from_pixel.try_inverse()?;
+                let h = inverse * Point2::new(x, y).to_homogeneous();
+                let pixel = Point2::new(h.x / h.z, h.y / h.z);
+                // The inverse has lost the side of the horizon.
+                seen_through(plane_from_pixel, &pixel).map(|_| pixel)
+            }
         }
     }
 
@@ -256,6 +297,12 @@ impl Georeference {
             Err(GeoreferenceError::Degenerate)
         }
     }
+}
+
+/// A pixel under a projective map; `None` beyond the horizon.
+fn seen_through(matrix: &Matrix3<f64>, pixel: &Point2<f64>) -> Option<Point2<f64>> {
+    let h = matrix * pixel.to_homogeneous();
+    (h.z > 0.0).then(|| Point2::new(h.x / h.z, h.y / h.z))
 }
 
 /// The six lines of the file, in digits that read back the same.

@@ -102,6 +102,23 @@ pub trait Imagery: Send + Sync {
     fn is_coarse_cheap(&self) -> bool {
         true
     }
+
+    /// The window without waiting for what takes long: what is not there yet is transparent. Also
+    /// says whether the window is whole; if not, [`prepare`](Self::prepare) and ask again.
+    fn window_so_far(&self, window: &Window) -> (Raster<Rgba>, bool) {
+        (self.window(window), true)
+    }
+
+    /// Does up to so many pieces of what takes long ahead of its use; gives the number of pieces
+    /// that are done and of all. A map that is quick everywhere has none.
+    fn prepare(&self, _pieces: usize) -> (usize, usize) {
+        (0, 0)
+    }
+
+    /// Parts that could not be read and are shown as empty, in words: the first few, each once.
+    fn problems(&self) -> Vec<String> {
+        Vec::new()
+    }
 }
 
 impl<T: Imagery + ?Sized> Imagery for std::sync::Arc<T> {
@@ -123,5 +140,17 @@ impl<T: Imagery + ?Sized> Imagery for std::sync::Arc<T> {
 
     fn is_coarse_cheap(&self) -> bool {
         (**self).is_coarse_cheap()
+    }
+
+    fn window_so_far(&self, window: &Window) -> (Raster<Rgba>, bool) {
+        (**self).window_so_far(window)
+    }
+
+    fn prepare(&self, pieces: usize) -> (usize, usize) {
+        (**self).prepare(pieces)
+    }
+
+    fn problems(&self) -> Vec<String> {
+        (**self).problems()
     }
 }

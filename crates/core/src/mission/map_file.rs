@@ -92,8 +92,13 @@ pub enum MapError {
 pub struct MapOptions {
     /// The world frame to put it into; its own, around its own middle, if there is none.
     pub frame: Option<LocalFrame>,
+    /// Where there is no `frame`: a world frame to put the map into if the map's middle lies within
+    /// that many metres of its origin.
+    pub near: Option<(LocalFrame, f64)>,
     /// The reference system of its coordinates, before whatever its files say.
     pub system: Option<ReferenceSystem>,
+    /// Where its pixels lie, in place of whatever its files say.
+    pub place: Option<Georeference>,
     /// How much memory it may keep.
     pub memory: MapMemory,
 }
@@ -109,6 +114,16 @@ pub enum OpenMap {
 }
 
 impl OpenMap {
+    /// The world frame that the map was put into; `None` if it counts in metres of no place on the
+    /// globe.
+    pub fn frame(&self) -> Option<&LocalFrame> {
+        match self {
+            Self::Picture(picture) => picture.placement().frame(),
+            Self::GeoTiff(map) => map.placement().frame(),
+            Self::PmTiles(map) => Some(map.frame()),
+        }
+    }
+
     /// Where the pixels lie; tiles have many sizes of pixels and no one place.
     pub fn placement(&self) -> Option<&Placement> {
         match self {
@@ -142,6 +157,18 @@ impl Imagery for OpenMap {
 
     fn window(&self, window: &Window) -> Raster<Rgba> {
         self.imagery().window(window)
+    }
+
+    fn window_so_far(&self, window: &Window) -> (Raster<Rgba>, bool) {
+        self.imagery().window_so_far(window)
+    }
+
+    fn prepare(&self, pieces: usize) -> (usize, usize) {
+        self.imagery().prepare(pieces)
+    }
+
+    fn problems(&self) -> Vec<String> {
+        self.imagery().problems()
     }
 }
 
@@ -199,6 +226,11 @@ fn open_geo_tiff(
     options: &MapOptions,
 ) -> Result<GeoTiff, MapError> {
     let source = files.source(name).ok_or_else(|| missing(name))?;
+    if let Some(place) = options.place {
+        let file = GeoTiffFile::put(source, place)?;
+        let frame = frame_of(options, file.origin());
+        return Ok(GeoTiff::new(file, &frame, options.memory)?);
+    }
     let beside = place_beside(files, name, options)?.map(|(_, place)| place);
     let system = match options.system {
         Some(system) => Some(system),
@@ -245,7 +277,10 @@ fn missing(name: &str) -> MapError {
 }
 
 fn frame_of(options: &MapOptions, origin: Option<Geodetic>) -> LocalFrame {
-    (options.frame)
+    let near = (options.near.zip(origin))
+        .filter(|((frame, reach), own)| frame.world_from_geodetic(own).coords.norm() <= *reach)
+        .map(|((frame, _), _)| frame);
+    (options.frame.or(near))
         .or_else(|| origin.map(LocalFrame::new))
         // A world file in metres needs no place on the globe.
         .unwrap_or_else(|| LocalFrame::new(Geodetic::from_degrees(0.0, 0.0, 0.0)))
@@ -257,6 +292,9 @@ fn place_beside(
     picture: &str,
     options: &MapOptions,
 ) -> Result<Option<(String, Georeference)>, MapError> {
+    if let Some(place) = options.place {
+        return Ok(Some((picture.to_owned(), place)));
+    }
     let Some((side, text)) = side_file(files, picture) else {
         return Ok(None);
     };
@@ -350,6 +388,29 @@ mod tests {
         };
         let map = open_map_with(&files(&[("map.pgw", TURNED)]), "map.png", &options).unwrap();
         assert!(map.bounds().west.abs() < 20.0);
+    }
+
+    #[test]
+    fn a_map_keeps_to_a_world_that_is_near_and_makes_its_own_elsewhere() {
+        let files = files(&[("map.pgw", TURNED), ("map.prj", PRJ)]);
+        let own = open_map(&files, "map.png", None).unwrap();
+        let own = own.frame().unwrap().origin;
+        let world = |degrees_north: f64| {
+            let mut origin = own;
+            origin.latitude += degrees_north.to_radians();
+            let options = MapOptions {
+                near: Some((LocalFrame::new(origin), 50_000.0)),
+                ..MapOptions::default()
+            };
+            let map = open_map_with(&files, "map.png", &options).unwrap();
+            (origin, map.frame().unwrap().origin, map.bounds().north)
+        };
+        let (near, chosen, north) = world(0.1);
+        assert_eq!(chosen, near);
+        assert!((north + 11_100.0).abs() < 100.0, "{north}");
+        let (_, chosen, north) = world(1.0);
+        assert_eq!(chosen, own);
+        assert!(north.abs() < 100.0);
     }
 
     #[test]

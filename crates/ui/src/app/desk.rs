@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::keeping::Keeping;
+use crate::dialogs::Download;
 use crate::documents::Staged;
 use crate::host::OpenedFile;
 use crate::jobs::{FlightSource, JobId, MapSource};
@@ -39,12 +40,18 @@ pub struct Opening {
     pub key: String,
     /// What people call them.
     pub name: String,
+    /// What is going on, in words.
+    pub words: String,
     /// The files themselves, to be kept if they are of use.
     pub files: Vec<OpenedFile>,
 }
 
 /// Everything that is being computed.
 #[derive(Debug, Default)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a wish of its own that waits for something"
+)]
 pub struct Desk {
     /// The flight being flown.
     pub fly: Option<FlyJob>,
@@ -52,6 +59,28 @@ pub struct Desk {
     pub fly_again_at: Option<f64>,
     /// Tiles asked for.
     pub tiles: HashMap<JobId, TileKey>,
+    /// The map being made ready for wide views: job, how far, in words.
+    pub preparing: Option<(JobId, f32, String)>,
+    /// Whether the user stopped that.
+    pub prepare_declined: bool,
+    /// When tiles that are not whole were asked for again, milliseconds.
+    pub tiles_refreshed: f64,
+    /// Whether the map is to be shown whole once it is known how far it reaches.
+    pub fit_map_when_known: bool,
+    /// Tiles asked for of the picture that is put on the ground.
+    pub picture_tiles: HashMap<JobId, TileKey>,
+    /// The question what that picture is.
+    pub describe_picture: Option<JobId>,
+    /// The files that the picture is among: what people call them, and they themselves.
+    pub picture_files: Option<(String, Vec<OpenedFile>)>,
+    /// Named places being read.
+    pub places: Option<JobId>,
+    /// How far a download of tiles is.
+    pub download: Option<Download>,
+    /// Whether it was begun here and is not over.
+    pub downloading: bool,
+    /// Heights being taken.
+    pub heights: Option<JobId>,
     /// The question what the map is.
     pub describe: Option<JobId>,
     /// The landmark whose distinctness is being examined.
@@ -79,9 +108,17 @@ pub struct Desk {
 }
 
 impl Desk {
-    /// How far the flight is, and in words.
+    /// How far what is being computed is, and in words.
     pub fn progress(&self) -> Option<(f32, &str)> {
-        let fly = self.fly.as_ref()?;
-        Some((fly.progress, fly.words.as_str()))
+        let fly = self.fly.as_ref().map(|f| (f.progress, f.words.as_str()));
+        let opening = || {
+            let (_, opening) = self.opening.iter().next()?;
+            Some((0.0, opening.words.as_str()))
+        };
+        let preparing = || {
+            let (_, part, words) = self.preparing.as_ref()?;
+            Some((*part, words.as_str()))
+        };
+        fly.or_else(opening).or_else(preparing)
     }
 }

@@ -21,6 +21,17 @@ impl App {
         }
         match command {
             Command::Plan(command) => self.plan(command, now),
+            Command::WebMap(command) => self.web_map(command, host),
+            Command::Georeference(command) => self.georeference(&command, host),
+            Command::Undo | Command::Redo if self.views.georeferencer.is_some() => {
+                if let Some(georeferencer) = &mut self.views.georeferencer {
+                    if command == Command::Undo {
+                        georeferencer.undo();
+                    } else {
+                        georeferencer.redo();
+                    }
+                }
+            }
             Command::TogglePlay
             | Command::SeekTo(_)
             | Command::StepFrames(_)
@@ -217,6 +228,9 @@ impl App {
                 self.fly_new(host, demo.flight, demo.map, None);
             }
             Command::FlyAgain => self.fly_again(host),
+            Command::CancelJob if self.desk.fly.is_none() => {
+                let _ = self.stop_opening(host) || self.stop_preparing(host);
+            }
             Command::CancelJob => {
                 self.documents.run_complete |= self.desk.fly.as_ref().is_some_and(|f| f.began);
                 self.stop_flying(host);

@@ -26,11 +26,14 @@ impl App {
         }
     }
 
-    fn open_files(&mut self, host: &mut dyn Host, batch: Vec<OpenedFile>) {
+    pub(super) fn open_files(&mut self, host: &mut dyn Host, batch: Vec<OpenedFile>) {
         if batch.is_empty() {
             return;
         }
         self.desk.opened_batches += 1;
+        if self.open_for_georeferencer(host, &batch) {
+            return;
+        }
         let key = format!("opened-{}", self.desk.opened_batches);
         let name = match batch.as_slice() {
             [one] => one.path.clone(),
@@ -42,15 +45,23 @@ impl App {
         };
         let files = batch
             .iter()
-            .map(|f| (f.path.clone(), f.bytes.to_vec()))
+            .map(|f| (f.path.clone(), f.content.clone()))
             .collect();
         host.start(Job::Provide {
             key: key.clone(),
             files,
         });
-        let id = host.start(Job::Open { key: key.clone() });
-        let files = batch;
-        self.desk.opening.insert(id, Opening { key, name, files });
+        let id = host.start(Job::Open {
+            key: key.clone(),
+            near: self.documents.world_origin(),
+        });
+        let opening = Opening {
+            words: format!("Opening {name}"),
+            key,
+            name,
+            files: batch,
+        };
+        self.desk.opening.insert(id, opening);
     }
 
     fn event(&mut self, context: &egui::Context, host: &mut dyn Host, id: JobId, event: JobEvent) {
@@ -58,7 +69,11 @@ impl App {
         } else if self.desk.fly.as_ref().is_some_and(|f| f.id == id) {
             self.fly_event(host, event);
         } else if self.desk.tiles.contains_key(&id) {
-            self.tile_event(context, id, event);
+            self.tile_event(context, host, id, event);
+        } else if self.is_georeferencing(id) {
+            self.georeferencing_event(context, host, id, event);
+        } else if self.is_map_work(id) {
+            self.map_work_event(host, id, event);
         } else if self.desk.describe == Some(id) {
             self.map_event(host, event);
         } else if let Some((_, landmark)) = self.desk.distinctness.filter(|d| d.0 == id) {
@@ -90,26 +105,6 @@ impl App {
         }
     }
 
-    fn tile_event(&mut self, context: &egui::Context, id: JobId, event: JobEvent) {
-        match event {
-            JobEvent::Tile { window, pixels } => {
-                self.views.map.tiles.insert(context, &window, &pixels);
-                self.desk.tiles.remove(&id);
-            }
-            JobEvent::Finished | JobEvent::Cancelled => {
-                self.desk.tiles.remove(&id);
-            }
-            JobEvent::Failed(_) => {
-                // An empty tile is not asked for again; the map stays usable without it.
-                if let Some(key) = self.desk.tiles.remove(&id) {
-                    let empty = pilotage_core::raster::Raster::filled(0, 0, [0; 4]);
-                    self.views.map.tiles.insert(context, &key.window(), &empty);
-                }
-            }
-            _ => {}
-        }
-    }
-
     fn picture_event(&mut self, event: JobEvent) {
         match event {
             JobEvent::Picture { width, pixels } => {
@@ -121,27 +116,6 @@ impl App {
             JobEvent::Finished | JobEvent::Cancelled | JobEvent::Failed(_) => {
                 self.desk.decoding = None;
             }
-            _ => {}
-        }
-    }
-
-    fn map_event(&mut self, host: &mut dyn Host, event: JobEvent) {
-        match event {
-            JobEvent::MapInfo(info) => {
-                if self.documents.run.is_none() && self.documents.flight.is_none() {
-                    self.views.map.camera.center = info.bounds.center();
-                }
-                self.documents.map = Some(info);
-                if std::mem::take(&mut self.desk.fit_when_known) {
-                    self.fit_to_flight_and_map();
-                }
-            }
-            JobEvent::Failed(why) => {
-                self.desk.describe = None;
-                self.toasts
-                    .trouble(host.now(), "The map cannot be shown", why);
-            }
-            JobEvent::Finished | JobEvent::Cancelled => self.desk.describe = None,
             _ => {}
         }
     }
@@ -240,7 +214,7 @@ impl App {
     }
 
     /// Shows all of the flight and, unless it is far larger, all of the map.
-    fn fit_to_flight_and_map(&mut self) {
+    pub(super) fn fit_to_flight_and_map(&mut self) {
         let Some(flight) = self.flight_ground() else {
             return;
         };
@@ -299,21 +273,37 @@ impl App {
             key: _,
             flight,
             map,
+            terrain,
             mission,
             run,
+            unplaced,
             remarks,
         } = opened;
+        if let Some(unplaced) = unplaced {
+            self.begin_georeferencing(host, opening, unplaced);
+            return;
+        }
         let mut parts = Vec::new();
         let has_flight = flight.is_some();
-        if has_flight || map.is_some() {
+        if has_flight || map.is_some() || terrain.is_some() {
             self.keep_files(host, &opening.key, &opening.name, &opening.files);
         }
-        let map_source = if map.is_some() {
+        let map_source = if let Some(info) = &map {
             parts.push("a map");
-            MapSource::Files(opening.key.clone())
+            match info.origin.filter(|_| !has_flight) {
+                Some(origin) => MapSource::Placed {
+                    key: opening.key.clone(),
+                    origin,
+                },
+                None => MapSource::Files(opening.key.clone()),
+            }
         } else {
             self.documents.map_source.clone()
         };
+        if let Some(terrain) = terrain {
+            parts.push("an elevation model");
+            self.take_terrain(host, &opening.key, &terrain);
+        }
         if has_flight {
             parts.push("a flight");
             let mission_given = mission.is_some();
@@ -323,12 +313,8 @@ impl App {
             let source = FlightSource::Files(opening.key.clone());
             self.fly_new(host, source, map_source, mission);
         } else {
-            if map.is_some() {
-                self.change_map(host, map_source);
-                if let Some(info) = &map {
-                    self.views.map.fit(info.bounds);
-                }
-                self.documents.map = map;
+            if let Some(info) = map {
+                self.show_opened_map(host, map_source, info);
             }
             if let Some(mission) = mission {
                 parts.push("a mission");

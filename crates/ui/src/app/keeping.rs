@@ -1,13 +1,14 @@
 //! Opened files put into the browser's storage and thrown away again, a little in every frame.
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
-use std::sync::Arc;
 
 use super::App;
-use crate::documents::kept::{MOST_KEPT, encode_list, file_key, list_key, recall_files};
+use crate::documents::kept::{
+    MOST_KEPT, MOST_LENT_KEPT, address_key, encode_list, file_key, list_key, recall_files,
+};
 use crate::documents::{Documents, Session};
 use crate::host::{Host, OpenedFile};
-use crate::jobs::{FlightSource, Job, MapSource};
+use crate::jobs::{FileContent, FlightSource, Job, MapSource};
 
 /// Bytes stored in one frame, after which the rest waits for the next.
 const PER_FRAME: usize = 2 << 20;
@@ -15,7 +16,7 @@ const PER_FRAME: usize = 2 << 20;
 /// One thing to do with the storage.
 #[derive(Debug)]
 enum Deed {
-    Store(String, Arc<[u8]>),
+    Store(String, FileContent),
     Forget(String),
 }
 
@@ -35,10 +36,10 @@ impl Keeping {
 
     fn keep(&mut self, set: &str, files: &[OpenedFile]) {
         let stores = files.iter().enumerate();
-        let stores = stores.map(|(n, f)| Deed::Store(file_key(set, n), f.bytes.clone()));
+        let stores = stores.map(|(n, f)| Deed::Store(file_key(set, n), f.content.clone()));
         self.waiting.extend(stores);
         let paths: Vec<String> = files.iter().map(|f| f.path.clone()).collect();
-        let list = encode_list(&paths).into();
+        let list = FileContent::from(encode_list(&paths));
         self.waiting.push_back(Deed::Store(list_key(set), list));
         self.sets.insert(set.to_owned(), files.len());
     }
@@ -50,7 +51,10 @@ impl Keeping {
             let kept = used.contains(set.as_str());
             if !kept {
                 waiting.push_back(Deed::Forget(list_key(set)));
-                waiting.extend((0..*count).map(|n| Deed::Forget(file_key(set, n))));
+                for key in (0..*count).map(|n| file_key(set, n)) {
+                    waiting.push_back(Deed::Forget(address_key(&key)));
+                    waiting.push_back(Deed::Forget(key));
+                }
             }
             kept
         });
@@ -61,9 +65,15 @@ impl Keeping {
         let mut room = PER_FRAME;
         while let Some(deed) = self.waiting.pop_front() {
             match deed {
-                Deed::Store(key, bytes) => {
+                Deed::Store(key, FileContent::Bytes(bytes)) => {
                     host.store(&key, &bytes);
                     room = room.saturating_sub(bytes.len());
+                }
+                Deed::Store(key, FileContent::Lent { number, .. }) => {
+                    host.store_lent(&key, number);
+                }
+                Deed::Store(key, FileContent::Address(address)) => {
+                    host.store(&address_key(&key), address.as_bytes());
                 }
                 Deed::Forget(key) => host.forget(&key),
             }
@@ -78,13 +88,9 @@ impl Keeping {
 fn file_sets<'a>(flight: &'a FlightSource, map: &'a MapSource) -> BTreeSet<&'a str> {
     let flight = match flight {
         FlightSource::Files(set) => Some(set.as_str()),
-        FlightSource::Simulated(_) => None,
+        FlightSource::Simulated(_) | FlightSource::Nothing => None,
     };
-    let map = match map {
-        MapSource::Files(set) => Some(set.as_str()),
-        MapSource::Scenery => None,
-    };
-    flight.into_iter().chain(map).collect()
+    flight.into_iter().chain(map.key()).collect()
 }
 
 impl App {
@@ -96,16 +102,20 @@ impl App {
         name: &str,
         files: &[OpenedFile],
     ) {
-        let total: usize = files.iter().map(|f| f.bytes.len()).sum();
-        if total <= MOST_KEPT {
+        let is_lent = |f: &&OpenedFile| matches!(f.content, FileContent::Lent { .. });
+        let length = |f: &OpenedFile| f.content.length();
+        let total: u64 = files.iter().map(length).sum();
+        let lent: u64 = files.iter().filter(is_lent).map(length).sum();
+        if total - lent <= MOST_KEPT && lent <= MOST_LENT_KEPT {
             self.desk.keeping.keep(set, files);
             return;
         }
         let text = format!(
-            "They are {} MB, and the browser keeps at most {} MB of files. Save the mission before \
-             you leave, and open the files again next time.",
+            "They are {} MB, and the browser keeps at most {} MB of files and {} MB of large ones. \
+             Save the mission before you leave, and open the files again next time.",
             total >> 20,
-            MOST_KEPT >> 20
+            MOST_KEPT >> 20,
+            MOST_LENT_KEPT >> 20
         );
         let title = format!("{name} will be gone when the page is closed");
         self.toasts.note(host.now(), title, text);
@@ -130,6 +140,7 @@ impl App {
     pub(super) fn forget_unused_files(&mut self) {
         let documents = &self.documents;
         let mut used = file_sets(&documents.flight_source, &documents.map_source);
+        used.extend(documents.terrain.key());
         if let Some(fly) = &self.desk.fly {
             used.extend(file_sets(&fly.flight, &fly.map));
         }
@@ -141,7 +152,10 @@ impl App {
     /// Gives the workers the files of the earlier visit; without them the demo opens instead.
     pub(super) fn restore_files(&mut self, host: &mut dyn Host) {
         let session = self.documents.session();
-        for set in file_sets(&session.flight, &session.map) {
+        let mut sets = file_sets(&session.flight, &session.map);
+        sets.extend(self.documents.terrain.key());
+        let sets: Vec<String> = sets.into_iter().map(str::to_owned).collect();
+        for set in &sets {
             let Some(files) = recall_files(host, set) else {
                 self.documents = Documents::new(&Session::demo());
                 self.toasts.note(

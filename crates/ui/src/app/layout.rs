@@ -4,11 +4,14 @@ use std::sync::Arc;
 
 use egui::{Frame, Margin, Panel, Stroke, Ui, vec2};
 
+use pilotage_core::frames::LocalFrame;
+
 use super::{App, SideTab, Views};
 use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
 use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
+use crate::jobs::MapSource;
 use crate::map::MapExtra;
 use crate::plan::plan_readouts;
 use crate::shell::{Examined, TopBar, help_sheet, icon_button, icons::Icon, tab, top_bar};
@@ -102,6 +105,11 @@ impl App {
             examined_in_vain: desk.examined_in_vain.as_ref(),
         };
         let planning = scene.view.workspace == Workspace::Plan;
+        if views.georeferencer.is_some() {
+            georeferencing(ui, &mut scene, views, commands);
+            self.overlays(ui, &tokens, now, commands, narrow);
+            return;
+        }
         if planning {
             if plots_open {
                 plan_strip(ui, &mut scene, views, commands);
@@ -139,9 +147,45 @@ impl App {
         if self.dialogs.help && help_sheet(ui.ctx(), tokens) {
             self.dialogs.help = false;
         }
+        self.web_map_dialog(ui, commands);
         let bottom = if narrow { 112.0 } else { 80.0 };
         self.toasts.show(ui, tokens, now, bottom);
     }
+}
+
+/// The picture that is put on the ground, the map beside it, and the points.
+fn georeferencing(
+    ui: &mut Ui,
+    scene: &mut Scene<'_>,
+    views: &mut Views,
+    commands: &mut Vec<Command>,
+) {
+    let tokens = scene.tokens;
+    let units = scene.view.units;
+    let Some(georeferencer) = &mut views.georeferencer else {
+        return;
+    };
+    let width = ui.ctx().content_rect().width();
+    Panel::right("georeferencer")
+        .exact_size(if width >= 1180.0 { 344.0 } else { 300.0 })
+        .frame(plain_frame(tokens, Margin::symmetric(12, 8)))
+        .show(ui, |ui| {
+            let width = ui.available_width();
+            egui::ScrollArea::vertical()
+                .auto_shrink(false)
+                .show(ui, |ui| {
+                    ui.set_max_width(width);
+                    georeferencer.panel(ui, tokens, units, commands);
+                });
+        });
+    let half = 0.5 * ui.available_width();
+    Panel::left("picture")
+        .resizable(true)
+        .default_size(half)
+        .size_range(160.0..=1.6 * half)
+        .frame(Frame::new().fill(tokens.background))
+        .show(ui, |ui| georeferencer.show_picture(ui, tokens));
+    map(ui, scene, views, commands);
 }
 
 fn plain_frame(tokens: &Tokens, margin: Margin) -> Frame {
@@ -395,7 +439,8 @@ fn tour(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Co
 
 fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
     let tokens = scene.tokens;
-    let planning = scene.view.workspace == Workspace::Plan;
+    let georeferencing = views.georeferencer.is_some();
+    let planning = scene.view.workspace == Workspace::Plan && !georeferencing;
     let planner = &views.planner;
     egui::CentralPanel::default()
         .frame(Frame::new().fill(tokens.background))
@@ -409,13 +454,20 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                     .selection
                     .and_then(|id| scene.documents.distinctness_of(id)),
                 plan: planning.then_some(planner),
+                frame: scene.documents.world_origin().map(LocalFrame::new),
+                ground: &scene.documents.terrain,
+                attribution: match &scene.documents.map_source {
+                    MapSource::Web(map) => Some(&map.template.attribution),
+                    _ => None,
+                },
             };
             scene.with_context(commands, |context| {
-                if planning {
+                if planning || georeferencing {
                     // What was flown is Replay's; here lies what is to be flown.
                     (context.run, context.ghost, context.flight) = (None, None, None);
                 }
-                views.map.show(ui, context, &extra);
+                let georeferencer = views.georeferencer.as_mut();
+                views.map.show(ui, context, &extra, georeferencer);
             });
             if planning {
                 let corner = rect.left_top() + vec2(16.0, 16.0);
@@ -427,6 +479,9 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                 if let Some(covered) = planner.heat_legend(ui, tokens, below) {
                     views.map.cover(covered);
                 }
+                return;
+            }
+            if georeferencing {
                 return;
             }
             if let Some(covered) = advice(ui, rect, scene, commands) {

@@ -2,17 +2,21 @@
 
 mod desk;
 mod execute;
+mod georeferencing;
 mod inbox;
 mod keeping;
 mod layout;
+mod maps;
 mod planning;
 mod report;
 mod start;
+mod web_maps;
 mod work;
 
 use crate::command::{Command, Workspace};
-use crate::dialogs::SimulateDialog;
+use crate::dialogs::{SimulateDialog, WebMapDialog};
 use crate::documents::{Documents, ViewState};
+use crate::georeference::Georeferencer;
 use crate::host::Host;
 use crate::map::MapView;
 use crate::plan::Planner;
@@ -45,6 +49,7 @@ pub enum SideTab {
 struct Dialogs {
     palette: Palette,
     simulate: SimulateDialog,
+    web_map: WebMapDialog,
     help: bool,
     settings: bool,
 }
@@ -61,6 +66,7 @@ struct Views {
     tour: Tour,
     landmarks: LandmarkList,
     planner: Planner,
+    georeferencer: Option<Georeferencer>,
 }
 
 /// The app.

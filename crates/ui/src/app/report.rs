@@ -1,11 +1,13 @@
 //! The app's state in words and as JSON, for screen readers and for journeys in the browser.
 
 use egui::Rect;
+use pilotage_core::imagery::terrain::Terrain as _;
 use pilotage_core::navigator::{Run, StepReport};
 use serde_json::{Value, json};
 
 use super::App;
 use crate::context::Drawn;
+use crate::jobs::MapSource;
 use crate::timeline::clock_text;
 
 fn rect_json(rect: Option<Rect>) -> Value {
@@ -55,6 +57,37 @@ impl App {
         let found = self.selection.and_then(|id| documents.distinctness_of(id));
         json!({
             "title": documents.title(),
+            "origin": documents.world_origin().map(|o| {
+                [o.latitude.to_degrees(), o.longitude.to_degrees()]
+            }),
+            "georeferencer": self.views.georeferencer.as_ref().map(|it| {
+                let fit = it.fitted().as_ref().ok();
+                json!({
+                    "name": it.name,
+                    "size": it.size.map(|(w, h)| [w, h]),
+                    "points": it.points.len(),
+                    "on": it.points.iter().filter(|p| p.enabled).count(),
+                    "pending": [it.pending.pixel.is_some(), it.pending.place.is_some()],
+                    "picture": rect_json(it.canvas.rect()),
+                    "picture_center": [it.canvas.camera.center.east, -it.canvas.camera.center.north],
+                    "pixels_per_point": it.canvas.camera.metres_per_point,
+                    "rms_pixels": fit.map(|f| f.rms_in_pixels),
+                    "rms_metres": fit.map(|f| f.rms_in_plane),
+                    "rms_left_out": fit.and_then(|f| f.rms_left_out),
+                    "places": it.places.len(),
+                    "epsg": it.system.map(|s| s.epsg()),
+                })
+            }),
+            "terrain": documents.terrain.heights().map(|grid| {
+                let center = grid.height_at(&self.views.map.camera.center);
+                json!({
+                    "name": grid.name(),
+                    "datum": grid.datum().name(),
+                    "spacing": grid.spacing(),
+                    "extremes": grid.extremes().map(|(low, high)| [low, high]),
+                    "center": center,
+                })
+            }),
             "flight": documents.flight.as_ref().map(|f| f.name.clone()),
             "frames": documents.flight.as_ref().map_or(0, |f| f.frames.len()),
             "pictures": documents.pictures.len(),
@@ -124,12 +157,16 @@ impl App {
             "side_tab": format!("{:?}", self.side_tab),
             "dark": self.view.dark,
             "units": format!("{:?}", self.view.units),
+            "download": self.desk.download.map(|d| {
+                json!({"done": d.done, "all": d.all, "failed": d.failed, "over": d.over})
+            }),
             "toasts": toasts,
             "dialogs": {
                 "palette": self.dialogs.palette.is_open(),
                 "help": self.dialogs.help,
                 "simulate": self.dialogs.simulate.is_open(),
                 "settings": self.dialogs.settings,
+                "web_map": self.dialogs.web_map.is_open(),
             },
             "map": {
                 "rect": rect_json(map.rect()),
@@ -142,6 +179,16 @@ impl App {
                 "tiles": map.tiles.count(),
                 "tiles_wanted": map.tiles.wanted().len(),
                 "known": self.documents.map.is_some(),
+                "whole": map.tiles.is_whole(),
+                "attribution": match &self.documents.map_source {
+                    MapSource::Web(map) => Some(&map.template.attribution),
+                    _ => None,
+                },
+                "name": self.documents.map.as_ref().map(|m| m.name.clone()),
+                "gsd": self.documents.map.as_ref().map(|m| m.native_gsd),
+                "bounds": self.documents.map.as_ref().map(|m| {
+                    [m.bounds.south, m.bounds.west, m.bounds.north, m.bounds.east]
+                }),
             },
             "timeline": rect_json(self.views.timeline.track()),
             "drawn": {

@@ -2,7 +2,7 @@
 
 use super::App;
 use super::desk::Desk;
-use crate::documents::{Documents, SESSION_KEY, Session, VIEW_KEY, ViewState};
+use crate::documents::{Documents, Ground, SESSION_KEY, Session, TERRAIN_KEY, VIEW_KEY, ViewState};
 use crate::host::Host;
 use crate::shell::keys::ShortcutListener;
 use crate::shell::{Toasts, apply_theme, fonts};
@@ -61,6 +61,10 @@ impl App {
     }
 
     pub(super) fn start(&mut self, host: &mut dyn Host) {
+        let terrain = host.recall(TERRAIN_KEY);
+        if let Some(key) = terrain.and_then(|bytes| String::from_utf8(bytes).ok()) {
+            self.documents.terrain = Ground::of_files(&key);
+        }
         self.restore_files(host);
         self.describe_map(host);
         let session = self.documents.session();

@@ -19,7 +19,7 @@ const EXAMINE_RADIUS: f64 = 120.0;
 /// Camera pictures decoded before their time has come.
 const DECODED_AHEAD: usize = 2;
 /// Most tiles asked for at a time.
-const TILES_AT_A_TIME: usize = 4;
+pub(super) const TILES_AT_A_TIME: usize = 4;
 
 impl App {
     /// Flies another flight; what is open stays until it begins.
@@ -57,6 +57,9 @@ impl App {
         again: bool,
     ) {
         self.stop_flying(host);
+        if flight == FlightSource::Nothing {
+            return;
+        }
         let given = mission.is_some();
         let id = host.start(Job::Fly {
             flight: flight.clone(),
@@ -97,6 +100,10 @@ impl App {
         for id in self.desk.tiles.drain().map(|(id, _)| id) {
             host.cancel(id);
         }
+        if let Some((job, ..)) = self.desk.preparing.take() {
+            host.cancel(job);
+        }
+        self.desk.prepare_declined = false;
         self.documents.map_source = map;
         self.documents.map = None;
         self.documents.distinctness.clear();
@@ -127,7 +134,11 @@ impl App {
             self.desk.examine_at = None;
             self.examine(host);
         }
+        self.follow_world(host);
+        self.ask_for_heights(host);
         self.ask_for_tiles(host);
+        self.ask_for_picture_tiles(host);
+        self.watch_download(context, host);
         self.decode_ahead(host);
         self.work_on_plan(context, host);
         let waiting = self.desk.fly_again_at.is_some() && flies_now

@@ -2,6 +2,8 @@
 
 mod settings;
 mod simulate;
+mod web_map;
 
 pub use settings::settings_sheet;
 pub use simulate::SimulateDialog;
+pub use web_map::{Download, WebMapCommand, WebMapDialog, WebMapScene};

@@ -34,7 +34,7 @@ impl Default for SimulateDialog {
         let scenarios = Scenario::all();
         let demo = match Session::demo().flight {
             FlightSource::Simulated(options) => options.scenario,
-            FlightSource::Files(_) => String::new(),
+            FlightSource::Files(_) | FlightSource::Nothing => String::new(),
         };
         let scenario = scenarios.iter().position(|s| s.name == demo);
         let mut dialog = Self {

@@ -2,9 +2,12 @@
 //! under a key of its own, and one list of their paths, written last, so that a set is whole or none.
 
 use crate::host::Host;
+use crate::jobs::FileContent;
 
 /// Most bytes of one set of files that are kept between visits.
-pub const MOST_KEPT: usize = 64 << 20;
+pub const MOST_KEPT: u64 = 64 << 20;
+/// The same for files that the browser copies by itself, without their passing through the page.
+pub const MOST_LENT_KEPT: u64 = 1 << 30;
 
 /// Key of the list of paths of a set of files.
 pub fn list_key(set: &str) -> String {
@@ -16,15 +19,28 @@ pub fn file_key(set: &str, number: usize) -> String {
     format!("file {number} of {set}")
 }
 
+/// Key of the address of a file of the web, in place of its contents.
+pub fn address_key(file: &str) -> String {
+    format!("address of {file}")
+}
+
 /// The list of paths as bytes.
 pub fn encode_list(paths: &[String]) -> Vec<u8> {
     postcard::to_extend(paths, vec![1]).unwrap_or_default()
 }
 
-/// Paths and bytes of a set that an earlier visit kept; `None` unless all of it is there.
-pub fn recall_files(host: &dyn Host, set: &str) -> Option<Vec<(String, Vec<u8>)>> {
+/// Paths and contents of a set that an earlier visit kept; `None` unless all of it is there.
+pub fn recall_files(host: &dyn Host, set: &str) -> Option<Vec<(String, FileContent)>> {
     let list = host.recall(&list_key(set))?;
     let paths: Vec<String> = postcard::from_bytes(list.strip_prefix(&[1])?).ok()?;
-    let file = |(number, path)| Some((path, host.recall(&file_key(set, number))?));
+    let file = |(number, path)| {
+        let key = file_key(set, number);
+        let whole = || host.recall(&key).map(FileContent::from);
+        let address = host.recall(&address_key(&key));
+        let address = address.and_then(|bytes| String::from_utf8(bytes).ok());
+        let lent = || host.recall_lent(&key);
+        let content = address.map(FileContent::Address).or_else(lent);
+        Some((path, content.or_else(whole)?))
+    };
     paths.into_iter().enumerate().map(file).collect()
 }

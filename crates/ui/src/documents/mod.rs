@@ -1,12 +1,14 @@
 //! What is open: the mission, the flight, the run, its ghost, the pictures.
 
 mod edit;
+mod ground;
 mod history;
 pub mod kept;
 mod laps;
 mod session;
 mod store;
 
+pub use ground::{Ground, TERRAIN_KEY};
 pub use history::History;
 pub use pilotage_core::navigator::{RunFileError, decode_run, encode_run};
 pub use session::{SESSION_KEY, Session, VIEW_KEY, ViewState};

@@ -9,7 +9,7 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{NavigatorSettings, Run};
 use pilotage_core::simulate::Scenario;
 
-use super::{History, Session};
+use super::{Ground, History, Session};
 use crate::jobs::{Distinctness, FlightSource, MapInfo, MapSource, MatchPictures};
 
 /// What a new flight brings before its run begins; swapped in at once, so that a flight that fails
@@ -51,6 +51,8 @@ pub struct Documents {
     pub map_source: MapSource,
     /// What is known of the map.
     pub map: Option<MapInfo>,
+    /// The height of the ground.
+    pub terrain: Ground,
     /// How distinct landmarks are, by id; true only while the box is the same.
     pub distinctness: HashMap<u32, Distinctness>,
     /// The pictures of the match asked for last.
@@ -91,6 +93,7 @@ impl Documents {
             flight_source: session.flight.clone(),
             map_source: session.map.clone(),
             map: None,
+            terrain: Ground::default(),
             distinctness: HashMap::new(),
             match_pictures: None,
             bookmarks: session.bookmarks.clone(),
@@ -111,7 +114,7 @@ impl Documents {
     pub fn usual_navigator(&self) -> NavigatorSettings {
         let scenario = match &self.flight_source {
             FlightSource::Simulated(options) => Scenario::named(&options.scenario),
-            FlightSource::Files(_) => None,
+            FlightSource::Files(_) | FlightSource::Nothing => None,
         };
         scenario.map_or_else(NavigatorSettings::default, |s| s.navigator())
     }
@@ -127,6 +130,7 @@ impl Documents {
                 };
                 format!("{} · {day} · seed {}", options.scenario, options.seed)
             }
+            FlightSource::Nothing => self.mission.name.clone(),
             FlightSource::Files(_) => self
                 .flight
                 .as_ref()
@@ -165,6 +169,36 @@ impl Documents {
         self.run = Some(head);
         self.run_complete = false;
         self.run_generation += 1;
+    }
+
+    /// Origin of the world frame, if what is open has a place on the globe.
+    pub fn world_origin(&self) -> Option<Geodetic> {
+        let flown = self.flight.as_ref().and_then(|f| f.frame_on_globe);
+        let own = self.mission.origin;
+        let is_stated = own.latitude != 0.0 || own.longitude != 0.0;
+        flown.map(|frame| frame.origin).or(is_stated.then_some(own))
+    }
+
+    /// Leaves what was flown and begins an empty mission in a world of its own, one undo step away
+    /// from the mission before.
+    pub fn begin_world(&mut self, origin: Geodetic, name: &str) {
+        self.history.remember(&self.mission);
+        self.mission = Mission {
+            name: name.to_owned(),
+            origin,
+            camera: self.mission.camera.clone(),
+            navigator: self.mission.navigator.clone(),
+            ..Self::empty_mission()
+        };
+        self.mission_edited = true;
+        (self.flight, self.run, self.ghost) = (None, None, None);
+        self.flight_source = FlightSource::Nothing;
+        self.run_complete = false;
+        self.run_generation += 1;
+        self.pictures.clear();
+        self.bookmarks.clear();
+        self.distinctness.clear();
+        self.match_pictures = None;
     }
 
     /// First and last time of the flight, or of the run if there is no flight.

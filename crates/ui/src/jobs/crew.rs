@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{FlightSource, Job, JobEvent, JobId, MapSource, Reply, Request};
+use super::{FileContent, FlightSource, Job, JobEvent, JobId, MapSource, Reply, Request};
 
 /// Time without an answer after which a worker counts as dead, milliseconds. A fault in a worker and
 /// its end are noticed at once by other means; this is for one that hangs, and long enough for the
@@ -43,7 +43,7 @@ pub struct Crew<P> {
     open: Box<dyn FnMut(usize) -> P>,
     seats: [Seat<P>; 3],
     jobs: BTreeMap<JobId, Assigned>,
-    files: BTreeMap<String, Vec<(String, Vec<u8>)>>,
+    files: BTreeMap<String, Vec<(String, FileContent)>>,
     events: Vec<(JobId, JobEvent)>,
     last_job: JobId,
     lost: usize,
@@ -89,6 +89,27 @@ impl<P: WorkerPort> Crew<P> {
             self.assign(id, job, 0);
         }
         id
+    }
+
+    /// A number for a job that begins later, by [`Crew::begin`].
+    pub fn reserve(&mut self) -> JobId {
+        self.last_job += 1;
+        self.last_job
+    }
+
+    /// Begins a job under a reserved number, with tiles of the web that it needs.
+    pub fn begin(&mut self, id: JobId, job: Job, tiles: Vec<(String, FileContent)>) {
+        let key = super::WEB_TILES.to_owned();
+        let files = tiles;
+        let seat = seat_for(&job);
+        self.open_seat(seat)
+            .send(Request::Start(0, Job::Provide { key, files }));
+        self.assign(id, job, 0);
+    }
+
+    /// Says something about a job in a worker's place.
+    pub fn say(&mut self, id: JobId, event: JobEvent) {
+        self.events.push((id, event));
     }
 
     /// Asks a job to stop.
@@ -226,13 +247,15 @@ impl<P: WorkerPort> Crew<P> {
 fn seat_for(job: &Job) -> usize {
     match job {
         Job::Fly { .. } | Job::Assess(_) | Job::Field(_) => 0,
-        Job::Tile { .. } | Job::DescribeMap(_) => 1,
+        Job::Tile { .. } | Job::DescribeMap(_) | Job::PrepareMap(_) => 1,
         Job::Provide { .. }
         | Job::Open { .. }
+        | Job::ReadPlaces { .. }
         | Job::Distinctness { .. }
         | Job::ExplainMatch { .. }
         | Job::DecodePicture { .. }
         | Job::Find(_)
+        | Job::TakeHeights(_)
         | Job::Predict(_) => 2,
     }
 }
@@ -246,23 +269,26 @@ fn file_keys(job: &Job) -> Vec<&str> {
         }
         Job::Assess(order) => (None, Some(&order.map)),
         Job::Field(order) => (None, Some(&order.map)),
-        Job::Open { key } => {
+        Job::Open { key, .. } | Job::ReadPlaces { key } => {
             keys.push(key.as_str());
+            (None, None)
+        }
+        Job::TakeHeights(order) => {
+            keys.push(order.key.as_str());
             (None, None)
         }
         Job::Fly { flight, map, .. } | Job::ExplainMatch { flight, map, .. } => {
             (Some(flight), Some(map))
         }
-        Job::DescribeMap(map) | Job::Tile { map, .. } | Job::Distinctness { map, .. } => {
-            (None, Some(map))
-        }
+        Job::DescribeMap(map)
+        | Job::PrepareMap(map)
+        | Job::Tile { map, .. }
+        | Job::Distinctness { map, .. } => (None, Some(map)),
     };
     if let Some(FlightSource::Files(key)) = flight {
         keys.push(key);
     }
-    if let Some(MapSource::Files(key)) = map {
-        keys.push(key);
-    }
+    keys.extend(map.and_then(MapSource::key));
     keys
 }
 

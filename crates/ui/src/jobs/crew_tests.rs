@@ -56,7 +56,7 @@ fn fly() -> Job {
 fn provide() -> Job {
     Job::Provide {
         key: "flight".to_owned(),
-        files: vec![("flight.json".to_owned(), vec![1, 2, 3])],
+        files: vec![("flight.json".to_owned(), vec![1, 2, 3].into())],
     }
 }
 

@@ -3,28 +3,38 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use pilotage_core::flight::files::{FileSet, MemoryFiles, ZipFiles};
+use pilotage_core::flight::files::{FileSet, ZipFiles};
+use pilotage_core::imagery::ByteSource;
+
+use super::content::{FileContent, LentFiles};
+
+/// Largest file that is read whole, bytes.
+const LARGEST_WHOLE: u64 = 1 << 30;
 
 /// Files of one drop.
 pub struct FilePool {
-    parts: Vec<Arc<dyn FileSet>>,
+    plain: BTreeMap<String, Arc<dyn ByteSource>>,
+    zips: Vec<ZipFiles>,
 }
 
 impl FilePool {
     /// Takes the files; zips are looked into, and one that cannot be read is named.
-    pub fn new(files: &[(String, Vec<u8>)]) -> Result<Self, String> {
-        let mut plain = BTreeMap::new();
-        let mut parts: Vec<Arc<dyn FileSet>> = Vec::new();
-        for (path, bytes) in files {
+    pub fn new(files: &[(String, FileContent)], lent: &LentFiles) -> Result<Self, String> {
+        let mut pool = Self {
+            plain: BTreeMap::new(),
+            zips: Vec::new(),
+        };
+        for (path, content) in files {
+            let blame = |cause: String| format!("{path}: {cause}");
+            let source = content.source(path, lent).map_err(blame)?;
             if has_ending(path, &["zip"]) {
-                let zip = ZipFiles::open(bytes).map_err(|cause| format!("{path}: {cause}"))?;
-                parts.push(Arc::new(zip));
+                let bytes = whole(source.as_ref()).map_err(blame)?;
+                pool.zips.push(ZipFiles::open(&bytes).map_err(blame)?);
             } else {
-                plain.insert(path.clone(), bytes.clone());
+                pool.plain.insert(path.clone(), source);
             }
         }
-        parts.insert(0, Arc::new(MemoryFiles(plain)));
-        Ok(Self { parts })
+        Ok(pool)
     }
 
     /// Names with one of these endings, in order.
@@ -34,6 +44,18 @@ impl FilePool {
         names.sort();
         names
     }
+}
+
+/// All bytes of a file; the error says in words why not.
+fn whole(source: &dyn ByteSource) -> Result<Vec<u8>, String> {
+    let length = source.length();
+    if length > LARGEST_WHOLE {
+        let gigabytes = length as f64 / f64::from(1 << 30);
+        return Err(format!(
+            "{gigabytes:.1} GiB are too many to be read at once"
+        ));
+    }
+    source.read(0, length as usize)
 }
 
 /// Whether a name ends in a dot and one of `endings` (in small letters), in whatever case.
@@ -47,11 +69,20 @@ pub fn has_ending(name: &str, endings: &[&str]) -> bool {
 
 impl FileSet for FilePool {
     fn names(&self) -> Vec<String> {
-        self.parts.iter().flat_map(|part| part.names()).collect()
+        let zipped = self.zips.iter().flat_map(FileSet::names);
+        self.plain.keys().cloned().chain(zipped).collect()
     }
 
     fn read(&self, name: &str) -> Option<Vec<u8>> {
-        self.parts.iter().find_map(|part| part.read(name))
+        if let Some(source) = self.plain.get(name) {
+            return whole(source.as_ref()).ok();
+        }
+        self.zips.iter().find_map(|zip| zip.read(name))
+    }
+
+    fn source(&self, name: &str) -> Option<Arc<dyn ByteSource>> {
+        let plain = self.plain.get(name).cloned();
+        plain.or_else(|| self.zips.iter().find_map(|zip| zip.source(name)))
     }
 }
 
@@ -65,18 +96,37 @@ mod tests {
         let mut sink = ZipSink::default();
         sink.write("flight/flight.json", b"{}").unwrap();
         let files = [
-            ("ortho.JPG".to_owned(), vec![1]),
-            ("flight.zip".to_owned(), sink.finish().unwrap()),
+            ("ortho.JPG".to_owned(), vec![1].into()),
+            ("flight.zip".to_owned(), sink.finish().unwrap().into()),
         ];
-        let pool = FilePool::new(&files).unwrap();
+        let pool = FilePool::new(&files, &LentFiles::default()).unwrap();
         assert_eq!(pool.read("flight/flight.json"), Some(b"{}".to_vec()));
         assert_eq!(pool.ending_in(&["jpg"]), ["ortho.JPG"]);
     }
 
     #[test]
     fn a_broken_zip_is_named() {
-        let files = [("flight.zip".to_owned(), vec![7; 100])];
-        let cause = FilePool::new(&files).err().unwrap();
+        let files = [("flight.zip".to_owned(), vec![7; 100].into())];
+        let cause = FilePool::new(&files, &LentFiles::default()).err().unwrap();
         assert!(cause.starts_with("flight.zip: "), "{cause}");
+    }
+
+    #[test]
+    fn a_lent_file_is_read_where_it_is_and_one_that_is_gone_is_named() {
+        let mut lent = LentFiles::default();
+        let map = pilotage_core::imagery::MemoryBytes::new("", vec![5, 6, 7, 8]);
+        lent.files.insert(3, Arc::new(map));
+        let content = FileContent::Lent {
+            number: 3,
+            length: 4,
+        };
+        let files = [("big/map.tif".to_owned(), content)];
+        let pool = FilePool::new(&files, &lent).unwrap();
+        let source = pool.source("big/map.tif").unwrap();
+        assert_eq!((source.name(), source.length()), ("big/map.tif", 4));
+        assert_eq!(source.read(1, 2), Ok(vec![6, 7]));
+        let gone = FilePool::new(&files, &LentFiles::default());
+        let cause = gone.err().unwrap();
+        assert!(cause.starts_with("big/map.tif: ") && cause.contains("open it again"));
     }
 }

@@ -2,8 +2,11 @@
 
 use std::cell::Cell;
 use std::collections::{BTreeMap, VecDeque};
+use std::sync::Arc;
 
-use super::{Job, JobEvent, JobId, JobRunner, Reply, Request};
+use pilotage_core::imagery::ByteSource;
+
+use super::{FileContent, Job, JobEvent, JobId, JobRunner, Reply, Request};
 use crate::host::{Host, OpenedFile};
 
 /// Runs jobs a slice at a time whenever the app asks for events, with a clock of its own.
@@ -23,6 +26,8 @@ pub struct InlineHost {
     pub dialogs: usize,
     /// The last announcement.
     pub announced: String,
+    /// The web: what lies at addresses.
+    pub web: BTreeMap<String, Vec<u8>>,
     /// Workers to report as lost at the app's next question.
     pub lost: usize,
 }
@@ -41,6 +46,13 @@ impl InlineHost {
     /// The runner, to put maps into its workshop.
     pub fn runner_mut(&mut self) -> &mut JobRunner {
         &mut self.runner
+    }
+
+    /// Lends a file to the workers; what to hand to the app for it.
+    pub fn lend(&mut self, number: u32, source: Arc<dyn ByteSource>) -> FileContent {
+        let length = source.length();
+        self.runner.workshop_mut().lend(number, source);
+        FileContent::Lent { number, length }
     }
 
     /// Whether jobs are unfinished or events not yet taken.
@@ -78,6 +90,15 @@ impl Host for InlineHost {
 
     fn start(&mut self, job: Job) -> JobId {
         self.next_job += 1;
+        let tiles = super::wanted_addresses(&job)
+            .into_iter()
+            .filter_map(|address| {
+                let bytes = self.web.get(&address)?.clone();
+                Some((address, FileContent::from(bytes)))
+            });
+        let tiles: Vec<_> = tiles.collect();
+        let key = super::WEB_TILES.to_owned();
+        self.runner.workshop_mut().provide(key, &tiles);
         let waiting = &mut self.waiting;
         self.runner
             .receive(Request::Start(self.next_job, job), &mut |reply| {
@@ -133,3 +154,7 @@ impl Host for InlineHost {
 #[cfg(test)]
 #[path = "inline_tests.rs"]
 mod tests;
+
+#[cfg(test)]
+#[path = "maps_tests.rs"]
+mod maps_tests;

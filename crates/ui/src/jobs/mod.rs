@@ -5,6 +5,7 @@
 //! and replaces one that died; [`InlineHost`] does all of it on the calling thread, for tests.
 
 mod assess;
+mod content;
 mod crew;
 mod distinct;
 mod explain;
@@ -13,29 +14,35 @@ mod file_pool;
 mod find;
 mod flights;
 mod fly;
+mod heights;
 mod inline;
 mod messages;
 mod opening;
 mod predict;
+mod prepare;
 mod protocol;
 mod runner;
 mod running;
 mod simulated;
+mod web_map;
 mod whole_bytes;
 mod workshop;
 
 pub use assess::{Assessment, AssessmentOrder, DAYS, Glance, POSITION, VIEWS};
+pub use content::{FileContent, LentFiles, OpenAddress};
 pub use crew::{Crew, WorkerPort};
 pub use field::{FieldFrom, FieldOrder};
 pub use find::{FindOrder, Foreseen, FoundPlan};
+pub use heights::{HeightsOrder, TerrainInfo};
 pub use inline::InlineHost;
 pub use messages::{Reply, Request};
 pub use predict::PredictionOrder;
 pub use protocol::{
     Distinctness, FlightSource, Job, JobEvent, JobId, MapInfo, MapSource, MatchPictures, Opened,
-    SimulationOptions,
+    SimulationOptions, Unplaced,
 };
 pub use runner::JobRunner;
 pub use running::{Advance, RunningJob};
 pub use simulated::{scenario_route, scenario_wind};
+pub use web_map::{WEB_TILES, WebMap, wanted_addresses};
 pub use workshop::Workshop;

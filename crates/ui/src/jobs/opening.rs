@@ -2,47 +2,117 @@
 
 use std::sync::Arc;
 
+use pilotage_core::exchange::read_any;
 use pilotage_core::flight::files::FileSet as _;
 use pilotage_core::flight::{FLIGHT_FILE, FolderError, read_flight};
-use pilotage_core::frames::LocalFrame;
-use pilotage_core::imagery::Imagery;
-use pilotage_core::mission::{MapError, Mission, open_map, read_mission};
+use pilotage_core::frames::{Geodetic, LocalFrame};
+use pilotage_core::imagery::GeoTiffError;
+use pilotage_core::imagery::terrain::Dem;
+use pilotage_core::imagery::tiff::{SampleKind, TiffFile};
+use pilotage_core::mission::{MapError, MapOptions, Mission, OpenMap, open_map_with, read_mission};
 use pilotage_core::navigator::Run;
 
-use super::Opened;
-use super::file_pool::FilePool;
+use super::file_pool::{FilePool, has_ending};
 use super::flights::{KeptFrames, OpenFlight};
+use super::heights::describe_terrain;
 use super::workshop::describe;
+use super::{MapInfo, Opened, Unplaced};
 use crate::documents::decode_run;
 
 /// Endings of picture files.
 const PICTURES: [&str; 3] = ["jpg", "jpeg", "png"];
+/// Endings of maps that say themselves where they lie.
+const MAPS: [&str; 3] = ["tif", "tiff", "pmtiles"];
+/// Farthest from the world that is open that a map joins it, metres; others make a world of their
+/// own, because a plane that touches the globe there would bend them.
+const WORLD_REACH: f64 = 60_000.0;
+
 /// Looks at every file of a drop; the first that is broken ends it, with its name and the cause.
-pub fn look_through(key: String, pool: &Arc<FilePool>) -> Result<Opened, String> {
+/// A map without a flight is put into the world around `near`, if it is not far from there.
+pub fn look_through(
+    key: String,
+    pool: &Arc<FilePool>,
+    near: Option<Geodetic>,
+) -> Result<Opened, String> {
     let flight = flight(pool)?;
     let frame = flight
         .as_ref()
         .and_then(|(open, _)| open.flight.frame_on_globe);
-    let map = map(pool, frame)?;
+    let options = MapOptions {
+        frame,
+        near: near.map(|origin| (LocalFrame::new(origin), WORLD_REACH)),
+        ..MapOptions::default()
+    };
+    let map = map(pool, &options)?;
+    let terrain = terrain(pool, None)?;
     let mission = mission(pool)?;
     let run = run(pool)?;
     let mut remarks = Vec::new();
     let nothing = flight.is_none() && map.is_none() && mission.is_none() && run.is_none();
-    if nothing {
-        return Err(unknown(pool));
-    }
+    let unplaced = if nothing && terrain.is_none() {
+        Some(unplaced(pool).ok_or_else(|| unknown(pool))?)
+    } else {
+        None
+    };
     let flight = flight.map(|(open, notes)| {
         remarks.extend(notes);
         Arc::unwrap_or_clone(open.flight)
     });
+    let map = map.map(|map| MapInfo {
+        origin: map.frame().map(|frame| frame.origin),
+        ..describe(&map)
+    });
     Ok(Opened {
         key,
         flight,
-        map: map.map(|map| describe(map.as_ref())),
+        map,
+        terrain: terrain.as_ref().map(describe_terrain),
         mission,
         run,
+        unplaced,
         remarks,
     })
+}
+
+/// The one picture among the files, which does not say where it lies, with a file of control points
+/// beside it.
+fn unplaced(pool: &FilePool) -> Option<Unplaced> {
+    let mut pictures = pool.ending_in(&["tif", "tiff"]);
+    pictures.extend(pool.ending_in(&PICTURES));
+    let [name] = pictures.as_slice() else {
+        return None;
+    };
+    let points = pool.ending_in(&["points"]).into_iter().next();
+    let points = points.and_then(|file| {
+        let bytes = pool.read(&file)?;
+        Some((file, String::from_utf8_lossy(&bytes).into_owned()))
+    });
+    Some(Unplaced {
+        name: name.clone(),
+        points,
+    })
+}
+
+/// The named places in the files of routes and landmarks: reference points of landmarks, way-points.
+pub fn places(pool: &FilePool) -> Result<Vec<(String, Geodetic)>, String> {
+    let mut places = Vec::new();
+    for name in pool.names() {
+        let bytes = pool.read(&name).unwrap_or_default();
+        let found = read_any(&name, &bytes, None).map_err(|cause| cause.to_string())?;
+        let frame = found.frame;
+        places.extend(found.landmarks.iter().map(|landmark| {
+            let at = frame.geodetic_from_ground(&landmark.reference);
+            (landmark.name.clone(), at)
+        }));
+        for route in &found.routes {
+            let numbered = route.way_points.iter().enumerate();
+            places.extend(numbered.map(|(number, point)| {
+                let at = frame.geodetic_from_ground(&point.position);
+                (format!("{}, way-point {}", route.name, number + 1), at)
+            }));
+        }
+    }
+    Ok(places)
 }
 
 /// The flight among the files, and what was skipped, in words.
@@ -60,17 +130,49 @@ pub fn flight(pool: &Arc<FilePool>) -> Result<Option<(OpenFlight, Vec<String>)>,
     Ok(Some((open, folder.notes)))
 }
 
-/// The picture among the files that has a file beside it saying where it lies, as a map in `frame`
-/// (around its own origin without one).
-pub fn map(pool: &FilePool, frame: Option<LocalFrame>) -> Result<Option<Arc<dyn Imagery>>, String> {
-    for name in pool.ending_in(&PICTURES) {
-        match open_map(pool, &name, frame) {
-            Ok(map) => return Ok(Some(Arc::new(map))),
-            Err(MapError::NoGeoreference { .. }) => {}
+/// The map among the files: one that says where it lies, or a picture with a file beside it that
+/// does.
+pub fn map(pool: &FilePool, options: &MapOptions) -> Result<Option<OpenMap>, String> {
+    let names = pool.ending_in(&MAPS).into_iter();
+    for name in names.chain(pool.ending_in(&PICTURES)) {
+        if has_ending(&name, &MAPS) && is_elevation(pool, &name) {
+            continue;
+        }
+        match open_map_with(pool, &name, options) {
+            Ok(map) => return Ok(Some(map)),
+            Err(
+                MapError::NoGeoreference { .. } | MapError::GeoTiff(GeoTiffError::NoPlace { .. }),
+            ) => {}
             Err(other) => return Err(other.to_string()),
         }
     }
     Ok(None)
+}
+
+/// The elevation model among the files, in the world frame `frame` or else its own.
+pub fn terrain(pool: &FilePool, frame: Option<LocalFrame>) -> Result<Option<Dem>, String> {
+    let candidates = pool.ending_in(&["hgt", "tif", "tiff"]);
+    let named = |name: &String| has_ending(name, &["hgt"]) || is_elevation(pool, name);
+    let Some(name) = candidates.into_iter().find(named) else {
+        return Ok(None);
+    };
+    let source = pool
+        .source(&name)
+        .ok_or_else(|| format!("{name}: it is gone"))?;
+    let dem = Dem::open(source, frame, None).map_err(|cause| cause.to_string())?;
+    Ok(Some(dem))
+}
+
+/// Whether a TIFF holds heights: one sample a pixel that no picture has.
+fn is_elevation(pool: &FilePool, name: &str) -> bool {
+    let Some(source) = pool.source(name) else {
+        return false;
+    };
+    has_ending(name, &["tif", "tiff"])
+        && TiffFile::open(source).is_ok_and(|file| {
+            let layout = &file.levels()[0];
+            layout.samples == 1 && !matches!(layout.kind, SampleKind::U8 | SampleKind::U16)
+        })
 }
 
 fn mission(pool: &FilePool) -> Result<Option<Mission>, String> {
@@ -111,19 +213,21 @@ fn unknown(pool: &FilePool) -> String {
     format!(
         "{first}{more}: no {FLIGHT_FILE}, no map with its georeference, no mission and no run among \
          them. Drop a flight folder or a zip of one, a map picture with its world file, a mission \
-         or a run saved here."
+         or a run saved here, a GeoTIFF, PMTiles or an elevation model (.hgt)."
     )
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::content::LentFiles;
     use super::*;
 
     fn look(files: &[(&str, &[u8])]) -> Result<Opened, String> {
         let files: Vec<_> = (files.iter())
-            .map(|(name, bytes)| ((*name).to_owned(), bytes.to_vec()))
+            .map(|(name, bytes)| ((*name).to_owned(), bytes.to_vec().into()))
             .collect();
-        look_through("drop".to_owned(), &Arc::new(FilePool::new(&files)?))
+        let pool = FilePool::new(&files, &LentFiles::default())?;
+        look_through("drop".to_owned(), &Arc::new(pool), None)
     }
 
     fn picture() -> Vec<u8> {
@@ -142,10 +246,19 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_alone_is_refused_with_what_it_lacks() {
-        let cause = look(&[("map.png", &picture())]).unwrap_err();
+    fn a_picture_alone_waits_for_its_place_and_several_are_refused() {
+        let points = b"mapX,mapY,sourceX,sourceY,enable\n1,2,3,-4,1\n";
+        let opened = look(&[("map.png", &picture()), ("map.points", points)]).unwrap();
+        let unplaced = opened.unplaced.unwrap();
+        assert_eq!(unplaced.name, "map.png");
         assert!(
-            cause.starts_with("map.png") && cause.contains("world file"),
+            unplaced
+                .points
+                .is_some_and(|(name, text)| { name == "map.points" && text.starts_with("mapX") })
+        );
+        let cause = look(&[("a.png", &picture()), ("b.png", &picture())]).unwrap_err();
+        assert!(
+            cause.starts_with("a.png") && cause.contains("world file"),
             "{cause}"
         );
     }

@@ -1,8 +1,9 @@
 //! The messages between page and worker; both ends are this program, encoded with postcard.
 
 use pilotage_core::flight::Flight;
-use pilotage_core::frames::{GroundPoint, GroundRect};
-use pilotage_core::imagery::Window;
+use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
+use pilotage_core::imagery::terrain::HeightGrid;
+use pilotage_core::imagery::{Georeference, Window};
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Run, StepReport};
 use pilotage_core::plan::{Localizability, Prediction};
@@ -10,7 +11,8 @@ use pilotage_core::raster::{Gray, Raster, Rgba};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Assessment, AssessmentOrder, FieldOrder, FindOrder, FoundPlan, PredictionOrder, whole_bytes,
+    Assessment, AssessmentOrder, FieldOrder, FileContent, FindOrder, FoundPlan, HeightsOrder,
+    PredictionOrder, TerrainInfo, WebMap, whole_bytes,
 };
 
 /// Number of a job, unique within a page.
@@ -38,6 +40,59 @@ pub enum MapSource {
     Scenery,
     /// Files that the page gave to the worker under this key (see [`Job::Provide`]).
     Files(String),
+    /// The map among files of this key, put into the world frame around an origin.
+    Placed {
+        /// Key of the files.
+        key: String,
+        /// Origin of the world frame.
+        origin: Geodetic,
+    },
+    /// A picture among files of this key whose place is known better than by the files.
+    Picture {
+        /// Key of the files.
+        key: String,
+        /// The picture.
+        name: String,
+        /// Origin of the world frame; its own if `None`.
+        origin: Option<Geodetic>,
+        /// Where its pixels lie.
+        place: Georeference,
+    },
+    /// Tiles of the web.
+    Web(WebMap),
+}
+
+impl MapSource {
+    /// Key of the files that it is made from, if it is.
+    pub fn key(&self) -> Option<&str> {
+        match self {
+            Self::Scenery | Self::Web(_) => None,
+            Self::Files(key) | Self::Placed { key, .. } | Self::Picture { key, .. } => Some(key),
+        }
+    }
+
+    /// Origin of the world frame it was put into, if one was given.
+    pub fn origin(&self) -> Option<Geodetic> {
+        match self {
+            Self::Placed { origin, .. } => Some(*origin),
+            Self::Picture { origin, .. } => *origin,
+            Self::Web(map) => Some(map.origin),
+            Self::Scenery | Self::Files(_) => None,
+        }
+    }
+
+    /// The same map in the world around another origin, if it can be put there.
+    #[must_use]
+    pub fn moved(&self, to: Geodetic) -> Self {
+        let mut moved = self.clone();
+        match &mut moved {
+            Self::Placed { origin, .. } => *origin = to,
+            Self::Picture { origin, .. } => *origin = Some(to),
+            Self::Web(map) => map.origin = to,
+            Self::Scenery | Self::Files(_) => {}
+        }
+        moved
+    }
 }
 
 /// Where a flight comes from.
@@ -47,6 +102,8 @@ pub enum FlightSource {
     Simulated(SimulationOptions),
     /// Files that the page gave to the worker under this key.
     Files(String),
+    /// Nothing is flown.
+    Nothing,
 }
 
 /// Something to do in a worker.
@@ -56,13 +113,15 @@ pub enum Job {
     Provide {
         /// Key that later jobs name.
         key: String,
-        /// Path and bytes of each.
-        files: Vec<(String, Vec<u8>)>,
+        /// Path and content of each.
+        files: Vec<(String, FileContent)>,
     },
     /// Say what provided files are: events `Opened`, or `Failed`.
     Open {
         /// Key of the files.
         key: String,
+        /// Origin of the world frame that is open; a map far from it gets a frame of its own.
+        near: Option<Geodetic>,
     },
     /// Fly and navigate: events `Flight`, `Mission` (if none was given), `RunStarted`, then `Steps` and `FramePicture`.
     Fly {
@@ -75,6 +134,15 @@ pub enum Job {
     },
     /// Describe a map: event `MapInfo`.
     DescribeMap(MapSource),
+    /// The named places in a file of routes and landmarks: event `Places`.
+    ReadPlaces {
+        /// Key of the files.
+        key: String,
+    },
+    /// Make what wide views of a large map need: events `Progress`.
+    PrepareMap(MapSource),
+    /// The heights of an area: event `Heights`.
+    TakeHeights(Box<HeightsOrder>),
     /// Pixels of a map: event `Tile`.
     Tile {
         /// The map.
@@ -120,6 +188,15 @@ pub enum Job {
     Find(Box<FindOrder>),
 }
 
+/// A picture that does not say where it lies.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Unplaced {
+    /// Its name among the files.
+    pub name: String,
+    /// A file of control points beside it: name and text.
+    pub points: Option<(String, String)>,
+}
+
 /// What is known of a map.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MapInfo {
@@ -131,6 +208,8 @@ pub struct MapInfo {
     pub native_gsd: f64,
     /// Whether a coarser window of the same ground costs less than a fine one.
     pub is_coarse_cheap: bool,
+    /// Origin of the world frame it lies in, if it has a place on the globe.
+    pub origin: Option<Geodetic>,
 }
 
 /// How distinct a box of the map is.
@@ -182,10 +261,14 @@ pub struct Opened {
     pub flight: Option<Flight>,
     /// A map, if there is one.
     pub map: Option<MapInfo>,
+    /// An elevation model, if there is one.
+    pub terrain: Option<TerrainInfo>,
     /// A mission, if there is one.
     pub mission: Option<Mission>,
     /// A saved run, if there is one.
     pub run: Option<Run>,
+    /// A picture that does not say where it lies, if there is nothing else.
+    pub unplaced: Option<Unplaced>,
     /// What was skipped, in words.
     pub remarks: Vec<String>,
 }
@@ -227,7 +310,15 @@ pub enum JobEvent {
         window: Window,
         /// Its pixels.
         pixels: Raster<Rgba>,
+        /// Whether nothing is missing of it; what is comes with [`Job::PrepareMap`].
+        whole: bool,
     },
+    /// Named places.
+    Places(Vec<(String, Geodetic)>),
+    /// The heights of an area.
+    Heights(Box<HeightGrid>),
+    /// Something people should know of the job's files, though it goes on.
+    Remark(String),
     /// How distinct a box is.
     Distinctness(Box<Distinctness>),
     /// Pictures that explain a match.

@@ -81,9 +81,13 @@ fn as_sentence(event: JobEvent) -> JobEvent {
 fn urgency(job: &Job) -> u8 {
     match job {
         Job::Provide { .. } => 0,
-        Job::DescribeMap(_) | Job::Open { .. } | Job::DecodePicture { .. } => 1,
+        Job::DescribeMap(_)
+        | Job::Open { .. }
+        | Job::ReadPlaces { .. }
+        | Job::DecodePicture { .. } => 1,
         Job::Distinctness { .. } | Job::ExplainMatch { .. } | Job::Predict(_) => 2,
-        Job::Tile { .. } | Job::Assess(_) | Job::Find(_) => 3,
+        Job::Tile { .. } | Job::TakeHeights(_) | Job::Assess(_) | Job::Find(_) => 3,
+        Job::PrepareMap(_) => 5,
         Job::Fly { .. } | Job::Field(_) => 4,
     }
 }

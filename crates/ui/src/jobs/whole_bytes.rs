@@ -9,7 +9,7 @@ pub fn serialize<S: Serializer>(bytes: &[u8], to: S) -> Result<S::Ok, S::Error> 
     to.serialize_bytes(bytes)
 }
 
-pub fn deserialize<'d, D: Deserializer<'d>>(from: D) -> Result<Vec<u8>, D::Error> {
+pub fn deserialize<'d, D: Deserializer<'d>, B: From<Vec<u8>>>(from: D) -> Result<B, D::Error> {
     struct Bytes;
     impl Visitor<'_> for Bytes {
         type Value = Vec<u8>;
@@ -26,7 +26,7 @@ pub fn deserialize<'d, D: Deserializer<'d>>(from: D) -> Result<Vec<u8>, D::Error
             Ok(bytes)
         }
     }
-    from.deserialize_byte_buf(Bytes)
+    from.deserialize_byte_buf(Bytes).map(B::from)
 }
 
 #[cfg(test)]

@@ -5,33 +5,59 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use pilotage_core::imagery::Imagery;
+use pilotage_core::frames::LocalFrame;
+use pilotage_core::imagery::{ByteSource, Imagery, MapMemory};
+use pilotage_core::mission::{MapOptions, open_map_with};
 use pilotage_core::plan::{OtherDays, PictureDays, SceneryDays};
 use pilotage_core::raster::decode_picture;
 use pilotage_core::simulate::Scenario;
 use pilotage_core::simulate::scenery::{DEMO_SEED, Scenery};
 
 use super::assess::Assess;
+use super::content::{LentFiles, OpenAddress};
 use super::explain::match_pictures;
 use super::field::ComputeField;
 use super::file_pool::FilePool;
 use super::find::FindRoute;
 use super::flights::OpenFlight;
 use super::fly::Fly;
+use super::heights::TakeHeights;
+use super::prepare::PrepareMap;
 use super::running::Once;
+use super::web_map::{FetchedTiles, WEB_TILES};
 use super::{
-    FlightSource, Job, JobEvent, MapInfo, MapSource, RunningJob, distinct, opening, simulated,
+    FileContent, FlightSource, Job, JobEvent, MapInfo, MapSource, RunningJob, distinct, opening,
+    simulated,
 };
 
 /// The same ground on several days.
 type Days = Vec<Arc<dyn Imagery>>;
+
+/// Most maps that are kept open.
+const MOST_MAPS: usize = 3;
+/// Memory of a map: every worker that reads it takes as much, beside the textures of the page.
+const MAP_MEMORY: MapMemory = MapMemory {
+    tiles: 40 << 20,
+    coarse: 24 << 20,
+};
+
+/// A map that is open.
+struct KeptMap {
+    source: MapSource,
+    map: Arc<dyn Imagery>,
+    /// Problems of it that were told.
+    told: usize,
+}
 
 /// The store of a worker. Everything in it can be made anew from the files.
 #[derive(Default)]
 pub struct Workshop {
     /// Files by key; a zip that cannot be read is told when the files are used.
     files: BTreeMap<String, Result<Arc<FilePool>, String>>,
-    maps: BTreeMap<Vec<u8>, Arc<dyn Imagery>>,
+    lent: LentFiles,
+    fetched: FetchedTiles,
+    /// Opened maps, the one used last at the end.
+    maps: Vec<KeptMap>,
     flights: BTreeMap<Vec<u8>, Rc<RefCell<OpenFlight>>>,
     scenery: Option<Scenery>,
     /// A map and how it looks on other days; of one map at a time.
@@ -51,9 +77,9 @@ impl Workshop {
                 self.provide(key, &files);
                 once(|_, _| Ok(()))
             }
-            Job::Open { key } => once(move |workshop, emit| {
+            Job::Open { key, near } => once(move |workshop, emit| {
                 let files = workshop.files(&key)?;
-                let opened = opening::look_through(key, &files)?;
+                let opened = opening::look_through(key, &files, near)?;
                 emit(JobEvent::Opened(Box::new(opened)));
                 Ok(())
             }),
@@ -64,12 +90,28 @@ impl Workshop {
             } => Box::new(Fly::new(flight, map, mission)),
             Job::DescribeMap(source) => once(move |workshop, emit| {
                 let map = workshop.map(&source)?;
-                emit(JobEvent::MapInfo(describe(map.as_ref())));
+                let mut info = describe(map.as_ref());
+                info.origin = source.origin();
+                emit(JobEvent::MapInfo(info));
                 Ok(())
             }),
+            Job::ReadPlaces { key } => once(move |workshop, emit| {
+                let files = workshop.files(&key)?;
+                emit(JobEvent::Places(opening::places(&files)?));
+                Ok(())
+            }),
+            Job::PrepareMap(source) => Box::new(PrepareMap::new(source)),
+            Job::TakeHeights(order) => Box::new(TakeHeights::new(*order)),
             Job::Tile { map, window } => once(move |workshop, emit| {
-                let pixels = workshop.map(&map)?.window(&window);
-                emit(JobEvent::Tile { window, pixels });
+                let (pixels, whole) = workshop.map(&map)?.window_so_far(&window);
+                emit(JobEvent::Tile {
+                    window,
+                    pixels,
+                    whole,
+                });
+                for problem in workshop.new_problems(&map) {
+                    emit(JobEvent::Remark(problem));
+                }
                 Ok(())
             }),
             Job::Distinctness {
@@ -112,13 +154,31 @@ impl Workshop {
         }
     }
 
+    /// Lends a file that is read by pieces under a number.
+    pub fn lend(&mut self, number: u32, source: Arc<dyn ByteSource>) {
+        self.lent.files.insert(number, source);
+    }
+
+    /// Says how files of the web are opened.
+    pub fn open_addresses_by(&mut self, open: OpenAddress) {
+        self.lent.web = Some(open);
+    }
+
     /// Keeps files under a key and forgets what was made of earlier ones.
-    pub fn provide(&mut self, key: String, files: &[(String, Vec<u8>)]) {
-        self.maps.remove(&cache_key(&MapSource::Files(key.clone())));
+    pub fn provide(&mut self, key: String, files: &[(String, FileContent)]) {
+        if key == WEB_TILES {
+            for (address, content) in files {
+                if let FileContent::Bytes(bytes) = content {
+                    self.fetched.keep(address, bytes.clone());
+                }
+            }
+            return;
+        }
+        self.maps.retain(|kept| kept.source.key() != Some(&key));
         self.days = None;
         self.flights
             .remove(&cache_key(&FlightSource::Files(key.clone())));
-        let pool = FilePool::new(files).map(Arc::new);
+        let pool = FilePool::new(files, &self.lent).map(Arc::new);
         self.files.insert(key, pool);
     }
 
@@ -130,28 +190,70 @@ impl Workshop {
 
     /// Puts a map in place of the one that would be opened.
     pub fn insert_map(&mut self, source: &MapSource, map: Arc<dyn Imagery>) {
-        self.maps.insert(cache_key(source), map);
+        self.maps.retain(|kept| kept.source != *source);
+        if self.maps.len() >= MOST_MAPS {
+            self.maps.remove(0);
+        }
+        self.maps.push(KeptMap {
+            source: source.clone(),
+            map,
+            told: 0,
+        });
     }
 
     /// A map, opened once.
     pub fn map(&mut self, source: &MapSource) -> Result<Arc<dyn Imagery>, String> {
-        let key = cache_key(source);
-        if let Some(map) = self.maps.get(&key) {
-            return Ok(map.clone());
+        if let Some(at) = self.maps.iter().position(|kept| kept.source == *source) {
+            let kept = self.maps.remove(at);
+            let map = kept.map.clone();
+            self.maps.push(kept);
+            return Ok(map);
         }
-        let map = match source {
+        let map: Arc<dyn Imagery> = match source {
             MapSource::Scenery => Arc::new(self.scenery()),
+            MapSource::Web(map) => Arc::new(map.open(&self.fetched)),
             MapSource::Files(key) => {
                 let files = self.files(key)?;
                 let frame = match opening::flight(&files)? {
                     Some((open, _)) => open.flight.frame_on_globe,
                     None => None,
                 };
-                opening::map(&files, frame)?.ok_or("there is no map among the files")?
+                open_map(&files, frame)?
+            }
+            MapSource::Placed { key, origin } => {
+                let files = self.files(key)?;
+                open_map(&files, Some(LocalFrame::new(*origin)))?
+            }
+            MapSource::Picture {
+                key,
+                name,
+                origin,
+                place,
+            } => {
+                let options = MapOptions {
+                    frame: origin.map(LocalFrame::new),
+                    place: Some(*place),
+                    memory: MAP_MEMORY,
+                    ..MapOptions::default()
+                };
+                let files = self.files(key)?;
+                let map = open_map_with(files.as_ref(), name, &options);
+                Arc::new(map.map_err(|cause| cause.to_string())?)
             }
         };
-        self.maps.insert(key, map.clone());
+        self.insert_map(source, map.clone());
         Ok(map)
+    }
+
+    /// What could not be read of a map since the last call, in words.
+    pub fn new_problems(&mut self, source: &MapSource) -> Vec<String> {
+        let Some(kept) = self.maps.iter_mut().find(|kept| kept.source == *source) else {
+            return Vec::new();
+        };
+        let mut problems = kept.map.problems();
+        let new = problems.split_off(kept.told.min(problems.len()));
+        kept.told += new.len();
+        new
     }
 
     /// How a map looks on `count` other days, laid out once.
@@ -165,7 +267,7 @@ impl Workshop {
         }
         let others: Box<dyn OtherDays> = match source {
             MapSource::Scenery => Box::new(SceneryDays { seed: DEMO_SEED }),
-            MapSource::Files(_) => Box::new(PictureDays {
+            _ => Box::new(PictureDays {
                 map: self.map(source)?,
             }),
         };
@@ -187,6 +289,7 @@ impl Workshop {
         }
         let open = match source {
             FlightSource::Simulated(options) => simulated::open(options, &self.scenery())?,
+            FlightSource::Nothing => return Err("no flight is open".to_owned()),
             FlightSource::Files(key) => {
                 let files = self.files(key)?;
                 let (open, _) =
@@ -199,6 +302,17 @@ impl Workshop {
         self.flights.insert(key, open.clone());
         Ok(open)
     }
+}
+
+/// The map among files, in the world frame `frame` or else its own.
+fn open_map(files: &FilePool, frame: Option<LocalFrame>) -> Result<Arc<dyn Imagery>, String> {
+    let options = MapOptions {
+        frame,
+        memory: MAP_MEMORY,
+        ..MapOptions::default()
+    };
+    let map = opening::map(files, &options)?;
+    Ok(Arc::new(map.ok_or("there is no map among the files")?))
 }
 
 fn once<F>(work: F) -> Box<dyn RunningJob>
@@ -215,6 +329,7 @@ pub fn describe(map: &dyn Imagery) -> MapInfo {
         bounds: map.bounds(),
         native_gsd: map.native_gsd(),
         is_coarse_cheap: map.is_coarse_cheap(),
+        origin: None,
     }
 }
 

@@ -1,8 +1,11 @@
 //! Scale bar, north arrow, cursor coordinates, and the lens that magnifies the uncertainty.
 
-use egui::{Align2, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
+use egui::{Align2, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
 use pilotage_core::frames::{GroundPoint, LocalFrame};
 use pilotage_core::navigator::StepReport;
+
+use crate::documents::Ground;
+use pilotage_core::imagery::terrain::{HeightDatum, Terrain as _};
 
 use super::symbols::{paint_ellipses, paint_sigma, sigma_points};
 use super::transform::ScreenFromWorld;
@@ -82,6 +85,35 @@ pub fn coordinates_text(p: &GroundPoint, frame: Option<&LocalFrame>, units: Unit
         }
         None => local,
     }
+}
+
+/// Writes whom to thank for the map at the middle of its lower edge.
+pub fn paint_attribution(ui: &Ui, rect: Rect, attribution: &str, tokens: &Tokens) {
+    let galley = ui.painter().layout(
+        attribution.to_owned(),
+        tokens.small(),
+        tokens.text,
+        0.4 * rect.width(),
+    );
+    let size = galley.size() + vec2(12.0, 4.0);
+    let middle = pos2(rect.center().x, rect.bottom() - 0.5 * size.y - 2.0);
+    let at = Rect::from_center_size(middle, size);
+    let response = ui.interact(at, ui.scope_id().with("attribution"), Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, attribution));
+    let painter = ui.painter_at(rect);
+    painter.rect_filled(at, 2.0, tokens.over_map());
+    painter.galley(at.min + vec2(6.0, 2.0), galley, tokens.text);
+}
+
+/// Height of the ground at a place with what it counts from, where it is known.
+pub fn height_text(p: &GroundPoint, ground: &Ground, units: Units) -> Option<String> {
+    let (factor, unit) = units.length();
+    let height = factor * ground.height_at(p)?;
+    let above = match ground.heights()?.datum() {
+        HeightDatum::MeanSeaLevel(_) | HeightDatum::NotStated => "AMSL",
+        HeightDatum::Ellipsoid => "above the ellipsoid",
+    };
+    Some(format!("ground {height:.0} {unit} {above}"))
 }
 
 /// Draws a lens at `rect` that magnifies the surroundings of the estimate, so that the sigma points

@@ -4,6 +4,7 @@ use egui::{Align2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 use pilotage_core::navigator::StepReport;
 
 use crate::context::ViewContext;
+use crate::documents::Ground;
 use crate::tokens::Tokens;
 
 /// One number: its name, value and unit.
@@ -13,7 +14,7 @@ struct Readout {
     unit: String,
 }
 
-fn readouts(context: &ViewContext<'_>, step: &StepReport) -> Vec<Readout> {
+fn readouts(context: &ViewContext<'_>, ground: &Ground, step: &StepReport) -> Vec<Readout> {
     let (length, length_unit) = context.units.length();
     let (speed, speed_unit) = context.units.speed();
     let mut list = Vec::new();
@@ -51,6 +52,10 @@ fn readouts(context: &ViewContext<'_>, step: &StepReport) -> Vec<Readout> {
     }
     let height = step.control.height * length;
     add("Height above ground", format!("{height:.0}"), length_unit);
+    if let Some(below) = ground.height_at(&step.after.position()) {
+        let height = (below + step.control.height) * length;
+        add("Height AMSL", format!("{height:.0}"), length_unit);
+    }
     list
 }
 
@@ -58,12 +63,13 @@ fn readouts(context: &ViewContext<'_>, step: &StepReport) -> Vec<Readout> {
 pub fn paint_readouts(
     ui: &mut Ui,
     context: &ViewContext<'_>,
+    ground: &Ground,
     step: &StepReport,
     left_top: egui::Pos2,
     room: f32,
 ) -> Rect {
     let tokens: &Tokens = context.tokens;
-    let mut list = readouts(context, step);
+    let mut list = readouts(context, ground, step);
     let cell = vec2(118.0, 44.0);
     list.truncate((room / cell.x).max(1.0) as usize);
     let size = vec2(cell.x * list.len() as f32 + 8.0, cell.y);

@@ -89,6 +89,9 @@ struct Held {
 pub struct TileCache {
     held: HashMap<TileKey, Held>,
     empty: HashSet<TileKey>,
+    /// Tiles that are not whole, with the refresh after which they came.
+    partial: HashMap<TileKey, u64>,
+    refreshes: u64,
     wanted: Vec<TileKey>,
     frame: u64,
 }
@@ -104,18 +107,52 @@ impl TileCache {
         &self.wanted
     }
 
+    /// Whether every tile in sight is there, and whole.
+    pub fn is_whole(&self) -> bool {
+        self.wanted.is_empty() && self.partial.is_empty()
+    }
+
     /// Textures that are kept.
     pub fn count(&self) -> usize {
         self.held.len()
     }
 
-    /// Takes the pixels of a tile.
-    pub fn insert(&mut self, context: &egui::Context, window: &Window, pixels: &Raster<Rgba>) {
+    /// More of the map is ready: tiles that are not whole are asked for again.
+    pub fn refresh(&mut self) {
+        self.refreshes += 1;
+    }
+
+    /// Whether a tile has to be asked for.
+    fn is_missing(&self, key: &TileKey) -> bool {
+        match self.partial.get(key) {
+            Some(came) => *came < self.refreshes,
+            None => !self.held.contains_key(key) && !self.empty.contains(key),
+        }
+    }
+
+    /// Takes the pixels of a tile; one that is not `whole` is asked for again after a refresh.
+    pub fn insert(
+        &mut self,
+        context: &egui::Context,
+        window: &Window,
+        pixels: &Raster<Rgba>,
+        whole: bool,
+    ) {
         let Some(key) = TileKey::of(window) else {
             return;
         };
         self.wanted.retain(|k| *k != key);
-        if pixels.is_empty() || pixels.pixels().iter().all(|p| p[3] == 0) {
+        if whole {
+            self.partial.remove(&key);
+        } else {
+            self.partial.insert(key, self.refreshes);
+        }
+        let is_empty = pixels.is_empty() || pixels.pixels().iter().all(|p| p[3] == 0);
+        if is_empty && !whole {
+            return;
+        }
+        if is_empty {
+            self.held.remove(&key);
             self.empty.insert(key);
             return;
         }
@@ -154,10 +191,12 @@ impl TileCache {
         let mut stand_ins: Vec<TileKey> = Vec::new();
         let mut missing: Vec<TileKey> = Vec::new();
         for key in &tiles {
+            if self.is_missing(key) {
+                missing.push(*key);
+            }
             if self.held.contains_key(key) || self.empty.contains(key) {
                 continue;
             }
-            missing.push(*key);
             let mut ancestor = *key;
             for _ in 0..ANCESTORS {
                 ancestor = ancestor.parent();
@@ -194,7 +233,7 @@ impl TileCache {
         let mut wanted: Vec<TileKey> = rough
             .into_iter()
             .flat_map(|level| TileKey::covering(level, ground))
-            .filter(|k| !self.held.contains_key(k) && !self.empty.contains(k))
+            .filter(|k| self.is_missing(k))
             .collect();
         wanted.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
         if missing.is_empty() {
@@ -234,6 +273,9 @@ impl TileCache {
         let now = self.frame;
         self.held
             .retain(|_, h| h.last_used >= oldest_kept || h.last_used == now);
+        if self.partial.len() > 8 * CAPACITY {
+            self.partial.clear();
+        }
     }
 }
 

@@ -1,10 +1,12 @@
 //! The map view.
 
 use egui::{Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
-use pilotage_core::frames::{GroundPoint, GroundRect};
+use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::navigator::{Run, StepReport};
 
-use super::furniture::{coordinates_text, paint_lens, paint_scale_bar};
+use super::furniture::{
+    coordinates_text, height_text, paint_attribution, paint_lens, paint_scale_bar,
+};
 use super::landmarks::{LandmarkScene, paint_landmarks};
 use super::layers::{Layer, Layers};
 use super::picking::{Drag, box_between};
@@ -17,6 +19,8 @@ use super::tiles::TileCache;
 use super::tracks::{DrawnTrack, TrackStyle};
 use super::transform::{MapCamera, ScreenFromWorld};
 use crate::context::{Drawn, ViewContext};
+use crate::documents::Ground;
+use crate::georeference::Georeferencer;
 use crate::jobs::{Distinctness, MapInfo};
 use crate::plan::{FindPick, PlanTool, Planner, paint_hint};
 
@@ -32,6 +36,12 @@ pub struct MapExtra<'a> {
     pub distinctness: Option<&'a Distinctness>,
     /// The plan, if that is what people work on.
     pub plan: Option<&'a Planner>,
+    /// The world frame, if it has a place on the globe.
+    pub frame: Option<LocalFrame>,
+    /// The height of the ground.
+    pub ground: &'a Ground,
+    /// Whom to thank for the map, shown wherever it is.
+    pub attribution: Option<&'a str>,
 }
 
 /// The map's own state: how it is looked at, its textures and thinned tracks.
@@ -109,7 +119,14 @@ impl MapView {
     }
 
     /// Draws the map over all of the space that is left, and takes the pointer.
-    pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, extra: &MapExtra<'_>) {
+    /// Points of a `georeferencer` lie over everything and come first.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut ViewContext<'_>,
+        extra: &MapExtra<'_>,
+        mut georeferencer: Option<&mut Georeferencer>,
+    ) {
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Map"));
         if rect.width() < 8.0 || rect.height() < 8.0 {
@@ -137,7 +154,9 @@ impl MapView {
                 && extra
                     .plan
                     .is_some_and(|plan| tool.interact(ui, &view, &response, plan, context)));
-        self.interact(ui, rect, &response, context, busy);
+        let georeferencing = georeferencer.as_mut();
+        let picks = georeferencing.is_some_and(|it| it.interact_on_map(&view, &response));
+        self.interact(ui, rect, &response, context, busy || picks);
         let view = self.camera.screen_from_world(rect);
         let painter = ui.painter_at(rect);
         painter.rect_filled(rect, 0.0, context.tokens.background);
@@ -162,12 +181,19 @@ impl MapView {
             paint_hint(&painter, rect, finder.pick, finder.corners.len(), tokens);
         }
         self.paint_drawing(&painter, &view, &response, context);
-        self.paint_furniture(&painter, &view, rect, context, &response);
+        self.paint_furniture(&painter, &view, rect, context, extra, &response);
+        if let Some(georeferencer) = georeferencer {
+            georeferencer.paint_on_map(&painter, &view, context.tokens);
+        }
         let step = context.run.and_then(|r| r.step_at(context.time));
         if let Some(step) = step {
             let corner = rect.left_top() + vec2(16.0, 16.0);
-            let covered = paint_readouts(ui, context, step, corner, rect.width() - 96.0);
+            let covered =
+                paint_readouts(ui, context, extra.ground, step, corner, rect.width() - 96.0);
             self.cover(covered);
+        }
+        if let Some(attribution) = extra.attribution {
+            paint_attribution(ui, rect, attribution, context.tokens);
         }
         self.controls(ui, rect, context);
         self.legend(ui, rect, context);
@@ -374,14 +400,18 @@ impl MapView {
         view: &ScreenFromWorld,
         rect: Rect,
         context: &ViewContext<'_>,
+        extra: &MapExtra<'_>,
         response: &egui::Response,
     ) {
         let tokens = context.tokens;
         let corner = rect.right_bottom() - vec2(16.0, 16.0);
         paint_scale_bar(painter, view, corner, context.units, tokens);
         if let Some(pointer) = response.hover_pos() {
-            let frame = context.flight.and_then(|f| f.frame_on_globe.as_ref());
-            let text = coordinates_text(&view.inverse(pointer), frame, context.units);
+            let place = view.inverse(pointer);
+            let mut text = coordinates_text(&place, extra.frame.as_ref(), context.units);
+            if let Some(height) = height_text(&place, extra.ground, context.units) {
+                text = format!("{height}   {text}");
+            }
             paint_halo_text(
                 painter,
                 pos2(rect.right() - 18.0, rect.bottom() - 46.0),

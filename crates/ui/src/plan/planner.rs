@@ -157,7 +157,7 @@ pub fn cruise() -> f64 {
 pub fn flight_wind(documents: &Documents) -> Wind {
     match &documents.flight_source {
         FlightSource::Simulated(options) => scenario_wind(options),
-        FlightSource::Files(_) => Wind::default(),
+        FlightSource::Files(_) | FlightSource::Nothing => Wind::default(),
     }
 }
 
@@ -226,7 +226,7 @@ pub fn usual_altitude(documents: &Documents) -> Altitude {
         FlightSource::Simulated(options) => options
             .height
             .or_else(|| Some(Scenario::named(&options.scenario)?.height)),
-        FlightSource::Files(_) => None,
+        FlightSource::Files(_) | FlightSource::Nothing => None,
     };
     Altitude::new(flown.unwrap_or(USUAL_HEIGHT), AltitudeFrame::AboveGround)
 }

@@ -4,6 +4,7 @@
 use egui::{Key, KeyboardShortcut, Modifiers};
 
 use crate::command::{Command, Workspace};
+use crate::dialogs::WebMapCommand;
 use crate::plan::{FindCommand, FindPick, HeatCommand, PlanCommand};
 
 /// Where a command stands in the help sheet and the palette.
@@ -395,6 +396,11 @@ fn document() -> Vec<Entry> {
             "Open a flight, map, mission or run…",
             vec![control(Key::O)],
             Command::Open,
+        ),
+        of(
+            "Map from the web: tiles, GeoTIFF, PMTiles…",
+            vec![shift(Key::M)],
+            Command::WebMap(WebMapCommand::Toggle),
         ),
         of(
             "Save the mission",

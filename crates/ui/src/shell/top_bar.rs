@@ -5,6 +5,7 @@ use egui::{Align, Layout, RichText, Ui};
 use super::icons::Icon;
 use super::widgets::{icon_button, icon_toggle, muted, tab, text_button};
 use crate::command::{Command, Workspace};
+use crate::dialogs::WebMapCommand;
 use crate::tokens::Tokens;
 use crate::units::Units;
 
@@ -96,6 +97,9 @@ fn actions(
             commands.push(Command::Open);
         }
         ui.add_space(4.0);
+    }
+    if icon_button(ui, tokens, Icon::Layers, "Map from the web…").clicked() {
+        commands.push(Command::WebMap(WebMapCommand::Toggle));
     }
     if text_button(ui, tokens, Some(Icon::Aircraft), "Simulate…", true).clicked() {
         commands.push(Command::ToggleSimulate);

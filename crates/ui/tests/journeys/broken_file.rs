@@ -9,7 +9,7 @@ fn a_broken_file_is_refused_and_nothing_is_lost() {
     rig.host().opening_fails = Some("flight.json, line 3: expected a number.".into());
     let broken = OpenedFile {
         path: "trip/flight.json".into(),
-        bytes: b"{".as_slice().into(),
+        content: b"{".to_vec().into(),
     };
     rig.host().opened.push(vec![broken]);
     rig.frames(4);

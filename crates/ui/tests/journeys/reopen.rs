@@ -8,7 +8,7 @@ use super::support::{Rig, ScriptedHost, rig, rig_on};
 fn files(bytes: usize) -> Vec<OpenedFile> {
     let file = |path: &str| OpenedFile {
         path: path.into(),
-        bytes: vec![7; bytes].into(),
+        content: vec![7; bytes].into(),
     };
     vec![file("trip/flight.json"), file("trip/wind.csv")]
 }
@@ -20,6 +20,8 @@ fn rig_with_a_flight(bytes: usize) -> Rig {
         key: String::new(),
         flight: Some(flight()),
         map: None,
+        terrain: None,
+        unplaced: None,
         mission: None,
         run: None,
         remarks: Vec::new(),
@@ -65,7 +67,7 @@ fn an_opened_flight_is_there_again_after_a_reload() {
     });
     let wanted: Vec<_> = files(100)
         .into_iter()
-        .map(|f| (f.path, f.bytes.to_vec()))
+        .map(|f| (f.path, f.content))
         .collect();
     assert_eq!(provided, Some(wanted));
 }

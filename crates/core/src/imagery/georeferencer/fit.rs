@@ -4,7 +4,8 @@ use nalgebra::{Matrix3, Point2, Vector2, Vector3};
 use serde::{Deserialize, Serialize};
 
 use super::solve;
-use crate::imagery::WorldFile;
+use crate::frames::ReferenceSystem;
+use crate::imagery::{Georeference, WorldFile};
 
 /// A point that is known in the picture and in the plane.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -206,5 +207,16 @@ impl Fit {
             c: first.x,
             f: first.y,
         })
+    }
+
+    /// Where the fit puts the picture, if its plane is that of `system`.
+    pub fn georeference(&self, system: ReferenceSystem) -> Georeference {
+        match self.world_file() {
+            Some(file) => Georeference::Projected { system, file },
+            None => Georeference::Projective {
+                system,
+                plane_from_pixel: self.plane_from_pixel,
+            },
+        }
     }
 }

@@ -176,3 +176,43 @@ proptest! {
         let _ = read_points(&text);
     }
 }
+
+#[test]
+fn a_picture_seen_askew_lies_where_its_points_do_there_and_back() {
+    use crate::frames::LocalFrame;
+    let askew = |x: f64, y: f64| {
+        let w = 1.0 + 2e-4 * x - 1e-4 * y;
+        (
+            570_000.0 + (0.3 * x + 0.05 * y) / w,
+            5_190_000.0 + (0.02 * x - 0.28 * y) / w,
+        )
+    };
+    let utm = ReferenceSystem::from_epsg(32_615).unwrap();
+    let fit = fit(&points(&SPREAD, askew), TransformKind::Projective).unwrap();
+    let place = fit.georeference(utm);
+    let frame = LocalFrame::new(place.origin(1000, 700).unwrap());
+    for (x, y) in [(0.5, 0.5), (640.0, 333.0), (999.0, 699.0)] {
+        let (east, north) = askew(x, y);
+        let wanted = frame.ground_from_geodetic(&utm.geodetic(east, north).unwrap());
+        let ground = place.ground_at(&frame, x, y);
+        assert!(ground.distance(&wanted) < 1e-4, "{ground:?} {wanted:?}");
+        let pixel = place.pixel_at(&frame, &ground).unwrap();
+        assert!((pixel - Point2::new(x, y)).norm() < 1e-4, "{pixel}");
+    }
+}
+
+#[test]
+fn points_in_degrees_are_fitted_in_metres() {
+    let utm = ReferenceSystem::from_epsg(32_615).unwrap();
+    let in_degrees = points(&SPREAD, |x, y| {
+        let (east, north) = turned(x, y);
+        let place = utm.geodetic(east, north).unwrap();
+        (place.longitude.to_degrees(), place.latitude.to_degrees())
+    });
+    let (in_plane, plane) = in_metres(&in_degrees, ReferenceSystem::Geographic).unwrap();
+    assert_eq!(plane, utm);
+    let fit = fit(&in_plane, TransformKind::Similarity).unwrap();
+    assert!(fit.rms_in_plane < 1e-5);
+    let (same, system) = in_metres(&in_plane, utm).unwrap();
+    assert_eq!((same, system), (in_plane, utm));
+}

@@ -133,6 +133,23 @@ impl GeoTiffFile {
         })
     }
 
+    /// Reads the directories of a file whose place is known better than by the file.
+    pub fn put(
+        source: Arc<dyn ByteSource>,
+        georeference: Georeference,
+    ) -> Result<Self, GeoTiffError> {
+        Ok(Self {
+            tiff: TiffFile::open(source)?,
+            georeference,
+            keys: GeoKeys {
+                system: None,
+                is_point: false,
+                vertical_system: None,
+                metres_per_height: 1.0,
+            },
+        })
+    }
+
     /// Width and height, pixels.
     pub fn size(&self) -> (usize, usize) {
         let picture = &self.tiff.levels()[0];
@@ -183,25 +200,6 @@ impl GeoTiff {
     /// Sample of a 16-bit picture that is shown as full brightness, 255 for 8 bits.
     pub fn white(&self) -> u32 {
         self.tiles.colours.white()
-    }
-
-    /// Tiles that could not be read and are shown as empty: the first few, each once.
-    pub fn problems(&self) -> Vec<TiffError> {
-        self.tiles.problems()
-    }
-
-    /// Makes up to `blocks` blocks of the coarse pyramid ahead of its use; gives the number of blocks
-    /// that are made and of all. A file with overviews has none to make.
-    pub fn prepare(&self, blocks: usize) -> (usize, usize) {
-        let Some(coarse) = &self.coarse else {
-            return (0, 0);
-        };
-        let mut coarse = coarse.lock().unwrap_or_else(PoisonError::into_inner);
-        for _ in 0..blocks {
-            let Some(block) = coarse.pending() else { break };
-            coarse.make(&self.tiles, block);
-        }
-        coarse.progress()
     }
 
     /// Level of the file for a window whose pixels are `ratio` pixels of the picture wide, and the
@@ -260,15 +258,6 @@ impl GeoTiff {
         };
         let per_side = samples_per_side(ratio * scale.0 / factor);
         Some((sight.draw(&part, per_side), is_whole))
-    }
-
-    /// The window without waiting for the coarse pyramid: what is missing of it is transparent.
-    /// Also says whether the window is whole; if not, [`prepare`](Self::prepare) and ask again.
-    pub fn window_so_far(&self, window: &Window) -> (Raster<Rgba>, bool) {
-        let ratio = window.gsd / self.native_gsd();
-        let sight = Sight::new(window, &self.placement);
-        self.coarse_window(&sight, ratio, false)
-            .unwrap_or_else(|| (self.window(window), true))
     }
 
     /// Two halves of a window, put together.
@@ -356,5 +345,32 @@ impl Imagery for GeoTiff {
             scale,
         };
         sight.draw(&part, samples_per_side(ratio / factor))
+    }
+
+    /// The window without waiting for the coarse pyramid: what is missing of it is transparent.
+    /// Also says whether the window is whole; if not, [`prepare`](Self::prepare) and ask again.
+    fn window_so_far(&self, window: &Window) -> (Raster<Rgba>, bool) {
+        let ratio = window.gsd / self.native_gsd();
+        let sight = Sight::new(window, &self.placement);
+        self.coarse_window(&sight, ratio, false)
+            .unwrap_or_else(|| (self.window(window), true))
+    }
+
+    /// Makes blocks of the coarse pyramid. A file with overviews has none to make.
+    fn prepare(&self, pieces: usize) -> (usize, usize) {
+        let Some(coarse) = &self.coarse else {
+            return (0, 0);
+        };
+        let mut coarse = coarse.lock().unwrap_or_else(PoisonError::into_inner);
+        for _ in 0..pieces {
+            let Some(block) = coarse.pending() else { break };
+            coarse.make(&self.tiles, block);
+        }
+        coarse.progress()
+    }
+
+    fn problems(&self) -> Vec<String> {
+        let problems = self.tiles.problems();
+        problems.iter().map(ToString::to_string).collect()
     }
 }

@@ -1,16 +1,20 @@
 //! The height of the ground.
 
 mod dem;
+mod grid;
 mod hgt;
 #[cfg(test)]
 mod tests;
 
 pub use dem::{Dem, TerrainError};
+pub use grid::HeightGrid;
+
+use serde::{Deserialize, Serialize};
 
 use crate::frames::GroundPoint;
 
 /// What heights count from.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum HeightDatum {
     /// Mean sea level, by the geoid or levelling that is named.
     MeanSeaLevel(String),

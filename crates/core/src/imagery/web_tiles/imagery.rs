@@ -56,6 +56,11 @@ impl WebTiles {
         }
     }
 
+    /// The world frame.
+    pub fn frame(&self) -> &LocalFrame {
+        &self.frame
+    }
+
     fn tile(&self, tile: TileNumber) -> Arc<Option<Raster<Rgba>>> {
         let made = self.kept.get_or_make(tile, || {
             let side = self.store.side();
@@ -94,6 +99,30 @@ impl WebTiles {
     }
 }
 
+/// First and last tile of the rectangle of tiles that a window of the world frame `frame` is drawn
+/// from: of the coarsest of the `zooms` that is fine enough. `None` if they would be too many.
+pub fn tiles_for(
+    window: &Window,
+    frame: &LocalFrame,
+    (least, most): (u8, u8),
+    side: usize,
+) -> Option<(TileNumber, TileNumber)> {
+    let rect = window.rect();
+    let place = frame.geodetic_from_ground(&rect.center());
+    let mut zoom = TileNumber::zoom_for(window.gsd, place.latitude, side).clamp(least, most);
+    loop {
+        let (first, last) = TileNumber::covering(&rect, frame, zoom);
+        let tiles = u64::from(last.x - first.x + 1) * u64::from(last.y - first.y + 1);
+        if tiles <= MOST_TILES {
+            return Some((first, last));
+        }
+        if zoom == least {
+            return None;
+        }
+        zoom -= 1;
+    }
+}
+
 impl Imagery for WebTiles {
     fn name(&self) -> &str {
         self.store.name()
@@ -114,20 +143,10 @@ impl Imagery for WebTiles {
         if !rect.overlaps(&self.area) {
             return empty();
         }
-        let place = self.frame.geodetic_from_ground(&rect.center());
         let side = self.store.side();
-        let (least, most) = self.store.zooms();
-        let mut zoom = TileNumber::zoom_for(window.gsd, place.latitude, side).clamp(least, most);
-        let (first, last) = loop {
-            let (first, last) = TileNumber::covering(&rect, &self.frame, zoom);
-            let tiles = u64::from(last.x - first.x + 1) * u64::from(last.y - first.y + 1);
-            if tiles <= MOST_TILES {
-                break (first, last);
-            }
-            if zoom == least {
-                return empty();
-            }
-            zoom -= 1;
+        let tiles = tiles_for(window, &self.frame, self.store.zooms(), side);
+        let Some((first, last)) = tiles else {
+            return empty();
         };
         let pixels = self.rectangle(first, last);
         let size = (pixels.width(), pixels.height());

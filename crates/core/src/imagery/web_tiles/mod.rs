@@ -7,7 +7,7 @@ mod template;
 #[cfg(test)]
 mod tests;
 
-pub use imagery::{TileStore, WebTiles};
+pub use imagery::{TileStore, WebTiles, tiles_for};
 pub use number::TileNumber;
 pub use pmtiles::{PmTiles, PmTilesError, TileFormat};
 pub use template::{TemplateError, TileTemplate};

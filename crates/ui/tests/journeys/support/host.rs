@@ -98,6 +98,7 @@ impl ScriptedHost {
                     bounds: GroundRect::centered(GroundPoint::new(0.0, 0.0), 2000.0, 2000.0),
                     native_gsd: 0.15,
                     is_coarse_cheap: true,
+                    origin: None,
                 }));
                 say(JobEvent::Finished);
             }
@@ -111,6 +112,7 @@ impl ScriptedHost {
                 say(JobEvent::Tile {
                     window: *window,
                     pixels: Raster::from_fn(window.width, window.height, shade),
+                    whole: true,
                 });
                 say(JobEvent::Finished);
             }
@@ -130,7 +132,7 @@ impl ScriptedHost {
                 })));
                 say(JobEvent::Finished);
             }
-            Job::Open { key } => {
+            Job::Open { key, .. } => {
                 if let Some(mut opened) = self.opens.clone() {
                     opened.key.clone_from(key);
                     say(JobEvent::Opened(Box::new(opened)));
@@ -164,7 +166,11 @@ impl ScriptedHost {
             }
             Job::Find(_) => self.carry_out(id, job),
             Job::ExplainMatch { .. } | Job::DecodePicture { .. } => say(JobEvent::Finished),
-            Job::Provide { .. } | Job::Fly { .. } => {}
+            Job::Provide { .. }
+            | Job::Fly { .. }
+            | Job::PrepareMap(_)
+            | Job::ReadPlaces { .. }
+            | Job::TakeHeights(_) => {}
         }
     }
 }

@@ -1,0 +1,182 @@
+//! `pilotage map georef`: a picture put on the ground by control points.
+
+use std::path::{Path, PathBuf};
+
+use nalgebra::Point2;
+use pilotage_core::frames::ReferenceSystem;
+use pilotage_core::imagery::georeferencer::{
+    ControlPoint, Fit, TransformKind, fit, in_metres, read_points,
+};
+use pilotage_core::mission::{MapOptions, open_map_with};
+use serde::Serialize;
+
+use crate::Outcome;
+use crate::files::Directory;
+
+/// Which picture, by which points.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// JPEG, PNG or TIFF.
+    picture: PathBuf,
+    /// Control points as the QGIS georeferencer writes them.
+    #[arg(long)]
+    points: PathBuf,
+    /// What the picture may undergo.
+    #[arg(long, value_enum, default_value_t = Kind::Affine)]
+    kind: Kind,
+    /// World file to write; a .prj is written beside it.
+    #[arg(long)]
+    out: Option<PathBuf>,
+    /// Reference system of the points, before what their file says, e.g. EPSG:32617.
+    #[arg(long)]
+    system: Option<String>,
+    /// Also write the summary as JSON.
+    #[arg(long)]
+    summary: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, clap::ValueEnum)]
+enum Kind {
+    /// Shift, turn, one scale: two points.
+    Similarity,
+    /// Also other scales and a skew: three points.
+    Affine,
+    /// Also perspective: four points; no world file can hold it.
+    Projective,
+}
+
+/// What came of it.
+#[derive(Serialize)]
+struct Summary {
+    picture: String,
+    width: usize,
+    height: usize,
+    kind: &'static str,
+    reference_system: String,
+    epsg: u32,
+    gsd_m: f64,
+    rms_px: f64,
+    rms_m: f64,
+    /// Of every point left out of its own fit; absent if points are too few.
+    rms_left_out_m: Option<f64>,
+    /// Latitude and longitude in degrees of the corners, from the top left one clockwise.
+    corners_lat_lon: Vec<[f64; 2]>,
+    /// (x, y, 1) up to a factor from (column, row, 1), row by row; pixel centres at half integers.
+    plane_from_pixel: [[f64; 3]; 3],
+    points: Vec<PointSummary>,
+}
+
+#[derive(Serialize)]
+struct PointSummary {
+    column: f64,
+    row: f64,
+    x_m: f64,
+    y_m: f64,
+    enabled: bool,
+    residual_px: Option<f64>,
+    residual_east_m: f64,
+    residual_north_m: f64,
+    left_out_m: Option<f64>,
+}
+
+/// Does what the arguments say.
+pub fn run(arguments: &Arguments) -> Outcome {
+    let file = arguments.points.display();
+    let text = std::fs::read_to_string(&arguments.points).map_err(|e| format!("{file}: {e}"))?;
+    let (points, stated) = read_points(&text).map_err(|e| format!("{file}: {e}"))?;
+    let named = match &arguments.system {
+        Some(name) => Some(ReferenceSystem::from_name(name).ok_or_else(|| {
+            format!(
+                "--system: \"{name}\" is not known; EPSG:4326, EPSG:3857 and the UTM zones of WGS 84 are"
+            )
+        })?),
+        None => None,
+    };
+    let system = named.or(stated).ok_or_else(|| {
+        format!("{file}: the file does not say of which reference system its points are; name it by --system, e.g. EPSG:32617")
+    })?;
+    let (points, plane) = in_metres(&points, system).ok_or_else(|| {
+        format!(
+            "{file}: a point lies where {} does not reach",
+            system.name()
+        )
+    })?;
+    let kind = match arguments.kind {
+        Kind::Similarity => TransformKind::Similarity,
+        Kind::Affine => TransformKind::Affine,
+        Kind::Projective => TransformKind::Projective,
+    };
+    let fitted = fit(&points, kind).map_err(|e| format!("{file}: {e}"))?;
+    let summary = summarize(&arguments.picture, &points, plane, &fitted)?;
+    if let Some(out) = &arguments.out {
+        let world_file = fitted.world_file().ok_or(
+            "a world file cannot hold a projective transform; choose --kind affine, or leave --out away and take the matrix from the summary",
+        )?;
+        write(out, &world_file.to_string())?;
+        write(&out.with_extension("prj"), &plane.well_known_text())?;
+    }
+    let text = serde_json::to_string_pretty(&summary)?;
+    if let Some(path) = &arguments.summary {
+        write(path, &text)?;
+    }
+    println!("{text}");
+    Ok(())
+}
+
+fn summarize(
+    picture: &Path,
+    points: &[ControlPoint],
+    plane: ReferenceSystem,
+    fitted: &Fit,
+) -> Result<Summary, Box<dyn std::error::Error>> {
+    let name = picture.file_name().unwrap_or_default().to_string_lossy();
+    let directory = Directory::around(picture)?;
+    let options = MapOptions {
+        place: Some(fitted.georeference(plane)),
+        ..MapOptions::default()
+    };
+    let map = open_map_with(&directory, &name, &options)?;
+    let (width, height) = map
+        .placement()
+        .map_or((0, 0), pilotage_core::imagery::Placement::size);
+    let (w, h) = (width as f64, height as f64);
+    let corners = [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)];
+    let corners = corners.into_iter().filter_map(|(x, y)| {
+        let place = fitted.place_at(&Point2::new(x, y))?;
+        let place = plane.geodetic(place.x, place.y)?;
+        Some([place.latitude.to_degrees(), place.longitude.to_degrees()])
+    });
+    let told = points.iter().zip(&fitted.residuals);
+    let m = fitted.plane_from_pixel / fitted.plane_from_pixel[(2, 2)];
+    Ok(Summary {
+        picture: name.clone().into_owned(),
+        width,
+        height,
+        kind: fitted.kind.name(),
+        reference_system: plane.name(),
+        epsg: plane.epsg(),
+        gsd_m: pilotage_core::imagery::Imagery::native_gsd(&map),
+        rms_px: fitted.rms_in_pixels,
+        rms_m: fitted.rms_in_plane,
+        rms_left_out_m: fitted.rms_left_out,
+        corners_lat_lon: corners.collect(),
+        plane_from_pixel: [0, 1, 2].map(|r| [0, 1, 2].map(|c| m[(r, c)])),
+        points: told
+            .map(|(point, residual)| PointSummary {
+                column: point.pixel.x,
+                row: point.pixel.y,
+                x_m: point.place.x,
+                y_m: point.place.y,
+                enabled: point.enabled,
+                residual_px: residual.in_pixels.map(|r| r.norm()),
+                residual_east_m: residual.in_plane.x,
+                residual_north_m: residual.in_plane.y,
+                left_out_m: residual.left_out.map(|r| r.norm()),
+            })
+            .collect(),
+    })
+}
+
+fn write(path: &Path, text: &str) -> Result<(), String> {
+    std::fs::write(path, text).map_err(|e| format!("{}: {e}", path.display()))
+}

@@ -1,0 +1,81 @@
+//! A picture put on the ground from the command line.
+
+use std::path::Path;
+use std::process::Command;
+
+use pilotage_core::raster::{Picture, encode_png};
+
+/// Six points of a picture with half-metre pixels in UTM zone 15 north, one of them 3 m off.
+const POINTS: &str = "#CRS: EPSG:32615
+mapX,mapY,sourceX,sourceY,enable,dX,dY,residual
+570005,5189995,10,-10,1,0,0,0
+570095,5189995,190,-10,1,0,0,0
+570095,5189955,190,-90,1,0,0,0
+570005,5189955,10,-90,1,0,0,0
+570050,5189975,100,-50,1,0,0,0
+570030,5189983,60,-40,0,0,0,0
+";
+
+fn georef(folder: &Path, more: &[&str]) -> std::process::Output {
+    Command::new(env!("CARGO_BIN_EXE_pilotage"))
+        .current_dir(folder)
+        .args(["map", "georef", "area.png", "--points", "area.points"])
+        .args(more)
+        .output()
+        .unwrap()
+}
+
+#[test]
+fn points_make_a_world_file_that_puts_the_picture_where_they_are() {
+    let folder = std::env::temp_dir().join(format!("pilotage-georef-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let picture = Picture::from_fn(200, 100, |x, y| [x as u8, y as u8, 90]);
+    std::fs::write(folder.join("area.png"), encode_png(&picture).unwrap()).unwrap();
+    std::fs::write(folder.join("area.points"), POINTS).unwrap();
+
+    let made = georef(&folder, &["--kind", "affine", "--out", "area.pgw"]);
+    assert!(
+        made.status.success(),
+        "{}",
+        String::from_utf8_lossy(&made.stderr)
+    );
+    let summary: serde_json::Value = serde_json::from_slice(&made.stdout).unwrap();
+    assert_eq!(summary["epsg"], 32_615);
+    assert!(summary["rms_m"].as_f64().unwrap() < 1e-6, "{summary}");
+    assert!(summary["rms_left_out_m"].as_f64().unwrap() < 1e-6);
+    // The point that is off: 30 m east and 20 m south of the corner by the fit.
+    let off = &summary["points"][5];
+    assert_eq!(off["enabled"], false);
+    assert!(
+        (off["residual_north_m"].as_f64().unwrap() + 3.0).abs() < 1e-6,
+        "{off}"
+    );
+    assert!((off["residual_px"].as_f64().unwrap() - 6.0).abs() < 1e-6);
+
+    let world: Vec<f64> = std::fs::read_to_string(folder.join("area.pgw"))
+        .unwrap()
+        .lines()
+        .map(|line| line.parse().unwrap())
+        .collect();
+    let wanted = [0.5, 0.0, 0.0, -0.5, 570_000.25, 5_189_999.75];
+    for (found, wanted) in world.iter().zip(wanted) {
+        assert!((found - wanted).abs() < 1e-6, "{world:?}");
+    }
+    let info = Command::new(env!("CARGO_BIN_EXE_pilotage"))
+        .current_dir(&folder)
+        .args(["map", "info", "area.png"])
+        .output()
+        .unwrap();
+    let info: serde_json::Value = serde_json::from_slice(&info.stdout).unwrap();
+    for corner in 0..4 {
+        for axis in 0..2 {
+            let of = |v: &serde_json::Value| v["corners_lat_lon"][corner][axis].as_f64().unwrap();
+            assert!((of(&info) - of(&summary)).abs() < 1e-9, "{info} {summary}");
+        }
+    }
+
+    let refused = georef(&folder, &["--kind", "projective", "--out", "b.pgw"]);
+    let why = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(!refused.status.success() && why.contains("affine"), "{why}");
+    std::fs::remove_dir_all(&folder).unwrap();
+}

@@ -1,0 +1,347 @@
+//! The dialog that opens a map of the web: by a template of tiles, or a file read by pieces.
+
+use egui::{DragValue, Frame, Id, Modal, TextEdit, Ui};
+use pilotage_core::frames::{Geodetic, GroundRect};
+use pilotage_core::imagery::web_tiles::TileTemplate;
+
+use crate::command::Command;
+use crate::jobs::WebMap;
+use crate::shell::{caption, muted, text_button, title};
+use crate::tokens::Tokens;
+
+/// Most tiles that an area may have.
+const MOST_TILES: u64 = 20_000;
+/// Bytes of a usual tile, for an estimate.
+const USUAL_TILE: f64 = 22_000.0;
+
+/// What is asked of the app.
+#[derive(Clone, Debug, PartialEq)]
+pub enum WebMapCommand {
+    /// Show or hide the dialog.
+    Toggle,
+    /// Show a map of tiles.
+    OpenTiles(Box<WebMap>),
+    /// Open the file at an address.
+    OpenFile(String),
+    /// Download tiles of the map that is open over an area, at zooms from the first to the last.
+    Download(GroundRect, (u8, u8)),
+    /// Stop that.
+    StopDownload,
+}
+
+/// How far a download is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Download {
+    /// Tiles that are there, or could not be had.
+    pub done: u64,
+    /// Tiles in all.
+    pub all: u64,
+    /// Tiles that could not be had.
+    pub failed: u64,
+    /// Whether it came to its end.
+    pub over: bool,
+}
+
+/// What the dialog is told about what is open.
+pub struct WebMapScene<'a> {
+    /// Origin of the world frame.
+    pub origin: Option<Geodetic>,
+    /// The map of the web that is open.
+    pub open: Option<&'a WebMap>,
+    /// The ground in sight.
+    pub visible: Option<GroundRect>,
+    /// Metres per pixel in sight.
+    pub gsd: f64,
+    /// The download under way or just over.
+    pub download: Option<Download>,
+}
+
+/// What is typed.
+#[derive(Clone, Debug)]
+pub struct WebMapDialog {
+    open: bool,
+    address: String,
+    attribution: String,
+    zooms: (u8, u8),
+    place: String,
+    deepest: Option<u8>,
+    wrong: Option<String>,
+}
+
+impl Default for WebMapDialog {
+    fn default() -> Self {
+        Self {
+            open: false,
+            address: String::new(),
+            attribution: String::new(),
+            zooms: (0, 18),
+            place: String::new(),
+            deepest: None,
+            wrong: None,
+        }
+    }
+}
+
+impl WebMapDialog {
+    /// Opens or closes the dialog.
+    pub fn toggle(&mut self) {
+        self.open = !self.open;
+        self.wrong = None;
+    }
+
+    /// Whether it is open.
+    pub fn is_open(&self) -> bool {
+        self.open
+    }
+
+    /// Draws the dialog.
+    pub fn show(
+        &mut self,
+        context: &egui::Context,
+        tokens: &Tokens,
+        scene: &WebMapScene<'_>,
+        commands: &mut Vec<Command>,
+    ) {
+        if !self.open {
+            return;
+        }
+        let screen = context.content_rect();
+        let response = Modal::new(Id::unique("web map"))
+            .frame(Frame::window(&context.global_style()).inner_margin(24))
+            .show(context, |ui| {
+                ui.set_width(560.0_f32.min(screen.width() - 96.0));
+                let mut close = title(ui, tokens, "Map from the web");
+                close |= self.source(ui, tokens, scene, commands);
+                if let Some(map) = scene.open {
+                    ui.add_space(2.0 * tokens.space);
+                    ui.separator();
+                    self.offline(ui, tokens, scene, map, commands);
+                }
+                close
+            });
+        if response.inner || response.should_close() {
+            self.open = false;
+        }
+    }
+
+    fn source(
+        &mut self,
+        ui: &mut Ui,
+        tokens: &Tokens,
+        scene: &WebMapScene<'_>,
+        commands: &mut Vec<Command>,
+    ) -> bool {
+        caption(ui, tokens, "Address");
+        let hint = "https://tiles.example.org/{z}/{x}/{y}.png, or of a GeoTIFF or PMTiles";
+        text(ui, &mut self.address, "Address", hint);
+        let is_file = is_file(&self.address);
+        if !is_file {
+            caption(ui, tokens, "Attribution, shown on the map");
+            text(
+                ui,
+                &mut self.attribution,
+                "Attribution",
+                "© whoever made the map",
+            );
+            ui.horizontal(|ui| {
+                ui.label("Zooms from");
+                let (least, most) = &mut self.zooms;
+                ui.add(DragValue::new(least).range(0..=22))
+                    .accessible_name("Coarsest zoom");
+                ui.label("to");
+                ui.add(DragValue::new(most).range(0..=22))
+                    .accessible_name("Deepest zoom");
+            });
+            if scene.origin.is_none() {
+                caption(ui, tokens, "Where to begin");
+                text(ui, &mut self.place, "Where to begin", "latitude, longitude");
+            }
+        }
+        let host = host_of(&self.address).unwrap_or("its server");
+        ui.label(muted(
+            tokens,
+            format!(
+                "Whatever part of the map you look at is requested from {host}, which so learns where you \
+                 look. Nothing else leaves this machine, and tiles that came are kept here."
+            ),
+        ));
+        if let Some(why) = &self.wrong {
+            ui.label(muted(tokens, why.clone()).color(tokens.warning));
+        }
+        let mut close = false;
+        ui.horizontal(|ui| {
+            if text_button(ui, tokens, None, "Open the map", true).clicked() {
+                match self.order(scene.origin, is_file) {
+                    Ok(command) => {
+                        commands.push(Command::WebMap(command));
+                        close = true;
+                    }
+                    Err(why) => self.wrong = Some(why),
+                }
+            }
+            close |= text_button(ui, tokens, None, "Cancel", false).clicked();
+        });
+        close
+    }
+
+    fn order(&self, origin: Option<Geodetic>, is_file: bool) -> Result<WebMapCommand, String> {
+        let address = self.address.trim().to_owned();
+        if is_file {
+            return Ok(WebMapCommand::OpenFile(address));
+        }
+        let template = TileTemplate {
+            name: host_of(&address).unwrap_or_default().to_owned(),
+            address,
+            attribution: self.attribution.trim().to_owned(),
+            least_zoom: self.zooms.0,
+            most_zoom: self.zooms.1,
+            side: 256,
+        };
+        let template = template.checked().map_err(|cause| cause.to_string())?;
+        if template.attribution.is_empty() {
+            return Err("say whose map it is: makers of maps ask for it".to_owned());
+        }
+        let origin = match origin {
+            Some(origin) => origin,
+            None => place(&self.place)
+                .ok_or("say where to begin: a latitude and a longitude, like 46.86, -92.08")?,
+        };
+        Ok(WebMapCommand::OpenTiles(Box::new(WebMap {
+            template,
+            origin,
+        })))
+    }
+
+    fn offline(
+        &mut self,
+        ui: &mut Ui,
+        tokens: &Tokens,
+        scene: &WebMapScene<'_>,
+        map: &WebMap,
+        commands: &mut Vec<Command>,
+    ) {
+        caption(ui, tokens, "Without a network");
+        if let Some(download) = scene.download.filter(|d| !d.over) {
+            let part = download.done as f32 / download.all.max(1) as f32;
+            ui.add(
+                egui::ProgressBar::new(part)
+                    .text(format!("{} of {} tiles", download.done, download.all)),
+            );
+            if text_button(ui, tokens, None, "Stop the download", false).clicked() {
+                commands.push(Command::WebMap(WebMapCommand::StopDownload));
+            }
+            return;
+        }
+        let Some(visible) = scene.visible else { return };
+        let (least, most) = (map.template.least_zoom, map.template.most_zoom);
+        let deepest = self.deepest.get_or_insert(most);
+        *deepest = (*deepest).clamp(least, most);
+        ui.horizontal(|ui| {
+            ui.label("What is in sight, down to zoom");
+            ui.add(DragValue::new(deepest).range(least..=most))
+                .accessible_name("Deepest zoom to download");
+        });
+        let zooms = (least, *deepest);
+        let count = map.count_over(&visible, zooms);
+        let size = count as f64 * USUAL_TILE / 1e6;
+        let words = if count > MOST_TILES {
+            format!(
+                "{count} tiles; at most {MOST_TILES} at a time, zoom in or choose a coarser zoom."
+            )
+        } else {
+            format!(
+                "{count} tiles, about {size:.0} MB. What is here already is not fetched again; a download that was stopped goes on where it was."
+            )
+        };
+        ui.label(muted(tokens, words));
+        ui.add_enabled_ui(count <= MOST_TILES, |ui| {
+            if text_button(ui, tokens, None, "Download what is in sight", false).clicked() {
+                commands.push(Command::WebMap(WebMapCommand::Download(visible, zooms)));
+            }
+        });
+        if let Some(download) = scene.download.filter(|d| d.over && d.all > 0) {
+            let got = download.all - download.failed;
+            ui.label(muted(
+                tokens,
+                format!("The last download brought {got} of {} tiles.", download.all),
+            ));
+        }
+    }
+}
+
+fn text(ui: &mut Ui, value: &mut String, label: &str, hint: &str) {
+    let field = TextEdit::singleline(value)
+        .desired_width(f32::INFINITY)
+        .hint_text(hint);
+    ui.add(field).accessible_name(label);
+}
+
+/// Whether an address is that of one file, not of tiles.
+fn is_file(address: &str) -> bool {
+    let path = address
+        .split(['?', '#'])
+        .next()
+        .unwrap_or_default()
+        .to_ascii_lowercase();
+    [".tif", ".tiff", ".pmtiles"]
+        .iter()
+        .any(|ending| path.trim().ends_with(ending))
+}
+
+/// The server that an address names.
+fn host_of(address: &str) -> Option<&str> {
+    let rest = address.trim().split_once("://")?.1;
+    rest.split(['/', '?'])
+        .next()
+        .filter(|host| !host.is_empty())
+}
+
+fn place(text: &str) -> Option<Geodetic> {
+    let numbers: Option<Vec<f64>> = text
+        .split([',', ' '])
+        .filter(|w| !w.is_empty())
+        .map(|w| w.parse().ok())
+        .collect();
+    match numbers?.as_slice() {
+        [latitude, longitude] if latitude.abs() <= 85.0 && longitude.abs() <= 180.0 => {
+            Some(Geodetic::from_degrees(*latitude, *longitude, 0.0))
+        }
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_address_is_one_of_tiles_or_of_a_file() {
+        assert!(is_file("https://example.org/a/map.TIF?key=1"));
+        assert!(is_file("http://example.org/map.pmtiles"));
+        assert!(!is_file("https://example.org/{z}/{x}/{y}.png"));
+        assert_eq!(
+            host_of("https://a.example.org:8080/x"),
+            Some("a.example.org:8080")
+        );
+    }
+
+    #[test]
+    fn a_template_without_its_numbers_or_its_makers_is_refused_with_what_is_missing() {
+        let mut dialog = WebMapDialog {
+            address: "https://example.org/{z}/{x}.png".to_owned(),
+            ..WebMapDialog::default()
+        };
+        let origin = Some(Geodetic::from_degrees(46.0, -92.0, 0.0));
+        assert!(dialog.order(origin, false).unwrap_err().contains("{y}"));
+        dialog.address = "https://example.org/{z}/{x}/{y}.png".to_owned();
+        assert!(
+            dialog
+                .order(origin, false)
+                .unwrap_err()
+                .contains("whose map")
+        );
+        dialog.attribution = "© someone".to_owned();
+        assert!(dialog.order(origin, false).is_ok());
+        assert!(dialog.order(None, false).unwrap_err().contains("latitude"));
+    }
+}

@@ -1,0 +1,24 @@
+//! The georeferencer: a picture put on the ground by points picked in it and on the map.
+
+mod canvas;
+mod coordinates;
+mod over_map;
+mod panel;
+mod state;
+
+pub use state::{Georeferencer, Place};
+
+/// What the georeferencer asks the app to do.
+#[derive(Clone, Debug, PartialEq)]
+pub enum GeoreferenceCommand {
+    /// Show the picture as the map, where the fit puts it.
+    UseAsMap,
+    /// Save the world file and the .prj beside it.
+    SaveWorldFile,
+    /// Save the points as QGIS writes them.
+    SavePoints,
+    /// Open files with points or places.
+    Load,
+    /// Leave, and keep the map as it is.
+    Close,
+}

@@ -1,0 +1,269 @@
+//! The column beside picture and map: what to do next, the points, the fit and its errors.
+
+use egui::{Key, TextEdit, Ui};
+use pilotage_core::imagery::georeferencer::TransformKind;
+
+use super::coordinates::{Typed, parse};
+use super::{GeoreferenceCommand, Georeferencer};
+use crate::command::Command;
+use crate::shell::icons::Icon;
+use crate::shell::{caption, heading, icon_button, muted, tab, text_button, title};
+use crate::tokens::Tokens;
+use crate::units::Units;
+
+/// Widths of the table's columns: number and switch, pixels, length, left out, button.
+const COLUMNS: [f32; 5] = [44.0, 64.0, 72.0, 72.0, 32.0];
+
+fn send(commands: &mut Vec<Command>, command: GeoreferenceCommand) {
+    commands.push(Command::Georeference(command));
+}
+
+impl Georeferencer {
+    /// Draws the column.
+    pub fn panel(
+        &mut self,
+        ui: &mut Ui,
+        tokens: &Tokens,
+        units: Units,
+        commands: &mut Vec<Command>,
+    ) {
+        if title(ui, tokens, "Put the picture on the ground") {
+            send(commands, GeoreferenceCommand::Close);
+        }
+        ui.label(muted(tokens, self.next_step()));
+        ui.add_space(tokens.space);
+        self.coordinates(ui, tokens);
+        self.list_of_places(ui, tokens);
+        ui.add_space(tokens.space);
+        caption(ui, tokens, "Transform");
+        ui.horizontal(|ui| {
+            for kind in TransformKind::ALL {
+                if tab(ui, tokens, kind.name(), kind == self.kind, 28.0).clicked() {
+                    self.set_kind(kind);
+                }
+            }
+        });
+        ui.add_space(tokens.space);
+        self.errors(ui, tokens, units);
+        ui.add_space(tokens.space);
+        self.table(ui, tokens, units);
+        ui.add_space(tokens.space);
+        self.buttons(ui, tokens, commands);
+    }
+
+    fn next_step(&self) -> String {
+        match (self.pending.pixel, self.pending.place) {
+            (Some(_), None) => {
+                "Now click the same place on the map, or type its coordinates.".to_owned()
+            }
+            (None, Some(_)) => "Now click the same place in the picture.".to_owned(),
+            _ => {
+                let needed = self.kind.least_points();
+                format!(
+                    "Click a place in the picture, then the same on the map or its coordinates below. \
+                     {needed} points are needed; more show how good they are."
+                )
+            }
+        }
+    }
+
+    fn coordinates(&mut self, ui: &mut Ui, tokens: &Tokens) {
+        caption(ui, tokens, "Coordinates of the place");
+        ui.horizontal(|ui| {
+            let width = (ui.available_width() - 64.0).max(80.0);
+            let field = TextEdit::singleline(&mut self.typed)
+                .desired_width(width)
+                .hint_text("46.8571, -92.0765 or east north");
+            let field = ui.add(field).accessible_name("Coordinates of the place");
+            let entered = field.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
+            let pressed = text_button(ui, tokens, None, "Take", false).clicked();
+            if field.changed() {
+                self.typed_wrong = None;
+            }
+            if (entered || pressed) && !self.typed.trim().is_empty() {
+                match parse(&self.typed, self.system) {
+                    Ok(Typed::Globe(at)) => self.pick_globe(&at),
+                    Ok(Typed::Plane(place)) => self.pick_place(place),
+                    Err(why) => self.typed_wrong = Some(why),
+                }
+            }
+        });
+        if let Some(why) = &self.typed_wrong {
+            ui.label(muted(tokens, why.clone()).color(tokens.warning));
+        } else if let Some(system) = self.system {
+            ui.label(muted(tokens, format!("Metres count in {}.", system.name())));
+        }
+    }
+
+    fn list_of_places(&mut self, ui: &mut Ui, tokens: &Tokens) {
+        if self.places.is_empty() {
+            return;
+        }
+        ui.add_space(tokens.space);
+        caption(ui, tokens, "Places of the opened file");
+        let mut taken = None;
+        egui::ScrollArea::vertical()
+            .id_salt("places")
+            .max_height(96.0)
+            .show(ui, |ui| {
+                for place in &self.places {
+                    if ui.button(&place.name).clicked() {
+                        taken = Some(place.at);
+                    }
+                }
+            });
+        if let Some(at) = taken {
+            self.pick_globe(&at);
+        }
+    }
+
+    fn errors(&self, ui: &mut Ui, tokens: &Tokens, units: Units) {
+        let (factor, unit) = units.length();
+        let fit = match self.fitted() {
+            Ok(fit) => fit,
+            Err(why) => {
+                ui.label(muted(tokens, format!("No fit yet: {why}.")));
+                return;
+            }
+        };
+        heading(
+            ui,
+            tokens,
+            &format!(
+                "RMS {:.2} px, {:.2} {unit}",
+                fit.rms_in_pixels,
+                fit.rms_in_plane * factor
+            ),
+        );
+        let left_out = fit.rms_left_out.map_or_else(
+            || "One point more would show how far a place between them may be off.".to_owned(),
+            |rms| format!("Each point left out of its own fit: RMS {:.2} {unit}. That is what to expect between the points.", rms * factor),
+        );
+        ui.label(muted(tokens, left_out));
+    }
+
+    fn table(&mut self, ui: &mut Ui, tokens: &Tokens, units: Units) {
+        if self.points.is_empty() {
+            return;
+        }
+        let (factor, unit) = units.length();
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 0.0;
+            let heads = [
+                "Point".to_owned(),
+                "px".to_owned(),
+                unit.to_owned(),
+                format!("left out, {unit}"),
+            ];
+            for (width, head) in COLUMNS.into_iter().zip(heads) {
+                cell(ui, width, |ui| ui.label(muted(tokens, head)));
+            }
+        });
+        let mut switched = None;
+        let mut deleted = None;
+        for index in 0..self.points.len() {
+            let residual = self
+                .fitted()
+                .as_ref()
+                .ok()
+                .and_then(|fit| fit.residuals.get(index).copied());
+            ui.horizontal(|ui| {
+                ui.spacing_mut().item_spacing.x = 0.0;
+                cell(ui, COLUMNS[0], |ui| {
+                    let mut on = self.points[index].enabled;
+                    let number = (index + 1).to_string();
+                    let check = ui.checkbox(&mut on, &number);
+                    if check.accessible_name(format!("Point {number}")).changed() {
+                        switched = Some((index, on));
+                    }
+                });
+                let numbers = [
+                    residual.and_then(|r| r.in_pixels).map(|r| r.norm()),
+                    residual.map(|r| r.in_plane.norm() * factor),
+                    residual.and_then(|r| r.left_out).map(|r| r.norm() * factor),
+                ];
+                for (width, number) in COLUMNS[1..4].iter().zip(numbers) {
+                    let text = number
+                        .filter(|v| v.is_finite())
+                        .map_or("–".to_owned(), |v| format!("{v:.2}"));
+                    cell(ui, *width, |ui| {
+                        ui.label(
+                            egui::RichText::new(text)
+                                .font(tokens.figures())
+                                .color(tokens.text),
+                        )
+                    });
+                }
+                let label = format!("Delete point {}", index + 1);
+                if icon_button(ui, tokens, Icon::Close, &label).clicked() {
+                    deleted = Some(index);
+                }
+            });
+        }
+        if let Some((index, on)) = switched {
+            self.edit(|points| points[index].enabled = on);
+        }
+        if let Some(index) = deleted {
+            self.edit(|points| {
+                points.remove(index);
+            });
+            self.chosen = None;
+        }
+    }
+
+    fn buttons(&mut self, ui: &mut Ui, tokens: &Tokens, commands: &mut Vec<Command>) {
+        let fits = self.fitted().is_ok();
+        let holds = fits && self.kind != TransformKind::Projective;
+        ui.add_enabled_ui(fits, |ui| {
+            if text_button(ui, tokens, None, "Use as the map", true).clicked() {
+                send(commands, GeoreferenceCommand::UseAsMap);
+            }
+        });
+        ui.horizontal_wrapped(|ui| {
+            ui.add_enabled_ui(holds, |ui| {
+                if text_button(ui, tokens, None, "Save world file", false).clicked() {
+                    send(commands, GeoreferenceCommand::SaveWorldFile);
+                }
+            });
+            ui.add_enabled_ui(!self.points.is_empty(), |ui| {
+                if text_button(ui, tokens, None, "Save points", false).clicked() {
+                    send(commands, GeoreferenceCommand::SavePoints);
+                }
+            });
+            if text_button(ui, tokens, None, "Load…", false).clicked() {
+                send(commands, GeoreferenceCommand::Load);
+            }
+        });
+        if fits && !holds {
+            ui.label(muted(
+                tokens,
+                "No world file can hold a projective transform; save the points.",
+            ));
+        }
+        ui.horizontal(|ui| {
+            let (past, future) = self.depth();
+            ui.add_enabled_ui(past > 0, |ui| {
+                if icon_button(ui, tokens, Icon::Undo, "Undo").clicked() {
+                    self.undo();
+                }
+            });
+            ui.add_enabled_ui(future > 0, |ui| {
+                if icon_button(ui, tokens, Icon::Redo, "Redo").clicked() {
+                    self.redo();
+                }
+            });
+        });
+        let text = "Load… reads QGIS .points, and places from KML, GPX or GeoJSON.";
+        ui.add(egui::Label::new(muted(tokens, text)).wrap());
+    }
+}
+
+/// A cell of the table.
+fn cell<R>(ui: &mut Ui, width: f32, contents: impl FnOnce(&mut Ui) -> R) {
+    let size = egui::vec2(width, 24.0);
+    let layout = egui::Layout::left_to_right(egui::Align::Center);
+    ui.allocate_ui_with_layout(size, layout, |ui| {
+        ui.set_min_width(width);
+        contents(ui);
+    });
+}

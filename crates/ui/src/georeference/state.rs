@@ -1,0 +1,384 @@
+//! The points of a picture, how they are fitted, and what can be taken back.
+
+use nalgebra::Point2;
+use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
+use pilotage_core::imagery::georeferencer::{
+    ControlPoint, Fit, FitError, TransformKind, fit, in_metres, read_points, write_points,
+};
+use pilotage_core::imagery::{Georeference, WorldFile};
+
+use super::canvas::PictureCanvas;
+use crate::jobs::{MapInfo, MapSource};
+
+/// A place with a name, of which a file told.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Place {
+    /// What people call it.
+    pub name: String,
+    /// Where it is.
+    pub at: Geodetic,
+}
+
+/// A point on its way: what is known of it so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Pending {
+    /// Where it is in the picture.
+    pub pixel: Option<Point2<f64>>,
+    /// Where it is on the ground, in the plane.
+    pub place: Option<Point2<f64>>,
+}
+
+/// The points and the plane that they are in, as they once were.
+type Snapshot = (Vec<ControlPoint>, Option<ReferenceSystem>);
+
+/// A picture being put on the ground.
+pub struct Georeferencer {
+    /// Key of the files that the picture is among.
+    pub key: String,
+    /// The picture.
+    pub name: String,
+    /// Its size, pixels, once known.
+    pub size: Option<(f64, f64)>,
+    /// How the picture is looked at.
+    pub canvas: PictureCanvas,
+    /// The world frame that the map is shown in.
+    pub frame: Option<LocalFrame>,
+    /// The system in whose plane the points are.
+    pub system: Option<ReferenceSystem>,
+    /// The points.
+    pub points: Vec<ControlPoint>,
+    /// What may be done to the picture.
+    pub kind: TransformKind,
+    /// The point being picked.
+    pub pending: Pending,
+    /// The point under the pointer, or chosen in the table.
+    pub chosen: Option<usize>,
+    /// What is typed as coordinates.
+    pub typed: String,
+    /// What is wrong with it.
+    pub typed_wrong: Option<String>,
+    /// Places of a file that can be chosen.
+    pub places: Vec<Place>,
+    /// The point that is dragged on the map.
+    pub on_map: Option<usize>,
+    past: Vec<Snapshot>,
+    future: Vec<Snapshot>,
+    fitted: Result<Fit, FitError>,
+}
+
+impl Georeferencer {
+    /// No point yet.
+    pub fn new(key: &str, name: &str, origin: Option<Geodetic>) -> Self {
+        let kind = TransformKind::Affine;
+        Self {
+            key: key.to_owned(),
+            name: name.to_owned(),
+            size: None,
+            canvas: PictureCanvas::default(),
+            frame: origin.map(LocalFrame::new),
+            system: origin.map(|origin| ReferenceSystem::utm_around(&origin)),
+            points: Vec::new(),
+            kind,
+            pending: Pending::default(),
+            chosen: None,
+            typed: String::new(),
+            typed_wrong: None,
+            places: Vec::new(),
+            on_map: None,
+            past: Vec::new(),
+            future: Vec::new(),
+            fitted: fit(&[], kind),
+        }
+    }
+
+    /// The picture as a map of its own, on which a pixel is a metre and the first row lies in the north.
+    pub fn bare(&self) -> MapSource {
+        MapSource::Picture {
+            key: self.key.clone(),
+            name: self.name.clone(),
+            origin: None,
+            place: Georeference::Metres(WorldFile {
+                a: 1.0,
+                d: 0.0,
+                b: 0.0,
+                e: -1.0,
+                c: 0.5,
+                f: -0.5,
+            }),
+        }
+    }
+
+    /// Takes what is known of the picture.
+    pub fn describe(&mut self, info: &MapInfo) {
+        self.size = Some((info.bounds.width(), info.bounds.height()));
+        self.canvas.know(info.clone());
+    }
+
+    /// The fit, or why there is none.
+    pub fn fitted(&self) -> &Result<Fit, FitError> {
+        &self.fitted
+    }
+
+    /// The picture as a map where the fit puts it.
+    pub fn placed(&self) -> Option<MapSource> {
+        let fitted = self.fitted.as_ref().ok()?;
+        let place = fitted.georeference(self.system?);
+        let middle = place.origin(self.size?.0 as usize, self.size?.1 as usize);
+        let origin = self.frame.map(|frame| frame.origin).or(middle);
+        Some(MapSource::Picture {
+            key: self.key.clone(),
+            name: self.name.clone(),
+            origin,
+            place,
+        })
+    }
+
+    /// The place in the plane of a point of the map.
+    pub fn place_of(&self, ground: &GroundPoint) -> Option<Point2<f64>> {
+        let (x, y) = self
+            .system?
+            .coordinates(&self.frame?.geodetic_from_ground(ground))?;
+        Some(Point2::new(x, y))
+    }
+
+    /// The point of the map at a place in the plane.
+    pub fn ground_of(&self, place: &Point2<f64>) -> Option<GroundPoint> {
+        let place = self.system?.geodetic(place.x, place.y)?;
+        Some(self.frame?.ground_from_geodetic(&place))
+    }
+
+    /// Ground of all points, to show it.
+    pub fn ground(&self) -> Option<GroundRect> {
+        GroundRect::around(self.points.iter().filter_map(|p| self.ground_of(&p.place)))
+    }
+
+    /// Takes a place on the globe for the point being picked. The first one decides on the plane
+    /// where nothing else did.
+    pub fn pick_globe(&mut self, at: &Geodetic) {
+        let system = *self
+            .system
+            .get_or_insert_with(|| ReferenceSystem::utm_around(at));
+        self.frame.get_or_insert_with(|| LocalFrame::new(*at));
+        if let Some((x, y)) = system.coordinates(at) {
+            self.pick_place(Point2::new(x, y));
+        }
+    }
+
+    /// Takes a place for the point being picked.
+    pub fn pick_place(&mut self, place: Point2<f64>) {
+        self.pending.place = Some(place);
+        self.complete();
+    }
+
+    /// Takes a pixel for the point being picked.
+    pub fn pick_pixel(&mut self, pixel: Point2<f64>) {
+        self.pending.pixel = Some(pixel);
+        self.complete();
+    }
+
+    fn complete(&mut self) {
+        let Pending {
+            pixel: Some(pixel),
+            place: Some(place),
+        } = self.pending
+        else {
+            return;
+        };
+        self.pending = Pending::default();
+        self.typed.clear();
+        self.typed_wrong = None;
+        self.edit(|points| {
+            points.push(ControlPoint {
+                pixel,
+                place,
+                enabled: true,
+            });
+        });
+        self.chosen = Some(self.points.len() - 1);
+    }
+
+    /// Changes the points, one undo step.
+    pub fn edit(&mut self, change: impl FnOnce(&mut Vec<ControlPoint>)) {
+        self.remember();
+        change(&mut self.points);
+        self.fit();
+    }
+
+    /// Makes an undo step of the points as they are; a drag begins.
+    pub fn remember(&mut self) {
+        self.past.push((self.points.clone(), self.system));
+        self.future.clear();
+    }
+
+    /// Moves a point without an undo step: a drag goes on.
+    pub fn drag(&mut self, index: usize, pixel: Option<Point2<f64>>, place: Option<Point2<f64>>) {
+        if let Some(point) = self.points.get_mut(index) {
+            point.pixel = pixel.unwrap_or(point.pixel);
+            point.place = place.unwrap_or(point.place);
+            self.fit();
+        }
+    }
+
+    /// Fits with another kind of transform.
+    pub fn set_kind(&mut self, kind: TransformKind) {
+        self.kind = kind;
+        self.fit();
+    }
+
+    fn fit(&mut self) {
+        self.fitted = fit(&self.points, self.kind);
+    }
+
+    /// Undo steps and redo steps.
+    pub fn depth(&self) -> (usize, usize) {
+        (self.past.len(), self.future.len())
+    }
+
+    /// Takes the last change back; of a half-picked point first that.
+    pub fn undo(&mut self) {
+        if self.pending != Pending::default() {
+            self.pending = Pending::default();
+        } else if let Some(before) = self.past.pop() {
+            let now = self.swap(before);
+            self.future.push(now);
+        }
+        self.chosen = None;
+    }
+
+    /// Makes the change taken back again.
+    pub fn redo(&mut self) {
+        if let Some(after) = self.future.pop() {
+            let now = self.swap(after);
+            self.past.push(now);
+        }
+        self.chosen = None;
+    }
+
+    fn swap(&mut self, (points, system): Snapshot) -> Snapshot {
+        let now = (std::mem::replace(&mut self.points, points), self.system);
+        self.system = system.or(self.system);
+        self.fit();
+        now
+    }
+
+    /// Takes the points of a QGIS file in place of those there are; the number of points, or in words
+    /// what is wrong with the file.
+    pub fn load(&mut self, text: &str) -> Result<usize, String> {
+        let (points, stated) = read_points(text).map_err(|cause| cause.to_string())?;
+        let system = stated.or(self.system);
+        let system = system.ok_or(
+            "the file does not say of which reference system its points are; type one point first",
+        )?;
+        let outside = || format!("a point lies where {} does not reach", system.name());
+        let (points, plane) = in_metres(&points, system).ok_or_else(outside)?;
+        if points.is_empty() {
+            return Err("there are no points in it".to_owned());
+        }
+        let middle = points
+            .iter()
+            .fold((0.0, 0.0), |(x, y), p| (x + p.place.x, y + p.place.y));
+        let count = points.len() as f64;
+        let middle = plane
+            .geodetic(middle.0 / count, middle.1 / count)
+            .ok_or_else(outside)?;
+        let loaded = points.len();
+        self.remember();
+        self.system = Some(plane);
+        self.frame.get_or_insert_with(|| LocalFrame::new(middle));
+        self.points = points;
+        self.fit();
+        Ok(loaded)
+    }
+
+    /// The points as QGIS writes them.
+    pub fn points_file(&self) -> String {
+        write_points(&self.points, self.system, self.fitted.as_ref().ok())
+    }
+
+    /// Name of a file that belongs to the picture.
+    pub fn file_beside(&self, ending: &str) -> String {
+        let name = self.name.rsplit('/').next().unwrap_or_default();
+        let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+        format!("{stem}.{ending}")
+    }
+
+    /// The world file's name: by the picture's ending, as other programs look for it.
+    pub fn world_file_name(&self) -> String {
+        let lower = self.name.to_ascii_lowercase();
+        let ending = match lower.rsplit('.').next() {
+            Some("jpg" | "jpeg") => "jgw",
+            Some("tif" | "tiff") => "tfw",
+            Some("png") => "pgw",
+            _ => "wld",
+        };
+        self.file_beside(ending)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn picked() -> Georeferencer {
+        let origin = Geodetic::from_degrees(46.857, -92.076, 0.0);
+        let mut it = Georeferencer::new("opened-1", "maps/area.JPG", Some(origin));
+        it.size = Some((400.0, 300.0));
+        for (x, y) in [(10.0, 10.0), (390.0, 20.0), (200.0, 280.0)] {
+            it.pick_pixel(Point2::new(x, y));
+            it.pick_place(Point2::new(570_000.0 + 0.5 * x, 5_190_000.0 - 0.5 * y));
+        }
+        it
+    }
+
+    #[test]
+    fn a_point_is_there_once_it_is_known_on_both_sides_and_goes_again_by_undo() {
+        let mut it = picked();
+        assert_eq!(it.points.len(), 3);
+        assert!(
+            it.fitted()
+                .as_ref()
+                .is_ok_and(|fit| fit.rms_in_plane < 1e-6)
+        );
+        it.pick_pixel(Point2::new(5.0, 5.0));
+        assert_eq!(it.points.len(), 3);
+        it.undo();
+        assert_eq!((it.points.len(), it.pending), (3, Pending::default()));
+        it.undo();
+        assert_eq!(it.points.len(), 2);
+        assert!(
+            it.fitted().is_err(),
+            "an affine transform takes three points"
+        );
+        it.redo();
+        assert_eq!(it.points.len(), 3);
+        assert!(it.fitted().is_ok());
+    }
+
+    #[test]
+    fn points_survive_their_file() {
+        let it = picked();
+        let mut other = Georeferencer::new("opened-2", "b.png", None);
+        assert_eq!(other.load(&it.points_file()), Ok(3));
+        assert_eq!(other.system, it.system);
+        for (a, b) in it.points.iter().zip(&other.points) {
+            assert!((a.place - b.place).norm() < 1e-9 && (a.pixel - b.pixel).norm() < 1e-9);
+        }
+        assert_eq!(it.world_file_name(), "area.jgw");
+    }
+
+    #[test]
+    fn the_first_typed_place_decides_on_the_plane_where_nothing_is_open() {
+        let mut it = Georeferencer::new("opened-1", "area.png", None);
+        it.pick_globe(&Geodetic::from_degrees(-33.9, 151.2, 0.0));
+        assert_eq!(it.system.map(|s| s.epsg()), Some(32_756));
+        assert!(it.pending.place.is_some());
+    }
+
+    #[test]
+    fn the_map_and_the_plane_agree_there_and_back() {
+        let it = picked();
+        let ground = GroundPoint::new(123.0, -45.0);
+        let place = it.place_of(&ground).unwrap();
+        assert!(it.ground_of(&place).unwrap().distance(&ground) < 1e-6);
+    }
+}

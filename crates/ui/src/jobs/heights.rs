@@ -1,0 +1,121 @@
+//! The heights of an area, taken from an elevation model in the worker for use on the page.
+
+use pilotage_core::frames::{Geodetic, GroundRect, LocalFrame};
+use pilotage_core::imagery::terrain::{Dem, HeightDatum, HeightGrid, Terrain as _};
+use serde::{Deserialize, Serialize};
+
+use super::running::SLICE;
+use super::{Advance, JobEvent, RunningJob, Workshop, opening};
+
+/// Most posts along a side of what is sent to the page.
+const MOST_POSTS: usize = 640;
+/// Rows between two looks at the clock.
+const ROWS: usize = 4;
+
+/// Which heights are wanted.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct HeightsOrder {
+    /// Key of the files with the elevation model.
+    pub key: String,
+    /// Origin of the world frame.
+    pub origin: Geodetic,
+    /// The ground whose heights are wanted, in the world frame.
+    pub area: GroundRect,
+}
+
+/// What is known of an elevation model.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TerrainInfo {
+    /// Name for people.
+    pub name: String,
+    /// What its heights count from.
+    pub datum: HeightDatum,
+    /// Metres between its posts.
+    pub spacing: f64,
+    /// A place in its middle.
+    pub middle: Geodetic,
+}
+
+/// What is known of an elevation model in its own frame.
+pub fn describe_terrain(dem: &Dem) -> TerrainInfo {
+    TerrainInfo {
+        name: dem.name().to_owned(),
+        datum: dem.datum().clone(),
+        spacing: dem.spacing(),
+        middle: dem.frame().geodetic_from_ground(&dem.bounds().center()),
+    }
+}
+
+/// Heights being taken.
+pub struct TakeHeights {
+    order: HeightsOrder,
+    under_way: Option<(Dem, HeightGrid)>,
+}
+
+impl TakeHeights {
+    /// Nothing taken yet.
+    pub fn new(order: HeightsOrder) -> Self {
+        Self {
+            order,
+            under_way: None,
+        }
+    }
+
+    fn begin(&self, workshop: &Workshop) -> Result<(Dem, HeightGrid), String> {
+        let files = workshop.files(&self.order.key)?;
+        let frame = LocalFrame::new(self.order.origin);
+        let dem = opening::terrain(&files, Some(frame))?;
+        let dem = dem.ok_or("there is no elevation model among the files")?;
+        let datum = dem.datum().clone();
+        let grid = HeightGrid::over(
+            dem.name(),
+            datum,
+            self.order.area,
+            dem.spacing(),
+            MOST_POSTS,
+        );
+        Ok((dem, grid))
+    }
+
+    fn take(
+        &mut self,
+        workshop: &Workshop,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Result<Advance, String> {
+        if self.under_way.is_none() {
+            self.under_way = Some(self.begin(workshop)?);
+        }
+        let Some((dem, grid)) = &mut self.under_way else {
+            return Ok(Advance::Done);
+        };
+        let begun = clock();
+        while !grid.take_rows(dem, ROWS) {
+            if clock() - begun > SLICE {
+                let part = grid.rows_taken() as f32 / grid.rows() as f32;
+                emit(JobEvent::Progress(part, "Reading heights".to_owned()));
+                return Ok(Advance::More);
+            }
+        }
+        if let Some(problem) = dem.problem() {
+            emit(JobEvent::Remark(problem.to_string()));
+        }
+        emit(JobEvent::Heights(Box::new(grid.clone())));
+        emit(JobEvent::Finished);
+        Ok(Advance::Done)
+    }
+}
+
+impl RunningJob for TakeHeights {
+    fn advance(
+        &mut self,
+        workshop: &mut Workshop,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Advance {
+        self.take(workshop, clock, emit).unwrap_or_else(|why| {
+            emit(JobEvent::Failed(why));
+            Advance::Done
+        })
+    }
+}

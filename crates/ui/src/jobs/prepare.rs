@@ -1,0 +1,58 @@
+//! What a large map needs before wide views of it are quick, made ahead a piece after the other.
+
+use std::sync::Arc;
+
+use pilotage_core::imagery::Imagery;
+
+use super::running::SLICE;
+use super::{Advance, JobEvent, MapSource, RunningJob, Workshop};
+
+/// A map being prepared.
+pub struct PrepareMap {
+    source: MapSource,
+    map: Option<Arc<dyn Imagery>>,
+}
+
+impl PrepareMap {
+    /// Nothing done yet.
+    pub fn new(source: MapSource) -> Self {
+        Self { source, map: None }
+    }
+}
+
+impl RunningJob for PrepareMap {
+    fn advance(
+        &mut self,
+        workshop: &mut Workshop,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Advance {
+        let map = match &self.map {
+            Some(map) => map.clone(),
+            None => match workshop.map(&self.source) {
+                Ok(map) => self.map.insert(map).clone(),
+                Err(why) => {
+                    emit(JobEvent::Failed(why));
+                    return Advance::Done;
+                }
+            },
+        };
+        let begun = clock();
+        let (done, all) = loop {
+            let (done, all) = map.prepare(1);
+            if done >= all || clock() - begun > SLICE {
+                break (done, all);
+            }
+        };
+        for problem in workshop.new_problems(&self.source) {
+            emit(JobEvent::Remark(problem));
+        }
+        if done >= all {
+            emit(JobEvent::Finished);
+            return Advance::Done;
+        }
+        let words = format!("Making an overview of {}", map.name());
+        emit(JobEvent::Progress(done as f32 / all as f32, words));
+        Advance::More
+    }
+}

@@ -1,0 +1,119 @@
+use egui::{Key, Modifiers, Pos2};
+use egui_kittest::kittest::Queryable as _;
+use pilotage_ui::host::OpenedFile;
+use pilotage_ui::jobs::{Opened, Unplaced};
+
+use super::support::{Rig, rig};
+
+/// The app after a picture without a place was dropped on it. The scripted host says that every map
+/// reaches 1000 m to all sides.
+fn rig_with_a_picture() -> Rig {
+    let mut rig = rig();
+    rig.host().opens = Some(Opened {
+        key: String::new(),
+        flight: None,
+        map: None,
+        terrain: None,
+        mission: None,
+        run: None,
+        unplaced: Some(Unplaced {
+            name: "photo.png".into(),
+            points: None,
+        }),
+        remarks: Vec::new(),
+    });
+    rig.host().opened.push(vec![OpenedFile {
+        path: "photo.png".into(),
+        content: vec![1].into(),
+    }]);
+    rig.frames(8);
+    rig
+}
+
+fn click(rig: &mut Rig, at: Pos2) {
+    rig.harness.hover_at(at);
+    rig.frames(1);
+    rig.harness.drag_at(at);
+    rig.frames(1);
+    rig.harness.drop_at(at);
+    rig.host().now += 800.0;
+    rig.frames(3);
+}
+
+/// Clicks places in the picture and the same in the same arrangement on the map.
+fn pick(rig: &mut Rig, places: &[(f32, f32)]) {
+    for (x, y) in places {
+        let (picture, map) = (rig.rect("/georeferencer/picture"), rig.rect("/map/rect"));
+        let offset = egui::vec2(*x, *y);
+        click(rig, picture.center() + offset);
+        click(rig, map.center() + offset);
+    }
+}
+
+const PLACES: [(f32, f32); 4] = [(-90.0, -80.0), (100.0, -60.0), (80.0, 120.0), (-70.0, 90.0)];
+
+#[test]
+fn a_picture_without_a_place_is_put_on_the_ground_by_clicks() {
+    let mut rig = rig_with_a_picture();
+    pick(&mut rig, &PLACES);
+    let it = rig.state()["georeferencer"].clone();
+    assert_eq!(it["points"], 4, "{it}");
+    // Both are the same plane at their own scales: the fit is as good as the pointer's pixels.
+    let scale = rig.state()["map"]["metres_per_point"]
+        .as_f64()
+        .unwrap_or(0.0);
+    assert!(
+        it["rms_metres"]
+            .as_f64()
+            .is_some_and(|rms| rms < 2.0 * scale),
+        "{it}"
+    );
+    assert!(it["rms_left_out"].is_number(), "{it}");
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(rig.state()["georeferencer"]["points"], 3);
+    rig.key_with(Modifiers::COMMAND, Key::Y);
+    rig.harness.get_by_label("Save world file").click();
+    rig.harness.get_by_label("Save points").click();
+    rig.frames(3);
+    let names: Vec<String> = rig
+        .host()
+        .saved
+        .iter()
+        .map(|(name, _)| name.clone())
+        .collect();
+    assert_eq!(names, ["photo.pgw", "photo.prj", "photo.points"]);
+    rig.harness.get_by_label("Use as the map").click();
+    rig.frames(3);
+    assert!(rig.state()["georeferencer"].is_null());
+}
+
+#[test]
+fn coordinates_can_be_typed_and_wrong_ones_are_told() {
+    let mut rig = rig_with_a_picture();
+    let picture = rig.rect("/georeferencer/picture");
+    click(&mut rig, picture.center());
+    rig.harness.get_by_label("Coordinates of the place").focus();
+    rig.frames(2);
+    rig.harness.event(egui::Event::Text("somewhere".into()));
+    rig.key(Key::Enter);
+    assert_eq!(rig.state()["georeferencer"]["points"], 0);
+    assert!(
+        rig.harness
+            .query_by_label_contains("type latitude and longitude")
+            .is_some()
+    );
+}
+
+#[test]
+fn closing_leaves_everything_as_it_was() {
+    let mut rig = rig_with_a_picture();
+    let before = rig.state();
+    pick(&mut rig, &PLACES[..2]);
+    rig.harness.get_by_label("Close").click();
+    rig.frames(3);
+    let after = rig.state();
+    assert!(after["georeferencer"].is_null());
+    for kept in ["landmarks", "flight", "run_steps", "origin"] {
+        assert_eq!(before[kept], after[kept], "{kept}");
+    }
+}

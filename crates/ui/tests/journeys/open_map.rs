@@ -1,0 +1,110 @@
+use egui::{Modifiers, Vec2};
+use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
+use pilotage_ui::host::OpenedFile;
+use pilotage_ui::jobs::{Job, MapInfo, MapSource, Opened};
+
+use super::support::{Rig, ScriptedHost, rig, rig_on};
+
+fn a_map(origin: Option<Geodetic>) -> Opened {
+    Opened {
+        key: String::new(),
+        flight: None,
+        map: Some(MapInfo {
+            name: "county.tif".into(),
+            bounds: GroundRect::centered(GroundPoint::new(0.0, 0.0), 600.0, 800.0),
+            native_gsd: 0.5,
+            is_coarse_cheap: true,
+            origin,
+        }),
+        terrain: None,
+        mission: None,
+        run: None,
+        unplaced: None,
+        remarks: Vec::new(),
+    }
+}
+
+fn drop(rig: &mut Rig, opened: Opened) {
+    rig.host().opens = Some(opened);
+    rig.host().opened.push(vec![OpenedFile {
+        path: "county.tif".into(),
+        content: vec![1, 2, 3].into(),
+    }]);
+    rig.frames(6);
+}
+
+#[test]
+fn a_map_far_away_begins_a_plan_of_its_own_and_undo_brings_the_mission_back() {
+    let mut rig = rig();
+    let before = rig.state();
+    let there = Geodetic::from_degrees(46.86, -92.08, 0.0);
+    drop(&mut rig, a_map(Some(there)));
+    let state = rig.state();
+    assert_eq!(state["workspace"], "Plan");
+    assert_eq!(state["landmarks"].as_array().map(Vec::len), Some(0));
+    assert!((state["origin"][0].as_f64().unwrap_or(0.0) - 46.86).abs() < 1e-9);
+    rig.key_with(Modifiers::COMMAND, egui::Key::Z);
+    let back = rig.state();
+    assert_eq!(back["landmarks"], before["landmarks"]);
+    assert_eq!(back["origin"], before["origin"]);
+    // The map follows the mission into its world.
+    let placed = rig.host().jobs.iter().rev().find_map(|(_, job)| match job {
+        Job::DescribeMap(MapSource::Placed { origin, .. }) => Some(*origin),
+        _ => None,
+    });
+    let latitude = placed.map(|origin| origin.latitude.to_degrees());
+    let wanted = before["origin"][0].as_f64();
+    assert!((latitude.unwrap_or(0.0) - wanted.unwrap_or(1.0)).abs() < 1e-9);
+}
+
+#[test]
+fn a_map_in_the_world_that_is_open_leaves_flight_and_mission_alone() {
+    let mut rig = rig();
+    let before = rig.state();
+    let at = |i: usize| before["origin"][i].as_f64().unwrap_or(0.0);
+    let mut origin = Geodetic::from_degrees(at(0), at(1), 0.0);
+    // The world's own numbers, not those of their text.
+    if let Some(Job::Open {
+        near: Some(near), ..
+    }) = opened_near(&mut rig)
+    {
+        origin = near;
+    }
+    drop(&mut rig, a_map(Some(origin)));
+    let after = rig.state();
+    for kept in ["landmarks", "flight", "run_steps", "workspace"] {
+        assert_eq!(before[kept], after[kept], "{kept}");
+    }
+    assert_eq!(after["title"], before["title"]);
+}
+
+/// What is asked when a file of no use is dropped: it names the world that is open.
+fn opened_near(rig: &mut Rig) -> Option<Job> {
+    rig.host().opened.push(vec![OpenedFile {
+        path: "x".into(),
+        content: vec![0].into(),
+    }]);
+    rig.frames(3);
+    let jobs = rig.host().jobs.iter().rev();
+    jobs.map(|(_, job)| job.clone())
+        .find(|job| matches!(job, Job::Open { .. }))
+}
+
+#[test]
+fn a_map_that_was_opened_is_there_again_after_a_reload() {
+    let mut rig = rig();
+    drop(
+        &mut rig,
+        a_map(Some(Geodetic::from_degrees(46.86, -92.08, 0.0))),
+    );
+    rig.settle();
+    let host = ScriptedHost {
+        stored: rig.host().stored.clone(),
+        ..ScriptedHost::default()
+    };
+    let mut again = rig_on(host, Vec2::new(1440.0, 900.0));
+    assert_eq!(again.host().flights(), 0, "nothing was flown over it");
+    let placed = |job: &Job| matches!(job, Job::DescribeMap(MapSource::Placed { .. }));
+    assert!(again.host().jobs.iter().any(|(_, job)| placed(job)));
+    assert_eq!(again.state()["landmarks"].as_array().map(Vec::len), Some(0));
+}

@@ -1,0 +1,65 @@
+// How a very large GeoTIFF behaves in the page. Skipped unless PILOTAGE_LARGE_MAP names one, as
+// `cargo run -p pilotage-tests --example large_map -- write FILE [--overviews]` makes it.
+import { readFileSync } from "node:fs";
+
+export const name = "a GeoTIFF of half a billion pixels opens, pans and stays small";
+
+/** Resident megabytes of the page's process with all its workers, where the system tells it. */
+function memory() {
+  let largest = 0;
+  for (const id of readFileSync("/proc/self/task/" + process.pid + "/children", "utf8").trim().split(" ")) largest = Math.max(largest, below(id));
+  return largest;
+}
+
+function below(id) {
+  try {
+    const status = readFileSync(`/proc/${id}/status`, "utf8");
+    const line = readFileSync(`/proc/${id}/cmdline`, "utf8");
+    const own = line.includes("--type=renderer") ? Number(status.match(/VmRSS:\s+(\d+)/)?.[1] ?? 0) / 1024 : 0;
+    const children = readFileSync(`/proc/${id}/task/${id}/children`, "utf8").trim().split(" ").filter(Boolean);
+    return Math.max(own, ...children.map(below));
+  } catch {
+    return 0;
+  }
+}
+
+export async function run(page, tools) {
+  const file = process.env.PILOTAGE_LARGE_MAP;
+  if (!file) {
+    console.log("        skipped: PILOTAGE_LARGE_MAP names no file");
+    return;
+  }
+  await tools.waitReady();
+  await tools.waitFor((s) => s.run_complete || s.run_steps > 300, "the demo", 200_000);
+  const idle = memory();
+  const begun = Date.now();
+  await page.setInputFiles("#files", file);
+  await tools.waitFor((s) => s.map.name && file.endsWith(s.map.name) || s.toasts.some((t) => t.trouble), "the map to open", 100_000);
+  const opened = Date.now() - begun;
+  await tools.waitFor((s) => s.map.tiles > 0, "its first pixels", 100_000);
+  const seen = Date.now() - begun;
+  const state = await tools.waitFor((s) => s.map.whole, "all of the first view", 300_000);
+  const whole = Date.now() - begun;
+  await tools.screenshot("large-map");
+  const [left, top, right, bottom] = state.map.rect;
+  const at = (x, y) => ({ x: left + x * (right - left), y: top + y * (bottom - top) });
+  // In close, then panned by hand.
+  for (let i = 0; i < 22; i += 1) { await page.mouse.move(at(0.5, 0.5).x, at(0.5, 0.5).y); await page.mouse.wheel(0, -120); await page.waitForTimeout(60); }
+  await tools.waitFor((s) => s.map.whole, "the close view", 100_000);
+  await page.evaluate(() => window.app.forget_cpu_ms());
+  let peak = memory();
+  for (let i = 0; i < 8; i += 1) {
+    await tools.drag(at(0.8, 0.7), at(0.2, 0.3), 30);
+    peak = Math.max(peak, memory());
+  }
+  const panned = JSON.parse(await page.evaluate(() => window.app.cpu_ms()));
+  await tools.waitFor((s) => s.map.whole, "the view after panning", 100_000);
+  peak = Math.max(peak, memory());
+  await tools.screenshot("large-map-close");
+  const near = (await tools.state()).map;
+  for (const line of [
+    `open after ${opened} ms, first pixels ${seen} ms, the whole view ${whole} ms`,
+    `panning at ${near.metres_per_point.toFixed(2)} m per point: ${panned.kept} frames, app time median ${panned.median?.toFixed(1)} ms, 95 % ${panned.p95?.toFixed(1)} ms`,
+    `resident memory of the page's process: ${idle.toFixed(0)} MB with the demo, at most ${peak.toFixed(0)} MB with the map; wasm of the page ${((await page.evaluate(() => window.app.memory_bytes())) / 1e6).toFixed(0)} MB`,
+  ]) console.log(`        ${line}`);
+}

@@ -1,0 +1,62 @@
+// Tiles of maps of the web: fetched when the user opened such a map, kept in the browser's cache, and
+// downloaded for an area so that it is there without a network.
+const CACHE = "tiles-of-pilotage";
+const AT_A_TIME = 4;
+
+/** The bytes of a tile, null where the server has none; throws where it cannot be had. */
+async function tile(cache, address) {
+  const kept = await cache?.match(address);
+  if (kept) return new Uint8Array(await kept.arrayBuffer());
+  const answer = await fetch(address, { credentials: "omit", referrerPolicy: "origin" });
+  if (answer.status === 404 || answer.status === 204) return null;
+  if (!answer.ok) throw new Error(`the server answers ${answer.status} ${answer.statusText}`);
+  await cache?.put(address, answer.clone());
+  return new Uint8Array(await answer.arrayBuffer());
+}
+
+const open = () => globalThis.caches?.open(CACHE).catch(() => undefined);
+
+/** Tiles at the addresses, null for those that cannot be had, and why the first of these cannot. */
+export async function fetchTiles(addresses) {
+  const cache = await open();
+  let problem = null;
+  const tiles = await Promise.all(addresses.map((address) => tile(cache, address).catch((error) => {
+    problem ??= `${new URL(address).host}: ${navigator.onLine === false ? "there is no network" : error.message}`;
+    return null;
+  })));
+  return { tiles, problem };
+}
+
+let download = null;
+
+/** Puts an area's tiles into the cache; those that are there already are passed over. */
+export async function downloadTiles(addresses) {
+  const own = { all: addresses.length, done: 0, failed: 0, over: false, stopped: false };
+  download = own;
+  const cache = await open();
+  const waiting = addresses[Symbol.iterator]();
+  const work = async () => {
+    for (const address of waiting) {
+      if (own.stopped) return;
+      try {
+        if (!cache) throw new Error("this browser keeps no cache");
+        if (!(await cache.match(address))) await tile(cache, address);
+      } catch {
+        own.failed += 1;
+      }
+      own.done += 1;
+    }
+  };
+  await Promise.all(Array.from({ length: AT_A_TIME }, work));
+  own.over = true;
+}
+
+/** What became of the download so far; an empty list if there is none. */
+export function downloadState() {
+  return download ? [download.done, download.all, download.failed, Number(download.over)] : [];
+}
+
+/** Ends it; what has come stays, so that it can go on later. */
+export function stopDownload() {
+  if (download) download.stopped = true;
+}
