@@ -22,7 +22,7 @@ fn georef(folder: &Path, more: &[&str]) -> std::process::Output {
         .args(["map", "georef", "area.png", "--points", "area.points"])
         .args(more)
         .output()
-        .unwrap()
+        .expect("the program starts")
 }
 
 #[test]
