@@ -70,6 +70,12 @@ async function start() {
     if (kept instanceof Blob) app.remember_file(key, kept);
     else app.remember(key, kept);
   }
+  if (location.hash.length > 1) {
+    app.remember("link", new TextEncoder().encode(decodeURIComponent(location.hash.slice(1))));
+    // Once followed, a reload is to bring back one's own work.
+    history.replaceState(null, "", location.pathname + location.search);
+  }
+  addEventListener("hashchange", () => location.reload());
   storage.loaded.clear();
   const canvas = document.getElementById("app");
   const shell = shellServices(storage, (paths, contents) => app.open_files(paths, contents));

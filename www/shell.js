@@ -2,6 +2,19 @@
 import { readDropped, readChosen } from "./files.js";
 import { fetchTiles, downloadTiles, downloadState, stopDownload } from "./tiles.js";
 
+/** Shows a page to the browser's print alone; a sheet made by script, as the page allows no other. */
+async function printPage(style, body) {
+  const page = document.getElementById("brief");
+  page.innerHTML = body;
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(`@media print { ${style} }`);
+  document.adoptedStyleSheets = [sheet];
+  await Promise.all([...page.querySelectorAll("img")].map((image) => image.decode().catch(() => {})));
+  page.hidden = false;
+  print();
+  page.hidden = true;
+}
+
 export function shellServices(storage, openFiles) {
   const input = document.getElementById("files");
   const summary = document.getElementById("summary");
@@ -29,6 +42,14 @@ export function shellServices(storage, openFiles) {
     storeFile(key, file) { storage.putFile(key, file); },
     forget(key) { storage.remove(key); },
     failedStores() { const failed = storage.untold; storage.untold = 0; return failed; },
+    interruptedSaves() { const broken = storage.interrupted; storage.interrupted = 0; return broken; },
+    print(style, body) { printPage(style, body); },
+    copyLink(fragment) {
+      const link = `${location.href.split("#")[0]}#${fragment}`;
+      const show = () => history.replaceState(null, "", link); // at least in the address bar
+      if (navigator.clipboard) navigator.clipboard.writeText(link).catch(show);
+      else show();
+    },
     announce(text) { summary.textContent = text; },
   };
 }

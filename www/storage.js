@@ -1,4 +1,7 @@
-// Documents kept in this browser (IndexedDB), all loaded before the app starts.
+// Documents kept in this browser, all loaded before the app starts: in a database (IndexedDB), the
+// user's own in files where there are any.
+import { withPrivateFiles } from "./opfs.js";
+
 const DATABASE = "pilotage";
 const TABLE = "documents";
 
@@ -35,5 +38,5 @@ export async function openStorage() {
   } catch (error) {
     console.warn("documents cannot be kept in this browser:", error);
   }
-  return storage;
+  return withPrivateFiles(storage);
 }

@@ -1,5 +1,5 @@
 // A route over the demo: drawn, its corridor watched as a landmark is added, and that taken back.
-export const name = "a route over the demo shows its corridor, which shrinks with a landmark and is wide again after undo";
+export const name = "a route over the demo shows its corridor, which shrinks with a landmark and is wide again after undo; it is exported, and there again after a reload";
 
 const fine = (s) => s.plan.prediction?.fine;
 
@@ -45,4 +45,28 @@ export async function run(page, tools) {
     && s.plan.prediction.landmarks === count - 1, "the prediction after the undo", 60_000);
   tools.check(Math.abs(undone.plan.prediction.mean_width - drawn.plan.prediction.mean_width) < 1e-6,
     "the corridor is not what it was");
+
+  // Exported, and all of it here again after a reload, to go on with.
+  const download = page.waitForEvent("download");
+  await tools.click(await tools.find("Button", "Export"));
+  await tools.click(await tools.find("Button", "Export the route as a QGroundControl plan"));
+  const file = await download;
+  tools.check(file.suggestedFilename().endsWith(".plan"), `the file is called ${file.suggestedFilename()}`);
+  const parts = [];
+  for await (const part of await file.createReadStream()) parts.push(part);
+  const items = JSON.parse(Buffer.concat(parts).toString()).mission.items;
+  tools.check(items.length === 2 && items.every((i) => i.command === 16), "the plan has not the two way-points");
+  await page.waitForTimeout(1500); // the app stores a moment after the last edit
+  await page.waitForFunction(() => window.page.storage.pending === 0, null, { timeout: 30_000 });
+  await page.reload();
+  await tools.waitReady();
+  const back = await tools.waitFor((s) => s.workspace === "Plan" && s.plan.routes.length === 2 && fine(s),
+    "the plan after the reload", 150_000);
+  const same = (a, b) => Math.abs(a.north - b.north) < 1e-6 && Math.abs(a.east - b.east) < 1e-6;
+  tools.check(back.plan.routes[1].way_points.every((w, i) => same(w, undone.plan.routes[1].way_points[i])),
+    "a way-point moved over the reload");
+  tools.check(back.landmarks.length === count - 1, "the landmarks are not the same after the reload");
+  await page.keyboard.press("x");
+  await tools.waitFor((s) => same(s.plan.routes.find((r) => r.id === s.plan.route).way_points[0],
+    back.plan.routes.find((r) => r.id === s.plan.route).way_points.at(-1)), "the route to be turned around");
 }

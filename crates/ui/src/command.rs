@@ -1,5 +1,6 @@
 //! What people can ask for: one enum feeds menu, palette, shortcuts and the help sheet.
 
+use pilotage_core::exchange::Format;
 use pilotage_core::frames::GroundRect;
 use pilotage_core::navigator::NavigatorSettings;
 
@@ -94,10 +95,22 @@ pub enum Command {
     ToggleSettings,
     /// Open files.
     Open,
-    /// Save the mission as a file.
+    /// Save the mission as a file, with the pictures of its map.
     SaveMission,
+    /// Save the mission alone as GeoJSON.
+    SaveMissionAsGeoJson,
+    /// Print the selected route with its map, legs, landmarks and prediction.
+    PrintBrief,
+    /// Copy a link to the view of the built-in flight.
+    CopyLink,
+    /// Go back to what was open before a link was followed.
+    OpenBeforeLink,
     /// Save the run as a file.
     SaveRun,
+    /// Save the selected route as a file of another program.
+    ExportRoute(Format),
+    /// Save all landmarks as a file of another program.
+    ExportLandmarks(Format),
     /// North up or track up.
     ToggleTrackUp,
     /// Show the whole flight on the map.

@@ -69,6 +69,17 @@ pub trait Host {
         0
     }
 
+    /// How often a save of an earlier visit was found to have broken off, since the last call.
+    fn interrupted_saves(&mut self) -> usize {
+        0
+    }
+
+    /// Lets the user print a page: style sheet and body, as HTML.
+    fn print(&mut self, _style: &str, _body: &str) {}
+
+    /// Puts a link to this page with that fragment into the clipboard and the address bar.
+    fn copy_link(&mut self, _fragment: &str) {}
+
     /// Times a worker died and was started anew since the last call.
     fn lost_workers(&mut self) -> usize {
         0

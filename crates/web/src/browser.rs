@@ -63,6 +63,18 @@ extern "C" {
     #[wasm_bindgen(method, js_name = failedStores)]
     pub fn failed_stores(this: &Shell) -> u32;
 
+    /// How often a save of an earlier visit was found to have broken off, since the last call.
+    #[wasm_bindgen(method, js_name = interruptedSaves)]
+    pub fn interrupted_saves(this: &Shell) -> u32;
+
+    /// Lets the user print a page: style sheet and body, as HTML.
+    #[wasm_bindgen(method)]
+    pub fn print(this: &Shell, style: &str, body: &str);
+
+    /// Puts a link with that fragment into the clipboard and the address bar.
+    #[wasm_bindgen(method, js_name = copyLink)]
+    pub fn copy_link(this: &Shell, fragment: &str);
+
     /// Puts a text where screen readers read it out.
     #[wasm_bindgen(method)]
     pub fn announce(this: &Shell, text: &str);

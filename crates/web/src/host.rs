@@ -282,6 +282,18 @@ impl Host for PageHost {
         self.inner.borrow().shell.failed_stores() as usize
     }
 
+    fn interrupted_saves(&mut self) -> usize {
+        self.inner.borrow().shell.interrupted_saves() as usize
+    }
+
+    fn print(&mut self, style: &str, body: &str) {
+        self.inner.borrow().shell.print(style, body);
+    }
+
+    fn copy_link(&mut self, fragment: &str) {
+        self.inner.borrow().shell.copy_link(fragment);
+    }
+
     fn lost_workers(&mut self) -> usize {
         self.inner.borrow_mut().crew.take_lost()
     }

@@ -292,10 +292,14 @@ fn landmarks(table: &Table, rows: &[Row]) -> Result<Found, ExchangeError> {
             height: row.number(Role::Height)?.unwrap_or(0.0),
             enabled: !enabled.is_some_and(|e| ["false", "0", "no", "off"].contains(&e.as_str())),
             properties,
-            ..FoundLandmark::new(Extent::Around {
-                point: place,
-                offset,
-                size,
+            ..FoundLandmark::new(if north.or(east).is_none() {
+                Extent::Point(place)
+            } else {
+                Extent::Around {
+                    point: place,
+                    offset,
+                    size,
+                }
             })
         });
     }

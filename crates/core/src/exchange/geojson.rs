@@ -143,11 +143,7 @@ impl Others {
         found.landmarks.push(FoundLandmark {
             name: name(feature),
             properties: properties(feature),
-            ..FoundLandmark::new(Extent::Around {
-                point: position(coordinates)?.0,
-                offset: (0.0, 0.0),
-                size: (POINT_BOX, POINT_BOX),
-            })
+            ..FoundLandmark::new(Extent::Point(position(coordinates)?.0))
         });
         Ok(())
     }

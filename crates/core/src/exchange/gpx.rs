@@ -38,11 +38,7 @@ pub(super) fn read(file: &str, text: &str) -> Result<Found, ExchangeError> {
     let mut points = 0;
     for point in root.all("wpt") {
         points += 1;
-        let mut landmark = FoundLandmark::new(Extent::Around {
-            point: place(&source, point)?,
-            offset: (0.0, 0.0),
-            size: (POINT_BOX, POINT_BOX),
-        });
+        let mut landmark = FoundLandmark::new(Extent::Point(place(&source, point)?));
         landmark.name = point.child_text("name").map(str::to_owned);
         for child in &point.children {
             if child.name != "name" && child.children.is_empty() && !child.text.is_empty() {

@@ -1,6 +1,6 @@
 //! Reading KML, and KMZ, which is KML in a zip. Styles are not needed.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::Value;
 
@@ -52,6 +52,7 @@ pub(super) fn read(file: &str, text: &str) -> Result<Found, ExchangeError> {
         counts: BTreeMap::new(),
     };
     reader.walk(&root)?;
+    reader.styles(&root);
     let mut found = reader.found;
     for (note, count) in reader.counts {
         found.notes.push(format!("{count} × {note}"));
@@ -89,6 +90,24 @@ impl Reader<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Says which styles the file refers to and does not have; the references are kept.
+    fn styles(&mut self, root: &Element) {
+        let (mut own, mut wanted) = (BTreeSet::new(), Vec::new());
+        gather_styles(root, &mut own, &mut wanted);
+        for name in wanted {
+            match name.strip_prefix('#') {
+                Some(id) if own.contains(id) => {}
+                Some(id) => self.count(format!(
+                    "style `{id}` is missing in the file: its places have our colours"
+                )),
+                None => self.count(format!(
+                    "style `{name}` lies in another file, which is not opened: its places have our \
+                     colours"
+                )),
+            }
+        }
     }
 
     fn placemark(&mut self, placemark: &Element) -> Result<(), ExchangeError> {
@@ -135,14 +154,7 @@ impl Reader<'_> {
                     return Ok(());
                 }
                 self.count(format!("point, which gets a box of {POINT_BOX} m"));
-                self.landmark(
-                    Extent::Around {
-                        point: place,
-                        offset: (0.0, 0.0),
-                        size: (POINT_BOX, POINT_BOX),
-                    },
-                    said,
-                );
+                self.landmark(Extent::Point(place), said);
             }
             "Polygon" => {
                 let ring = geometry
@@ -276,6 +288,18 @@ impl Reader<'_> {
             places.push(place);
         }
         Ok(places)
+    }
+}
+
+/// Identities of the styles in an element, and what its placemarks and style maps refer to.
+fn gather_styles<'a>(element: &'a Element, own: &mut BTreeSet<&'a str>, wanted: &mut Vec<&'a str>) {
+    for child in &element.children {
+        match child.name.as_str() {
+            "Style" | "StyleMap" => own.extend(child.attribute("id")),
+            "styleUrl" if !child.text.is_empty() => wanted.push(&child.text),
+            _ => {}
+        }
+        gather_styles(child, own, wanted);
     }
 }
 

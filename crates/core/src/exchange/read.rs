@@ -4,10 +4,8 @@ use super::{ExchangeError, Format, csv_read, geojson, gpx, kml_read, plan, waypo
 use crate::frames::{Geodetic, LocalFrame};
 use crate::landmark::Landmark;
 use crate::mission::Route;
+pub(super) use crate::mission::found::POINT_BOX;
 use crate::mission::found::{self, FoundLandmark, FoundRoute};
-
-/// Sides of the box that a place gets of which only a point is known, metres.
-pub(super) const POINT_BOX: f64 = 20.0;
 
 /// What a file brought.
 #[derive(Clone, Debug, PartialEq)]

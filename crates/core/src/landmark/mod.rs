@@ -1,6 +1,7 @@
 //! Landmarks on the map and how they are found in the picture.
 
 mod alignment;
+pub mod annotations;
 pub mod cascade;
 mod detector;
 mod distinct;

@@ -9,10 +9,15 @@ use crate::landmark::Landmark;
 /// Longitude and latitude, degrees.
 pub(crate) type LonLat = (f64, f64);
 
+/// Sides of the box that a place gets of which only a point is known, metres.
+pub(crate) const POINT_BOX: f64 = 20.0;
+
 /// What a file says of the extent of a landmark.
 pub(crate) enum Extent {
     /// The landmark is the box around these corners.
     Corners(Vec<LonLat>),
+    /// Only this point is known; it gets a box of [`POINT_BOX`].
+    Point(LonLat),
     /// A box of a size around a point.
     Around {
         /// The point.
@@ -28,7 +33,7 @@ impl Extent {
     fn points(&self) -> &[LonLat] {
         match self {
             Self::Corners(corners) => corners,
-            Self::Around { point, .. } => std::slice::from_ref(point),
+            Self::Point(point) | Self::Around { point, .. } => std::slice::from_ref(point),
         }
     }
 }
@@ -161,6 +166,7 @@ pub(crate) fn landmarks(found: Vec<FoundLandmark>, frame: &LocalFrame) -> Vec<La
                     globe::bounds(&corners)
                         .unwrap_or_else(|| GroundRect::centered(GroundPoint::default(), 0.0, 0.0))
                 }
+                Extent::Point(middle) => GroundRect::centered(point(*middle), POINT_BOX, POINT_BOX),
                 Extent::Around {
                     point: middle,
                     offset,
@@ -171,14 +177,26 @@ pub(crate) fn landmarks(found: Vec<FoundLandmark>, frame: &LocalFrame) -> Vec<La
                     GroundRect::centered(middle, size.0, size.1)
                 }
             };
-            Landmark {
+            let reference = found.reference.map_or(bounds.center(), point);
+            let mut landmark = Landmark {
                 name: found.name.unwrap_or_else(|| format!("Landmark {id}")),
                 height: found.height,
                 enabled: found.enabled,
-                reference: found.reference.map_or(bounds.center(), point),
+                reference,
                 properties: found.properties,
                 ..Landmark::new(id, "", bounds)
+            };
+            match &found.extent {
+                Extent::Corners(corners) => {
+                    let corners: Vec<GroundPoint> = corners.iter().copied().map(point).collect();
+                    if !globe::is_box(&corners) {
+                        landmark.set_outline(globe::open(&corners));
+                    }
+                }
+                Extent::Point(_) => landmark.mark_point(),
+                Extent::Around { .. } => {}
             }
+            landmark
         })
         .collect()
 }

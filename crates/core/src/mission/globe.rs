@@ -27,6 +27,34 @@ pub(crate) fn ring(rect: &GroundRect) -> [GroundPoint; 5] {
     ]
 }
 
+/// The corners of a polygon without the first one again at the end.
+pub(crate) fn open(corners: &[GroundPoint]) -> &[GroundPoint] {
+    match corners {
+        [first, .., last] if corners.len() > 3 && first.distance(last) < 1e-3 => {
+            &corners[..corners.len() - 1]
+        }
+        all => all,
+    }
+}
+
+/// Whether corners are those of a box with its sides to the north and to the east, to a millimetre.
+pub(crate) fn is_box(corners: &[GroundPoint]) -> bool {
+    let open = open(corners);
+    let Some(around) = GroundRect::around(open.iter().copied()) else {
+        return true;
+    };
+    let at_corner = |p: &GroundPoint| {
+        let north = (p.north - around.north)
+            .abs()
+            .min((p.north - around.south).abs());
+        let east = (p.east - around.east)
+            .abs()
+            .min((p.east - around.west).abs());
+        north < 1e-3 && east < 1e-3
+    };
+    open.len() == 4 && open.iter().all(at_corner)
+}
+
 /// The box around the corners of a polygon.
 ///
 /// Of a box as it is saved, opposite corners are averaged: their coordinates are rounded, and the

@@ -7,6 +7,8 @@ pub(crate) mod found;
 pub(crate) mod globe;
 mod map_file;
 mod no_fly;
+pub mod package;
+pub mod pattern;
 mod read;
 mod read_feature;
 mod record;
@@ -14,6 +16,7 @@ mod route;
 #[cfg(test)]
 mod tests;
 pub(crate) mod text;
+pub mod turn;
 pub(crate) mod way_point_file;
 mod write;
 

@@ -14,6 +14,7 @@ use super::{
 use crate::flight::{CameraFile, OriginFile};
 use crate::frames::{GroundPoint, LocalFrame};
 use crate::landmark::Landmark;
+use crate::landmark::annotations::OUTLINE;
 
 /// The mission as GeoJSON text, with everything in it that its file had and we do not know.
 pub fn write_mission(mission: &Mission) -> String {
@@ -106,7 +107,8 @@ fn begin(properties: &BTreeMap<String, String>) -> String {
 /// The properties that we do not know, and the end of the feature.
 fn end(mut text: String, properties: &BTreeMap<String, String>) -> String {
     for (name, value) in properties {
-        if !name.starts_with(FEATURE_MEMBER) {
+        // An outline stands in the geometry.
+        if !name.starts_with(FEATURE_MEMBER) && name != OUTLINE {
             let _ = write!(text, ", {}: {value}", Value::from(name.as_str()));
         }
     }
@@ -115,10 +117,14 @@ fn end(mut text: String, properties: &BTreeMap<String, String>) -> String {
 }
 
 fn landmark_feature(landmark: &Landmark, frame: &LocalFrame) -> String {
-    let ring: Vec<String> = globe::ring(&landmark.bounds)
-        .iter()
-        .map(|p| position(frame, p))
-        .collect();
+    let corners = landmark.outline().map_or_else(
+        || globe::ring(&landmark.bounds).to_vec(),
+        |mut corners| {
+            corners.extend(corners.first().copied());
+            corners
+        },
+    );
+    let ring: Vec<String> = corners.iter().map(|p| position(frame, p)).collect();
     let mut text = begin(&landmark.properties);
     let _ = write!(
         text,

@@ -2,6 +2,7 @@
 
 use nalgebra::{Point3, Vector2, Vector3};
 use rand_distr::{Distribution, StandardNormal};
+use serde::{Deserialize, Serialize};
 
 use super::dryden::{DrydenGust, Turbulence};
 use super::flight_airframe::{AircraftState, Airframe, Command};
@@ -23,8 +24,10 @@ pub struct FlightPlan {
     pub name: String,
     /// Way-points over the ground; the flight begins at the first, on the course of the first leg.
     pub way_points: Vec<GroundPoint>,
-    /// Height above ground, metres.
+    /// Height above ground, metres, where [`targets`](Self::targets) do not say another.
     pub height: f64,
+    /// How each way-point is flown over; none where all of it is flown at one height in cruise.
+    pub targets: Vec<Target>,
     /// Mean wind: velocity of the air (north, east), m/s.
     pub wind: Vector2<f64>,
     /// Longest time, seconds, in case the wind is too strong to get on.
@@ -39,6 +42,15 @@ pub struct FlightPlan {
     pub frame_on_globe: LocalFrame,
     /// Down coordinate of the ground plane, metres.
     pub ground_down: f64,
+}
+
+/// How a way-point is flown over.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Target {
+    /// Height above ground at the way-point, metres; on the way there it changes evenly.
+    pub height: f64,
+    /// Airspeed on the leg that leads there, m/s; cruise if `None`.
+    pub airspeed: Option<f64>,
 }
 
 /// A flight as it truly goes, recorded at 20 Hz.
@@ -146,13 +158,15 @@ impl FlightPlan {
             let gust = gusts.as_mut();
             gust.map_or_else(Vector3::zeros, |(gust, random)| gust.step(random))
         };
-        let level = self.height - self.ground_down;
+        let targets = self.targets_of_legs();
+        let begin = self.level(&targets, &path, &path.start());
         let mut aircraft = AircraftState::cruising(
             &self.airframe,
             path.start(),
-            level,
+            begin,
             self.crab_heading(path.initial_course()),
         );
+        aircraft.airspeed = self.airspeed(&targets, &path);
         aircraft.gust = next_gust();
 
         let mut states = Vec::new();
@@ -175,12 +189,44 @@ impl FlightPlan {
             let ground_velocity = aircraft.ground_velocity(&self.wind);
             let command = Command {
                 bank: path.bank(&position, &ground_velocity.xy()),
-                airspeed: self.airframe.cruise,
-                height: level,
+                airspeed: self.airspeed(&targets, &path),
+                height: self.level(&targets, &path, &position),
             };
             aircraft.step(&self.airframe, &command, &self.wind, next_gust(), dt);
         }
         Some(TrueFlight { states, airspeeds })
+    }
+
+    /// The targets of the way-points that the path has: those in one place count once.
+    fn targets_of_legs(&self) -> Vec<Target> {
+        let mut kept: Vec<Target> = Vec::new();
+        let mut last: Option<&GroundPoint> = None;
+        for (place, target) in self.way_points.iter().zip(&self.targets) {
+            if last.is_none_or(|last| last.distance(place) >= 1e-6) {
+                kept.push(*target);
+                last = Some(place);
+            }
+        }
+        kept
+    }
+
+    /// Height above the origin's level to be flown at a place, metres.
+    fn level(&self, targets: &[Target], path: &PathFollower, position: &Vector2<f64>) -> f64 {
+        let ends = (targets.get(path.leg()), targets.get(path.leg() + 1));
+        let height = match ends {
+            (Some(from), Some(to)) => {
+                from.height + path.progress(position) * (to.height - from.height)
+            }
+            (Some(only), None) | (None, Some(only)) => only.height,
+            (None, None) => self.height,
+        };
+        height - self.ground_down
+    }
+
+    /// Airspeed to be flown on the leg that is followed, m/s.
+    fn airspeed(&self, targets: &[Target], path: &PathFollower) -> f64 {
+        let stated = targets.get(path.leg() + 1).and_then(|t| t.airspeed);
+        stated.unwrap_or(self.airframe.cruise)
     }
 
     /// Heading that holds `course` over the ground in the mean wind, as far as the wind allows.
@@ -206,6 +252,32 @@ mod tests {
             wind: wind.velocity(),
             ..Scenario::all()[0].plan(&Overrides::default())
         }
+    }
+
+    #[test]
+    fn a_climb_along_a_leg_is_flown_evenly_and_each_leg_at_its_speed() {
+        let mut climb = plan(
+            &[(0.0, 0.0), (0.0, 0.0), (0.0, 800.0), (0.0, 1600.0)],
+            Wind::default(),
+        );
+        let target = |height, airspeed| Target { height, airspeed };
+        climb.targets = vec![
+            target(100.0, None),
+            target(100.0, None),
+            target(140.0, Some(16.0)),
+            target(140.0, Some(24.0)),
+        ];
+        let flown = climb.nominal().unwrap();
+        let at = |east: f64| {
+            let away = |s: &&TruthState| (s.position.y - east).abs();
+            let index = flown.states.iter().map(|s| away(&s)).enumerate();
+            let (index, _) = index.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+            (-flown.states[index].position.z, flown.airspeeds[index])
+        };
+        assert!((at(400.0).0 - 120.0).abs() < 4.0, "{:?}", at(400.0));
+        assert!((at(1500.0).0 - 140.0).abs() < 1.0, "{:?}", at(1500.0));
+        assert!((at(400.0).1 - 16.0).abs() < 0.5, "{:?}", at(400.0));
+        assert!((at(1500.0).1 - 24.0).abs() < 0.5, "{:?}", at(1500.0));
     }
 
     fn truth(plan: &FlightPlan, seed: u64) -> Vec<TruthState> {

@@ -82,6 +82,13 @@ impl PathFollower {
         self.leg
     }
 
+    /// Share of the leg that is being followed that lies behind a position, 0 to 1.
+    pub fn progress(&self, position: &Vector2<f64>) -> f64 {
+        let leg = self.way_points[self.leg + 1] - self.way_points[self.leg];
+        let behind = leg.dot(&(position - self.way_points[self.leg])) / leg.norm_squared();
+        behind.clamp(0.0, 1.0)
+    }
+
     /// Whether the end of the last leg is passed.
     pub fn finished(&self, position: &Vector2<f64>) -> bool {
         self.leg + 2 == self.way_points.len()

@@ -15,7 +15,7 @@ mod sensors;
 pub use aerial_camera::{AerialCamera, AerialCameraSettings, AerialFrame, frame_random};
 pub use county::County;
 pub use dryden::{DrydenGust, Turbulence};
-pub use flight::{FlightPlan, TrueFlight};
+pub use flight::{FlightPlan, Target, TrueFlight};
 pub use flight_airframe::{AircraftState, Airframe, Command};
 pub use flight_frames::{SimulatedFlight, SimulatedFrames};
 pub use guidance::{GuidanceSettings, PathFollower};

@@ -193,6 +193,7 @@ impl Scenario {
             name: self.name.to_owned(),
             way_points: self.route.clone(),
             height: overrides.height.unwrap_or(self.height),
+            targets: Vec::new(),
             wind: overrides.wind.unwrap_or(self.wind).velocity(),
             longest: 900.0,
             airframe: Airframe::sig_kadet_senior(),

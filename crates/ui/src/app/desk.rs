@@ -3,12 +3,16 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use pilotage_core::frames::GroundRect;
+
 use super::keeping::Keeping;
 use crate::dialogs::Download;
-use crate::documents::Staged;
+use crate::documents::link::Link;
+use crate::documents::{Session, Staged};
 use crate::host::OpenedFile;
 use crate::jobs::{FlightSource, JobId, MapSource};
 use crate::map::TileKey;
+use crate::plan::BriefLandmark;
 
 /// A flight being flown and navigated.
 #[derive(Debug)]
@@ -103,11 +107,25 @@ pub struct Desk {
     pub keeping: Keeping,
     /// Whether the map is to be fitted once it is known how far it reaches.
     pub fit_when_known: bool,
+    /// The brief whose pictures are being made: job, the ground of its map, its landmarks.
+    pub brief: Option<(JobId, GroundRect, Vec<BriefLandmark>)>,
+    /// What to look at once the flight of a link is there.
+    pub link: Option<Link>,
+    /// What was open before a link was followed.
+    pub before_link: Option<Session>,
+    /// The files of the map, to be saved with the mission: path and contents.
+    pub map_files: Vec<(String, Vec<u8>)>,
     /// Matches that could not be explained; not asked again.
     pub unexplained: Option<(f64, u32)>,
 }
 
 impl Desk {
+    /// Counts on behind a set of opened files that an earlier visit kept.
+    pub fn count_batches(&mut self, set: &str) {
+        let number = set.rsplit('-').next().and_then(|n| n.parse().ok());
+        self.opened_batches = self.opened_batches.max(number.unwrap_or(0));
+    }
+
     /// How far what is being computed is, and in words.
     pub fn progress(&self) -> Option<(f32, &str)> {
         let fly = self.fly.as_ref().map(|f| (f.progress, f.words.as_str()));

@@ -1,5 +1,6 @@
 //! Commands carried out, once a frame, after everything is drawn.
 
+use super::exchange::stem;
 use super::{App, SideTab};
 use crate::command::{Command, Workspace};
 use crate::documents::{Session, encode_run};
@@ -65,6 +66,12 @@ impl App {
             | Command::Open
             | Command::SaveMission
             | Command::SaveRun
+            | Command::SaveMissionAsGeoJson
+            | Command::CopyLink
+            | Command::PrintBrief
+            | Command::OpenBeforeLink
+            | Command::ExportRoute(_)
+            | Command::ExportLandmarks(_)
             | Command::OpenDemo => self.file(command, host),
             other => self.look(&other, context),
         }
@@ -156,6 +163,7 @@ impl App {
             Command::TogglePickTool => {
                 self.views.map.picking = !self.views.map.picking;
                 self.views.planner.drawing = false;
+                self.views.planner.marking = None;
             }
             Command::AddLandmark(bounds) => {
                 let id = self.documents.add_landmark(bounds);
@@ -181,8 +189,14 @@ impl App {
                 self.changed(changed, now);
             }
             Command::DeleteLandmark(id) => {
-                let changed = self.documents.delete_landmark(id);
-                self.selection = self.selection.filter(|s| *s != id);
+                let marked = self.views.planner.marked(self.selection);
+                let changed = if self.planning() && marked.contains(&id) {
+                    self.documents.delete_landmarks(&marked)
+                } else {
+                    self.documents.delete_landmark(id)
+                };
+                let mission = &self.documents.mission;
+                self.selection = self.selection.filter(|s| mission.landmark(*s).is_some());
                 self.changed(changed, now);
             }
             Command::Undo | Command::Redo => {
@@ -239,6 +253,11 @@ impl App {
             }
             Command::Open => host.ask_for_files(),
             Command::SaveMission => self.save_mission(host),
+            Command::SaveMissionAsGeoJson => self.save_geojson(host),
+            Command::PrintBrief => self.ask_for_brief(host),
+            Command::CopyLink => self.copy_link(host),
+            Command::OpenBeforeLink => self.open_before_link(host),
+            Command::ExportRoute(_) | Command::ExportLandmarks(_) => self.export(&command, host),
             Command::SaveRun => match self.documents.run.as_ref().map(encode_run) {
                 Some(Ok(bytes)) => {
                     let name = format!("{}.run", self.file_stem());
@@ -257,26 +276,11 @@ impl App {
         }
     }
 
-    fn file_stem(&self) -> String {
-        let name = &self.documents.mission.name;
-        let stem: String = name
-            .chars()
-            .map(|c| {
-                if c.is_alphanumeric() || c == '-' {
-                    c
-                } else {
-                    '-'
-                }
-            })
-            .collect();
-        if stem.is_empty() {
-            "pilotage".to_owned()
-        } else {
-            stem
-        }
+    pub(super) fn file_stem(&self) -> String {
+        stem(&self.documents.mission.name)
     }
 
-    fn save_mission(&mut self, host: &mut dyn Host) {
+    fn save_geojson(&mut self, host: &mut dyn Host) {
         let name = format!("{}.geojson", self.file_stem());
         let text = pilotage_core::mission::write_mission(&self.documents.mission);
         host.save_file(&name, text.as_bytes());

@@ -54,6 +54,7 @@ impl App {
         let id = host.start(Job::Open {
             key: key.clone(),
             near: self.documents.world_origin(),
+            origin: self.documents.mission.origin,
         });
         let opening = Opening {
             words: format!("Opening {name}"),
@@ -100,6 +101,8 @@ impl App {
             }
         } else if self.desk.decoding.as_ref().is_some_and(|d| d.0 == id) {
             self.picture_event(event);
+        } else if self.desk.brief.as_ref().is_some_and(|b| b.0 == id) {
+            self.brief_event(host, event);
         } else if self.desk.opening.contains_key(&id) {
             self.open_event(host, id, event);
         }
@@ -151,6 +154,7 @@ impl App {
                     self.change_map(host, map);
                     if first {
                         self.show_new_flight();
+                        self.look_by_link();
                     }
                 }
             }
@@ -277,6 +281,9 @@ impl App {
             mission,
             run,
             unplaced,
+            imports,
+            beside,
+            pictures,
             remarks,
         } = opened;
         if let Some(unplaced) = unplaced {
@@ -287,6 +294,9 @@ impl App {
         let has_flight = flight.is_some();
         if has_flight || map.is_some() || terrain.is_some() {
             self.keep_files(host, &opening.key, &opening.name, &opening.files);
+        }
+        if map.is_some() {
+            self.remember_map_files(opening, pictures);
         }
         let map_source = if let Some(info) = &map {
             parts.push("a map");
@@ -323,6 +333,7 @@ impl App {
                 self.documents.mission_edited = true;
                 self.selection = None;
                 self.run_is_stale(now);
+                self.open_beside(host, beside);
             }
             if let Some(run) = run {
                 parts.push("a run");
@@ -332,7 +343,11 @@ impl App {
                 self.documents.run_complete = true;
             }
         }
-        if parts.is_empty() {
+        let adds = !imports.is_empty();
+        self.add_imports(now, imports);
+        if parts.is_empty() && adds {
+            // What was added is told already.
+        } else if parts.is_empty() {
             let text = remarks.join(" ");
             let title = format!("{} holds nothing that can be shown", opening.name);
             self.toasts.trouble(now, title, text);

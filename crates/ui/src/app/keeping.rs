@@ -2,6 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
+use pilotage_core::flight::FLIGHT_FILE;
+
 use super::App;
 use crate::documents::kept::{
     MOST_KEPT, MOST_LENT_KEPT, address_key, encode_list, file_key, list_key, recall_files,
@@ -12,6 +14,9 @@ use crate::jobs::{FileContent, FlightSource, Job, MapSource};
 
 /// Bytes stored in one frame, after which the rest waits for the next.
 const PER_FRAME: usize = 2 << 20;
+
+/// How long to wait before a refused document is stored again, milliseconds.
+const TRY_AGAIN_AFTER: f64 = 8_000.0;
 
 /// One thing to do with the storage.
 #[derive(Debug)]
@@ -127,8 +132,12 @@ impl App {
             self.toasts.trouble(
                 host.now(),
                 "The browser could not keep everything",
-                "Its storage for this page is full or switched off. Save the mission as a file to be sure of it.",
+                "Its storage for this page is full or switched off. Your last edit may be missing at the next visit: save the mission as a file to be sure of it.",
             );
+            // What was stored before is still there; what is open now is tried again.
+            self.stored_session.clear();
+            self.desk.document_changed = true;
+            self.dirty_since = Some(host.now() + TRY_AGAIN_AFTER);
         }
         if !self.desk.keeping.is_done() {
             self.desk.keeping.work(host);
@@ -165,8 +174,18 @@ impl App {
                 );
                 return;
             };
-            let number = set.rsplit('-').next().and_then(|n| n.parse().ok());
-            self.desk.opened_batches = self.desk.opened_batches.max(number.unwrap_or(0));
+            self.desk.count_batches(set);
+            let is_map = matches!(&session.map, MapSource::Files(of) if of == set);
+            if is_map && !files.iter().any(|(path, _)| path.ends_with(FLIGHT_FILE)) {
+                let whole = |(path, content): &(String, FileContent)| {
+                    Some((path.clone(), content.bytes()?.to_vec()))
+                };
+                self.desk.map_files = files
+                    .iter()
+                    .map(whole)
+                    .collect::<Option<_>>()
+                    .unwrap_or_default();
+            }
             self.desk.keeping.sets.insert(set.to_owned(), files.len());
             let key = set.to_owned();
             host.start(Job::Provide { key, files });

@@ -410,7 +410,9 @@ fn plan_strip(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &
         .size_range(112.0..=0.5 * screen.height())
         .frame(plain_frame(scene.tokens, Margin::symmetric(8, 8)))
         .show(ui, |ui| {
-            scene.with_context(commands, |context| views.planner.strip(ui, context));
+            scene.with_context(commands, |context| {
+                views.planner.strip(ui, scene.documents, context);
+            });
             ui.take_available_space();
         });
     let height = panel.response.rect.height();

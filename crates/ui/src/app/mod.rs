@@ -1,12 +1,17 @@
 //! The app: one object that the shell draws every frame.
 
+mod brief;
 mod desk;
+mod exchange;
 mod execute;
 mod georeferencing;
 mod inbox;
 mod keeping;
 mod layout;
+mod link;
 mod maps;
+mod marking;
+mod package;
 mod planning;
 mod report;
 mod start;

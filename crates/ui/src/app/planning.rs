@@ -10,8 +10,12 @@ use crate::host::Host;
 use crate::jobs::{AssessmentOrder, FlightSource, JobEvent, JobId, scenario_route};
 use crate::plan::routes::{Step, like};
 use crate::plan::{
-    FindCommand, FindPick, HeatCommand, Outlook, PlanCommand, PlanTab, planner as planning,
+    Cover, FindCommand, FindPick, HeatCommand, Outlook, Pattern, PlanCommand, PlanTab,
+    planner as planning,
 };
+
+/// Width of a corridor when it is made, metres.
+const CORRIDOR: f64 = 200.0;
 
 impl App {
     /// Whether the Plan workspace is open.
@@ -26,6 +30,7 @@ impl App {
             self.playback.playing = false;
         } else {
             self.views.planner.drawing = false;
+            self.views.planner.marking = None;
         }
     }
 
@@ -34,12 +39,16 @@ impl App {
         if !self.planning() {
             self.show_workspace(Workspace::Plan);
         }
+        let Some(command) = self.edit_landmarks(command, now) else {
+            return;
+        };
         match command {
             PlanCommand::ToggleDraw if self.views.planner.drawing => self.finish_drawing(),
             PlanCommand::ToggleDraw => {
                 let planner = &mut self.views.planner;
                 planner.drawing = true;
                 planner.finder.pick = FindPick::Nothing;
+                planner.marking = None;
                 planner.route = None;
                 planner.way_point = None;
                 self.views.map.picking = false;
@@ -58,6 +67,18 @@ impl App {
                 }
             }
             PlanCommand::SetLimit(limit) => self.views.planner.preferences.limit = limit,
+            PlanCommand::SetAircraft {
+                bank,
+                power,
+                energy,
+            } => {
+                let preferences = &mut self.views.planner.preferences;
+                (preferences.bank, preferences.power, preferences.energy) = (bank, power, energy);
+            }
+            PlanCommand::ToggleProfile => {
+                let shown = &mut self.views.planner.preferences.profile;
+                *shown = !*shown;
+            }
             PlanCommand::SetWind(wind) => self.views.planner.preferences.wind = wind,
             PlanCommand::Assess(_)
             | PlanCommand::AssessSelected
@@ -76,21 +97,12 @@ impl App {
                 if matches!(command, FindCommand::Begin | FindCommand::Pick(_)) {
                     views.planner.tab = PlanTab::Ground;
                     views.planner.drawing = false;
+                    views.planner.marking = None;
                     views.map.picking = false;
                 }
                 self.desk.document_changed |= views.planner.find_command(command, documents);
             }
             PlanCommand::ShowTab(tab) => self.views.planner.tab = tab,
-            PlanCommand::DuplicateLandmark => {
-                let id = self
-                    .selection
-                    .and_then(|id| self.documents.mission.landmark(id));
-                if let Some(landmark) = id.cloned() {
-                    self.selection = Some(self.documents.duplicate_landmark(&landmark));
-                    self.examine_soon(now);
-                    self.run_is_stale(now);
-                }
-            }
             other => {
                 self.desk.document_changed = true;
                 self.edit_route(other);
@@ -163,6 +175,32 @@ impl App {
                 if let Some(route) = planner.selected(&documents.mission).cloned() {
                     let name = format!("{}, copy", route.name);
                     planner.route = Some(documents.add_route(Some(&name), route.way_points));
+                }
+            }
+            PlanCommand::SetPattern { pattern, finished } => {
+                let usual = planning::usual_altitude(documents);
+                let route = planner.selected(&documents.mission);
+                let altitude = route.and_then(|r| r.way_points.first());
+                let altitude = altitude.map_or(usual, |w| w.altitude);
+                let made_for = planning::circumstances(planner, documents, &altitude);
+                documents.edit_route(id, Step::of(finished), |route| {
+                    pattern.apply(route, usual, &made_for);
+                });
+                planner.way_point = None;
+            }
+            PlanCommand::CorridorAlong => {
+                if let Some(route) = planner.selected(&documents.mission).cloned() {
+                    let usual = planning::usual_altitude(documents);
+                    let altitude = route.way_points.first().map_or(usual, |w| w.altitude);
+                    let made_for = planning::circumstances(planner, documents, &altitude);
+                    let line: Vec<GroundPoint> =
+                        route.way_points.iter().map(|w| w.position).collect();
+                    let cover = Cover::Corridor { width_m: CORRIDOR };
+                    let pattern = Pattern::new(cover, &line, &made_for.frame);
+                    let mut new = Route::default();
+                    pattern.apply(&mut new, altitude, &made_for);
+                    planner.route = Some(documents.add_made(new, "Corridor"));
+                    planner.way_point = None;
                 }
             }
             PlanCommand::InsertWayPoint { behind, .. } => {
@@ -271,6 +309,7 @@ impl App {
                 "altitude": w.altitude.metres,
                 "frame": w.altitude.frame.name(),
                 "speed": w.speed,
+                "action": format!("{:?}", w.action),
                 "screen": screen.map(|p| [p.x, p.y]),
             })
         };
@@ -282,6 +321,7 @@ impl App {
                     "id": r.id,
                     "name": r.name,
                     "length": r.length(),
+                    "pattern": Pattern::of(r).is_some(),
                     "way_points": r.way_points.iter().map(way_point).collect::<Vec<_>>(),
                 })
             })
@@ -313,6 +353,11 @@ impl App {
             "drawing": planner.drawing,
             "limit": planner.preferences.limit,
             "chart": planner.chart_rect().map(|r| [r.left(), r.top(), r.right(), r.bottom()]),
+            "marking": planner.marking.as_ref().map(|m| json!({
+                "purpose": format!("{:?}", m.purpose),
+                "corners": m.corners.len(),
+            })),
+            "marked": planner.marked(self.selection),
             "tab": format!("{:?}", planner.tab),
             "prediction": outlook.map(|o| json!({
                 "fine": planner.forecast.is_fine(),
@@ -378,13 +423,24 @@ fn step_of(command: &PlanCommand) -> Step {
         PlanCommand::InsertWayPoint { finished, .. }
         | PlanCommand::MoveWayPoint { finished, .. }
         | PlanCommand::SetAltitude { finished, .. }
+        | PlanCommand::SetAction { finished, .. }
         | PlanCommand::SetSpeed { finished, .. } => Step::of(*finished),
         _ => Step::Whole,
     }
 }
 
-/// Does to a route what a command says.
+/// Does to a route what a command says. Whoever moves way-points of a pattern has a pattern no more.
 fn change(route: &mut Route, command: &PlanCommand) {
+    if matches!(
+        command,
+        PlanCommand::MoveWayPoint { .. }
+            | PlanCommand::InsertWayPoint { .. }
+            | PlanCommand::DeleteWayPoint(_)
+            | PlanCommand::ReleasePattern
+            | PlanCommand::Reverse
+    ) {
+        Pattern::release(route);
+    }
     match command {
         PlanCommand::MoveWayPoint { index, to, .. } => {
             if let Some(way_point) = route.way_points.get_mut(*index) {
@@ -402,6 +458,11 @@ fn change(route: &mut Route, command: &PlanCommand) {
                 if index.is_none_or(|index| index == at) {
                     way_point.altitude = *altitude;
                 }
+            }
+        }
+        PlanCommand::SetAction { index, action, .. } => {
+            if let Some(way_point) = route.way_points.get_mut(*index) {
+                way_point.action = *action;
             }
         }
         PlanCommand::SetSpeed { index, speed, .. } => {

@@ -65,6 +65,14 @@ impl App {
         if let Some(key) = terrain.and_then(|bytes| String::from_utf8(bytes).ok()) {
             self.documents.terrain = Ground::of_files(&key);
         }
+        self.follow_link(host);
+        if host.interrupted_saves() > 0 {
+            self.toasts.trouble(
+                host.now(),
+                "The last save was broken off",
+                "What is here is as it was saved before that: at most your last edit is missing.",
+            );
+        }
         self.restore_files(host);
         self.describe_map(host);
         let session = self.documents.session();

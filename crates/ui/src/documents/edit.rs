@@ -17,34 +17,12 @@ impl Documents {
         id
     }
 
-    /// Adds a landmark like another one, beside it to the east; its id.
-    pub fn duplicate_landmark(&mut self, of: &Landmark) -> u32 {
-        self.history.remember(&self.mission);
-        let id = self.mission.free_landmark_id();
-        let east = 1.25 * of.bounds.width();
-        let mut copy = of.clone();
-        copy.id = id;
-        copy.name = format!("{}, copy", of.name);
-        copy.bounds.west += east;
-        copy.bounds.east += east;
-        copy.reference.east += east;
-        self.mission.landmarks.push(copy);
-        self.mission_edited = true;
-        id
-    }
-
     /// Gives a landmark another box; the reference point keeps its place in it. True once the drag
     /// is over.
     pub fn reshape_landmark(&mut self, id: u32, bounds: GroundRect, finished: bool) -> bool {
         self.history.begin_drag(&self.mission);
         if let Some(landmark) = self.mission.landmarks.iter_mut().find(|l| l.id == id) {
-            let old = landmark.bounds;
-            let (height, width) = (old.height().max(1e-6), old.width().max(1e-6));
-            let north = (landmark.reference.north - old.south) / height;
-            let east = (landmark.reference.east - old.west) / width;
-            landmark.bounds = bounds;
-            landmark.reference.north = bounds.south + north * bounds.height();
-            landmark.reference.east = bounds.west + east * bounds.width();
+            landmark.reshape(bounds);
             self.mission_edited = true;
         }
         if finished {
@@ -125,7 +103,8 @@ impl Documents {
         let affected = self.mission.navigator != mission.navigator
             || self.mission.landmarks.len() != mission.landmarks.len()
             || std::iter::zip(&self.mission.landmarks, &mission.landmarks).any(|(a, b)| {
-                (a.id, a.bounds, a.enabled, a.reference) != (b.id, b.bounds, b.enabled, b.reference)
+                let of = |l: &Landmark| (l.id, l.bounds, l.enabled, l.reference, l.height);
+                of(a) != of(b)
             });
         self.mission = mission;
         self.mission_edited = true;

@@ -1,13 +1,17 @@
 //! What is open: the mission, the flight, the run, its ghost, the pictures.
 
+mod add;
 mod edit;
 mod ground;
 mod history;
 pub mod kept;
+pub mod landmarks;
 mod laps;
+pub mod link;
 mod session;
 mod store;
 
+pub use add::Added;
 pub use ground::{Ground, TERRAIN_KEY};
 pub use history::History;
 pub use pilotage_core::navigator::{RunFileError, decode_run, encode_run};

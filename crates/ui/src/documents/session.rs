@@ -43,15 +43,21 @@ impl Session {
         }
     }
 
-    /// As bytes for the storage.
+    /// As bytes for the storage: version 2, JSON behind a byte with the number.
     pub fn encode(&self) -> Vec<u8> {
-        postcard::to_extend(self, vec![2]).unwrap_or_default()
+        let mut bytes = vec![2];
+        bytes.extend(serde_json::to_vec(self).unwrap_or_default());
+        bytes
     }
 
-    /// From the storage; `None` if it was written by another version or is damaged.
+    /// From the storage; `None` if it was written by a later version or is damaged. Version 1 was
+    /// postcard.
     pub fn decode(bytes: &[u8]) -> Option<Self> {
-        let body = bytes.strip_prefix(&[2])?;
-        postcard::from_bytes(body).ok()
+        match bytes.split_first()? {
+            (1, body) => postcard::from_bytes(body).ok(),
+            (2, body) => serde_json::from_slice(body).ok(),
+            _ => None,
+        }
     }
 }
 
@@ -135,6 +141,16 @@ mod tests {
             ..Session::demo()
         };
         assert_eq!(Session::decode(&session.encode()), Some(session));
+    }
+
+    #[test]
+    fn a_session_of_the_first_version_is_read() {
+        let session = Session {
+            mission: Some(crate::documents::Documents::empty_mission()),
+            ..Session::demo()
+        };
+        let old = postcard::to_extend(&session, vec![1]).expect("bytes");
+        assert_eq!(Session::decode(&old), Some(session));
     }
 
     #[test]

@@ -35,6 +35,14 @@ impl FileContent {
         }
     }
 
+    /// Its bytes, if they are here.
+    pub fn bytes(&self) -> Option<&Arc<[u8]>> {
+        match self {
+            Self::Bytes(bytes) => Some(bytes),
+            Self::Lent { .. } | Self::Address(_) => None,
+        }
+    }
+
     /// Something to read the file `name` from; the error says in words why there is none.
     pub(super) fn source(
         &self,

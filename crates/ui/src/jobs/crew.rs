@@ -256,7 +256,8 @@ fn seat_for(job: &Job) -> usize {
         | Job::DecodePicture { .. }
         | Job::Find(_)
         | Job::TakeHeights(_)
-        | Job::Predict(_) => 2,
+        | Job::Predict(_)
+        | Job::Brief(_) => 2,
     }
 }
 
@@ -269,6 +270,7 @@ fn file_keys(job: &Job) -> Vec<&str> {
         }
         Job::Assess(order) => (None, Some(&order.map)),
         Job::Field(order) => (None, Some(&order.map)),
+        Job::Brief(order) => (None, Some(&order.map)),
         Job::Open { key, .. } | Job::ReadPlaces { key } => {
             keys.push(key.as_str());
             (None, None)

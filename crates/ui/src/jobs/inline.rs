@@ -24,6 +24,8 @@ pub struct InlineHost {
     pub saved: Vec<(String, Vec<u8>)>,
     /// Times the app asked for the file dialog.
     pub dialogs: usize,
+    /// The fragment of the last link that was copied.
+    pub link: String,
     /// The last announcement.
     pub announced: String,
     /// The web: what lies at addresses.
@@ -144,6 +146,10 @@ impl Host for InlineHost {
 
     fn lost_workers(&mut self) -> usize {
         std::mem::take(&mut self.lost)
+    }
+
+    fn copy_link(&mut self, fragment: &str) {
+        fragment.clone_into(&mut self.link);
     }
 
     fn announce(&mut self, text: &str) {

@@ -107,7 +107,14 @@ fn open(host: &mut InlineHost, files: &[(&str, FileContent)]) -> Result<Opened, 
         key: key.clone(),
         files: files.collect(),
     });
-    let events = all(host, Job::Open { key, near: None });
+    let events = all(
+        host,
+        Job::Open {
+            key,
+            near: None,
+            origin: Geodetic::from_degrees(47.0, 8.0, 0.0),
+        },
+    );
     events
         .into_iter()
         .find_map(|event| match event {

@@ -5,6 +5,8 @@
 //! and replaces one that died; [`InlineHost`] does all of it on the calling thread, for tests.
 
 mod assess;
+mod beside;
+mod brief;
 mod content;
 mod crew;
 mod distinct;
@@ -15,6 +17,7 @@ mod find;
 mod flights;
 mod fly;
 mod heights;
+mod imports;
 mod inline;
 mod messages;
 mod opening;
@@ -29,11 +32,15 @@ mod whole_bytes;
 mod workshop;
 
 pub use assess::{Assessment, AssessmentOrder, DAYS, Glance, POSITION, VIEWS};
+pub use beside::{BESIDE, Beside};
+pub use brief::{BriefOrder, BriefPictures, EncodedPicture};
 pub use content::{FileContent, LentFiles, OpenAddress};
 pub use crew::{Crew, WorkerPort};
 pub use field::{FieldFrom, FieldOrder};
+pub use file_pool::has_ending;
 pub use find::{FindOrder, Foreseen, FoundPlan};
 pub use heights::{HeightsOrder, TerrainInfo};
+pub use imports::ImportedFile;
 pub use inline::InlineHost;
 pub use messages::{Reply, Request};
 pub use predict::PredictionOrder;

@@ -9,12 +9,16 @@ use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::imagery::GeoTiffError;
 use pilotage_core::imagery::terrain::Dem;
 use pilotage_core::imagery::tiff::{SampleKind, TiffFile};
+use pilotage_core::mission::package::{PACKAGE_HEAD, PACKAGE_PICTURES, read_head};
 use pilotage_core::mission::{MapError, MapOptions, Mission, OpenMap, open_map_with, read_mission};
 use pilotage_core::navigator::Run;
 
+use super::EncodedPicture;
+use super::beside::BESIDE;
 use super::file_pool::{FilePool, has_ending};
 use super::flights::{KeptFrames, OpenFlight};
 use super::heights::describe_terrain;
+use super::imports::{imports, is_mission};
 use super::workshop::describe;
 use super::{MapInfo, Opened, Unplaced};
 use crate::documents::decode_run;
@@ -29,10 +33,12 @@ const WORLD_REACH: f64 = 60_000.0;
 
 /// Looks at every file of a drop; the first that is broken ends it, with its name and the cause.
 /// A map without a flight is put into the world around `near`, if it is not far from there.
+/// Files of other programs are placed in the world around `origin`.
 pub fn look_through(
     key: String,
     pool: &Arc<FilePool>,
     near: Option<Geodetic>,
+    origin: Geodetic,
 ) -> Result<Opened, String> {
     let flight = flight(pool)?;
     let frame = flight
@@ -45,15 +51,24 @@ pub fn look_through(
     };
     let map = map(pool, &options)?;
     let terrain = terrain(pool, None)?;
-    let mission = mission(pool)?;
+    let mission = mission(pool, flight.is_some())?;
     let run = run(pool)?;
+    let imports = imports(pool, origin, flight.is_some())?;
     let mut remarks = Vec::new();
-    let nothing = flight.is_none() && map.is_none() && mission.is_none() && run.is_none();
+    let nothing = flight.is_none()
+        && map.is_none()
+        && mission.is_none()
+        && run.is_none()
+        && imports.is_empty();
     let unplaced = if nothing && terrain.is_none() {
         Some(unplaced(pool).ok_or_else(|| unknown(pool))?)
     } else {
         None
     };
+    let beside = pool.read(PACKAGE_HEAD).and_then(|head| {
+        let settings = read_head(&head).ok()?;
+        serde_json::from_str(settings.get(BESIDE)?).ok()
+    });
     let flight = flight.map(|(open, notes)| {
         remarks.extend(notes);
         Arc::unwrap_or_clone(open.flight)
@@ -70,6 +85,9 @@ pub fn look_through(
         mission,
         run,
         unplaced,
+        imports,
+        pictures: pictures(pool),
+        beside,
         remarks,
     })
 }
@@ -125,7 +143,7 @@ pub fn flight(pool: &Arc<FilePool>) -> Result<Option<(OpenFlight, Vec<String>)>,
     let open = OpenFlight {
         frames: KeptFrames::stored(&folder.flight, Box::new(folder.frames)),
         flight: Arc::new(folder.flight),
-        mission: mission(pool)?,
+        mission: mission(pool, true)?,
     };
     Ok(Some((open, folder.notes)))
 }
@@ -175,12 +193,33 @@ fn is_elevation(pool: &FilePool, name: &str) -> bool {
         })
 }
 
-fn mission(pool: &FilePool) -> Result<Option<Mission>, String> {
-    let named = |n: &String| n.ends_with("mission.json") || n.ends_with(".geojson");
-    let Some(name) = pool.names().into_iter().find(named) else {
+/// The pictures of a mission file, to be saved with it again.
+fn pictures(pool: &FilePool) -> Vec<(String, EncodedPicture)> {
+    if pool.read(PACKAGE_HEAD).is_none() {
+        return Vec::new();
+    }
+    let names = pool.names();
+    let pictures = names.into_iter().filter_map(|name| {
+        let path = name.strip_prefix(PACKAGE_PICTURES)?.to_owned();
+        Some((path, EncodedPicture(pool.read(&name)?)))
+    });
+    pictures.collect()
+}
+
+/// The mission among the files; beside a flight any GeoJSON is its mission.
+fn mission(pool: &FilePool, is_flight: bool) -> Result<Option<Mission>, String> {
+    let names = pool.ending_in(&["json", "geojson"]);
+    let found = names.into_iter().find_map(|name| {
+        let bytes = pool.read(&name).unwrap_or_default();
+        let is_one = is_mission(&name, &bytes) || is_flight && has_ending(&name, &["geojson"]);
+        is_one.then_some((name, bytes))
+    });
+    let Some((name, bytes)) = found else {
         return Ok(None);
     };
-    let bytes = pool.read(&name).unwrap_or_default();
+    if let Some(head) = pool.read(PACKAGE_HEAD) {
+        read_head(&head).map_err(|cause| cause.to_string())?;
+    }
     let mission = read_mission(&bytes).map_err(|cause| format!("{name}: {cause}"))?;
     Ok(Some(mission))
 }
@@ -211,9 +250,10 @@ fn unknown(pool: &FilePool) -> String {
         n => format!(" and {} more", n - 1),
     };
     format!(
-        "{first}{more}: no {FLIGHT_FILE}, no map with its georeference, no mission and no run among \
-         them. Drop a flight folder or a zip of one, a map picture with its world file, a mission \
-         or a run saved here, a GeoTIFF, PMTiles or an elevation model (.hgt)."
+        "{first}{more}: no {FLIGHT_FILE}, no map with its georeference, no mission, no route and no \
+         run among them. Drop a flight folder or a zip of one, a map picture with its world file, a \
+         GeoTIFF, PMTiles or an elevation model (.hgt), a mission or a run saved here, or routes and \
+         landmarks as .plan, .waypoints, KML, GPX, GeoJSON or CSV."
     )
 }
 
@@ -227,7 +267,8 @@ mod tests {
             .map(|(name, bytes)| ((*name).to_owned(), bytes.to_vec().into()))
             .collect();
         let pool = FilePool::new(&files, &LentFiles::default())?;
-        look_through("drop".to_owned(), &Arc::new(pool), None)
+        let origin = Geodetic::from_degrees(47.0, 8.0, 0.0);
+        look_through("drop".to_owned(), &Arc::new(pool), None, origin)
     }
 
     fn picture() -> Vec<u8> {

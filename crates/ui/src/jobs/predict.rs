@@ -5,7 +5,7 @@ use pilotage_core::frames::{GroundPoint, LocalFrame};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::navigator::NavigatorSettings;
 use pilotage_core::plan::{DetectionStatistics, PlannedLandmark, Prediction, PredictionRequest};
-use pilotage_core::simulate::{Airframe, FlightPlan, SensorSpec, Wind, world_origin};
+use pilotage_core::simulate::{Airframe, FlightPlan, SensorSpec, Target, Wind, world_origin};
 use serde::{Deserialize, Serialize};
 
 /// Seed of the worlds: the same plan always has the same prediction.
@@ -20,6 +20,8 @@ pub struct PredictionOrder {
     pub way_points: Vec<GroundPoint>,
     /// Height above ground, metres.
     pub height: f64,
+    /// How each way-point is flown over; none where all are flown over alike.
+    pub targets: Vec<Target>,
     /// Airspeed, m/s; the aircraft's cruise if `None`.
     pub airspeed: Option<f64>,
     /// Mean wind.
@@ -50,6 +52,7 @@ impl PredictionOrder {
             name: String::new(),
             way_points: self.way_points.clone(),
             height: self.height,
+            targets: self.targets.clone(),
             wind: self.wind.velocity(),
             longest: PATIENCE + 4.0 * length / airframe.cruise.max(1.0),
             airframe,

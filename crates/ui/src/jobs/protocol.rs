@@ -11,8 +11,9 @@ use pilotage_core::raster::{Gray, Raster, Rgba};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Assessment, AssessmentOrder, FieldOrder, FileContent, FindOrder, FoundPlan, HeightsOrder,
-    PredictionOrder, TerrainInfo, WebMap, whole_bytes,
+    Assessment, AssessmentOrder, Beside, BriefOrder, BriefPictures, EncodedPicture, FieldOrder,
+    FileContent, FindOrder, FoundPlan, HeightsOrder, ImportedFile, PredictionOrder, TerrainInfo,
+    WebMap, whole_bytes,
 };
 
 /// Number of a job, unique within a page.
@@ -122,6 +123,8 @@ pub enum Job {
         key: String,
         /// Origin of the world frame that is open; a map far from it gets a frame of its own.
         near: Option<Geodetic>,
+        /// Origin of the mission's world, in which routes and landmarks are placed.
+        origin: Geodetic,
     },
     /// Fly and navigate: events `Flight`, `Mission` (if none was given), `RunStarted`, then `Steps` and `FramePicture`.
     Fly {
@@ -186,6 +189,8 @@ pub enum Job {
     Field(Box<FieldOrder>),
     /// A route over ground where fixes are had: event `FoundPlan`.
     Find(Box<FindOrder>),
+    /// The pictures of a mission brief: event `BriefPictures`.
+    Brief(BriefOrder),
 }
 
 /// A picture that does not say where it lies.
@@ -269,6 +274,12 @@ pub struct Opened {
     pub run: Option<Run>,
     /// A picture that does not say where it lies, if there is nothing else.
     pub unplaced: Option<Unplaced>,
+    /// Routes and landmarks of other programs, to be added to the mission.
+    pub imports: Vec<ImportedFile>,
+    /// The pictures that a mission file brought: path and contents.
+    pub pictures: Vec<(String, EncodedPicture)>,
+    /// What was open beside the mission when it was saved.
+    pub beside: Option<Beside>,
     /// What was skipped, in words.
     pub remarks: Vec<String>,
 }
@@ -331,6 +342,8 @@ pub enum JobEvent {
     Field(Box<Localizability>),
     /// A route that was found, beside the shortest.
     FoundPlan(Box<FoundPlan>),
+    /// The pictures of a mission brief.
+    BriefPictures(Box<BriefPictures>),
     /// What provided files are.
     Opened(Box<Opened>),
     /// Done.

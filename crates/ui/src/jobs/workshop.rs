@@ -14,6 +14,7 @@ use pilotage_core::simulate::Scenario;
 use pilotage_core::simulate::scenery::{DEMO_SEED, Scenery};
 
 use super::assess::Assess;
+use super::brief::Brief;
 use super::content::{LentFiles, OpenAddress};
 use super::explain::match_pictures;
 use super::field::ComputeField;
@@ -77,9 +78,9 @@ impl Workshop {
                 self.provide(key, &files);
                 once(|_, _| Ok(()))
             }
-            Job::Open { key, near } => once(move |workshop, emit| {
+            Job::Open { key, near, origin } => once(move |workshop, emit| {
                 let files = workshop.files(&key)?;
-                let opened = opening::look_through(key, &files, near)?;
+                let opened = opening::look_through(key, &files, near, origin)?;
                 emit(JobEvent::Opened(Box::new(opened)));
                 Ok(())
             }),
@@ -128,6 +129,7 @@ impl Workshop {
                 emit(JobEvent::Prediction(Box::new(order.predict()?)));
                 Ok(())
             }),
+            Job::Brief(order) => Box::new(Brief::new(order)),
             Job::Assess(order) => Box::new(Assess::new(*order)),
             Job::Field(order) => Box::new(ComputeField::new(*order)),
             Job::Find(order) => Box::new(FindRoute::new(*order)),

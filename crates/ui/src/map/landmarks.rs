@@ -2,6 +2,7 @@
 //! names keep out of each other's way; accepted matches are joined to the aircraft by a line.
 
 use egui::{Align2, Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
+use pilotage_core::frames::GroundPoint;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::navigator::{CandidateReport, Outcome, StepReport};
 
@@ -78,7 +79,12 @@ pub fn paint_landmarks(
             let to = view.apply(&landmark.reference);
             paint_lifted_line(painter, [from, to], 1.5, color, tokens);
         }
-        paint_box(painter, &corners, state, selected, color, tokens);
+        let outline = landmark.outline();
+        let outline = outline.map(|o| o.iter().map(|p| view.apply(p)).collect());
+        paint_box(painter, &corners, outline, state, selected, color, tokens);
+        if landmark.is_point() || selected {
+            paint_reference(painter, view, landmark, selected, color, tokens);
+        }
         if scene.names || selected || scene.hovered == Some(landmark.id) {
             let text = match score {
                 Some(score) if around.width() > 12.0 => format!("{}  {score:.2}", landmark.name),
@@ -126,18 +132,27 @@ fn color_of(state: Seen, tokens: &Tokens) -> Color32 {
 fn paint_box(
     painter: &Painter,
     corners: &[Pos2; 4],
+    drawn: Option<Vec<Pos2>>,
     state: Seen,
     selected: bool,
     color: Color32,
     tokens: &Tokens,
 ) {
-    let outline = corners.to_vec();
+    let is_box = drawn.is_none();
+    if !is_box && selected {
+        // The box around it is what is looked for.
+        let mut around = corners.to_vec();
+        around.push(corners[0]);
+        let thin = Stroke::new(1.0, color.gamma_multiply(0.7));
+        painter.extend(Shape::dashed_line(&around, thin, 3.0, 3.0));
+    }
+    let outline = drawn.unwrap_or_else(|| corners.to_vec());
     let below = Stroke::new(
         if selected { 5.0 } else { 3.5 },
         tokens.outline().gamma_multiply(0.6),
     );
     painter.add(Shape::closed_line(outline.clone(), below));
-    if state == Seen::Accepted {
+    if state == Seen::Accepted && is_box {
         painter.add(Shape::convex_polygon(
             outline.clone(),
             color.gamma_multiply(0.22),
@@ -147,16 +162,21 @@ fn paint_box(
     let stroke = Stroke::new(if selected { 2.5 } else { 1.5 }, color);
     if state == Seen::Off {
         let mut closed = outline.clone();
-        closed.push(corners[0]);
+        closed.extend(outline.first().copied());
         painter.extend(Shape::dashed_line(&closed, stroke, 4.0, 4.0));
     } else {
-        painter.add(Shape::closed_line(outline, stroke));
+        painter.add(Shape::closed_line(outline.clone(), stroke));
     }
     if state == Seen::Refused {
         painter.line_segment([corners[0], corners[2]], stroke);
         painter.line_segment([corners[1], corners[3]], stroke);
     }
-    if selected {
+    if selected && !is_box {
+        for corner in outline {
+            let edge = Stroke::new(1.5, tokens.outline());
+            painter.circle(corner, 4.5, tokens.sigma, edge);
+        }
+    } else if selected {
         for handle in handles(corners) {
             painter.circle(
                 handle,
@@ -164,6 +184,34 @@ fn paint_box(
                 tokens.sigma,
                 Stroke::new(1.5, tokens.outline()),
             );
+        }
+    }
+}
+
+/// The point that is measured, and the direction in which the landmark lies.
+fn paint_reference(
+    painter: &Painter,
+    view: &ScreenFromWorld,
+    landmark: &Landmark,
+    selected: bool,
+    color: Color32,
+    tokens: &Tokens,
+) {
+    let at = view.apply(&landmark.reference);
+    let strokes = [Stroke::new(4.0, tokens.outline()), Stroke::new(1.5, color)];
+    for stroke in strokes {
+        painter.line_segment([at - vec2(6.0, 0.0), at + vec2(6.0, 0.0)], stroke);
+        painter.line_segment([at - vec2(0.0, 6.0), at + vec2(0.0, 6.0)], stroke);
+    }
+    if let Some(angle) = landmark.orientation().filter(|_| selected) {
+        let away = 0.5 * landmark.bounds.height().hypot(landmark.bounds.width());
+        let (sin, cos) = angle.sin_cos();
+        let r = landmark.reference;
+        let tip = GroundPoint::new(r.north + away * cos, r.east + away * sin);
+        let way = view.apply(&tip) - at;
+        let way = way.normalized() * way.length().max(24.0);
+        for stroke in strokes {
+            painter.arrow(at, way, stroke);
         }
     }
 }

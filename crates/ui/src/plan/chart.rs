@@ -212,7 +212,8 @@ fn header(painter: &Painter, outer: Rect, scene: &ChartScene<'_>, near: f64, uni
         );
         x = drawn.right() + 20.0;
     }
-    let right = pos2(outer.right() - 8.0, y);
+    // Beside the choice of charts.
+    let right = pos2(outer.right() - 180.0, y);
     painter.text(
         right,
         Align2::RIGHT_CENTER,

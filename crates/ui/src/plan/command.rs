@@ -1,11 +1,15 @@
 //! What people can ask for while they plan.
 
 use pilotage_core::frames::{Altitude, GroundPoint};
+use pilotage_core::mission::WayPointAction;
 use pilotage_core::simulate::Wind;
 
 use super::finder::FindCommand;
 use super::heat::HeatCommand;
+use super::marking::Purpose;
+use super::patterns::Pattern;
 use super::planner::PlanTab;
+use crate::documents::landmarks::LandmarkChange;
 
 /// Something to do in the Plan workspace. Way-points are those of the selected route, counted from 0.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,6 +76,37 @@ pub enum PlanCommand {
     RenameRoute(String),
     /// The standard deviation that is accepted, metres.
     SetLimit(f64),
+    /// What is done at a way-point; `finished` as for a drag.
+    SetAction {
+        /// Which.
+        index: usize,
+        /// What.
+        action: WayPointAction,
+        /// Whether the drag is over.
+        finished: bool,
+    },
+    /// Make the selected route of another pattern; `finished` as for a drag.
+    SetPattern {
+        /// The pattern.
+        pattern: Box<Pattern>,
+        /// Whether the drag is over.
+        finished: bool,
+    },
+    /// Passes along the selected route as a route of their own.
+    CorridorAlong,
+    /// Let the selected route be no pattern any more.
+    ReleasePattern,
+    /// What the user states of the aircraft.
+    SetAircraft {
+        /// Bank limit, radians.
+        bank: f64,
+        /// Power in cruise, watts.
+        power: Option<f64>,
+        /// Energy on board, watt hours.
+        energy: Option<f64>,
+    },
+    /// Show the heights of the route below the map instead of the uncertainty, or the other way round.
+    ToggleProfile,
     /// The wind to plan with; the flight's if `None`.
     SetWind(Option<Wind>),
     /// Measure how well landmarks are found.
@@ -82,7 +117,7 @@ pub enum PlanCommand {
     AssessAll,
     /// Stop measuring.
     StopAssessing,
-    /// A second landmark like the selected one, beside it.
+    /// A second landmark like the selected one, or like each of the marked ones, beside it.
     DuplicateLandmark,
     /// Something about where fixes would be had.
     Heat(HeatCommand),
@@ -90,4 +125,27 @@ pub enum PlanCommand {
     Find(FindCommand),
     /// Choose another tab of the column.
     ShowTab(PlanTab),
+    /// Change landmarks; `finished` as for a drag.
+    EditLandmarks {
+        /// Which.
+        ids: Vec<u32>,
+        /// What.
+        change: LandmarkChange,
+        /// Whether the drag is over.
+        finished: bool,
+    },
+    /// Delete landmarks.
+    DeleteLandmarks(Vec<u32>),
+    /// Mark landmarks in the table, beside the selected one.
+    MarkLandmarks(Vec<u32>),
+    /// Begin to mark something on the map by clicks, or stop.
+    Mark(Purpose),
+    /// One more corner of what is being marked.
+    AddCorner(GroundPoint),
+    /// Take the last corner back.
+    RemoveCorner,
+    /// Make of the corners what they are for.
+    FinishMarking,
+    /// Forget the corners.
+    CancelMarking,
 }

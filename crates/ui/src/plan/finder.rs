@@ -213,6 +213,7 @@ impl Planner {
             flight: PredictionOrder {
                 way_points: vec![from, to],
                 height: field.view.height,
+                targets: Vec::new(),
                 airspeed: None,
                 wind,
                 camera: field.view.camera.clone(),

@@ -1,14 +1,18 @@
 //! The table of landmarks: name, size, how often each is found; sorted as the user likes.
 
 use std::cmp::Ordering;
+use std::collections::BTreeSet;
 
-use egui::{Align2, Response, Role, Sense, Ui, WidgetInfo, pos2, vec2};
+use egui::{Align2, Modifiers, Response, Role, Sense, TextEdit, Ui, WidgetInfo, pos2, vec2};
 use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::Mission;
 
 use super::assessments::{Assessments, assumed};
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::shell::{icon_button, icons::Icon, landmark_keyboard, paint_focus_ring};
+use crate::shell::{
+    icon_button, icons::Icon, landmark_keyboard, muted, paint_focus_ring, text_button,
+};
 use crate::tokens::Tokens;
 
 /// What the table is sorted by.
@@ -17,6 +21,7 @@ enum Column {
     #[default]
     Order,
     Name,
+    Category,
     Size,
     Found,
 }
@@ -26,23 +31,115 @@ enum Column {
 pub struct LandmarkTable {
     by: Column,
     descending: bool,
+    /// Words that every landmark shown must have.
+    filter: String,
+    /// The landmarks that are marked.
+    marked: BTreeSet<u32>,
+    /// Where a range begins.
+    anchor: Option<u32>,
 }
 
-/// Right edges of the numbers, from the right.
+/// Right edges of the columns, from the right.
+const CATEGORY: f32 = 146.0;
 const SIZE: f32 = 76.0;
 const FOUND: f32 = 8.0;
 
 impl LandmarkTable {
     /// Draws the table.
     pub fn show(&mut self, ui: &mut Ui, assessments: &Assessments, context: &mut ViewContext<'_>) {
-        self.header(ui, context.tokens);
-        ui.spacing_mut().item_spacing.y = 0.0;
         let mission = context.mission;
         let mut rows: Vec<&Landmark> = mission.landmarks.iter().collect();
+        rows.retain(|l| fits(l, &self.filter));
         rows.sort_by(|a, b| self.order(a, b, assessments));
-        for landmark in rows {
-            row(ui, landmark, assessments, context);
+        let ids: Vec<u32> = rows.iter().map(|l| l.id).collect();
+        self.filter(ui, &ids, context);
+        self.header(ui, context.tokens);
+        ui.spacing_mut().item_spacing.y = 0.0;
+        // What is selected elsewhere is what is marked here.
+        let strange = context
+            .selection
+            .is_some_and(|id| !self.marked.contains(&id));
+        if strange || context.selection.is_none() && self.marked.len() < 2 {
+            self.marked = context.selection.into_iter().collect();
         }
+        for landmark in rows {
+            if row(
+                ui,
+                landmark,
+                self.marked.contains(&landmark.id),
+                assessments,
+                context,
+            ) {
+                let keys = ui.input(|i| i.modifiers);
+                self.click(landmark.id, &ids, keys, context);
+            }
+        }
+        if ids.is_empty() {
+            let words = "No landmark has these words in its name, category or notes.";
+            ui.label(muted(context.tokens, words));
+        }
+    }
+
+    /// The landmarks that are marked.
+    pub fn marked(&self) -> &BTreeSet<u32> {
+        &self.marked
+    }
+
+    /// Marks these, and no others.
+    pub fn mark(&mut self, ids: Vec<u32>) {
+        self.anchor = ids.last().copied();
+        self.marked = ids.into_iter().collect();
+    }
+
+    /// Lets go of what does not exist any more.
+    pub fn settle(&mut self, mission: &Mission) {
+        self.marked.retain(|id| mission.landmark(*id).is_some());
+        self.anchor = self.anchor.filter(|id| mission.landmark(*id).is_some());
+    }
+
+    fn filter(&mut self, ui: &mut Ui, shown: &[u32], context: &mut ViewContext<'_>) {
+        let tokens = context.tokens;
+        ui.horizontal(|ui| {
+            let width = ui.available_width() - 92.0;
+            let field = TextEdit::singleline(&mut self.filter)
+                .hint_text("Filter by name, category or notes")
+                .desired_width(width);
+            ui.add(field).accessible_name("Filter the landmarks");
+            if text_button(ui, tokens, None, "Mark all", false).clicked() {
+                self.mark(shown.to_vec());
+                let last = shown.last().copied();
+                context.commands.push(Command::SelectLandmark(last));
+            }
+        });
+    }
+
+    /// Marks by a click on a row of `rows`: with Ctrl one more or one less, with Shift up to there.
+    fn click(&mut self, id: u32, rows: &[u32], keys: Modifiers, context: &mut ViewContext<'_>) {
+        let was_alone = self.marked.len() == 1 && self.marked.contains(&id);
+        let at = |id: u32| rows.iter().position(|r| *r == id);
+        let anchor = self.anchor.or(context.selection).and_then(at);
+        match (keys.shift, keys.command, anchor, at(id)) {
+            (true, _, Some(from), Some(to)) => {
+                self.marked = rows[from.min(to)..=from.max(to)].iter().copied().collect();
+            }
+            (false, true, ..) => {
+                if !self.marked.remove(&id) {
+                    self.marked.insert(id);
+                }
+                self.anchor = Some(id);
+            }
+            _ if was_alone => {
+                self.marked.clear();
+                self.anchor = None;
+            }
+            _ => {
+                self.marked = BTreeSet::from([id]);
+                self.anchor = Some(id);
+            }
+        }
+        let selected = Some(id).filter(|id| self.marked.contains(id));
+        let selected = selected.or(self.marked.last().copied());
+        context.commands.push(Command::SelectLandmark(selected));
     }
 
     fn order(&self, a: &Landmark, b: &Landmark, assessments: &Assessments) -> Ordering {
@@ -51,6 +148,10 @@ impl LandmarkTable {
         let order = match self.by {
             Column::Order => Ordering::Equal,
             Column::Name => a.name.to_lowercase().cmp(&b.name.to_lowercase()),
+            Column::Category => a
+                .category()
+                .to_lowercase()
+                .cmp(&b.category().to_lowercase()),
             Column::Size => area(a).total_cmp(&area(b)),
             Column::Found => {
                 let of = |l| found(l).unwrap_or_else(|| assumed().probability());
@@ -68,11 +169,16 @@ impl LandmarkTable {
         let width = ui.available_width();
         let (rect, _) = ui.allocate_exact_size(vec2(width, 24.0), Sense::hover());
         let columns = [
-            (Column::Name, "Landmark", rect.left()..=rect.left() + 120.0),
+            (Column::Name, "Landmark", rect.left()..=rect.left() + 90.0),
+            (
+                Column::Category,
+                "Category",
+                rect.right() - 232.0..=rect.right() - CATEGORY + 8.0,
+            ),
             (
                 Column::Size,
                 "Size",
-                rect.right() - 150.0..=rect.right() - SIZE + 8.0,
+                rect.right() - CATEGORY + 8.0..=rect.right() - SIZE + 8.0,
             ),
             (
                 Column::Found,
@@ -126,10 +232,29 @@ impl LandmarkTable {
     }
 }
 
-fn row(ui: &mut Ui, landmark: &Landmark, assessments: &Assessments, context: &mut ViewContext<'_>) {
+/// Whether every word of `filter` stands in a landmark's name, category or notes.
+fn fits(landmark: &Landmark, filter: &str) -> bool {
+    if filter.trim().is_empty() {
+        return true;
+    }
+    let all = [landmark.name.clone(), landmark.category(), landmark.notes()];
+    let all = all.join(" ").to_lowercase();
+    filter
+        .to_lowercase()
+        .split_whitespace()
+        .all(|word| all.contains(word))
+}
+
+/// Draws a row; true if it was clicked.
+fn row(
+    ui: &mut Ui,
+    landmark: &Landmark,
+    selected: bool,
+    assessments: &Assessments,
+    context: &mut ViewContext<'_>,
+) -> bool {
     let tokens = context.tokens;
     let id = landmark.id;
-    let selected = context.selection == Some(id);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 0.0;
         let (icon, label) = if landmark.enabled {
@@ -147,7 +272,16 @@ fn row(ui: &mut Ui, landmark: &Landmark, assessments: &Assessments, context: &mu
         let (_, rect) = ui.allocate_space(size);
         let response = ui.interact(rect, egui::Id::unique(("landmark row", id)), Sense::click());
         response.widget_info(|| {
-            WidgetInfo::selected(Role::Button, true, selected, landmark.name.as_str())
+            let [width, height] = [landmark.bounds.width(), landmark.bounds.height()];
+            let category = match landmark.category() {
+                none if none.is_empty() => "no category".to_owned(),
+                category => category,
+            };
+            let name = format!(
+                "{}: {category}, {width:.0} by {height:.0} metres",
+                landmark.name
+            );
+            WidgetInfo::selected(Role::Button, true, selected, name)
         });
         let painter = ui.painter();
         if selected || response.hovered() {
@@ -164,7 +298,7 @@ fn row(ui: &mut Ui, landmark: &Landmark, assessments: &Assessments, context: &mu
             tokens.muted
         };
         let left = rect.left_center() + vec2(8.0, 0.0);
-        let room = egui::Rect::from_min_max(rect.min, pos2(rect.right() - 140.0, rect.bottom()));
+        let room = egui::Rect::from_min_max(rect.min, pos2(rect.right() - 224.0, rect.bottom()));
         let clipped = painter.with_clip_rect(room.intersect(painter.clip_rect()));
         clipped.text(
             left,
@@ -173,6 +307,19 @@ fn row(ui: &mut Ui, landmark: &Landmark, assessments: &Assessments, context: &mu
             tokens.normal(),
             color,
         );
+        let room = egui::Rect::from_min_max(
+            pos2(rect.right() - 220.0, rect.top()),
+            pos2(rect.right() - CATEGORY, rect.bottom()),
+        );
+        painter
+            .with_clip_rect(room.intersect(painter.clip_rect()))
+            .text(
+                room.right_center(),
+                Align2::RIGHT_CENTER,
+                landmark.category(),
+                tokens.small(),
+                tokens.muted,
+            );
         let (factor, unit) = context.units.length();
         let [width, height] = [landmark.bounds.width(), landmark.bounds.height()];
         let text = format!("{:.0} × {:.0} {unit}", width * factor, height * factor);
@@ -198,13 +345,11 @@ fn row(ui: &mut Ui, landmark: &Landmark, assessments: &Assessments, context: &mu
         };
         let at = pos2(rect.right() - FOUND, rect.center().y);
         painter.text(at, Align2::RIGHT_CENTER, text, font, color);
-        if response.clicked() {
-            let which = (!selected).then_some(id);
-            context.commands.push(Command::SelectLandmark(which));
-        }
         if response.has_focus() {
             paint_focus_ring(painter, rect, tokens);
             landmark_keyboard(ui, response.id, landmark, context.commands);
         }
-    });
+        response.clicked()
+    })
+    .inner
 }

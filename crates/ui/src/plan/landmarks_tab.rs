@@ -5,6 +5,7 @@ use pilotage_core::landmark::Landmark;
 
 use super::PlanCommand;
 use super::assessments::{ASSUMED_PER_FRAME, ASSUMED_RECOGNISED, Measured};
+use super::marking::Purpose;
 use super::panel::button;
 use super::planner::Planner;
 use crate::command::Command;
@@ -26,9 +27,7 @@ pub fn landmarks_tab(
     let tokens = context.tokens;
     let mission = context.mission;
     ui.horizontal(|ui| {
-        if text_button(ui, tokens, Some(Icon::Pick), "Draw", false).clicked() {
-            context.commands.push(Command::TogglePickTool);
-        }
+        draw_menu(ui, planner, context);
         if let Some((done, of)) = planner.assessments.batch() {
             if icon_button(ui, tokens, Icon::Close, "Stop measuring").clicked() {
                 let stop = PlanCommand::StopAssessing;
@@ -56,17 +55,52 @@ pub fn landmarks_tab(
         ui.label(muted(
             tokens,
             "None yet. Press N and draw a box around something that stands out on the map: a lone \
-             building, a crossing, a pool.",
+             building, a crossing, a pool. Shift+N marks an outline instead. Or open a file with some.",
         ));
         return;
     }
-    if let Some(landmark) = context.selection.and_then(|id| mission.landmark(id)) {
+    let marked = planner.marked(context.selection);
+    if marked.len() > 1 {
+        planner.editor.several(ui, &marked, context);
+        ui.add_space(tokens.space);
+    } else if let Some(landmark) = context.selection.and_then(|id| mission.landmark(id)) {
         list.selected(ui, landmark, context, examined);
+        ui.add_space(tokens.space);
+        planner.editor.one(ui, landmark, context);
         ui.add_space(tokens.space);
         card(ui, planner, landmark, context);
         ui.add_space(tokens.space);
     }
     planner.table.show(ui, &planner.assessments, context);
+}
+
+/// The ways to draw a landmark.
+fn draw_menu(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
+    let tokens = context.tokens;
+    let button = text_button(ui, tokens, Some(Icon::Pick), "Draw", false);
+    egui::Popup::menu(&button).show(|ui| {
+        ui.set_min_width(200.0);
+        let under_way = planner.marking.as_ref().map(|m| m.purpose);
+        for (label, command, on) in [
+            ("Box  (N)", Command::TogglePickTool, false),
+            (
+                "Outline  (Shift+N)",
+                Command::Plan(PlanCommand::Mark(Purpose::Outline)),
+                under_way == Some(Purpose::Outline),
+            ),
+            (
+                "Point",
+                Command::Plan(PlanCommand::Mark(Purpose::Point)),
+                under_way == Some(Purpose::Point),
+            ),
+        ] {
+            let choice = ui.selectable_label(on, label);
+            if choice.clicked() {
+                context.commands.push(command);
+                ui.close();
+            }
+        }
+    });
 }
 
 /// How well the selected landmark is found.

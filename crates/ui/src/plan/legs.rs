@@ -1,7 +1,7 @@
 //! The legs of a route: distance, course and time in the wind.
 
 use nalgebra::Vector2;
-use pilotage_core::mission::Route;
+use pilotage_core::mission::{Route, WayPoint, WayPointAction};
 use pilotage_core::simulate::Wind;
 
 /// The way from one way-point to the next.
@@ -11,7 +11,7 @@ pub struct Leg {
     pub distance: f64,
     /// Course over the ground, radians clockwise from north; `None` without a distance.
     pub course: Option<f64>,
-    /// Seconds; `None` where the wind is too strong for the airspeed.
+    /// Seconds, with the circles at its end; `None` where the wind is too strong for the airspeed.
     pub time: Option<f64>,
 }
 
@@ -36,10 +36,21 @@ pub fn legs(route: &Route, cruise: f64, wind: &Wind) -> Vec<Leg> {
             Leg {
                 distance,
                 course: Some(along.y.atan2(along.x).rem_euclid(std::f64::consts::TAU)),
-                time: speed.map(|speed| distance / speed),
+                time: speed.map(|speed| distance / speed + circles(&pair[1], cruise)),
             }
         })
         .collect()
+}
+
+/// Seconds that circles at a way-point take, through the air.
+fn circles(at: &WayPoint, cruise: f64) -> f64 {
+    match at.action {
+        WayPointAction::Loiter { radius, turns } => {
+            let way = std::f64::consts::TAU * radius.abs() * turns.max(0.0);
+            way / at.speed.unwrap_or(cruise).max(1.0)
+        }
+        _ => 0.0,
+    }
 }
 
 /// Speed over the ground on a course in a wind: what is left of the airspeed after holding against
@@ -70,7 +81,6 @@ pub fn time_text(seconds: Option<f64>) -> String {
 mod tests {
     use super::*;
     use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint};
-    use pilotage_core::mission::WayPoint;
 
     fn east() -> Route {
         let altitude = Altitude::new(100.0, AltitudeFrame::AboveGround);
@@ -93,6 +103,20 @@ mod tests {
         assert!((time(from(0.0, 12.0)).unwrap() - 37.5).abs() < 1e-9);
         assert_eq!(time(from(90.0, 20.0)), None);
         assert_eq!(time_text(Some(97.6)), "1:38");
+    }
+
+    #[test]
+    fn circles_at_the_end_of_a_leg_take_their_time() {
+        let mut route = east();
+        route.way_points[1].action = WayPointAction::Loiter {
+            radius: -50.0,
+            turns: 2.0,
+        };
+        let time = legs(&route, 20.0, &Wind::default())[0].time.unwrap();
+        assert!(
+            (time - 30.0 - 10.0 * std::f64::consts::PI).abs() < 1e-9,
+            "{time}"
+        );
     }
 
     #[test]

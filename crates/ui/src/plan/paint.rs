@@ -3,9 +3,11 @@
 use egui::epaint::{Mesh, Vertex, WHITE_UV};
 use egui::{Align2, Color32, Painter, Pos2, Shape, Stroke, vec2};
 use pilotage_core::frames::GroundPoint;
+use pilotage_core::mission::turn::Turn;
 use pilotage_core::mission::{Mission, Route, WayPointAction};
 use pilotage_core::plan::{Prediction, PredictionSample};
 
+use super::aircraft::{radius_at, tight_legs};
 use super::chart::sample_at;
 use super::planner::Planner;
 use super::tool::{Hit, PlanTool, middles};
@@ -63,6 +65,9 @@ impl Planner {
         tokens: &Tokens,
     ) {
         paint_routes(painter, view, mission, self, tool, tokens);
+        if let Some(marking) = &self.marking {
+            marking.paint(painter, view, tool.pointer, tokens);
+        }
     }
 }
 
@@ -244,6 +249,7 @@ fn paint_selected(
             }
         }
     }
+    paint_turns(painter, view, route, planner, tokens);
     for (index, (way_point, at)) in route.way_points.iter().zip(&line).enumerate() {
         let selected = planner.way_point == Some(index);
         let hovered = tool.hovered == Some(Hit::WayPoint(index));
@@ -252,6 +258,37 @@ fn paint_selected(
             let stroke = Stroke::new(1.5, tokens.accent);
             painter.circle_stroke(*at, view.points(radius.abs()), stroke);
         }
+    }
+}
+
+/// Draws the arcs of the turns, and the legs that are too short for theirs.
+fn paint_turns(
+    painter: &Painter,
+    view: &ScreenFromWorld,
+    route: &Route,
+    planner: &Planner,
+    tokens: &Tokens,
+) {
+    let bank = planner.preferences.bank;
+    let place = |i: usize| route.way_points[i].position;
+    for i in 1..route.way_points.len().saturating_sub(1) {
+        let radius = radius_at(route, i, bank);
+        let turn = Turn::at(&place(i - 1), &place(i), &place(i + 1), radius);
+        let Some(turn) = turn.filter(|t| view.points(t.lead) > 6.0) else {
+            continue;
+        };
+        let arc: Vec<Pos2> = turn.places().iter().map(|p| view.apply(p)).collect();
+        painter.add(Shape::line(arc.clone(), Stroke::new(3.5, tokens.outline())));
+        painter.add(Shape::line(arc, Stroke::new(1.5, tokens.accent)));
+    }
+    for index in tight_legs(route, bank) {
+        let ends = [view.apply(&place(index - 1)), view.apply(&place(index))];
+        painter.extend(Shape::dashed_line(
+            &ends,
+            Stroke::new(2.5, tokens.warning),
+            6.0,
+            6.0,
+        ));
     }
 }
 

@@ -6,12 +6,16 @@ use super::PlanCommand;
 use super::chart::ChartScene;
 use super::ground_tab::ground_tab;
 use super::landmarks_tab::landmarks_tab;
-use super::planner::{PlanTab, Planner};
+use super::planner::{PlanTab, Planner, ground_at};
+use super::profile::{self, ProfileScene};
 use super::route_tab::route_tab;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::shell::{Examined, LandmarkList, icon_button, icons::Icon, muted, tab, text_button};
+use crate::shell::catalog::catalog;
+use crate::shell::{
+    Examined, LandmarkList, caption, icon_button, icons::Icon, muted, tab, text_button,
+};
 
 impl Planner {
     /// Draws the column.
@@ -47,6 +51,7 @@ impl Planner {
                         }
                     });
                 }
+                export_menu(ui, context);
             });
         });
         let line = ui.max_rect().x_range();
@@ -63,8 +68,13 @@ impl Planner {
     }
 
     /// Draws the strip below the map: the prediction against distance.
-    pub fn strip(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
+    pub fn strip(&mut self, ui: &mut Ui, documents: &Documents, context: &mut ViewContext<'_>) {
         let tokens = context.tokens;
+        self.strip_tabs(ui, context);
+        if self.preferences.profile {
+            self.heights(ui, documents, context);
+            return;
+        }
         let limit = self.preferences.limit;
         let state = if let Some(shown) = self.forecast.shown() {
             let count = shown.order.worlds;
@@ -97,6 +107,47 @@ impl Planner {
         self.hovered = self.chart.show(ui, &scene);
     }
 
+    /// Which of the two charts is shown, at the right above it.
+    fn strip_tabs(&self, ui: &mut Ui, context: &mut ViewContext<'_>) {
+        let tokens = context.tokens;
+        let area = ui.available_rect_before_wrap();
+        let at = egui::Rect::from_min_max(
+            egui::pos2(area.right() - 168.0, area.top() - 4.0),
+            egui::pos2(area.right(), area.top() + 20.0),
+        );
+        let mut ui = ui.new_child(egui::UiBuilder::new().max_rect(at).id_salt("charts"));
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            ui.spacing_mut().item_spacing.x = 0.0;
+            let profile = self.preferences.profile;
+            for (label, on) in [("Heights", profile), ("Uncertainty", !profile)] {
+                if tab(ui, tokens, label, on, 24.0).clicked() && !on {
+                    let command = PlanCommand::ToggleProfile;
+                    context.commands.push(Command::Plan(command));
+                }
+            }
+        });
+    }
+
+    /// Draws the heights of the route over the ground.
+    fn heights(&self, ui: &mut Ui, documents: &Documents, context: &ViewContext<'_>) {
+        let Some(route) = self.selected(context.mission).filter(|r| r.length() > 1.0) else {
+            let words = "Here you will see how high a route lies over the ground.";
+            ui.centered_and_justified(|ui| ui.label(muted(context.tokens, words)));
+            return;
+        };
+        let ground = |place: &pilotage_core::frames::GroundPoint| ground_at(documents, place);
+        let scene = ProfileScene {
+            route,
+            ground: &ground,
+            take_off: context.mission.origin.height,
+            source: "level, no elevation model is open",
+            chosen: self.way_point,
+            tokens: context.tokens,
+            units: context.units,
+        };
+        profile::show(ui, &scene);
+    }
+
     fn nothing_yet(&self, ui: &mut Ui, context: &mut ViewContext<'_>) {
         let tokens = context.tokens;
         let words = match self.forecast.trouble() {
@@ -108,6 +159,38 @@ impl Planner {
         };
         ui.centered_and_justified(|ui| ui.label(muted(tokens, words)));
     }
+}
+
+/// What the route and the landmarks can be saved as for other programs.
+fn export_menu(ui: &mut Ui, context: &mut ViewContext<'_>) {
+    let button = icon_button(ui, context.tokens, Icon::Save, "Export");
+    egui::Popup::menu(&button).show(|ui| {
+        ui.set_min_width(250.0);
+        let tokens = context.tokens;
+        let entries: Vec<_> = catalog()
+            .into_iter()
+            .filter_map(|e| Some((e.label.strip_prefix("Export the ")?, e.command)))
+            .collect();
+        if ui.button("Print the mission brief…").clicked() {
+            context.commands.push(Command::PrintBrief);
+            ui.close();
+        }
+        for (title, part) in [("Route", "route as "), ("Landmarks", "landmarks as ")] {
+            caption(ui, tokens, title);
+            for (label, command) in &entries {
+                let Some(format) = label.strip_prefix(part) else {
+                    continue;
+                };
+                let name = ui
+                    .button(format)
+                    .accessible_name(format!("Export the {label}"));
+                if name.clicked() {
+                    context.commands.push(command.clone());
+                    ui.close();
+                }
+            }
+        }
+    });
 }
 
 /// A button that sends a command.

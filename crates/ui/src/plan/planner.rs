@@ -1,9 +1,12 @@
 //! What the Plan workspace remembers beside the documents.
 
 use pilotage_core::camera::CameraModel;
-use pilotage_core::frames::{Altitude, AltitudeFrame, AltitudeReference, GroundPoint, GroundRect};
-use pilotage_core::mission::{Mission, Route};
-use pilotage_core::simulate::{Airframe, Scenario, Wind};
+use pilotage_core::frames::{
+    Altitude, AltitudeFrame, AltitudeReference, GroundPoint, GroundRect, LocalFrame,
+};
+use pilotage_core::mission::turn::turn_radius;
+use pilotage_core::mission::{Mission, Route, WayPoint};
+use pilotage_core::simulate::{Airframe, Scenario, Target, Wind};
 use serde::{Deserialize, Serialize};
 
 use super::assessments::Assessments;
@@ -11,7 +14,10 @@ use super::chart::Chart;
 use super::finder::{FindPreferences, Finder};
 use super::forecast::Forecast;
 use super::heat::{Heat, HeatPreferences};
+use super::landmark_editor::LandmarkEditor;
 use super::landmark_table::LandmarkTable;
+use super::marking::Marking;
+use super::patterns::Circumstances;
 use super::routes::route_of;
 use crate::documents::Documents;
 use crate::jobs::{FlightSource, PredictionOrder, scenario_wind};
@@ -31,6 +37,14 @@ pub struct PlanPreferences {
     pub heat: HeatPreferences,
     /// What is looked for when a route is found.
     pub find: FindPreferences,
+    /// Bank limit, radians.
+    pub bank: f64,
+    /// Power in cruise, watts, if the user states it.
+    pub power: Option<f64>,
+    /// Energy on board, watt hours, if the user states it.
+    pub energy: Option<f64>,
+    /// Whether the heights of the route are shown below the map.
+    pub profile: bool,
 }
 
 impl Default for PlanPreferences {
@@ -40,6 +54,10 @@ impl Default for PlanPreferences {
             wind: None,
             heat: HeatPreferences::default(),
             find: FindPreferences::default(),
+            bank: Airframe::sig_kadet_senior().bank_limit,
+            power: None,
+            energy: None,
+            profile: false,
         }
     }
 }
@@ -65,6 +83,8 @@ pub struct Planner {
     pub way_point: Option<usize>,
     /// Whether clicks on the map add way-points.
     pub drawing: bool,
+    /// What is being marked on the map by clicks.
+    pub marking: Option<Marking>,
     /// The open tab.
     pub tab: PlanTab,
     /// What the user accepts and assumes.
@@ -83,6 +103,8 @@ pub struct Planner {
     pub(super) chart: Chart,
     /// The table of landmarks.
     pub(super) table: LandmarkTable,
+    /// What is being typed of landmarks.
+    pub(super) editor: LandmarkEditor,
     /// The name being typed for the selected route.
     pub(super) name_draft: Option<(u32, String)>,
     /// Whether the map was fitted to the plan.
@@ -99,6 +121,7 @@ impl Planner {
         } else {
             known.or_else(first)
         };
+        self.table.settle(mission);
         let count = self.selected(mission).map_or(0, |r| r.way_points.len());
         self.way_point = self.way_point.filter(|i| *i < count);
     }
@@ -106,6 +129,21 @@ impl Planner {
     /// Where the chart's curves were drawn last.
     pub fn chart_rect(&self) -> Option<egui::Rect> {
         self.chart.rect()
+    }
+
+    /// The landmarks that are marked in the table, or else the selected one.
+    pub fn marked(&self, selection: Option<u32>) -> Vec<u32> {
+        let marked: Vec<u32> = self.table.marked().iter().copied().collect();
+        if marked.len() > 1 {
+            marked
+        } else {
+            selection.into_iter().collect()
+        }
+    }
+
+    /// Marks landmarks in the table, and no others.
+    pub fn mark(&mut self, ids: Vec<u32>) {
+        self.table.mark(ids);
     }
 
     /// The selected route.
@@ -132,7 +170,8 @@ impl Planner {
         Some(PredictionOrder {
             way_points: route.way_points.iter().map(|w| w.position).collect(),
             height,
-            airspeed: mean_speed(route),
+            targets: targets(route, mission, documents),
+            airspeed: None,
             wind: self.wind(documents),
             camera,
             ground_down: ground_down(documents),
@@ -177,6 +216,26 @@ pub fn ground_down(documents: &Documents) -> f64 {
     documents.flight.as_ref().map_or(0.0, |f| f.ground_down)
 }
 
+/// What the passes of a pattern are made for, if the route is flown at `altitude`.
+pub fn circumstances(
+    planner: &Planner,
+    documents: &Documents,
+    altitude: &Altitude,
+) -> Circumstances {
+    let counted = altitude.counted_from(AltitudeFrame::AboveGround, &reference(&documents.mission));
+    Circumstances {
+        frame: LocalFrame::new(documents.mission.origin),
+        camera: camera(documents),
+        height: (counted.metres + ground_down(documents)).max(1.0),
+        radius: turn_radius(cruise(), planner.preferences.bank),
+    }
+}
+
+/// Height of the ground at a place, metres above mean sea level: that of the mission's origin.
+pub fn ground_at(documents: &Documents, _place: &GroundPoint) -> f64 {
+    documents.mission.origin.height
+}
+
 /// Flat ground at the height of the mission's origin.
 pub fn reference(mission: &Mission) -> AltitudeReference {
     AltitudeReference {
@@ -208,16 +267,19 @@ pub fn height(route: &Route, mission: &Mission, documents: &Documents) -> f64 {
     }
 }
 
-/// Mean airspeed of a route, m/s; `None` if every leg is flown in cruise.
-fn mean_speed(route: &Route) -> Option<f64> {
-    let pairs = || route.way_points.windows(2);
-    pairs().find(|pair| pair[1].speed.is_some())?;
-    let length =
-        |pair: &[pilotage_core::mission::WayPoint]| pair[0].position.distance(&pair[1].position);
-    let time: f64 = pairs()
-        .map(|pair| length(pair) / pair[1].speed.unwrap_or_else(cruise).max(1.0))
-        .sum();
-    (time > 0.0).then(|| route.length() / time)
+/// How each way-point is flown over: heights above level ground, metres, and airspeeds.
+fn targets(route: &Route, mission: &Mission, documents: &Documents) -> Vec<Target> {
+    let reference = reference(mission);
+    let of = |w: &WayPoint| {
+        let counted = w
+            .altitude
+            .counted_from(AltitudeFrame::AboveGround, &reference);
+        Target {
+            height: (counted.metres + ground_down(documents)).max(1.0),
+            airspeed: w.speed,
+        }
+    };
+    route.way_points.iter().map(of).collect()
 }
 
 /// The altitude of a first way-point.

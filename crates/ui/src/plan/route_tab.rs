@@ -1,14 +1,17 @@
 //! Routes: which, its legs and totals, the wind, the limit, and what is predicted.
 
 use egui::{Align, DragValue, Layout, TextEdit, Ui, UiBuilder};
-use pilotage_core::mission::Route;
+use pilotage_core::mission::{Mission, Route};
 
 use super::PlanCommand;
+use super::aircraft::{aircraft, energy_left, tight_legs};
 use super::assessments::{ASSUMED_PER_FRAME, ASSUMED_RECOGNISED};
 use super::legs::{legs, time_text, totals};
+use super::marking::Purpose;
 use super::panel::button;
-use super::planner::{Planner, cruise, height};
-use super::way_points::way_points;
+use super::patterns::{Pattern, pattern_card};
+use super::planner::{Planner, circumstances, cruise, usual_altitude};
+use super::way_points::{Sums, way_points};
 use super::words::{Outlook, distance_text};
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -31,9 +34,16 @@ pub fn route_tab(
     };
     chooser(ui, planner, route, context);
     ui.add_space(tokens.space);
+    if let Some(pattern) = Pattern::of(route) {
+        let usual = usual_altitude(documents);
+        let altitude = route.way_points.first().map_or(usual, |w| w.altitude);
+        let made_for = circumstances(planner, documents, &altitude);
+        pattern_card(ui, route, &pattern, &made_for, cruise(), context);
+        ui.add_space(tokens.space);
+    }
     let id = egui::Id::unique("plan prediction");
     ui.scope_builder(UiBuilder::new().scope_id(id), |ui| {
-        prediction(ui, planner, route, documents, context);
+        prediction(ui, planner, route, context);
     });
     ui.add_space(tokens.space);
     let legs = legs(route, cruise(), &planner.wind(documents));
@@ -49,11 +59,20 @@ pub fn route_tab(
             ui.label(egui::RichText::new(total).color(tokens.text));
         });
     });
-    way_points(ui, planner, route, &legs, context);
+    let left = energy_left(&legs, &planner.preferences);
+    let tight = tight_legs(route, planner.preferences.bank);
+    let sums = Sums {
+        legs: &legs,
+        left,
+        tight,
+    };
+    way_points(ui, planner, route, &sums, context);
     ui.add_space(tokens.space);
     let id = egui::Id::unique("plan wind");
     ui.scope_builder(UiBuilder::new().scope_id(id), |ui| {
         wind(ui, planner, documents, context);
+        ui.add_space(tokens.space);
+        aircraft(ui, &planner.preferences, context);
     });
 }
 
@@ -90,6 +109,8 @@ fn nothing(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut 
             let take = PlanCommand::TakeFlightRoute;
             button(ui, context, None, "Plan the route of the demo", false, take);
         }
+        let survey = PlanCommand::Mark(Purpose::Survey);
+        button(ui, context, None, "Survey an area", false, survey);
     });
 }
 
@@ -113,7 +134,7 @@ fn chooser(ui: &mut Ui, planner: &mut Planner, route: &Route, context: &mut View
             Some((of, text)) if *of == route.id => text,
             other => &mut other.insert((route.id, route.name.clone())).1,
         };
-        let width = ui.available_width() - 5.0 * 32.0 - 8.0;
+        let width = ui.available_width() - 6.0 * 32.0 - 8.0;
         let field = ui
             .add(TextEdit::singleline(draft).desired_width(width))
             .accessible_name("Name of the route");
@@ -135,6 +156,29 @@ fn chooser(ui: &mut Ui, planner: &mut Planner, route: &Route, context: &mut View
         if icon_toggle(ui, tokens, Icon::Plus, draw, planner.drawing).clicked() {
             say.push(PlanCommand::ToggleDraw);
         }
+        let more = icon_button(ui, tokens, Icon::More, "Patterns");
+        egui::Popup::menu(&more).show(|ui| {
+            ui.set_min_width(220.0);
+            let released = Pattern::of(route).is_some();
+            for (label, command, enabled) in [
+                ("Survey an area", PlanCommand::Mark(Purpose::Survey), true),
+                (
+                    "Corridor along this route",
+                    PlanCommand::CorridorAlong,
+                    true,
+                ),
+                (
+                    "Edit the pattern's way-points",
+                    PlanCommand::ReleasePattern,
+                    released,
+                ),
+            ] {
+                if ui.add_enabled(enabled, egui::Button::new(label)).clicked() {
+                    say.push(command);
+                    ui.close();
+                }
+            }
+        });
         for (icon, label, command) in [
             (Icon::Loop, "Fly it the other way", PlanCommand::Reverse),
             (
@@ -152,13 +196,7 @@ fn chooser(ui: &mut Ui, planner: &mut Planner, route: &Route, context: &mut View
     context.commands.extend(say.into_iter().map(Command::Plan));
 }
 
-fn prediction(
-    ui: &mut Ui,
-    planner: &Planner,
-    route: &Route,
-    documents: &Documents,
-    context: &mut ViewContext<'_>,
-) {
+fn prediction(ui: &mut Ui, planner: &Planner, route: &Route, context: &mut ViewContext<'_>) {
     let tokens = context.tokens;
     ui.horizontal(|ui| {
         caption(ui, tokens, "How well it knows its place");
@@ -203,19 +241,13 @@ fn prediction(
             ui.label(egui::RichText::new(sentence).color(color));
         }
     }
-    for sentence in assumptions(planner, route, documents, context) {
+    for sentence in assumptions(planner, route, context.mission) {
         ui.label(muted(tokens, sentence));
     }
 }
 
 /// What the prediction assumes, in words.
-fn assumptions(
-    planner: &Planner,
-    route: &Route,
-    documents: &Documents,
-    context: &ViewContext<'_>,
-) -> Vec<String> {
-    let mission = context.mission;
+pub fn assumptions(planner: &Planner, route: &Route, mission: &Mission) -> Vec<String> {
     let used: Vec<_> = mission
         .landmarks
         .iter()
@@ -239,20 +271,12 @@ fn assumptions(
             "All {measured} landmarks that are on are measured."
         ));
     }
-    let (factor, unit) = context.units.length();
-    let one_height = route
+    let climbs = route
         .way_points
         .windows(2)
-        .all(|p| p[0].altitude == p[1].altitude);
-    let one_speed = route.way_points.iter().all(|w| w.speed.is_none());
-    if !one_height {
-        let mean = height(route, mission, documents) * factor;
-        list.push(format!(
-            "Predicted at the mean height, {mean:.0} {unit} above flat ground."
-        ));
-    }
-    if !one_speed {
-        list.push("Predicted at the mean airspeed of the legs.".to_owned());
+        .any(|p| p[0].altitude != p[1].altitude);
+    if climbs {
+        list.push("Between way-points of different heights it climbs or sinks evenly.".to_owned());
     }
     list
 }

@@ -26,22 +26,35 @@ pub fn route_of(mission: &Mission, id: u32) -> Option<&Route> {
     mission.routes.iter().find(|r| r.id == id)
 }
 
-fn free_route_id(mission: &Mission) -> u32 {
-    mission.routes.iter().map(|r| r.id + 1).max().unwrap_or(1)
-}
-
 impl Documents {
+    /// An id that no route of the mission has.
+    pub fn free_route_id(&self) -> u32 {
+        let ids = self.mission.routes.iter().map(|r| r.id + 1);
+        ids.max().unwrap_or(1)
+    }
+
     /// Adds a route and returns its id.
     pub fn add_route(&mut self, name: Option<&str>, way_points: Vec<WayPoint>) -> u32 {
         self.history.remember(&self.mission);
         self.mission_edited = true;
-        let id = free_route_id(&self.mission);
+        let id = self.free_route_id();
         self.mission.routes.push(Route {
             id,
             name: name.map_or_else(|| format!("Route {id}"), str::to_owned),
             way_points,
             ..Route::default()
         });
+        id
+    }
+
+    /// Adds a route that was made, called `kind` and its number, and returns its id.
+    pub fn add_made(&mut self, mut route: Route, kind: &str) -> u32 {
+        self.history.remember(&self.mission);
+        self.mission_edited = true;
+        route.id = self.free_route_id();
+        route.name = format!("{kind} {}", route.id);
+        let id = route.id;
+        self.mission.routes.push(route);
         id
     }
 
@@ -78,7 +91,7 @@ impl Documents {
         self.history.remember(&self.mission);
         self.mission_edited = true;
         let at = self.mission.routes.iter().position(|r| r.id == id)?;
-        second.id = free_route_id(&self.mission);
+        second.id = self.free_route_id();
         second.name = format!("{}, second part", first.name);
         let new = second.id;
         self.mission.routes[at] = first;

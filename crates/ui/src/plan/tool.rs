@@ -2,12 +2,14 @@
 
 use egui::{CursorIcon, Key, PointerButton, Pos2, Response, Ui};
 use pilotage_core::frames::GroundPoint;
+use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{Mission, Route};
 
 use super::PlanCommand;
 use super::planner::Planner;
 use crate::command::Command;
 use crate::context::ViewContext;
+use crate::documents::landmarks::LandmarkChange;
 use crate::map::ScreenFromWorld;
 
 /// Distance from a way-point that still counts as on it, points.
@@ -24,6 +26,8 @@ pub enum Hit {
     Middle(usize),
     /// Another route.
     Route(u32),
+    /// A corner of the selected landmark's outline.
+    Corner(usize),
 }
 
 /// The pointer's own state.
@@ -31,9 +35,11 @@ pub enum Hit {
 pub struct PlanTool {
     /// The way-point that is being dragged.
     dragged: Option<usize>,
+    /// The landmark and the corner of its outline that is being dragged.
+    corner: Option<(u32, usize)>,
     /// What the pointer is over.
     pub(super) hovered: Option<Hit>,
-    /// Where the pointer is, while a route is drawn.
+    /// Where the pointer is, while something is drawn.
     pub(super) pointer: Option<GroundPoint>,
 }
 
@@ -71,7 +77,19 @@ fn distance_to_line(a: Pos2, b: Pos2, at: Pos2) -> f32 {
     (a + share.clamp(0.0, 1.0) * way).distance(at)
 }
 
-fn hit(mission: &Mission, planner: &Planner, view: &ScreenFromWorld, at: Pos2) -> Option<Hit> {
+fn hit(
+    mission: &Mission,
+    planner: &Planner,
+    landmark: Option<&Landmark>,
+    view: &ScreenFromWorld,
+    at: Pos2,
+) -> Option<Hit> {
+    if let Some(corners) = landmark.and_then(Landmark::outline) {
+        let places = corners.iter().map(|c| view.apply(c)).enumerate();
+        if let Some(index) = nearest(places, at) {
+            return Some(Hit::Corner(index));
+        }
+    }
     if let Some(route) = planner.selected(mission) {
         let places = route.way_points.iter().enumerate();
         let places = places.map(|(index, w)| (index, view.apply(&w.position)));
@@ -107,11 +125,19 @@ impl PlanTool {
     ) -> bool {
         let mission = context.mission;
         let mut say = |command| context.commands.push(Command::Plan(command));
-        let under = |at: Pos2| hit(mission, planner, view, at);
+        let landmark = context.selection.and_then(|id| mission.landmark(id));
+        let under = |at: Pos2| hit(mission, planner, landmark, view, at);
         let at = response.interact_pointer_pos();
         self.hovered = response.hover_pos().and_then(under);
-        let over = response.hover_pos().filter(|_| planner.drawing);
+        let draws = planner.drawing || planner.marking.is_some();
+        let over = response.hover_pos().filter(|_| draws);
         self.pointer = over.map(|p| view.inverse(p));
+        if let Some(marking) = &planner.marking {
+            self.hovered = None;
+            marking.interact(ui, view, response, &mut say);
+            // A drag still moves the map.
+            return response.clicked() || response.double_clicked();
+        }
         keyboard(ui, planner, context.selection, &mut say);
         if response.drag_started_by(PointerButton::Primary)
             && let Some(origin) = ui.input(|i| i.pointer.press_origin()).or(at)
@@ -130,8 +156,28 @@ impl PlanTool {
                         finished: false,
                     });
                 }
+                Some(Hit::Corner(index)) => self.corner = landmark.map(|l| (l.id, index)),
                 _ => {}
             }
+        }
+        if let Some((id, index)) = self.corner {
+            let over = response.drag_stopped() || !response.dragged();
+            let corners = mission.landmark(id).and_then(Landmark::outline);
+            if let (Some(mut corners), Some(at)) = (corners, at) {
+                if let Some(corner) = corners.get_mut(index) {
+                    *corner = view.inverse(at);
+                }
+                say(PlanCommand::EditLandmarks {
+                    ids: vec![id],
+                    change: LandmarkChange::Outline(corners),
+                    finished: over,
+                });
+            }
+            if over {
+                self.corner = None;
+            }
+            ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
+            return true;
         }
         if let Some(index) = self.dragged {
             let over = response.drag_stopped() || !response.dragged();
@@ -186,6 +232,7 @@ fn clicked(
             finished: true,
         }),
         Some(Hit::Route(id)) => say(PlanCommand::SelectRoute(id)),
+        Some(Hit::Corner(_)) => {}
         None => {
             if planner.way_point.is_some() {
                 say(PlanCommand::SelectWayPoint(None));

@@ -5,7 +5,7 @@ use egui::{
     vec2,
 };
 use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint};
-use pilotage_core::mission::Route;
+use pilotage_core::mission::{Route, WayPointAction};
 
 use super::PlanCommand;
 use super::legs::{Leg, time_text};
@@ -15,21 +15,31 @@ use super::words::distance_text;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::{icon_button, icons::Icon, muted, paint_focus_ring};
+use crate::units::Units;
 
 const ROW: f32 = 38.0;
+
+/// What the table says of the legs.
+pub struct Sums<'a> {
+    /// The legs.
+    pub legs: &'a [Leg],
+    /// Energy left at each way-point, watt hours, where it is stated.
+    pub left: Option<Vec<f64>>,
+    /// Legs too short for their turns, by the way-point that they lead to.
+    pub tight: Vec<usize>,
+}
 
 /// Draws the table, and below it what can be set of the selected way-point.
 pub fn way_points(
     ui: &mut Ui,
     planner: &Planner,
     route: &Route,
-    legs: &[Leg],
+    sums: &Sums<'_>,
     context: &mut ViewContext<'_>,
 ) {
     ui.spacing_mut().item_spacing.y = 0.0;
     for index in 0..route.way_points.len() {
-        let leg = index.checked_sub(1).and_then(|i| legs.get(i));
-        row(ui, planner, route, index, leg, context);
+        row(ui, planner, route, index, sums, context);
         if planner.way_point == Some(index) {
             // An id of its own: what stands above may change while a value is dragged.
             let id = egui::Id::unique("selected way-point");
@@ -48,8 +58,9 @@ pub fn way_points(
     }
 }
 
-fn altitude_text(altitude: &Altitude, context: &ViewContext<'_>) -> String {
-    let (factor, unit) = context.units.length();
+/// An altitude with its unit and what it counts from.
+pub fn altitude_words(altitude: &Altitude, units: Units) -> String {
+    let (factor, unit) = units.length();
     let value = altitude.metres * factor;
     format!("{value:.0} {unit} {}", altitude.frame.name())
 }
@@ -59,10 +70,12 @@ fn row(
     planner: &Planner,
     route: &Route,
     index: usize,
-    leg: Option<&Leg>,
+    sums: &Sums<'_>,
     context: &mut ViewContext<'_>,
 ) {
     let tokens = context.tokens;
+    let leg = index.checked_sub(1).and_then(|i| sums.legs.get(i));
+    let tight = sums.tight.contains(&index);
     let way_point = &route.way_points[index];
     let chosen = planner.way_point == Some(index);
     let size = vec2(ui.available_width(), ROW);
@@ -76,7 +89,13 @@ fn row(
         let distance = distance_text(leg.distance, context.units);
         [course, distance, time_text(leg.time)]
     });
-    let altitude = altitude_text(&way_point.altitude, context);
+    let mut altitude = altitude_words(&way_point.altitude, context.units);
+    if let Some(words) = action_words(&way_point.action) {
+        altitude = format!("{words}, {altitude}");
+    }
+    if tight {
+        altitude.push_str(", too short for its turns");
+    }
     response.widget_info(|| {
         let leg = leg_words.as_ref().map_or_else(
             || "start".to_owned(),
@@ -128,7 +147,7 @@ fn row(
         Align2::LEFT_CENTER,
         altitude,
         tokens.small(),
-        tokens.muted,
+        if tight { tokens.warning } else { tokens.muted },
     );
     if leg.is_some() {
         let (factor, unit) = context.units.speed();
@@ -138,7 +157,9 @@ fn row(
         } else {
             "cruise "
         };
-        let text = format!("{kind}{speed:.1} {unit}");
+        let left = sums.left.as_ref().and_then(|l| l.get(index));
+        let left = left.map_or(String::new(), |wh| format!(" · {wh:.0} Wh left"));
+        let text = format!("{kind}{speed:.1} {unit}{left}");
         let at = pos2(rect.right() - 10.0, lower);
         painter.text(at, Align2::RIGHT_CENTER, text, tokens.small(), tokens.muted);
     }
@@ -150,6 +171,16 @@ fn row(
     if response.has_focus() {
         paint_focus_ring(painter, rect, tokens);
         keyboard(ui, response.id, route, index, context);
+    }
+}
+
+/// What is done at a way-point, where that is more than flying by.
+pub fn action_words(action: &WayPointAction) -> Option<String> {
+    match action {
+        WayPointAction::FlyBy => None,
+        WayPointAction::Loiter { turns, .. } => Some(format!("{turns:.0} circles")),
+        WayPointAction::TakeOff => Some("take-off".to_owned()),
+        WayPointAction::Land => Some("landing".to_owned()),
     }
 }
 
@@ -225,6 +256,10 @@ fn selected(ui: &mut Ui, route: &Route, index: usize, context: &mut ViewContext<
     });
     ui.horizontal(|ui| {
         ui.add_space(34.0);
+        say.extend(action(ui, way_point.action, index, route, context));
+    });
+    ui.horizontal(|ui| {
+        ui.add_space(34.0);
         ui.spacing_mut().item_spacing.x = 0.0;
         let all_same = route
             .way_points
@@ -264,6 +299,74 @@ fn selected(ui: &mut Ui, route: &Route, index: usize, context: &mut ViewContext<
     });
     ui.add_space(4.0);
     context.commands.extend(say.into_iter().map(Command::Plan));
+}
+
+/// What is done at the way-point.
+fn action(
+    ui: &mut Ui,
+    now: WayPointAction,
+    index: usize,
+    route: &Route,
+    context: &ViewContext<'_>,
+) -> Option<PlanCommand> {
+    let loiter = WayPointAction::Loiter {
+        radius: 80.0,
+        turns: 1.0,
+    };
+    let mut choices = vec![("Fly by", WayPointAction::FlyBy), ("Circle", loiter)];
+    if index == 0 {
+        choices.push(("Take-off", WayPointAction::TakeOff));
+    }
+    if index + 1 == route.way_points.len() {
+        choices.push(("Landing", WayPointAction::Land));
+    }
+    let same = |a: &WayPointAction| std::mem::discriminant(a) == std::mem::discriminant(&now);
+    let name = choices
+        .iter()
+        .find(|(_, a)| same(a))
+        .map_or("Fly by", |(n, _)| n);
+    let mut next = (now, true);
+    let combo = ComboBox::from_id_salt("action").width(84.0);
+    let combo = combo.selected_text(name).show_ui(ui, |ui| {
+        for (label, choice) in &choices {
+            if ui.selectable_label(same(choice), *label).clicked() && !same(choice) {
+                next = (*choice, true);
+            }
+        }
+    });
+    combo
+        .response
+        .accessible_name("What is done at the way-point");
+    if let WayPointAction::Loiter { radius, turns } = now {
+        let (factor, unit) = context.units.length();
+        let (mut shown, mut count) = (radius.abs() * factor, turns);
+        let field = DragValue::new(&mut shown)
+            .range(10.0 * factor..=5000.0 * factor)
+            .speed(1.0)
+            .fixed_decimals(0)
+            .suffix(format!(" {unit}"));
+        let field = ui.add(field).accessible_name("Radius of the circles");
+        let circles = DragValue::new(&mut count).range(0.5..=99.0).speed(0.1);
+        let circles = ui
+            .add(circles.suffix(" ×"))
+            .accessible_name("Number of circles");
+        let left = radius < 0.0;
+        let turned = ui.selectable_label(left, "left").clicked();
+        if field.changed() || circles.changed() || turned {
+            let radius = shown / factor * if left == turned { 1.0 } else { -1.0 };
+            let action = WayPointAction::Loiter {
+                radius,
+                turns: count,
+            };
+            next = (action, !field.dragged() && !circles.dragged());
+        }
+    }
+    let (action, finished) = next;
+    (action != now).then_some(PlanCommand::SetAction {
+        index,
+        action,
+        finished,
+    })
 }
 
 fn altitude(

@@ -2,10 +2,11 @@
 //! the help sheet all read this one table.
 
 use egui::{Key, KeyboardShortcut, Modifiers};
+use pilotage_core::exchange::Format;
 
 use crate::command::{Command, Workspace};
 use crate::dialogs::WebMapCommand;
-use crate::plan::{FindCommand, FindPick, HeatCommand, PlanCommand};
+use crate::plan::{FindCommand, FindPick, HeatCommand, PlanCommand, Purpose};
 
 /// Where a command stands in the help sheet and the palette.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -119,6 +120,7 @@ pub fn catalog() -> Vec<Entry> {
     entries.extend(view());
     entries.extend(edit());
     entries.extend(plan());
+    entries.extend(ground());
     entries.extend(document());
     entries
 }
@@ -262,7 +264,7 @@ fn view() -> Vec<Entry> {
         ),
         of(
             "Find a command",
-            vec![control(Key::K), plain(Key::P), control(Key::P)],
+            vec![control(Key::K), plain(Key::P)],
             Command::TogglePalette,
         ),
         of(
@@ -323,6 +325,17 @@ fn plan() -> Vec<Entry> {
             vec![plain(Key::C)],
             PlanCommand::Split,
         ),
+        of("Survey an area", vec![], PlanCommand::Mark(Purpose::Survey)),
+        of(
+            "Fly a corridor along the route",
+            vec![],
+            PlanCommand::CorridorAlong,
+        ),
+        of(
+            "Show the heights of the route, or its uncertainty",
+            vec![plain(Key::E)],
+            PlanCommand::ToggleProfile,
+        ),
         of(
             "Delete the way-point",
             vec![],
@@ -347,10 +360,32 @@ fn plan() -> Vec<Entry> {
         ),
         of("Stop measuring", vec![], PlanCommand::StopAssessing),
         of(
+            "Draw the outline of a landmark",
+            vec![shift(Key::N)],
+            PlanCommand::Mark(Purpose::Outline),
+        ),
+        of(
+            "Mark a landmark as a point",
+            vec![],
+            PlanCommand::Mark(Purpose::Point),
+        ),
+        of(
+            "Set the reference point of the landmark",
+            vec![],
+            PlanCommand::Mark(Purpose::Reference),
+        ),
+        of(
             "Duplicate the landmark",
             vec![control(Key::D)],
             PlanCommand::DuplicateLandmark,
         ),
+    ]
+}
+
+fn ground() -> Vec<Entry> {
+    let of =
+        |label, shortcuts, command| entry(Group::Plan, label, shortcuts, Command::Plan(command));
+    vec![
         of(
             "Show or hide where a fix would be had",
             vec![plain(Key::H)],
@@ -373,7 +408,7 @@ fn plan() -> Vec<Entry> {
         ),
         of(
             "Draw a no-fly area",
-            vec![shift(Key::N)],
+            vec![shift(Key::A)],
             PlanCommand::Find(FindCommand::Pick(FindPick::Area)),
         ),
     ]
@@ -393,7 +428,7 @@ fn document() -> Vec<Entry> {
             Command::ToggleSettings,
         ),
         of(
-            "Open a flight, map, mission or run…",
+            "Open a flight, map, mission, route or run…",
             vec![control(Key::O)],
             Command::Open,
         ),
@@ -407,7 +442,73 @@ fn document() -> Vec<Entry> {
             vec![control(Key::S)],
             Command::SaveMission,
         ),
+        of(
+            "Save the mission alone as GeoJSON",
+            vec![],
+            Command::SaveMissionAsGeoJson,
+        ),
         of("Save the run", vec![], Command::SaveRun),
+        of(
+            "Print the mission brief",
+            vec![control(Key::P)],
+            Command::PrintBrief,
+        ),
+        of("Copy a link to this view", vec![], Command::CopyLink),
+        of(
+            "Open what was open before the link",
+            vec![],
+            Command::OpenBeforeLink,
+        ),
+        of(
+            "Export the route as a QGroundControl plan",
+            vec![],
+            Command::ExportRoute(Format::Plan),
+        ),
+        of(
+            "Export the route as way-points (QGC WPL)",
+            vec![],
+            Command::ExportRoute(Format::Waypoints),
+        ),
+        of(
+            "Export the route as KML",
+            vec![],
+            Command::ExportRoute(Format::Kml),
+        ),
+        of(
+            "Export the route as KMZ",
+            vec![],
+            Command::ExportRoute(Format::Kmz),
+        ),
+        of(
+            "Export the route as GPX",
+            vec![],
+            Command::ExportRoute(Format::Gpx),
+        ),
+        of(
+            "Export the route as GeoJSON",
+            vec![],
+            Command::ExportRoute(Format::GeoJson),
+        ),
+        of(
+            "Export the route as CSV",
+            vec![],
+            Command::ExportRoute(Format::Csv),
+        ),
+        of(
+            "Export the landmarks as GeoJSON",
+            vec![],
+            Command::ExportLandmarks(Format::GeoJson),
+        ),
+        of(
+            "Export the landmarks as KML",
+            vec![],
+            Command::ExportLandmarks(Format::Kml),
+        ),
+        of(
+            "Export the landmarks as CSV",
+            vec![],
+            Command::ExportLandmarks(Format::Csv),
+        ),
         of("Stop computing", vec![], Command::CancelJob),
         of("Open the built-in demo", vec![], Command::OpenDemo),
     ]

@@ -20,6 +20,9 @@ fn rig_with_a_picture() -> Rig {
             name: "photo.png".into(),
             points: None,
         }),
+        imports: Vec::new(),
+        pictures: Vec::new(),
+        beside: None,
         remarks: Vec::new(),
     });
     rig.host().opened.push(vec![OpenedFile {

@@ -3,12 +3,14 @@
 mod support;
 
 mod add_landmark;
+mod autosave;
 mod bookmarks;
 mod broken_file;
 mod first_screen;
 mod fly_again;
 mod georeference;
 mod keyboard_landmark;
+mod link;
 mod lost_worker;
 mod names;
 mod open_map;

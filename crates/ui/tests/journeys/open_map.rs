@@ -20,6 +20,9 @@ fn a_map(origin: Option<Geodetic>) -> Opened {
         mission: None,
         run: None,
         unplaced: None,
+        imports: Vec::new(),
+        pictures: Vec::new(),
+        beside: None,
         remarks: Vec::new(),
     }
 }

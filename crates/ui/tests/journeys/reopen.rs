@@ -24,6 +24,9 @@ fn rig_with_a_flight(bytes: usize) -> Rig {
         unplaced: None,
         mission: None,
         run: None,
+        imports: Vec::new(),
+        beside: None,
+        pictures: Vec::new(),
         remarks: Vec::new(),
     });
     rig.host().opened.push(files(bytes));

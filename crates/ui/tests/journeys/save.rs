@@ -10,7 +10,10 @@ fn the_mission_is_offered_as_a_file() {
     rig.key_with(Modifiers::COMMAND, Key::S);
     let (name, bytes) = rig.host().saved.pop().expect("a file");
     assert!(name.contains("Invented"), "{name}");
-    let mission = pilotage_core::mission::read_mission(&bytes).expect("a mission");
+    assert!(name.ends_with(".pilotage.zip"), "{name}");
+    let package = pilotage_core::mission::package::read_package(&bytes).expect("a mission file");
+    assert!(package.settings["open"].contains("simulation"));
+    let mission = package.mission;
     let names: Vec<&str> = mission.landmarks.iter().map(|l| l.name.as_str()).collect();
     assert_eq!(names, ["Barn", "Chapel", "Pool", "Mill"]);
 }

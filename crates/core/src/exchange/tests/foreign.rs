@@ -84,6 +84,7 @@ fn a_kml_without_its_styles_is_read_and_what_is_not_known_is_kept() {
     let told = |words: &str| back.notes.iter().any(|n| n.contains(words));
     assert!(told("1 × placemark without geometry"), "{:#?}", back.notes);
     assert!(told("box of 20 m"), "{:#?}", back.notes);
+    assert!(told("style `nowhere` is missing"), "{:#?}", back.notes);
     let written = write_route(Format::Kml, line, &frame()).unwrap();
     let text = String::from_utf8(written.bytes).unwrap();
     for kept in ["<styleUrl>#nowhere</styleUrl>", "<![CDATA[<b>bold</b>]]>"] {

@@ -38,7 +38,7 @@ fn a_route_is_found_beside_the_straight_line_accepted_and_undone() {
 #[test]
 fn a_no_fly_area_is_drawn_flown_around_and_undone() {
     let mut rig = planning();
-    rig.harness.key_press_modifiers(Modifiers::SHIFT, Key::N);
+    rig.harness.key_press_modifiers(Modifiers::SHIFT, Key::A);
     rig.settle();
     for (north, east) in [
         (-120.0, -60.0),

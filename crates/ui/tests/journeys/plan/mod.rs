@@ -1,13 +1,17 @@
 //! What people do while they plan.
 
 mod assess;
+mod brief;
 mod corridor;
 mod drag;
 mod draw;
+mod files;
 mod find;
 mod heat;
 mod insert;
 mod keyboard;
+mod landmarks;
+mod patterns;
 mod undo;
 mod workspace;
 

@@ -32,6 +32,14 @@ pub struct ScriptedHost {
     pub saved: Vec<(String, Vec<u8>)>,
     /// How often the file dialog was asked for.
     pub file_dialogs: usize,
+    /// The fragment of the last link that was copied.
+    pub link: String,
+    /// The page printed last: its style and its body.
+    pub printed: Option<(String, String)>,
+    /// Refusals to store to report.
+    pub refused: usize,
+    /// Saves to report as broken off.
+    pub interrupted: usize,
     /// Workers to report as lost.
     pub lost: usize,
     /// Leave flights without an answer.
@@ -117,19 +125,8 @@ impl ScriptedHost {
                 say(JobEvent::Finished);
             }
             Job::Distinctness { bounds, radius, .. } => {
-                let center = bounds.center();
-                say(JobEvent::Distinctness(Box::new(Distinctness {
-                    bounds: *bounds,
-                    surface: Raster::from_fn(40, 40, |c, r| {
-                        let (x, y) = (c as f32 - 20.0, r as f32 - 20.0);
-                        (-0.02 * (x * x + y * y)).exp()
-                    }),
-                    surface_rect: bounds.grown(*radius),
-                    look_alike: Some((GroundPoint::new(center.north + 50.0, center.east), 0.41)),
-                    contrast: 38.0,
-                    flat: false,
-                    verdict: "Distinct: nothing within 120 m looks like it.".into(),
-                })));
+                let found = distinctness(*bounds, *radius);
+                say(JobEvent::Distinctness(Box::new(found)));
                 say(JobEvent::Finished);
             }
             Job::Open { key, .. } => {
@@ -165,6 +162,10 @@ impl ScriptedHost {
                 say(JobEvent::Finished);
             }
             Job::Find(_) => self.carry_out(id, job),
+            Job::Brief(_) => {
+                say(JobEvent::BriefPictures(Box::default()));
+                say(JobEvent::Finished);
+            }
             Job::ExplainMatch { .. } | Job::DecodePicture { .. } => say(JobEvent::Finished),
             Job::Provide { .. }
             | Job::Fly { .. }
@@ -172,6 +173,23 @@ impl ScriptedHost {
             | Job::ReadPlaces { .. }
             | Job::TakeHeights(_) => {}
         }
+    }
+}
+
+/// A box with one look-alike to the north of it.
+fn distinctness(bounds: GroundRect, radius: f64) -> Distinctness {
+    let center = bounds.center();
+    Distinctness {
+        bounds,
+        surface: Raster::from_fn(40, 40, |c, r| {
+            let (x, y) = (c as f32 - 20.0, r as f32 - 20.0);
+            (-0.02 * (x * x + y * y)).exp()
+        }),
+        surface_rect: bounds.grown(radius),
+        look_alike: Some((GroundPoint::new(center.north + 50.0, center.east), 0.41)),
+        contrast: 38.0,
+        flat: false,
+        verdict: "Distinct: nothing within 120 m looks like it.".into(),
     }
 }
 
@@ -240,6 +258,22 @@ impl Host for ScriptedHost {
 
     fn recall(&self, key: &str) -> Option<Vec<u8>> {
         self.stored.get(key).cloned()
+    }
+
+    fn copy_link(&mut self, fragment: &str) {
+        self.link = fragment.into();
+    }
+
+    fn print(&mut self, style: &str, body: &str) {
+        self.printed = Some((style.into(), body.into()));
+    }
+
+    fn failed_stores(&mut self) -> usize {
+        std::mem::take(&mut self.refused)
+    }
+
+    fn interrupted_saves(&mut self) -> usize {
+        std::mem::take(&mut self.interrupted)
     }
 
     fn lost_workers(&mut self) -> usize {

@@ -1,0 +1,170 @@
+//! Routes and landmarks from and to the files of other programs.
+
+use std::fmt::Write as _;
+
+use pilotage_core::exchange::{ExchangeError, Written, write_landmarks, write_route};
+use pilotage_core::frames::LocalFrame;
+
+use super::App;
+use crate::command::{Command, Workspace};
+use crate::host::Host;
+use crate::jobs::ImportedFile;
+use crate::plan::PlanTab;
+
+/// Most notes that are shown of a file; the others are counted.
+const MOST_NOTES: usize = 6;
+
+fn counted(count: usize, one: &str) -> Option<String> {
+    match count {
+        0 => None,
+        1 => Some(format!("1 {one}")),
+        n => Some(format!("{n} {one}s")),
+    }
+}
+
+/// Notes as sentences.
+fn sentences(notes: &[String]) -> String {
+    let mut text = String::new();
+    for note in notes.iter().take(MOST_NOTES) {
+        let mut letters = note.trim_end_matches('.').chars();
+        if let Some(first) = letters.next() {
+            text.extend(first.to_uppercase());
+            text.push_str(letters.as_str());
+            text.push_str(". ");
+        }
+    }
+    if let Some(more) = notes.len().checked_sub(MOST_NOTES).filter(|n| *n > 0) {
+        // Writing into a string cannot fail.
+        let _ = write!(text, "And {more} more.");
+    }
+    text.trim_end().to_owned()
+}
+
+impl App {
+    /// Adds what files of other programs brought to the mission, as one step, and says what was
+    /// assumed, kept aside or left out.
+    pub(super) fn add_imports(&mut self, now: f64, files: Vec<ImportedFile>) {
+        if files.is_empty() {
+            return;
+        }
+        let routes: usize = files.iter().map(|f| f.routes.len()).sum();
+        let landmarks: usize = files.iter().map(|f| f.landmarks.len()).sum();
+        let what: Vec<String> = counted(routes, "route")
+            .into_iter()
+            .chain(counted(landmarks, "landmark"))
+            .collect();
+        let names: Vec<String> = files
+            .iter()
+            .map(|f| format!("{} ({})", f.name, f.format))
+            .collect();
+        let several = files.len() > 1;
+        let notes: Vec<String> = files
+            .iter()
+            .flat_map(|f| {
+                let name = f.name.clone();
+                let of = move |note: &String| {
+                    if several {
+                        format!("{name}: {note}")
+                    } else {
+                        note.clone()
+                    }
+                };
+                f.notes.iter().map(of)
+            })
+            .collect();
+        let added = self
+            .documents
+            .add_all(files.into_iter().map(|f| (f.routes, f.landmarks)).collect());
+        self.show_workspace(Workspace::Plan);
+        let planner = &mut self.views.planner;
+        planner.drawing = false;
+        planner.fitted = false;
+        planner.way_point = None;
+        planner.tab = if added.routes.is_empty() {
+            PlanTab::Landmarks
+        } else {
+            PlanTab::Route
+        };
+        planner.route = added.routes.first().copied().or(planner.route);
+        self.desk.document_changed = true;
+        if !added.landmarks.is_empty() {
+            self.run_is_stale(now);
+        }
+        let title = format!("Added {} from {}", what.join(" and "), names.join(", "));
+        self.toasts.note(now, title, sentences(&notes));
+    }
+
+    /// Offers the selected route, or the landmarks, as a file of another program.
+    pub(super) fn export(&mut self, command: &Command, host: &mut dyn Host) {
+        let now = host.now();
+        let mission = &self.documents.mission;
+        let frame = LocalFrame::new(mission.origin);
+        let (format, what, name, written): (_, _, _, Result<Written, ExchangeError>) = match command
+        {
+            Command::ExportRoute(format) => {
+                let Some(route) = self.views.planner.selected(mission) else {
+                    let text = "Draw one in the Plan workspace, or open a file with one.";
+                    self.toasts.note(now, "No route to export", text);
+                    return;
+                };
+                let name = format!("{}.{}", stem(&route.name), format.extensions()[0]);
+                (*format, "Route", name, write_route(*format, route, &frame))
+            }
+            Command::ExportLandmarks(format) => {
+                if mission.landmarks.is_empty() {
+                    let text = "Draw one on the map, or open a file with some.";
+                    self.toasts.note(now, "No landmarks to export", text);
+                    return;
+                }
+                let extension = format.extensions()[0];
+                let name = format!("{}-landmarks.{extension}", self.file_stem());
+                let written = write_landmarks(*format, &mission.landmarks, &frame);
+                (*format, "Landmarks", name, written)
+            }
+            _ => return,
+        };
+        match written {
+            Ok(written) => {
+                host.save_file(&name, &written.bytes);
+                let title = format!("{what} exported as {}: {name}", format.name());
+                self.toasts.note(now, title, sentences(&written.notes));
+            }
+            Err(error) => {
+                let title = format!("{what} not exported as {}", format.name());
+                self.toasts
+                    .trouble(now, title, sentences(&[error.to_string()]));
+            }
+        }
+    }
+}
+
+/// A name as it can stand in a file's name.
+pub(super) fn stem(name: &str) -> String {
+    let allowed = |c: char| {
+        if c.is_alphanumeric() || c == '-' {
+            c
+        } else {
+            '-'
+        }
+    };
+    let stem: String = name.chars().map(allowed).collect();
+    if stem.is_empty() {
+        "pilotage".to_owned()
+    } else {
+        stem
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn notes_become_sentences_and_many_are_counted() {
+        let notes: Vec<String> = (0..8).map(|i| format!("note {i}")).collect();
+        let text = sentences(&notes);
+        assert!(text.starts_with("Note 0. Note 1. "), "{text}");
+        assert!(text.ends_with("Note 5. And 2 more."), "{text}");
+        assert_eq!(sentences(&[]), "");
+    }
+}

@@ -1,0 +1,61 @@
+//! Routes and landmarks of files, added to the mission.
+
+use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::Route;
+
+use super::Documents;
+
+/// Identities that added things have in the mission.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Added {
+    /// Routes, in order.
+    pub routes: Vec<u32>,
+    /// Landmarks, in order.
+    pub landmarks: Vec<u32>,
+}
+
+impl Documents {
+    /// Adds what several files brought, as one step; each gets a free identity.
+    pub fn add_all(&mut self, files: Vec<(Vec<Route>, Vec<Landmark>)>) -> Added {
+        self.history.remember(&self.mission);
+        self.mission_edited = true;
+        let mut added = Added::default();
+        for (routes, landmarks) in files {
+            for mut route in routes {
+                route.id = self.free_route_id();
+                added.routes.push(route.id);
+                self.mission.routes.push(route);
+            }
+            for mut landmark in landmarks {
+                landmark.id = self.mission.free_landmark_id();
+                added.landmarks.push(landmark.id);
+                self.mission.landmarks.push(landmark);
+            }
+        }
+        added
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::documents::Session;
+    use pilotage_core::frames::{GroundPoint, GroundRect};
+
+    #[test]
+    fn what_two_files_brought_gets_free_identities_and_is_gone_after_one_undo() {
+        let mut documents = Documents::new(&Session::demo());
+        let bounds = GroundRect::centered(GroundPoint::default(), 20.0, 20.0);
+        let own = documents.add_landmark(bounds);
+        let before = documents.mission.clone();
+        let file = || {
+            let landmark = Landmark::new(own, "Barn", bounds);
+            (vec![Route::default()], vec![landmark])
+        };
+        let added = documents.add_all(vec![file(), file()]);
+        assert_eq!(added.routes, [1, 2]);
+        assert_eq!(added.landmarks, [own + 1, own + 2]);
+        assert_eq!(documents.undo(), Some(true));
+        assert_eq!(documents.mission, before);
+    }
+}

@@ -1,0 +1,18 @@
+//! What is open beside a mission, as the mission file states it.
+
+use serde::{Deserialize, Serialize};
+
+use super::SimulationOptions;
+
+/// What is open beside a mission, as its file states it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Beside {
+    /// The built-in flight.
+    pub simulation: Option<SimulationOptions>,
+    /// Bookmarks, seconds in the flight's time base.
+    pub bookmarks: Vec<f64>,
+}
+
+/// Name of the head's member with what is open beside a mission.
+pub const BESIDE: &str = "open";

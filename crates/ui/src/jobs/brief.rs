@@ -1,0 +1,102 @@
+//! The pictures of a mission brief, as a job.
+
+use pilotage_core::frames::GroundRect;
+use pilotage_core::imagery::{Imagery, Window};
+use pilotage_core::raster::encode_jpeg;
+use serde::{Deserialize, Serialize};
+
+use super::{Advance, JobEvent, MapSource, RunningJob, Workshop, whole_bytes};
+
+/// Pixels across the picture of the map, and a thumbnail.
+const MAP: f64 = 1500.0;
+const THUMBNAIL: f64 = 160.0;
+/// Quality of the pictures, 1 to 100.
+const QUALITY: u8 = 85;
+
+/// Which pictures are wanted.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BriefOrder {
+    /// The map.
+    pub map: MapSource,
+    /// The ground that the picture of the map shows.
+    pub area: GroundRect,
+    /// The boxes of which there are thumbnails.
+    pub boxes: Vec<GroundRect>,
+}
+
+/// A JPEG.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct EncodedPicture(#[serde(with = "whole_bytes")] pub Vec<u8>);
+
+/// The pictures.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct BriefPictures {
+    /// The map.
+    pub map: EncodedPicture,
+    /// One for each box, in order.
+    pub thumbnails: Vec<EncodedPicture>,
+}
+
+/// Pictures being made.
+pub struct Brief {
+    order: BriefOrder,
+    done: Option<BriefPictures>,
+}
+
+impl Brief {
+    /// Nothing made yet.
+    pub fn new(order: BriefOrder) -> Self {
+        Self { order, done: None }
+    }
+
+    /// Makes the next picture; the first is the map. None is left if `None`.
+    fn next(&mut self, map: &dyn Imagery) -> Result<Option<f32>, String> {
+        let count = self.order.boxes.len() + 1;
+        let Some(done) = &mut self.done else {
+            let map = picture(map, &self.order.area, MAP)?;
+            let thumbnails = Vec::new();
+            self.done = Some(BriefPictures { map, thumbnails });
+            return Ok(Some(1.0 / count as f32));
+        };
+        let Some(rect) = self.order.boxes.get(done.thumbnails.len()) else {
+            return Ok(None);
+        };
+        let margin = 0.2 * rect.width().max(rect.height());
+        let thumbnail = picture(map, &rect.grown(margin), THUMBNAIL)?;
+        done.thumbnails.push(thumbnail);
+        Ok(Some((1 + done.thumbnails.len()) as f32 / count as f32))
+    }
+}
+
+fn picture(map: &dyn Imagery, area: &GroundRect, across: f64) -> Result<EncodedPicture, String> {
+    let gsd = (area.width().max(area.height()) / across).max(0.02);
+    let pixels = map.window(&Window::covering(area, gsd));
+    // Paper is white where the map has nothing.
+    let opaque = |[r, g, b, a]: [u8; 4]| if a == 0 { [255; 3] } else { [r, g, b] };
+    let bytes = encode_jpeg(&pixels.map(opaque), QUALITY).map_err(|e| e.to_string())?;
+    Ok(EncodedPicture(bytes))
+}
+
+impl RunningJob for Brief {
+    fn advance(
+        &mut self,
+        workshop: &mut Workshop,
+        _clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Advance {
+        let map = workshop.map(&self.order.map);
+        match map.and_then(|map| self.next(map.as_ref())) {
+            Ok(Some(fraction)) => {
+                emit(JobEvent::Progress(fraction, "Drawing the brief".to_owned()));
+                return Advance::More;
+            }
+            Ok(None) => {
+                let pictures = self.done.take().unwrap_or_default();
+                emit(JobEvent::BriefPictures(Box::new(pictures)));
+                emit(JobEvent::Finished);
+            }
+            Err(cause) => emit(JobEvent::Failed(cause)),
+        }
+        Advance::Done
+    }
+}

@@ -1,0 +1,150 @@
+//! Routes and landmarks of other programs among dropped files.
+
+use pilotage_core::exchange::{Format, Imported, read_any};
+use pilotage_core::flight::files::FileSet as _;
+use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame};
+use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::Route;
+use serde::{Deserialize, Serialize};
+
+use super::file_pool::{FilePool, has_ending};
+
+/// Farthest from the mission's origin that a file may lie, metres: beyond, the plane on which a
+/// mission is planned is no longer the ground.
+const FARTHEST: f64 = 100e3;
+
+/// What a file of another program brought, placed in the mission's world.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ImportedFile {
+    /// Name of the file.
+    pub name: String,
+    /// Name of its format.
+    pub format: String,
+    /// Its routes; identities are unique in this file only.
+    pub routes: Vec<Route>,
+    /// Its landmarks, likewise.
+    pub landmarks: Vec<Landmark>,
+    /// What was assumed, kept aside or left out, in sentences.
+    pub notes: Vec<String>,
+}
+
+/// Whether a file is a mission of this program, which is opened instead of added.
+pub fn is_mission(name: &str, bytes: &[u8]) -> bool {
+    name.ends_with("mission.json")
+        || has_ending(name, &["geojson", "json"]) && contains(bytes, b"\"pilotage_mission\"")
+}
+
+/// Reads every file that other programs write, placed around `origin`. `is_flight` says whether the
+/// files are a flight, whose tables and JSON are its own.
+pub fn imports(
+    pool: &FilePool,
+    origin: Geodetic,
+    is_flight: bool,
+) -> Result<Vec<ImportedFile>, String> {
+    let mut names = pool.names();
+    names.sort();
+    let mut found = Vec::new();
+    for name in names {
+        let plausible = has_ending(&name, &["plan", "waypoints", "wpl", "kml", "kmz", "gpx"])
+            || !is_flight && has_ending(&name, &["csv", "tsv", "geojson", "json", "txt"]);
+        if !plausible {
+            continue;
+        }
+        let bytes = pool.read(&name).unwrap_or_default();
+        if is_mission(&name, &bytes) || !is_exchange(&name, &bytes) {
+            continue;
+        }
+        let imported =
+            read_any(&name, &bytes, Some(LocalFrame::new(origin))).map_err(|e| e.to_string())?;
+        found.push(placed(name, imported)?);
+    }
+    Ok(found)
+}
+
+/// Whether plain text or JSON, which may be anything, is what its name leaves open.
+fn is_exchange(name: &str, bytes: &[u8]) -> bool {
+    match Format::of(name, bytes) {
+        Some(Format::GeoJson) => contains(bytes, b"\"FeatureCollection\""),
+        Some(Format::Waypoints) => bytes.starts_with(b"QGC WPL") || !has_ending(name, &["txt"]),
+        Some(_) => true,
+        None => !has_ending(name, &["txt", "json"]),
+    }
+}
+
+fn contains(bytes: &[u8], words: &[u8]) -> bool {
+    bytes.windows(words.len()).any(|w| w == words)
+}
+
+fn placed(name: String, imported: Imported) -> Result<ImportedFile, String> {
+    let origin = GroundPoint::default();
+    let places = imported.routes.iter().flat_map(|r| &r.way_points);
+    let places = places.map(|w| w.position);
+    let places = places.chain(imported.landmarks.iter().map(|l| l.reference));
+    let nearest = places
+        .map(|p| p.distance(&origin))
+        .fold(f64::INFINITY, f64::min);
+    if nearest > FARTHEST {
+        return Err(format!(
+            "{name}: it lies over {:.0} km from the map that is open. Open a map of that place first, \
+             or drop both together",
+            FARTHEST / 1e3
+        ));
+    }
+    Ok(ImportedFile {
+        name,
+        format: imported.format.name().to_owned(),
+        routes: imported.routes,
+        landmarks: imported.landmarks,
+        notes: imported.notes,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::LentFiles;
+    use super::*;
+
+    const WAY_POINTS: &str = "QGC WPL 110\n\
+        0\t1\t0\t16\t0\t0\t0\t0\t47.0\t8.0\t400\t1\n\
+        1\t0\t3\t16\t0\t0\t0\t0\t47.001\t8.0\t80\t1\n\
+        2\t0\t3\t16\t0\t0\t0\t0\t47.002\t8.001\t80\t1\n";
+
+    fn look(name: &str, text: &str, latitude: f64) -> Result<Vec<ImportedFile>, String> {
+        let files = [(name.to_owned(), text.as_bytes().to_vec().into())];
+        let pool = FilePool::new(&files, &LentFiles::default())?;
+        imports(&pool, Geodetic::from_degrees(latitude, 8.0, 0.0), false)
+    }
+
+    #[test]
+    fn way_points_are_placed_around_the_mission() {
+        let found = look("trip.waypoints", WAY_POINTS, 47.0).unwrap();
+        let first = &found[0].routes[0].way_points[0].position;
+        assert!(
+            (first.north - 111.2).abs() < 0.3 && first.east.abs() < 1e-6,
+            "{first:?}"
+        );
+    }
+
+    #[test]
+    fn a_file_from_far_away_is_refused_with_what_helps() {
+        let cause = look("trip.waypoints", WAY_POINTS, 10.0).unwrap_err();
+        assert!(
+            cause.starts_with("trip.waypoints: ") && cause.contains("map of that place"),
+            "{cause}"
+        );
+    }
+
+    #[test]
+    fn any_text_and_missions_of_our_own_are_left_alone() {
+        assert_eq!(look("notes.txt", "dear diary, today", 47.0), Ok(Vec::new()));
+        assert_eq!(look("flight.json", "{ \"a\": 1 }", 47.0), Ok(Vec::new()));
+        let own = "{ \"type\": \"FeatureCollection\", \"pilotage_mission\": 1, \"features\": [] }";
+        assert_eq!(look("own.geojson", own, 47.0), Ok(Vec::new()));
+    }
+
+    #[test]
+    fn a_broken_file_is_named_with_its_place() {
+        let cause = look("trip.gpx", "<gpx>\n<rte>", 47.0).unwrap_err();
+        assert!(cause.starts_with("trip.gpx: "), "{cause}");
+    }
+}

@@ -1,0 +1,146 @@
+//! What the user states of the aircraft: its bank limit, its power and what it has on board.
+
+use egui::{DragValue, Ui};
+use pilotage_core::frames::GroundPoint;
+use pilotage_core::mission::Route;
+use pilotage_core::mission::turn::{too_short, turn_radius};
+
+use super::PlanCommand;
+use super::legs::Leg;
+use super::planner::{PlanPreferences, cruise};
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::shell::{caption, icon_button, icons::Icon, muted};
+
+/// Radius of the turn at a way-point, metres, at the airspeed of the leg that leads there and the
+/// bank limit, in calm air.
+pub fn radius_at(route: &Route, index: usize, bank: f64) -> f64 {
+    let speed = route.way_points.get(index).and_then(|w| w.speed);
+    turn_radius(speed.unwrap_or_else(cruise), bank)
+}
+
+/// Legs that are too short for the turns at their ends, by the way-point they lead to.
+pub fn tight_legs(route: &Route, bank: f64) -> Vec<usize> {
+    let places: Vec<GroundPoint> = route.way_points.iter().map(|w| w.position).collect();
+    let radii = (0..places.len()).map(|i| radius_at(route, i, bank));
+    too_short(&places, radii.fold(0.0, f64::max))
+}
+
+/// Energy left at each way-point, watt hours; `None` if the user states no power or nothing on
+/// board, or where the wind does not let the aircraft get on.
+pub fn energy_left(legs: &[Leg], preferences: &PlanPreferences) -> Option<Vec<f64>> {
+    let (power, mut left) = (preferences.power?, preferences.energy?);
+    let mut list = vec![left];
+    for leg in legs {
+        left -= power * leg.time? / 3600.0;
+        list.push(left);
+    }
+    Some(list)
+}
+
+/// Draws the fields.
+pub fn aircraft(ui: &mut Ui, preferences: &PlanPreferences, context: &mut ViewContext<'_>) {
+    let tokens = context.tokens;
+    caption(ui, tokens, "Aircraft");
+    let mut next = preferences.clone();
+    ui.horizontal_wrapped(|ui| {
+        ui.label(muted(tokens, "Bank up to"));
+        let mut degrees = next.bank.to_degrees();
+        let field = DragValue::new(&mut degrees)
+            .range(5.0..=60.0)
+            .speed(0.25)
+            .fixed_decimals(0)
+            .suffix("°");
+        if ui.add(field).accessible_name("Bank limit").changed() {
+            next.bank = degrees.to_radians();
+        }
+        let (factor, unit) = context.units.length();
+        let radius = turn_radius(cruise(), preferences.bank) * factor;
+        ui.label(muted(
+            tokens,
+            format!("turns of {radius:.0} {unit} in cruise"),
+        ));
+    });
+    ui.horizontal_wrapped(|ui| {
+        optional(
+            ui,
+            "Power",
+            " W",
+            "Power in cruise",
+            120.0,
+            &mut next.power,
+            context,
+        );
+        optional(
+            ui,
+            "on board",
+            " Wh",
+            "Energy on board",
+            60.0,
+            &mut next.energy,
+            context,
+        );
+    });
+    if next != *preferences {
+        let command = PlanCommand::SetAircraft {
+            bank: next.bank,
+            power: next.power,
+            energy: next.energy,
+        };
+        context.commands.push(Command::Plan(command));
+    }
+}
+
+/// A number that may be stated, and unstated again.
+fn optional(
+    ui: &mut Ui,
+    label: &str,
+    unit: &str,
+    name: &str,
+    usual: f64,
+    value: &mut Option<f64>,
+    context: &ViewContext<'_>,
+) {
+    let tokens = context.tokens;
+    ui.label(muted(tokens, label));
+    let stated = *value;
+    let mut number = stated.unwrap_or(usual);
+    let suffix = unit.to_owned();
+    let field = DragValue::new(&mut number)
+        .range(1.0..=1e6)
+        .speed(1.0)
+        .custom_formatter(move |value, _| match stated {
+            Some(_) => format!("{value:.0}{suffix}"),
+            None => "not stated".to_owned(),
+        });
+    if ui.add(field).accessible_name(name).changed() {
+        *value = Some(number);
+    }
+    let forget = format!("Do not state: {}", name.to_lowercase());
+    if stated.is_some() && icon_button(ui, tokens, Icon::Close, &forget).clicked() {
+        *value = None;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_left_sinks_with_the_time_of_the_legs() {
+        let leg = |time| Leg {
+            distance: 100.0,
+            course: None,
+            time,
+        };
+        let stated = PlanPreferences {
+            power: Some(180.0),
+            energy: Some(60.0),
+            ..PlanPreferences::default()
+        };
+        let legs = [leg(Some(600.0)), leg(Some(300.0))];
+        assert_eq!(energy_left(&legs, &stated), Some(vec![60.0, 30.0, 15.0]));
+        assert_eq!(energy_left(&[leg(None)], &stated), None);
+        assert_eq!(energy_left(&legs, &PlanPreferences::default()), None);
+    }
+}

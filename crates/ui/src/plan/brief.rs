@@ -1,0 +1,436 @@
+//! The mission brief: one page to be printed, with a unit at every number.
+
+use std::fmt::Write as _;
+
+use pilotage_core::frames::{GroundPoint, GroundRect};
+use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::Route;
+use pilotage_core::plan::Prediction;
+
+use super::legs::{Leg, time_text, totals};
+use super::planner::cruise;
+use super::way_points::{action_words, altitude_words};
+use super::words::{Outlook, distance_text};
+use crate::jobs::{BriefPictures, EncodedPicture};
+use crate::units::Units;
+
+/// Width over height of the picture of the map.
+const ASPECT: f64 = 1.75;
+/// Most landmarks with a thumbnail.
+pub const MOST_LANDMARKS: usize = 12;
+/// Width of the drawing over the map, in its own units.
+const WIDTH: f64 = 1000.0;
+
+/// How the page looks.
+pub const STYLE: &str = include_str!("brief.css");
+
+/// A landmark of the brief.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BriefLandmark {
+    /// The landmark.
+    pub landmark: Landmark,
+    /// How often it is found, in words.
+    pub found: String,
+}
+
+/// What a brief is made of.
+pub struct BriefScene<'a> {
+    /// Name of the mission.
+    pub mission: &'a str,
+    /// The route.
+    pub route: &'a Route,
+    /// Its legs.
+    pub legs: &'a [Leg],
+    /// Energy left at each way-point, watt hours.
+    pub left: Option<Vec<f64>>,
+    /// What is predicted along it.
+    pub prediction: Option<&'a Prediction>,
+    /// The limit of the standard deviation, metres.
+    pub limit: f64,
+    /// Wind, height, camera and what else is assumed, in sentences.
+    pub assumptions: Vec<String>,
+    /// Landmarks in the order of the pictures.
+    pub landmarks: &'a [BriefLandmark],
+    /// The ground that the picture of the map shows.
+    pub area: GroundRect,
+    /// The pictures.
+    pub pictures: &'a BriefPictures,
+    /// The user's units.
+    pub units: Units,
+}
+
+/// The ground that the map of a brief shows around places: with a margin, and as wide as the page.
+pub fn brief_area(places: impl IntoIterator<Item = GroundPoint>) -> Option<GroundRect> {
+    let around = GroundRect::around(places)?;
+    let around = around.grown((0.06 * around.width().max(around.height())).max(40.0));
+    let height = around.height().max(around.width() / ASPECT);
+    Some(GroundRect::centered(
+        around.center(),
+        height,
+        height * ASPECT,
+    ))
+}
+
+/// The body of the page, as HTML.
+pub fn brief(scene: &BriefScene<'_>) -> String {
+    let mut text = String::new();
+    // Writing into a string cannot fail.
+    let _ = write!(
+        text,
+        "<h1>{} <small>{}</small></h1>",
+        escape(scene.mission),
+        escape(&scene.route.name)
+    );
+    map(&mut text, scene);
+    text.push_str("<div class=\"columns\"><section>");
+    outlook(&mut text, scene);
+    text.push_str("<h2>Assumed</h2><ul>");
+    for sentence in &scene.assumptions {
+        let _ = write!(text, "<li>{}</li>", escape(sentence));
+    }
+    text.push_str("</ul></section><section>");
+    legs(&mut text, scene);
+    text.push_str("</section></div>");
+    landmarks(&mut text, scene);
+    text
+}
+
+fn escape(text: &str) -> String {
+    let mut escaped = String::new();
+    for letter in text.chars() {
+        match letter {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            other => escaped.push(other),
+        }
+    }
+    escaped
+}
+
+fn data_address(picture: &EncodedPicture) -> String {
+    format!("data:image/jpeg;base64,{}", base64(&picture.0))
+}
+
+/// Base 64 as RFC 4648 has it.
+fn base64(bytes: &[u8]) -> String {
+    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for three in bytes.chunks(3) {
+        let byte = |i: usize| u32::from(three.get(i).copied().unwrap_or(0));
+        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
+        for place in 0..4 {
+            if place <= three.len() {
+                let letter = LETTERS[(bits >> (18 - 6 * place) & 63) as usize];
+                text.push(char::from(letter));
+            } else {
+                text.push('=');
+            }
+        }
+    }
+    text
+}
+
+fn map(text: &mut String, scene: &BriefScene<'_>) {
+    let area = scene.area;
+    let scale = WIDTH / area.width().max(1e-6);
+    let height = area.height() * scale;
+    let at = |p: &GroundPoint| ((p.east - area.west) * scale, (area.north - p.north) * scale);
+    let points = |places: &mut dyn Iterator<Item = GroundPoint>| -> String {
+        let pairs = places.map(|p| {
+            let (x, y) = at(&p);
+            format!("{x:.1},{y:.1}")
+        });
+        pairs.collect::<Vec<_>>().join(" ")
+    };
+    let _ = write!(
+        text,
+        "<svg class=\"map\" viewBox=\"0 0 {WIDTH:.0} {height:.0}\" role=\"img\" aria-label=\"Map with the \
+         route and its landmarks\"><image href=\"{}\" width=\"{WIDTH:.0}\" height=\"{height:.0}\" \
+         preserveAspectRatio=\"none\"/>",
+        data_address(&scene.pictures.map)
+    );
+    if let Some(prediction) = scene.prediction {
+        let side = |sign: f64| {
+            prediction.samples.iter().map(move |s| {
+                let (sin, cos) = s.course.sin_cos();
+                let half = sign * s.corridor.across;
+                GroundPoint::new(s.position.north - half * sin, s.position.east + half * cos)
+            })
+        };
+        let ring = points(&mut side(1.0).chain(side(-1.0).collect::<Vec<_>>().into_iter().rev()));
+        let _ = write!(text, "<polygon class=\"corridor\" points=\"{ring}\"/>");
+    }
+    for (index, known) in scene.landmarks.iter().enumerate() {
+        let b = known.landmark.bounds;
+        let outline = known.landmark.outline().unwrap_or_else(|| {
+            [
+                (b.north, b.west),
+                (b.north, b.east),
+                (b.south, b.east),
+                (b.south, b.west),
+            ]
+            .map(|(n, e)| GroundPoint::new(n, e))
+            .to_vec()
+        });
+        let ring = points(&mut outline.into_iter());
+        let (x, y) = at(&GroundPoint::new(b.north, b.center().east));
+        let letter = letter(index);
+        let _ = write!(
+            text,
+            "<polygon class=\"landmark\" points=\"{ring}\"/>\
+             <text class=\"halo\" x=\"{x:.1}\" y=\"{:.1}\">{letter}</text>",
+            y - 4.0
+        );
+    }
+    let line = points(&mut scene.route.way_points.iter().map(|w| w.position));
+    let _ = write!(
+        text,
+        "<polyline class=\"under\" points=\"{line}\"/><polyline class=\"route\" points=\"{line}\"/>"
+    );
+    for (index, way_point) in scene.route.way_points.iter().enumerate() {
+        let (x, y) = at(&way_point.position);
+        let _ = write!(
+            text,
+            "<circle class=\"point\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"9\"/>\
+             <text class=\"number\" x=\"{x:.1}\" y=\"{:.1}\">{}</text>",
+            y + 3.5,
+            index + 1
+        );
+    }
+    scale_bar(text, scene, scale, height);
+    text.push_str("</svg>");
+}
+
+/// A bar of a round length with its unit, and an arrow to the north.
+fn scale_bar(text: &mut String, scene: &BriefScene<'_>, scale: f64, height: f64) {
+    let (factor, unit) = scene.units.length();
+    let wanted = 160.0 / scale * factor;
+    let power = 10_f64.powf(wanted.log10().floor());
+    let round = [5.0, 2.0, 1.0].map(|m| m * power);
+    let round = round.into_iter().find(|r| *r <= wanted).unwrap_or(power);
+    let length = round / factor * scale;
+    let (right, y) = (WIDTH - 20.0, height - 18.0);
+    let left = right - length;
+    let _ = write!(
+        text,
+        "<line class=\"under\" x1=\"{left:.1}\" y1=\"{y:.1}\" x2=\"{right:.1}\" y2=\"{y:.1}\"/>\
+         <line class=\"bar\" x1=\"{left:.1}\" y1=\"{y:.1}\" x2=\"{right:.1}\" y2=\"{y:.1}\"/>\
+         <text class=\"halo\" x=\"{:.1}\" y=\"{:.1}\">{round:.0} {unit}</text>\
+         <path class=\"north\" d=\"M {right:.1} 14 l 7 22 l -7 -5 l -7 5 z\"/>\
+         <text class=\"halo\" x=\"{right:.1}\" y=\"52\">N</text>",
+        0.5 * (left + right),
+        y - 8.0
+    );
+}
+
+fn outlook(text: &mut String, scene: &BriefScene<'_>) {
+    text.push_str("<h2>Predicted error of position</h2>");
+    let Some(outlook) = scene.prediction.and_then(Outlook::of) else {
+        text.push_str("<p>It is not predicted.</p>");
+        return;
+    };
+    let (factor, unit) = scene.units.length();
+    let rows = [
+        (
+            "largest σ, longer axis",
+            format!("{:.1} {unit}", outlook.sigma * factor),
+        ),
+        (
+            "95 % corridor, largest half width",
+            format!("{:.1} {unit}", outlook.across * factor),
+        ),
+        (
+            "longest dead reckoning",
+            format!("{:.0} s", outlook.dead_reckoning),
+        ),
+        ("accepted σ", format!("{:.1} {unit}", scene.limit * factor)),
+        ("over it", distance_text(outlook.over, scene.units)),
+    ];
+    text.push_str("<table class=\"facts\">");
+    for (name, value) in rows {
+        let _ = write!(text, "<tr><td>{name}</td><td>{}</td></tr>", escape(&value));
+    }
+    text.push_str("</table>");
+    let landmarks: Vec<Landmark> = scene.landmarks.iter().map(|l| l.landmark.clone()).collect();
+    if let Some(worst) = outlook
+        .sentences(scene.limit, &landmarks, scene.units)
+        .first()
+    {
+        let _ = write!(text, "<p>{}</p>", escape(worst));
+    }
+}
+
+fn legs(text: &mut String, scene: &BriefScene<'_>) {
+    let (length, time) = totals(scene.legs);
+    let _ = write!(
+        text,
+        "<h2>Legs <small>{}, {} in the wind</small></h2><table><tr><th></th><th>altitude</th>\
+         <th>course</th><th>distance</th><th>time</th><th>airspeed</th>{}</tr>",
+        distance_text(length, scene.units),
+        time_words(time),
+        if scene.left.is_some() {
+            "<th>left</th>"
+        } else {
+            ""
+        }
+    );
+    for (index, way_point) in scene.route.way_points.iter().enumerate() {
+        let leg = index.checked_sub(1).and_then(|i| scene.legs.get(i));
+        let mut altitude = altitude_words(&way_point.altitude, scene.units);
+        if let Some(action) = action_words(&way_point.action) {
+            altitude = format!("{altitude}, {action}");
+        }
+        let (factor, unit) = scene.units.speed();
+        let cells = match leg {
+            None => [
+                "start".to_owned(),
+                String::new(),
+                String::new(),
+                String::new(),
+            ],
+            Some(leg) => [
+                leg.course.map_or("–".to_owned(), |c| {
+                    format!("{:03.0}°", c.to_degrees().round().rem_euclid(360.0))
+                }),
+                distance_text(leg.distance, scene.units),
+                time_words(leg.time),
+                format!(
+                    "{:.1} {unit}",
+                    way_point.speed.unwrap_or_else(cruise) * factor
+                ),
+            ],
+        };
+        let _ = write!(
+            text,
+            "<tr><td>{}</td><td>{}</td>",
+            index + 1,
+            escape(&altitude)
+        );
+        for cell in cells {
+            let _ = write!(text, "<td>{}</td>", escape(&cell));
+        }
+        if let Some(left) = scene.left.as_ref().and_then(|l| l.get(index)) {
+            let _ = write!(text, "<td>{left:.0} Wh</td>");
+        }
+        text.push_str("</tr>");
+    }
+    text.push_str("</table>");
+}
+
+/// Minutes and seconds, with their unit.
+fn time_words(seconds: Option<f64>) -> String {
+    match seconds {
+        Some(_) => format!("{} min", time_text(seconds)),
+        None => time_text(None),
+    }
+}
+
+fn landmarks(text: &mut String, scene: &BriefScene<'_>) {
+    let (factor, unit) = scene.units.length();
+    text.push_str("<h2>Landmarks</h2><div class=\"landmarks\">");
+    if scene.landmarks.is_empty() {
+        text.push_str("<p>None is switched on.</p>");
+    }
+    for (index, known) in scene.landmarks.iter().enumerate() {
+        let l = &known.landmark;
+        let picture = scene
+            .pictures
+            .thumbnails
+            .get(index)
+            .map_or_else(String::new, data_address);
+        let category = l.category();
+        let category = if category.is_empty() {
+            String::new()
+        } else {
+            format!("{category}, ")
+        };
+        let _ = write!(
+            text,
+            "<figure><img src=\"{picture}\" alt=\"\"><figcaption><b>{} {}</b><br>{}{:.0} × {:.0} {unit}<br>\
+             {}</figcaption></figure>",
+            letter(index),
+            escape(&l.name),
+            escape(&category),
+            l.bounds.width() * factor,
+            l.bounds.height() * factor,
+            escape(&known.found)
+        );
+    }
+    text.push_str("</div>");
+}
+
+/// The letter of a landmark on the map.
+fn letter(index: usize) -> char {
+    char::from(b'A' + (index % 26) as u8)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pilotage_core::frames::Altitude;
+    use pilotage_core::mission::{USUAL_ALTITUDE, WayPoint};
+
+    #[test]
+    fn base_64_is_that_of_the_standard() {
+        let pairs = [
+            ("", ""),
+            ("f", "Zg=="),
+            ("fo", "Zm8="),
+            ("foo", "Zm9v"),
+            ("foob", "Zm9vYg=="),
+        ];
+        for (plain, coded) in pairs {
+            assert_eq!(base64(plain.as_bytes()), coded);
+        }
+    }
+
+    fn page(units: Units) -> String {
+        let altitude: Altitude = USUAL_ALTITUDE;
+        let at = |e| WayPoint::new(GroundPoint::new(0.0, e), altitude);
+        let route = Route {
+            name: "There & back".into(),
+            way_points: vec![at(0.0), at(600.0)],
+            ..Route::default()
+        };
+        let legs =
+            super::super::legs::legs(&route, 20.0, &pilotage_core::simulate::Wind::default());
+        let bounds = GroundRect::centered(GroundPoint::new(30.0, 300.0), 20.0, 20.0);
+        let landmarks = [BriefLandmark {
+            landmark: Landmark::new(1, "Barn <old>", bounds),
+            found: "found 80 % of the time".into(),
+        }];
+        let area = brief_area(route.way_points.iter().map(|w| w.position)).expect("an area");
+        brief(&BriefScene {
+            mission: "Trip",
+            route: &route,
+            legs: &legs,
+            left: None,
+            prediction: None,
+            limit: 10.0,
+            assumptions: vec!["No wind.".into()],
+            landmarks: &landmarks,
+            area,
+            pictures: &BriefPictures::default(),
+            units,
+        })
+    }
+
+    #[test]
+    fn names_are_escaped_and_numbers_have_units() {
+        let text = page(Units::Metric);
+        assert!(text.contains("There &amp; back") && text.contains("Barn &lt;old&gt;"));
+        for words in [
+            "600 m",
+            "0:30 min",
+            "090°",
+            "100 m above take-off",
+            "20 × 20 m",
+        ] {
+            assert!(text.contains(words), "{words} in {text}");
+        }
+        assert!(!text.contains("style="), "the page's rules forbid it");
+        assert!(page(Units::Aviation).contains(" NM"));
+    }
+}

@@ -1,0 +1,128 @@
+//! Marking places on the map by clicks: outlines, points, reference points.
+
+use egui::{Align2, Color32, CursorIcon, Key, Painter, Response, Shape, Stroke, Ui, vec2};
+use pilotage_core::frames::GroundPoint;
+
+use super::PlanCommand;
+use crate::map::{ScreenFromWorld, paint_halo_text};
+use crate::tokens::Tokens;
+
+/// What the marked places are for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// The outline of a new landmark.
+    Outline,
+    /// A new landmark of which only a point is known.
+    Point,
+    /// The reference point of the selected landmark.
+    Reference,
+    /// The area of a survey.
+    Survey,
+}
+
+impl Purpose {
+    /// Whether one click is all.
+    pub fn is_point(self) -> bool {
+        matches!(self, Self::Point | Self::Reference)
+    }
+
+    /// What to do, in words on the map.
+    fn advice(self, corners: usize) -> &'static str {
+        match (self, corners) {
+            (Self::Point, _) => "Click on the landmark",
+            (Self::Reference, _) => "Click on the point that is measured",
+            (Self::Survey, 0..3) => "Click the corners of the area one after the other",
+            (Self::Outline, 0..3) => "Click its corners one after the other",
+            (Self::Outline | Self::Survey, _) => {
+                "Enter or a double click ends it, Backspace takes a corner back"
+            }
+        }
+    }
+}
+
+/// Places being marked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Marking {
+    /// What for.
+    pub purpose: Purpose,
+    /// The places so far.
+    pub corners: Vec<GroundPoint>,
+}
+
+impl Marking {
+    /// Nothing marked yet.
+    pub fn new(purpose: Purpose) -> Self {
+        Self {
+            purpose,
+            corners: Vec::new(),
+        }
+    }
+
+    /// Takes the pointer and the keyboard while places are marked.
+    pub(super) fn interact(
+        &self,
+        ui: &Ui,
+        view: &ScreenFromWorld,
+        response: &Response,
+        say: &mut impl FnMut(PlanCommand),
+    ) {
+        ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
+        let typing = ui.ctx().text_edit_focused();
+        let (enter, escape, back) = ui.input(|i| {
+            (
+                i.key_pressed(Key::Enter),
+                i.key_pressed(Key::Escape),
+                i.key_pressed(Key::Backspace),
+            )
+        });
+        if escape {
+            say(PlanCommand::CancelMarking);
+        } else if enter && !typing {
+            if self.purpose.is_point() {
+                // By keyboard: the middle of the map.
+                say(PlanCommand::AddCorner(view.inverse(response.rect.center())));
+            }
+            say(PlanCommand::FinishMarking);
+        } else if back && !typing {
+            say(PlanCommand::RemoveCorner);
+        }
+        if response.double_clicked() && !self.purpose.is_point() {
+            say(PlanCommand::FinishMarking);
+        } else if response.clicked()
+            && let Some(at) = response.interact_pointer_pos()
+        {
+            say(PlanCommand::AddCorner(view.inverse(at)));
+            if self.purpose.is_point() {
+                say(PlanCommand::FinishMarking);
+            }
+        }
+    }
+
+    /// Draws the corners so far, and what to do.
+    pub(super) fn paint(
+        &self,
+        painter: &Painter,
+        view: &ScreenFromWorld,
+        pointer: Option<GroundPoint>,
+        tokens: &Tokens,
+    ) {
+        let mut line: Vec<_> = self.corners.iter().map(|c| view.apply(c)).collect();
+        if !self.purpose.is_point() {
+            line.extend(pointer.map(|p| view.apply(&p)));
+        }
+        if line.len() >= 2 {
+            let edge = Stroke::new(4.0, tokens.outline());
+            painter.add(Shape::closed_line(line.clone(), edge));
+            painter.add(Shape::closed_line(line, Stroke::new(2.0, tokens.accent)));
+        }
+        for corner in &self.corners {
+            let edge = Stroke::new(1.5, tokens.outline());
+            painter.circle(view.apply(corner), 4.5, tokens.accent, edge);
+        }
+        let screen = painter.clip_rect();
+        let at = screen.center_top() + vec2(0.0, 20.0);
+        let words = self.purpose.advice(self.corners.len());
+        let (align, font) = (Align2::CENTER_TOP, tokens.normal());
+        paint_halo_text(painter, at, align, words, font, Color32::WHITE);
+    }
+}

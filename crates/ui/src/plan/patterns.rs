@@ -1,0 +1,289 @@
+//! Routes that are made of a pattern: a survey over an area, a corridor along a line.
+
+use egui::{DragValue, Ui};
+use pilotage_core::camera::CameraModel;
+use pilotage_core::frames::{Altitude, Geodetic, GroundPoint, LocalFrame};
+use pilotage_core::mission::pattern::{Passes, corridor, fewest_passes, picture_on_ground, survey};
+use pilotage_core::mission::{Route, WayPoint};
+use serde::{Deserialize, Serialize};
+
+use super::PlanCommand;
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::shell::{caption, icon_button, icons::Icon, muted};
+
+/// Property of a route with the pattern that it is made of.
+const PROPERTY: &str = "pattern";
+
+/// What a pattern covers.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Cover {
+    /// The area within the places.
+    Survey,
+    /// The ground along the places.
+    Corridor {
+        /// Its width, metres.
+        width_m: f64,
+    },
+}
+
+/// What a route is made of.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Pattern {
+    /// What it covers.
+    pub cover: Cover,
+    /// Longitude and latitude of the corners or of the line, degrees.
+    pub places: Vec<[f64; 2]>,
+    /// Share of a picture that the pass beside shows too.
+    pub side_overlap: f64,
+    /// Share of a picture that the next one shows too.
+    pub forward_overlap: f64,
+    /// Course of the passes, degrees from north; that with the fewest passes if `None`.
+    pub course_deg: Option<f64>,
+}
+
+/// What the passes are made for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Circumstances {
+    /// The world frame.
+    pub frame: LocalFrame,
+    /// The camera.
+    pub camera: CameraModel,
+    /// Height above ground, metres.
+    pub height: f64,
+    /// Radius of a turn, metres.
+    pub radius: f64,
+}
+
+impl Pattern {
+    /// A pattern with the usual overlaps over or along these places.
+    pub fn new(cover: Cover, places: &[GroundPoint], frame: &LocalFrame) -> Self {
+        let lon_lat = |p: &GroundPoint| {
+            let position = frame.geodetic_from_ground(p);
+            [
+                position.longitude.to_degrees(),
+                position.latitude.to_degrees(),
+            ]
+        };
+        Self {
+            cover,
+            places: places.iter().map(lon_lat).collect(),
+            side_overlap: 0.6,
+            forward_overlap: 0.7,
+            course_deg: None,
+        }
+    }
+
+    /// The pattern that a route is made of.
+    pub fn of(route: &Route) -> Option<Self> {
+        serde_json::from_str(route.properties.get(PROPERTY)?).ok()
+    }
+
+    /// Lets a route be no pattern any more: its way-points are moved one by one.
+    pub fn release(route: &mut Route) {
+        route.properties.remove(PROPERTY);
+    }
+
+    fn passes(&self, c: &Circumstances) -> Passes {
+        let (across, _) = picture_on_ground(&c.camera, c.height);
+        Passes {
+            spacing: across * (1.0 - self.side_overlap),
+            run_out: c.radius,
+            least_step: 2.0 * c.radius,
+        }
+    }
+
+    /// Distance between pictures along a pass, metres.
+    fn between_pictures(&self, c: &Circumstances) -> f64 {
+        let (_, along) = picture_on_ground(&c.camera, c.height);
+        along * (1.0 - self.forward_overlap)
+    }
+
+    /// The way-points of the pattern.
+    fn places(&self, c: &Circumstances) -> Vec<GroundPoint> {
+        let ground = |[longitude, latitude]: &[f64; 2]| {
+            let place = Geodetic::from_degrees(*latitude, *longitude, 0.0);
+            c.frame.ground_from_geodetic(&place)
+        };
+        let places: Vec<GroundPoint> = self.places.iter().map(ground).collect();
+        match self.cover {
+            Cover::Survey => {
+                let stated = self.course_deg.map(f64::to_radians);
+                let course = stated.or_else(|| fewest_passes(&places)).unwrap_or(0.0);
+                survey(&places, course, &self.passes(c))
+            }
+            Cover::Corridor { width_m } => corridor(&places, width_m, &self.passes(c)),
+        }
+    }
+
+    /// Makes a route of it; altitude and speed are those of the route's first way-points, or
+    /// `otherwise`.
+    pub fn apply(&self, route: &mut Route, otherwise: Altitude, c: &Circumstances) {
+        let altitude = route.way_points.first().map_or(otherwise, |w| w.altitude);
+        let speed = route.way_points.get(1).and_then(|w| w.speed);
+        let places = self.places(c).into_iter().enumerate();
+        route.way_points = places
+            .map(|(i, place)| WayPoint {
+                speed: speed.filter(|_| i > 0),
+                ..WayPoint::new(place, altitude)
+            })
+            .collect();
+        let text = serde_json::to_string(self).unwrap_or_default();
+        route.properties.insert(PROPERTY.to_owned(), text);
+    }
+}
+
+/// Draws what a pattern is made of.
+pub fn pattern_card(
+    ui: &mut Ui,
+    route: &Route,
+    pattern: &Pattern,
+    circumstances: &Circumstances,
+    cruise: f64,
+    context: &mut ViewContext<'_>,
+) {
+    let tokens = context.tokens;
+    let (factor, unit) = context.units.length();
+    let mut next = pattern.clone();
+    let mut finished = true;
+    let title = match pattern.cover {
+        Cover::Survey => "Survey of an area",
+        Cover::Corridor { .. } => "Corridor along a line",
+    };
+    caption(ui, tokens, title);
+    ui.horizontal_wrapped(|ui| {
+        ui.label(muted(tokens, "Overlap aside"));
+        finished &= percent(ui, "Overlap with the pass beside", &mut next.side_overlap);
+        ui.label(muted(tokens, "ahead"));
+        finished &= percent(
+            ui,
+            "Overlap with the next picture",
+            &mut next.forward_overlap,
+        );
+        match &mut next.cover {
+            Cover::Survey => {
+                let stated = next.course_deg;
+                let mut course = stated.unwrap_or(0.0);
+                ui.label(muted(tokens, "course"));
+                let field =
+                    DragValue::new(&mut course)
+                        .speed(1.0)
+                        .custom_formatter(move |value, _| match stated {
+                            Some(_) => format!("{:03.0}°", value.rem_euclid(360.0)),
+                            None => "fewest passes".to_owned(),
+                        });
+                let field = ui.add(field).accessible_name("Course of the passes");
+                if field.changed() {
+                    next.course_deg = Some(course.rem_euclid(360.0));
+                }
+                finished &= !field.dragged();
+                let label = "The course with the fewest passes";
+                if stated.is_some() && icon_button(ui, tokens, Icon::Undo, label).clicked() {
+                    next.course_deg = None;
+                }
+            }
+            Cover::Corridor { width_m } => {
+                let mut width = *width_m * factor;
+                ui.label(muted(tokens, "width"));
+                let field = DragValue::new(&mut width)
+                    .range(1.0..=20_000.0)
+                    .speed(1.0)
+                    .fixed_decimals(0)
+                    .suffix(format!(" {unit}"));
+                let field = ui.add(field).accessible_name("Width of the corridor");
+                if field.changed() {
+                    *width_m = width / factor;
+                }
+                finished &= !field.dragged();
+            }
+        }
+    });
+    let per_pass = match pattern.cover {
+        Cover::Survey => 2,
+        Cover::Corridor { .. } => pattern.places.len().max(1),
+    };
+    let count = route.way_points.len() / per_pass;
+    let between = pattern.between_pictures(circumstances);
+    let words = format!(
+        "{count} passes, at most {:.0} {unit} apart; a picture every {:.0} {unit}, {:.1} s in calm air.",
+        pattern.passes(circumstances).spacing * factor,
+        between * factor,
+        between / cruise
+    );
+    ui.label(muted(tokens, words));
+    if next != *pattern {
+        let set = PlanCommand::SetPattern {
+            pattern: Box::new(next),
+            finished,
+        };
+        context.commands.push(Command::Plan(set));
+    }
+}
+
+/// A share as a percentage; false while it is dragged.
+fn percent(ui: &mut Ui, name: &str, share: &mut f64) -> bool {
+    let mut shown = 100.0 * *share;
+    let field = DragValue::new(&mut shown)
+        .range(0.0..=95.0)
+        .speed(0.5)
+        .fixed_decimals(0)
+        .suffix(" %");
+    let field = ui.add(field).accessible_name(name);
+    if field.changed() {
+        *share = shown / 100.0;
+    }
+    !field.dragged()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pilotage_core::frames::AltitudeFrame;
+
+    fn circumstances() -> Circumstances {
+        Circumstances {
+            frame: LocalFrame::new(Geodetic::from_degrees(47.0, 8.0, 0.0)),
+            camera: CameraModel::pinhole(640, 480, 60.0_f64.to_radians()),
+            height: 100.0,
+            radius: 40.0,
+        }
+    }
+
+    fn field() -> Vec<GroundPoint> {
+        let corners = [(0.0, 0.0), (0.0, 600.0), (300.0, 600.0), (300.0, 0.0)];
+        corners.map(|(n, e)| GroundPoint::new(n, e)).to_vec()
+    }
+
+    #[test]
+    fn passes_lie_as_far_apart_as_the_overlap_allows() {
+        let c = circumstances();
+        let pattern = Pattern::new(Cover::Survey, &field(), &c.frame);
+        let mut route = Route::default();
+        let altitude = Altitude::new(100.0, AltitudeFrame::AboveGround);
+        pattern.apply(&mut route, altitude, &c);
+        // 115.5 m across and 60 % overlap: 46.2 m, so that 300 m take seven passes.
+        assert_eq!(route.way_points.len(), 14);
+        assert_eq!(Pattern::of(&route), Some(pattern));
+        Pattern::release(&mut route);
+        assert_eq!(Pattern::of(&route), None);
+    }
+
+    #[test]
+    fn a_route_keeps_its_altitude_and_speed_under_another_overlap() {
+        let c = circumstances();
+        let mut pattern = Pattern::new(Cover::Survey, &field(), &c.frame);
+        let mut route = Route::default();
+        let low = Altitude::new(80.0, AltitudeFrame::Amsl);
+        pattern.apply(&mut route, low, &c);
+        for way_point in &mut route.way_points[1..] {
+            way_point.speed = Some(14.0);
+        }
+        pattern.side_overlap = 0.8;
+        let other = Altitude::new(1.0, AltitudeFrame::AboveGround);
+        pattern.apply(&mut route, other, &c);
+        assert_eq!(route.way_points.len(), 26);
+        assert!(route.way_points.iter().all(|w| w.altitude == low));
+        assert!(route.way_points[1..].iter().all(|w| w.speed == Some(14.0)));
+    }
+}

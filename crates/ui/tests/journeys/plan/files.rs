@@ -1,0 +1,123 @@
+use egui_kittest::kittest::Queryable as _;
+use pilotage_core::exchange::{Format, read_any};
+use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
+use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::Route;
+use pilotage_ui::host::OpenedFile;
+use pilotage_ui::jobs::{ImportedFile, Job, Opened};
+
+use super::super::support::{Rig, flight::mission};
+use super::{draw, planning};
+
+fn opened(rig: &mut Rig, file: ImportedFile) {
+    rig.host().opens = Some(Opened {
+        key: String::new(),
+        flight: None,
+        map: None,
+        terrain: None,
+        mission: None,
+        run: None,
+        unplaced: None,
+        imports: vec![file],
+        beside: None,
+        pictures: Vec::new(),
+        remarks: Vec::new(),
+    });
+    rig.host().opened.push(vec![OpenedFile {
+        path: "trip.plan".into(),
+        content: vec![1].into(),
+    }]);
+    rig.frames(4);
+    rig.settle();
+}
+
+fn file() -> ImportedFile {
+    let at = |north, east| {
+        let altitude = pilotage_core::mission::USUAL_ALTITUDE;
+        pilotage_core::mission::WayPoint::new(GroundPoint::new(north, east), altitude)
+    };
+    let bounds = GroundRect::centered(GroundPoint::new(40.0, 40.0), 20.0, 20.0);
+    ImportedFile {
+        name: "trip.plan".into(),
+        format: "QGroundControl plan".into(),
+        routes: vec![Route {
+            id: 9,
+            name: "There".into(),
+            way_points: vec![at(0.0, -200.0), at(0.0, 200.0)],
+            ..Route::default()
+        }],
+        landmarks: vec![Landmark::new(1, "Silo", bounds)],
+        notes: vec!["1 command is kept but not understood: command 31000".into()],
+    }
+}
+
+#[test]
+fn an_opened_plan_is_added_to_the_mission_with_a_word_on_what_is_not_understood() {
+    let mut rig = planning();
+    let landmarks = |rig: &Rig| rig.state()["landmarks"].as_array().map_or(0, Vec::len);
+    let before = landmarks(&rig);
+    opened(&mut rig, file());
+    let state = rig.state();
+    assert_eq!(state["plan"]["routes"][0]["name"], "There");
+    assert_eq!(landmarks(&rig), before + 1);
+    let toast = state["toasts"].as_array().and_then(|t| t.last()).cloned();
+    let toast = toast.expect("a word on it");
+    let text = format!("{} {}", toast["title"], toast["text"]);
+    assert!(text.contains("1 route and 1 landmark"), "{text}");
+    assert!(text.contains("not understood: command 31000"), "{text}");
+    rig.key_with(egui::Modifiers::COMMAND, egui::Key::Z);
+    let state = rig.state();
+    assert_eq!(state["plan"]["routes"].as_array().map(Vec::len), Some(0));
+    assert_eq!(landmarks(&rig), before, "one step back takes all of it");
+}
+
+#[test]
+fn files_are_placed_around_the_open_mission() {
+    let mut rig = planning();
+    opened(&mut rig, file());
+    let jobs = &rig.host().jobs;
+    let origin = jobs.iter().find_map(|(_, job)| match job {
+        Job::Open { origin, .. } => Some(*origin),
+        _ => None,
+    });
+    assert_eq!(origin, Some(mission().origin));
+}
+
+#[test]
+fn the_route_is_exported_from_the_menu_and_reads_again() {
+    let mut rig = planning();
+    draw(&mut rig, &[(0.0, -300.0), (60.0, 300.0)]);
+    rig.harness.get_by_label("Export").click();
+    rig.frames(3);
+    let label = "Export the route as a QGroundControl plan";
+    rig.harness.get_by_label(label).click();
+    rig.frames(3);
+    let (name, bytes) = rig.host().saved.pop().expect("a file");
+    assert_eq!(name, "Route-1.plan");
+    let frame = LocalFrame::new(mission().origin);
+    let back = read_any(&name, &bytes, Some(frame)).expect("a plan");
+    assert_eq!(back.format, Format::Plan);
+    assert_eq!(back.routes[0].way_points.len(), 2);
+    assert!((back.routes[0].way_points[1].position.north - 60.0).abs() < 2.0);
+}
+
+#[test]
+fn the_landmarks_are_exported_from_the_palette() {
+    let mut rig = planning();
+    for (words, format) in [
+        ("export the landmarks as kml", Format::Kml),
+        ("export the landmarks as csv", Format::Csv),
+        ("export the landmarks as geojson", Format::GeoJson),
+    ] {
+        rig.key_with(egui::Modifiers::COMMAND, egui::Key::K);
+        rig.harness.event(egui::Event::Text(words.into()));
+        rig.frames(2);
+        rig.key(egui::Key::Enter);
+        let (name, bytes) = rig.host().saved.pop().expect("a file");
+        let frame = LocalFrame::new(mission().origin);
+        let back = read_any(&name, &bytes, Some(frame)).expect("landmarks");
+        assert_eq!(back.format, format, "{name}");
+        let names: Vec<_> = back.landmarks.iter().map(|l| l.name.as_str()).collect();
+        assert_eq!(names, ["Barn", "Chapel", "Pool", "Mill"], "{name}");
+    }
+}

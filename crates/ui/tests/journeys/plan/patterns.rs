@@ -1,0 +1,134 @@
+use egui::Key;
+use egui_kittest::kittest::Queryable as _;
+
+use super::super::support::Rig;
+use super::{click, draw, number, planning};
+
+fn command(rig: &mut Rig, words: &str) {
+    rig.key_with(egui::Modifiers::COMMAND, Key::K);
+    rig.harness.event(egui::Event::Text(words.into()));
+    rig.frames(2);
+    rig.key(Key::Enter);
+    rig.settle();
+}
+
+fn way_points(rig: &Rig, route: usize) -> usize {
+    let state = rig.state();
+    let list = state["plan"]["routes"][route]["way_points"].as_array();
+    list.map_or(0, Vec::len)
+}
+
+#[test]
+fn an_area_is_surveyed_by_passes_there_and_back_and_one_undo_takes_them_away() {
+    let mut rig = planning();
+    command(&mut rig, "survey an area");
+    for (north, east) in [
+        (-200.0, -250.0),
+        (-200.0, 250.0),
+        (100.0, 250.0),
+        (100.0, -250.0),
+    ] {
+        click(&mut rig, north, east);
+    }
+    rig.key(Key::Enter);
+    rig.settle();
+    let state = rig.state();
+    assert_eq!(state["plan"]["routes"][0]["pattern"], true);
+    let count = way_points(&rig, 0);
+    assert!(count >= 6 && count.is_multiple_of(2), "{count}");
+    assert_eq!(state["plan"]["prediction"]["fine"], true);
+    rig.key_with(egui::Modifiers::COMMAND, Key::Z);
+    assert_eq!(
+        rig.state()["plan"]["routes"].as_array().map(Vec::len),
+        Some(0)
+    );
+}
+
+#[test]
+fn a_corridor_is_made_along_the_route_beside_it() {
+    let mut rig = planning();
+    draw(&mut rig, &[(0.0, -300.0), (60.0, 0.0), (0.0, 300.0)]);
+    command(&mut rig, "fly a corridor along the route");
+    assert_eq!(
+        rig.state()["plan"]["routes"].as_array().map(Vec::len),
+        Some(2)
+    );
+    assert_eq!(
+        way_points(&rig, 1) % 3,
+        0,
+        "every pass has the bends of the line"
+    );
+    rig.key(Key::X);
+    assert_eq!(rig.state()["plan"]["routes"][1]["pattern"], false);
+}
+
+#[test]
+fn circles_at_a_way_point_lengthen_the_way_there() {
+    let mut rig = planning();
+    draw(&mut rig, &[(0.0, -300.0), (0.0, 300.0)]);
+    let time = |rig: &Rig| {
+        let label = std::cell::RefCell::new(String::new());
+        let rows = rig.harness.query_all_by(|n| {
+            let own = n.label().unwrap_or_default();
+            let is_row = own.starts_with("Way-point 2:");
+            if is_row {
+                label.replace(own);
+            }
+            is_row
+        });
+        assert_eq!(rows.count(), 1);
+        label.into_inner()
+    };
+    let before = time(&rig);
+    rig.harness
+        .get_by(|n| n.label().is_some_and(|l| l.starts_with("Way-point 2:")))
+        .click();
+    rig.frames(3);
+    rig.harness
+        .get_by_label("What is done at the way-point")
+        .click();
+    rig.frames(3);
+    rig.harness.get_by_label("Circle").click();
+    rig.frames(3);
+    let after = time(&rig);
+    assert!(
+        after.contains("1 circles") && before != after,
+        "{before} {after}"
+    );
+}
+
+#[test]
+fn another_height_at_one_way_point_changes_the_prediction() {
+    let mut rig = planning();
+    draw(&mut rig, &[(0.0, -300.0), (0.0, 300.0)]);
+    let before = number(&rig, "/prediction/mean_width");
+    rig.harness
+        .get_by(|n| n.label().is_some_and(|l| l.starts_with("Way-point 2:")))
+        .click();
+    rig.frames(3);
+    rig.harness
+        .get_by_label("Altitude of the way-point")
+        .focus();
+    rig.frames(2);
+    for _ in 0..60 {
+        rig.key(Key::ArrowUp);
+    }
+    rig.settle();
+    let high = number(&rig, "/routes/0/way_points/1/altitude");
+    let low = number(&rig, "/routes/0/way_points/0/altitude");
+    assert!(high > low, "{high} {low}");
+    assert!((number(&rig, "/prediction/mean_width") - before).abs() > 1e-6);
+}
+
+#[test]
+fn the_strip_shows_the_heights_of_the_route() {
+    let mut rig = planning();
+    draw(&mut rig, &[(0.0, -300.0), (0.0, 300.0)]);
+    rig.open_tab("Heights");
+    let charts = rig.harness.query_all_by(|n| {
+        n.label()
+            .is_some_and(|l| l.starts_with("Heights along the route: lowest"))
+    });
+    assert_eq!(charts.count(), 1);
+    rig.open_tab("Uncertainty");
+}

@@ -1,0 +1,47 @@
+// A link to the view, and a mission file: both lead back to what was there.
+export const name = "a copied link shows the same view of the demo, and a saved mission opens as it was";
+
+async function command(page, tools, words) {
+  await page.keyboard.press("Control+k");
+  await tools.waitFor((s) => s.dialogs.palette, "the palette");
+  await page.keyboard.type(words);
+  await page.keyboard.press("Enter");
+}
+
+export async function run(page, tools) {
+  await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
+  await tools.waitReady();
+  await tools.waitFor((s) => s.run_steps > 40, "the demo", 150_000);
+  await page.keyboard.press("Shift+p");
+  await tools.waitFor((s) => s.workspace === "Plan" && s.plan.routes.length > 0, "the plan");
+  await page.keyboard.press("Equal");
+  const seen = await tools.state();
+  await command(page, tools, "copy a link to this view");
+  await tools.waitFor((s) => s.toasts.some((t) => t.title === "Link copied"), "the word that it is copied");
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  console.log(`        ${link}`);
+
+  const download = page.waitForEvent("download");
+  await page.keyboard.press("Control+s");
+  const saved = await download;
+  tools.check(saved.suggestedFilename().endsWith(".pilotage.zip"), `the file is called ${saved.suggestedFilename()}`);
+  const parts = [];
+  for await (const part of await saved.createReadStream()) parts.push(part);
+  const bytes = Buffer.concat(parts);
+  tools.check(bytes.subarray(0, 2).toString() === "PK", "it is no zip");
+
+  await page.goto("about:blank");
+  await page.goto(link);
+  await tools.waitReady();
+  const there = await tools.waitFor((s) => s.run_steps > 0 && s.workspace === "Plan", "the view of the link", 150_000);
+  for (const i of [0, 1]) {
+    tools.check(Math.abs(there.map.center[i] - seen.map.center[i]) < 0.1, `the map is at ${there.map.center}`);
+  }
+  tools.check(Math.abs(there.map.metres_per_point - seen.map.metres_per_point) < 1e-3, "the scale is another");
+
+  await page.setInputFiles("#files", [{ name: saved.suggestedFilename(), mimeType: "application/zip", buffer: bytes }]);
+  const opened = (s) => s.toasts.some((t) => /Opened .*a mission/.test(t.title));
+  const back = await tools.waitFor(opened, "the saved mission", 60_000);
+  tools.check(back.landmarks.length === seen.landmarks.length, "landmarks were lost");
+  tools.check(back.plan.routes.length === seen.plan.routes.length, "routes were lost");
+}
