@@ -1,5 +1,6 @@
 //! `pilotage plan`: suggest landmarks, predict the uncertainty along a route.
 
+mod calibrate;
 mod find;
 mod verify;
 
@@ -14,9 +15,9 @@ use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{Mission, read_mission, write_mission};
 use pilotage_core::plan::{
-    Assessor, Candidate, Circumstances, DetectionStatistics, OtherDays, PictureDays,
-    PlannedLandmark, Prediction, PredictionRequest, Ranking, SceneryDays, Suggestion, choose,
-    poses_all_over, poses_over,
+    Assessor, Candidate, Circumstances, DetectionStatistics, Envelope, EnvelopeSurvey, OtherDays,
+    PictureDays, PlannedLandmark, Prediction, PredictionRequest, Ranking, Reliability, SceneryDays,
+    Suggestion, Verification, choose, poses_all_over, poses_over, random_route,
 };
 use pilotage_core::simulate::scenery::DEMO_SEED;
 use pilotage_core::simulate::{FlightPlan, Overrides, Scenario, SensorSpec};
@@ -31,6 +32,15 @@ const MAP_CACHE: usize = 128;
 const DAYS: u64 = 3;
 /// Pictures by which a landmark is assessed, on how many days.
 const VIEWS: (usize, usize) = (30, 6);
+
+/// Standard deviation of the filter's position with which they are looked for, per axis, metres.
+const POSITION: f64 = 5.0;
+/// Heights of an envelope, shares of the planned one.
+const HEIGHTS: [f64; 5] = [0.5, 0.75, 1.0, 1.5, 2.25];
+/// Tilts of an envelope, degrees.
+const TILTS: [f64; 4] = [0.0, 10.0, 20.0, 30.0];
+/// Looks in each of its cells.
+const LOOKS: usize = 6;
 
 /// What to plan.
 #[derive(Args)]
@@ -63,12 +73,26 @@ pub struct Arguments {
     /// Way-points instead of the scenario's: metres north and east, "0,0;400,300".
     #[arg(long, requires = "scenario", allow_hyphen_values = true)]
     route: Option<String>,
+    /// A random route of that seed over the scenery instead of the scenario's, in a wind of which only
+    /// is known what the filter is told to expect.
+    #[arg(long, requires = "scenario", conflicts_with = "route")]
+    random_route: Option<u64>,
     #[command(flatten)]
     find: find::FindArguments,
     /// Fly the plan with seeds A..B, B left out, over the generated scenery on another day, and compare
     /// the errors with the prediction.
     #[arg(long, requires_all = ["scenario", "predict"], value_name = "A..B")]
     fly: Option<String>,
+    /// Fly about that many passes over places of every quality on days that were not rehearsed, and
+    /// compare how often they are found with what was said.
+    #[arg(long, requires = "scenario", value_name = "PASSES")]
+    calibrate: Option<usize>,
+    /// Where to draw the reliability diagram, SVG.
+    #[arg(long, requires = "calibrate")]
+    diagram: Option<PathBuf>,
+    /// Measure from which heights and with which tilts each landmark is found.
+    #[arg(long)]
+    envelope: bool,
     /// Standard deviation of the position (longer axis) that is accepted, metres.
     #[arg(long, default_value_t = 10.0)]
     limit: f64,
@@ -112,7 +136,9 @@ struct Summary {
     found: Option<find::Found>,
     samples: Vec<Sample>,
     worst_stretch: Option<pilotage_core::plan::Stretch>,
-    verification: Option<verify::Verification>,
+    verification: Option<Verification>,
+    reliability: Option<Reliability>,
+    envelopes: Vec<Envelope>,
 }
 
 /// Plans what the arguments say.
@@ -125,6 +151,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
         samples: Vec::new(),
         worst_stretch: None,
         verification: None,
+        reliability: None,
+        envelopes: Vec::new(),
     };
     if let Some(ends) = &arguments.find.find {
         summary.found = Some(find::find(arguments, &mut ground, ends)?);
@@ -135,6 +163,17 @@ pub fn run(arguments: &Arguments) -> Outcome {
         ground.mission.landmarks = proposed
             .map(|(s, id)| Landmark::new(id, format!("suggestion {id}"), s.candidate.bounds))
             .collect();
+    }
+    if let Some(passes) = arguments.calibrate {
+        let (reliability, _) = calibrate::calibrate(arguments, &ground, passes);
+        if let Some(path) = &arguments.diagram {
+            std::fs::write(path, reliability.svg())
+                .map_err(|e| format!("{}: {e}", path.display()))?;
+        }
+        summary.reliability = Some(reliability);
+    }
+    if arguments.envelope {
+        summary.envelopes = envelopes(arguments, &ground);
     }
     if arguments.predict {
         let prediction = predict(arguments, &ground)?;
@@ -148,14 +187,18 @@ pub fn run(arguments: &Arguments) -> Outcome {
             let seeds = crate::replay::seed_range(seeds)?;
             let found = verify::verify(&ground, plan, &prediction, seeds)?;
             println!(
-                "{} flights, {} frames: {:.1} % inside the 95 % ellipse, {:.1} % inside the corridor; \
-                 error {:.2} m RMS where {:.2} m was predicted, at most {:.1} m",
+                "{} flights, {} frames: {:.1} % inside the 95 % ellipse, {:.1} ± {:.1} % inside the corridor; \
+                 error {:.2} m RMS where {:.2} m was predicted and the filter believed {:.2} m (NEES {:.2}), \
+                 at most {:.1} m",
                 found.flights,
                 found.frames,
                 100.0 * found.inside_ellipse,
                 100.0 * found.inside_corridor,
+                100.0 * found.corridor_uncertainty,
                 found.rms_m,
                 found.predicted_rms_m,
+                found.believed_rms_m,
+                found.mean_nees,
                 found.largest_m
             );
             summary.verification = Some(found);
@@ -201,6 +244,10 @@ fn ground(arguments: &Arguments) -> Result<Ground, Box<dyn std::error::Error>> {
         let mut plan = scenario.plan(&overrides);
         if let Some(text) = &arguments.route {
             plan.way_points = way_points(text)?;
+        }
+        if let Some(seed) = arguments.random_route {
+            plan.way_points = random_route(seed);
+            plan.wind = nalgebra::Vector2::zeros();
         }
         return Ok(Ground {
             map: Arc::new(CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE)),
@@ -336,36 +383,78 @@ fn suggest(
     Ok(chosen)
 }
 
+/// How landmarks are looked for on the plan.
+fn circumstances(ground: &Ground) -> Circumstances {
+    let settings = &ground.mission.navigator;
+    Circumstances {
+        camera: ground.camera.clone(),
+        height: ground.height,
+        position: POSITION,
+        sensors: settings.sensors,
+        detector: settings.detector,
+        ground_down: ground.plan.as_ref().map_or(0.0, |p| p.ground_down),
+        tilt: 0.0,
+    }
+}
+
+/// From which heights and with which tilts each landmark is found.
+fn envelopes(arguments: &Arguments, ground: &Ground) -> Vec<Envelope> {
+    let days: Vec<Arc<dyn Imagery>> = (0..DAYS)
+        .map(|day| ground.days.day(arguments.seed.wrapping_mul(2000) + day))
+        .collect();
+    let enabled = ground.mission.landmarks.iter().filter(|l| l.enabled);
+    enabled
+        .map(|landmark| {
+            let map = Arc::clone(&ground.map);
+            let assessor =
+                Assessor::over(landmark, map, &days, circumstances(ground), arguments.seed);
+            let heights = HEIGHTS.map(|h| h * ground.height).to_vec();
+            let tilts = TILTS.map(f64::to_radians).to_vec();
+            let mut survey = EnvelopeSurvey::new(assessor, heights, tilts, LOOKS);
+            while survey.advance() {}
+            let envelope = survey.envelope().clone();
+            println!(
+                "{}: height, then found of looks at tilts of {TILTS:?} degrees",
+                landmark.name
+            );
+            for (row, height) in envelope.heights.iter().enumerate() {
+                let cells = (0..TILTS.len()).filter_map(|tilt| envelope.at(row, tilt));
+                let cells: Vec<String> =
+                    cells.map(|c| format!("{}/{}", c.found, c.looks)).collect();
+                println!("{height:8.0} m  {}", cells.join("  "));
+            }
+            envelope
+        })
+        .collect()
+}
+
 /// Measures each landmark over the map.
 fn expected(arguments: &Arguments, ground: &Ground, ground_down: f64) -> Vec<PlannedLandmark> {
-    let settings = &ground.mission.navigator;
     let days: Vec<Arc<dyn Imagery>> = (0..VIEWS.1 as u64)
         .map(|day| ground.days.day(arguments.seed.wrapping_mul(2000) + day))
         .collect();
     let mut landmarks = Vec::new();
     for landmark in ground.mission.landmarks.iter().filter(|l| l.enabled) {
         let circumstances = Circumstances {
-            camera: ground.camera.clone(),
-            height: ground.height,
-            position: 5.0,
-            sensors: settings.sensors,
-            detector: settings.detector,
             ground_down,
+            ..circumstances(ground)
         };
         let map = Arc::clone(&ground.map);
+        let begun = std::time::Instant::now();
         let mut assessor = Assessor::over(landmark, map, &days, circumstances, arguments.seed);
         for _ in 0..VIEWS.0 {
             assessor.look();
         }
         let expected = assessor.expected();
         println!(
-            "{:24} found {}, false {:.3}",
+            "{:24} found {}, false {:.3}, {:.1} s",
             landmark.name,
             expected.map_or_else(
                 || "never: it does not fit into the picture".to_owned(),
                 |e| format!("{:.2}", e.probability())
             ),
-            assessor.false_matches()
+            assessor.false_matches(),
+            begun.elapsed().as_secs_f64()
         );
         landmarks.push(PlannedLandmark {
             landmark: landmark.clone(),
@@ -392,6 +481,7 @@ fn predict(
         plan,
         settings,
         landmarks: &landmarks,
+        wind_deviation: settings.start.wind,
         worlds: 100,
         seed: arguments.seed,
         limit: arguments.limit,

@@ -65,6 +65,7 @@ pub struct Navigator {
     next: usize,
     time: f64,
     unaided: DVector<f64>,
+    sparing: bool,
 }
 
 impl Navigator {
@@ -118,8 +119,17 @@ impl Navigator {
             next: 0,
             time: start.time,
             unaided,
+            sparing: false,
             flight,
         })
+    }
+
+    /// Asks only for pictures in which a landmark may lie: for studies of many flights, whose pictures
+    /// nobody looks at. What cannot be read where there is nothing to see is not told then.
+    #[must_use]
+    pub fn sparing(mut self) -> Self {
+        self.sparing = true;
+        self
     }
 
     /// The run without its steps.
@@ -152,9 +162,8 @@ impl Navigator {
         stopwatch: &dyn Fn() -> f64,
     ) -> Option<Result<StepReport, NavigatorError>> {
         let tick = *self.ticks.get(self.next)?;
-        let picture = tick.frame.map(|index| (index, frames.picture(index)));
         self.next += 1;
-        let step = self.step(tick.time, picture, stopwatch);
+        let step = self.step(tick, frames, stopwatch);
         if step.is_err() {
             self.next = self.ticks.len();
         }
@@ -166,11 +175,12 @@ impl Navigator {
 
     fn step(
         &mut self,
-        time: f64,
-        picture: Option<(usize, Result<Picture, crate::flight::FrameError>)>,
+        tick: Tick,
+        frames: &mut dyn FrameSource,
         stopwatch: &dyn Fn() -> f64,
     ) -> Result<StepReport, FilterError> {
         let begun = stopwatch();
+        let time = tick.time;
         let dt = time - self.time;
         let (input, control) = self.control(self.time + 0.5 * dt, time);
         let predicted = self.engine.predict(&input, dt)?;
@@ -197,13 +207,19 @@ impl Navigator {
                 update: 0.0,
             },
         };
-        if let Some((index, picture)) = picture {
-            match picture {
-                Ok(picture) => self.look(index, &picture, &mut report, stopwatch)?,
-                Err(trouble) => {
-                    report.frame = Some(self.blind(index, &report, trouble.to_string()));
+        if let Some(index) = tick.frame {
+            let trouble = if !self.sparing || self.may_see(index, &report) {
+                match frames.picture(index) {
+                    Ok(picture) => {
+                        self.look(index, &picture, &mut report, stopwatch)?;
+                        return Ok(report);
+                    }
+                    Err(trouble) => Some(trouble.to_string()),
                 }
-            }
+            } else {
+                None
+            };
+            report.frame = Some(self.blind(index, &report, trouble));
         }
         Ok(report)
     }
@@ -265,7 +281,21 @@ impl Navigator {
             .collect()
     }
 
-    fn blind(&self, index: usize, report: &StepReport, trouble: String) -> FrameReport {
+    /// Whether any landmark may lie in frame `index`.
+    fn may_see(&self, index: usize, report: &StepReport) -> bool {
+        let camera = self.camera_of_frame(index);
+        let model = self.appearance_model(&camera, &report.control);
+        let pose = model.pose(report.predicted.position(), self.engine.heading_bias());
+        let seer = Seer {
+            settings: &self.settings,
+            engine: self.engine.as_ref(),
+            model,
+            pose,
+        };
+        !seer.candidates(&self.landmarks).is_empty()
+    }
+
+    fn blind(&self, index: usize, report: &StepReport, trouble: Option<String>) -> FrameReport {
         let camera = self.camera_of_frame(index);
         let model = self.appearance_model(&camera, &report.control);
         FrameReport {
@@ -274,7 +304,7 @@ impl Navigator {
             footprint: self.footprint(&model, report),
             candidates: Vec::new(),
             joint: None,
-            trouble: Some(trouble),
+            trouble,
         }
     }
 

@@ -44,6 +44,8 @@ pub struct Circumstances {
     pub detector: TemplateSettings,
     /// Down coordinate of the ground plane, metres.
     pub ground_down: f64,
+    /// Tilt of the camera, in any direction, of which the filter knows: a bank angle, radians.
+    pub tilt: f64,
 }
 
 /// How one view went.
@@ -53,6 +55,12 @@ pub struct View {
     pub day: usize,
     /// Heading of the camera, radians.
     pub heading: f64,
+    /// Height of the camera above ground, metres.
+    pub height: f64,
+    /// Tilt of the camera of which the filter knew, radians.
+    pub tilt: f64,
+    /// Tilt of the camera of which it did not know, radians.
+    pub attitude_error: f64,
     /// Distance of the landmark from the middle of the picture, pixels.
     pub off_centre: f64,
     /// What the detector said.
@@ -130,14 +138,72 @@ impl Assessor {
     pub fn look(&mut self) -> Option<View> {
         let day = self.views.len() % self.days.len();
         let heading = TAU * self.random.random::<f64>();
+        let margin = self.margin(heading)?;
+        let camera = &self.circumstances.camera;
+        let (w, h) = (camera.width as f64, camera.height as f64);
+        // Where the middle of the landmark shall appear: anywhere so that all of it is in the picture.
+        let wanted = Point2::new(
+            margin + (w - 2.0 * margin) * self.random.random::<f64>(),
+            margin + (h - 2.0 * margin) * self.random.random::<f64>(),
+        );
+        self.glance(day, heading, wanted)
+    }
+
+    /// The next view from another height (metres) with another tilt (radians).
+    pub fn look_from(&mut self, height: f64, tilt: f64) -> Option<View> {
+        let usual = (self.circumstances.height, self.circumstances.tilt);
+        (self.circumstances.height, self.circumstances.tilt) = (height, tilt);
+        let view = self.look();
+        (self.circumstances.height, self.circumstances.tilt) = usual;
+        view
+    }
+
+    /// Flies over the landmark once, at `speed` m/s with a picture every `period` seconds: on any of the
+    /// days, on any heading, to one side of it or the other. The views in which it lies whole.
+    pub fn pass(&mut self, speed: f64, period: f64) -> Vec<View> {
+        let day = self.random.random_range(0..self.days.len());
+        let heading = TAU * self.random.random::<f64>();
+        let Some(margin) = self.margin(heading) else {
+            return Vec::new();
+        };
+        let c = &self.circumstances;
+        let (w, h) = (c.camera.width as f64, c.camera.height as f64);
+        let step = speed * period * c.camera.focal / c.height;
+        let x = margin + (w - 2.0 * margin) * self.random.random::<f64>();
+        let mut y = margin + step * self.random.random::<f64>();
+        let mut views = Vec::new();
+        while y <= h - margin {
+            views.extend(self.glance(day, heading, Point2::new(x, y)));
+            y += step;
+        }
+        views
+    }
+
+    /// Pixels between the middle of the landmark and the picture's edge at the least; `None` if it does
+    /// not fit into the picture.
+    fn margin(&self, heading: f64) -> Option<f64> {
+        let c = &self.circumstances;
+        let b = self.landmark.bounds;
+        let half = 0.5 * b.width().hypot(b.height()) * c.camera.focal / c.height;
+        let turned = heading.sin().abs() + heading.cos().abs();
+        let margin = half / 2.0_f64.sqrt() * turned + 1.0;
+        let shorter = c.camera.width.min(c.camera.height) as f64;
+        (2.0 * margin < shorter).then_some(margin)
+    }
+
+    /// Looks on a day, on a heading, with the middle of the landmark at pixel `wanted`.
+    fn glance(&mut self, day: usize, heading: f64, wanted: Point2<f64>) -> Option<View> {
         let c = self.circumstances.clone();
-        let tilt = [
+        let margin = self.margin(heading)?;
+        let (sin, cos) = (TAU * self.random.random::<f64>()).sin_cos();
+        let known = [c.tilt * cos, c.tilt * sin];
+        let unknown = [
             self.normal() * c.sensors.roll,
             self.normal() * c.sensors.pitch,
         ];
         let attitude = Attitude {
-            roll: tilt[0],
-            pitch: tilt[1],
+            roll: known[0] + unknown[0],
+            pitch: known[1] + unknown[1],
             yaw: heading,
         };
         let camera = &c.camera;
@@ -145,19 +211,7 @@ impl Assessor {
             position_in_world: Point3::new(north, east, c.ground_down - c.height),
             attitude,
         };
-        // Where the middle of the landmark shall appear: anywhere so that all of it is in the picture.
         let b = self.landmark.bounds;
-        let half = 0.5 * b.width().hypot(b.height()) * camera.focal / c.height;
-        let (w, h) = (camera.width as f64, camera.height as f64);
-        let turned = heading.sin().abs() + heading.cos().abs();
-        let margin = half / 2.0_f64.sqrt() * turned + 1.0;
-        if 2.0 * margin >= w.min(h) {
-            return None;
-        }
-        let wanted = Point2::new(
-            margin + (w - 2.0 * margin) * self.random.random::<f64>(),
-            margin + (h - 2.0 * margin) * self.random.random::<f64>(),
-        );
         let seen = camera.ground_at(&over(0.0, 0.0), &wanted, c.ground_down)?;
         let middle = b.center();
         let pose = over(middle.north - seen.north, middle.east - seen.east);
@@ -169,8 +223,8 @@ impl Assessor {
                     self.normal() * c.sensors.height,
                 ),
             attitude: Attitude {
-                roll: 0.0,
-                pitch: 0.0,
+                roll: known[0],
+                pitch: known[1],
                 yaw: heading + self.normal() * c.sensors.yaw,
             },
         };
@@ -215,6 +269,9 @@ impl Assessor {
         let view = View {
             day,
             heading,
+            height: c.height,
+            tilt: c.tilt,
+            attitude_error: unknown[0].hypot(unknown[1]),
             off_centre: (wanted - camera.principal).norm(),
             sighting,
             error,
@@ -258,27 +315,25 @@ fn crop(camera: &CameraModel, middle: &Point2<f64>, half: f64) -> CameraModel {
     }
 }
 
-/// A landmark is recognised on a day if it is found in any view of that day; both shares are shrunk by
-/// half a success and half a failure (Jeffreys' prior).
+/// A landmark is recognised on a day if it is found in any view of that day. The share of all views in
+/// which it is found is shrunk by half a success and half a failure (Jeffreys' prior), and so is that of
+/// the days; what is left for a frame of a good day follows, so that their product is the former.
 fn expected(views: &[View], days: usize) -> Option<ExpectedDetection> {
     if views.is_empty() {
         return None;
     }
     let shrunk = |hits: usize, of: usize| (hits as f64 + 0.5) / (of as f64 + 1.0);
     let on = |day: usize| views.iter().filter(move |v| v.day == day);
-    let flown: Vec<usize> = (0..days).filter(|d| on(*d).next().is_some()).collect();
-    let good: Vec<usize> = flown
-        .iter()
-        .copied()
-        .filter(|d| on(*d).any(View::found))
-        .collect();
+    let flown = (0..days).filter(|d| on(*d).next().is_some());
+    let good = flown.clone().filter(|d| on(*d).any(View::found));
     let found: Vec<&View> = views.iter().filter(|v| v.found()).collect();
-    let tried = good.iter().map(|d| on(*d).count()).sum();
     let covariances = found.iter().filter_map(|v| v.sighting.best());
     let sum: Matrix4<f64> = covariances.map(|d| d.covariance).sum();
+    let overall = shrunk(found.len(), views.len());
+    let recognised = shrunk(good.count(), flown.count()).max(overall);
     Some(ExpectedDetection {
-        recognised: shrunk(good.len(), flown.len()),
-        per_frame: shrunk(found.len(), tried),
+        recognised,
+        per_frame: overall / recognised,
         covariance: sum / found.len().max(1) as f64,
     })
 }
@@ -312,6 +367,7 @@ mod tests {
             sensors: mission.navigator.sensors,
             detector: mission.navigator.detector,
             ground_down: 0.0,
+            tilt: 0.0,
         };
         let days = SceneryDays { seed: DEMO_SEED };
         let mut assessor = Assessor::new(landmark, map, &days, 3, circumstances, 11);

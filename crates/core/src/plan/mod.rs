@@ -2,32 +2,40 @@
 
 mod assess;
 mod blind_way;
+mod calibration;
 mod corridor;
 mod days;
 mod detection;
+mod envelope;
 mod field;
 mod find;
 mod graph;
+mod honesty;
 mod no_fly;
 mod offered;
 mod prediction;
 mod propagate;
+mod random_route;
 mod smooth;
 mod suggest;
 mod view;
 
 pub use assess::{Assessor, Circumstances, View};
-pub use corridor::{Corridor, corridor};
+pub use calibration::{Pass, Reliability, ReliabilityBin};
+pub use corridor::{Belief, Corridor, corridor};
 pub use days::{OtherDays, PictureDays, SceneryDays, any_day};
 pub use detection::{DetectionStatistics, ExpectedDetection};
+pub use envelope::{Envelope, EnvelopeSurvey, Tally, tally_by};
 pub use field::{FieldBuilder, FieldView, FixSource, Localizability};
 pub use find::{
     Aim, BudgetOf, FindError, Forbidden, FoundRoute, FoundRoutes, RouteQuestion, RouteSearch,
 };
+pub use honesty::{Comparison, Verification, compare};
 pub use no_fly::{NoFlyArea, inside};
 pub use offered::OfferedField;
 pub use prediction::{
     PlannedLandmark, Prediction, PredictionError, PredictionRequest, PredictionSample, Stretch,
 };
+pub use random_route::{random_places, random_route};
 pub use smooth::{Turns, fits};
 pub use suggest::{Candidate, Ranking, Suggestion, choose, poses_all_over, poses_over};

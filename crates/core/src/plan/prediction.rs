@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::DetectionStatistics;
-use super::corridor::{Corridor, corridor};
+use super::corridor::{Corridor, corridor, gaussian_points};
 use super::propagate::{Moment, Propagation};
 use crate::frames::GroundPoint;
 use crate::landmark::Landmark;
@@ -14,6 +14,12 @@ use crate::simulate::{FlightPlan, TrueFlight};
 const PROBABILITY: f64 = 0.95;
 /// A frame in which a landmark is found with this probability counts as a fix.
 const LIKELY: f64 = 0.5;
+/// Winds that are tried at least where the wind is uncertain.
+const WINDS_AT_LEAST: usize = 4;
+/// Beyond those, worlds per wind.
+const WORLDS_PER_WIND: usize = 6;
+/// Moments of the plan that a flight may be ahead of the one compared last: a tail wind, a cut corner.
+const AHEAD: usize = 20;
 
 /// A landmark and what is expected of its detection.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,7 +39,9 @@ pub struct PredictionRequest<'a> {
     pub settings: &'a NavigatorSettings,
     /// The landmarks over which it leads.
     pub landmarks: &'a [PlannedLandmark],
-    /// Worlds to try: ways in which the detections may turn out. 8 are coarse, 100 are fine.
+    /// Standard deviation of the wind about the plan's, per axis, m/s; zero where it is known.
+    pub wind_deviation: f64,
+    /// Worlds to try: ways in which wind and detections may turn out. 8 are coarse, 100 are fine.
     pub worlds: usize,
     /// Seed of the worlds.
     pub seed: u64,
@@ -108,22 +116,106 @@ impl Prediction {
 impl PredictionRequest<'_> {
     /// Predicts the uncertainty of the position along the route.
     ///
-    /// The covariance of the filter is propagated along the flight as planned with the process noise of
-    /// the settings and corrected by the landmarks that lie in each frame, in `worlds` worlds that
-    /// differ in what is recognised, in the shake of the camera and in what is missed; see
-    /// [`corridor`].
+    /// The route is flown in several winds, each with a ground speed, a crab angle and gusts of its own
+    /// (where the wind is uncertain), and in each the covariance of the filter is propagated with the
+    /// process noise of the settings and corrected by the landmarks that lie in each frame, in worlds
+    /// that differ in what is recognised, in the shake of the camera and in what is missed. Beside it
+    /// goes the error that this filter then truly has; see [`corridor`]. Flights are brought together
+    /// where they are, not when: against the wind a place is reached later.
     pub fn predict(&self) -> Result<Prediction, PredictionError> {
         let flight = self.plan.nominal().ok_or(PredictionError::NoRoute)?;
-        let moments = vehicle(self.settings).visit(Propagation {
-            request: self,
-            flight: &flight,
-        })?;
-        let samples = samples(&flight, moments)?;
+        let uncertain = self.wind_deviation > 0.0;
+        let worlds = self.worlds.max(1);
+        let winds = if uncertain {
+            worlds.min(WINDS_AT_LEAST + worlds / WORLDS_PER_WIND)
+        } else {
+            1
+        };
+        let mut ways = Vec::with_capacity(winds);
+        for (number, point) in gaussian_points(winds).enumerate() {
+            let wind = self.plan.wind + self.wind_deviation * point;
+            let other = uncertain
+                .then(|| {
+                    FlightPlan {
+                        wind,
+                        ..self.plan.clone()
+                    }
+                    .nominal()
+                })
+                .flatten();
+            ways.push(vehicle(self.settings).visit(Propagation {
+                request: self,
+                flight: other.as_ref().unwrap_or(&flight),
+                worlds: worlds.div_ceil(winds),
+                seed: self.seed.wrapping_mul(1000) + number as u64,
+                unknown_wind: uncertain.then_some(wind),
+            })?);
+        }
+        let samples = samples(&flight, together(&self.track(&flight), &ways))?;
         Ok(Prediction {
             over_limit: stretches(&samples, self.limit),
             samples,
         })
     }
+
+    /// States of `flight` at which the camera takes a picture, and where that is.
+    fn track(&self, flight: &TrueFlight) -> Vec<(usize, GroundPoint)> {
+        let period = 1.0 / self.plan.sensors.frame_rate;
+        let mut next = flight.states.first().map_or(0.0, |s| s.time);
+        let mut track = Vec::new();
+        for (index, state) in flight.states.iter().enumerate() {
+            if state.time >= next - 1e-6 {
+                next += period;
+                let place = GroundPoint::new(state.position.x, state.position.y);
+                track.push((index, place));
+            }
+        }
+        track
+    }
+}
+
+/// Index of the place that lies nearest to `place`, from `last` on and no further ahead than a flight
+/// may be: a route comes back to where it was.
+pub(super) fn nearest_ahead(
+    places: impl Fn(usize) -> Option<GroundPoint>,
+    last: usize,
+    place: &GroundPoint,
+) -> usize {
+    let ahead = (last..last + AHEAD).map_while(|i| places(i).map(|p| (i, p.distance(place))));
+    ahead
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .map_or(last, |(i, _)| i)
+}
+
+/// What all ways come to at the places of `track`.
+fn together(track: &[(usize, GroundPoint)], ways: &[Vec<Moment>]) -> Vec<Moment> {
+    let mut reached = vec![0; ways.len()];
+    track
+        .iter()
+        .map(|(state, place)| {
+            let mut all = Moment {
+                state: *state,
+                place: *place,
+                beliefs: Vec::new(),
+                found: Vec::new(),
+                any: 0.0,
+            };
+            let share = 1.0 / ways.len() as f64;
+            for (way, last) in ways.iter().zip(&mut reached) {
+                *last = nearest_ahead(|i| way.get(i).map(|m| m.place), *last, place);
+                let Some(moment) = way.get(*last) else {
+                    continue;
+                };
+                all.beliefs.extend(&moment.beliefs);
+                all.found.resize(moment.found.len(), 0.0);
+                for (sum, found) in all.found.iter_mut().zip(&moment.found) {
+                    *sum += share * found;
+                }
+                all.any += share * moment.any;
+            }
+            all
+        })
+        .collect()
 }
 
 fn samples(
@@ -153,7 +245,7 @@ fn samples(
         if moment.any > LIKELY {
             fix = state.time;
         }
-        let corridor = corridor(&moment.covariances, course, PROBABILITY)
+        let corridor = corridor(&moment.beliefs, course, PROBABILITY)
             .ok_or(PredictionError::NotFinite { time: state.time })?;
         samples.push(PredictionSample {
             time: state.time,
@@ -223,6 +315,7 @@ mod tests {
             plan: &scenario.plan(&Overrides::default()),
             settings: &scenario.navigator(),
             landmarks,
+            wind_deviation: 0.0,
             worlds,
             seed: 7,
             limit: 10.0,

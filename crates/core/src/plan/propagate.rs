@@ -1,38 +1,49 @@
 //! The filter's covariance along a planned flight, in many worlds at once.
 
-use nalgebra::{DMatrix, Matrix2, Matrix4, SMatrix, SVector, Vector3};
+use nalgebra::{DMatrix, Matrix2, Matrix4, SMatrix, SVector, Vector2, Vector3};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
+use super::corridor::Belief;
 use super::prediction::{PredictionError, PredictionRequest};
 use super::view::{Look, PlannedFrame};
 use crate::filter::numerical_jacobian;
 use crate::flight::TruthState;
 use crate::frames::{GroundPoint, Pose};
 use crate::navigator::geometry::{COMPONENTS, joint_noise, pose_covariance};
-use crate::simulate::TrueFlight;
+use crate::simulate::{TrueFlight, Turbulence};
 use crate::vehicle::{ControlInput, VehicleModel, VehicleVisitor};
 
 /// Longest step of the covariance, seconds.
 const LONGEST_STEP: f64 = 0.5;
 
-/// What the worlds have come to at one frame of the plan.
+/// What the worlds of one wind have come to at one frame.
+#[derive(Clone, Debug)]
 pub(super) struct Moment {
-    /// Index of the state of the flight.
+    /// Index of the state of the flight in that wind.
     pub state: usize,
-    /// Position covariance of each world after the frame.
-    pub covariances: Vec<Matrix2<f64>>,
+    /// Where the aircraft is then.
+    pub place: GroundPoint,
+    /// Error of the position in each world after the frame: truth minus estimate.
+    pub beliefs: Vec<Belief>,
     /// For each landmark the share of the worlds in which it was found in this frame.
     pub found: Vec<f64>,
     /// Share of the worlds in which any was found.
     pub any: f64,
 }
 
-/// Propagates every world along the planned flight.
+/// Propagates worlds along the flight in one wind.
 pub(super) struct Propagation<'a> {
     pub request: &'a PredictionRequest<'a>,
+    /// The flight as it goes in this wind.
     pub flight: &'a TrueFlight,
+    /// How often it may turn out in another way in this wind.
+    pub worlds: usize,
+    /// Seed of those ways.
+    pub seed: u64,
+    /// What the filter is not told of the wind (north, east), m/s; its prior is of no wind at all.
+    pub unknown_wind: Option<Vector2<f64>>,
 }
 
 impl VehicleVisitor for Propagation<'_> {
@@ -46,19 +57,17 @@ impl VehicleVisitor for Propagation<'_> {
         let plan = request.plan;
         let states = &self.flight.states;
         let first = states.first().ok_or(PredictionError::NoRoute)?;
-        let start = GroundPoint::new(first.position.x, first.position.y);
-        let prior = model
-            .prior(start, request.settings.start.position)
-            .covariance;
         let bias = model
             .state_names()
             .iter()
             .position(|n| *n == "heading bias");
-        let mut random = ChaCha8Rng::seed_from_u64(request.seed);
-        let mut worlds: Vec<World<N>> = (0..request.worlds.max(1))
+        let gusty = self.gusts_of(&model);
+        let mut random = ChaCha8Rng::seed_from_u64(self.seed);
+        let prior = self.prior(&model, &gusty, first);
+        let mut worlds: Vec<World<N>> = (0..self.worlds.max(1))
             .map(|_| World {
-                covariance: prior,
                 recognised: request.landmarks.iter().map(|_| random.random()).collect(),
+                ..prior.clone()
             })
             .collect();
         let pose_noise = pose_covariance(&request.settings.sensors);
@@ -74,10 +83,10 @@ impl VehicleVisitor for Propagation<'_> {
                 continue;
             }
             if dt > 0.0 {
-                let (transition, noise) = step(&model, state, self.flight.airspeeds[index], dt)?;
+                let airspeed = self.flight.airspeeds[index];
+                let step = step((&model, &gusty), state, airspeed, dt)?;
                 for world in &mut worlds {
-                    world.covariance =
-                        transition * world.covariance * transition.transpose() + noise;
+                    world.predict(&step);
                 }
                 time = state.time;
             }
@@ -85,45 +94,11 @@ impl VehicleVisitor for Propagation<'_> {
                 continue;
             }
             next_frame += period;
-            let frame = PlannedFrame {
-                camera: &plan.camera,
-                pose: Pose {
-                    position_in_world: state.position,
-                    attitude: state.attitude.unwrap_or_default(),
-                },
-                ground_down: plan.ground_down,
-            };
-            let looks: Vec<Look> = request
-                .landmarks
-                .iter()
-                .enumerate()
-                .filter_map(|(i, l)| frame.look(i, l, &request.settings.sensors))
-                .collect();
-            let mut found = vec![0.0; request.landmarks.len()];
-            let mut any = 0.0;
-            let share = 1.0 / worlds.len() as f64;
-            for world in worlds.iter_mut().filter(|_| !looks.is_empty()) {
-                let shake = self.shake(&mut random);
-                let seen: Vec<&Look> = looks
-                    .iter()
-                    .filter(|look| {
-                        let chance: f64 = random.random();
-                        world.recognised[look.landmark] < look.recognised
-                            && chance < look.per_frame
-                            && frame.holds(&request.landmarks[look.landmark], &shake)
-                    })
-                    .collect();
-                for look in &seen {
-                    found[look.landmark] += share;
-                }
-                if !seen.is_empty() {
-                    any += share;
-                    world.correct(&seen, bias, &pose_noise)?;
-                }
-            }
+            let (found, any) = self.look(state, &mut worlds, bias, &pose_noise, &mut random)?;
             moments.push(Moment {
                 state: index,
-                covariances: worlds.iter().map(World::position).collect(),
+                place: GroundPoint::new(state.position.x, state.position.y),
+                beliefs: worlds.iter().map(World::position).collect(),
                 found,
                 any,
             });
@@ -133,6 +108,94 @@ impl VehicleVisitor for Propagation<'_> {
 }
 
 impl Propagation<'_> {
+    /// The vehicle in the gusts that go with this wind (MIL-F-8785C), whatever the filter is told of
+    /// them.
+    fn gusts_of<const N: usize, V: VehicleModel<N> + Clone>(&self, model: &V) -> V {
+        let Some(wind) = self.unknown_wind else {
+            return model.clone();
+        };
+        let gusts = Turbulence::low_altitude(self.request.plan.height, wind.norm());
+        model.in_gusts(gusts.intensity.x, self.request.settings.process.gust_time)
+    }
+
+    /// What the filter believes at the start, and how it errs: of a wind that is known here its error
+    /// is known, too.
+    fn prior<const N: usize, V: VehicleModel<N>>(
+        &self,
+        model: &V,
+        gusty: &V,
+        first: &TruthState,
+    ) -> World<N> {
+        let start = GroundPoint::new(first.position.x, first.position.y);
+        let deviation = self.request.settings.start.position;
+        let covariance = model.prior(start, deviation).covariance;
+        let mut scatter = gusty.prior(start, deviation).covariance;
+        let mut error = SVector::zeros();
+        if let Some((i, wind)) = model.wind_index().zip(self.unknown_wind) {
+            for axis in 0..2 {
+                error[i + axis] = wind[axis];
+                scatter.row_mut(i + axis).fill(0.0);
+                scatter.column_mut(i + axis).fill(0.0);
+            }
+        }
+        World {
+            covariance,
+            error,
+            scatter,
+            recognised: Vec::new(),
+        }
+    }
+
+    /// Lets every world look from `state`; the share of the worlds in which each landmark is found, and
+    /// of those in which any is.
+    fn look<const N: usize>(
+        &self,
+        state: &TruthState,
+        worlds: &mut [World<N>],
+        bias: Option<usize>,
+        pose_noise: &Matrix4<f64>,
+        random: &mut ChaCha8Rng,
+    ) -> Result<(Vec<f64>, f64), PredictionError> {
+        let request = self.request;
+        let frame = PlannedFrame {
+            camera: &request.plan.camera,
+            pose: Pose {
+                position_in_world: state.position,
+                attitude: state.attitude.unwrap_or_default(),
+            },
+            ground_down: request.plan.ground_down,
+        };
+        let looks: Vec<Look> = request
+            .landmarks
+            .iter()
+            .enumerate()
+            .filter_map(|(i, l)| frame.look(i, l, &request.settings.sensors))
+            .collect();
+        let mut found = vec![0.0; request.landmarks.len()];
+        let mut any = 0.0;
+        let share = 1.0 / worlds.len() as f64;
+        for world in worlds.iter_mut().filter(|_| !looks.is_empty()) {
+            let shake = self.shake(random);
+            let seen: Vec<&Look> = looks
+                .iter()
+                .filter(|look| {
+                    let chance: f64 = random.random();
+                    world.recognised[look.landmark] < look.recognised
+                        && chance < look.per_frame
+                        && frame.holds(&request.landmarks[look.landmark], &shake)
+                })
+                .collect();
+            for look in &seen {
+                found[look.landmark] += share;
+            }
+            if !seen.is_empty() {
+                any += share;
+                world.correct(&seen, bias, pose_noise)?;
+            }
+        }
+        Ok((found, any))
+    }
+
     /// Error of the camera's attitude in one frame of one world (roll, pitch, yaw), radians.
     fn shake(&self, random: &mut impl Rng) -> Vector3<f64> {
         let sensors = &self.request.settings.sensors;
@@ -143,13 +206,20 @@ impl Propagation<'_> {
     }
 }
 
-/// Transition and process noise over a step of the plan that ends in `state`.
+/// A step of the plan: how errors move, what the filter believes is added to them, and what truly is.
+struct Step<const N: usize> {
+    transition: SMatrix<f64, N, N>,
+    believed: SMatrix<f64, N, N>,
+    true_noise: SMatrix<f64, N, N>,
+}
+
+/// The step that ends in `state`, for the filter's model and the vehicle as it is.
 fn step<const N: usize, V: VehicleModel<N>>(
-    model: &V,
+    (model, vehicle): (&V, &V),
     state: &TruthState,
     airspeed: f64,
     dt: f64,
-) -> Result<(SMatrix<f64, N, N>, SMatrix<f64, N, N>), PredictionError> {
+) -> Result<Step<N>, PredictionError> {
     let input = ControlInput::new(airspeed, state.attitude.unwrap_or_default());
     let mut place = SVector::<f64, N>::zeros();
     place[0] = state.position.x;
@@ -163,22 +233,47 @@ fn step<const N: usize, V: VehicleModel<N>>(
         &place,
     )
     .ok_or(PredictionError::NotFinite { time: state.time })?;
-    Ok((transition, model.process_noise(&place, &input, dt)))
+    Ok(Step {
+        transition,
+        believed: model.process_noise(&place, &input, dt),
+        true_noise: vehicle.process_noise(&place, &input, dt),
+    })
 }
 
 /// One way in which the flight may turn out.
+///
+/// The filter weighs by what it is told; what it is told is not quite so. Both are carried along: the
+/// covariance that the filter computes, from which its gain follows, and the mean and covariance of its
+/// true error under that gain (Jazwinski 1970, 7.8; Gelb 1974, 7.2).
+#[derive(Clone)]
 struct World<const N: usize> {
+    /// The filter's own covariance.
     covariance: SMatrix<f64, N, N>,
+    /// Mean of truth minus estimate.
+    error: SVector<f64, N>,
+    /// Covariance of truth minus estimate.
+    scatter: SMatrix<f64, N, N>,
     /// For each landmark a number from 0 to 1: it can be recognised where that is more probable.
     recognised: Vec<f64>,
 }
 
 impl<const N: usize> World<N> {
-    fn position(&self) -> Matrix2<f64> {
-        Matrix2::from_fn(|i, j| self.covariance[(i, j)])
+    fn position(&self) -> Belief {
+        Belief {
+            mean: Vector2::new(self.error[0], self.error[1]),
+            covariance: Matrix2::from_fn(|i, j| self.scatter[(i, j)]),
+        }
     }
 
-    /// Corrects with the landmarks that were seen, in Joseph's form, which stays positive.
+    fn predict(&mut self, step: &Step<N>) {
+        let f = &step.transition;
+        self.covariance = f * self.covariance * f.transpose() + step.believed;
+        self.scatter = f * self.scatter * f.transpose() + step.true_noise;
+        self.error = f * self.error;
+    }
+
+    /// Corrects with the landmarks that were seen, in Joseph's form, which stays positive and holds for
+    /// any gain.
     fn correct(
         &mut self,
         seen: &[&Look],
@@ -208,8 +303,16 @@ impl<const N: usize> World<N> {
             .ok_or(PredictionError::NotFinite { time: f64::NAN })?;
         let gain = root.solve(&cross.transpose()).transpose();
         let kept = DMatrix::identity(N, N) - &gain * slope;
-        let after = &kept * before * kept.transpose() + &gain * noise * gain.transpose();
-        self.covariance = SMatrix::from_fn(|i, j| 0.5 * (after[(i, j)] + after[(j, i)]));
+        let kept = SMatrix::<f64, N, N>::from_fn(|i, j| kept[(i, j)]);
+        let added = &gain * noise * gain.transpose();
+        let added = SMatrix::<f64, N, N>::from_fn(|i, j| added[(i, j)]);
+        let joseph = |before: &SMatrix<f64, N, N>| {
+            let after = kept * before * kept.transpose() + added;
+            (after + after.transpose()) * 0.5
+        };
+        self.covariance = joseph(&self.covariance);
+        self.scatter = joseph(&self.scatter);
+        self.error = kept * self.error;
         Ok(())
     }
 }

@@ -119,14 +119,16 @@ impl FlightPlan {
         })
     }
 
-    /// The same plan in a wind drawn by `seed` with `deviation` m/s per axis, for studies over winds.
+    /// The same plan in a wind drawn by `seed` about the plan's with `deviation` m/s per axis, for
+    /// studies over winds.
     #[must_use]
     pub fn in_wind_of(&self, seed: u64, deviation: f64) -> Self {
         let mut random = Stream::Wind.random(seed);
-        let wind = Vector2::from_fn(|_, _| {
+        let about = Vector2::from_fn(|_, _| {
             let z: f64 = StandardNormal.sample(&mut random);
             deviation * z
         });
+        let wind = self.wind + about;
         Self {
             wind,
             ..self.clone()

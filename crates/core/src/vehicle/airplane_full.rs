@@ -103,6 +103,16 @@ impl VehicleModel<8> for AirplaneFull {
         Gaussian::from_standard_deviations(mean, &deviations)
     }
 
+    fn in_gusts(&self, deviation: f64, correlation_time: f64) -> Self {
+        Self {
+            gusts: Gusts {
+                deviation,
+                correlation_time,
+            },
+            ..*self
+        }
+    }
+
     fn wind_index(&self) -> Option<usize> {
         Some(2)
     }

@@ -68,6 +68,17 @@ pub trait VehicleModel<const N: usize> {
         None
     }
 
+    /// The same vehicle in gusts of `deviation` m/s per axis that fade over `correlation_time` seconds;
+    /// itself where the model knows no gusts.
+    #[must_use]
+    fn in_gusts(&self, deviation: f64, correlation_time: f64) -> Self
+    where
+        Self: Sized + Clone,
+    {
+        let _ = (deviation, correlation_time);
+        self.clone()
+    }
+
     /// The steady wind of a state: velocity of the air, m/s north and east.
     fn wind(&self, state: &SVector<f64, N>) -> Option<Vector2<f64>> {
         self.wind_index()

@@ -95,6 +95,7 @@ impl Assess {
             sensors: order.navigator.sensors,
             detector: order.navigator.detector,
             ground_down: order.ground_down,
+            tilt: 0.0,
         };
         Ok(Assessor::over(
             &order.landmark,

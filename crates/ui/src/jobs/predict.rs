@@ -73,6 +73,7 @@ impl PredictionOrder {
             plan: &plan,
             settings: &self.navigator,
             landmarks: &landmarks,
+            wind_deviation: self.navigator.start.wind,
             worlds: self.worlds,
             seed: SEED,
             limit: f64::INFINITY,

@@ -1,0 +1,156 @@
+//! From where a landmark can be found: over heights and tilts of the camera.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Assessor, View};
+
+/// How often a landmark was found under some circumstances.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Tally {
+    /// Looks in which it lay whole in the picture.
+    pub looks: usize,
+    /// Those in which it was found.
+    pub found: usize,
+    /// Those in which a wrong place was accepted.
+    pub wrong: usize,
+}
+
+impl Tally {
+    /// Sums views up.
+    pub fn of<'a>(views: impl IntoIterator<Item = &'a View>) -> Self {
+        views.into_iter().fold(Self::default(), |sum, view| Self {
+            looks: sum.looks + 1,
+            found: sum.found + usize::from(view.found()),
+            wrong: sum.wrong + usize::from(view.wrong),
+        })
+    }
+
+    /// Share of the looks in which it was found; `None` without a look.
+    pub fn share(&self) -> Option<f64> {
+        (self.looks > 0).then(|| self.found as f64 / self.looks as f64)
+    }
+}
+
+/// Tallies of views between neighbouring `edges` (ascending) of `quantity`, e.g. the heading.
+pub fn tally_by(views: &[View], edges: &[f64], quantity: impl Fn(&View) -> f64) -> Vec<Tally> {
+    let within = |pair: &[f64]| {
+        let between = |view: &&View| (pair[0]..pair[1]).contains(&quantity(view));
+        Tally::of(views.iter().filter(between))
+    };
+    edges.windows(2).map(within).collect()
+}
+
+/// How often a landmark is found, over heights and tilts: what a view draws as a grid.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Envelope {
+    /// Heights of the camera above ground, metres.
+    pub heights: Vec<f64>,
+    /// Tilts of the camera that the filter knows of, radians.
+    pub tilts: Vec<f64>,
+    /// Height by height the tally of each tilt. No look where the landmark does not fit into the
+    /// picture.
+    pub cells: Vec<Tally>,
+}
+
+impl Envelope {
+    /// The tally at a height and a tilt, by their indices.
+    pub fn at(&self, height: usize, tilt: usize) -> Option<&Tally> {
+        let row = self.cells.chunks(self.tilts.len().max(1)).nth(height)?;
+        row.get(tilt)
+    }
+}
+
+/// Fills an envelope, a look a call, so that the caller can show progress and stop.
+pub struct EnvelopeSurvey {
+    assessor: Assessor,
+    envelope: Envelope,
+    each: usize,
+    done: usize,
+}
+
+impl EnvelopeSurvey {
+    /// `each` looks from every height (metres) with every tilt (radians).
+    pub fn new(assessor: Assessor, heights: Vec<f64>, tilts: Vec<f64>, each: usize) -> Self {
+        let cells = vec![Tally::default(); heights.len() * tilts.len()];
+        Self {
+            assessor,
+            envelope: Envelope {
+                heights,
+                tilts,
+                cells,
+            },
+            each,
+            done: 0,
+        }
+    }
+
+    /// Looks taken, and looks in all.
+    pub fn progress(&self) -> (usize, usize) {
+        (self.done, self.each * self.envelope.cells.len())
+    }
+
+    /// Takes the next look; false when all are taken. Cells take turns.
+    pub fn advance(&mut self) -> bool {
+        let (done, all) = self.progress();
+        if done >= all {
+            return false;
+        }
+        self.done += 1;
+        let cell = done % self.envelope.cells.len();
+        let tilts = self.envelope.tilts.len();
+        let height = self.envelope.heights[cell / tilts];
+        let tilt = self.envelope.tilts[cell % tilts];
+        if let Some(view) = self.assessor.look_from(height, tilt) {
+            let one = Tally::of([&view]);
+            let sum = &mut self.envelope.cells[cell];
+            sum.looks += one.looks;
+            sum.found += one.found;
+            sum.wrong += one.wrong;
+        }
+        true
+    }
+
+    /// What was found so far.
+    pub fn envelope(&self) -> &Envelope {
+        &self.envelope
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::imagery::CachedImagery;
+    use crate::plan::{Circumstances, SceneryDays};
+    use crate::simulate::Scenario;
+    use crate::simulate::scenery::DEMO_SEED;
+
+    #[test]
+    fn a_pool_is_found_from_its_usual_height_and_does_not_fit_into_a_picture_from_far_below() {
+        let scenario = Scenario::named("distinct-400ft-calm").unwrap();
+        let mission = scenario.mission();
+        let pool = mission.landmarks.last().unwrap();
+        let map = Arc::new(CachedImagery::new(Arc::new(Scenario::map()), 64));
+        let circumstances = Circumstances {
+            camera: Scenario::camera(),
+            height: scenario.height,
+            position: 4.0,
+            sensors: mission.navigator.sensors,
+            detector: mission.navigator.detector,
+            ground_down: 0.0,
+            tilt: 0.0,
+        };
+        let days = SceneryDays { seed: DEMO_SEED };
+        let assessor = Assessor::new(pool, map, &days, 1, circumstances, 5);
+        let (heights, tilts) = (vec![30.0, 122.0], vec![0.0, 0.3]);
+        let mut survey = EnvelopeSurvey::new(assessor, heights, tilts, 4);
+        while survey.advance() {}
+        let envelope = survey.envelope();
+        assert_eq!(survey.progress(), (16, 16));
+        assert_eq!(envelope.at(0, 0).unwrap().looks, 0);
+        let usual = envelope.at(1, 0).unwrap();
+        assert!(usual.looks == 4 && usual.found >= 3, "{envelope:?}");
+        assert!(envelope.at(1, 1).unwrap().looks >= 3, "{envelope:?}");
+    }
+}

@@ -1,0 +1,306 @@
+//! Whether a prediction is honest: flights beside what was predicted for them.
+
+use nalgebra::Vector2;
+use serde::{Deserialize, Serialize};
+
+use super::Prediction;
+use super::prediction::nearest_ahead;
+use crate::flight::Flight;
+use crate::frames::GroundPoint;
+use crate::navigator::Run;
+
+/// One frame of a flight beside the plan.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Comparison {
+    /// Distance along the planned path of the place with which it is compared, metres.
+    pub distance: f64,
+    /// Whether the error lies inside the predicted ellipse.
+    pub inside_ellipse: bool,
+    /// Whether it lies inside the predicted strip across the course.
+    pub inside_corridor: bool,
+    /// Square of the error, m².
+    pub squared: f64,
+    /// What was predicted for it, m².
+    pub predicted: f64,
+    /// What the filter believed of it, m².
+    pub believed: f64,
+    /// Error of the position over the filter's own covariance, squared; 2 on average if it is honest.
+    pub nees: f64,
+}
+
+/// Compares every frame of `flight` with the place of the prediction that it is over.
+///
+/// Empty for a flight without truth.
+pub fn compare(flight: &Flight, run: &Run, prediction: &Prediction) -> Vec<Comparison> {
+    let places = |i: usize| prediction.samples.get(i).map(|s| s.position);
+    let mut last = 0;
+    let with_frames = run.steps.iter().filter(|s| s.frame.is_some());
+    with_frames
+        .filter_map(|step| {
+            let truth = flight.truth.as_ref()?.position(step.time)?;
+            let truth = GroundPoint::new(truth.x, truth.y);
+            last = nearest_ahead(places, last, &truth);
+            let planned = prediction.samples.get(last)?;
+            let error = step.after.position().to_vector() - truth.to_vector();
+            let c = &planned.corridor;
+            let (sin, cos) = c.heading_of_major.sin_cos();
+            let major = Vector2::new(cos, sin).dot(&error);
+            let minor = Vector2::new(-sin, cos).dot(&error);
+            let distance = (major / c.sigma_major).hypot(minor / c.sigma_minor);
+            let across = Vector2::new(-planned.course.sin(), planned.course.cos()).dot(&error);
+            let covariance = step.after.position_covariance();
+            let weighted = covariance.cholesky()?.solve(&error);
+            Some(Comparison {
+                distance: planned.distance,
+                inside_ellipse: distance <= c.scale,
+                inside_corridor: across.abs() <= c.across,
+                squared: error.norm_squared(),
+                predicted: c.covariance.trace(),
+                believed: covariance.trace(),
+                nees: weighted.dot(&error),
+            })
+        })
+        .collect()
+}
+
+/// How flights lay in the predicted corridor.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Verification {
+    /// Flights flown.
+    pub flights: usize,
+    /// Frames compared.
+    pub frames: usize,
+    /// Share of them inside the 95 % ellipse.
+    pub inside_ellipse: f64,
+    /// Share of them inside the 95 % strip across the course.
+    pub inside_corridor: f64,
+    /// Standard deviation of that share from flight to flight over the root of their number: frames
+    /// of one flight err together.
+    pub corridor_uncertainty: f64,
+    /// Root mean square error, metres.
+    pub rms_m: f64,
+    /// What was predicted for it, metres.
+    pub predicted_rms_m: f64,
+    /// What the filter believed, metres.
+    pub believed_rms_m: f64,
+    /// Mean squared error over the filter's own covariance, of two axes; 2 for an honest filter.
+    pub mean_nees: f64,
+    /// Largest error, metres.
+    pub largest_m: f64,
+}
+
+impl Verification {
+    /// Sums flights up.
+    pub fn of(flights: &[Vec<Comparison>]) -> Self {
+        let all: Vec<&Comparison> = flights.iter().flatten().collect();
+        let n = all.len().max(1) as f64;
+        let mean = |f: &dyn Fn(&Comparison) -> f64| all.iter().map(|c| f(c)).sum::<f64>() / n;
+        let share = |f: fn(&Comparison) -> bool| mean(&|c| f64::from(u8::from(f(c))));
+        let inside_corridor = share(|c| c.inside_corridor);
+        // Each flight's part of the whole share.
+        let flown = flights.len().max(1) as f64;
+        let parts = flights.iter().map(|flight| {
+            let outside =
+                |c: &&Comparison| f64::from(u8::from(c.inside_corridor)) - inside_corridor;
+            flight.iter().map(|c| outside(&c)).sum::<f64>().powi(2)
+        });
+        Self {
+            flights: flights.len(),
+            frames: all.len(),
+            inside_ellipse: share(|c| c.inside_ellipse),
+            inside_corridor,
+            corridor_uncertainty: (parts.sum::<f64>() * flown / (flown - 1.0).max(1.0)).sqrt() / n,
+            rms_m: mean(&|c| c.squared).sqrt(),
+            predicted_rms_m: mean(&|c| c.predicted).sqrt(),
+            believed_rms_m: mean(&|c| c.believed).sqrt(),
+            mean_nees: mean(&|c| c.nees),
+            largest_m: all.iter().map(|c| c.squared).fold(0.0, f64::max).sqrt(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::RefCell;
+    use std::rc::Rc;
+    use std::sync::{Arc, Mutex};
+
+    use nalgebra::{Matrix4, Vector4};
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+    use rand_distr::{Distribution, StandardNormal};
+
+    use super::*;
+    use crate::flight::{FrameError, FrameSource};
+    use crate::frames::{GroundRect, Pose};
+    use crate::landmark::{
+        Detection, Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting,
+    };
+    use crate::navigator::Navigator;
+    use crate::navigator::geometry::appearance;
+    use crate::plan::{
+        DetectionStatistics, ExpectedDetection, PlannedLandmark, PredictionRequest, random_route,
+    };
+    use crate::raster::Picture;
+    use crate::simulate::{FlightPlan, Overrides, Scenario};
+
+    const SPREAD: [f64; 4] = [0.1, 0.1, 0.004, 0.004];
+
+    /// Finds landmarks as often and as well as it was stated, without a picture.
+    struct AsStated {
+        expected: ExpectedDetection,
+        recognised: Vec<bool>,
+        pose: Arc<Mutex<Option<Pose>>>,
+        random: ChaCha8Rng,
+    }
+
+    impl Detector for AsStated {
+        fn detect(&mut self, view: &FrameView<'_>, request: &SearchRequest<'_>) -> Sighting {
+            let nothing = Sighting::Refused(Refusal::LowScore, None);
+            let landmark = request.landmark;
+            let chance: f64 = self.random.random();
+            let Some(pose) = *self.pose.lock().unwrap() else {
+                return nothing;
+            };
+            let whole = view
+                .camera
+                .holds(&pose, &landmark.bounds, view.ground_down, 0.0);
+            let known = self.recognised[landmark.id as usize];
+            let point = landmark.reference_in_world(view.ground_down);
+            let seen = appearance(view.camera, &pose, &view.pose, &point);
+            let (true, true, true, Some(seen)) =
+                (whole, known, chance < self.expected.per_frame, seen)
+            else {
+                return nothing;
+            };
+            let pixel = nalgebra::Point2::new(seen.x, seen.y);
+            let ground = view.camera.ground_at(&view.pose, &pixel, view.ground_down);
+            let mut error = || -> f64 { StandardNormal.sample(&mut self.random) };
+            let noise = Vector4::from(SPREAD).map(|sd| sd * error());
+            let ground = ground.unwrap().to_vector() + noise.xy();
+            Sighting::Found(Detection {
+                ground: ground.into(),
+                covariance: self.expected.covariance,
+                score: 0.9,
+                second_score: 0.1,
+                rotation: seen[2] + noise[2],
+                scale: (seen[3] + noise[3]).exp(),
+            })
+        }
+    }
+
+    /// Tells the detector from where each frame is taken.
+    struct Poses {
+        poses: Vec<Pose>,
+        now: Arc<Mutex<Option<Pose>>>,
+        asked: Rc<RefCell<usize>>,
+    }
+
+    impl FrameSource for Poses {
+        fn picture(&mut self, index: usize) -> Result<Picture, FrameError> {
+            *self.now.lock().unwrap() = self.poses.get(index).copied();
+            *self.asked.borrow_mut() += 1;
+            Ok(Picture::filled(8, 8, [0; 3]))
+        }
+        fn encoded(&mut self, _: usize) -> Result<Vec<u8>, FrameError> {
+            Ok(Vec::new())
+        }
+    }
+
+    /// A route of `seed` with landmarks of 34 m beside it here and there.
+    fn route(seed: u64) -> (FlightPlan, Vec<Landmark>) {
+        let mut plan = Scenario::all()[1].plan(&Overrides::default());
+        plan.wind = Vector2::zeros();
+        plan.way_points = random_route(seed);
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let legs: Vec<_> = plan.way_points.windows(2).collect();
+        let landmarks = (0..7).map(|id| {
+            let leg = legs[random.random_range(0..legs.len())];
+            let share: f64 = random.random();
+            let place = leg[0].to_vector() * (1.0 - share) + leg[1].to_vector() * share;
+            let aside = Vector2::from_fn(|_, _| 50.0 * (random.random::<f64>() - 0.5));
+            let bounds = GroundRect::centered((place + aside).into(), 34.0, 34.0);
+            Landmark::new(id, "place", bounds)
+        });
+        let landmarks = landmarks.collect();
+        (plan, landmarks)
+    }
+
+    fn verified(route_seed: u64, flights: u64) -> Verification {
+        let scenario = &Scenario::all()[1];
+        let settings = scenario.navigator();
+        let (plan, landmarks) = route(route_seed);
+        let expected = ExpectedDetection {
+            recognised: 0.8,
+            per_frame: 0.6,
+            covariance: Matrix4::from_diagonal(&Vector4::from(SPREAD).map(|sd: f64| sd * sd)),
+        };
+        let planned: Vec<PlannedLandmark> = landmarks
+            .iter()
+            .map(|landmark| PlannedLandmark {
+                landmark: landmark.clone(),
+                detection: DetectionStatistics::everywhere(expected),
+            })
+            .collect();
+        let prediction = PredictionRequest {
+            plan: &plan,
+            settings: &settings,
+            landmarks: &planned,
+            wind_deviation: settings.start.wind,
+            worlds: 100,
+            seed: 3,
+            limit: 10.0,
+        }
+        .predict()
+        .unwrap();
+        let fly = |seed: u64| {
+            let flight = plan.in_wind_of(seed, settings.start.wind);
+            let flight = Arc::new(flight.simulate(seed).unwrap());
+            let mut random = ChaCha8Rng::seed_from_u64(seed ^ 77);
+            let now = Arc::new(Mutex::new(None));
+            let detector = AsStated {
+                expected,
+                recognised: landmarks.iter().map(|_| random.random_bool(0.8)).collect(),
+                pose: Arc::clone(&now),
+                random,
+            };
+            let truth = flight.truth.as_ref().unwrap();
+            let mut frames = Poses {
+                poses: truth.frames.iter().filter_map(|f| f.pose()).collect(),
+                now,
+                asked: Rc::default(),
+            };
+            let detector = Box::new(detector);
+            let mut navigator =
+                Navigator::with_detector(Arc::clone(&flight), &landmarks, detector, &settings)
+                    .unwrap()
+                    .sparing();
+            let mut run = navigator.run_head();
+            while let Some(step) = navigator.advance(&mut frames, &|| 0.0) {
+                let mut step = step.unwrap();
+                if step.frame.is_some() {
+                    step.sigma.before_correct = None;
+                    run.steps.push(step);
+                }
+            }
+            assert!(*frames.asked.borrow() < flight.frames.len());
+            compare(&flight, &run, &prediction)
+        };
+        let flights: Vec<_> = (0..flights).map(|i| fly(1000 * route_seed + i)).collect();
+        Verification::of(&flights)
+    }
+
+    /// Routes, winds, days, gusts, sensors and misses are all drawn; `PILOTAGE_FLIGHTS` says how many
+    /// flights per route.
+    #[test]
+    fn errors_lie_inside_the_predicted_corridor_as_often_as_it_says() {
+        let asked = std::env::var("PILOTAGE_FLIGHTS").ok();
+        let flights = asked.and_then(|n| n.parse().ok()).unwrap_or(24);
+        let routes = [1, 2, 3, 4, 5].map(|seed| verified(seed, flights));
+        for v in &routes {
+            println!("{v:.3?}");
+        }
+        let mean = routes.iter().map(|v| v.inside_corridor).sum::<f64>() / 5.0;
+        assert!((0.925..0.975).contains(&mean), "{mean}");
+    }
+}
