@@ -47,24 +47,6 @@ pub fn verify(
             let day = &days[(seed % DAYS) as usize];
             let (flight, run) = fly(ground, plan, day, seed)?;
             all.push(compare(&flight, &run, prediction));
-            if let Ok(path) = std::env::var("PILOTAGE_DUMP") {
-                use std::fmt::Write as _;
-                let mut text = String::new();
-                for c in &all[all.len() - 1] {
-                    let _ = writeln!(
-                        text,
-                        "{seed},{},{},{},{},{},{},{}",
-                        c.distance,
-                        c.inside_ellipse,
-                        c.inside_corridor,
-                        c.squared,
-                        c.predicted,
-                        c.believed,
-                        c.nees
-                    );
-                }
-                let _ = std::fs::write(format!("{path}-{seed}.csv"), text);
-            }
         }
     };
     let workers = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);

@@ -21,6 +21,8 @@ const MARGIN_WIDTH: f64 = 0.04;
 const LEAST_SCORE: f64 = 0.45;
 /// What a rehearsal can promise at best: relief, another camera and a real day are not in it.
 const REHEARSAL: f64 = 0.6;
+/// Certainty of a fix that counts as next to none.
+const NEXT_TO_NONE: f64 = 0.1;
 /// Seconds over which a fix fades: the error of dead reckoning has then grown to about a fix's own.
 const FADING: f64 = 8.0;
 
@@ -199,17 +201,22 @@ pub fn choose(
     let mut chosen: Vec<Suggestion> = Vec::new();
     let mut left: Vec<usize> = (0..candidates.len()).collect();
     while chosen.len() < count {
-        let gain = |i: &usize| -> f64 {
-            let gains = worth[*i].iter().zip(&covered).enumerate();
-            gains.map(|(f, (w, c))| w * (1.0 - c) * lasting(f)).sum()
+        // What taking a landmark adds to a measure of the certainty of each moment.
+        let gain = |i: usize, measure: &dyn Fn(f64) -> f64| -> f64 {
+            let gains = worth[i].iter().zip(&covered).enumerate();
+            let gains = gains.filter(|(_, (w, _))| **w > 0.0);
+            gains
+                .map(|(f, (w, c))| (measure(c + w * (1.0 - c)) - measure(*c)) * lasting(f))
+                .sum()
         };
         let best = left
             .iter()
-            .map(|i| (gain(i), *i))
+            .map(|i| (gain(*i, &|c| (1.0 + c / NEXT_TO_NONE).ln()), *i))
             .max_by(|a, b| a.0.total_cmp(&b.0));
-        let Some((gained, index)) = best.filter(|(gain, _)| *gain > 1e-3) else {
+        let Some((_, index)) = best.filter(|(gain, _)| *gain > 1e-3) else {
             break;
         };
+        let gained = gain(index, &|c| c);
         for (c, w) in covered.iter_mut().zip(&worth[index]) {
             *c += w * (1.0 - *c);
         }
