@@ -105,6 +105,7 @@ pub fn expectations() -> Result<Vec<(String, ExpectedDetection)>, String> {
                 sensors: mission.navigator.sensors,
                 detector: mission.navigator.detector,
                 ground_down: 0.0,
+                tilt: 0.0,
             };
             let map = Arc::clone(&map);
             let mut assessor = Assessor::new(landmark, map, &others, VIEWS.1, circumstances, 5);
@@ -215,6 +216,7 @@ impl Case {
             plan,
             settings: &self.mission.navigator,
             landmarks: &self.landmarks,
+            wind_deviation: self.mission.navigator.start.wind,
             worlds: WORLDS,
             seed: 1,
             limit: f64::INFINITY,

@@ -218,6 +218,7 @@ fn predict(
         plan,
         settings: &ground.mission.navigator,
         landmarks,
+        wind_deviation: ground.mission.navigator.start.wind,
         worlds: WORLDS,
         seed: 1,
         limit: f64::INFINITY,

@@ -131,7 +131,7 @@ mod tests {
     use rand_distr::{Distribution, StandardNormal};
 
     use super::*;
-    use crate::flight::{FrameError, FrameSource};
+    use crate::flight::{FrameError, FrameSource, FrameTruth};
     use crate::frames::{GroundRect, Pose};
     use crate::landmark::{
         Detection, Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting,
@@ -191,14 +191,14 @@ mod tests {
 
     /// Tells the detector from where each frame is taken.
     struct Poses {
-        poses: Vec<Pose>,
+        taken_from: Vec<Pose>,
         now: Arc<Mutex<Option<Pose>>>,
         asked: Rc<RefCell<usize>>,
     }
 
     impl FrameSource for Poses {
         fn picture(&mut self, index: usize) -> Result<Picture, FrameError> {
-            *self.now.lock().unwrap() = self.poses.get(index).copied();
+            *self.now.lock().unwrap() = self.taken_from.get(index).copied();
             *self.asked.borrow_mut() += 1;
             Ok(Picture::filled(8, 8, [0; 3]))
         }
@@ -256,7 +256,7 @@ mod tests {
         let fly = |seed: u64| {
             let flight = plan.in_wind_of(seed, settings.start.wind);
             let flight = Arc::new(flight.simulate(seed).unwrap());
-            let mut random = ChaCha8Rng::seed_from_u64(seed ^ 77);
+            let mut random = ChaCha8Rng::seed_from_u64(seed ^ 0x4d);
             let now = Arc::new(Mutex::new(None));
             let detector = AsStated {
                 expected,
@@ -266,7 +266,7 @@ mod tests {
             };
             let truth = flight.truth.as_ref().unwrap();
             let mut frames = Poses {
-                poses: truth.frames.iter().filter_map(|f| f.pose()).collect(),
+                taken_from: truth.frames.iter().filter_map(FrameTruth::pose).collect(),
                 now,
                 asked: Rc::default(),
             };

@@ -68,10 +68,14 @@ pub fn blips(samples: &[PredictionSample], ends: impl Fn(&Blip) -> f64) -> (Vec<
 mod tests {
     use super::*;
     use pilotage_core::frames::GroundPoint;
-    use pilotage_core::plan::corridor;
+    use pilotage_core::plan::{Belief, corridor};
 
     fn samples(detections: &[[f64; 2]]) -> Vec<PredictionSample> {
-        let corridor = corridor(&[nalgebra::Matrix2::identity()], 0.0, 0.95).unwrap();
+        let world = Belief {
+            mean: nalgebra::Vector2::zeros(),
+            covariance: nalgebra::Matrix2::identity(),
+        };
+        let corridor = corridor(&[world], 0.0, 0.95).unwrap();
         let of = |(i, d): (usize, &[f64; 2])| PredictionSample {
             time: i as f64,
             distance: 10.0 * i as f64,
