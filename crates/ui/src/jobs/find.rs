@@ -61,6 +61,22 @@ pub struct FoundPlan {
     pub surest: Foreseen,
 }
 
+impl Foreseen {
+    /// What was to be least: the standard deviation (longer axis) at the worst place or in the mean,
+    /// metres.
+    fn uncertainty(&self, aim: Aim) -> f64 {
+        let sigmas = self.prediction.samples.iter();
+        let sigmas = sigmas.map(|s| s.corridor.sigma_major);
+        match aim {
+            Aim::Worst => sigmas.fold(0.0, f64::max),
+            Aim::Mean => {
+                let count = self.prediction.samples.len().max(1);
+                sigmas.sum::<f64>() / count as f64
+            }
+        }
+    }
+}
+
 enum Stage {
     Field,
     Search(Box<RouteSearch>),
@@ -172,6 +188,10 @@ impl FindRoute {
                     let prediction = order.predict()?;
                     done.push(Foreseen { route, prediction });
                 } else if let (Some(surest), Some(shortest)) = (done.pop(), done.pop()) {
+                    // What the field promised is not always what is foreseen along the way.
+                    let aim = self.order.aim;
+                    let is_better = surest.uncertainty(aim) <= shortest.uncertainty(aim);
+                    let surest = if is_better { surest } else { shortest.clone() };
                     let plan = FoundPlan { shortest, surest };
                     emit(JobEvent::FoundPlan(Box::new(plan)));
                     emit(JobEvent::Finished);

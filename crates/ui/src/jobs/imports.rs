@@ -65,6 +65,7 @@ pub fn imports(
 fn is_exchange(name: &str, bytes: &[u8]) -> bool {
     match Format::of(name, bytes) {
         Some(Format::GeoJson) => contains(bytes, b"\"FeatureCollection\""),
+        Some(Format::Csv) => !has_ending(name, &["txt"]),
         Some(Format::Waypoints) => bytes.starts_with(b"QGC WPL") || !has_ending(name, &["txt"]),
         Some(_) => true,
         None => !has_ending(name, &["txt", "json"]),
@@ -145,6 +146,6 @@ mod tests {
     #[test]
     fn a_broken_file_is_named_with_its_place() {
         let cause = look("trip.gpx", "<gpx>\n<rte>", 47.0).unwrap_err();
-        assert!(cause.starts_with("trip.gpx: "), "{cause}");
+        assert!(cause.starts_with("trip.gpx, line 2"), "{cause}");
     }
 }

@@ -167,8 +167,11 @@ fn a_large_map_opens_without_being_read_and_wide_views_fill_while_it_is_made_rea
     let (pixels, whole) = look(&mut host, origin, &map.bounds);
     assert!(!whole && pixels.iter().all(|p| p[3] == 0));
     let events = all(&mut host, Job::PrepareMap(placed(origin)));
-    assert!(matches!(events.first(), Some(JobEvent::Progress(part, _)) if *part < 1.0));
-    assert_eq!(events.last(), Some(&JobEvent::Finished));
+    // In slices: how many depends on the machine.
+    let (last, before) = events.split_last().unwrap();
+    assert_eq!(*last, JobEvent::Finished);
+    let is_part = |e: &JobEvent| matches!(e, JobEvent::Progress(part, _) if *part < 1.0);
+    assert!(before.iter().all(is_part), "{before:?}");
     let (pixels, whole) = look(&mut host, origin, &map.bounds);
     let shown = pixels.iter().filter(|p| p[3] == 255).count();
     assert!(

@@ -70,7 +70,7 @@ impl LandmarkTable {
                 assessments,
                 context,
             ) {
-                let keys = ui.input(|i| i.modifiers);
+                let keys = click_modifiers(ui);
                 self.click(landmark.id, &ids, keys, context);
             }
         }
@@ -230,6 +230,21 @@ impl LandmarkTable {
         };
         ui.painter().text(at, align, text, tokens.small(), color);
     }
+}
+
+/// The keys that were held at the click, which may be up again by the time it is seen.
+fn click_modifiers(ui: &Ui) -> Modifiers {
+    ui.input(|input| {
+        let at_release = input.events.iter().find_map(|event| match event {
+            egui::Event::PointerButton {
+                pressed: false,
+                modifiers,
+                ..
+            } => Some(*modifiers),
+            _ => None,
+        });
+        at_release.unwrap_or(input.modifiers)
+    })
 }
 
 /// Whether every word of `filter` stands in a landmark's name, category or notes.

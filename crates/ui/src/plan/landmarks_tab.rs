@@ -1,4 +1,4 @@
-//! Landmarks while planning: the selected one, how well it is found, and the table of all.
+//! Landmarks while planning: the table of all, and the selected one with how well it is found.
 
 use egui::{Align2, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
 use pilotage_core::landmark::Landmark;
@@ -14,6 +14,9 @@ use crate::documents::Documents;
 use crate::shell::{
     Examined, LandmarkList, caption, chip, icon_button, icons::Icon, muted, text_button,
 };
+
+/// Height of the table before it scrolls, points: what is selected stays in sight below it.
+const TABLE_HEIGHT: f32 = 280.0;
 
 /// Draws the tab.
 pub fn landmarks_tab(
@@ -59,19 +62,26 @@ pub fn landmarks_tab(
         ));
         return;
     }
+    egui::ScrollArea::vertical()
+        .id_salt("landmarks")
+        .max_height(TABLE_HEIGHT)
+        .auto_shrink([false, true])
+        .show(ui, |ui| {
+            planner.table.show(ui, &planner.assessments, context);
+        });
+    ui.add_space(tokens.space);
     let marked = planner.marked(context.selection);
     if marked.len() > 1 {
         planner.editor.several(ui, &marked, context);
         ui.add_space(tokens.space);
     } else if let Some(landmark) = context.selection.and_then(|id| mission.landmark(id)) {
+        actions(ui, planner, landmark, context);
         list.selected(ui, landmark, context, examined);
         ui.add_space(tokens.space);
         planner.editor.one(ui, landmark, context);
         ui.add_space(tokens.space);
         card(ui, planner, landmark, context);
-        ui.add_space(tokens.space);
     }
-    planner.table.show(ui, &planner.assessments, context);
 }
 
 /// The ways to draw a landmark.
@@ -103,6 +113,20 @@ fn draw_menu(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
     });
 }
 
+/// What can be done with the selected landmark.
+fn actions(ui: &mut Ui, planner: &Planner, landmark: &Landmark, context: &mut ViewContext<'_>) {
+    ui.horizontal_wrapped(|ui| {
+        let label = if planner.assessments.of(landmark).is_some() {
+            "Measure again"
+        } else {
+            "Measure how well it is found"
+        };
+        button(ui, context, None, label, true, PlanCommand::AssessSelected);
+        let copy = PlanCommand::DuplicateLandmark;
+        button(ui, context, None, "Duplicate", false, copy);
+    });
+}
+
 /// How well the selected landmark is found.
 fn card(ui: &mut Ui, planner: &Planner, landmark: &Landmark, context: &mut ViewContext<'_>) {
     let tokens = context.tokens;
@@ -131,16 +155,6 @@ fn card(ui: &mut Ui, planner: &Planner, landmark: &Landmark, context: &mut ViewC
         let text = egui::RichText::new(format!("It could not be measured: {why}"));
         ui.label(text.color(tokens.warning));
     }
-    ui.horizontal_wrapped(|ui| {
-        let label = if planner.assessments.of(landmark).is_some() {
-            "Measure again"
-        } else {
-            "Measure how well it is found"
-        };
-        button(ui, context, None, label, true, PlanCommand::AssessSelected);
-        let copy = PlanCommand::DuplicateLandmark;
-        button(ui, context, None, "Duplicate", false, copy);
-    });
 }
 
 fn result(ui: &mut Ui, measured: &Measured, context: &ViewContext<'_>) {

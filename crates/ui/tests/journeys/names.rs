@@ -63,7 +63,7 @@ fn every_widget_of_a_plan_has_a_name() {
     rig.key(Key::I);
     everything_is_named(&rig, "a selected way-point");
     rig.open_tab("Landmarks");
-    rig.harness.get_by_label("Barn").click();
+    rig.harness.get_by_label_contains("Barn: ").click();
     rig.settle();
     everything_is_named(&rig, "a landmark of a plan");
 }

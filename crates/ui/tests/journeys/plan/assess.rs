@@ -6,7 +6,7 @@ use super::{draw, number, planning};
 fn a_measured_landmark_is_believed_instead_of_the_assumption() {
     let mut rig = planning();
     rig.open_tab("Landmarks");
-    rig.harness.get_by_label("Chapel").click();
+    rig.harness.get_by_label_contains("Chapel: ").click();
     rig.settle();
     rig.harness
         .get_by_label("Measure how well it is found")

@@ -1,7 +1,7 @@
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 
-use super::{click, number, planning};
+use super::{click, number, planning, scroll};
 
 #[test]
 fn a_route_is_found_beside_the_straight_line_accepted_and_undone() {
@@ -24,6 +24,7 @@ fn a_route_is_found_beside_the_straight_line_accepted_and_undone() {
     assert!(
         number(&rig, "/find/surest/length") <= 1.3 * number(&rig, "/find/shortest/length") + 1.0
     );
+    scroll(&mut rig, 2000.0);
     rig.harness.get_by_label("Make it a route").click();
     rig.settle();
     assert_eq!(rig.state()["plan"]["routes"][0]["name"], "Found route");

@@ -69,11 +69,11 @@ fn a_point_is_marked_by_one_click() {
         .event(egui::Event::Text("landmark as a point".into()));
     rig.frames(2);
     rig.key(Key::Enter);
-    click(&mut rig, -200.0, 30.0);
+    click(&mut rig, -140.0, 30.0);
     let list = landmarks(&rig);
     let last = list.last().expect("one");
     assert_eq!(last["point"], true);
-    assert!((last["reference"][0].as_f64().expect("north") + 200.0).abs() < 2.0);
+    assert!((last["reference"][0].as_f64().expect("north") + 140.0).abs() < 2.0);
 }
 
 #[test]

@@ -50,6 +50,22 @@ pub fn click(rig: &mut Rig, north: f64, east: f64) {
     rig.frames(2);
 }
 
+/// Scrolls the column beside the map, points.
+pub fn scroll(rig: &mut Rig, down: f32) {
+    let map = rig.rect("/map/rect");
+    let at = map.right_top() + Vec2::new(120.0, 300.0);
+    rig.harness.hover_at(at);
+    rig.frames(1);
+    rig.harness.event(egui::Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Point,
+        delta: Vec2::new(0.0, -down),
+        phase: egui::TouchPhase::Move,
+        source: egui::MouseWheelSource::Wheel,
+        modifiers: egui::Modifiers::NONE,
+    });
+    rig.frames(30);
+}
+
 /// Draws a route over these places.
 pub fn draw(rig: &mut Rig, places: &[(f64, f64)]) {
     rig.key(Key::W);

@@ -23,8 +23,8 @@ fn an_area_is_surveyed_by_passes_there_and_back_and_one_undo_takes_them_away() {
     let mut rig = planning();
     command(&mut rig, "survey an area");
     for (north, east) in [
-        (-200.0, -250.0),
-        (-200.0, 250.0),
+        (-140.0, -250.0),
+        (-140.0, 250.0),
         (100.0, 250.0),
         (100.0, -250.0),
     ] {

@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector, Matrix2, Matrix4, Point2, Point3, Vector2};
 use pilotage_core::camera::CameraModel;
 use pilotage_core::flight::{Channel, ChannelName, Flight, Frame, StartFix, Truth, TruthState};
-use pilotage_core::frames::{Attitude, GroundPoint, GroundRect, Pose};
+use pilotage_core::frames::{Attitude, Geodetic, GroundPoint, GroundRect, Pose};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{
@@ -39,8 +39,7 @@ pub fn mission() -> Mission {
     Mission {
         name: "Invented".into(),
         landmarks: landmarks.collect(),
-        routes: Vec::new(),
-        no_fly: Vec::new(),
+        origin: Geodetic::from_degrees(47.0, 8.0, 0.0),
         ..Documents::empty_mission()
     }
 }
