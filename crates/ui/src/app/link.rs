@@ -78,7 +78,7 @@ impl App {
             return;
         };
         let map = &mut self.views.map;
-        map.follow = false;
+        map.stay();
         map.camera.center = link.center;
         map.camera.metres_per_point = link.scale;
         map.camera.up = link.up;

@@ -92,6 +92,12 @@ impl MapView {
         self.follow = false;
     }
 
+    /// Stays at what its camera shows now.
+    pub fn stay(&mut self) {
+        self.wants_fit = None;
+        self.follow = false;
+    }
+
     /// Whether nobody moved the map since it was fitted.
     pub fn is_fitted(&self) -> bool {
         let now = (self.camera.center, self.camera.metres_per_point);

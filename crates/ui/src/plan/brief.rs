@@ -22,7 +22,7 @@ pub const MOST_LANDMARKS: usize = 12;
 const WIDTH: f64 = 1000.0;
 
 /// How the page looks.
-pub const STYLE: &str = include_str!("brief.css");
+pub const STYLE: &str = include_str!("../../style/brief.css");
 
 /// A landmark of the brief.
 #[derive(Clone, Debug, PartialEq)]
