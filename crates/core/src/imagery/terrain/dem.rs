@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use nalgebra::Point2;
 
 use super::hgt::Hgt;
-use super::{HeightDatum, Terrain};
+use super::{HeightDatum, Terrain, between_posts};
 use crate::frames::{GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
 use crate::imagery::kept::Kept;
 use crate::imagery::tiff::{Chunk, TiffError, TiffFile};
@@ -202,20 +202,8 @@ impl Terrain for Dem {
         // Posts stand in the middle of pixels.
         let x = (pixel.x - 0.5).clamp(0.0, (width - 1) as f64);
         let y = (pixel.y - 0.5).clamp(0.0, (height - 1) as f64);
-        let (column, row) = (x as usize, y as usize);
-        let (fx, fy) = (x - column as f64, y - row as f64);
-        let mut sum = 0.0;
-        for (dc, dr, weight) in [
-            (0, 0, (1.0 - fx) * (1.0 - fy)),
-            (1, 0, fx * (1.0 - fy)),
-            (0, 1, (1.0 - fx) * fy),
-            (1, 1, fx * fy),
-        ] {
-            if weight > 1e-9 {
-                let (column, row) = ((column + dc).min(width - 1), (row + dr).min(height - 1));
-                sum += weight * self.post(column, row)?;
-            }
-        }
-        Some(sum)
+        between_posts((x, y), (width - 1, height - 1), |column, row| {
+            self.post(column, row)
+        })
     }
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{HeightDatum, Terrain};
+use super::{HeightDatum, Terrain, between_posts};
 use crate::frames::{GroundPoint, GroundRect};
 
 /// Heights at a north-up grid of posts; between posts they are interpolated.
@@ -113,21 +113,10 @@ impl Terrain for HeightGrid {
         if !inside {
             return None;
         }
-        let (column, row) = (x as usize, y as usize);
-        let (fx, fy) = (x - column as f64, y - row as f64);
-        let mut sum = 0.0;
-        for (dc, dr, weight) in [
-            (0, 0, (1.0 - fx) * (1.0 - fy)),
-            (1, 0, fx * (1.0 - fy)),
-            (0, 1, (1.0 - fx) * fy),
-            (1, 1, fx * fy),
-        ] {
-            if weight > 1e-9 {
-                let (column, row) = ((column + dc).min(last_column), (row + dr).min(last_row));
-                let post = self.heights.get(row * self.columns + column)?;
-                sum += weight * f64::from(*post);
-            }
-        }
+        let sum = between_posts((x, y), (last_column, last_row), |column, row| {
+            let post = self.heights.get(row * self.columns + column)?;
+            Some(f64::from(*post))
+        })?;
         sum.is_finite().then_some(sum)
     }
 }

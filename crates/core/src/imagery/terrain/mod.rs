@@ -13,6 +13,29 @@ use serde::{Deserialize, Serialize};
 
 use crate::frames::GroundPoint;
 
+/// Height at place (x, y) in posts, bilinear between the four around it, of which none lies beyond the
+/// `last` column and row; `None` where a post that counts is unknown.
+fn between_posts(
+    (x, y): (f64, f64),
+    last: (usize, usize),
+    post: impl Fn(usize, usize) -> Option<f64>,
+) -> Option<f64> {
+    let (column, row) = (x as usize, y as usize);
+    let (fx, fy) = (x - column as f64, y - row as f64);
+    let mut sum = 0.0;
+    for (dc, dr, weight) in [
+        (0, 0, (1.0 - fx) * (1.0 - fy)),
+        (1, 0, fx * (1.0 - fy)),
+        (0, 1, (1.0 - fx) * fy),
+        (1, 1, fx * fy),
+    ] {
+        if weight > 1e-9 {
+            sum += weight * post((column + dc).min(last.0), (row + dr).min(last.1))?;
+        }
+    }
+    Some(sum)
+}
+
 /// What heights count from.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum HeightDatum {
