@@ -8,6 +8,18 @@ async function command(page, tools, words) {
   await page.keyboard.press("Enter");
 }
 
+/** Waits until the map has been at rest for a second: a plan that opens is put on the map later. */
+async function settled(tools) {
+  let last = null;
+  let since = 0;
+  return tools.waitFor(({ map }) => {
+    const now = JSON.stringify([map.center, map.metres_per_point]);
+    if (now !== last) since = Date.now();
+    last = now;
+    return Date.now() - since > 1000;
+  }, "a map at rest");
+}
+
 export async function run(page, tools) {
   await page.context().grantPermissions(["clipboard-read", "clipboard-write"]);
   await tools.waitReady();
@@ -15,11 +27,12 @@ export async function run(page, tools) {
   await page.keyboard.press("Shift+p");
   await tools.waitFor((s) => s.workspace === "Plan" && s.plan.routes.length > 0, "the plan");
   await page.keyboard.press("Equal");
-  const seen = await tools.state();
+  await settled(tools);
   await command(page, tools, "copy a link to this view");
   await tools.waitFor((s) => s.toasts.some((t) => t.title === "Link copied"), "the word that it is copied");
   const link = await page.evaluate(() => navigator.clipboard.readText());
   console.log(`        ${link}`);
+  const seen = await tools.state();
 
   const download = page.waitForEvent("download");
   await page.keyboard.press("Control+s");
@@ -33,7 +46,8 @@ export async function run(page, tools) {
   await page.goto("about:blank");
   await page.goto(link);
   await tools.waitReady();
-  const there = await tools.waitFor((s) => s.run_steps > 0 && s.workspace === "Plan", "the view of the link", 150_000);
+  const there = await tools.waitFor((s) => s.run_steps > 0 && s.workspace === "Plan", "the view of the link", 150_000)
+    .then(() => settled(tools));
   for (const i of [0, 1]) {
     tools.check(Math.abs(there.map.center[i] - seen.map.center[i]) < 0.1, `the map is at ${there.map.center}`);
   }
