@@ -16,7 +16,7 @@ use pilotage_core::plan::{
     PredictionRequest, RouteQuestion, SceneryDays, Turns,
 };
 use pilotage_core::raster::Picture;
-use pilotage_core::simulate::scenery::{DEMO_SEED, Day};
+use pilotage_core::simulate::scenery::Day;
 use pilotage_core::simulate::{
     County, FlightDay, FlightPlan, GuidanceSettings, Overrides, Scenario, SimulatedFrames,
 };
@@ -93,7 +93,9 @@ pub fn expectations() -> Result<Vec<(String, ExpectedDetection)>, String> {
     let scenario = Scenario::named(SCENARIO).ok_or("the scenario is gone")?;
     let mission = scenario.mission();
     let map: Arc<dyn Imagery> = Arc::new(CachedImagery::new(Arc::new(Scenario::map()), 64));
-    let others = SceneryDays { seed: DEMO_SEED };
+    let others = SceneryDays {
+        scenery: Scenario::map(),
+    };
     mission
         .landmarks
         .iter()

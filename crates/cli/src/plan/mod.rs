@@ -19,7 +19,6 @@ use pilotage_core::plan::{
     PictureDays, PlannedLandmark, Prediction, PredictionRequest, Ranking, Reliability, SceneryDays,
     Suggestion, Verification, choose, poses_all_over, poses_over, random_route,
 };
-use pilotage_core::simulate::scenery::DEMO_SEED;
 use pilotage_core::simulate::{FlightPlan, Overrides, Scenario, SensorSpec};
 use serde::Serialize;
 
@@ -251,7 +250,9 @@ fn ground(arguments: &Arguments) -> Result<Ground, Box<dyn std::error::Error>> {
         }
         return Ok(Ground {
             map: Arc::new(CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE)),
-            days: Box::new(SceneryDays { seed: DEMO_SEED }),
+            days: Box::new(SceneryDays {
+                scenery: Scenario::map(),
+            }),
             mission: scenario.mission(),
             camera: Scenario::camera(),
             height: arguments.height.unwrap_or(scenario.height),

@@ -345,7 +345,6 @@ mod tests {
     use crate::imagery::CachedImagery;
     use crate::plan::days::SceneryDays;
     use crate::simulate::Scenario;
-    use crate::simulate::scenery::DEMO_SEED;
 
     /// The landmark of that name, moved by (north, east) metres.
     fn rate(name: &str, north: f64, east: f64) -> (ExpectedDetection, f64) {
@@ -369,7 +368,9 @@ mod tests {
             ground_down: 0.0,
             tilt: 0.0,
         };
-        let days = SceneryDays { seed: DEMO_SEED };
+        let days = SceneryDays {
+            scenery: Scenario::map(),
+        };
         let mut assessor = Assessor::new(landmark, map, &days, 3, circumstances, 11);
         for _ in 0..18 {
             assessor.look().unwrap();

@@ -22,8 +22,8 @@ pub trait OtherDays: Send + Sync {
 
 /// Other days of generated scenery: it knows what throws a shadow and what grows.
 pub struct SceneryDays {
-    /// Seed of the scenery.
-    pub seed: u64,
+    /// The scenery on any day; what does not change from day to day is shared with it.
+    pub scenery: Scenery,
 }
 
 /// A day between spring and autumn with a sun that one flies under.
@@ -49,7 +49,7 @@ pub fn any_day(seed: u64) -> Day {
 
 impl OtherDays for SceneryDays {
     fn day(&self, seed: u64) -> Arc<dyn Imagery> {
-        let scenery = Arc::new(Scenery::new(self.seed, any_day(seed)));
+        let scenery = Arc::new(self.scenery.on_day(any_day(seed)));
         Arc::new(CachedImagery::new(scenery, CACHE_MEGABYTES))
     }
 }

@@ -124,7 +124,6 @@ mod tests {
     use crate::imagery::CachedImagery;
     use crate::plan::{Circumstances, SceneryDays};
     use crate::simulate::Scenario;
-    use crate::simulate::scenery::DEMO_SEED;
 
     #[test]
     fn a_pool_is_found_from_its_usual_height_and_does_not_fit_into_a_picture_from_far_below() {
@@ -141,7 +140,9 @@ mod tests {
             ground_down: 0.0,
             tilt: 0.0,
         };
-        let days = SceneryDays { seed: DEMO_SEED };
+        let days = SceneryDays {
+            scenery: Scenario::map(),
+        };
         let assessor = Assessor::new(pool, map, &days, 1, circumstances, 5);
         let (heights, tilts) = (vec![30.0, 122.0], vec![0.0, 0.3]);
         let mut survey = EnvelopeSurvey::new(assessor, heights, tilts, 4);

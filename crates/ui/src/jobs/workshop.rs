@@ -11,7 +11,7 @@ use pilotage_core::mission::{MapOptions, open_map_with};
 use pilotage_core::plan::{OtherDays, PictureDays, SceneryDays};
 use pilotage_core::raster::decode_picture;
 use pilotage_core::simulate::Scenario;
-use pilotage_core::simulate::scenery::{DEMO_SEED, Scenery};
+use pilotage_core::simulate::scenery::Scenery;
 
 use super::assess::Assess;
 use super::brief::Brief;
@@ -268,7 +268,9 @@ impl Workshop {
             return Ok(days.clone());
         }
         let others: Box<dyn OtherDays> = match source {
-            MapSource::Scenery => Box::new(SceneryDays { seed: DEMO_SEED }),
+            MapSource::Scenery => Box::new(SceneryDays {
+                scenery: self.scenery(),
+            }),
             _ => Box::new(PictureDays {
                 map: self.map(source)?,
             }),
