@@ -2,7 +2,7 @@
 export const name = "figures of the page";
 
 const steps = 72_000; // an hour at 20 Hz; with 14 plotted series, a million samples
-const frames = 200;
+const frames = 60;
 
 export async function run(page, tools) {
   // Without the accessibility tree, which only the journeys ask for.
@@ -20,17 +20,17 @@ export async function run(page, tools) {
   const match = await since();
   const flown = await tools.waitFor((s) => s.run_complete, "the whole run", 120_000).catch(() => tools.state());
   const timing = JSON.parse(await page.evaluate(() => window.app.navigator_ms()));
-  const short = await cost(page, 60);
+  const short = await cost(page, 25);
   const long = await page.evaluate((n) => window.app.repeat_laps(n), steps);
   await page.waitForTimeout(3000);
   const whole = await cost(page, frames);
   // Software rasterising shows three frames a second, each with a new camera picture. At a tenth of the
   // speed a picture lasts for as many frames as it does at full speed on a screen of 30 a second.
   await page.keyboard.press("1");
-  const slow = await cost(page, 100);
+  const slow = await cost(page, 30);
   await page.keyboard.press("f");
   await page.waitForTimeout(2000);
-  const fitted = await cost(page, 60);
+  const fitted = await cost(page, 25);
   await tools.screenshot("figures-long-flight");
   const memory = await page.evaluate(() => window.app.memory_bytes());
   const n = (value, digits = 1) => value == null ? "–" : value.toFixed(digits);

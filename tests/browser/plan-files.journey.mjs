@@ -45,7 +45,7 @@ export async function run(page, tools) {
     return state;
   };
 
-  await tools.waitFor((s) => s.run_complete, "the whole run", 120_000);
+  await tools.waitFor((s) => s.run_complete, "the whole run", 300_000);
   const others = (await tools.state()).plan.routes.length;
   const planned = await open("field.plan", plan(before.origin), /Added 1 route from field\.plan.*kept but not understood.*31000/s);
   tools.check(planned.workspace === "Plan", "the plan is not shown");

@@ -13,7 +13,7 @@ use pilotage_core::navigator::Navigator;
 use pilotage_core::plan::{
     Aim, Assessor, BudgetOf, Circumstances, DetectionStatistics, ExpectedDetection, FieldBuilder,
     FieldView, FixSource, FoundRoute, FoundRoutes, Localizability, PlannedLandmark, Prediction,
-    PredictionRequest, RouteQuestion, SceneryDays, Turns,
+    PredictionRequest, Rehearsal, RouteQuestion, SceneryDays, Turns,
 };
 use pilotage_core::raster::Picture;
 use pilotage_core::simulate::scenery::Day;
@@ -25,8 +25,6 @@ use rand_chacha::ChaCha8Rng;
 
 /// The scenario whose aircraft, camera and settings are flown; its wind is drawn anew for each flight.
 const SCENARIO: &str = "distinct-400ft-wind";
-/// Pictures and days by which each kind of landmark is assessed.
-const VIEWS: (usize, usize) = (32, 4);
 /// Standard deviation of the position with which the field is computed, metres.
 const POSITION: f64 = 15.0;
 /// Side of a cell of the field, metres.
@@ -96,6 +94,7 @@ pub fn expectations() -> Result<Vec<(String, ExpectedDetection)>, String> {
     let others = SceneryDays {
         scenery: Scenario::map(),
     };
+    let days = Rehearsal::days(&others, 5);
     mission
         .landmarks
         .iter()
@@ -103,15 +102,15 @@ pub fn expectations() -> Result<Vec<(String, ExpectedDetection)>, String> {
             let circumstances = Circumstances {
                 camera: Scenario::camera(),
                 height: scenario.height,
-                position: 5.0,
+                position: Rehearsal::POSITION,
                 sensors: mission.navigator.sensors,
                 detector: mission.navigator.detector,
                 ground_down: 0.0,
                 tilt: 0.0,
             };
             let map = Arc::clone(&map);
-            let mut assessor = Assessor::new(landmark, map, &others, VIEWS.1, circumstances, 5);
-            for _ in 0..VIEWS.0 {
+            let mut assessor = Assessor::new(landmark, map, &days, circumstances, 5);
+            for _ in 0..Rehearsal::VIEWS {
                 assessor.look();
             }
             let expected = assessor.expected().ok_or("a landmark cannot be seen")?;

@@ -36,12 +36,13 @@ pub fn run(arguments: &Arguments) -> Outcome {
         );
         return Ok(());
     }
-    let mission = pilotage_core::mission::read_mission(&bytes).map_err(|e| {
+    let package = pilotage_core::mission::package::read_package(&bytes).map_err(|e| {
         format!(
             "{}: neither a flight, a run nor a mission: {e}",
             path.display()
         )
     })?;
+    let mission = package.mission;
     println!(
         "mission \"{}\": {} landmarks",
         mission.name,

@@ -7,6 +7,7 @@ mod filter_options;
 mod georef;
 mod inspect;
 mod map;
+mod mission_file;
 mod plan;
 mod replay;
 mod simulate;

@@ -14,6 +14,7 @@ use serde::Serialize;
 
 use crate::Outcome;
 use crate::files::{Directory, open_map};
+use crate::mission_file::OpenMission;
 use crate::simulate::{Day, scenario};
 use crate::statistics::{Quantiles, error_over_bound, print, table};
 
@@ -77,9 +78,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     else {
         return Err("say --scenario NAME, or --mission FILE --flight DIR --map FILE".into());
     };
-    let text = std::fs::read(mission).map_err(|e| format!("{}: {e}", mission.display()))?;
-    let mission = pilotage_core::mission::read_mission(&text)
-        .map_err(|e| format!("{}: {e}", mission.display()))?;
+    let mission = OpenMission::read(mission)?.package.mission;
     let folder = read_flight(Arc::new(Directory::open(flight)?))?;
     for note in &folder.notes {
         eprintln!("note: {note}");

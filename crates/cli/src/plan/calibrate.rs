@@ -1,89 +1,51 @@
 //! `pilotage plan --calibrate`: whether landmarks are found as often as their assessment says.
 
+use std::io::Write;
 use std::sync::Arc;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use pilotage_core::imagery::Imagery;
 use pilotage_core::landmark::Landmark;
-use pilotage_core::plan::{Assessor, Pass, Reliability, Tally, random_places};
+use pilotage_core::plan::{
+    Assessor, ExpectedDetection, Pass, Rehearsal, Reliability, Tally, random_places,
+};
 use pilotage_core::simulate::SensorSpec;
 
-use super::{Arguments, Ground, VIEWS, circumstances};
+use super::{Arguments, Ground, circumstances};
 
-/// Passes over each place.
+/// Passes over each place, each on a day of its own.
 const PASSES: usize = 10;
-/// Days on which they are flown, none of them rehearsed.
-const DAYS: u64 = 8;
-/// Seed of the first of those days, far from any that is rehearsed.
+/// Seed of the first held-out day, far from any that is rehearsed.
 const FIRST_DAY: u64 = 550_000;
+
 /// Flies about `passes` passes over places of every quality and compares what was found with what
 /// their assessment on other days said.
+///
+/// What a place looks like is settled by the day, so each pass over it is on another, and the places
+/// of a bin do not share theirs: passes count as independent only if nothing ties them together.
 pub fn calibrate(
     arguments: &Arguments,
     ground: &Ground,
     passes: usize,
 ) -> (Reliability, Vec<Pass>) {
     let seed = arguments.seed;
-    let days = |first: u64, count: u64| -> Vec<Arc<dyn Imagery>> {
-        (first..first + count)
-            .map(|day| ground.days.day(day))
-            .collect()
-    };
-    let rehearsed = days(seed.wrapping_mul(2000), VIEWS.1 as u64);
-    let held_out = days(FIRST_DAY + seed.wrapping_mul(100), DAYS);
     let places = random_places(passes.div_ceil(PASSES), seed);
-    let speed = ground.plan.as_ref().map_or(18.9, |p| p.airframe.cruise);
-    let period = 1.0 / SensorSpec::default().frame_rate;
-    let fly = |landmark: &Landmark| -> Vec<Pass> {
-        let over = |days: &[Arc<dyn Imagery>], seed: u64| {
-            let map = Arc::clone(&ground.map);
-            Assessor::over(landmark, map, days, circumstances(ground), seed)
-        };
-        let mut assessor = over(&rehearsed, seed.wrapping_mul(31) + u64::from(landmark.id));
-        for _ in 0..VIEWS.0 {
-            assessor.look();
-        }
-        let Some(expected) = assessor.expected() else {
-            return Vec::new();
-        };
-        let mut flown = over(&held_out, !seed.wrapping_add(u64::from(landmark.id)));
-        let pass = |_| {
-            let tally = Tally::of(&flown.pass(speed, period));
-            Pass {
-                predicted: expected.probability(),
-                frames: tally.looks,
-                found: tally.found,
-                wrong: tally.wrong,
-            }
-        };
-        let passes: Vec<Pass> = (0..PASSES).map(pass).collect();
-        let sum = |f: fn(&Pass) -> usize| passes.iter().map(f).sum::<usize>();
-        println!(
-            "{:10} said {:.2}, found in {} of {} frames, {} wrong",
-            landmark.name,
-            expected.probability(),
-            sum(|p| p.found),
-            sum(|p| p.frames),
-            sum(|p| p.wrong)
-        );
-        passes
-    };
-    let next = AtomicUsize::new(0);
-    let worker = || {
-        let mut flown = Vec::new();
-        while let Some(landmark) = places.get(next.fetch_add(1, Ordering::Relaxed)) {
-            flown.extend(fly(landmark));
-        }
-        flown
-    };
-    let workers = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    let all: Vec<Pass> = std::thread::scope(|scope| {
-        let handles: Vec<_> = (0..workers).map(|_| scope.spawn(worker)).collect();
-        handles
-            .into_iter()
-            .flat_map(|handle| handle.join().unwrap_or_default())
-            .collect()
+    let begun = std::time::Instant::now();
+    let said = in_parallel(places.len(), |i| said(ground, &places[i], seed));
+    println!(
+        "{} places rehearsed in {:.0} s",
+        places.len(),
+        begun.elapsed().as_secs_f64()
+    );
+    let flown = in_parallel(places.len(), |i| {
+        let place = &places[i];
+        said[i].map_or_else(Vec::new, |said| {
+            (0..PASSES)
+                .map(|number| pass(ground, place, &said, seed, number))
+                .collect()
+        })
     });
+    let all: Vec<Pass> = flown.concat();
     let reliability = Reliability::of(&all);
     for bin in reliability.bins.iter().filter(|b| b.passes > 0) {
         println!(
@@ -92,8 +54,79 @@ pub fn calibrate(
         );
     }
     println!(
-        "false matches in {:.4} of the frames",
-        reliability.false_matches
+        "false matches in {:.4} of the frames; {:.0} s",
+        reliability.false_matches,
+        begun.elapsed().as_secs_f64()
     );
     (reliability, all)
+}
+
+/// What is said of a place.
+///
+/// Each is rehearsed on days of its own: with the same ones for all, their luck would be that of every bin.
+fn said(ground: &Ground, place: &Landmark, seed: u64) -> Option<ExpectedDetection> {
+    let map = Arc::clone(&ground.map);
+    let seed = seed.wrapping_mul(1_000_003) + u64::from(place.id);
+    let days = Rehearsal::days(ground.days.as_ref(), seed);
+    let mut assessor = Assessor::new(place, map, &days, circumstances(ground), seed);
+    for _ in 0..Rehearsal::VIEWS {
+        assessor.look();
+    }
+    assessor.expected()
+}
+
+/// One pass over a place on a day.
+fn pass(
+    ground: &Ground,
+    place: &Landmark,
+    said: &ExpectedDetection,
+    seed: u64,
+    number: usize,
+) -> Pass {
+    let speed = ground.plan.as_ref().map_or(18.9, |p| p.airframe.cruise);
+    let period = 1.0 / SensorSpec::default().frame_rate;
+    let map = Arc::clone(&ground.map);
+    let seed = FIRST_DAY + (seed * 1000 + u64::from(place.id)) * 100 + number as u64;
+    let day = [ground.days.drawn(seed)];
+    let mut assessor = Assessor::new(place, map, &day, circumstances(ground), !seed);
+    let tally = Tally::of(&assessor.pass(speed, period));
+    eprintln!(
+        "P {} {} {} {} {}",
+        place.id, number, tally.found, tally.looks, tally.wrong
+    );
+    Pass {
+        predicted: said.probability(),
+        frames: tally.looks,
+        found: tally.found,
+        wrong: tally.wrong,
+    }
+}
+
+/// `work` for 0 to `count`, on as many threads as there are processors, with a word on how far it is.
+fn in_parallel<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    let next = AtomicUsize::new(0);
+    let done: Mutex<Vec<(usize, T)>> = Mutex::new(Vec::new());
+    let worker = || {
+        loop {
+            let i = next.fetch_add(1, Ordering::Relaxed);
+            if i >= count {
+                return;
+            }
+            let result = work(i);
+            let Ok(mut done) = done.lock() else { return };
+            done.push((i, result));
+            print!("\r{} of {count} ", done.len());
+            let _ = std::io::stdout().flush();
+        }
+    };
+    let workers = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    std::thread::scope(|scope| {
+        for _ in 0..workers {
+            scope.spawn(worker);
+        }
+    });
+    println!();
+    let mut done = done.into_inner().unwrap_or_default();
+    done.sort_by_key(|(i, _)| *i);
+    done.into_iter().map(|(_, result)| result).collect()
 }

@@ -2,38 +2,30 @@
 
 mod calibrate;
 mod find;
+mod ground;
 mod verify;
 
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use clap::Args;
-use pilotage_core::camera::CameraModel;
-use pilotage_core::flight::read_flight;
-use pilotage_core::frames::{GroundPoint, LocalFrame, Pose};
-use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::frames::{GroundPoint, Pose};
+use pilotage_core::imagery::Imagery;
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::{Mission, read_mission, write_mission};
+use pilotage_core::mission::write_mission;
 use pilotage_core::plan::{
-    Assessor, Candidate, Circumstances, DetectionStatistics, Envelope, EnvelopeSurvey, OtherDays,
-    PictureDays, PlannedLandmark, Prediction, PredictionRequest, Ranking, Reliability, SceneryDays,
-    Suggestion, Verification, choose, poses_all_over, poses_over, random_route,
+    Assessor, Candidate, Circumstances, DetectionStatistics, Envelope, EnvelopeSurvey,
+    PlannedLandmark, Prediction, PredictionRequest, Ranking, Rehearsal, Reliability, Suggestion,
+    Verification, choose, poses_all_over, poses_over,
 };
-use pilotage_core::simulate::{FlightPlan, Overrides, Scenario, SensorSpec};
 use serde::Serialize;
 
-use crate::Outcome;
-use crate::files::Directory;
+use ground::{Ground, way_points};
 
-/// Memory for tiles of the map, megabytes.
-const MAP_CACHE: usize = 128;
+use crate::Outcome;
+
 /// Rehearsal days of a suggestion.
 const DAYS: u64 = 3;
-/// Pictures by which a landmark is assessed, on how many days.
-const VIEWS: (usize, usize) = (30, 6);
-
-/// Standard deviation of the filter's position with which they are looked for, per axis, metres.
-const POSITION: f64 = 5.0;
 /// Heights of an envelope, shares of the planned one.
 const HEIGHTS: [f64; 5] = [0.5, 0.75, 1.0, 1.5, 2.25];
 /// Tilts of an envelope, degrees.
@@ -47,11 +39,11 @@ pub struct Arguments {
     /// A built-in scenario: its map, aircraft, camera and route.
     #[arg(long, conflicts_with_all = ["mission", "map"])]
     scenario: Option<String>,
-    /// A mission file; its first route is planned.
-    #[arg(long, requires = "map")]
-    mission: Option<PathBuf>,
-    /// The map picture of the mission.
+    /// A mission file (zip or GeoJSON); its first route is planned.
     #[arg(long)]
+    mission: Option<PathBuf>,
+    /// The map of the mission, if the file does not hold it.
+    #[arg(long, requires = "mission")]
     map: Option<PathBuf>,
     /// A flight folder whose camera is flown, if the mission states none.
     #[arg(long)]
@@ -106,16 +98,6 @@ pub struct Arguments {
     summary: Option<PathBuf>,
 }
 
-/// The map, the mission on it and how it is flown.
-struct Ground {
-    map: Arc<dyn Imagery>,
-    days: Box<dyn OtherDays>,
-    mission: Mission,
-    camera: CameraModel,
-    height: f64,
-    plan: Option<FlightPlan>,
-}
-
 /// One sample of the summary.
 #[derive(Serialize)]
 struct Sample {
@@ -142,7 +124,7 @@ struct Summary {
 
 /// Plans what the arguments say.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let mut ground = ground(arguments)?;
+    let mut ground = Ground::of(arguments)?;
     let mut summary = Summary {
         landmarks: Vec::new(),
         suggestions: Vec::new(),
@@ -176,11 +158,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     }
     if arguments.predict {
         let prediction = predict(arguments, &ground)?;
-        summary.worst_stretch = prediction
-            .over_limit
-            .iter()
-            .copied()
-            .max_by(|a, b| a.sigma.total_cmp(&b.sigma));
+        summary.worst_stretch = prediction.worst_stretch();
         summary.samples = prediction.samples.iter().map(sample).collect();
         if let Some((seeds, plan)) = arguments.fly.as_ref().zip(ground.plan.as_ref()) {
             let seeds = crate::replay::seed_range(seeds)?;
@@ -230,86 +208,6 @@ fn sample(s: &pilotage_core::plan::PredictionSample) -> Sample {
         dead_reckoning_s: s.dead_reckoning,
         p_detect: s.detection.clone(),
     }
-}
-
-fn ground(arguments: &Arguments) -> Result<Ground, Box<dyn std::error::Error>> {
-    if let Some(name) = &arguments.scenario {
-        let scenario = Scenario::named(name)
-            .ok_or_else(|| format!("there is no scenario \"{name}\"; see pilotage scenarios"))?;
-        let overrides = Overrides {
-            height: arguments.height,
-            ..Overrides::default()
-        };
-        let mut plan = scenario.plan(&overrides);
-        if let Some(text) = &arguments.route {
-            plan.way_points = way_points(text)?;
-        }
-        if let Some(seed) = arguments.random_route {
-            plan.way_points = random_route(seed);
-            plan.wind = nalgebra::Vector2::zeros();
-        }
-        return Ok(Ground {
-            map: Arc::new(CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE)),
-            days: Box::new(SceneryDays {
-                scenery: Scenario::map(),
-            }),
-            mission: scenario.mission(),
-            camera: Scenario::camera(),
-            height: arguments.height.unwrap_or(scenario.height),
-            plan: Some(plan),
-        });
-    }
-    let (Some(mission), Some(map)) = (&arguments.mission, &arguments.map) else {
-        return Err("say --scenario NAME, or --mission FILE --map FILE".into());
-    };
-    let text = std::fs::read(mission).map_err(|e| format!("{}: {e}", mission.display()))?;
-    let mission = read_mission(&text).map_err(|e| format!("{}: {e}", mission.display()))?;
-    let flown = match &arguments.flight {
-        Some(path) => Some(read_flight(Arc::new(Directory::open(path)?))?.flight),
-        None => None,
-    };
-    let camera = mission
-        .camera
-        .clone()
-        .or_else(|| flown.map(|f| f.camera))
-        .ok_or("the mission states no camera; say --flight DIR to take that of a flight")?;
-    let frame = LocalFrame::new(mission.origin);
-    let map = crate::files::open_map(map, Some(frame), MAP_CACHE)?;
-    let route = mission.routes.first();
-    let height = arguments
-        .height
-        .or_else(|| Some(route?.way_points.first()?.altitude.metres))
-        .ok_or("neither the route nor --height says how high to fly")?;
-    let plan = route.map(|route| FlightPlan {
-        name: route.name.clone(),
-        way_points: route.way_points.iter().map(|w| w.position).collect(),
-        height,
-        camera: camera.clone(),
-        sensors: SensorSpec::default(),
-        frame_on_globe: frame,
-        ..Scenario::all()[0].plan(&Overrides::default())
-    });
-    Ok(Ground {
-        days: Box::new(PictureDays {
-            map: Arc::clone(&map),
-        }),
-        map,
-        mission,
-        camera,
-        height,
-        plan,
-    })
-}
-
-fn way_points(text: &str) -> Result<Vec<GroundPoint>, String> {
-    text.split(';')
-        .map(|pair| {
-            let (north, east) = pair.split_once(',')?;
-            let number = |t: &str| t.trim().parse().ok();
-            Some(GroundPoint::new(number(north)?, number(east)?))
-        })
-        .collect::<Option<_>>()
-        .ok_or_else(|| format!("--route: \"{text}\" is not NORTH,EAST;NORTH,EAST;…"))
 }
 
 /// The poses from which landmarks may be seen: along the route, or all over the map without one.
@@ -390,7 +288,7 @@ fn circumstances(ground: &Ground) -> Circumstances {
     Circumstances {
         camera: ground.camera.clone(),
         height: ground.height,
-        position: POSITION,
+        position: Rehearsal::POSITION,
         sensors: settings.sensors,
         detector: settings.detector,
         ground_down: ground.plan.as_ref().map_or(0.0, |p| p.ground_down),
@@ -401,14 +299,14 @@ fn circumstances(ground: &Ground) -> Circumstances {
 /// From which heights and with which tilts each landmark is found.
 fn envelopes(arguments: &Arguments, ground: &Ground) -> Vec<Envelope> {
     let days: Vec<Arc<dyn Imagery>> = (0..DAYS)
-        .map(|day| ground.days.day(arguments.seed.wrapping_mul(2000) + day))
+        .map(|day| ground.days.day(arguments.seed + day))
         .collect();
     let enabled = ground.mission.landmarks.iter().filter(|l| l.enabled);
     enabled
         .map(|landmark| {
             let map = Arc::clone(&ground.map);
             let assessor =
-                Assessor::over(landmark, map, &days, circumstances(ground), arguments.seed);
+                Assessor::new(landmark, map, &days, circumstances(ground), arguments.seed);
             let heights = HEIGHTS.map(|h| h * ground.height).to_vec();
             let tilts = TILTS.map(f64::to_radians).to_vec();
             let mut survey = EnvelopeSurvey::new(assessor, heights, tilts, LOOKS);
@@ -431,9 +329,7 @@ fn envelopes(arguments: &Arguments, ground: &Ground) -> Vec<Envelope> {
 
 /// Measures each landmark over the map.
 fn expected(arguments: &Arguments, ground: &Ground, ground_down: f64) -> Vec<PlannedLandmark> {
-    let days: Vec<Arc<dyn Imagery>> = (0..VIEWS.1 as u64)
-        .map(|day| ground.days.day(arguments.seed.wrapping_mul(2000) + day))
-        .collect();
+    let days = Rehearsal::days(ground.days.as_ref(), arguments.seed);
     let mut landmarks = Vec::new();
     for landmark in ground.mission.landmarks.iter().filter(|l| l.enabled) {
         let circumstances = Circumstances {
@@ -442,8 +338,8 @@ fn expected(arguments: &Arguments, ground: &Ground, ground_down: f64) -> Vec<Pla
         };
         let map = Arc::clone(&ground.map);
         let begun = std::time::Instant::now();
-        let mut assessor = Assessor::over(landmark, map, &days, circumstances, arguments.seed);
-        for _ in 0..VIEWS.0 {
+        let mut assessor = Assessor::new(landmark, map, &days, circumstances, arguments.seed);
+        for _ in 0..Rehearsal::VIEWS {
             assessor.look();
         }
         let expected = assessor.expected();

@@ -100,6 +100,14 @@ impl GroundRect {
         self.east - self.west
     }
 
+    /// Whether all of `other` lies inside.
+    pub fn contains_rect(&self, other: &Self) -> bool {
+        other.south >= self.south
+            && other.north <= self.north
+            && other.west >= self.west
+            && other.east <= self.east
+    }
+
     /// Whether `p` lies inside or on the edge.
     pub fn contains(&self, p: &GroundPoint) -> bool {
         (self.south..=self.north).contains(&p.north) && (self.west..=self.east).contains(&p.east)

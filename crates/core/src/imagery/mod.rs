@@ -8,6 +8,7 @@ mod georeference;
 mod georeferenced;
 pub mod georeferencer;
 mod geotiff;
+mod inset;
 mod kept;
 mod placement;
 mod resample;
@@ -20,6 +21,7 @@ pub use cache::{CachedImagery, TILE_SIDE};
 pub use georeference::{Georeference, GeoreferenceError, GroundFromPixel, Similarity, WorldFile};
 pub use georeferenced::{GeoreferencedPicture, decode_map, opaque, without_border};
 pub use geotiff::{GeoKeys, GeoTiff, GeoTiffError, GeoTiffFile, MapMemory};
+pub use inset::InsetImagery;
 pub use placement::Placement;
 
 use serde::{Deserialize, Serialize};

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{NoFlyZone, Route};
 use crate::camera::CameraModel;
-use crate::frames::Geodetic;
+use crate::frames::{AltitudeReference, Geodetic};
 use crate::landmark::Landmark;
 use crate::navigator::NavigatorSettings;
 
@@ -44,6 +44,14 @@ pub struct Mission {
 }
 
 impl Mission {
+    /// Level ground at the height of the mission's origin, where it takes off.
+    pub fn level_ground(&self) -> AltitudeReference {
+        AltitudeReference {
+            take_off: self.origin.height,
+            ground: self.origin.height,
+        }
+    }
+
     /// An id that no landmark of the mission has.
     pub fn free_landmark_id(&self) -> u32 {
         self.landmarks.iter().map(|l| l.id + 1).max().unwrap_or(1)

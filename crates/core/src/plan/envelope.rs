@@ -122,7 +122,7 @@ mod tests {
 
     use super::*;
     use crate::imagery::CachedImagery;
-    use crate::plan::{Circumstances, SceneryDays};
+    use crate::plan::{Circumstances, OtherDays, SceneryDays};
     use crate::simulate::Scenario;
 
     #[test]
@@ -143,7 +143,7 @@ mod tests {
         let days = SceneryDays {
             scenery: Scenario::map(),
         };
-        let assessor = Assessor::new(pool, map, &days, 1, circumstances, 5);
+        let assessor = Assessor::new(pool, map, &days.spread(1, 5), circumstances, 5);
         let (heights, tilts) = (vec![30.0, 122.0], vec![0.0, 0.3]);
         let mut survey = EnvelopeSurvey::new(assessor, heights, tilts, 4);
         while survey.advance() {}

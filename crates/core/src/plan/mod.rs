@@ -20,7 +20,7 @@ mod smooth;
 mod suggest;
 mod view;
 
-pub use assess::{Assessor, Circumstances, View};
+pub use assess::{Assessor, Circumstances, Rehearsal, View};
 pub use calibration::{Pass, Reliability, ReliabilityBin};
 pub use corridor::{Belief, Corridor, corridor};
 pub use days::{OtherDays, PictureDays, SceneryDays, any_day};

@@ -92,6 +92,30 @@ pub struct Prediction {
     pub over_limit: Vec<Stretch>,
 }
 
+impl Prediction {
+    /// The stretch about the largest standard deviation: the worst of those over the limit, or, where
+    /// none is, from the least one before it to the least one after it.
+    pub fn worst_stretch(&self) -> Option<Stretch> {
+        let worst = self
+            .over_limit
+            .iter()
+            .max_by(|a, b| a.sigma.total_cmp(&b.sigma));
+        if let Some(worst) = worst {
+            return Some(*worst);
+        }
+        let sigma = |i: usize| self.samples[i].corridor.sigma_major;
+        let peak = (0..self.samples.len()).max_by(|a, b| sigma(*a).total_cmp(&sigma(*b)))?;
+        let (mut first, mut last) = (peak, peak);
+        while first > 0 && sigma(first - 1) <= sigma(first) {
+            first -= 1;
+        }
+        while last + 1 < self.samples.len() && sigma(last + 1) <= sigma(last) {
+            last += 1;
+        }
+        stretch(&self.samples[first..=last])
+    }
+}
+
 /// Why nothing can be predicted.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PredictionError {
@@ -264,20 +288,24 @@ fn stretches(samples: &[PredictionSample], limit: f64) -> Vec<Stretch> {
     samples
         .chunk_by(|a, b| over(a, limit) == over(b, limit))
         .filter(|stretch| over(&stretch[0], limit))
-        .filter_map(|stretch| {
-            let worst = stretch
-                .iter()
-                .max_by(|a, b| a.corridor.sigma_major.total_cmp(&b.corridor.sigma_major))?;
-            let times = stretch.iter().map(|s| s.dead_reckoning);
-            Some(Stretch {
-                begin: stretch.first()?.distance,
-                end: stretch.last()?.distance,
-                sigma: worst.corridor.sigma_major,
-                worst: worst.position,
-                dead_reckoning: times.fold(0.0, f64::max),
-            })
-        })
+        .filter_map(stretch)
         .collect()
+}
+
+/// What a stretch of samples comes to; `None` without any.
+fn stretch(samples: &[PredictionSample]) -> Option<Stretch> {
+    let by_sigma = |a: &&PredictionSample, b: &&PredictionSample| {
+        a.corridor.sigma_major.total_cmp(&b.corridor.sigma_major)
+    };
+    let worst = samples.iter().max_by(by_sigma)?;
+    let times = samples.iter().map(|s| s.dead_reckoning);
+    Some(Stretch {
+        begin: samples.first()?.distance,
+        end: samples.last()?.distance,
+        sigma: worst.corridor.sigma_major,
+        worst: worst.position,
+        dead_reckoning: times.fold(0.0, f64::max),
+    })
 }
 
 fn over(sample: &PredictionSample, limit: f64) -> bool {
@@ -340,6 +368,22 @@ mod tests {
         assert!(largest(&aided) < 0.3 * largest(&blind));
         assert!(!blind.over_limit.is_empty());
         assert!(blind.over_limit[0].dead_reckoning > 60.0);
+    }
+
+    #[test]
+    fn there_is_a_worst_stretch_within_the_limit_too_about_the_largest_uncertainty() {
+        let scenario = Scenario::named("distinct-400ft-wind").unwrap();
+        let mut aided = predict(&landmarks(&scenario, 0.9), 16);
+        aided.mark(1e3);
+        assert!(aided.over_limit.is_empty());
+        let worst = aided.worst_stretch().unwrap();
+        assert!((worst.sigma - largest(&aided)).abs() < 1e-12);
+        let length = aided.samples.last().unwrap().distance;
+        assert!(worst.end - worst.begin < 0.6 * length, "{worst:?}");
+        let mut it = aided.samples.iter();
+        let at = it.find(|s| s.position == worst.worst).unwrap();
+        assert!((worst.begin..=worst.end).contains(&at.distance));
+        assert_eq!(Prediction::default().worst_stretch(), None);
     }
 
     #[test]

@@ -105,6 +105,9 @@ impl App {
             self.brief_event(host, event);
         } else if self.desk.opening.contains_key(&id) {
             self.open_event(host, id, event);
+        } else if let JobEvent::Remark(text) = event {
+            // Of a tile that nobody waits for any more: a worker says each thing once.
+            self.tell_of_map(host, &text);
         }
     }
 

@@ -144,7 +144,7 @@ impl App {
     }
 
     /// Part of the map cannot be read: said once.
-    fn tell_of_map(&mut self, host: &mut dyn Host, text: &str) {
+    pub(super) fn tell_of_map(&mut self, host: &mut dyn Host, text: &str) {
         let sentence = format!("{}.", text.trim_end_matches('.'));
         self.toasts
             .trouble(host.now(), "A part of the map stays empty", sentence);

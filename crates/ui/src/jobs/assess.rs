@@ -6,18 +6,12 @@ use pilotage_core::camera::CameraModel;
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::navigator::NavigatorSettings;
-use pilotage_core::plan::{Assessor, Circumstances, ExpectedDetection};
+use pilotage_core::plan::{Assessor, Circumstances, ExpectedDetection, Rehearsal};
 use serde::{Deserialize, Serialize};
 
 use super::running::SLICE;
 use super::{Advance, JobEvent, MapSource, RunningJob, Workshop};
 
-/// Other days that are tried.
-pub const DAYS: usize = 4;
-/// Views in all.
-pub const VIEWS: usize = 32;
-/// Standard deviation of the filter's position that is assumed, per axis, metres.
-pub const POSITION: f64 = 4.0;
 const SEED: u64 = 11;
 const CACHE_MEGABYTES: usize = 48;
 
@@ -85,19 +79,19 @@ impl Assess {
 
     fn begin(&self, workshop: &mut Workshop) -> Result<Assessor, String> {
         let order = &self.order;
-        let days = workshop.other_days(&order.map, DAYS)?;
+        let days = workshop.rehearsal_days(&order.map)?;
         let map = workshop.map(&order.map)?;
         let map: Arc<dyn Imagery> = Arc::new(CachedImagery::new(map, CACHE_MEGABYTES));
         let circumstances = Circumstances {
             camera: order.camera.clone(),
             height: order.height,
-            position: POSITION,
+            position: Rehearsal::POSITION,
             sensors: order.navigator.sensors,
             detector: order.navigator.detector,
             ground_down: order.ground_down,
             tilt: 0.0,
         };
-        Ok(Assessor::over(
+        Ok(Assessor::new(
             &order.landmark,
             map,
             &days,
@@ -122,7 +116,7 @@ impl Assess {
             return Ok(Advance::Done);
         };
         let begun = clock();
-        while assessor.views().len() < VIEWS {
+        while assessor.views().len() < Rehearsal::VIEWS {
             let fits = assessor.look().is_some();
             if !fits {
                 return Err(format!(
@@ -136,10 +130,10 @@ impl Assess {
         }
         let done = assessor.views().len();
         emit(JobEvent::Progress(
-            done as f32 / VIEWS as f32,
-            format!("View {done} of {VIEWS}"),
+            done as f32 / Rehearsal::VIEWS as f32,
+            format!("View {done} of {}", Rehearsal::VIEWS),
         ));
-        if done < VIEWS {
+        if done < Rehearsal::VIEWS {
             return Ok(Advance::More);
         }
         let expected = assessor.expected().ok_or("there was nothing to look at")?;

@@ -31,7 +31,7 @@ mod web_map;
 mod whole_bytes;
 mod workshop;
 
-pub use assess::{Assessment, AssessmentOrder, DAYS, Glance, POSITION, VIEWS};
+pub use assess::{Assessment, AssessmentOrder, Glance};
 pub use beside::{BESIDE, Beside};
 pub use brief::{BriefOrder, BriefPictures, EncodedPicture};
 pub use content::{FileContent, LentFiles, OpenAddress};

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::{ByteSource, Imagery, MapMemory};
 use pilotage_core::mission::{MapOptions, open_map_with};
-use pilotage_core::plan::{OtherDays, PictureDays, SceneryDays};
+use pilotage_core::plan::{OtherDays, PictureDays, Rehearsal, SceneryDays};
 use pilotage_core::raster::decode_picture;
 use pilotage_core::simulate::Scenario;
 use pilotage_core::simulate::scenery::Scenery;
@@ -34,6 +34,8 @@ use super::{
 /// The same ground on several days.
 type Days = Vec<Arc<dyn Imagery>>;
 
+/// Seed of the days on which landmarks are rehearsed.
+const REHEARSAL_SEED: u64 = 11;
 /// Most maps that are kept open.
 const MOST_MAPS: usize = 3;
 /// Memory of a map: every worker that reads it takes as much, beside the textures of the page.
@@ -63,6 +65,8 @@ pub struct Workshop {
     scenery: Option<Scenery>,
     /// A map and how it looks on other days; of one map at a time.
     days: Option<(Vec<u8>, Days)>,
+    /// A map and the days on which its landmarks are rehearsed.
+    rehearsal: Option<(Vec<u8>, Days)>,
 }
 
 impl Workshop {
@@ -178,6 +182,7 @@ impl Workshop {
         }
         self.maps.retain(|kept| kept.source.key() != Some(&key));
         self.days = None;
+        self.rehearsal = None;
         self.flights
             .remove(&cache_key(&FlightSource::Files(key.clone())));
         let pool = FilePool::new(files, &self.lent).map(Arc::new);
@@ -258,7 +263,7 @@ impl Workshop {
         new
     }
 
-    /// How a map looks on `count` other days, laid out once.
+    /// How a map looks on `count` other days, laid out once and kept where it was looked at.
     pub fn other_days(&mut self, source: &MapSource, count: usize) -> Result<Days, String> {
         let key = cache_key(source);
         if let Some((of, days)) = &self.days
@@ -267,17 +272,34 @@ impl Workshop {
         {
             return Ok(days.clone());
         }
-        let others: Box<dyn OtherDays> = match source {
+        let others = self.others(source)?;
+        let days: Vec<_> = (0..count as u64).map(|d| others.day(1 + d)).collect();
+        self.days = Some((key, days.clone()));
+        Ok(days)
+    }
+
+    /// The days on which landmarks of a map are rehearsed, laid out once.
+    pub fn rehearsal_days(&mut self, source: &MapSource) -> Result<Days, String> {
+        let key = cache_key(source);
+        if let Some((of, days)) = &self.rehearsal
+            && *of == key
+        {
+            return Ok(days.clone());
+        }
+        let days = Rehearsal::days(self.others(source)?.as_ref(), REHEARSAL_SEED);
+        self.rehearsal = Some((key, days.clone()));
+        Ok(days)
+    }
+
+    fn others(&mut self, source: &MapSource) -> Result<Box<dyn OtherDays>, String> {
+        Ok(match source {
             MapSource::Scenery => Box::new(SceneryDays {
                 scenery: self.scenery(),
             }),
             _ => Box::new(PictureDays {
                 map: self.map(source)?,
             }),
-        };
-        let days: Vec<_> = (0..count as u64).map(|d| others.day(1 + d)).collect();
-        self.days = Some((key, days.clone()));
-        Ok(days)
+        })
     }
 
     /// The generated ground, laid out once; clones share it.

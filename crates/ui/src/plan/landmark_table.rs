@@ -39,10 +39,38 @@ pub struct LandmarkTable {
     anchor: Option<u32>,
 }
 
-/// Right edges of the columns, from the right.
-const CATEGORY: f32 = 146.0;
-const SIZE: f32 = 76.0;
-const FOUND: f32 = 8.0;
+/// Widths of the columns, points.
+const FOUND: f32 = 62.0;
+const SIZE: f32 = 84.0;
+const CATEGORY: f32 = 92.0;
+/// Between a cell's right edge and its text, points.
+const PADDING: f32 = 8.0;
+
+/// Where the columns of a row end; that of categories is there if any landmark has one.
+#[derive(Clone, Copy)]
+struct Columns {
+    left: f32,
+    name: f32,
+    category: f32,
+    size: f32,
+    found: f32,
+}
+
+impl Columns {
+    fn of(rect: &egui::Rect, categories: bool) -> Self {
+        let found = rect.right();
+        let size = found - FOUND;
+        let category = size - SIZE;
+        let name = category - if categories { CATEGORY } else { 0.0 };
+        Self {
+            left: rect.left(),
+            name,
+            category,
+            size,
+            found,
+        }
+    }
+}
 
 impl LandmarkTable {
     /// Draws the table.
@@ -53,7 +81,8 @@ impl LandmarkTable {
         rows.sort_by(|a, b| self.order(a, b, assessments));
         let ids: Vec<u32> = rows.iter().map(|l| l.id).collect();
         self.filter(ui, &ids, context);
-        self.header(ui, context.tokens);
+        let categories = mission.landmarks.iter().any(|l| !l.category().is_empty());
+        self.header(ui, context.tokens, categories);
         ui.spacing_mut().item_spacing.y = 0.0;
         // What is selected elsewhere is what is marked here.
         let strange = context
@@ -67,6 +96,7 @@ impl LandmarkTable {
                 ui,
                 landmark,
                 self.marked.contains(&landmark.id),
+                categories,
                 assessments,
                 context,
             ) {
@@ -165,27 +195,16 @@ impl LandmarkTable {
         }
     }
 
-    fn header(&mut self, ui: &mut Ui, tokens: &Tokens) {
+    fn header(&mut self, ui: &mut Ui, tokens: &Tokens, categories: bool) {
         let width = ui.available_width();
         let (rect, _) = ui.allocate_exact_size(vec2(width, 24.0), Sense::hover());
-        let columns = [
-            (Column::Name, "Landmark", rect.left()..=rect.left() + 90.0),
-            (
-                Column::Category,
-                "Category",
-                rect.right() - 232.0..=rect.right() - CATEGORY + 8.0,
-            ),
-            (
-                Column::Size,
-                "Size",
-                rect.right() - CATEGORY + 8.0..=rect.right() - SIZE + 8.0,
-            ),
-            (
-                Column::Found,
-                "Found",
-                rect.right() - SIZE + 8.0..=rect.right(),
-            ),
-        ];
+        let at = Columns::of(&rect, categories);
+        let mut columns = vec![(Column::Name, "Landmark", at.left..=at.name)];
+        if categories {
+            columns.push((Column::Category, "Category", at.name..=at.category));
+        }
+        columns.push((Column::Size, "Size", at.category..=at.size));
+        columns.push((Column::Found, "Found", at.size..=at.found));
         for (column, label, x) in columns {
             let cell = egui::Rect::from_x_y_ranges(x, rect.y_range());
             let id = ui.scope_id().with(label);
@@ -265,6 +284,7 @@ fn row(
     ui: &mut Ui,
     landmark: &Landmark,
     selected: bool,
+    categories: bool,
     assessments: &Assessments,
     context: &mut ViewContext<'_>,
 ) -> bool {
@@ -312,59 +332,75 @@ fn row(
         } else {
             tokens.muted
         };
-        let left = rect.left_center() + vec2(8.0, 0.0);
-        let room = egui::Rect::from_min_max(rect.min, pos2(rect.right() - 224.0, rect.bottom()));
-        let clipped = painter.with_clip_rect(room.intersect(painter.clip_rect()));
+        let at = Columns::of(&rect, categories);
+        let cell = |from: f32, to: f32| {
+            let room = egui::Rect::from_x_y_ranges(from..=to, rect.y_range());
+            (
+                room,
+                painter.with_clip_rect(room.intersect(painter.clip_rect())),
+            )
+        };
+        let (room, clipped) = cell(at.left, at.name - PADDING);
         clipped.text(
-            left,
+            room.left_center() + vec2(PADDING, 0.0),
             Align2::LEFT_CENTER,
             &landmark.name,
             tokens.normal(),
             color,
         );
-        let room = egui::Rect::from_min_max(
-            pos2(rect.right() - 220.0, rect.top()),
-            pos2(rect.right() - CATEGORY, rect.bottom()),
+        let (room, clipped) = cell(at.name, at.category - PADDING);
+        clipped.text(
+            room.right_center(),
+            Align2::RIGHT_CENTER,
+            landmark.category(),
+            tokens.small(),
+            tokens.muted,
         );
-        painter
-            .with_clip_rect(room.intersect(painter.clip_rect()))
-            .text(
-                room.right_center(),
-                Align2::RIGHT_CENTER,
-                landmark.category(),
-                tokens.small(),
-                tokens.muted,
-            );
         let (factor, unit) = context.units.length();
         let [width, height] = [landmark.bounds.width(), landmark.bounds.height()];
         let text = format!("{:.0} × {:.0} {unit}", width * factor, height * factor);
-        let at = pos2(rect.right() - SIZE, rect.center().y);
-        painter.text(at, Align2::RIGHT_CENTER, text, tokens.small(), tokens.muted);
-        let measured = assessments.of(landmark);
-        let under_way = assessments.under_way().filter(|(of, ..)| *of == id);
-        let (text, color) = match (under_way, measured) {
-            (Some((_, fraction, _)), _) => (format!("{:.0} % …", 100.0 * fraction), tokens.accent),
-            (None, Some(m)) => {
-                let p = m.last.expected.probability();
-                (format!("{:.0} %", 100.0 * p), color)
-            }
-            (None, None) => {
-                let p = assumed().probability();
-                (format!("assumed {:.0} %", 100.0 * p), tokens.muted)
-            }
-        };
-        let font = if measured.is_some() {
-            tokens.normal()
-        } else {
-            tokens.small()
-        };
-        let at = pos2(rect.right() - FOUND, rect.center().y);
-        painter.text(at, Align2::RIGHT_CENTER, text, font, color);
+        let place = pos2(at.size - PADDING, rect.center().y);
+        painter.text(
+            place,
+            Align2::RIGHT_CENTER,
+            text,
+            tokens.small(),
+            tokens.muted,
+        );
+        let (text, font, color) = found_words(landmark, assessments, tokens, color);
+        let place = pos2(at.found - PADDING, rect.center().y);
+        painter.text(place, Align2::RIGHT_CENTER, text, font, color);
         if response.has_focus() {
             paint_focus_ring(painter, rect, tokens);
             landmark_keyboard(ui, response.id, landmark, context.commands);
         }
+        let response = if assessments.of(landmark).is_some() {
+            response
+        } else {
+            response.on_hover_text("Assumed; press D or Measure all to rehearse it on other days")
+        };
         response.clicked()
     })
     .inner
+}
+
+/// How often a landmark is found, in words, and how they are written.
+fn found_words(
+    landmark: &Landmark,
+    assessments: &Assessments,
+    tokens: &Tokens,
+    color: egui::Color32,
+) -> (String, egui::FontId, egui::Color32) {
+    let percent = |p: f64| format!("{:.0} %", 100.0 * p);
+    let under_way = assessments.under_way();
+    if let Some((_, fraction, _)) = under_way.filter(|(of, ..)| *of == landmark.id) {
+        let words = format!("{} …", percent(f64::from(fraction)));
+        return (words, tokens.small(), tokens.accent);
+    }
+    if let Some(measured) = assessments.of(landmark) {
+        let p = measured.last.expected.probability();
+        return (percent(p), tokens.normal(), color);
+    }
+    let p = assumed().probability();
+    (format!("≈ {}", percent(p)), tokens.small(), tokens.muted)
 }

@@ -1,9 +1,7 @@
 //! What the Plan workspace remembers beside the documents.
 
 use pilotage_core::camera::CameraModel;
-use pilotage_core::frames::{
-    Altitude, AltitudeFrame, AltitudeReference, GroundPoint, GroundRect, LocalFrame,
-};
+use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::mission::turn::turn_radius;
 use pilotage_core::mission::{Mission, Route, WayPoint};
 use pilotage_core::simulate::{Airframe, Scenario, Target, Wind};
@@ -222,7 +220,10 @@ pub fn circumstances(
     documents: &Documents,
     altitude: &Altitude,
 ) -> Circumstances {
-    let counted = altitude.counted_from(AltitudeFrame::AboveGround, &reference(&documents.mission));
+    let counted = altitude.counted_from(
+        AltitudeFrame::AboveGround,
+        &documents.mission.level_ground(),
+    );
     Circumstances {
         frame: LocalFrame::new(documents.mission.origin),
         camera: camera(documents),
@@ -236,17 +237,9 @@ pub fn ground_at(documents: &Documents, _place: &GroundPoint) -> f64 {
     documents.mission.origin.height
 }
 
-/// Flat ground at the height of the mission's origin.
-pub fn reference(mission: &Mission) -> AltitudeReference {
-    AltitudeReference {
-        take_off: mission.origin.height,
-        ground: mission.origin.height,
-    }
-}
-
 /// Mean height of a route above ground, metres, each way-point by the length of its legs.
 pub fn height(route: &Route, mission: &Mission, documents: &Documents) -> f64 {
-    let reference = reference(mission);
+    let reference = mission.level_ground();
     let above = |altitude: &Altitude| {
         let counted = altitude.counted_from(AltitudeFrame::AboveGround, &reference);
         counted.metres + ground_down(documents)
@@ -269,7 +262,7 @@ pub fn height(route: &Route, mission: &Mission, documents: &Documents) -> f64 {
 
 /// How each way-point is flown over: heights above level ground, metres, and airspeeds.
 fn targets(route: &Route, mission: &Mission, documents: &Documents) -> Vec<Target> {
-    let reference = reference(mission);
+    let reference = mission.level_ground();
     let of = |w: &WayPoint| {
         let counted = w
             .altitude

@@ -9,7 +9,7 @@ use pilotage_core::mission::{Route, WayPointAction};
 
 use super::PlanCommand;
 use super::legs::{Leg, time_text};
-use super::planner::{Planner, cruise, reference};
+use super::planner::{Planner, cruise};
 use super::tool::middle;
 use super::words::distance_text;
 use crate::command::Command;
@@ -386,7 +386,7 @@ fn altitude(
     if field.changed() {
         altitude = Some(Altitude::new(value / factor, now.frame));
     }
-    let reference = reference(context.mission);
+    let reference = context.mission.level_ground();
     let combo = ComboBox::from_id_salt("frame").width(104.0);
     let combo = combo.selected_text(now.frame.name()).show_ui(ui, |ui| {
         for frame in AltitudeFrame::ALL {

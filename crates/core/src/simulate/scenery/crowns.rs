@@ -88,7 +88,7 @@ impl World {
     pub(super) fn crowns(&self, light: Color, cell: &[u32], p: Spot, gsd: f32, soft: f32) -> Color {
         let mut top: Option<Top> = None;
         for &i in cell {
-            let c = &self.plan.crowns[i as usize];
+            let c = &self.land.plan.crowns[i as usize];
             let d = p - c.center;
             let squared = d.dot(d);
             let reach = 1.14 * c.radius + 0.5 * soft;
@@ -145,7 +145,7 @@ impl World {
             },
             c.variant,
         );
-        let [relief, slope_n, slope_e, tone] = self.foliage_texture.sample(q, gsd);
+        let [relief, slope_n, slope_e, tone] = self.land.textures.foliage.sample(q, gsd);
         let detail = turned_back(spot(slope_n, slope_e), c.variant) * 2.5;
         let rim = distance / r;
         let outward = d * (1.0 / distance.max(0.05));

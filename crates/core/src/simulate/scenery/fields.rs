@@ -54,8 +54,11 @@ impl World {
     #[expect(clippy::too_many_lines, reason = "one arm for each crop")]
     pub(super) fn land(&self, p: Spot, gsd: f32) -> Color {
         // Boundaries wander a little.
-        let [bend_n, bend_e, wet, bright] =
-            self.land_texture.sample(p * LAND_SCALE, gsd * LAND_SCALE);
+        let [bend_n, bend_e, wet, bright] = self
+            .land
+            .textures
+            .land
+            .sample(p * LAND_SCALE, gsd * LAND_SCALE);
         let q = p + spot(bend_n, bend_e) * BEND;
         let located = self.parcels.locate(q);
         let parcel = &self.parcels.parcels[located.parcel as usize];
@@ -64,9 +67,11 @@ impl World {
         let tint = unit(growth);
         let second = unit(growth.rotate_left(9));
         let g = individual(p, v);
-        let [speckle, clumps, patches, veins] = self.grain_texture.sample(g, gsd);
+        let [speckle, clumps, patches, veins] = self.land.textures.grain.sample(g, gsd);
         let wide = self
-            .grain_texture
+            .land
+            .textures
+            .grain
             .sample(spot(g.e * 0.23, g.n * 0.23), gsd * 0.23);
         let damp = 0.9 * wet + 0.25 * wide[2];
         let mottle = 0.6 * wide[2] + 0.5 * patches;

@@ -78,7 +78,7 @@ fn bent_outline(world: &World, corners: &[Spot]) -> Vec<GroundPoint> {
         let steps = ((b - a).length() / 20.0).ceil().max(1.0);
         for k in 0..steps as usize {
             let planned = a + (b - a) * (k as f32 / steps);
-            polygon.push(bent(&world.land_texture, planned).ground());
+            polygon.push(bent(&world.land.textures.land, planned).ground());
         }
     }
     polygon
@@ -96,7 +96,7 @@ pub(super) fn labels(world: &World, rect: &GroundRect) -> Vec<SceneLabel> {
             });
         }
     };
-    for feature in &world.plan.features {
+    for feature in &world.land.plan.features {
         add(feature.kind, Some(&feature.name), feature.outline.clone());
     }
     for parcel in &world.parcels.parcels {
@@ -107,7 +107,7 @@ pub(super) fn labels(world: &World, rect: &GroundRect) -> Vec<SceneLabel> {
         };
         add(kind, None, bent_outline(world, &parcel.corners));
     }
-    for surface in &world.plan.surfaces {
+    for surface in &world.land.plan.surfaces {
         let kind = match (surface.label, surface.ground) {
             (Some(kind), _) => kind,
             (None, Ground::Stalls) => SceneKind::CarPark,
@@ -116,7 +116,7 @@ pub(super) fn labels(world: &World, rect: &GroundRect) -> Vec<SceneLabel> {
         };
         add(kind, None, ground_polygon(&surface.outline));
     }
-    for segment in &world.segments {
+    for segment in &world.land.segments {
         let kind = match segment.class {
             RoadClass::Stream => SceneKind::Stream,
             RoadClass::Track => SceneKind::Track,
@@ -125,20 +125,20 @@ pub(super) fn labels(world: &World, rect: &GroundRect) -> Vec<SceneLabel> {
         let side = segment.axis.right() * segment.half_width;
         let (a, b) = (segment.start, segment.end());
         let polygon = [a - side, b - side, b + side, a + side];
-        let name = world.plan.roads[segment.road as usize].name;
+        let name = world.land.plan.roads[segment.road as usize].name;
         add(kind, name, polygon.map(Spot::ground).to_vec());
     }
-    for solid in &world.plan.solids {
+    for solid in &world.land.plan.solids {
         add(solid.label, None, ground_polygon(&solid.outline()));
     }
-    for prop in world.plan.props.iter().filter(|p| p.form == Form::Car) {
+    for prop in world.props.iter().filter(|p| p.form == Form::Car) {
         add(
             SceneKind::Car,
             None,
             ground_polygon(&Outline::Slab(prop.slab)),
         );
     }
-    for crown in &world.plan.crowns {
+    for crown in &world.land.plan.crowns {
         if crown.habit != Habit::Shrub {
             add(
                 SceneKind::Tree,

@@ -14,6 +14,7 @@ mod fields;
 mod grid;
 mod house;
 mod labels;
+mod land;
 mod light;
 mod network;
 mod noise;
@@ -47,6 +48,7 @@ pub use labels::{DistinctFeature, SceneKind, SceneLabel};
 use crate::frames::GroundRect;
 use crate::imagery::{Imagery, Window};
 use crate::raster::{Raster, Rgba};
+use land::Land;
 use world::World;
 
 /// The seed of the built-in demo.
@@ -62,9 +64,7 @@ pub const NATIVE_GSD: f64 = 0.15;
 #[derive(Clone, Debug)]
 pub struct Scenery {
     world: Arc<World>,
-    seed: u64,
     day: Day,
-    settled: bool,
 }
 
 impl Scenery {
@@ -80,27 +80,26 @@ impl Scenery {
 
     fn laid_out(seed: u64, day: Day, settled: bool) -> Self {
         Self {
-            world: Arc::new(World::new(seed, &in_plan(day), settled)),
-            seed,
+            world: Arc::new(World::new(
+                Arc::new(Land::new(seed, settled)),
+                &in_plan(day),
+            )),
             day,
-            settled,
         }
     }
 
-    /// The same ground on another day, laid out in less time than anew.
+    /// The same ground on another day; everything but parcels, cars and shadows is shared.
     #[must_use]
     pub fn on_day(&self, day: Day) -> Self {
         Self {
-            world: Arc::new(self.world.on_day(self.seed, &in_plan(day), self.settled)),
-            seed: self.seed,
+            world: Arc::new(World::new(Arc::clone(&self.world.land), &in_plan(day))),
             day,
-            settled: self.settled,
         }
     }
 
     /// The seed it was made from.
     pub fn seed(&self) -> u64 {
-        self.seed
+        self.world.land.seed
     }
 
     /// The day it shows.
@@ -111,7 +110,7 @@ impl Scenery {
     /// The places made to serve as landmarks, in the order in which the flights meet them: the
     /// nine buildings under the first leg, the swimming pool, then others elsewhere.
     pub fn distinct_features(&self) -> Vec<DistinctFeature> {
-        let in_plan = self.world.plan.features.iter();
+        let in_plan = self.world.land.plan.features.iter();
         in_plan.map(turn::feature).collect()
     }
 

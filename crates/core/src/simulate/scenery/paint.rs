@@ -20,10 +20,10 @@ impl World {
         let cell = cell_of(p)?;
         let soft = (1.2 * gsd).clamp(0.2, 1.4);
         let mut albedo = self.land(p, gsd);
-        let surfaces = self.surface_grid.cell(cell);
+        let surfaces = self.land.surface_grid.cell(cell);
         let mut has_marks = false;
         for &i in surfaces {
-            let surface = &self.plan.surfaces[i as usize];
+            let surface = &self.land.plan.surfaces[i as usize];
             if surface.ground == Ground::Zebra {
                 has_marks = true;
                 continue;
@@ -46,13 +46,13 @@ impl World {
                 albedo = mix(albedo, self.surface(surface, p, -d, gsd), share);
             }
         }
-        let segments = self.segment_grid.cell(cell);
+        let segments = self.land.segment_grid.cell(cell);
         if !segments.is_empty() {
             albedo = self.roads(albedo, segments, p, gsd, soft);
         }
         if has_marks {
             for &i in surfaces {
-                let surface = &self.plan.surfaces[i as usize];
+                let surface = &self.land.plan.surfaces[i as usize];
                 if surface.ground == Ground::Zebra {
                     let d = surface.outline.distance(p);
                     let share = cover_share(d, soft);
@@ -68,10 +68,10 @@ impl World {
             .light
             .reflect(albedo, sunlit * self.light.sin_elevation, open);
         for &i in self.prop_grid.cell(cell) {
-            light = self.prop(light, &self.plan.props[i as usize], p, gsd, soft);
+            light = self.prop(light, &self.props[i as usize], p, gsd, soft);
         }
-        for &i in self.solid_grid.cell(cell) {
-            let solid = &self.plan.solids[i as usize];
+        for &i in self.land.solid_grid.cell(cell) {
+            let solid = &self.land.plan.solids[i as usize];
             let d = solid.distance(p);
             if d > 0.6 * soft {
                 continue;
@@ -87,7 +87,7 @@ impl World {
                 light = mix(light, self.roof(solid, i, p, gsd, soft), share);
             }
         }
-        let crowns = self.crown_grid.cell(cell);
+        let crowns = self.land.crown_grid.cell(cell);
         if !crowns.is_empty() {
             light = self.crowns(light, crowns, p, gsd, soft);
         }
@@ -97,8 +97,8 @@ impl World {
     /// Share of the sky that the ground at a place sees: less beside walls.
     fn sky_seen(&self, p: Spot, cell: usize) -> f32 {
         let mut open: f32 = 1.0;
-        for &i in self.solid_grid.cell(cell) {
-            let solid = &self.plan.solids[i as usize];
+        for &i in self.land.solid_grid.cell(cell) {
+            let solid = &self.land.plan.solids[i as usize];
             let d = solid.distance(p);
             if d > 0.0 && d < 2.0 {
                 open = open.min(0.62 + 0.19 * d);

@@ -76,7 +76,7 @@ pub(super) struct Located {
 }
 
 impl Parcels {
-    pub(super) fn new(seed: u64, day: &Day) -> Self {
+    pub(super) fn new(seed: u64) -> Self {
         let mut dice = Dice::new(seed, 11);
         let mut parcels = Self {
             nodes: Vec::new(),
@@ -85,7 +85,7 @@ impl Parcels {
         let r = 1320.0;
         let square = vec![spot(-r, -r), spot(r, -r), spot(r, r), spot(-r, r)];
         parcels.cut(square, 0, &mut dice);
-        parcels.assign(seed, day);
+        parcels.assign(seed);
         parcels
     }
 
@@ -132,7 +132,17 @@ impl Parcels {
         number
     }
 
-    fn assign(&mut self, seed: u64, day: &Day) {
+    /// The same parcels with what they bear on `day`.
+    pub(super) fn on_day(&self, seed: u64, day: &Day) -> Self {
+        let mut there = self.clone();
+        for (i, parcel) in there.parcels.iter_mut().enumerate() {
+            let roll = unit(hash2(i as i32, day.growth_seed as i32, seed as u32));
+            parcel.cover = cover(parcel.use_, day.season, roll);
+        }
+        there
+    }
+
+    fn assign(&mut self, seed: u64) {
         for (i, parcel) in self.parcels.iter_mut().enumerate() {
             let mut dice = Dice::new(seed, 1000 + i as u64);
             let center = center_of(&parcel.corners);
@@ -159,8 +169,6 @@ impl Parcels {
             if is_village(center) && parcel.use_ != Use::Wood {
                 parcel.use_ = Use::Grassland;
             }
-            let roll = unit(hash2(i as i32, day.growth_seed as i32, seed as u32));
-            parcel.cover = cover(parcel.use_, day.season, roll);
         }
     }
 

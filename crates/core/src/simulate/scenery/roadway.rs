@@ -32,7 +32,7 @@ impl World {
         let mut near: [Option<Near>; 4] = [None; 4];
         let mut count = 0;
         for &i in cell {
-            let s: &Segment = &self.segments[i as usize];
+            let s: &Segment = &self.land.segments[i as usize];
             let (distance, offset, along) = s.measure(p);
             if distance > s.half_width + 5.5 {
                 continue;
@@ -69,7 +69,7 @@ impl World {
         if count == 0 {
             return under;
         }
-        let [speckle, clumps, patches, veins] = self.grain_texture.sample(p, gsd);
+        let [speckle, clumps, patches, veins] = self.land.textures.grain.sample(p, gsd);
         let mut out = under;
         for n in near[..count].iter().flatten() {
             match n.class {
@@ -103,7 +103,7 @@ impl World {
             return out;
         };
         let fray = depth + 0.1 * clumps + 0.08 * speckle;
-        if main.class == RoadClass::Main || !self.plan.roads[main.road as usize].village {
+        if main.class == RoadClass::Main || !self.land.plan.roads[main.road as usize].village {
             let grass = scale(
                 mix(
                     [0.07, 0.08, 0.036],
@@ -167,7 +167,10 @@ impl World {
                     worn * line_share(v.abs() - (main.half_width - 0.32), 0.07, gsd),
                 );
             }
-        } else if !joined && self.plan.roads[main.road as usize].village && main.half_width > 2.5 {
+        } else if !joined
+            && self.land.plan.roads[main.road as usize].village
+            && main.half_width > 2.5
+        {
             let dash = if repeated(main.along, 9.0).abs() < 1.5 {
                 1.0
             } else {

@@ -127,8 +127,11 @@ impl World {
         let (u, v) = solid.slab.local(p);
         let f = face(solid, u, v);
         let inside = -solid.distance(p);
-        let [speckle, clumps, patches, veins] =
-            self.grain_texture.sample(individual(p, solid.variant), gsd);
+        let [speckle, clumps, patches, veins] = self
+            .land
+            .textures
+            .grain
+            .sample(individual(p, solid.variant), gsd);
         let tint = unit(hash2(solid.variant as i32, 6, 6));
         let mut slope = f.slope;
         let found = Grain {

@@ -177,7 +177,7 @@ impl World {
             let mut shade = (0.5 - outside / blur).clamp(0.0, 1.0);
             if shade > 0.0 && height > 0.0 && shadow.caster != u32::MAX {
                 // From a roof, only what stands between it and the sun counts.
-                let slab = &self.plan.solids[shadow.caster as usize].slab;
+                let slab = &self.land.plan.solids[shadow.caster as usize].slab;
                 let reach = (shadow.top - height) * light.shadow_per_height;
                 shade *= (chord(slab, p, light.toward, reach) / blur).clamp(0.0, 1.0);
             }
@@ -203,8 +203,9 @@ impl World {
             if ahead < 0.35 * s.radius {
                 continue;
             }
-            let noise = *ragged
-                .get_or_insert_with(|| self.foliage_texture.sample(on_ground, gsd.max(0.2))[0]);
+            let noise = *ragged.get_or_insert_with(|| {
+                self.land.textures.foliage.sample(on_ground, gsd.max(0.2))[0]
+            });
             let edge = (0.3 + 0.5 * soft) * s.inverse_across;
             let k = k2.sqrt() - 0.2 * noise;
             let shade = (0.5 - (k - 0.9) / edge).clamp(0.0, 1.0) * s.density;

@@ -13,7 +13,7 @@ impl World {
     #[expect(clippy::too_many_lines, reason = "one arm for each material")]
     pub(super) fn surface(&self, s: &Surface, p: Spot, depth: f32, gsd: f32) -> Color {
         let g = individual(p, s.variant);
-        let [speckle, clumps, patches, veins] = self.grain_texture.sample(g, gsd);
+        let [speckle, clumps, patches, veins] = self.land.textures.grain.sample(g, gsd);
         let tint = unit(hash2(s.variant as i32, 3, 8));
         let along = s.axis.dot(p);
         let across = s.axis.cross(p);

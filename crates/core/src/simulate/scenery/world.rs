@@ -1,107 +1,49 @@
-//! The plan made ready for painting: grids over everything and the shadows of the day.
+//! The land on a day: its parcels, cars, light and shadows.
+
+use std::sync::Arc;
 
 use super::crowns::Foliage;
 use super::day::Day;
 use super::day::Season;
-use super::grid::{Grid, REACH};
+use super::grid::Grid;
+use super::land::Land;
 use super::light::Light;
 use super::noise::{hash2, unit};
 use super::parcels::Parcels;
-use super::plan::{Plan, Segment, segment_grid};
 use super::shadows::{CrownShadow, Shadow, prop_vertices};
 use super::shape::{Outline, Slab, Spot, spot};
-use super::texture::{Texture, Textures};
-use super::things::Form;
-use super::{distinct, network, settlement, water, woods};
+use super::things::{Form, Prop};
 
-/// The plan, its grids, and the light of the day.
+/// The land, and what a day makes of it.
 #[derive(Clone, Debug)]
 pub(super) struct World {
-    pub(super) plan: Plan,
+    pub(super) land: Arc<Land>,
     pub(super) parcels: Parcels,
-    pub(super) segments: Vec<Segment>,
-    pub(super) segment_grid: Grid,
-    pub(super) surface_grid: Grid,
-    pub(super) solid_grid: Grid,
-    pub(super) crown_grid: Grid,
+    pub(super) props: Vec<Prop>,
     pub(super) prop_grid: Grid,
     pub(super) shadows: Vec<Shadow>,
     pub(super) shadow_grid: Grid,
     pub(super) crown_shadow_grid: Grid,
     pub(super) crown_shadows: Vec<CrownShadow>,
     pub(super) foliage: Foliage,
-    pub(super) foliage_texture: Texture,
-    pub(super) grain_texture: Texture,
-    pub(super) land_texture: Texture,
     pub(super) growth: u32,
     pub(super) light: Light,
 }
 
-fn square(center: Spot, radius: f32) -> Vec<Spot> {
+pub(super) fn square(center: Spot, radius: f32) -> Vec<Spot> {
     vec![center + spot(radius, radius), center - spot(radius, radius)]
 }
 
 impl World {
-    /// With the village and its roads, or open country without them.
-    pub(super) fn new(seed: u64, day: &Day, settled: bool) -> Self {
-        Self::with_textures(seed, day, settled, Textures::new(seed))
-    }
-
-    /// The same ground on another day: what takes long and does not change is shared.
-    pub(super) fn on_day(&self, seed: u64, day: &Day, settled: bool) -> Self {
-        let textures = Textures {
-            foliage: self.foliage_texture.clone(),
-            grain: self.grain_texture.clone(),
-            land: self.land_texture.clone(),
-        };
-        Self::with_textures(seed, day, settled, textures)
-    }
-
-    fn with_textures(seed: u64, day: &Day, settled: bool, textures: Textures) -> Self {
+    /// `land` on `day`.
+    pub(super) fn new(land: Arc<Land>, day: &Day) -> Self {
         let light = Light::new(day);
-        let mut plan = Plan::default();
-        if settled {
-            distinct::build(&mut plan);
-            network::build(&mut plan);
-        }
-        water::build(&mut plan);
-        if settled {
-            settlement::build(&mut plan, seed);
-        }
-        let parcels = Parcels::new(seed, day);
-        let segments = plan.segments();
-        let segment_grid = segment_grid(&segments);
-        let surface_grid = Grid::new(
-            &plan.surfaces,
-            2.0,
-            |s| s.outline.corners(),
-            |s, center, reach| s.outline.distance(center) < reach + 2.0 * s.ragged,
-        );
-        let solid_grid = Grid::new(
-            &plan.solids,
-            1.0,
-            |s| s.outline().corners(),
-            |s, center, reach| s.distance(center) < reach,
-        );
-        let ground = woods::Ground {
-            land: &textures.land,
-            segments: &segments,
-            segment_grid: &segment_grid,
-            surface_grid: &surface_grid,
-            solid_grid: &solid_grid,
-        };
-        woods::plant(&mut plan, &parcels, &ground, seed);
-        park(&mut plan, day);
-        plan.crowns
-            .retain(|c| c.center.n.abs() < REACH + 8.0 && c.center.e.abs() < REACH + 8.0);
-        let crown_grid = Grid::new(
-            &plan.crowns,
-            1.0,
-            |c| square(c.center, c.radius * 1.14),
-            |c, center, reach| (c.center - center).length() < c.radius * 1.14 + reach,
-        );
+        let parcels = land.parcels.on_day(land.seed, day);
+        let plan = &land.plan;
+        let mut props = plan.props.clone();
+        props.extend(parked(&plan.stalls, day));
         let prop_grid = Grid::new(
-            &plan.props,
+            &props,
             0.6,
             |p| p.slab.corners().to_vec(),
             |p, center, reach| p.slab.distance(center) < reach,
@@ -113,7 +55,7 @@ impl World {
             .map(|(i, solid)| Shadow::cast(&solid.vertices(), &light, i as u32))
             .collect();
         shadows.extend(
-            plan.props
+            props
                 .iter()
                 .map(|p| Shadow::cast(&prop_vertices(p), &light, u32::MAX)),
         );
@@ -136,30 +78,23 @@ impl World {
             |s, center, reach| s.slab(&light).distance(center) < reach,
         );
         Self {
-            plan,
             parcels,
-            segments,
-            segment_grid,
-            surface_grid,
-            solid_grid,
-            crown_grid,
+            props,
             prop_grid,
             shadows,
             shadow_grid,
             crown_shadow_grid,
             crown_shadows,
             foliage: Foliage::new(day.season, day.growth_seed),
-            foliage_texture: textures.foliage,
-            land_texture: textures.land,
-            grain_texture: textures.grain,
             growth: day.growth_seed as u32,
             light,
+            land,
         }
     }
 }
 
-/// Parks the day's cars.
-fn park(plan: &mut Plan, day: &Day) {
+/// The day's cars: each stall (its place, how often one stands there) holds one or none.
+fn parked(stalls: &[(Slab, f32)], day: &Day) -> Vec<Prop> {
     const PAINTS: [[f32; 3]; 10] = [
         [0.62, 0.62, 0.61],
         [0.6, 0.6, 0.6],
@@ -172,9 +107,10 @@ fn park(plan: &mut Plan, day: &Day) {
         [0.26, 0.025, 0.025],
         [0.2, 0.18, 0.14],
     ];
-    for (i, (stall, chance)) in plan.stalls.clone().into_iter().enumerate() {
+    let mut cars = Vec::new();
+    for (i, (stall, chance)) in stalls.iter().enumerate() {
         let h = hash2(i as i32, day.cars_seed as i32, 5);
-        if unit(h) < chance {
+        if unit(h) < *chance {
             let paint = PAINTS[(h.rotate_left(7) % 10) as usize];
             let jitter = unit(h.rotate_left(13)) - 0.5;
             let turned = if h & 1 == 0 {
@@ -189,9 +125,15 @@ fn park(plan: &mut Plan, day: &Day) {
                 4.3 + 0.5 * unit(h.rotate_left(23)),
                 1.76 + 0.14 * jitter,
             );
-            plan.put(slab, 1.5, Form::Car, paint);
+            cars.push(Prop {
+                slab,
+                height: 1.5,
+                form: Form::Car,
+                color: paint,
+            });
         }
     }
+    cars
 }
 
 /// Corners of an outline in world metres.

@@ -1,0 +1,124 @@
+//! One imagery inside a rectangle, another around it.
+
+use std::sync::Arc;
+
+use super::{Imagery, Window};
+use crate::frames::GroundRect;
+use crate::raster::{Raster, Rgba};
+
+/// One imagery inside a rectangle, another around it: for ground that takes long to draw and of which
+/// only a part matters.
+pub struct InsetImagery {
+    inner: Arc<dyn Imagery>,
+    rect: GroundRect,
+    around: Arc<dyn Imagery>,
+}
+
+impl InsetImagery {
+    /// `inner` inside `rect`, `around` outside; pixels count as inside that touch it. Bounds and
+    /// sampling are those of `inner`.
+    pub fn new(inner: Arc<dyn Imagery>, rect: GroundRect, around: Arc<dyn Imagery>) -> Self {
+        Self {
+            inner,
+            rect,
+            around,
+        }
+    }
+
+    /// Columns and rows of `window` that touch the rectangle: (left, top, right, bottom), ends left out.
+    fn inside(&self, window: &Window) -> (usize, usize, usize, usize) {
+        let within = |metres: f64, size: usize| (metres / window.gsd).clamp(0.0, size as f64);
+        let from_west = |east: f64| within(east - window.west_edge, window.width);
+        let from_north = |north: f64| within(window.north_edge - north, window.height);
+        (
+            from_west(self.rect.west).floor() as usize,
+            from_north(self.rect.north).floor() as usize,
+            from_west(self.rect.east).ceil() as usize,
+            from_north(self.rect.south).ceil() as usize,
+        )
+    }
+}
+
+impl Imagery for InsetImagery {
+    fn name(&self) -> &str {
+        self.inner.name()
+    }
+
+    fn bounds(&self) -> GroundRect {
+        self.inner.bounds()
+    }
+
+    fn native_gsd(&self) -> f64 {
+        self.inner.native_gsd()
+    }
+
+    fn is_coarse_cheap(&self) -> bool {
+        self.inner.is_coarse_cheap()
+    }
+
+    fn window(&self, window: &Window) -> Raster<Rgba> {
+        let (left, top, right, bottom) = self.inside(window);
+        if right <= left || bottom <= top {
+            return self.around.window(window);
+        }
+        if (left, top) == (0, 0) && (right, bottom) == (window.width, window.height) {
+            return self.inner.window(window);
+        }
+        let mut out = self.around.window(window);
+        let part = self.inner.window(&Window {
+            north_edge: window.north_edge - top as f64 * window.gsd,
+            west_edge: window.west_edge + left as f64 * window.gsd,
+            gsd: window.gsd,
+            width: right - left,
+            height: bottom - top,
+        });
+        for row in 0..part.height() {
+            out.row_mut(top + row)[left..right].copy_from_slice(part.row(row));
+        }
+        out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plan::any_day;
+    use crate::simulate::scenery::{Day, Scenery};
+
+    #[test]
+    fn inside_it_is_the_one_picture_and_outside_the_other() {
+        let whole = Arc::new(Scenery::new(7, Day::map_day()));
+        let rect = GroundRect {
+            north: 40.0,
+            south: 10.0,
+            west: -22.0,
+            east: 5.0,
+        };
+        let around = Arc::new(Scenery::new(7, any_day(3)));
+        let inset = InsetImagery::new(whole.clone(), rect, around.clone());
+        for (north, west) in [(38.4, -38.4), (50.0, -12.0), (25.0, 4.9), (-50.0, 60.0)] {
+            let window = Window {
+                north_edge: north,
+                west_edge: west,
+                gsd: 0.6,
+                width: 64,
+                height: 48,
+            };
+            let (one, other) = (whole.window(&window), around.window(&window));
+            let shown = inset.window(&window);
+            for row in 0..48 {
+                for column in 0..64 {
+                    let ground = window.ground_at(column as f64 + 0.5, row as f64 + 0.5);
+                    let beyond = (ground.north - 25.0).abs() - 15.0;
+                    let beyond = beyond.max((ground.east + 8.5).abs() - 13.5);
+                    let expected = match beyond {
+                        within if within < -0.6 => one.get(column, row),
+                        outside if outside > 0.6 => other.get(column, row),
+                        _ => continue,
+                    };
+                    assert_eq!(shown.get(column, row), expected, "{ground:?}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! What of the countryside is the same on every day, with the grids that find it.
+
+use super::grid::{Grid, REACH};
+use super::parcels::Parcels;
+use super::plan::{Plan, Segment, segment_grid};
+use super::texture::Textures;
+use super::world::square;
+use super::{distinct, network, settlement, water, woods};
+
+/// The plan without the cars of a day, its grids, and the textures of the ground.
+#[derive(Clone, Debug)]
+pub(super) struct Land {
+    pub(super) seed: u64,
+    pub(super) plan: Plan,
+    /// The parcels and their use; what they bear on a day is not settled yet.
+    pub(super) parcels: Parcels,
+    pub(super) segments: Vec<Segment>,
+    pub(super) segment_grid: Grid,
+    pub(super) surface_grid: Grid,
+    pub(super) solid_grid: Grid,
+    pub(super) crown_grid: Grid,
+    pub(super) textures: Textures,
+}
+
+impl Land {
+    /// With the village and its roads, or open country without them.
+    pub(super) fn new(seed: u64, settled: bool) -> Self {
+        let textures = Textures::new(seed);
+        let mut plan = Plan::default();
+        if settled {
+            distinct::build(&mut plan);
+            network::build(&mut plan);
+        }
+        water::build(&mut plan);
+        if settled {
+            settlement::build(&mut plan, seed);
+        }
+        let parcels = Parcels::new(seed);
+        let segments = plan.segments();
+        let segment_grid = segment_grid(&segments);
+        let surface_grid = Grid::new(
+            &plan.surfaces,
+            2.0,
+            |s| s.outline.corners(),
+            |s, center, reach| s.outline.distance(center) < reach + 2.0 * s.ragged,
+        );
+        let solid_grid = Grid::new(
+            &plan.solids,
+            1.0,
+            |s| s.outline().corners(),
+            |s, center, reach| s.distance(center) < reach,
+        );
+        let ground = woods::Ground {
+            land: &textures.land,
+            segments: &segments,
+            segment_grid: &segment_grid,
+            surface_grid: &surface_grid,
+            solid_grid: &solid_grid,
+        };
+        woods::plant(&mut plan, &parcels, &ground, seed);
+        plan.crowns
+            .retain(|c| c.center.n.abs() < REACH + 8.0 && c.center.e.abs() < REACH + 8.0);
+        let crown_grid = Grid::new(
+            &plan.crowns,
+            1.0,
+            |c| square(c.center, c.radius * 1.14),
+            |c, center, reach| (c.center - center).length() < c.radius * 1.14 + reach,
+        );
+        Self {
+            seed,
+            plan,
+            parcels,
+            segments,
+            segment_grid,
+            surface_grid,
+            solid_grid,
+            crown_grid,
+            textures,
+        }
+    }
+}

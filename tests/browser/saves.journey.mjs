@@ -1,0 +1,59 @@
+// The autosave: a write that fails is told and tried again; one that breaks off loses the last edit at most.
+export const name = "a full disk or a crash in the middle of a save loses at most the last edit, and says so";
+
+const idle = (page) => page.waitForFunction(() => window.page.storage.pending === 0, null, { timeout: 30_000 });
+
+/** Opens the `count`-th route beside the `others` of the demo, so that there is an edit to save. */
+async function addRoute(page, tools, others, count) {
+  const { origin } = await tools.state();
+  const line = [0, 1].map((i) => `${i}\t0\t3\t16\t0\t0\t0\t0\t${origin[0] + 0.001 * (i + count)}\t${origin[1]}\t90\t1`);
+  const home = `0\t1\t0\t16\t0\t0\t0\t0\t${origin[0]}\t${origin[1]}\t0\t1`;
+  const text = ["QGC WPL 110", home, ...line, ""].join("\n");
+  await page.setInputFiles("#files", [{ name: `trip-${count}.waypoints`, mimeType: "text/plain", buffer: Buffer.from(text) }]);
+  return tools.waitFor((s) => s.plan.routes.length === others + count, `route ${count}`, 60_000);
+}
+
+export async function run(page, tools) {
+  await tools.waitReady();
+  await tools.waitFor((s) => s.run_steps > 0, "the demo", 150_000);
+  const others = (await tools.state()).plan.routes.length;
+  await addRoute(page, tools, others, 1);
+  await page.waitForFunction(() => window.page.storage.written > 0, null, { timeout: 30_000 });
+  await idle(page);
+  const files = () => page.evaluate(async () => {
+    const root = await navigator.storage.getDirectory();
+    const names = [];
+    for await (const name of (await root.getDirectoryHandle("documents")).keys()) names.push(name);
+    return names;
+  });
+  tools.check((await files()).includes("session"), `the session is no file of its own: ${await files()}`);
+
+  // A full disk: what was stored before stays, and once there is room again the edit is stored too.
+  await page.evaluate(() => {
+    const { prototype } = FileSystemWritableFileStream;
+    window.closeFile = prototype.close;
+    prototype.close = function close() { return this.abort().then(() => { throw new DOMException("no room", "QuotaExceededError"); }); };
+  });
+  await addRoute(page, tools, others, 2);
+  const refused = (s) => s.toasts.find((t) => t.trouble && /could not keep everything/.test(t.title));
+  console.log(`        ${refused(await tools.waitFor(refused, "a word that it could not be stored", 30_000)).text}`);
+  await tools.screenshot("save-refused");
+  tools.check(!(await files()).some((f) => f.endsWith(".unfinished")), "half a file was left behind");
+  const { written } = await page.evaluate(() => ({ written: window.page.storage.written }));
+  await page.evaluate(() => { FileSystemWritableFileStream.prototype.close = window.closeFile; });
+  await page.waitForFunction((before) => window.page.storage.written > before && window.page.storage.pending === 0, written, { timeout: 40_000 });
+  await page.reload();
+  await tools.waitReady();
+  await tools.waitFor((s) => s.plan.routes.length === others + 2, "both routes after the reload", 150_000);
+
+  // A crash between writing and renaming: the edit before is there, and the break is told.
+  await page.evaluate(() => { FileSystemFileHandle.prototype.move = () => new Promise(() => {}); });
+  await addRoute(page, tools, others, 3);
+  await page.waitForTimeout(2500);
+  await page.reload();
+  await tools.waitReady();
+  const broken = (s) => s.toasts.find((t) => t.trouble && /broken off/.test(t.title));
+  const after = await tools.waitFor((s) => broken(s) && s.plan.routes.length > others, "the visit after the crash", 150_000);
+  console.log(`        ${broken(after).text}`);
+  tools.check(after.plan.routes.length === others + 2, `${after.plan.routes.length} routes are there instead of ${others + 2}`);
+}

@@ -1,0 +1,109 @@
+// Tiles of the web and a GeoTIFF at an address, from a server of this journey's own.
+import { createServer } from "node:http";
+import { country, geotiff } from "./geotiff.mjs";
+import { png } from "./png.mjs";
+
+export const name = "tiles of the web are shown with their attribution, downloaded for an area, and there when the server is gone; a GeoTIFF is read by ranges";
+
+const shade = (zoom, x, y) => [40 + ((x * 37) % 5) * 40, 60 + ((y * 53) % 5) * 35, (zoom * 29) % 256];
+
+function serve(map) {
+  const counts = { tiles: 0, ranges: 0, bytes: 0 };
+  let refuses = false;
+  const server = createServer((request, response) => {
+    response.setHeader("Access-Control-Allow-Origin", "*");
+    response.setHeader("Access-Control-Allow-Headers", "Range");
+    if (request.method === "OPTIONS") return response.end();
+    const tile = request.url.match(/^\/(\d+)\/(\d+)\/(\d+)\.png$/);
+    if (tile) {
+      counts.tiles += 1;
+      if (refuses) return response.writeHead(503).end();
+      const [zoom, x, y] = tile.slice(1).map(Number);
+      const body = png(256, 256, (c, r) => (c === 0 || r === 0 ? [255, 255, 255] : shade(zoom, x, y)));
+      response.setHeader("Content-Type", "image/png");
+      return response.end(body);
+    }
+    if (request.url === "/far.tif") {
+      response.setHeader("Accept-Ranges", "bytes");
+      const range = request.headers.range?.match(/bytes=(\d+)-(\d+)/);
+      if (!range) return response.setHeader("Content-Length", map.length).end(request.method === "HEAD" ? undefined : map);
+      const part = map.subarray(Number(range[1]), Number(range[2]) + 1);
+      counts.ranges += 1;
+      counts.bytes += part.length;
+      response.writeHead(206, { "Content-Range": `bytes ${range[1]}-${range[2]}/${map.length}`, "Content-Length": part.length });
+      return response.end(part);
+    }
+    response.writeHead(404).end();
+  });
+  return new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve({
+    counts, address: `http://127.0.0.1:${server.address().port}`, close: () => server.close(), refuse() { refuses = true; },
+  })));
+}
+
+async function command(page, tools, words) {
+  await page.keyboard.press("Control+k");
+  await tools.waitFor((s) => s.dialogs.palette, "the command palette");
+  await page.keyboard.type(words);
+  await page.keyboard.press("Enter");
+}
+
+async function fill(page, tools, label, text) {
+  await tools.click(await tools.find("TextInput", label));
+  await page.keyboard.press("Control+a");
+  await page.keyboard.type(text);
+}
+
+export async function run(page, tools) {
+  const side = 1200;
+  const server = await serve(geotiff({ width: side, height: side, gsd: 0.5, east: 570_000, north: 5_190_000, pixel: country(side, side) }));
+  tools.expectRequest(/^http:\/\/127\.0\.0\.1:/);
+  tools.expectMessage(/503|Failed to load resource/);
+  try {
+    await tools.waitReady();
+    await tools.waitFor((s) => s.run_steps > 0 && s.map.tiles > 0, "the demo", 150_000);
+    tools.check(server.counts.tiles === 0, "something was requested before anybody asked for it");
+    await command(page, tools, "map from the web");
+    await tools.waitFor((s) => s.dialogs.web_map, "the dialog");
+    await fill(page, tools, "Address", `${server.address}/{z}/{x}/{y}.png`);
+    await fill(page, tools, "Attribution", "Map by the journey's own server");
+    await tools.screenshot("web-map-dialog");
+    await tools.click(await tools.find("Button", "Open the map"));
+    const shown = await tools.waitFor((s) => s.map.name?.startsWith("127.0.0.1") && s.map.tiles > 3 && s.map.whole, "the tiles", 60_000);
+    tools.check(shown.map.attribution === "Map by the journey's own server", "the attribution is not shown");
+    tools.check(server.counts.tiles > 3, `${server.counts.tiles} tiles were requested`);
+    await tools.find("Label", /the journey's own server/);
+    await page.waitForTimeout(500);
+    await tools.screenshot("web-map");
+
+    await command(page, tools, "map from the web");
+    await tools.waitFor((s) => s.dialogs.web_map, "the dialog");
+    await tools.screenshot("web-map-download");
+    await tools.click(await tools.find("Button", "Download what is in sight"));
+    const done = await tools.waitFor((s) => s.download?.over, "the download", 60_000);
+    tools.check(done.download.failed === 0 && done.download.done > 4, JSON.stringify(done.download));
+    console.log(`        ${done.download.done} tiles downloaded, ${server.counts.tiles} requested in all`);
+    await page.keyboard.press("Escape");
+
+    // The server fails; the page is loaded again.
+    server.refuse();
+    const before = server.counts.tiles;
+    await page.waitForTimeout(1500);
+    await page.waitForFunction(() => window.page.storage.pending === 0);
+    await page.reload();
+    await tools.waitReady();
+    await tools.waitFor((s) => s.map.name?.startsWith("127.0.0.1") && s.map.tiles > 3, "the tiles without the server", 60_000);
+    console.log(`        ${server.counts.tiles - before} requests after the reload`);
+
+    await command(page, tools, "map from the web");
+    await tools.waitFor((s) => s.dialogs.web_map, "the dialog");
+    await fill(page, tools, "Address", `${server.address}/far.tif`);
+    await page.waitForTimeout(700); // the dialog is lower without the fields for tiles
+    await tools.click(await tools.find("Button", "Open the map"));
+    const far = await tools.waitFor((s) => s.map.name?.endsWith("/far.tif") && s.map.tiles > 0 && s.map.whole, "the GeoTIFF", 60_000);
+    console.log(`        ${server.counts.ranges} ranges, ${(server.counts.bytes / 1e6).toFixed(1)} MB`);
+    tools.check(server.counts.ranges > 1 && Math.abs(far.map.gsd - 0.5) < 1e-3, "the file was not read by ranges");
+    await tools.screenshot("web-map-file");
+  } finally {
+    server.close();
+  }
+}
