@@ -14,6 +14,7 @@ export async function run(page, tools) {
   // While a way-point is dragged, coarse predictions follow the mouse.
   const { map, plan } = first;
   const coarse = [];
+  const computed = [];
   const [left, top, right, bottom] = map.rect;
   const dragged = plan.routes[0].way_points[1].screen;
   if (dragged) {
@@ -23,11 +24,13 @@ export async function run(page, tools) {
       await page.mouse.move(Math.min(right - 60, dragged[0] + 6 * i), Math.max(top + 60, dragged[1] + 2 * i));
       await page.waitForTimeout(150);
       const { plan: now } = await tools.state();
-      if (now.prediction?.coarse_took != null) coarse.push(now.prediction.coarse_took);
+      if (now.prediction?.coarse_took == null) continue;
+      coarse.push(now.prediction.coarse_took);
+      computed.push(now.prediction.coarse_computed);
     }
     await page.mouse.up();
     const whole = await tools.waitFor(fine, "the prediction after the drag", 60_000);
-    lines.push(`coarse prediction while dragging ${spread(coarse)}, whole one afterwards ${whole.plan.prediction.took.toFixed(0)} ms`);
+    lines.push(`coarse prediction while dragging ${spread(coarse)} until it was shown, ${spread(computed)} in the worker; whole one afterwards ${whole.plan.prediction.took.toFixed(0)} ms`);
   }
 
   // One landmark measured, with the ground of other days still to be laid out, then two more.

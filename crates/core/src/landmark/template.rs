@@ -16,7 +16,7 @@ use super::rectify::{GroundView, rectify};
 use super::{
     Detection, Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting, TemplateSettings,
 };
-use crate::frames::GroundPoint;
+use crate::frames::{GroundPoint, GroundRect};
 use crate::imagery::{Imagery, Window};
 use crate::raster::{Gray, IntegralImage};
 
@@ -123,6 +123,11 @@ impl TemplateDetector {
             (north / gsd).ceil() as usize + 1,
         );
         let window = Self::window(landmark.bounds.center(), gsd, size, reach);
+        // A lost filter searches for kilometres, but a place is found in the picture or nowhere.
+        let window = in_picture(&window, view).ok_or(Refusal::OutOfPicture)?;
+        if window.width < size.0 || window.height < size.1 {
+            return Err(Refusal::OutOfPicture);
+        }
         let ground = rectify(view, &window);
         let mut surface = template.correlate(&Features::new(ground.luminance.clone()));
         forbid_unseen(&mut surface, &ground, size);
@@ -448,5 +453,68 @@ fn unaligned(similarity: Similarity, size: (usize, usize)) -> Alignment {
     Alignment {
         similarity,
         covariance: Matrix4::from_diagonal(&nalgebra::Vector4::new(1.0, 1.0, angle, angle)),
+    }
+}
+/// What of `window` can lie in the picture, cut at its pixels; `None` if nothing of it can.
+fn in_picture(window: &Window, view: &FrameView<'_>) -> Option<Window> {
+    let footprint = view.camera.footprint(&view.pose, view.ground_down);
+    let seen = GroundRect::around(footprint)?;
+    let cut = |metres: f64, size: usize| (metres / window.gsd).clamp(0.0, size as f64);
+    let left = cut(seen.west - window.west_edge, window.width).floor() as usize;
+    let right = cut(seen.east - window.west_edge, window.width).ceil() as usize;
+    let top = cut(window.north_edge - seen.north, window.height).floor() as usize;
+    let bottom = cut(window.north_edge - seen.south, window.height).ceil() as usize;
+    (right > left && bottom > top).then(|| Window {
+        north_edge: window.north_edge - top as f64 * window.gsd,
+        west_edge: window.west_edge + left as f64 * window.gsd,
+        gsd: window.gsd,
+        width: right - left,
+        height: bottom - top,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Point3;
+
+    use super::*;
+    use crate::camera::CameraModel;
+    use crate::frames::{Attitude, Pose};
+    use crate::raster::Pyramid;
+
+    #[test]
+    fn a_search_over_kilometres_looks_at_no_more_ground_than_the_picture_shows() {
+        let camera = CameraModel::pinhole(640, 480, 60_f64.to_radians());
+        let luminance = Pyramid::new(Gray::filled(640, 480, 90.0), 3);
+        let view = FrameView {
+            camera: &camera,
+            pose: Pose {
+                position_in_world: Point3::new(300.0, -200.0, -122.0),
+                attitude: Attitude {
+                    roll: 0.1,
+                    pitch: -0.05,
+                    yaw: 0.7,
+                },
+            },
+            ground_down: 0.0,
+            luminance: &luminance,
+        };
+        let reach = (9000, 9000);
+        let around = |north, east| {
+            let center = GroundPoint::new(north, east);
+            TemplateDetector::window(center, 0.3, (120, 120), reach)
+        };
+        let wide = around(1200.0, 900.0);
+        let cut = in_picture(&wide, &view).unwrap();
+        let footprint = camera.footprint(&view.pose, 0.0);
+        let shown = GroundRect::around(footprint).unwrap();
+        assert!(cut.rect().contains_rect(&shown), "{cut:?}");
+        assert!(shown.grown(0.31).contains_rect(&cut.rect()), "{cut:?}");
+        // On the very grid of the wide window.
+        let steps = (wide.north_edge - cut.north_edge) / 0.3;
+        assert!((steps - steps.round()).abs() < 1e-6);
+        assert_eq!(in_picture(&around(8000.0, 0.0), &view), None);
+        let near = TemplateDetector::window(shown.center(), 0.3, (40, 40), (9, 9));
+        assert_eq!(in_picture(&near, &view), Some(near));
     }
 }

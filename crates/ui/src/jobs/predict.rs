@@ -8,6 +8,8 @@ use pilotage_core::plan::{DetectionStatistics, PlannedLandmark, Prediction, Pred
 use pilotage_core::simulate::{Airframe, FlightPlan, SensorSpec, Target, Wind, world_origin};
 use serde::{Deserialize, Serialize};
 
+use super::{Advance, JobEvent, RunningJob, Workshop};
+
 /// Seed of the worlds: the same plan always has the same prediction.
 const SEED: u64 = 1;
 /// Time beyond that of the way itself before a flight that does not get on is broken off, seconds.
@@ -36,6 +38,31 @@ pub struct PredictionOrder {
     pub landmarks: Vec<(Landmark, DetectionStatistics)>,
     /// Worlds to try: 8 are coarse, 100 are fine.
     pub worlds: usize,
+}
+
+/// A prediction as a job.
+pub struct Predict(pub PredictionOrder);
+
+impl RunningJob for Predict {
+    fn advance(
+        &mut self,
+        _: &mut Workshop,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Advance {
+        let begun = clock();
+        match self.0.predict() {
+            Ok(prediction) => {
+                emit(JobEvent::Prediction {
+                    prediction: Box::new(prediction),
+                    computed: clock() - begun,
+                });
+                emit(JobEvent::Finished);
+            }
+            Err(cause) => emit(JobEvent::Failed(cause)),
+        }
+        Advance::Done
+    }
 }
 
 impl PredictionOrder {

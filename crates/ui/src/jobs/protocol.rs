@@ -335,7 +335,12 @@ pub enum JobEvent {
     /// Pictures that explain a match.
     Match(Box<MatchPictures>),
     /// The uncertainty along a planned route.
-    Prediction(Box<Prediction>),
+    Prediction {
+        /// The prediction.
+        prediction: Box<Prediction>,
+        /// How long the worker computed, milliseconds.
+        computed: f64,
+    },
     /// How well a landmark is found.
     Assessment(Box<Assessment>),
     /// Where a fix would be had, as far as it is known.

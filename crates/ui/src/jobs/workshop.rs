@@ -23,6 +23,7 @@ use super::find::FindRoute;
 use super::flights::OpenFlight;
 use super::fly::Fly;
 use super::heights::TakeHeights;
+use super::predict::Predict;
 use super::prepare::PrepareMap;
 use super::running::Once;
 use super::web_map::{FetchedTiles, WEB_TILES};
@@ -129,10 +130,7 @@ impl Workshop {
                 emit(JobEvent::Distinctness(Box::new(found)));
                 Ok(())
             }),
-            Job::Predict(order) => once(move |_, emit| {
-                emit(JobEvent::Prediction(Box::new(order.predict()?)));
-                Ok(())
-            }),
+            Job::Predict(order) => Box::new(Predict(*order)),
             Job::Brief(order) => Box::new(Brief::new(order)),
             Job::Assess(order) => Box::new(Assess::new(*order)),
             Job::Field(order) => Box::new(ComputeField::new(*order)),

@@ -41,8 +41,8 @@ pub struct Forecast {
     /// The plan as it was last, and since when, milliseconds.
     plan: Option<(PredictionOrder, f64)>,
     limit: f64,
-    /// Longest that the coarse one took lately, milliseconds.
-    coarse: Option<f64>,
+    /// How long the last coarse one took, and how long it was computed, milliseconds.
+    coarse: Option<(f64, f64)>,
 }
 
 impl Forecast {
@@ -62,8 +62,9 @@ impl Forecast {
         self.shown.as_ref().is_some_and(fine)
     }
 
-    /// How long the last coarse prediction took, milliseconds.
-    pub fn coarse_took(&self) -> Option<f64> {
+    /// How long the last coarse prediction took until it was here, and how long a worker computed it,
+    /// milliseconds.
+    pub fn coarse_took(&self) -> Option<(f64, f64)> {
         self.coarse
     }
 
@@ -145,12 +146,15 @@ impl Forecast {
             return false;
         };
         match event {
-            JobEvent::Prediction(prediction) => {
+            JobEvent::Prediction {
+                prediction,
+                computed,
+            } => {
                 let mut prediction = prediction.as_ref().clone();
                 prediction.mark(self.limit);
                 let took = now - asked.since;
                 if asked.order.worlds == COARSE {
-                    self.coarse = Some(took);
+                    self.coarse = Some((took, *computed));
                 }
                 self.shown = Some(Shown {
                     prediction,

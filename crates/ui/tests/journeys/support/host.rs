@@ -141,7 +141,10 @@ impl ScriptedHost {
             }
             Job::Predict(order) => match order.predict() {
                 Ok(prediction) => {
-                    say(JobEvent::Prediction(Box::new(prediction)));
+                    say(JobEvent::Prediction {
+                        prediction: Box::new(prediction),
+                        computed: 1.0,
+                    });
                     say(JobEvent::Finished);
                 }
                 Err(why) => say(JobEvent::Failed(why)),
