@@ -49,6 +49,7 @@ fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), S
         "thesis-q" => settings.process.thesis_per_step = switch()?,
         "wind" => settings.process.wind = number()?,
         "gust" => settings.process.gust = number()?,
+        "gust-per-wind" => settings.process.gust_per_wind = number()?,
         "gust-time" => settings.process.gust_time = number()?,
         "airspeed" => settings.process.airspeed = number()?,
         "heading" => settings.process.heading = number()?,

@@ -46,7 +46,20 @@ pub fn verify(
             }
             let day = &days[(seed % DAYS) as usize];
             let (flight, run) = fly(ground, plan, day, seed)?;
-            all.push(compare(&flight, &run, prediction));
+            let compared = compare(&flight, &run, prediction);
+            let of = Verification::of(std::slice::from_ref(&compared));
+            eprintln!(
+                "seed {seed}: {} frames, {} updated, {:.1} % inside the corridor, error {:.2} m RMS, \
+                 at most {:.1} m, where the filter believed {:.2} m (NEES {:.2})",
+                of.frames,
+                run.steps.iter().filter(|s| s.corrected()).count(),
+                100.0 * of.inside_corridor,
+                of.rms_m,
+                of.largest_m,
+                of.believed_rms_m,
+                of.mean_nees
+            );
+            all.push(compared);
         }
     };
     let workers = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);

@@ -60,6 +60,11 @@ impl VehicleVisitor for Bound<'_> {
             let mut state = SVector::<f64, N>::zeros();
             state[0] = truth.x;
             state[1] = truth.y;
+            let wind = self.flight.truth.as_ref().and_then(|t| t.wind(step.time));
+            if let Some((i, wind)) = model.wind_index().zip(wind) {
+                state[i] = wind.x;
+                state[i + 1] = wind.y;
+            }
             let input = self.input(step);
             let transition = numerical_jacobian(
                 |x: &SVector<f64, N>| Some(model.propagate(x, &input, step.dt)),

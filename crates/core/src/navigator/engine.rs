@@ -114,7 +114,7 @@ impl<const N: usize, V: VehicleModel<N> + Send> Engine for UkfEngine<N, V> {
     }
 
     fn predict(&mut self, input: &ControlInput, dt: f64) -> Result<PredictedStep, FilterError> {
-        let noise = self.model.process_noise(self.filter.mean(), input, dt);
+        let noise = self.model.noise_of_belief(&self.filter.state(), input, dt);
         let model = &self.model;
         let step = self
             .filter
@@ -186,6 +186,7 @@ pub fn vehicle(settings: &NavigatorSettings) -> VehicleSettings {
     };
     let gusts = Gusts {
         deviation: p.gust,
+        per_wind: p.gust_per_wind,
         correlation_time: p.gust_time,
     };
     let start_wind_deviation = settings.start.wind;

@@ -64,8 +64,12 @@ pub struct ProcessNoise {
     pub position: f64,
     /// Random walk of the wind, (m/s)/√s.
     pub wind: f64,
-    /// Standard deviation of the gust per axis, m/s.
+    /// Least standard deviation of the gust per axis, m/s.
     pub gust: f64,
+    /// Standard deviation of the gust per axis in a wind of 1 m/s, where that is more: the filter
+    /// expects the gusts of the wind that it has found.
+    #[serde(default)]
+    pub gust_per_wind: f64,
     /// Correlation time of the gust, seconds.
     pub gust_time: f64,
     /// Standard deviation of the airspeed bias at the start, m/s.
@@ -140,6 +144,7 @@ impl Default for NavigatorSettings {
                 position: 0.0,
                 wind: 0.05,
                 gust: 0.3,
+                gust_per_wind: 0.0,
                 gust_time: 12.0,
                 airspeed_bias: 0.2,
                 heading_bias: 0.5_f64.to_radians(),

@@ -1,10 +1,13 @@
 //! The position uncertainty that a filter will have along a route, before the flight.
 
+use rand::seq::SliceRandom;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
 use serde::{Deserialize, Serialize};
 
 use super::DetectionStatistics;
-use super::corridor::{Corridor, corridor, gaussian_points};
-use super::propagate::{Moment, Propagation};
+use super::corridor::{Corridor, corridor, gaussian_kernels};
+use super::propagate::{Moment, Propagation, UnknownWind};
 use crate::frames::GroundPoint;
 use crate::landmark::Landmark;
 use crate::navigator::{NavigatorSettings, vehicle};
@@ -155,8 +158,12 @@ impl PredictionRequest<'_> {
         } else {
             1
         };
+        let per_wind = worlds.div_ceil(winds);
+        let recognised = self.recognised(winds * per_wind);
+        let (points, kernel) = gaussian_kernels(winds);
         let mut ways = Vec::with_capacity(winds);
-        for (number, point) in gaussian_points(winds).enumerate() {
+        for ((number, point), worlds) in points.iter().enumerate().zip(recognised.chunks(per_wind))
+        {
             let wind = self.plan.wind + self.wind_deviation * point;
             let other = uncertain
                 .then(|| {
@@ -170,16 +177,35 @@ impl PredictionRequest<'_> {
             ways.push(vehicle(self.settings).visit(Propagation {
                 request: self,
                 flight: other.as_ref().unwrap_or(&flight),
-                worlds: worlds.div_ceil(winds),
+                worlds,
                 seed: self.seed.wrapping_mul(1000) + number as u64,
-                unknown_wind: uncertain.then_some(wind),
+                unknown_wind: uncertain.then_some(UnknownWind {
+                    mean: wind,
+                    deviation: kernel * self.wind_deviation,
+                }),
             })?);
         }
-        let samples = samples(&flight, together(&self.track(&flight), &ways))?;
+        let samples = samples(&flight, brought_together(&self.track(&flight), &ways))?;
         Ok(Prediction {
             over_limit: stretches(&samples, self.limit),
             samples,
         })
+    }
+
+    /// For each of `worlds` and each landmark a number from 0 to 1. All of them lie evenly for every
+    /// landmark, whose probability is met as well as so many worlds can.
+    fn recognised(&self, worlds: usize) -> Vec<Vec<f64>> {
+        let mut random = ChaCha8Rng::seed_from_u64(self.seed);
+        let mut all = vec![Vec::with_capacity(self.landmarks.len()); worlds];
+        let mut order: Vec<usize> = (0..worlds).collect();
+        for _ in self.landmarks {
+            order.shuffle(&mut random);
+            for (world, place) in all.iter_mut().zip(&order) {
+                let within: f64 = random.random();
+                world.push((*place as f64 + within) / worlds as f64);
+            }
+        }
+        all
     }
 
     /// States of `flight` at which the camera takes a picture, and where that is.
@@ -212,7 +238,7 @@ pub(super) fn nearest_ahead(
 }
 
 /// What all ways come to at the places of `track`.
-fn together(track: &[(usize, GroundPoint)], ways: &[Vec<Moment>]) -> Vec<Moment> {
+fn brought_together(track: &[(usize, GroundPoint)], ways: &[Vec<Moment>]) -> Vec<Moment> {
     let mut reached = vec![0; ways.len()];
     track
         .iter()

@@ -8,7 +8,7 @@ use rand_distr::{Distribution, StandardNormal};
 use super::corridor::Belief;
 use super::prediction::{PredictionError, PredictionRequest};
 use super::view::{Look, PlannedFrame};
-use crate::filter::numerical_jacobian;
+use crate::filter::{Gaussian, numerical_jacobian};
 use crate::flight::TruthState;
 use crate::frames::{GroundPoint, Pose};
 use crate::navigator::geometry::{COMPONENTS, joint_noise, pose_covariance};
@@ -38,12 +38,22 @@ pub(super) struct Propagation<'a> {
     pub request: &'a PredictionRequest<'a>,
     /// The flight as it goes in this wind.
     pub flight: &'a TrueFlight,
-    /// How often it may turn out in another way in this wind.
-    pub worlds: usize,
-    /// Seed of those ways.
+    /// The worlds: in each, for every landmark, a number from 0 to 1. It can be recognised where that is
+    /// more probable.
+    pub worlds: &'a [Vec<f64>],
+    /// Seed of shakes and misses.
     pub seed: u64,
-    /// What the filter is not told of the wind (north, east), m/s; its prior is of no wind at all.
-    pub unknown_wind: Option<Vector2<f64>>,
+    /// What the filter is not told of the wind; its prior is of no wind at all.
+    pub unknown_wind: Option<UnknownWind>,
+}
+
+/// A wind that nobody knows.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct UnknownWind {
+    /// Its mean (north, east), m/s.
+    pub mean: Vector2<f64>,
+    /// Its standard deviation per axis, m/s: one wind stands for those near it.
+    pub deviation: f64,
 }
 
 impl VehicleVisitor for Propagation<'_> {
@@ -64,12 +74,11 @@ impl VehicleVisitor for Propagation<'_> {
         let gusty = self.gusts_of(&model);
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         let prior = self.prior(&model, &gusty, first);
-        let mut worlds: Vec<World<N>> = (0..self.worlds.max(1))
-            .map(|_| World {
-                recognised: request.landmarks.iter().map(|_| random.random()).collect(),
-                ..prior.clone()
-            })
-            .collect();
+        let worlds = self.worlds.iter().map(|recognised| World {
+            recognised: recognised.clone(),
+            ..prior.clone()
+        });
+        let mut worlds: Vec<World<N>> = worlds.collect();
         let pose_noise = pose_covariance(&request.settings.sensors);
         let period = 1.0 / plan.sensors.frame_rate;
         let mut next_frame = first.time;
@@ -86,7 +95,8 @@ impl VehicleVisitor for Propagation<'_> {
                 let airspeed = self.flight.airspeeds[index];
                 let step = step((&model, &gusty), state, airspeed, dt)?;
                 for world in &mut worlds {
-                    world.predict(&step);
+                    let believed = world.believed_noise(&model, &step, dt);
+                    world.predict(&step, &believed);
                 }
                 time = state.time;
             }
@@ -114,12 +124,13 @@ impl Propagation<'_> {
         let Some(wind) = self.unknown_wind else {
             return model.clone();
         };
-        let gusts = Turbulence::low_altitude(self.request.plan.height, wind.norm());
+        let speed = wind.mean.norm().hypot(2.0_f64.sqrt() * wind.deviation);
+        let gusts = Turbulence::low_altitude(self.request.plan.height, speed);
         model.in_gusts(gusts.intensity.x, self.request.settings.process.gust_time)
     }
 
-    /// What the filter believes at the start, and how it errs: of a wind that is known here its error
-    /// is known, too.
+    /// What the filter believes at the start, and how it errs: of a wind that is known here, so is its
+    /// error.
     fn prior<const N: usize, V: VehicleModel<N>>(
         &self,
         model: &V,
@@ -133,9 +144,10 @@ impl Propagation<'_> {
         let mut error = SVector::zeros();
         if let Some((i, wind)) = model.wind_index().zip(self.unknown_wind) {
             for axis in 0..2 {
-                error[i + axis] = wind[axis];
+                error[i + axis] = wind.mean[axis];
                 scatter.row_mut(i + axis).fill(0.0);
                 scatter.column_mut(i + axis).fill(0.0);
+                scatter[(i + axis, i + axis)] = wind.deviation * wind.deviation;
             }
         }
         World {
@@ -206,10 +218,11 @@ impl Propagation<'_> {
     }
 }
 
-/// A step of the plan: how errors move, what the filter believes is added to them, and what truly is.
+/// A step of the plan: from where, how errors move, and what is truly added to them.
 struct Step<const N: usize> {
+    state: SVector<f64, N>,
+    input: ControlInput,
     transition: SMatrix<f64, N, N>,
-    believed: SMatrix<f64, N, N>,
     true_noise: SMatrix<f64, N, N>,
 }
 
@@ -234,9 +247,10 @@ fn step<const N: usize, V: VehicleModel<N>>(
     )
     .ok_or(PredictionError::NotFinite { time: state.time })?;
     Ok(Step {
-        transition,
-        believed: model.process_noise(&place, &input, dt),
         true_noise: vehicle.process_noise(&place, &input, dt),
+        state: place,
+        input,
+        transition,
     })
 }
 
@@ -265,9 +279,21 @@ impl<const N: usize> World<N> {
         }
     }
 
-    fn predict(&mut self, step: &Step<N>) {
+    /// What the filter believes is added in the `dt` seconds of a step, on average over what it may
+    /// have come to believe of the state.
+    fn believed_noise<V: VehicleModel<N>>(
+        &self,
+        model: &V,
+        step: &Step<N>,
+        dt: f64,
+    ) -> SMatrix<f64, N, N> {
+        let belief = Gaussian::new(step.state - self.error, self.covariance + self.scatter);
+        model.noise_of_belief(&belief, &step.input, dt)
+    }
+
+    fn predict(&mut self, step: &Step<N>, believed: &SMatrix<f64, N, N>) {
         let f = &step.transition;
-        self.covariance = f * self.covariance * f.transpose() + step.believed;
+        self.covariance = f * self.covariance * f.transpose() + believed;
         self.scatter = f * self.scatter * f.transpose() + step.true_noise;
         self.error = f * self.error;
     }

@@ -48,6 +48,14 @@ impl Turbulence {
         }
     }
 
+    /// Standard deviation of the horizontal gust, m/s, per m/s of the mean wind at `height` metres above
+    /// ground, where the wind is more than calm.
+    pub fn per_wind(height: f64) -> f64 {
+        /// Any wind that is not calm at any height, m/s.
+        const WIND: f64 = 100.0;
+        Self::low_altitude(height, WIND).intensity.x / WIND
+    }
+
     /// Correlation time of the horizontal gust for an aircraft at `airspeed` m/s, seconds.
     pub fn correlation_time(&self, airspeed: f64) -> f64 {
         self.scale.x / airspeed

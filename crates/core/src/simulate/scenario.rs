@@ -255,7 +255,7 @@ impl Scenario {
     pub fn navigator(&self) -> NavigatorSettings {
         let spec = SensorSpec::default();
         let airframe = Airframe::sig_kadet_senior();
-        let turbulence = Turbulence::low_altitude(self.height, self.wind.speed);
+        let turbulence = Turbulence::low_altitude(self.height, 0.0);
         let step = 1.0 / spec.rate;
         let camera_angle = |error: SensorError| {
             (spec.mount_vibration.powi(2) + error.noise.powi(2) + error.bias.powi(2)).sqrt()
@@ -275,6 +275,7 @@ impl Scenario {
                 position: 0.02,
                 wind: 0.01,
                 gust: turbulence.intensity.x,
+                gust_per_wind: Turbulence::per_wind(self.height),
                 gust_time: turbulence.correlation_time(airframe.cruise),
                 airspeed_bias: spec.airspeed.bias,
                 heading_bias: spec.heading.bias,

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 use serde::{Deserialize, Serialize};
 
 use super::airplane::AirData;
-use super::parts::{AirDataBiases, Gusts, add_velocity_noise};
+use super::parts::{AirDataBiases, Gusts, add_velocity_noise, mean_squared_wind};
 use super::{ControlInput, VehicleModel};
 use crate::filter::Gaussian;
 use crate::frames::GroundPoint;
@@ -40,6 +40,27 @@ impl Default for AirplaneFull {
     }
 }
 
+impl AirplaneFull {
+    /// Process noise in winds whose mean square is `squared_wind` (m/s)².
+    fn noise_in(
+        &self,
+        state: &SVector<f64, 8>,
+        squared_wind: f64,
+        input: &ControlInput,
+        dt: f64,
+    ) -> SMatrix<f64, 8, 8> {
+        let motion = self.air_data.motion(input, state[6], state[7]);
+        let mut noise = SMatrix::<f64, 8, 8>::zeros();
+        noise
+            .fixed_view_mut::<2, 2>(0, 0)
+            .copy_from(&self.air_data.position_noise(&motion, dt));
+        add_velocity_noise(&mut noise, 2, self.wind_noise_density, dt);
+        self.gusts.add_noise(&mut noise, 4, squared_wind, dt);
+        self.biases.add_noise(&mut noise, 6, &motion, dt);
+        noise
+    }
+}
+
 impl VehicleModel<8> for AirplaneFull {
     fn propagate(&self, state: &SVector<f64, 8>, input: &ControlInput, dt: f64) -> SVector<f64, 8> {
         let air = self.air_data.motion(input, state[6], state[7]).velocity();
@@ -56,15 +77,17 @@ impl VehicleModel<8> for AirplaneFull {
         input: &ControlInput,
         dt: f64,
     ) -> SMatrix<f64, 8, 8> {
-        let motion = self.air_data.motion(input, state[6], state[7]);
-        let mut noise = SMatrix::<f64, 8, 8>::zeros();
-        noise
-            .fixed_view_mut::<2, 2>(0, 0)
-            .copy_from(&self.air_data.position_noise(&motion, dt));
-        add_velocity_noise(&mut noise, 2, self.wind_noise_density, dt);
-        self.gusts.add_noise(&mut noise, 4, dt);
-        self.biases.add_noise(&mut noise, 6, &motion, dt);
-        noise
+        let squared_wind = state[2] * state[2] + state[3] * state[3];
+        self.noise_in(state, squared_wind, input, dt)
+    }
+
+    fn noise_of_belief(
+        &self,
+        belief: &Gaussian<8>,
+        input: &ControlInput,
+        dt: f64,
+    ) -> SMatrix<f64, 8, 8> {
+        self.noise_in(&belief.mean, mean_squared_wind(belief, 2), input, dt)
     }
 
     fn state_names(&self) -> [&'static str; 8] {
@@ -86,7 +109,7 @@ impl VehicleModel<8> for AirplaneFull {
 
     fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<8> {
         let (p, w) = (position_deviation, self.start_wind_deviation);
-        let g = self.gusts.deviation;
+        let g = self.gusts.deviation_in(2.0 * w * w);
         let mut mean = SVector::zeros();
         mean[0] = position.north;
         mean[1] = position.east;
@@ -107,6 +130,7 @@ impl VehicleModel<8> for AirplaneFull {
         Self {
             gusts: Gusts {
                 deviation,
+                per_wind: 0.0,
                 correlation_time,
             },
             ..*self

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 use serde::{Deserialize, Serialize};
 
 use super::airplane::AirData;
-use super::parts::{Gusts, add_velocity_noise};
+use super::parts::{Gusts, add_velocity_noise, mean_squared_wind};
 use super::{ControlInput, VehicleModel};
 use crate::filter::Gaussian;
 use crate::frames::GroundPoint;
@@ -37,6 +37,20 @@ impl Default for AirplaneWindGust {
     }
 }
 
+impl AirplaneWindGust {
+    /// Process noise in winds whose mean square is `squared_wind` (m/s)².
+    fn noise_in(&self, squared_wind: f64, input: &ControlInput, dt: f64) -> SMatrix<f64, 6, 6> {
+        let motion = self.air_data.motion(input, 0.0, 0.0);
+        let mut noise = SMatrix::<f64, 6, 6>::zeros();
+        noise
+            .fixed_view_mut::<2, 2>(0, 0)
+            .copy_from(&self.air_data.position_noise(&motion, dt));
+        add_velocity_noise(&mut noise, 2, self.wind_noise_density, dt);
+        self.gusts.add_noise(&mut noise, 4, squared_wind, dt);
+        noise
+    }
+}
+
 impl VehicleModel<6> for AirplaneWindGust {
     fn propagate(&self, state: &SVector<f64, 6>, input: &ControlInput, dt: f64) -> SVector<f64, 6> {
         let air = self.air_data.motion(input, 0.0, 0.0).velocity();
@@ -49,18 +63,20 @@ impl VehicleModel<6> for AirplaneWindGust {
 
     fn process_noise(
         &self,
-        _state: &SVector<f64, 6>,
+        state: &SVector<f64, 6>,
         input: &ControlInput,
         dt: f64,
     ) -> SMatrix<f64, 6, 6> {
-        let motion = self.air_data.motion(input, 0.0, 0.0);
-        let mut noise = SMatrix::<f64, 6, 6>::zeros();
-        noise
-            .fixed_view_mut::<2, 2>(0, 0)
-            .copy_from(&self.air_data.position_noise(&motion, dt));
-        add_velocity_noise(&mut noise, 2, self.wind_noise_density, dt);
-        self.gusts.add_noise(&mut noise, 4, dt);
-        noise
+        self.noise_in(state[2] * state[2] + state[3] * state[3], input, dt)
+    }
+
+    fn noise_of_belief(
+        &self,
+        belief: &Gaussian<6>,
+        input: &ControlInput,
+        dt: f64,
+    ) -> SMatrix<f64, 6, 6> {
+        self.noise_in(mean_squared_wind(belief, 2), input, dt)
     }
 
     fn state_names(&self) -> [&'static str; 6] {
@@ -80,7 +96,7 @@ impl VehicleModel<6> for AirplaneWindGust {
 
     fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<6> {
         let (p, w) = (position_deviation, self.start_wind_deviation);
-        let g = self.gusts.deviation;
+        let g = self.gusts.deviation_in(2.0 * w * w);
         let mut mean = SVector::zeros();
         mean[0] = position.north;
         mean[1] = position.east;
@@ -92,6 +108,7 @@ impl VehicleModel<6> for AirplaneWindGust {
         Self {
             gusts: Gusts {
                 deviation,
+                per_wind: 0.0,
                 correlation_time,
             },
             ..*self

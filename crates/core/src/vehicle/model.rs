@@ -53,6 +53,19 @@ pub trait VehicleModel<const N: usize> {
         dt: f64,
     ) -> SMatrix<f64, N, N>;
 
+    /// The same for a state that is only believed: the mean over all states of `belief`.
+    ///
+    /// Where the noise depends on the square of a component, that of a component nobody knows is not
+    /// the one at its mean.
+    fn noise_of_belief(
+        &self,
+        belief: &Gaussian<N>,
+        input: &ControlInput,
+        dt: f64,
+    ) -> SMatrix<f64, N, N> {
+        self.process_noise(&belief.mean, input, dt)
+    }
+
     /// Names of the components, with [`Self::state_units`].
     fn state_names(&self) -> [&'static str; N];
 

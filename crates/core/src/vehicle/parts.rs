@@ -5,13 +5,19 @@ use serde::{Deserialize, Serialize};
 
 use super::airplane::AirMotion;
 use super::noise::{GaussMarkov, add_integrated_random_walk};
+use crate::filter::Gaussian;
 
 /// Wind that changes by the second: each axis an exponentially correlated velocity of its own.
+///
+/// Turbulence near the ground is as strong as the wind that makes it (MIL-F-8785C, 3.7.3.4), and so is
+/// what is expected of it: it follows the wind of the state.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Gusts {
-    /// Standard deviation on each axis, m/s.
+    /// Least standard deviation on each axis, m/s.
     pub deviation: f64,
+    /// Standard deviation on each axis in a wind of 1 m/s, if that is more.
+    pub per_wind: f64,
     /// Correlation time τ, seconds.
     pub correlation_time: f64,
 }
@@ -20,15 +26,16 @@ impl Default for Gusts {
     fn default() -> Self {
         Self {
             deviation: 0.7,
+            per_wind: 0.0,
             correlation_time: 5.0,
         }
     }
 }
 
 impl Gusts {
-    /// Noise that moves one axis over `dt` seconds.
-    pub(super) fn over(&self, dt: f64) -> GaussMarkov {
-        GaussMarkov::over(self.deviation, self.correlation_time, dt)
+    /// Standard deviation on each axis in winds whose mean square is `squared_wind` (m/s)².
+    pub(super) fn deviation_in(&self, squared_wind: f64) -> f64 {
+        self.deviation.max(self.per_wind * squared_wind.sqrt())
     }
 
     /// Lets the gusts of `state` at `first` move the position and fade, over `dt` seconds.
@@ -38,21 +45,23 @@ impl Gusts {
         first: usize,
         dt: f64,
     ) {
-        let step = self.over(dt);
+        let step = GaussMarkov::over(0.0, self.correlation_time, dt);
         for axis in 0..2 {
             state[axis] += step.travel * state[first + axis];
             state[first + axis] *= step.persistence;
         }
     }
 
-    /// Adds their noise.
+    /// Adds their noise in winds whose mean square is `squared_wind` (m/s)².
     pub(super) fn add_noise<const N: usize>(
         &self,
         noise: &mut SMatrix<f64, N, N>,
         first: usize,
+        squared_wind: f64,
         dt: f64,
     ) {
-        let step = self.over(dt);
+        let deviation = self.deviation_in(squared_wind);
+        let step = GaussMarkov::over(deviation, self.correlation_time, dt);
         for axis in 0..2 {
             step.add_to(noise, axis, first + axis);
         }
@@ -121,6 +130,12 @@ pub(super) fn position_effect<const N: usize>(velocity: Vector2<f64>) -> SVector
     effect[0] = velocity.x;
     effect[1] = velocity.y;
     effect
+}
+
+/// Mean square of the wind, whose components begin at `first`, over all states of `belief`, (m/s)².
+pub(super) fn mean_squared_wind<const N: usize>(belief: &Gaussian<N>, first: usize) -> f64 {
+    let of = |i: usize| belief.mean[i] * belief.mean[i] + belief.covariance[(i, i)];
+    of(first) + of(first + 1)
 }
 
 /// Adds the noise of a velocity (wind, or over ground) at `first` that walks at `density` (m/s/√s)

@@ -113,6 +113,7 @@ fn a_gust_fades_and_carries_the_airplane_by_its_time_constant() {
     let model = AirplaneWindGust {
         gusts: Gusts {
             deviation: 1.0,
+            per_wind: 0.0,
             correlation_time: 4.0,
         },
         ..AirplaneWindGust::default()
@@ -124,6 +125,48 @@ fn a_gust_fades_and_carries_the_airplane_by_its_time_constant() {
     assert!(later[4].abs() < 1e-9);
     let noise = model.process_noise(&state, &still, 400.0);
     assert_relative_eq!(noise[(4, 4)], 1.0, epsilon = 1e-9);
+}
+
+#[test]
+fn gusts_are_as_strong_as_the_wind_that_is_believed_in() {
+    let model = AirplaneFull {
+        gusts: Gusts {
+            deviation: 0.1,
+            per_wind: 0.05,
+            correlation_time: 4.0,
+        },
+        ..AirplaneFull::default()
+    };
+    let input = eastward(20.0);
+    let state = |north, east| SVector::from([0.0, 0.0, north, east, 0.0, 0.0, 0.0, 0.0]);
+    let gust = |noise: SMatrix<f64, 8, 8>| noise[(4, 4)].sqrt();
+    let long = 400.0;
+    let in_calm = gust(model.process_noise(&state(1.0, 1.0), &input, long));
+    assert_relative_eq!(in_calm, 0.1, epsilon = 1e-9);
+    let in_wind = gust(model.process_noise(&state(-6.0, 8.0), &input, long));
+    assert_relative_eq!(in_wind, 0.5, epsilon = 1e-9);
+    // Of a wind that nobody knows: the mean over the winds that it may be.
+    let mut belief = Gaussian::new(state(9.0, -8.0), SMatrix::identity());
+    belief.covariance[(2, 2)] = 16.0;
+    belief.covariance[(3, 3)] = 9.0;
+    let mean = (0..4).map(|corner| {
+        let north = if corner % 2 == 0 { 4.0 } else { -4.0 };
+        let east = if corner / 2 == 0 { 3.0 } else { -3.0 };
+        model.process_noise(&state(9.0 + north, -8.0 + east), &input, 0.5)
+    });
+    let mean = mean.sum::<SMatrix<f64, 8, 8>>() / 4.0;
+    assert_relative_eq!(
+        model.noise_of_belief(&belief, &input, 0.5),
+        mean,
+        max_relative = 1e-9
+    );
+    let nobody_knows = model.prior(GroundPoint::new(0.0, 0.0), 1.0);
+    let expected = 0.05 * 32.0_f64.sqrt();
+    assert_relative_eq!(
+        nobody_knows.covariance[(4, 4)].sqrt(),
+        expected,
+        epsilon = 1e-9
+    );
 }
 
 /// Checks what every model promises about its noise at a state.
@@ -214,6 +257,7 @@ fn flying_a_circle_tells_the_wind_from_the_biases() {
     let model = AirplaneFull {
         gusts: Gusts {
             deviation: 0.1,
+            per_wind: 0.0,
             correlation_time: 5.0,
         },
         ..AirplaneFull::default()
