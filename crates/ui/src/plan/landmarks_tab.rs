@@ -62,9 +62,11 @@ pub fn landmarks_tab(
         ));
         return;
     }
+    let alone = context.selection.is_none() && planner.marked(None).is_empty();
+    let height = if alone { f32::INFINITY } else { TABLE_HEIGHT };
     egui::ScrollArea::vertical()
         .id_salt("landmarks")
-        .max_height(TABLE_HEIGHT)
+        .max_height(height)
         .auto_shrink([false, true])
         .show(ui, |ui| {
             planner.table.show(ui, &planner.assessments, context);

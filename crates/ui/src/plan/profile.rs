@@ -12,6 +12,8 @@ use crate::units::Units;
 use crate::views::chart::Axes;
 
 const LEFT: f32 = 52.0;
+/// Room for the tabs over the chart, points.
+const TABS: f32 = 184.0;
 const HEADER: f32 = 18.0;
 const BOTTOM: f32 = 18.0;
 /// Distances at which the heights of a route are looked at.
@@ -133,7 +135,7 @@ pub fn show(ui: &mut Ui, scene: &ProfileScene<'_>) -> Option<f64> {
     let axes = Axes {
         rect,
         x: (0.0, (last.distance * far).max(1e-6)),
-        y: ((bottom - margin) * near, (top + margin) * near),
+        y: ((bottom - margin) * near, (top + 2.5 * margin) * near),
         log: false,
     };
     let painter = ui.painter_at(outer);
@@ -167,7 +169,13 @@ pub fn show(ui: &mut Ui, scene: &ProfileScene<'_>) -> Option<f64> {
         line(|s| s.flown),
         Stroke::new(2.0, tokens.accent),
     ));
-    way_points(&clip, scene, &samples, &at);
+    // The first and the last stand on the edges.
+    way_points(
+        &painter.with_clip_rect(rect.expand(8.0)),
+        scene,
+        &samples,
+        &at,
+    );
     header(&painter, outer, scene, near_unit, &clearance);
     let pointer = response
         .hover_pos()
@@ -262,7 +270,7 @@ fn header(
         x = text(x + 24.0, Align2::LEFT_CENTER, words, tokens.muted) + 20.0;
     }
     text(
-        outer.right() - 132.0,
+        outer.right() - TABS,
         Align2::RIGHT_CENTER,
         clearance,
         tokens.muted,
