@@ -82,20 +82,45 @@ impl Imagery for InsetImagery {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plan::any_day;
-    use crate::simulate::scenery::{Day, Scenery};
+
+    /// Every pixel tells its own place and whose it is.
+    struct Places(u8);
+
+    impl Imagery for Places {
+        fn name(&self) -> &'static str {
+            "places"
+        }
+        fn bounds(&self) -> GroundRect {
+            GroundRect {
+                south: -500.0,
+                north: 500.0,
+                west: -500.0,
+                east: 500.0,
+            }
+        }
+        fn native_gsd(&self) -> f64 {
+            0.6
+        }
+        fn window(&self, window: &Window) -> Raster<Rgba> {
+            Raster::from_fn(window.width, window.height, |column, row| {
+                let place = window.ground_at(column as f64 + 0.5, row as f64 + 0.5);
+                let byte = |metres: f64| (metres / 0.3).round().rem_euclid(256.0) as u8;
+                [byte(place.north), byte(place.east), self.0, 255]
+            })
+        }
+    }
 
     #[test]
     fn inside_it_is_the_one_picture_and_outside_the_other() {
-        let whole = Arc::new(Scenery::new(7, Day::map_day()));
+        let (whole, around) = (Arc::new(Places(1)), Arc::new(Places(2)));
         let rect = GroundRect {
             north: 40.0,
             south: 10.0,
             west: -22.0,
             east: 5.0,
         };
-        let around = Arc::new(Scenery::new(7, any_day(3)));
         let inset = InsetImagery::new(whole.clone(), rect, around.clone());
+        let mut seen = [0; 3];
         for (north, west) in [(38.4, -38.4), (50.0, -12.0), (25.0, 4.9), (-50.0, 60.0)] {
             let window = Window {
                 north_edge: north,
@@ -117,8 +142,10 @@ mod tests {
                         _ => continue,
                     };
                     assert_eq!(shown.get(column, row), expected, "{ground:?}");
+                    seen[usize::from(expected[2])] += 1;
                 }
             }
         }
+        assert!(seen[1] > 500 && seen[2] > 500, "{seen:?}");
     }
 }

@@ -154,7 +154,10 @@ impl App {
                 context.request_repaint();
             }
             JobEvent::Places(places) => {
-                let title = format!("{} places to choose from", places.len());
+                let title = match places.len() {
+                    1 => "1 place to choose from".to_owned(),
+                    count => format!("{count} places to choose from"),
+                };
                 let place = |(name, at)| Place { name, at };
                 georeferencer.places = places.into_iter().map(place).collect();
                 self.toasts
