@@ -39,6 +39,7 @@ export async function run(page, tools) {
     await page.goto(`${server.url}?sw=1`);
     await tools.waitReady();
     await page.waitForFunction(() => navigator.serviceWorker.controller !== null, null, { timeout: 60_000 });
+    await tools.waitFor((s) => s.run_steps > 0, "the workers, which are loaded after the page", 150_000);
   } finally {
     server.stop();
   }

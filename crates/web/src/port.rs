@@ -77,7 +77,9 @@ impl BrowserPort {
             let died = died.clone();
             move |event: ErrorEvent| {
                 event.prevent_default();
-                web_sys::console::warn_2(&"worker stopped:".into(), &event.message().into());
+                // A script that cannot be loaded comes as an event without a message.
+                let message = js_sys::Reflect::get(&event, &"message".into()).unwrap_or_default();
+                web_sys::console::warn_2(&"worker stopped:".into(), &message);
                 died();
             }
         });
