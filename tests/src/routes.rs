@@ -110,9 +110,7 @@ pub fn expectations() -> Result<Vec<(String, ExpectedDetection)>, String> {
             };
             let map = Arc::clone(&map);
             let mut assessor = Assessor::new(landmark, map, &days, circumstances, 5);
-            for _ in 0..Rehearsal::VIEWS {
-                assessor.look();
-            }
+            assessor.rehearse();
             let expected = assessor.expected().ok_or("a landmark cannot be seen")?;
             Ok((landmark.name.clone(), expected))
         })

@@ -1,9 +1,8 @@
 //! `pilotage plan --calibrate`: whether landmarks are found as often as their assessment says.
 
 use std::io::Write;
-use std::sync::Arc;
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 
 use pilotage_core::landmark::Landmark;
 use pilotage_core::plan::{
@@ -69,9 +68,7 @@ fn said(ground: &Ground, place: &Landmark, seed: u64) -> Option<ExpectedDetectio
     let seed = seed.wrapping_mul(1_000_003) + u64::from(place.id);
     let days = Rehearsal::days(ground.days.as_ref(), seed);
     let mut assessor = Assessor::new(place, map, &days, circumstances(ground), seed);
-    for _ in 0..Rehearsal::VIEWS {
-        assessor.look();
-    }
+    assessor.rehearse();
     assessor.expected()
 }
 
@@ -90,10 +87,6 @@ fn pass(
     let day = [ground.days.drawn(seed)];
     let mut assessor = Assessor::new(place, map, &day, circumstances(ground), !seed);
     let tally = Tally::of(&assessor.pass(speed, period));
-    eprintln!(
-        "P {} {} {} {} {}",
-        place.id, number, tally.found, tally.looks, tally.wrong
-    );
     Pass {
         predicted: said.probability(),
         frames: tally.looks,

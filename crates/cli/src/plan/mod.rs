@@ -299,7 +299,7 @@ fn circumstances(ground: &Ground) -> Circumstances {
 /// From which heights and with which tilts each landmark is found.
 fn envelopes(arguments: &Arguments, ground: &Ground) -> Vec<Envelope> {
     let days: Vec<Arc<dyn Imagery>> = (0..DAYS)
-        .map(|day| ground.days.day(arguments.seed + day))
+        .map(|day| ground.days.drawn(arguments.seed.wrapping_mul(2000) + day))
         .collect();
     let enabled = ground.mission.landmarks.iter().filter(|l| l.enabled);
     enabled
@@ -339,9 +339,7 @@ fn expected(arguments: &Arguments, ground: &Ground, ground_down: f64) -> Vec<Pla
         let map = Arc::clone(&ground.map);
         let begun = std::time::Instant::now();
         let mut assessor = Assessor::new(landmark, map, &days, circumstances, arguments.seed);
-        for _ in 0..Rehearsal::VIEWS {
-            assessor.look();
-        }
+        assessor.rehearse();
         let expected = assessor.expected();
         println!(
             "{:24} found {}, false {:.3}, {:.1} s",

@@ -24,19 +24,6 @@ impl InsetImagery {
             around,
         }
     }
-
-    /// Columns and rows of `window` that touch the rectangle: (left, top, right, bottom), ends left out.
-    fn inside(&self, window: &Window) -> (usize, usize, usize, usize) {
-        let within = |metres: f64, size: usize| (metres / window.gsd).clamp(0.0, size as f64);
-        let from_west = |east: f64| within(east - window.west_edge, window.width);
-        let from_north = |north: f64| within(window.north_edge - north, window.height);
-        (
-            from_west(self.rect.west).floor() as usize,
-            from_north(self.rect.north).floor() as usize,
-            from_west(self.rect.east).ceil() as usize,
-            from_north(self.rect.south).ceil() as usize,
-        )
-    }
 }
 
 impl Imagery for InsetImagery {
@@ -57,23 +44,16 @@ impl Imagery for InsetImagery {
     }
 
     fn window(&self, window: &Window) -> Raster<Rgba> {
-        let (left, top, right, bottom) = self.inside(window);
-        if right <= left || bottom <= top {
+        let Some((part, (left, top))) = window.touching(&self.rect) else {
             return self.around.window(window);
-        }
-        if (left, top) == (0, 0) && (right, bottom) == (window.width, window.height) {
-            return self.inner.window(window);
+        };
+        let part = self.inner.window(&part);
+        if (part.width(), part.height()) == (window.width, window.height) {
+            return part;
         }
         let mut out = self.around.window(window);
-        let part = self.inner.window(&Window {
-            north_edge: window.north_edge - top as f64 * window.gsd,
-            west_edge: window.west_edge + left as f64 * window.gsd,
-            gsd: window.gsd,
-            width: right - left,
-            height: bottom - top,
-        });
         for row in 0..part.height() {
-            out.row_mut(top + row)[left..right].copy_from_slice(part.row(row));
+            out.row_mut(top + row)[left..left + part.width()].copy_from_slice(part.row(row));
         }
         out
     }

@@ -56,6 +56,24 @@ impl Window {
         }
     }
 
+    /// The part that touches `rect`, cut at pixels, and the column and row at which it begins; `None`
+    /// if nothing does.
+    pub fn touching(&self, rect: &GroundRect) -> Option<(Self, (usize, usize))> {
+        let cut = |metres: f64, size: usize| (metres / self.gsd).clamp(0.0, size as f64);
+        let left = cut(rect.west - self.west_edge, self.width).floor() as usize;
+        let right = cut(rect.east - self.west_edge, self.width).ceil() as usize;
+        let top = cut(self.north_edge - rect.north, self.height).floor() as usize;
+        let bottom = cut(self.north_edge - rect.south, self.height).ceil() as usize;
+        let part = || Self {
+            north_edge: self.north_edge - top as f64 * self.gsd,
+            west_edge: self.west_edge + left as f64 * self.gsd,
+            gsd: self.gsd,
+            width: right - left,
+            height: bottom - top,
+        };
+        (right > left && bottom > top).then(|| (part(), (left, top)))
+    }
+
     /// Ground point at pixel (x, y), pixel centres at half integers.
     pub fn ground_at(&self, x: f64, y: f64) -> GroundPoint {
         GroundPoint::new(

@@ -455,22 +455,12 @@ fn unaligned(similarity: Similarity, size: (usize, usize)) -> Alignment {
         covariance: Matrix4::from_diagonal(&nalgebra::Vector4::new(1.0, 1.0, angle, angle)),
     }
 }
+
 /// What of `window` can lie in the picture, cut at its pixels; `None` if nothing of it can.
 fn in_picture(window: &Window, view: &FrameView<'_>) -> Option<Window> {
     let footprint = view.camera.footprint(&view.pose, view.ground_down);
     let seen = GroundRect::around(footprint)?;
-    let cut = |metres: f64, size: usize| (metres / window.gsd).clamp(0.0, size as f64);
-    let left = cut(seen.west - window.west_edge, window.width).floor() as usize;
-    let right = cut(seen.east - window.west_edge, window.width).ceil() as usize;
-    let top = cut(window.north_edge - seen.north, window.height).floor() as usize;
-    let bottom = cut(window.north_edge - seen.south, window.height).ceil() as usize;
-    (right > left && bottom > top).then(|| Window {
-        north_edge: window.north_edge - top as f64 * window.gsd,
-        west_edge: window.west_edge + left as f64 * window.gsd,
-        gsd: window.gsd,
-        width: right - left,
-        height: bottom - top,
-    })
+    window.touching(&seen).map(|(part, _)| part)
 }
 
 #[cfg(test)]
