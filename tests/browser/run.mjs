@@ -1,5 +1,6 @@
 // Walks every journey (*.journey.mjs) through the page, each in a browser of its own with an empty
-// profile. `node run.mjs [WORD]` takes those whose file name contains the word.
+// profile. `node run.mjs [WORD]` takes those whose file name contains the word; without a word those
+// that judge something, which leaves out the figures.
 import { mkdirSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
@@ -13,7 +14,8 @@ const pictures = process.env.PILOTAGE_SCREENSHOTS ?? join(here, "../../target/sc
 const longest = 400_000; // milliseconds for one journey, after which it counts as lost
 
 const word = process.argv[2] ?? "";
-const files = readdirSync(here).filter((file) => file.endsWith(".journey.mjs") && file.includes(word)).sort();
+const asked = (file) => (word ? file.includes(word) : !file.startsWith("figures"));
+const files = readdirSync(here).filter((file) => file.endsWith(".journey.mjs") && asked(file)).sort();
 if (files.length === 0) {
   console.error(`no journey is called ${word}`);
   process.exit(2);
