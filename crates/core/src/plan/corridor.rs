@@ -4,11 +4,13 @@
 //! turn out is a world with a covariance of its own; the error of the flight is drawn from one of them.
 //! Their mean covariance is that of the mixture, but a mixture has heavier tails than a Gaussian.
 
+use std::f64::consts::{FRAC_1_SQRT_2, PI, TAU};
+
 use nalgebra::{Matrix2, Vector2};
 use serde::{Deserialize, Serialize};
 
-/// Errors drawn from all worlds together.
-const DRAWN: usize = 4096;
+/// Errors drawn from all worlds together at least, and from each of them.
+const DRAWN: (usize, usize) = (4096, 128);
 /// The golden angle, radians: points that far apart on a spiral cover every direction evenly.
 const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
 
@@ -72,8 +74,9 @@ pub struct Corridor {
 /// The corridor of equally likely worlds with these errors, for a flight on `course` (radians clockwise
 /// from north). `None` without a world or where a covariance is not positive.
 ///
-/// The mixture of their Gaussians has no closed form: errors are drawn from every world, evenly and the
-/// same ones every time, and quantiles taken of them all.
+/// A strip holds what the Gaussians of the worlds add up to in one direction. For the ellipse that sum
+/// has no closed form: errors are drawn from every world, evenly and the same ones every time, and a
+/// quantile taken of them all.
 pub fn corridor(worlds: &[Belief], course: f64, probability: f64) -> Option<Corridor> {
     if worlds.is_empty() {
         return None;
@@ -87,40 +90,94 @@ pub fn corridor(worlds: &[Belief], course: f64, probability: f64) -> Option<Corr
         eigen.eigenvalues[1 - major].max(0.0).sqrt(),
     );
     let axis = eigen.eigenvectors.column(major);
-    // In the coordinates where the mean is a unit circle.
-    let whiten = mean.cholesky()?.l().try_inverse()?;
-    let roots: Option<Vec<Matrix2<f64>>> = worlds
-        .iter()
-        .map(|w| w.covariance.cholesky().map(|root| root.l()))
-        .collect();
-    let roots = roots?;
-    let along = Vector2::new(course.cos(), course.sin());
-    let across = Vector2::new(-course.sin(), course.cos());
-    let each = DRAWN.div_ceil(worlds.len()).max(16);
-    let points: Vec<Vector2<f64>> = gaussian_points(each).collect();
-    let mut drawn: [Vec<f64>; 3] = [const { Vec::new() }; 3];
-    for (world, root) in worlds.iter().zip(&roots) {
-        for point in &points {
-            let error = world.mean + root * point;
-            drawn[0].push((whiten * error).norm());
-            drawn[1].push(error.dot(&across).abs());
-            drawn[2].push(error.dot(&along).abs());
-        }
-    }
-    let [scale, across, along] = drawn.map(|mut values| {
-        let rank = (probability * values.len() as f64) as usize;
-        let rank = rank.min(values.len() - 1);
-        *values.select_nth_unstable_by(rank, f64::total_cmp).1
-    });
     Some(Corridor {
         covariance: mean,
         sigma_major,
         sigma_minor,
-        heading_of_major: axis[1].atan2(axis[0]).rem_euclid(std::f64::consts::PI),
-        scale,
-        across,
-        along,
+        heading_of_major: axis[1].atan2(axis[0]).rem_euclid(PI),
+        scale: ellipse(worlds, &mean, probability)?,
+        across: strip(
+            worlds,
+            &Vector2::new(-course.sin(), course.cos()),
+            probability,
+        ),
+        along: strip(
+            worlds,
+            &Vector2::new(course.cos(), course.sin()),
+            probability,
+        ),
     })
+}
+
+/// The multiple of the ellipse of `mean` that holds the error with `probability`.
+fn ellipse(worlds: &[Belief], mean: &Matrix2<f64>, probability: f64) -> Option<f64> {
+    // In the coordinates where the mean is a unit circle.
+    let whiten = mean.cholesky()?.l().try_inverse()?;
+    let each = (DRAWN.0 / worlds.len()).clamp(16, DRAWN.1);
+    let points: Vec<Vector2<f64>> = gaussian_points(each).collect();
+    let mut norms = Vec::with_capacity(each * worlds.len());
+    for world in worlds {
+        let root = whiten * world.covariance.cholesky()?.l();
+        let middle = whiten * world.mean;
+        norms.extend(points.iter().map(|point| (middle + root * point).norm()));
+    }
+    // Each stands for the middle of its share.
+    let rank = (probability * norms.len() as f64 - 0.5).max(0.0);
+    let above = (rank.ceil() as usize).min(norms.len() - 1);
+    let (below, upper, _) = norms.select_nth_unstable_by(above, f64::total_cmp);
+    let lower = below.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let share = above as f64 - rank;
+    Some(if share > 0.0 && lower.is_finite() {
+        *upper - share * (*upper - lower)
+    } else {
+        *upper
+    })
+}
+
+/// Half width of the strip across `direction` that holds the error with `probability`, metres: where
+/// the distribution of all worlds together comes to it, by Newton's method kept within a bracket.
+fn strip(worlds: &[Belief], direction: &Vector2<f64>, probability: f64) -> f64 {
+    let one = |w: &Belief| {
+        let variance = direction.dot(&(w.covariance * direction));
+        (
+            w.mean.dot(direction),
+            variance.max(f64::MIN_POSITIVE).sqrt(),
+        )
+    };
+    let all: Vec<(f64, f64)> = worlds.iter().map(one).collect();
+    let count = all.len() as f64;
+    let square = all.iter().map(|(m, s)| m * m + s * s).sum::<f64>() / count;
+    let mut q = 2.0 * square.sqrt();
+    let furthest = all.iter().map(|(m, s)| m.abs() + 9.0 * s);
+    let (mut low, mut high) = (0.0, furthest.fold(0.0, f64::max));
+    for _ in 0..60 {
+        let (mut held, mut slope) = (-probability, 0.0);
+        for (m, s) in &all {
+            for z in [(q - m) / s, (q + m) / s] {
+                held += (normal(z) - 0.5) / count;
+                slope += (-0.5 * z * z).exp() / (s * TAU.sqrt()) / count;
+            }
+        }
+        if held > 0.0 {
+            high = q;
+        } else {
+            low = q;
+        }
+        let next = q - held / slope;
+        let within = next > low && next < high;
+        let next = if within { next } else { 0.5 * (low + high) };
+        let moved = (next - q).abs();
+        q = next;
+        if moved <= 1e-9 * q {
+            break;
+        }
+    }
+    q
+}
+
+/// Standard normal distribution function.
+pub(super) fn normal(z: f64) -> f64 {
+    0.5 * libm::erfc(-z * FRAC_1_SQRT_2)
 }
 
 #[cfg(test)]
@@ -204,5 +261,12 @@ mod tests {
             found.scale > 2.45,
             "heavier tails than a Gaussian: {found:?}"
         );
+    }
+
+    #[test]
+    fn the_normal_distribution_has_its_known_quantiles() {
+        for (z, p) in [(-1.959_963_985, 0.025), (0.0, 0.5), (1.0, 0.841_344_746)] {
+            assert!((normal(z) - p).abs() < 1e-8, "{z}");
+        }
     }
 }

@@ -1,17 +1,17 @@
 //! The filter's covariance along a planned flight, in many worlds at once.
 
-use nalgebra::{DMatrix, Matrix2, Matrix4, SMatrix, SVector, Vector2, Vector3};
+use nalgebra::{Matrix2, Matrix3, Matrix4, SMatrix, SVector, Vector2, Vector3};
 use rand::{Rng, RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::corridor::Belief;
 use super::prediction::{PredictionError, PredictionRequest};
-use super::view::{Look, PlannedFrame};
+use super::view::{Information, Look, PlannedFrame};
 use crate::filter::{Gaussian, numerical_jacobian};
 use crate::flight::TruthState;
 use crate::frames::{GroundPoint, Pose};
-use crate::navigator::geometry::{COMPONENTS, joint_noise, pose_covariance};
+use crate::navigator::geometry::pose_covariance;
 use crate::simulate::{TrueFlight, Turbulence};
 use crate::vehicle::{ControlInput, VehicleModel, VehicleVisitor};
 
@@ -202,7 +202,13 @@ impl Propagation<'_> {
             }
             if !seen.is_empty() {
                 any += share;
-                world.correct(&seen, bias, pose_noise)?;
+                let mut said = Information::default();
+                for look in &seen {
+                    said.add(&look.information);
+                }
+                said.about_state(pose_noise)
+                    .and_then(|said| world.correct(&said, bias))
+                    .ok_or(PredictionError::NotFinite { time: state.time })?;
             }
         }
         Ok((found, any))
@@ -298,40 +304,32 @@ impl<const N: usize> World<N> {
         self.error = f * self.error;
     }
 
-    /// Corrects with the landmarks that were seen, in Joseph's form, which stays positive and holds for
-    /// any gain.
-    fn correct(
-        &mut self,
-        seen: &[&Look],
-        bias: Option<usize>,
-        pose_noise: &Matrix4<f64>,
-    ) -> Result<(), PredictionError> {
-        let rows = COMPONENTS * seen.len();
-        let mut slope = DMatrix::zeros(rows, N);
-        for (i, look) in seen.iter().enumerate() {
-            for row in 0..COMPONENTS {
-                let to = COMPONENTS * i + row;
-                slope[(to, 0)] = look.slope[(row, 0)];
-                slope[(to, 1)] = look.slope[(row, 1)];
-                if let Some(bias) = bias {
-                    slope[(to, bias)] = look.slope[(row, 2)];
-                }
+    /// Corrects with what was seen, in Joseph's form, which stays positive and holds for any gain.
+    ///
+    /// With the information `Λ = HᵀR⁻¹H` about the part E of the state, the gain is `P⁺HᵀR⁻¹`: what is
+    /// left of an error is `I - P E Λ (I + EᵀP E Λ)⁻¹ Eᵀ`, and `K R Kᵀ = P⁺ Λ P⁺`. (north, east, heading
+    /// bias) is all that has to be inverted, however many landmarks there are.
+    fn correct(&mut self, information: &Matrix3<f64>, bias: Option<usize>) -> Option<()> {
+        // Without a bias in the state nothing is said of it, wherever that would be.
+        let part = [0, 1, bias.unwrap_or(0)];
+        let mut said = *information;
+        if bias.is_none() {
+            said.row_mut(2).fill(0.0);
+            said.column_mut(2).fill(0.0);
+        }
+        let columns =
+            |m: &SMatrix<f64, N, N>| SMatrix::<f64, N, 3>::from_fn(|i, j| m[(i, part[j])]);
+        let before = columns(&self.covariance);
+        let own = Matrix3::from_fn(|i, j| before[(part[i], j)]);
+        let gain = before * said * (Matrix3::identity() + own * said).try_inverse()?;
+        let mut kept = SMatrix::<f64, N, N>::identity();
+        for (j, to) in part.iter().enumerate() {
+            for i in 0..N {
+                kept[(i, *to)] -= gain[(i, j)];
             }
         }
-        let own: Vec<Matrix4<f64>> = seen.iter().map(|l| l.covariance).collect();
-        let jacobians: Vec<Matrix4<f64>> = seen.iter().map(|l| l.pose_jacobian).collect();
-        let noise = joint_noise(&own, &jacobians, pose_noise, 1.0);
-        let before = DMatrix::from_fn(N, N, |i, j| self.covariance[(i, j)]);
-        let cross = &before * slope.transpose();
-        let innovation = &slope * &cross + &noise;
-        let root = innovation
-            .cholesky()
-            .ok_or(PredictionError::NotFinite { time: f64::NAN })?;
-        let gain = root.solve(&cross.transpose()).transpose();
-        let kept = DMatrix::identity(N, N) - &gain * slope;
-        let kept = SMatrix::<f64, N, N>::from_fn(|i, j| kept[(i, j)]);
-        let added = &gain * noise * gain.transpose();
-        let added = SMatrix::<f64, N, N>::from_fn(|i, j| added[(i, j)]);
+        let after = kept * before;
+        let added = after * said * after.transpose();
         let joseph = |before: &SMatrix<f64, N, N>| {
             let after = kept * before * kept.transpose() + added;
             (after + after.transpose()) * 0.5
@@ -339,6 +337,55 @@ impl<const N: usize> World<N> {
         self.covariance = joseph(&self.covariance);
         self.scatter = joseph(&self.scatter);
         self.error = kept * self.error;
-        Ok(())
+        Some(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A world of (north, east, airspeed bias, heading bias).
+    fn world() -> World<4> {
+        let root = SMatrix::<f64, 4, 4>::new(
+            5.0, 0.0, 0.0, 0.0, 1.0, 4.0, 0.0, 0.0, 0.3, -0.2, 0.5, 0.0, 0.02, 0.01, 0.0, 0.03,
+        );
+        World {
+            covariance: root * root.transpose(),
+            scatter: 1.7 * root * root.transpose() + SMatrix::identity() * 1e-4,
+            error: SVector::from([3.0, -2.0, 0.4, 0.05]),
+            recognised: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn a_correction_by_information_is_that_by_the_gain() {
+        let slope = SMatrix::<f64, 4, 3>::new(
+            5.0, 0.1, 30.0, -0.2, 5.0, 10.0, 0.0, 0.1, 1.0, 0.01, 0.0, 0.1,
+        );
+        let noise = Matrix4::from_diagonal_element(2.0);
+        for bias in [Some(3), None] {
+            let mut found = world();
+            let said = slope.transpose() * noise.try_inverse().unwrap() * slope;
+            found.correct(&said, bias).unwrap();
+            let mut h = Matrix4::zeros();
+            for i in 0..4 {
+                h[(i, 0)] = slope[(i, 0)];
+                h[(i, 1)] = slope[(i, 1)];
+                if let Some(bias) = bias {
+                    h[(i, bias)] = slope[(i, 2)];
+                }
+            }
+            let w = world();
+            let innovation = h * w.covariance * h.transpose() + noise;
+            let gain = w.covariance * h.transpose() * innovation.try_inverse().unwrap();
+            let kept = Matrix4::identity() - gain * h;
+            let added = gain * noise * gain.transpose();
+            let covariance = kept * w.covariance * kept.transpose() + added;
+            let scatter = kept * w.scatter * kept.transpose() + added;
+            assert!((found.covariance - covariance).norm() < 1e-9 * covariance.norm());
+            assert!((found.scatter - scatter).norm() < 1e-9 * scatter.norm());
+            assert!((found.error - kept * w.error).norm() < 1e-9);
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Which landmarks a planned frame holds, and what each would say of the state.
 
-use nalgebra::{Matrix2, Matrix4, Matrix4x3, Vector3};
+use nalgebra::{Matrix2, Matrix3, Matrix3x4, Matrix4, Matrix4x3, Vector3};
 
 use super::prediction::PlannedLandmark;
 use crate::camera::CameraModel;
@@ -13,16 +13,55 @@ use crate::navigator::geometry::{appearance, ground_jacobian, pose_jacobian};
 pub(super) struct Look {
     /// Index of the landmark.
     pub landmark: usize,
-    /// Change of (pixel x, y, rotation, log scale) with (north, east, heading bias).
-    pub slope: Matrix4x3<f64>,
-    /// Their change with (roll, pitch, yaw, height).
-    pub pose_jacobian: Matrix4<f64>,
-    /// Covariance of what is measured, without the pose's error.
-    pub covariance: Matrix4<f64>,
+    /// What it says of (north, east, heading bias, then roll, pitch, yaw, height).
+    pub information: Information,
     /// Probability that it can be recognised on the day.
     pub recognised: f64,
     /// Probability that it is accepted in this frame if it lies in the picture and can be recognised.
     pub per_frame: f64,
+}
+
+/// Fisher information of what is measured in one picture, about part of the state and the pose's errors
+/// together.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Information {
+    /// About (north, east, heading bias), 1/m², 1/rad.
+    state: Matrix3<f64>,
+    /// About those with (roll, pitch, yaw, height).
+    coupling: Matrix3x4<f64>,
+    /// About (roll, pitch, yaw, height).
+    pose: Matrix4<f64>,
+}
+
+impl Information {
+    /// Of a measurement with these slopes and this covariance; `None` if that is singular.
+    fn new(
+        slope: &Matrix4x3<f64>,
+        pose_jacobian: &Matrix4<f64>,
+        covariance: &Matrix4<f64>,
+    ) -> Option<Self> {
+        let weight = covariance.try_inverse()?;
+        Some(Self {
+            state: slope.transpose() * weight * slope,
+            coupling: slope.transpose() * weight * pose_jacobian,
+            pose: pose_jacobian.transpose() * weight * pose_jacobian,
+        })
+    }
+
+    /// Of independent measurements in one picture together.
+    pub fn add(&mut self, other: &Self) {
+        self.state += other.state;
+        self.coupling += other.coupling;
+        self.pose += other.pose;
+    }
+
+    /// What is left of it about the state when the pose's errors have covariance `pose_noise` and are
+    /// the same in all of the picture: `HᵀR⁻¹H` with the R of
+    /// [`joint_noise`](crate::navigator::geometry::joint_noise), by Woodbury's identity.
+    pub fn about_state(&self, pose_noise: &Matrix4<f64>) -> Option<Matrix3<f64>> {
+        let inner = (Matrix4::identity() + self.pose * pose_noise).try_inverse()?;
+        Some(self.state - self.coupling * pose_noise * inner * self.coupling.transpose())
+    }
 }
 
 /// Where the camera is planned to be at a frame.
@@ -88,14 +127,55 @@ impl PlannedFrame<'_> {
         let half = 0.25 * (b.width() + b.height());
         let angle = sensors.pixel / (half * self.camera.focal / height).max(1.0);
         let floor = nalgebra::Vector4::new(sensors.pixel, sensors.pixel, angle, angle);
+        let covariance = to_picture * expected.covariance * to_picture.transpose()
+            + Matrix4::from_diagonal(&floor.map(|sd| sd * sd));
         Some(Look {
             landmark: index,
-            slope,
-            pose_jacobian,
-            covariance: to_picture * expected.covariance * to_picture.transpose()
-                + Matrix4::from_diagonal(&floor.map(|sd| sd * sd)),
+            information: Information::new(&slope, &pose_jacobian, &covariance)?,
             recognised: expected.recognised,
             per_frame: expected.per_frame,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::navigator::geometry::{joint_noise, pose_covariance};
+    use nalgebra::DMatrix;
+    use rand::{RngExt, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
+    #[test]
+    fn two_landmarks_say_of_the_state_what_their_joint_noise_leaves() {
+        let mut random = ChaCha8Rng::seed_from_u64(4);
+        let mut any = || 2.0 * random.random::<f64>() - 1.0;
+        let slopes = [(); 2].map(|()| Matrix4x3::from_fn(|_, _| any()));
+        let jacobians = [(); 2].map(|()| Matrix4::from_fn(|_, _| any()));
+        let own = [(); 2].map(|()| {
+            let root = Matrix4::from_fn(|_, _| any());
+            root * root.transpose() + Matrix4::identity() * 0.1
+        });
+        let pose_noise = pose_covariance(&SensorNoise {
+            roll: 0.3,
+            pitch: 0.7,
+            yaw: 0.0,
+            height: 2.0,
+            pixel: 0.0,
+        });
+        let mut both = Information::default();
+        for i in 0..2 {
+            both.add(&Information::new(&slopes[i], &jacobians[i], &own[i]).unwrap());
+        }
+        let said = both.about_state(&pose_noise).unwrap();
+        let slope = DMatrix::from_fn(8, 3, |i, j| slopes[i / 4][(i % 4, j)]);
+        let noise = joint_noise(&own, &jacobians, &pose_noise, 1.0);
+        let expected = slope.transpose() * noise.try_inverse().unwrap() * slope;
+        for i in 0..3 {
+            for j in 0..3 {
+                let off = (said[(i, j)] - expected[(i, j)]).abs();
+                assert!(off < 1e-9 * expected.norm(), "{said} {expected}");
+            }
+        }
     }
 }
