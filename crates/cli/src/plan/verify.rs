@@ -13,7 +13,7 @@ use pilotage_core::simulate::{FlightDay, FlightPlan, Scenario, SimulatedFrames};
 use super::Ground;
 
 /// Days on which the flights take turns, none of which was rehearsed.
-const DAYS: u64 = 4;
+const DAYS: u64 = 20;
 /// Seed of the first of them.
 const FIRST_DAY: u64 = 770_001;
 /// Memory for tiles of one day, megabytes.

@@ -1,9 +1,14 @@
-//! The chi-square distribution and its inverse, for any number of degrees of freedom.
+//! The chi-square distribution and its inverse, for any number of degrees of freedom, and the normal one.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 /// Rounds of the series and of the continued fraction; both need a few times √dof.
 const MOST_ROUNDS: usize = 100_000;
+
+/// Probability that a standard normal variable is at most `z`.
+pub fn normal_probability(z: f64) -> f64 {
+    0.5 * libm::erfc(-z * FRAC_1_SQRT_2)
+}
 
 /// Probability that a chi-square variable with `dof` degrees of freedom is at most `value`.
 ///
@@ -196,5 +201,12 @@ mod tests {
         assert_eq!(chi_square_quantile(0.0, 2.0), 0.0);
         assert_eq!(chi_square_quantile(1.0, 2.0), f64::INFINITY);
         assert_eq!(chi_square_probability(-1.0, 2.0), 0.0);
+    }
+
+    #[test]
+    fn the_normal_distribution_has_its_known_quantiles() {
+        for (z, p) in [(-1.959_963_985, 0.025), (0.0, 0.5), (1.0, 0.841_344_746)] {
+            assert!((normal_probability(z) - p).abs() < 1e-8, "{z}");
+        }
     }
 }

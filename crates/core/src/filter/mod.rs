@@ -34,7 +34,7 @@ mod sigma;
 mod tests;
 mod ukf;
 
-pub use chi_square::{chi_square_probability, chi_square_quantile};
+pub use chi_square::{chi_square_probability, chi_square_quantile, normal_probability};
 pub use consistency::{Consistency, ConsistencySummary, chi_square_interval, mean_interval};
 pub use correction::Correction;
 pub use cramer_rao::{CramerRao, numerical_jacobian};

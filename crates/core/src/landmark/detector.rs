@@ -89,14 +89,17 @@ pub enum Refusal {
     OutsideGate,
     /// It contradicts the other landmarks of the frame.
     Contradicted,
+    /// It may be the look-alike of a landmark that is out of the picture.
+    LookAlike,
 }
 
 impl Refusal {
     /// Every refusal, in the order in which people read them.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Flat,
         Self::LowScore,
         Self::Ambiguous,
+        Self::LookAlike,
         Self::AtSearchEdge,
         Self::OutOfPicture,
         Self::OutsideGate,
@@ -113,6 +116,7 @@ impl Refusal {
             Self::OutOfPicture => "out_of_picture",
             Self::OutsideGate => "outside_gate",
             Self::Contradicted => "contradicted",
+            Self::LookAlike => "look_alike",
         }
     }
 
@@ -126,6 +130,9 @@ impl Refusal {
             Self::OutOfPicture => "the patch is cut by the edge of the picture",
             Self::OutsideGate => "the innovation is too large for its covariance",
             Self::Contradicted => "it contradicts the other landmarks of the frame",
+            Self::LookAlike => {
+                "it may be a look-alike of the landmark, which may be out of the picture"
+            }
         }
     }
 }

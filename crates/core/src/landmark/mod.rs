@@ -7,6 +7,7 @@ mod detector;
 mod distinct;
 mod distinctness;
 mod features;
+mod look_alike;
 mod patch;
 mod peak;
 mod rectify;

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::Landmark;
 use super::features::{FeatureTemplate, Features};
+use super::look_alike::{LookAlike, LookAlikes};
 use super::peak::best_peaks;
 use crate::frames::GroundRect;
 use crate::imagery::{Imagery, Window};
@@ -37,6 +38,7 @@ pub struct PatchLevel {
     /// Score of the strongest look-alike on the map within one patch size around: a place that scores
     /// no better in a picture may as well be the look-alike.
     pub look_alike: Option<f64>,
+    look_alikes: LookAlikes,
     surroundings: Gray,
     templates: HashMap<(i32, i32), Option<Arc<FeatureTemplate>>>,
     patches: HashMap<(i32, i32), Arc<Gray>>,
@@ -61,6 +63,7 @@ impl PatchLevel {
             size,
             contrast: 0.0,
             look_alike: None,
+            look_alikes: LookAlikes::default(),
             surroundings,
             templates: HashMap::new(),
             patches: HashMap::new(),
@@ -102,6 +105,20 @@ impl PatchLevel {
         });
         self.look_alike = Some(score);
         score
+    }
+
+    /// Finds the look-alikes on the map out to `reach` metres around `bounds`.
+    fn find_look_alikes(
+        &mut self,
+        map: &dyn Imagery,
+        bounds: &GroundRect,
+        reach: f64,
+    ) -> &[LookAlike] {
+        let Some(template) = self.template(0.0, 1.0) else {
+            return &[];
+        };
+        self.look_alikes
+            .find(map, bounds, (&template, self.size), self.gsd, reach)
     }
 
     /// Luminance of the patch turned by `rotation` (radians clockwise) and enlarged by `scale`.
@@ -170,6 +187,18 @@ impl PatchBank {
         let map = Arc::clone(&self.map);
         self.level(landmark, level)
             .find_look_alike(map.as_ref(), &landmark.bounds)
+    }
+
+    /// Places of the map within `reach` metres that look like the landmark, at a scale level.
+    pub(super) fn look_alikes(
+        &mut self,
+        landmark: &Landmark,
+        level: i32,
+        reach: f64,
+    ) -> &[LookAlike] {
+        let map = Arc::clone(&self.map);
+        self.level(landmark, level)
+            .find_look_alikes(map.as_ref(), &landmark.bounds, reach)
     }
 
     /// The landmark at a scale level; a box that has changed since is cut anew.

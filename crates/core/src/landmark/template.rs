@@ -10,6 +10,7 @@ use nalgebra::{Matrix4, Vector2};
 
 use super::alignment::{Alignment, Similarity, align};
 use super::features::Features;
+use super::look_alike::Searched;
 use super::patch::{FLAT_CONTRAST, PatchBank, gsd_of, level_of};
 use super::peak::{FORBIDDEN, Peak, best_peaks, refine};
 use super::rectify::{GroundView, rectify};
@@ -371,6 +372,17 @@ impl Detector for TemplateDetector {
         let fit = self.polish(view, landmark, level, fit);
         let detection = self.detection(view, landmark, level, &fit, second);
         let look_alike = self.bank.look_alike(landmark, level + COARSE_LEVELS);
+        let (north, east) = request.half_extents(self.settings.search_sigmas);
+        let middle = landmark.bounds.center();
+        let searched = Searched {
+            surface: &surface,
+            window: &ground.window,
+            size,
+            expected: (middle, request.displacement_covariance),
+        };
+        let others = self
+            .bank
+            .look_alikes(landmark, level + COARSE_LEVELS, north.max(east));
         let refusal = if detection.score < self.settings.least_score {
             Some(Refusal::LowScore)
         } else if second > self.settings.greatest_ambiguity * detection.score
@@ -381,6 +393,8 @@ impl Detector for TemplateDetector {
             Some(Refusal::OutOfPicture)
         } else if at_edge(&surface, &peak) {
             Some(Refusal::AtSearchEdge)
+        } else if searched.may_be(others, &fit.center, detection.score) {
+            Some(Refusal::LookAlike)
         } else {
             None
         };

@@ -7,7 +7,7 @@ use nalgebra::DVector;
 use super::engine::{Engine, MeasurementModel, engine};
 use super::see::{AppearanceModel, Measurement, Seer};
 use super::{
-    CandidateReport, Control, FrameReport, JointReport, NavigatorSettings, Run, SigmaSets,
+    CandidateReport, Control, FrameReport, JointReport, NavigatorSettings, Outcome, Run, SigmaSets,
     StepReport, StepTiming,
 };
 use crate::camera::CameraModel;
@@ -15,7 +15,7 @@ use crate::filter::FilterError;
 use crate::flight::{ChannelName, Flight, FrameSource};
 use crate::frames::{Attitude, GroundPoint};
 use crate::imagery::Imagery;
-use crate::landmark::{Detector, Landmark, SearchRequest, TemplateDetector};
+use crate::landmark::{Detector, Landmark, Refusal, SearchRequest, TemplateDetector};
 use crate::raster::{Picture, Pyramid};
 use crate::vehicle::ControlInput;
 
@@ -329,19 +329,27 @@ impl Navigator {
         let candidates = seer.candidates(&self.landmarks);
         let mut reports: Vec<CandidateReport> = Vec::with_capacity(candidates.len());
         let mut measurements: Vec<Measurement<'_>> = Vec::new();
+        let mut doubtful = Vec::new();
         let luminance =
             (!candidates.is_empty()).then(|| Pyramid::new(picture.to_gray(), PYRAMID_LEVELS));
         if let Some(luminance) = &luminance {
             for (landmark, mut candidate) in candidates {
                 let place = seer.look(landmark, &mut candidate, luminance, self.detector.as_mut());
-                let found =
-                    place.and_then(|p| seer.judge(landmark, &mut candidate, reports.len(), p));
-                measurements.extend(found);
+                let is_doubtful = candidate.outcome == Outcome::Refused(Refusal::LookAlike);
+                match place {
+                    Some(place) if is_doubtful => doubtful.push((landmark, reports.len(), place)),
+                    Some(place) => {
+                        let found = seer.judge(landmark, &mut candidate, reports.len(), place);
+                        measurements.extend(found);
+                    }
+                    None => {}
+                }
                 reports.push(candidate);
             }
         }
         let seen = stopwatch();
-        let (agreed, nis, threshold) = seer.agree(measurements, &mut reports)?;
+        let agreed = seer.agree(measurements, &mut reports)?;
+        let (agreed, nis, threshold) = seer.confirm(agreed, doubtful, &mut reports)?;
         let mut joint = None;
         if !agreed.is_empty() {
             let (stacked, noise) = seer.stack(&agreed);

@@ -14,6 +14,10 @@ use crate::frames::{Attitude, GroundPoint, Pose};
 use crate::landmark::{Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting};
 use crate::raster::Pyramid;
 
+/// Where and how a landmark was seen: pixel, rotation and log scale, and their covariance without the
+/// error of the camera's pose.
+pub type Place = (Vector4<f64>, Matrix4<f64>);
+
 /// What is needed to predict how landmarks appear from a state.
 #[derive(Clone, Copy)]
 pub struct AppearanceModel<'a> {
@@ -194,14 +198,15 @@ impl<'a> Seer<'a> {
         }
     }
 
-    /// Looks for one landmark and fills in its report.
+    /// Looks for one landmark and fills in its report. The place is given, too, of one that was refused
+    /// because it may be a look-alike: beside another landmark that can be told (see [`Self::confirm`]).
     pub fn look(
         &self,
         landmark: &'a Landmark,
         report: &mut CandidateReport,
         luminance: &'a Pyramid,
         detector: &mut dyn Detector,
-    ) -> Option<(Vector4<f64>, Matrix4<f64>)> {
+    ) -> Option<Place> {
         let request = self.request(landmark, report)?;
         let region = request.region(self.settings.detector.search_sigmas);
         let (camera, ground_down) = (self.model.camera, self.model.ground_down);
@@ -239,7 +244,7 @@ impl<'a> Seer<'a> {
             Sighting::Found(_) => place,
             Sighting::Refused(refusal, _) => {
                 report.outcome = Outcome::Refused(refusal);
-                None
+                place.filter(|_| refusal == Refusal::LookAlike)
             }
         }
     }
@@ -250,7 +255,7 @@ impl<'a> Seer<'a> {
         landmark: &'a Landmark,
         report: &mut CandidateReport,
         index: usize,
-        (seen, covariance): (Vector4<f64>, Matrix4<f64>),
+        (seen, covariance): Place,
     ) -> Option<Measurement<'a>> {
         let model = self.model;
         let point = landmark.reference_in_world(model.ground_down);
@@ -353,5 +358,33 @@ impl<'a> Seer<'a> {
             }
             measurements.retain(|m| !refused.contains(&m.report));
         }
+    }
+
+    /// Takes in landmarks that may be look-alikes and agree with those that are not; a look-alike would
+    /// contradict them. Without such a one nothing can be told.
+    pub fn confirm(
+        &self,
+        (mut agreed, mut nis, mut threshold): (Vec<Measurement<'a>>, f64, f64),
+        doubtful: Vec<(&'a Landmark, usize, Place)>,
+        reports: &mut [CandidateReport],
+    ) -> Result<(Vec<Measurement<'a>>, f64, f64), FilterError> {
+        if agreed.is_empty() {
+            return Ok((agreed, nis, threshold));
+        }
+        for (landmark, index, place) in doubtful {
+            let Some(measurement) = self.judge(landmark, &mut reports[index], index, place) else {
+                continue;
+            };
+            agreed.push(measurement);
+            let with = self.joint_nis(&agreed)?;
+            let most = self.gate().threshold(COMPONENTS * agreed.len());
+            if with <= most {
+                (nis, threshold) = (with, most);
+            } else {
+                agreed.pop();
+                reports[index].outcome = Outcome::Refused(Refusal::Contradicted);
+            }
+        }
+        Ok((agreed, nis, threshold))
     }
 }

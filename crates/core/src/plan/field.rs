@@ -10,8 +10,8 @@ use nalgebra::{Point2, Point3};
 use serde::{Deserialize, Serialize};
 
 use super::PlannedLandmark;
-use super::corridor::normal;
 use crate::camera::CameraModel;
+use crate::filter::normal_probability;
 use crate::frames::{Attitude, GroundPoint, GroundRect, Pose};
 
 /// Headings over which the probability is averaged.
@@ -286,7 +286,7 @@ fn within(at: f64, [low, high]: [f64; 2], half: f64, spread: f64) -> f64 {
     if high <= low {
         return 0.0;
     }
-    (normal((high - at) / spread) - normal((low - at) / spread)).max(0.0)
+    (normal_probability((high - at) / spread) - normal_probability((low - at) / spread)).max(0.0)
 }
 
 #[cfg(test)]

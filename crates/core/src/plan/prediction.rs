@@ -6,7 +6,7 @@ use rand_chacha::ChaCha8Rng;
 use serde::{Deserialize, Serialize};
 
 use super::DetectionStatistics;
-use super::corridor::{Corridor, corridor, gaussian_kernels};
+use super::corridor::{Belief, Corridor, corridor, gaussian_kernels};
 use super::propagate::{Moment, Propagation, UnknownWind};
 use crate::frames::GroundPoint;
 use crate::landmark::Landmark;
@@ -21,6 +21,8 @@ const LIKELY: f64 = 0.5;
 const WINDS_AT_LEAST: usize = 4;
 /// Beyond those, worlds per wind.
 const WORLDS_PER_WIND: usize = 6;
+/// Metres per frame of the slowest flight that counts by its time: slower ones count no more.
+const SLOWEST: f64 = 0.5;
 /// Moments of the plan that a flight may be ahead of the one compared last: a tail wind, a cut corner.
 const AHEAD: usize = 20;
 
@@ -237,6 +239,15 @@ pub(super) fn nearest_ahead(
         .map_or(last, |(i, _)| i)
 }
 
+/// How long a flight is near its moment `index`, frames per metre: a corridor holds the error for its
+/// share of the time, and against the wind there is more of that.
+fn lasting(way: &[Moment], index: usize) -> f64 {
+    let (from, to) = (index.saturating_sub(1), (index + 1).min(way.len() - 1));
+    let length = way[from].place.distance(&way[to].place);
+    let frames = (to - from).max(1) as f64;
+    frames / length.max(SLOWEST * frames)
+}
+
 /// What all ways come to at the places of `track`.
 fn brought_together(track: &[(usize, GroundPoint)], ways: &[Vec<Moment>]) -> Vec<Moment> {
     let mut reached = vec![0; ways.len()];
@@ -256,7 +267,9 @@ fn brought_together(track: &[(usize, GroundPoint)], ways: &[Vec<Moment>]) -> Vec
                 let Some(moment) = way.get(*last) else {
                     continue;
                 };
-                all.beliefs.extend(&moment.beliefs);
+                let weight = lasting(way, *last);
+                let weighed = moment.beliefs.iter().map(|b| Belief { weight, ..*b });
+                all.beliefs.extend(weighed);
                 all.found.resize(moment.found.len(), 0.0);
                 for (sum, found) in all.found.iter_mut().zip(&moment.found) {
                     *sum += share * found;

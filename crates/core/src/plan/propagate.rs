@@ -280,6 +280,7 @@ struct World<const N: usize> {
 impl<const N: usize> World<N> {
     fn position(&self) -> Belief {
         Belief {
+            weight: 1.0,
             mean: Vector2::new(self.error[0], self.error[1]),
             covariance: Matrix2::from_fn(|i, j| self.scatter[(i, j)]),
         }

@@ -72,6 +72,7 @@ mod tests {
 
     fn samples(detections: &[[f64; 2]]) -> Vec<PredictionSample> {
         let world = Belief {
+            weight: 1.0,
             mean: nalgebra::Vector2::zeros(),
             covariance: nalgebra::Matrix2::identity(),
         };
