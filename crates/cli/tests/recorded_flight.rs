@@ -1,47 +1,93 @@
 //! The recorded flights, by the program as a user calls it.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use serde_json::Value;
 
-/// The summary of a replay of `site` over its orthophoto; `None`, loudly, without the shared data.
-fn replayed(site: &str, map: &str) -> Option<Value> {
+fn pilotage() -> Command {
+    Command::new(env!("CARGO_BIN_EXE_pilotage"))
+}
+
+fn run(command: &mut Command) {
+    let done = command.output().expect("the program starts");
+    assert!(
+        done.status.success(),
+        "{}",
+        String::from_utf8_lossy(&done.stderr)
+    );
+}
+
+/// The flight folder of `site` and its `map`; `None`, loudly, without the shared data.
+fn flown(site: &str, map: &str) -> Option<(PathBuf, PathBuf)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let map = root.join("../shared/data").join(map);
     if !map.exists() {
         println!("skipped: no shared data");
         return None;
     }
-    let summary = std::env::temp_dir().join(format!("pilotage-{site}-{}.json", std::process::id()));
-    let flight = root.join("tests/flights").join(site);
-    let status = Command::new(env!("CARGO_BIN_EXE_pilotage"))
+    Some((root.join("tests/flights").join(site), map))
+}
+
+fn scratch(name: &str) -> PathBuf {
+    std::env::temp_dir().join(format!("pilotage-{}-{name}", std::process::id()))
+}
+
+/// The summary of a replay of the flight by the landmarks of a mission.
+fn replay(mission: &Path, flight: &Path, map: &Path) -> Value {
+    let last = |path: &Path| path.file_name().map(|n| n.to_string_lossy().into_owned());
+    let name = last(flight).expect("a folder");
+    let summary = scratch(&format!("{name}-{}.json", last(mission).expect("a file")));
+    run(pilotage()
         .arg("replay")
         .arg("--mission")
-        .arg(flight.join("mission.geojson"))
+        .arg(mission)
         .arg("--flight")
-        .arg(&flight)
+        .arg(flight)
         .arg("--map")
-        .arg(&map)
+        .arg(map)
         .arg("--summary")
-        .arg(&summary)
-        .output()
-        .expect("the program starts");
-    assert!(
-        status.status.success(),
-        "{}",
-        String::from_utf8_lossy(&status.stderr)
-    );
+        .arg(&summary));
     let text = std::fs::read_to_string(&summary).expect("a summary was written");
     std::fs::remove_file(&summary).ok();
     let summary: Value = serde_json::from_str(&text).expect("the summary is JSON");
     println!(
-        "{site}: {} of {} frames, median {:.2} m, worst {:.2} m",
+        "{name}: {} of {} frames, median {:.2} m, worst {:.2} m",
         updated(&summary),
         summary["frames"],
         error(&summary, "median"),
         error(&summary, "max")
     );
+    summary
+}
+
+/// The summary of a replay of `site` over its orthophoto by the landmarks picked by hand; `None`, loudly,
+/// without the shared data.
+fn replayed(site: &str, map: &str) -> Option<Value> {
+    let (flight, map) = flown(site, map)?;
+    Some(replay(&flight.join("mission.geojson"), &flight, &map))
+}
+
+/// The same by `count` boxes of `side` metres that the planner proposes along the survey lines, from the
+/// orthophoto alone, on rehearsal days of `seed`.
+fn proposed(site: &str, map: &str, (count, side): (u32, f64), seed: u64) -> Option<Value> {
+    let (flight, map) = flown(site, map)?;
+    let mission = scratch(&format!("{site}-{seed}.geojson"));
+    run(pilotage()
+        .arg("plan")
+        .arg("--mission")
+        .arg(flight.join("route.geojson"))
+        .arg("--flight")
+        .arg(&flight)
+        .arg("--map")
+        .arg(&map)
+        .args(["--suggest", &count.to_string()])
+        .args(["--side", &side.to_string()])
+        .args(["--seed", &seed.to_string()])
+        .arg("--out")
+        .arg(&mission));
+    let summary = replay(&mission, &flight, &map);
+    std::fs::remove_file(&mission).ok();
     Some(summary)
 }
 
@@ -79,4 +125,20 @@ fn caliterra_is_navigated_by_twenty_four_landmarks() {
     assert!(updated(&summary) >= 62);
     assert!(error(&summary, "median") <= 4.5);
     assert!(error(&summary, "max") <= 15.0);
+}
+
+/// The planner knows the survey lines, the camera and the orthophoto, and nothing of the pictures.
+#[test]
+fn brighton_beach_is_navigated_by_ten_boxes_that_the_planner_proposes() {
+    for seed in 1..=2 {
+        let Some(summary) = proposed("brighton", "brighton_beach/ortho.jpg", (10, 9.0), seed)
+        else {
+            return;
+        };
+        assert_eq!(summary["frames"], 18);
+        assert!(updated(&summary) >= 17);
+        assert!(error(&summary, "median") <= 0.8);
+        assert!(error(&summary, "max") <= 2.0);
+        assert_eq!(summary["updates_wrong"], 0);
+    }
 }

@@ -16,7 +16,7 @@ use pilotage_core::mission::write_mission;
 use pilotage_core::plan::{
     Assessor, Candidate, Circumstances, DetectionStatistics, Envelope, EnvelopeSurvey,
     PlannedLandmark, Prediction, PredictionRequest, Ranking, Rehearsal, Reliability, Suggestion,
-    Verification, choose, poses_all_over, poses_over,
+    Verification, choose_lasting, fading, poses_all_over, poses_over,
 };
 use serde::Serialize;
 
@@ -24,7 +24,9 @@ use ground::{Ground, way_points};
 
 use crate::Outcome;
 
-/// Rehearsal days of a suggestion.
+/// Rehearsal days of a suggestion: with three, what is proposed depends on which they are.
+const SUGGESTION_DAYS: u64 = 8;
+/// Rehearsal days of an envelope.
 const DAYS: u64 = 3;
 /// Heights of an envelope, shares of the planned one.
 const HEIGHTS: [f64; 5] = [0.5, 0.75, 1.0, 1.5, 2.25];
@@ -213,11 +215,16 @@ fn sample(s: &pilotage_core::plan::PredictionSample) -> Sample {
 /// The poses from which landmarks may be seen: along the route, or all over the map without one.
 fn poses(ground: &Ground) -> Vec<(f64, Pose)> {
     if let Some(plan) = &ground.plan {
-        let speed = plan.airframe.cruise;
+        let first = ground
+            .mission
+            .routes
+            .first()
+            .and_then(|r| r.way_points.first());
+        let speed = first.and_then(|w| w.speed).unwrap_or(plan.airframe.cruise);
         return poses_over(&plan.way_points, ground.height, speed, plan.ground_down);
     }
     let step = 0.5 * ground.height * ground.camera.height as f64 / ground.camera.focal;
-    poses_all_over(&ground.map.bounds(), ground.height, step, 0.0)
+    poses_all_over(ground.map.as_ref(), ground.height, step, 0.0)
 }
 
 /// Side of the boxes that are tried, metres.
@@ -230,7 +237,7 @@ fn side(arguments: &Arguments, ground: &Ground) -> f64 {
 /// The places of the map that would serve as landmarks, the best first; only those in view of `frames`
 /// where some are given.
 fn rank(arguments: &Arguments, ground: &Ground, frames: Option<&[(f64, Pose)]>) -> Vec<Candidate> {
-    let days: Vec<Arc<dyn Imagery>> = (0..DAYS)
+    let days: Vec<Arc<dyn Imagery>> = (0..SUGGESTION_DAYS)
         .map(|day| ground.days.day(arguments.seed.wrapping_mul(1000) + day))
         .collect();
     let side = side(arguments, ground);
@@ -266,7 +273,8 @@ fn suggest(
 ) -> Result<Vec<Suggestion>, Box<dyn std::error::Error>> {
     let frames = poses(ground);
     let ranked = rank(arguments, ground, ground.plan.as_ref().map(|_| &frames[..]));
-    let chosen = choose(&ranked, &ground.camera, &frames, 0.0, count);
+    let lasting = fading(&ground.mission.navigator);
+    let chosen = choose_lasting(&ranked, &ground.camera, &frames, 0.0, lasting, count);
     if chosen.is_empty() {
         return Err(
             "no place of the map is distinct enough; try another --side or --height".into(),

@@ -130,7 +130,8 @@ impl OtherDays for PictureDays {
 /// A picture made to look as on another day and from another place, as far as that can be done without
 /// knowing what it shows: shadows fall elsewhere, fine texture grew anew, light and contrast changed by
 /// the field, and what stands up leans another way. Leaning is what tells woods from roads: every few
-/// metres the ground moves by a share of a metre, which a long edge survives and a canopy does not.
+/// metres the ground moves, by half a metre anywhere and by metres where it is green and rough over
+/// several metres, which is what a canopy looks like from above. A lawn is not rough, a bush not wide.
 struct ChangedPicture {
     map: Arc<dyn Imagery>,
     seed: u64,
@@ -145,11 +146,20 @@ const TEXTURE: f64 = 0.5;
 /// Share of that texture that is the same on another day.
 const TEXTURE_KEPT: f64 = 0.5;
 /// Furthest that shadows move, metres.
-const SHADOW_SHIFT: f64 = 5.0;
+const SHADOW_SHIFT: f64 = 3.0;
 /// Size of what stands up, metres.
 const CROWN: f64 = 4.0;
-/// How far it leans at most, metres: a height of 2 m seen 20° off.
-const LEAN: f64 = 0.8;
+/// How far the ground leans at most where nothing is known to stand on it, metres.
+const LEAN: f64 = 0.5;
+/// How far a canopy leans at most, metres: a tree of 10 m seen 20° off.
+const CANOPY_LEAN: f64 = 3.5;
+/// Width over which a canopy is green and rough, metres: what is smaller is not high.
+const CANOPY: f64 = 3.0;
+/// Width of the surroundings next to which a canopy is rough, metres.
+const FOLIAGE: f64 = 1.0;
+/// Excess of green times roughness, both as shares of the brightness, from which on something may be a
+/// canopy; from three times as much on it is one.
+const ROUGH_GREEN: f32 = 0.006;
 /// Brightness next to its surroundings below which a pixel is in shadow.
 const SHADOW: f32 = 0.72;
 
@@ -169,7 +179,7 @@ impl Imagery for ChangedPicture {
     fn window(&self, window: &Window) -> Raster<Rgba> {
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         let bearing = TAU * random.random::<f64>();
-        let shift = SHADOW_SHIFT * (0.4 + 0.6 * random.random::<f64>()) / window.gsd;
+        let shift = SHADOW_SHIFT * random.random::<f64>() / window.gsd;
         let contrast = 0.8 + 0.35 * random.random::<f64>();
         // Enough around the window that its pixels do not depend on how it was cut.
         let margin = ((2.0 * SURROUNDINGS + SHADOW_SHIFT) / window.gsd).ceil() as usize;
@@ -184,11 +194,14 @@ impl Imagery for ChangedPicture {
         let bright = picture.to_gray();
         let around = gaussian_blur(&bright, SURROUNDINGS / window.gsd);
         let smooth = gaussian_blur(&bright, (TEXTURE / window.gsd).max(0.3));
+        let canopy = canopy(&picture, &bright, window.gsd);
         let (dx, dy) = (shift * bearing.sin(), -shift * bearing.cos());
         Raster::from_fn(window.width, window.height, |column, row| {
             let place = window.ground_at(column as f64 + 0.5, row as f64 + 0.5);
+            let grown_over = f64::from(canopy.get(column + margin, row + margin));
+            let most = LEAN + (CANOPY_LEAN - LEAN) * grown_over;
             let lean = |layer| {
-                let metres = LEAN * self.noise(place.north / CROWN, place.east / CROWN, layer);
+                let metres = most * self.noise(place.north / CROWN, place.east / CROWN, layer);
                 (metres / window.gsd).round() as isize
             };
             let (c, r) = (
@@ -222,6 +235,19 @@ fn shadow(bright: &Gray, around: &Gray, column: usize, row: usize) -> f32 {
     let (c, r) = (column.min(bright.width() - 1), row.min(bright.height() - 1));
     let ratio = bright.get(c, r) / around.get(c, r).max(1.0);
     if ratio < SHADOW { ratio.max(0.4) } else { 1.0 }
+}
+
+/// How much every pixel is canopy, 0 to 1.
+fn canopy(picture: &Raster<Rgba>, bright: &Gray, gsd: f64) -> Gray {
+    let smooth = gaussian_blur(bright, FOLIAGE / gsd);
+    let rough_green = Gray::from_fn(bright.width(), bright.height(), |column, row| {
+        let [red, green, blue, _] = picture.get(column, row).map(f32::from);
+        let excess = (2.0 * green - red - blue) / (red + green + blue).max(1.0);
+        let around = smooth.get(column, row).max(8.0);
+        excess.max(0.0) * (bright.get(column, row) - around).abs() / around
+    });
+    let sure = |v: f32| (0.5 * (v - ROUGH_GREEN) / ROUGH_GREEN).clamp(0.0, 1.0);
+    gaussian_blur(&rough_green, CANOPY / gsd).map(sure)
 }
 
 impl ChangedPicture {
@@ -265,5 +291,37 @@ mod tests {
             assert!((mean - 1.0).abs() < 0.02, "seed {seed}: {mean}");
         }
         assert_ne!(spread_days(3, 1), spread_days(3, 2));
+    }
+
+    /// How much the middle of a ground is canopy that is painted with the colour `paint` gives to a coarse
+    /// random number, 0 to 1, within `half` metres of the middle, and lawn elsewhere.
+    fn canopy_of(half: f64, paint: impl Fn(f64) -> [f64; 3]) -> f32 {
+        const GSD: f64 = 0.25;
+        let mut random = ChaCha8Rng::seed_from_u64(7);
+        let numbers: Vec<f64> = (0..40 * 40).map(|_| random.random()).collect();
+        let picture = Raster::from_fn(160, 160, |column, row| {
+            let off = |at: usize| (GSD * (at as f64 + 0.5) - 20.0).abs();
+            let [r, g, b] = if off(column).max(off(row)) < half {
+                paint(numbers[row / 4 * 40 + column / 4])
+            } else {
+                [100.0, 130.0, 60.0]
+            };
+            [r as u8, g as u8, b as u8, 255]
+        });
+        canopy(&picture, &picture.to_gray(), GSD).get(80, 80)
+    }
+
+    #[test]
+    fn wide_rough_green_is_a_canopy_and_a_lawn_a_bush_and_gravel_are_not() {
+        let leaves = |v: f64| [60.0, 90.0, 40.0].map(|c| c * (0.5 + v));
+        let gravel = |v: f64| [90.0; 3].map(|c| c * (0.5 + v));
+        let wood = canopy_of(18.0, leaves);
+        assert!(wood > 0.8, "{wood}");
+        let bush = canopy_of(1.0, leaves);
+        assert!(bush < 0.3, "{bush}");
+        let lawn = canopy_of(0.0, leaves);
+        assert!(lawn < 0.05, "{lawn}");
+        let stones = canopy_of(18.0, gravel);
+        assert!(stones < 0.05, "{stones}");
     }
 }

@@ -38,4 +38,6 @@ pub use prediction::{
 };
 pub use random_route::{random_places, random_route};
 pub use smooth::{Turns, fits};
-pub use suggest::{Candidate, Ranking, Suggestion, choose, poses_all_over, poses_over};
+pub use suggest::{
+    Candidate, Ranking, Suggestion, choose, choose_lasting, fading, poses_all_over, poses_over,
+};

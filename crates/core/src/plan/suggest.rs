@@ -1,5 +1,6 @@
 //! Landmarks that a map offers: every place is rehearsed, and the set that serves a route best is chosen.
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use nalgebra::Point3;
@@ -7,26 +8,43 @@ use serde::{Deserialize, Serialize};
 
 use crate::camera::CameraModel;
 use crate::frames::{Attitude, GroundPoint, GroundRect, Pose};
-use crate::imagery::Imagery;
+use crate::imagery::{Imagery, Window};
 use crate::landmark::{Rehearsal, rehearse};
+use crate::navigator::{NavigatorSettings, VehicleChoice};
 
 /// Greatest ratio of a rival's score to the landmark's, as the detector has it.
 const AMBIGUITY: f64 = 0.85;
-/// Margin at which a landmark is as likely found as not, and the width of that change: from the boxes
-/// of the built-in scenarios, whose detections are known.
-const EVEN_MARGIN: f64 = 0.03;
+/// Margin at which a landmark is as likely refused as ambiguous as not, and the width of that change.
+/// A rehearsal takes more from the landmark's score than from its rival's, so that it is below zero:
+/// from all boxes of one recorded flight.
+const EVEN_MARGIN: f64 = -0.1;
 /// See [`EVEN_MARGIN`].
-const MARGIN_WIDTH: f64 = 0.04;
-/// Least score with which the detector accepts.
-const LEAST_SCORE: f64 = 0.45;
-/// What a rehearsal can promise at best: relief, another camera and a real day are not in it.
-const REHEARSAL: f64 = 0.6;
+const MARGIN_WIDTH: f64 = 0.05;
+/// Score in a rehearsal at which a landmark is as likely found as not, from the same boxes.
+const EVEN_SCORE: f64 = 0.25;
+/// See [`EVEN_SCORE`].
+const SCORE_WIDTH: f64 = 0.12;
+/// What a rehearsal can promise at best: relief, another camera and a real day are not in it. So many looks
+/// at boxes that pass one succeeded on a recorded flight.
+const REHEARSAL: f64 = 0.73;
+/// Days after which a place that failed on all of them is given up.
+const FIRST_DAYS: usize = 2;
+/// Probability on one day below which a place failed on it.
+const FAILED: f64 = 0.03;
+/// Share of the picture's height that a box keeps from its edge.
+const EDGE: f64 = 0.02;
+/// Rounds in which every chosen landmark may be exchanged for a better one.
+const ROUNDS: usize = 8;
+/// Headings of the pictures taken anywhere: half a turn of them, for a picture is as wide on both sides.
+const HEADINGS: usize = 4;
+/// Error of a fix, metres: with dead reckoning as uncertain, it has faded.
+const FIX: f64 = 2.0;
 /// Certainty of a fix that counts as next to none.
 const NEXT_TO_NONE: f64 = 0.1;
 /// Seconds over which a fix fades: the error of dead reckoning has then grown to about a fix's own.
 const FADING: f64 = 8.0;
 
-/// A box of the map and how it did on its worst rehearsal day.
+/// A box of the map, how likely it is found, and how it did on its worst rehearsal day.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Candidate {
     /// The box.
@@ -41,26 +59,31 @@ pub struct Candidate {
     pub margin: f64,
     /// How far it seemed to move on another day, metres.
     pub drift: f64,
+    /// Probability of being found in a picture, the mean over the rehearsal days.
+    pub probability: f64,
 }
 
 impl Candidate {
+    /// As it did on one day.
     fn of(bounds: GroundRect, r: &Rehearsal) -> Self {
+        let margin = r.margin(AMBIGUITY);
+        let rise = |x: f64| 1.0 / (1.0 + (-x).exp());
         Self {
             bounds,
             score: r.score,
             rival: r.rival,
             rival_place: r.rival_place,
-            margin: r.margin(AMBIGUITY),
+            margin,
             drift: r.drift,
+            probability: REHEARSAL
+                * rise((margin - EVEN_MARGIN) / MARGIN_WIDTH)
+                * rise((r.score - EVEN_SCORE) / SCORE_WIDTH),
         }
     }
 
-    /// Probability of being found in a picture, as far as a rehearsal can tell.
+    /// Probability of being found in a picture, as far as rehearsals can tell.
     pub fn probability(&self) -> f64 {
-        let rise = |x: f64| 1.0 / (1.0 + (-x).exp());
-        REHEARSAL
-            * rise((self.margin - EVEN_MARGIN) / MARGIN_WIDTH)
-            * rise((self.score - LEAST_SCORE) / MARGIN_WIDTH)
+        self.probability
     }
 }
 
@@ -134,20 +157,27 @@ impl<'a> Ranking<'a> {
         };
         self.next += 1;
         let mut worst: Option<Candidate> = None;
-        for day in self.days {
+        let (mut sum, mut best) = (0.0, 0.0_f64);
+        for (done, day) in self.days.iter().enumerate() {
+            if done == FIRST_DAYS && best < FAILED {
+                return true;
+            }
             let Some(rehearsal) = rehearse(self.map.as_ref(), day.as_ref(), bounds, self.radius)
             else {
                 return true;
             };
             let candidate = Candidate::of(*bounds, &rehearsal);
-            // A place that fails on one day need not be tried on the others.
-            if candidate.probability() < 0.03 {
-                return true;
-            }
-            if worst.is_none_or(|w| candidate.probability() < w.probability()) {
+            sum += candidate.probability;
+            best = best.max(candidate.probability);
+            if worst.is_none_or(|w| candidate.probability < w.probability) {
                 worst = Some(candidate);
             }
         }
+        let mean = sum / self.days.len().max(1) as f64;
+        let worst = worst.filter(|_| mean >= FAILED).map(|worst| Candidate {
+            probability: mean,
+            ..worst
+        });
         self.found.extend(worst);
         true
     }
@@ -173,14 +203,20 @@ pub struct Suggestion {
     pub reason: String,
 }
 
+/// Seconds over which a fix fades for an aircraft with these settings: until the error of dead reckoning
+/// has grown to about a fix's own.
+pub fn fading(settings: &NavigatorSettings) -> f64 {
+    match settings.vehicle {
+        // Nothing is known of the way: it grows with the root of the time.
+        VehicleChoice::RandomWalk => (FIX / settings.process.position.max(1e-3))
+            .powi(2)
+            .min(FADING),
+        _ => FADING,
+    }
+}
+
 /// Chooses at most `count` of `candidates` for a flight whose camera is at `frames` (time in seconds,
-/// pose).
-///
-/// Each second of the flight is worth the probability of having a fix, where a landmark in view u
-/// seconds ago still counts as `p exp(-u / τ)`, and any of several serves: `1 - Π (1 - pᵢ)`. That is
-/// monotone and submodular, so that taking the landmark of the greatest gain, again and again, comes to
-/// within 1 - 1/e of the best set (Nemhauser, Wolsey and Fisher 1978); the weakest stretch is where the
-/// most is to be gained.
+/// pose), with fixes that fade over [`FADING`].
 pub fn choose(
     candidates: &[Candidate],
     camera: &CameraModel,
@@ -188,56 +224,189 @@ pub fn choose(
     ground_down: f64,
     count: usize,
 ) -> Vec<Suggestion> {
-    let worth: Vec<Vec<f64>> = candidates
-        .iter()
-        .map(|c| certainty(c, camera, frames, ground_down))
-        .collect();
-    let times: Vec<f64> = frames.iter().map(|(t, _)| *t).collect();
-    let lasting = |i: usize| {
-        let next = times.get(i + 1).copied();
-        next.map_or(0.0, |n| n - times[i])
+    choose_lasting(candidates, camera, frames, ground_down, FADING, count)
+}
+
+/// Chooses at most `count` of `candidates` for a flight whose camera is at `frames` (time in seconds,
+/// pose), with fixes that fade over `fading` seconds, zero included.
+///
+/// Each second of the flight is worth a measure of the probability of having a fix, where a landmark in
+/// view u seconds ago still counts as `p exp(-u / τ)`, and any of several serves: `1 - Π (1 - pᵢ)`. The
+/// measure is steepest where there is next to none, so that the weakest stretch is served first. That is
+/// monotone and submodular: taking the landmark of the greatest gain, again and again, comes to within
+/// 1 - 1/e of the best set (Nemhauser, Wolsey and Fisher 1978). Then each is exchanged for a better one
+/// until none is found.
+pub fn choose_lasting(
+    candidates: &[Candidate],
+    camera: &CameraModel,
+    frames: &[(f64, Pose)],
+    ground_down: f64,
+    fading: f64,
+    count: usize,
+) -> Vec<Suggestion> {
+    let cover = Cover::new(candidates, camera, frames, ground_down, fading);
+    let clear = |i: usize, others: &[usize]| {
+        // Boxes that share ground would only be found and missed together.
+        let bounds = candidates[i].bounds;
+        others
+            .iter()
+            .all(|o| !candidates[*o].bounds.overlaps(&bounds))
     };
-    let mut covered = vec![0.0_f64; frames.len()];
-    let mut chosen: Vec<Suggestion> = Vec::new();
-    let mut left: Vec<usize> = (0..candidates.len()).collect();
-    while chosen.len() < count {
-        // What taking a landmark adds to a measure of the certainty of each moment.
-        let gain = |i: usize, measure: &dyn Fn(f64) -> f64| -> f64 {
-            let gains = worth[i].iter().zip(&covered).enumerate();
-            let gains = gains.filter(|(_, (w, _))| **w > 0.0);
-            gains
-                .map(|(f, (w, c))| (measure(c + w * (1.0 - c)) - measure(*c)) * lasting(f))
-                .sum()
-        };
-        let best = left
-            .iter()
-            .map(|i| (gain(*i, &|c| (1.0 + c / NEXT_TO_NONE).ln()), *i))
-            .max_by(|a, b| a.0.total_cmp(&b.0));
-        let Some((_, index)) = best.filter(|(gain, _)| *gain > 1e-3) else {
-            break;
-        };
-        let gained = gain(index, &|c| c);
-        for (c, w) in covered.iter_mut().zip(&worth[index]) {
-            *c += w * (1.0 - *c);
+    let best = |others: &[usize]| {
+        let missed = cover.missed(others);
+        (0..candidates.len())
+            .filter(|i| clear(*i, others))
+            .map(|i| (cover.gain(i, &missed, &measure), i))
+            .max_by(|a, b| a.0.total_cmp(&b.0))
+            .filter(|(gain, _)| *gain > 1e-3)
+    };
+    let mut chosen: Vec<usize> = Vec::new();
+    while chosen.len() < count
+        && let Some((_, i)) = best(&chosen)
+    {
+        chosen.push(i);
+    }
+    for _ in 0..ROUNDS {
+        let before = chosen.clone();
+        for slot in 0..chosen.len() {
+            let old = chosen.remove(slot);
+            let missed = cover.missed(&chosen);
+            let kept = cover.gain(old, &missed, &measure);
+            let new = best(&chosen).filter(|(gain, _)| *gain > kept + 1e-9);
+            chosen.insert(slot, new.map_or(old, |(_, i)| i));
         }
-        let candidate = candidates[index];
-        // Boxes that share ground with it would only be found and missed together with it.
-        left.retain(|i| !candidates[*i].bounds.overlaps(&candidate.bounds));
-        let held: Vec<f64> = frames
-            .iter()
-            .enumerate()
-            .filter(|(_, (_, pose))| holds(camera, pose, &candidate.bounds, ground_down))
-            .map(|(i, _)| lasting(i))
-            .collect();
-        let in_view: f64 = held.iter().sum();
-        chosen.push(Suggestion {
-            candidate,
+        if chosen == before {
+            break;
+        }
+    }
+    let mut missed = cover.missed(&[]);
+    let mut suggestions = Vec::new();
+    while !chosen.is_empty() {
+        let at = (0..chosen.len())
+            .max_by(|a, b| {
+                let gain = |slot: usize| cover.gain(chosen[slot], &missed, &measure);
+                gain(*a).total_cmp(&gain(*b))
+            })
+            .unwrap_or(0);
+        let i = chosen.remove(at);
+        let gained = cover.gain(i, &missed, &|missed| 1.0 - missed);
+        cover.take(i, &mut missed);
+        let in_view = cover.in_view[i];
+        suggestions.push(Suggestion {
+            candidate: candidates[i],
             in_view,
             gained,
-            reason: reason(&candidate, in_view, gained),
+            reason: reason(&candidates[i], in_view, gained),
         });
     }
-    chosen
+    suggestions
+}
+
+/// What a moment of the flight is worth that is without a fix with probability `missed`.
+fn measure(missed: f64) -> f64 {
+    (1.0 + (1.0 - missed) / NEXT_TO_NONE).ln()
+}
+
+/// Which moments each candidate serves.
+struct Cover {
+    /// Seconds for which each frame stands.
+    lasting: Vec<f64>,
+    /// For each candidate the frames in which it counts, and the certainty of a fix by it alone.
+    worth: Vec<Vec<(usize, f64)>>,
+    /// Seconds in which each candidate is in the picture.
+    in_view: Vec<f64>,
+}
+
+impl Cover {
+    fn new(
+        candidates: &[Candidate],
+        camera: &CameraModel,
+        frames: &[(f64, Pose)],
+        ground_down: f64,
+        fading: f64,
+    ) -> Self {
+        let mut lasting: Vec<f64> = frames.windows(2).map(|f| f[1].0 - f[0].0).collect();
+        // The last frame is worth as much as the one before it.
+        lasting.extend(
+            lasting
+                .last()
+                .copied()
+                .or((!frames.is_empty()).then_some(1.0)),
+        );
+        let around: Vec<Option<GroundRect>> = frames
+            .iter()
+            .map(|(_, pose)| surroundings(camera, pose, ground_down))
+            .collect();
+        let mut cover = Self {
+            lasting,
+            worth: Vec::new(),
+            in_view: Vec::new(),
+        };
+        for candidate in candidates {
+            let mut last: Option<f64> = None;
+            let (mut worth, mut in_view) = (Vec::new(), 0.0);
+            for (f, ((time, pose), around)) in frames.iter().zip(&around).enumerate() {
+                let near = around.is_none_or(|a| a.overlaps(&candidate.bounds));
+                if near && holds(camera, pose, &candidate.bounds, ground_down) {
+                    last = Some(*time);
+                    in_view += cover.lasting[f];
+                }
+                let age = last.map_or(f64::INFINITY, |seen| time - seen);
+                let left = if age <= 0.0 {
+                    1.0
+                } else {
+                    (-age / fading).exp()
+                };
+                if left > 1e-3 {
+                    worth.push((f, left * candidate.probability()));
+                }
+            }
+            cover.worth.push(worth);
+            cover.in_view.push(in_view);
+        }
+        cover
+    }
+
+    /// For each frame the probability that none of `chosen` gives a fix.
+    fn missed(&self, chosen: &[usize]) -> Vec<f64> {
+        let mut missed = vec![1.0; self.lasting.len()];
+        for i in chosen {
+            self.take(*i, &mut missed);
+        }
+        missed
+    }
+
+    fn take(&self, i: usize, missed: &mut [f64]) {
+        for (f, w) in &self.worth[i] {
+            missed[*f] *= 1.0 - w;
+        }
+    }
+
+    /// What taking a candidate adds to a measure of each moment, in all.
+    fn gain(&self, i: usize, missed: &[f64], measure: &dyn Fn(f64) -> f64) -> f64 {
+        let gains = self.worth[i].iter().map(|(f, w)| {
+            let before = missed[*f];
+            (measure(before * (1.0 - w)) - measure(before)) * self.lasting[*f]
+        });
+        gains.sum()
+    }
+}
+
+/// A box around the ground in the picture; `None` if part of the picture shows no ground.
+fn surroundings(camera: &CameraModel, pose: &Pose, ground_down: f64) -> Option<GroundRect> {
+    let corners = camera.corners();
+    let on_ground: Option<Vec<GroundPoint>> = corners
+        .iter()
+        .map(|p| camera.ground_at(pose, p, ground_down))
+        .collect();
+    let on_ground = on_ground?;
+    let most = |f: &dyn Fn(&GroundPoint) -> f64| on_ground.iter().map(f).fold(f64::MIN, f64::max);
+    Some(GroundRect {
+        north: most(&|p| p.north),
+        south: -most(&|p| -p.north),
+        east: most(&|p| p.east),
+        west: -most(&|p| -p.east),
+    })
 }
 
 fn reason(candidate: &Candidate, in_view: f64, gained: f64) -> String {
@@ -245,35 +414,17 @@ fn reason(candidate: &Candidate, in_view: f64, gained: f64) -> String {
     let to = candidate.rival_place;
     let distance = middle.distance(&to);
     format!(
-        "in view for {in_view:.0} s, keeps {gained:.0} s from dead reckoning; scores {:.2} on its worst \
-         rehearsal day, the strongest look-alike {distance:.0} m away {:.2}",
-        candidate.score, candidate.rival
+        "in view for {in_view:.0} s, keeps {gained:.0} s from dead reckoning; found in {:.0} % of pictures \
+         as rehearsed; scores {:.2} on its worst day, the strongest look-alike {distance:.0} m away {:.2}",
+        100.0 * candidate.probability,
+        candidate.score,
+        candidate.rival
     )
 }
 
-/// For every frame the certainty of the position if this landmark alone were used.
-fn certainty(
-    candidate: &Candidate,
-    camera: &CameraModel,
-    frames: &[(f64, Pose)],
-    ground_down: f64,
-) -> Vec<f64> {
-    let p = candidate.probability();
-    let mut last: Option<f64> = None;
-    frames
-        .iter()
-        .map(|(time, pose)| {
-            if holds(camera, pose, &candidate.bounds, ground_down) {
-                last = Some(*time);
-            }
-            last.map_or(0.0, |seen| p * (-(time - seen) / FADING).exp())
-        })
-        .collect()
-}
-
-/// Whether the whole box lies in the picture, with a twentieth of the picture to spare.
+/// Whether the whole box lies in the picture, with [`EDGE`] of the picture to spare.
 fn holds(camera: &CameraModel, pose: &Pose, bounds: &GroundRect, ground_down: f64) -> bool {
-    camera.holds(pose, bounds, ground_down, 0.05 * camera.height as f64)
+    camera.holds(pose, bounds, ground_down, EDGE * camera.height as f64)
 }
 
 /// Level poses at `height` metres over a path, two a second at `speed` m/s: where the camera will be as
@@ -309,33 +460,55 @@ pub fn poses_over(
     poses
 }
 
-/// Level poses at `height` metres, `step` metres apart all over `region`, so far apart in time that no
-/// fix lasts from one to the next: for a map over which nobody knows the route yet.
+/// Level poses at `height` metres over what `map` shows, `step` metres apart, each on several headings,
+/// and so far apart in time that no fix lasts from one to the next: for a map over which nobody knows the
+/// route yet.
 pub fn poses_all_over(
-    region: &GroundRect,
+    map: &dyn Imagery,
     height: f64,
     step: f64,
     ground_down: f64,
 ) -> Vec<(f64, Pose)> {
+    let region = map.bounds();
     let count = |length: f64| (length / step.max(0.1)).floor().max(0.0) as usize + 1;
     let mut poses = Vec::new();
     for row in 0..count(region.height()) {
         for column in 0..count(region.width()) {
             let north = region.south + step * row as f64;
             let east = region.west + step * column as f64;
-            let pose = Pose {
-                position_in_world: Point3::new(north, east, ground_down - height),
-                attitude: Attitude::level(0.0),
-            };
-            poses.push((1e3 * poses.len() as f64, pose));
+            if !shows(map, GroundPoint::new(north, east)) {
+                continue;
+            }
+            for turn in 0..HEADINGS {
+                let pose = Pose {
+                    position_in_world: Point3::new(north, east, ground_down - height),
+                    attitude: Attitude::level(PI * turn as f64 / HEADINGS as f64),
+                };
+                poses.push((1e3 * poses.len() as f64, pose));
+            }
         }
     }
     poses
 }
 
+/// Whether a map shows ground at a place: it may be transparent, or pure black or white, around it.
+fn shows(map: &dyn Imagery, place: GroundPoint) -> bool {
+    let gsd = map.native_gsd().max(1.0);
+    let window = Window {
+        north_edge: place.north + 0.5 * gsd,
+        west_edge: place.east - 0.5 * gsd,
+        gsd,
+        width: 1,
+        height: 1,
+    };
+    let [red, green, blue, alpha] = map.window(&window).get(0, 0);
+    alpha == 255 && red.max(green).max(blue) > 2 && red.min(green).min(blue) < 253
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::raster::{Raster, Rgba};
 
     fn candidate(north: f64, east: f64, margin: f64) -> Candidate {
         let place = GroundPoint::new(north, east);
@@ -346,6 +519,7 @@ mod tests {
             rival_place: GroundPoint::new(north + 40.0, east),
             margin,
             drift: 0.1,
+            probability: margin,
         }
     }
 
@@ -382,5 +556,81 @@ mod tests {
         );
         let last = poses[19].1;
         assert!((last.position_in_world.y - 95.0).abs() < 1e-9, "{last:?}");
+    }
+
+    #[test]
+    fn the_longest_in_view_gives_way_to_two_that_cover_the_route_between_them() {
+        let path = [GroundPoint::new(0.0, 0.0), GroundPoint::new(150.0, 0.0)];
+        let camera = CameraModel::pinhole(640, 480, 60_f64.to_radians());
+        let frames = poses_over(&path, 120.0, 2.0, 0.0);
+        let offered = [75.0, 30.0, 120.0].map(|north| candidate(north, 0.0, 0.8));
+        let middles = |count: usize| -> Vec<f64> {
+            let chosen = choose_lasting(&offered, &camera, &frames, 0.0, 0.0, count);
+            let mut norths: Vec<f64> = chosen
+                .iter()
+                .map(|s| s.candidate.bounds.center().north)
+                .collect();
+            norths.sort_by(f64::total_cmp);
+            norths
+        };
+        assert_eq!(middles(1), [75.0], "the one longest in view");
+        assert_eq!(middles(2), [30.0, 120.0]);
+    }
+
+    #[test]
+    fn the_last_frame_of_a_flight_counts_too() {
+        let camera = CameraModel::pinhole(640, 480, 60_f64.to_radians());
+        let path = [GroundPoint::new(0.0, 0.0), GroundPoint::new(400.0, 0.0)];
+        let poses = poses_over(&path, 120.0, 20.0, 0.0);
+        let frames = [poses[0], poses[poses.len() - 1]];
+        let offered = [candidate(400.0, 0.0, 0.8)];
+        let chosen = choose_lasting(&offered, &camera, &frames, 0.0, 0.0, 1);
+        assert_eq!(chosen.len(), 1, "it is in the last picture only");
+    }
+
+    /// Ground in the west, nothing in the east.
+    struct HalfAMap;
+
+    impl Imagery for HalfAMap {
+        fn name(&self) -> &'static str {
+            "half a map"
+        }
+
+        fn bounds(&self) -> GroundRect {
+            GroundRect::centered(GroundPoint::default(), 400.0, 400.0)
+        }
+
+        fn native_gsd(&self) -> f64 {
+            0.5
+        }
+
+        fn window(&self, window: &Window) -> Raster<Rgba> {
+            Raster::from_fn(window.width, window.height, |column, row| {
+                let east = window.ground_at(column as f64, row as f64).east;
+                if east < 0.0 {
+                    [90, 90, 90, 255]
+                } else {
+                    [0; 4]
+                }
+            })
+        }
+    }
+
+    #[test]
+    fn nobody_is_expected_to_fly_where_the_map_shows_nothing() {
+        let poses = poses_all_over(&HalfAMap, 100.0, 50.0, 0.0);
+        assert!(poses.iter().all(|(_, p)| p.position_in_world.y < 1.0));
+        // Nine rows, four columns and perhaps the rim, on every heading.
+        assert!(poses.len() >= 9 * 4 * HEADINGS, "{}", poses.len());
+        assert_eq!(poses.len() % HEADINGS, 0);
+    }
+
+    #[test]
+    fn a_fix_fades_at_once_where_nothing_is_known_of_the_way() {
+        let mut settings = NavigatorSettings::default();
+        assert_eq!(fading(&settings), FADING);
+        settings.vehicle = VehicleChoice::RandomWalk;
+        settings.process.position = 6.0;
+        assert!(fading(&settings) < 0.2);
     }
 }
