@@ -216,7 +216,7 @@ pub fn fading(settings: &NavigatorSettings) -> f64 {
 }
 
 /// Chooses at most `count` of `candidates` for a flight whose camera is at `frames` (time in seconds,
-/// pose), with fixes that fade over [`FADING`].
+/// pose), with fixes that fade over eight seconds.
 pub fn choose(
     candidates: &[Candidate],
     camera: &CameraModel,
