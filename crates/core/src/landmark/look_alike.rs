@@ -3,7 +3,8 @@
 use nalgebra::{Matrix2, Vector2};
 
 use super::features::{FeatureTemplate, Features};
-use super::peak::{FORBIDDEN, best_peaks};
+use super::patch::window_around;
+use super::peak::{FORBIDDEN, best_peaks, separation};
 use crate::filter::normal_probability;
 use crate::frames::{GroundPoint, GroundRect};
 use crate::imagery::{Imagery, Window};
@@ -54,16 +55,9 @@ impl LookAlikes {
             // A filter that drifts asks for a little more in every frame.
             self.reach = (1.5 * reach).min(FARTHEST);
             let pixels = (self.reach / gsd).ceil() as usize;
-            let center = bounds.center();
-            let window = Window {
-                north_edge: center.north + (0.5 * size.1 as f64 + pixels as f64) * gsd,
-                west_edge: center.east - (0.5 * size.0 as f64 + pixels as f64) * gsd,
-                gsd,
-                width: size.0 + 2 * pixels,
-                height: size.1 + 2 * pixels,
-            };
+            let window = window_around(bounds.center(), gsd, size, (pixels, pixels));
             let surface = template.correlate(&Features::new(map.window(&window).to_gray()));
-            let apart = (size.0.min(size.1) / 4).max(2);
+            let apart = separation(size);
             self.all = best_peaks(&surface, apart, MOST + 1)
                 .into_iter()
                 .filter(|p| {

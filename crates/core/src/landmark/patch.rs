@@ -6,8 +6,8 @@ use std::sync::Arc;
 use super::Landmark;
 use super::features::{FeatureTemplate, Features};
 use super::look_alike::{LookAlike, LookAlikes};
-use super::peak::best_peaks;
-use crate::frames::GroundRect;
+use super::peak::{best_peaks, separation};
+use crate::frames::{GroundPoint, GroundRect};
 use crate::imagery::{Imagery, Window};
 use crate::raster::{Gray, bilinear};
 
@@ -25,6 +25,22 @@ pub fn level_of(gsd: f64) -> i32 {
 /// Ground sample distance of a level, metres per pixel.
 pub fn gsd_of(level: i32) -> f64 {
     (f64::from(level) / LEVELS_PER_OCTAVE).exp2()
+}
+
+/// The window in which the patch (of `size` pixels) may be moved by `reach` pixels around `center`.
+pub fn window_around(
+    center: GroundPoint,
+    gsd: f64,
+    size: (usize, usize),
+    reach: (usize, usize),
+) -> Window {
+    Window {
+        north_edge: center.north + (0.5 * size.1 as f64 + reach.1 as f64) * gsd,
+        west_edge: center.east - (0.5 * size.0 as f64 + reach.0 as f64) * gsd,
+        gsd,
+        width: size.0 + 2 * reach.0,
+        height: size.1 + 2 * reach.1,
+    }
 }
 
 /// A landmark's surroundings on the map at one scale.
@@ -86,20 +102,11 @@ impl PatchLevel {
         if let Some(known) = self.look_alike {
             return known;
         }
-        let (width, height) = self.size;
-        let center = bounds.center();
-        let window = Window {
-            north_edge: center.north + 1.5 * height as f64 * self.gsd,
-            west_edge: center.east - 1.5 * width as f64 * self.gsd,
-            gsd: self.gsd,
-            width: 3 * width,
-            height: 3 * height,
-        };
+        let window = window_around(bounds.center(), self.gsd, self.size, self.size);
         let around = Features::new(map.window(&window).to_gray());
         let score = self.template(0.0, 1.0).map_or(0.0, |template| {
             let surface = template.correlate(&around);
-            let separation = (width.min(height) / 4).max(2);
-            best_peaks(&surface, separation, 2)
+            best_peaks(&surface, separation(self.size), 2)
                 .get(1)
                 .map_or(0.0, |p| f64::from(p.score))
         });

@@ -18,6 +18,11 @@ pub struct Peak {
     pub score: f32,
 }
 
+/// Places closer than this to a better one belong to it: a quarter of the patch.
+pub fn separation(size: (usize, usize)) -> usize {
+    (size.0.min(size.1) / 4).max(2)
+}
+
 /// The best `most` places, each at least `separation` pixels (Chebyshev) from better ones.
 pub fn best_peaks(surface: &Gray, separation: usize, most: usize) -> Vec<Peak> {
     let mut peaks: Vec<Peak> = Vec::new();

@@ -11,8 +11,8 @@ use nalgebra::{Matrix4, Vector2};
 use super::alignment::{Alignment, Similarity, align};
 use super::features::Features;
 use super::look_alike::Searched;
-use super::patch::{FLAT_CONTRAST, PatchBank, gsd_of, level_of};
-use super::peak::{FORBIDDEN, Peak, best_peaks, refine};
+use super::patch::{FLAT_CONTRAST, PatchBank, gsd_of, level_of, window_around};
+use super::peak::{FORBIDDEN, Peak, best_peaks, refine, separation};
 use super::rectify::{GroundView, rectify};
 use super::{
     Detection, Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting, TemplateSettings,
@@ -86,22 +86,6 @@ impl TemplateDetector {
         )
     }
 
-    /// The window in which the patch (of `size` pixels) may be moved by `reach` pixels around `center`.
-    fn window(
-        center: GroundPoint,
-        gsd: f64,
-        size: (usize, usize),
-        reach: (usize, usize),
-    ) -> Window {
-        Window {
-            north_edge: center.north + (0.5 * size.1 as f64 + reach.1 as f64) * gsd,
-            west_edge: center.east - (0.5 * size.0 as f64 + reach.0 as f64) * gsd,
-            gsd,
-            width: size.0 + 2 * reach.0,
-            height: size.1 + 2 * reach.1,
-        }
-    }
-
     /// The coarse surface over the whole search region, and the window it was made from.
     fn coarse(
         &mut self,
@@ -123,7 +107,7 @@ impl TemplateDetector {
             (east / gsd).ceil() as usize + 1,
             (north / gsd).ceil() as usize + 1,
         );
-        let window = Self::window(landmark.bounds.center(), gsd, size, reach);
+        let window = window_around(landmark.bounds.center(), gsd, size, reach);
         // A lost filter searches for kilometres, but a place is found in the picture or nowhere.
         let window = in_picture(&window, view).ok_or(Refusal::OutOfPicture)?;
         if window.width < size.0 || window.height < size.1 {
@@ -149,7 +133,7 @@ impl TemplateDetector {
     ) -> Option<Fit> {
         let patch = self.bank.level(landmark, level);
         let (gsd, size) = (patch.gsd, patch.size);
-        let window = Self::window(center, gsd, size, (FINE_REACH + 1, FINE_REACH + 1));
+        let window = window_around(center, gsd, size, (FINE_REACH + 1, FINE_REACH + 1));
         let ground = rectify(view, &window);
         if !ground.complete && coverage(&ground) < LEAST_COVERAGE {
             return None;
@@ -195,7 +179,7 @@ impl TemplateDetector {
         let patch = self.bank.level(landmark, level);
         let (gsd, size) = (patch.gsd, patch.size);
         let reach = separation(size);
-        let window = Self::window(start.center, gsd, size, (reach, reach));
+        let window = window_around(start.center, gsd, size, (reach, reach));
         let ground = rectify(view, &window);
         let template = patch.template(start.rotation, start.scale)?;
         let surface = template.correlate(&Features::new(ground.luminance.clone()));
@@ -264,7 +248,7 @@ impl TemplateDetector {
         let patch = self.bank.level(landmark, level);
         let (gsd, size) = (patch.gsd, patch.size);
         let margin = |pixels: usize| pixels / 12 + 4;
-        let window = Self::window(fit.center, gsd, size, (margin(size.0), margin(size.1)));
+        let window = window_around(fit.center, gsd, size, (margin(size.0), margin(size.1)));
         let picture = rectify(view, &window);
         let start = Similarity {
             x: 0.0,
@@ -372,17 +356,13 @@ impl Detector for TemplateDetector {
         let fit = self.polish(view, landmark, level, fit);
         let detection = self.detection(view, landmark, level, &fit, second);
         let look_alike = self.bank.look_alike(landmark, level + COARSE_LEVELS);
-        let (north, east) = request.half_extents(self.settings.search_sigmas);
-        let middle = landmark.bounds.center();
         let searched = Searched {
             surface: &surface,
             window: &ground.window,
             size,
-            expected: (middle, request.displacement_covariance),
+            expected: (landmark.bounds.center(), request.displacement_covariance),
         };
-        let others = self
-            .bank
-            .look_alikes(landmark, level + COARSE_LEVELS, north.max(east));
+        let (north, east) = request.half_extents(self.settings.search_sigmas);
         let refusal = if detection.score < self.settings.least_score {
             Some(Refusal::LowScore)
         } else if second > self.settings.greatest_ambiguity * detection.score
@@ -393,7 +373,12 @@ impl Detector for TemplateDetector {
             Some(Refusal::OutOfPicture)
         } else if at_edge(&surface, &peak) {
             Some(Refusal::AtSearchEdge)
-        } else if searched.may_be(others, &fit.center, detection.score) {
+        } else if searched.may_be(
+            self.bank
+                .look_alikes(landmark, level + COARSE_LEVELS, north.max(east)),
+            &fit.center,
+            detection.score,
+        ) {
             Some(Refusal::LookAlike)
         } else {
             None
@@ -408,11 +393,6 @@ impl Detector for TemplateDetector {
 /// Ground sample distance of the camera in the middle of the picture, metres per pixel.
 fn camera_gsd(view: &FrameView<'_>) -> f64 {
     (view.ground_down - view.pose.position_in_world.z).max(0.1) / view.camera.focal
-}
-
-/// Places closer than this to a better one belong to it: a quarter of the patch.
-fn separation(size: (usize, usize)) -> usize {
-    (size.0.min(size.1) / 4).max(2)
 }
 
 /// Whether the peak lies next to offsets at which the patch would leave the picture: the true place may
@@ -506,7 +486,7 @@ mod tests {
         let reach = (9000, 9000);
         let around = |north, east| {
             let center = GroundPoint::new(north, east);
-            TemplateDetector::window(center, 0.3, (120, 120), reach)
+            window_around(center, 0.3, (120, 120), reach)
         };
         let wide = around(1200.0, 900.0);
         let cut = in_picture(&wide, &view).unwrap();
@@ -518,7 +498,7 @@ mod tests {
         let steps = (wide.north_edge - cut.north_edge) / 0.3;
         assert!((steps - steps.round()).abs() < 1e-6);
         assert_eq!(in_picture(&around(8000.0, 0.0), &view), None);
-        let near = TemplateDetector::window(shown.center(), 0.3, (40, 40), (9, 9));
+        let near = window_around(shown.center(), 0.3, (40, 40), (9, 9));
         assert_eq!(in_picture(&near, &view), Some(near));
     }
 }
