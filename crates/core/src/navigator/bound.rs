@@ -3,8 +3,8 @@
 use nalgebra::{Dyn, Matrix4, OVector, SVector};
 
 use super::engine::vehicle;
-use super::geometry::{joint_noise, pose_covariance, pose_jacobian};
-use super::see::AppearanceModel;
+use super::expected::{Anchor, AppearanceModel};
+use super::geometry::{joint_noise, pose_covariance};
 use super::{NavigatorSettings, Run, StepReport};
 use crate::filter::{CramerRao, FilterError, numerical_jacobian};
 use crate::flight::{ChannelName, Flight};
@@ -122,7 +122,7 @@ impl Bound<'_> {
             ground_down: self.flight.ground_down,
         };
         let pose = appearance.pose(GroundPoint::new(state[0], state[1]), 0.0);
-        let mut landmarks: Vec<&Landmark> = Vec::new();
+        let mut landmarks: Vec<(&Landmark, Anchor)> = Vec::new();
         let (mut own, mut jacobians): (Vec<Matrix4<f64>>, Vec<Matrix4<f64>>) = (vec![], vec![]);
         for candidate in frame.accepted() {
             let Some(landmark) = self
@@ -134,9 +134,13 @@ impl Bound<'_> {
                 continue;
             };
             let point = landmark.reference_in_world(self.flight.ground_down);
-            let jacobian = pose_jacobian(&camera, &pose, &point);
-            if let Some((jacobian, covariance)) = jacobian.zip(candidate.measurement_covariance) {
-                landmarks.push(landmark);
+            let seen = camera.project(&pose, &point);
+            let anchor = seen.and_then(|at| Anchor::at(&camera, &pose, &at, point.z));
+            let seen = anchor.and_then(|a| Some((a, a.pose_jacobian(&camera, &pose, &point)?)));
+            if let Some(((anchor, jacobian), covariance)) =
+                seen.zip(candidate.measurement_covariance)
+            {
+                landmarks.push((landmark, anchor));
                 jacobians.push(jacobian);
                 own.push(covariance);
             }
@@ -151,7 +155,8 @@ impl Bound<'_> {
         let slope = numerical_jacobian::<N, Dyn>(
             |x| -> Option<OVector<f64, Dyn>> {
                 let position = GroundPoint::new(x[0], x[1]);
-                appearance.appearances(&landmarks, &pose, position, bias.map_or(0.0, |i| x[i]))
+                let bias = bias.map_or(0.0, |i| x[i]);
+                Some(appearance.appearances(&landmarks, &pose, position, bias))
             },
             state,
         );

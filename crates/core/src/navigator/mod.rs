@@ -2,6 +2,7 @@
 
 mod bound;
 mod engine;
+mod expected;
 pub(crate) mod geometry;
 mod pipeline;
 mod region;

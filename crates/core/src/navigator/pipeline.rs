@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
-use nalgebra::DVector;
+use nalgebra::{DVector, Matrix2, Vector2};
 
 use super::engine::{Engine, MeasurementModel, engine};
-use super::see::{AppearanceModel, Measurement, Seer};
+use super::expected::{Anchor, AppearanceModel};
+use super::see::{Measurement, Seer};
 use super::{
     CandidateReport, Control, FrameReport, JointReport, NavigatorSettings, Outcome, Run, SigmaSets,
     StepReport, StepTiming,
@@ -353,14 +354,18 @@ impl Navigator {
         let mut joint = None;
         if !agreed.is_empty() {
             let (stacked, noise) = seer.stack(&agreed);
-            let ids: Vec<u32> = agreed.iter().map(|m| m.landmark.id).collect();
+            let found: Vec<(u32, Anchor)> =
+                agreed.iter().map(|m| (m.landmark.id, m.anchor)).collect();
             drop(agreed);
-            let landmarks: Vec<&Landmark> = ids
+            let landmarks: Vec<(&Landmark, Anchor)> = found
                 .iter()
-                .filter_map(|id| self.landmarks.iter().find(|l| l.id == *id))
+                .filter_map(|(id, anchor)| {
+                    let landmark = self.landmarks.iter().find(|l| l.id == *id)?;
+                    Some((landmark, *anchor))
+                })
                 .collect();
             let expectation: &MeasurementModel<'_> =
-                &|position, bias| model.appearances(&landmarks, &pose, position, bias);
+                &|position, bias| Some(model.appearances(&landmarks, &pose, position, bias));
             let step = self.engine.correct(expectation, &noise, &stacked)?;
             report.after = step.after;
             report.sigma.before_correct = Some(step.sigma_before);
@@ -407,13 +412,10 @@ pub fn explain(
     let mut camera = flight.camera.clone();
     camera.mount.yaw += flight.frames.get(frame.index)?.stored_turn;
     let pose = frame.assumed_pose;
-    let jacobian = super::geometry::ground_jacobian(
-        &camera,
-        &pose,
-        &candidate.predicted_pixel,
-        flight.ground_down,
-    )?;
-    let covariance = jacobian * candidate.innovation_covariance * jacobian.transpose();
+    // What was searched says how uncertain the place was.
+    let (region, bounds) = (candidate.search_region, landmark.bounds);
+    let sigmas = run_settings.detector.search_sigmas.max(1e-9);
+    let deviations = Vector2::new(region.north - bounds.north, region.east - bounds.east) / sigmas;
     let luminance = Pyramid::new(picture.to_gray(), PYRAMID_LEVELS);
     let view = crate::landmark::FrameView {
         camera: &camera,
@@ -423,7 +425,7 @@ pub fn explain(
     };
     let request = SearchRequest {
         landmark,
-        displacement_covariance: covariance,
+        displacement_covariance: Matrix2::from_diagonal(&deviations.map(|sd| sd * sd)),
     };
     Some(TemplateDetector::new(map, run_settings.detector).explain(&view, &request))
 }

@@ -4,7 +4,7 @@
 //! follows from the picture: a landmark is looked for if its whole box may lie in the picture at some
 //! place within the search region.
 
-use nalgebra::{Matrix2, Point2, Point3};
+use nalgebra::{Matrix2, Point2, Point3, Vector2};
 
 use crate::camera::CameraModel;
 use crate::frames::Pose;
@@ -13,13 +13,14 @@ use crate::landmark::Landmark;
 /// Standard deviations by which the expected place may be off.
 const REACH: f64 = 3.0;
 
-/// Whether `landmark`, expected at `pixel` with innovation covariance `covariance` (pixels²), may lie
-/// wholly in the picture.
+/// Whether `landmark`, expected where a camera at `pose` sees it or `moved` (pixels) from there, with
+/// innovation covariance `covariance` (pixels²), may lie wholly in the picture.
 pub fn may_be_in_view(
     camera: &CameraModel,
     pose: &Pose,
     landmark: &Landmark,
     ground_down: f64,
+    moved: &Vector2<f64>,
     covariance: &Matrix2<f64>,
 ) -> bool {
     let b = landmark.bounds;
@@ -35,6 +36,7 @@ pub fn may_be_in_view(
         let Some(pixel) = camera.project(pose, &Point3::new(north, east, ground_down)) else {
             return false;
         };
+        let pixel = pixel + moved;
         low = Point2::new(low.x.min(pixel.x), low.y.min(pixel.y));
         high = Point2::new(high.x.max(pixel.x), high.y.max(pixel.y));
     }
@@ -65,6 +67,7 @@ mod tests {
             &pose,
             &Landmark::new(1, "barn", bounds),
             0.0,
+            &Vector2::zeros(),
             &covariance,
         )
     }

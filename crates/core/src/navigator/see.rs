@@ -2,15 +2,13 @@
 
 use nalgebra::{DMatrix, DVector, Matrix4, Point2, Point3, Vector2, Vector4};
 
-use super::engine::{Engine, MeasurementModel};
-use super::geometry::{
-    COMPONENTS, appearance, ground_jacobian, joint_noise, pose_covariance, pose_jacobian,
-};
+use super::engine::{Engine, Expectation, MeasurementModel};
+use super::expected::{Anchor, AppearanceModel};
+use super::geometry::{COMPONENTS, joint_noise, pose_covariance};
 use super::region::may_be_in_view;
 use super::{CandidateReport, NavigatorSettings, Outcome};
-use crate::camera::CameraModel;
 use crate::filter::{FilterError, Gate};
-use crate::frames::{Attitude, GroundPoint, Pose};
+use crate::frames::Pose;
 use crate::landmark::{Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting};
 use crate::raster::Pyramid;
 
@@ -18,53 +16,11 @@ use crate::raster::Pyramid;
 /// error of the camera's pose.
 pub type Place = (Vector4<f64>, Matrix4<f64>);
 
-/// What is needed to predict how landmarks appear from a state.
-#[derive(Clone, Copy)]
-pub struct AppearanceModel<'a> {
-    pub camera: &'a CameraModel,
-    /// As measured; the heading's bias is still in it.
-    pub attitude: Attitude,
-    /// Down coordinate of the camera in the world, metres.
-    pub camera_down: f64,
-    pub ground_down: f64,
-}
-
-impl AppearanceModel<'_> {
-    /// The pose for a state.
-    pub fn pose(&self, position: GroundPoint, heading_bias: f64) -> Pose {
-        Pose {
-            position_in_world: Point3::new(position.north, position.east, self.camera_down),
-            attitude: Attitude {
-                yaw: self.attitude.yaw - heading_bias,
-                ..self.attitude
-            },
-        }
-    }
-
-    /// Appearances of the landmarks for a state, stacked, to somebody who assumes `assumed`.
-    pub fn appearances(
-        &self,
-        landmarks: &[&Landmark],
-        assumed: &Pose,
-        position: GroundPoint,
-        heading_bias: f64,
-    ) -> Option<DVector<f64>> {
-        let pose = self.pose(position, heading_bias);
-        let mut stacked = DVector::zeros(COMPONENTS * landmarks.len());
-        for (i, landmark) in landmarks.iter().enumerate() {
-            let point = landmark.reference_in_world(self.ground_down);
-            let seen = appearance(self.camera, &pose, assumed, &point)?;
-            stacked
-                .fixed_rows_mut::<COMPONENTS>(COMPONENTS * i)
-                .copy_from(&seen);
-        }
-        Some(stacked)
-    }
-}
-
 /// A landmark that was found and passed its own gate.
 pub struct Measurement<'a> {
     pub landmark: &'a Landmark,
+    /// Where it was found.
+    pub anchor: Anchor,
     /// Index of its report.
     pub report: usize,
     /// Pixel, rotation and log scale.
@@ -110,17 +66,14 @@ impl<'a> Seer<'a> {
         let camera = self.model.camera;
         let mut found: Vec<(f64, &Landmark, CandidateReport)> = Vec::new();
         for landmark in landmarks.iter().filter(|l| l.enabled) {
-            let Some(report) = self.begin(landmark) else {
+            let Some((report, anchor)) = self.begin(landmark) else {
                 continue;
             };
+            let point = landmark.reference_in_world(self.model.ground_down);
+            let pose = anchor.seen_from(&self.pose, &point);
+            let moved = report.predicted_pixel - anchor.pixel;
             let covariance = &report.innovation_covariance;
-            if may_be_in_view(
-                camera,
-                &self.pose,
-                landmark,
-                self.model.ground_down,
-                covariance,
-            ) {
+            if may_be_in_view(camera, &pose, landmark, point.z, &moved, covariance) {
                 let off_center = (report.predicted_pixel - camera.principal).norm();
                 found.push((off_center, landmark, report));
             }
@@ -134,16 +87,15 @@ impl<'a> Seer<'a> {
     }
 
     /// The report of a landmark before it is looked for; `None` if it cannot be in front of the lens.
-    fn begin(&self, landmark: &Landmark) -> Option<CandidateReport> {
+    fn begin(&self, landmark: &Landmark) -> Option<(CandidateReport, Anchor)> {
         let model = self.model;
         let point = landmark.reference_in_world(model.ground_down);
-        let jacobian = pose_jacobian(model.camera, &self.pose, &point)?;
+        let anchor = Anchor::of(model.camera, &self.pose, &point)?;
+        let jacobian = anchor.pose_jacobian(model.camera, &self.pose, &point)?;
         let noise = self.noise(&[self.floor(landmark)], &[jacobian]);
-        let expectation: &MeasurementModel<'_> =
-            &|position, bias| model.appearances(&[landmark], &self.pose, position, bias);
-        let expected = self.engine.expect(expectation, &noise).ok()?;
+        let expected = self.expect(&[(landmark, anchor)], &noise).ok()?;
         let covariance = expected.covariance.fixed_view::<2, 2>(0, 0).into_owned();
-        Some(CandidateReport {
+        let report = CandidateReport {
             landmark: landmark.id,
             predicted_pixel: Point2::new(expected.mean[0], expected.mean[1]),
             innovation_covariance: covariance,
@@ -159,7 +111,22 @@ impl<'a> Seer<'a> {
             log_scale: None,
             threshold: self.gate().threshold(COMPONENTS),
             outcome: Outcome::Refused(Refusal::OutOfPicture),
-        })
+        };
+        Some((report, anchor))
+    }
+
+    fn expect(
+        &self,
+        landmarks: &[(&Landmark, Anchor)],
+        noise: &DMatrix<f64>,
+    ) -> Result<Expectation, FilterError> {
+        let model: &MeasurementModel<'_> = &|position, bias| {
+            Some(
+                self.model
+                    .appearances(landmarks, &self.pose, position, bias),
+            )
+        };
+        self.engine.expect(model, noise)
     }
 
     fn gate(&self) -> Gate {
@@ -174,14 +141,10 @@ impl<'a> Seer<'a> {
         landmark: &'l Landmark,
         report: &CandidateReport,
     ) -> Option<SearchRequest<'l>> {
-        let model = &self.model;
-        let jacobian = ground_jacobian(
-            model.camera,
-            &self.pose,
-            &report.predicted_pixel,
-            model.ground_down,
-        )?;
-        let covariance = jacobian * report.innovation_covariance * jacobian.transpose();
+        let point = landmark.reference_in_world(self.model.ground_down);
+        let anchor = Anchor::of(self.model.camera, &self.pose, &point)?;
+        let to_ground = anchor.to_pixel.try_inverse()?;
+        let covariance = to_ground * report.innovation_covariance * to_ground.transpose();
         Some(SearchRequest {
             landmark,
             displacement_covariance: covariance,
@@ -226,10 +189,11 @@ impl<'a> Seer<'a> {
             report.second_score = best.second_score;
             let point = Point3::new(best.ground.north, best.ground.east, ground_down);
             let pixel = camera.project(&self.pose, &point)?;
-            let to_ground = ground_jacobian(camera, &self.pose, &pixel, ground_down)?;
-            let to_pixel = to_ground.try_inverse()?;
+            let anchor = Anchor::at(camera, &self.pose, &pixel, ground_down)?;
             let mut to_picture = Matrix4::identity();
-            to_picture.fixed_view_mut::<2, 2>(0, 0).copy_from(&to_pixel);
+            to_picture
+                .fixed_view_mut::<2, 2>(0, 0)
+                .copy_from(&anchor.to_pixel);
             let own = to_picture * best.covariance * to_picture.transpose();
             let covariance = own + self.floor(landmark);
             report.measured_pixel = Some(pixel);
@@ -259,11 +223,11 @@ impl<'a> Seer<'a> {
     ) -> Option<Measurement<'a>> {
         let model = self.model;
         let point = landmark.reference_in_world(model.ground_down);
-        let jacobian = pose_jacobian(model.camera, &self.pose, &point)?;
+        let pixel = Point2::new(seen.x, seen.y);
+        let anchor = Anchor::at(model.camera, &self.pose, &pixel, model.ground_down)?;
+        let jacobian = anchor.pose_jacobian(model.camera, &self.pose, &point)?;
         let noise = self.noise(&[covariance], &[jacobian]);
-        let expectation: &MeasurementModel<'_> =
-            &|position, bias| model.appearances(&[landmark], &self.pose, position, bias);
-        let expected = self.engine.expect(expectation, &noise).ok()?;
+        let expected = self.expect(&[(landmark, anchor)], &noise).ok()?;
         let innovation = DVector::from_column_slice(seen.as_slice()) - &expected.mean;
         let nis = expected
             .covariance
@@ -281,6 +245,7 @@ impl<'a> Seer<'a> {
         report.outcome = Outcome::Accepted;
         Some(Measurement {
             landmark,
+            anchor,
             report: index,
             seen,
             covariance,
@@ -303,12 +268,12 @@ impl<'a> Seer<'a> {
 
     /// Normalized innovation squared of several landmarks together.
     fn joint_nis(&self, measurements: &[Measurement<'_>]) -> Result<f64, FilterError> {
-        let landmarks: Vec<&Landmark> = measurements.iter().map(|m| m.landmark).collect();
+        let landmarks: Vec<_> = measurements
+            .iter()
+            .map(|m| (m.landmark, m.anchor))
+            .collect();
         let (stacked, noise) = self.stack(measurements);
-        let model = self.model;
-        let expectation: &MeasurementModel<'_> =
-            &|position, bias| model.appearances(&landmarks, &self.pose, position, bias);
-        let expected = self.engine.expect(expectation, &noise)?;
+        let expected = self.expect(&landmarks, &noise)?;
         let innovation = stacked - expected.mean;
         let root = expected
             .covariance
