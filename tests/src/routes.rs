@@ -4,18 +4,18 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use nalgebra::Vector2;
-use pilotage_core::flight::{Flight, FrameError, FrameSource};
+use pilotage_core::flight::{Flight, FrameSource};
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::frames::units::GRAVITY;
 use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::landmark::{Detector, TemplateDetector};
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::Navigator;
 use pilotage_core::plan::{
     Aim, Assessor, BudgetOf, Circumstances, DetectionStatistics, ExpectedDetection, FieldBuilder,
     FieldView, FixSource, FoundRoute, FoundRoutes, Localizability, PlannedLandmark, Prediction,
-    PredictionRequest, Rehearsal, RouteQuestion, SceneryDays, Turns,
+    PredictionRequest, Rehearsal, RouteQuestion, SceneryDays, Turns, as_stated,
 };
-use pilotage_core::raster::Picture;
 use pilotage_core::simulate::scenery::Day;
 use pilotage_core::simulate::{
     County, FlightDay, FlightPlan, GuidanceSettings, Overrides, Scenario, SimulatedFrames,
@@ -37,8 +37,15 @@ const CACHE: usize = 400;
 const APART: (f64, f64) = (7000.0, 9500.0);
 /// Least share of the straight line that is flown without a fix in one go.
 const BLIND: f64 = 0.4;
-/// A landmark further from the estimate than this and as many standard deviations is not looked for.
-const LOOKED_FOR: (f64, f64) = (250.0, 6.0);
+
+/// What the flights see.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Seen {
+    /// Pictures of the county on another day, and the very detector.
+    Pictures,
+    /// No pictures: landmarks are found as often and as well as is expected of them.
+    AsStated,
+}
 
 /// What one route came to.
 #[derive(Clone, Debug, Default)]
@@ -223,8 +230,9 @@ impl Case {
         request.predict().map_err(|e| e.to_string())
     }
 
-    /// Predicts a route and flies it with every seed below `flights`, each in a wind of its own.
-    pub fn fly(&self, route: &FoundRoute, flights: u64) -> Result<Flown, String> {
+    /// Predicts a route and flies it with every seed below `flights`, each in a wind of its own, over
+    /// what is seen.
+    pub fn fly(&self, route: &FoundRoute, flights: u64, seen: Seen) -> Result<Flown, String> {
         let plan = self.plan(&route.way_points);
         let prediction = self.predict(&plan)?;
         let samples = &prediction.samples;
@@ -237,7 +245,7 @@ impl Case {
                 if seed >= flights {
                     return Ok(all);
                 }
-                all.push(self.errors(&plan, seed)?);
+                all.push(self.errors(&plan, seed, seen)?);
             }
         };
         let workers = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
@@ -265,36 +273,39 @@ impl Case {
     }
 
     /// Error after every step of one flight, metres.
-    fn errors(&self, plan: &FlightPlan, seed: u64) -> Result<Vec<f64>, String> {
+    fn errors(&self, plan: &FlightPlan, seed: u64, seen: Seen) -> Result<Vec<f64>, String> {
         let named = |e: &dyn std::fmt::Display| format!("county {}, seed {seed}: {e}", self.seed);
         let settings = &self.mission.navigator;
         let flight = plan
             .in_wind_of(seed, settings.start.wind)
             .simulate(seed)
             .ok_or_else(|| named(&"the route needs two way-points"))?;
-        let frames =
-            SimulatedFrames::new(&flight, FlightDay::Other, seed).over(Arc::clone(&self.seen));
-        let blank = Picture::filled(flight.camera.width, flight.camera.height, [90; 3]);
-        let mut frames = FramesInNeed {
-            frames,
-            blank,
-            needed: true,
+        let landmarks = &self.mission.landmarks;
+        let (detector, mut frames): (Box<dyn Detector>, Box<dyn FrameSource>) = match seen {
+            Seen::Pictures => {
+                let map = Arc::clone(&self.map);
+                let detector = TemplateDetector::new(map, settings.detector);
+                let frames = SimulatedFrames::new(&flight, FlightDay::Other, seed);
+                (
+                    Box::new(detector),
+                    Box::new(frames.over(Arc::clone(&self.seen))),
+                )
+            }
+            Seen::AsStated => {
+                let stated = as_stated(&flight, &self.landmarks, seed);
+                let (detector, frames) = stated.ok_or_else(|| named(&"there is no truth"))?;
+                (Box::new(detector), Box::new(frames))
+            }
         };
         let flight = Arc::new(flight);
-        let landmarks = &self.mission.landmarks;
-        let map = Arc::clone(&self.map);
         let mut navigator =
-            Navigator::new(Arc::clone(&flight), landmarks, map, settings).map_err(|e| named(&e))?;
+            Navigator::with_detector(Arc::clone(&flight), landmarks, detector, settings)
+                .map_err(|e| named(&e))?
+                .sparing();
         let mut errors = Vec::new();
-        while let Some(step) = navigator.advance(&mut frames, &|| 0.0) {
+        while let Some(step) = navigator.advance(frames.as_mut(), &|| 0.0) {
             let step = step.map_err(|e| named(&e))?;
-            let estimate = step.after.position();
-            let spread = step.after.position_covariance().diagonal().max().sqrt();
-            let reach = LOOKED_FOR.0 + LOOKED_FOR.1 * spread;
-            frames.needed = landmarks
-                .iter()
-                .any(|l| l.reference.distance(&estimate) < reach);
-            errors.extend(error(&flight, step.time, &estimate));
+            errors.extend(error(&flight, step.time, &step.after.position()));
         }
         Ok(errors)
     }
@@ -327,27 +338,5 @@ fn question(
         budget,
         budget_of: BudgetOf::Time,
         aim: Aim::Worst,
-    }
-}
-
-/// Pictures that are only taken where the navigator will look for a landmark; otherwise it gets one
-/// that it does not look at.
-struct FramesInNeed {
-    frames: SimulatedFrames,
-    blank: Picture,
-    needed: bool,
-}
-
-impl FrameSource for FramesInNeed {
-    fn picture(&mut self, index: usize) -> Result<Picture, FrameError> {
-        if self.needed {
-            self.frames.picture(index)
-        } else {
-            Ok(self.blank.clone())
-        }
-    }
-
-    fn encoded(&mut self, index: usize) -> Result<Vec<u8>, FrameError> {
-        self.frames.encoded(index)
     }
 }

@@ -1,10 +1,10 @@
-//! `cargo run --release -p pilotage-tests --example found_routes -- [COUNTIES] [FLIGHTS] [BUDGET]`:
+//! `cargo run --release -p pilotage-tests --example found_routes -- [COUNTIES] [FLIGHTS] [BUDGET] [stated|pictures]`:
 //! finds a route in each of so many counties, flies it and the straight line, prints a table.
 
 use std::process::ExitCode;
 use std::time::Instant;
 
-use pilotage_tests::routes::{Case, Flown, expectations};
+use pilotage_tests::routes::{Case, Flown, Seen, expectations};
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -13,7 +13,11 @@ fn main() -> ExitCode {
         stated.unwrap_or(usual)
     };
     let (counties, flights, budget) = (number(0, 10.0), number(1, 50.0), number(2, 1.3));
-    match table(counties as u64, flights as u64, budget) {
+    let seen = match arguments.get(3).map(String::as_str) {
+        Some("pictures") => Seen::Pictures,
+        _ => Seen::AsStated,
+    };
+    match table(counties as u64, flights as u64, budget, seen) {
         Ok(()) => ExitCode::SUCCESS,
         Err(why) => {
             eprintln!("{why}");
@@ -22,7 +26,7 @@ fn main() -> ExitCode {
     }
 }
 
-fn table(counties: u64, flights: u64, budget: f64) -> Result<(), String> {
+fn table(counties: u64, flights: u64, budget: f64, seen: Seen) -> Result<(), String> {
     let expected = expectations()?;
     for (name, e) in &expected {
         eprintln!("{name:24} {:.2}", e.probability());
@@ -37,8 +41,8 @@ fn table(counties: u64, flights: u64, budget: f64) -> Result<(), String> {
         let begun = Instant::now();
         let case = Case::new(seed, &expected, budget)?;
         let found_in = begun.elapsed().as_secs_f64();
-        let line = case.fly(&case.found.shortest, flights)?;
-        let found = case.fly(&case.found.surest, flights)?;
+        let line = case.fly(&case.found.shortest, flights, seen)?;
+        let found = case.fly(&case.found.surest, flights, seen)?;
         let ratio = found.largest_of_all() / line.largest_of_all();
         let time = found.time / line.time;
         kept += u64::from(ratio <= 0.5 && time <= 1.3);

@@ -7,11 +7,28 @@
 use nalgebra::{Matrix2, Point2, Point3, Vector2};
 
 use crate::camera::CameraModel;
-use crate::frames::Pose;
+use crate::frames::{GroundPoint, Pose};
 use crate::landmark::Landmark;
 
 /// Standard deviations by which the expected place may be off.
 const REACH: f64 = 3.0;
+
+/// Metres from below the camera beyond which a landmark need not be looked at more closely: the furthest
+/// corner of the picture and what the position (covariance `spread`, m²) may be off.
+///
+/// Infinite where a corner shows no ground.
+pub fn reach(camera: &CameraModel, pose: &Pose, ground_down: f64, spread: &Matrix2<f64>) -> f64 {
+    let (w, h) = (camera.width as f64, camera.height as f64);
+    let below = GroundPoint::from(pose.position_in_world.xy().coords);
+    let corners = [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)].map(|(x, y)| {
+        let seen = camera.ground_at(pose, &Point2::new(x, y), ground_down);
+        seen.map_or(f64::INFINITY, |ground| ground.distance(&below))
+    });
+    let deviation = spread.trace().max(0.0).sqrt();
+    // The noise of the pose adds a little to what the position may be off.
+    let height = (ground_down - pose.position_in_world.z).abs();
+    corners.into_iter().fold(0.0, f64::max) + 2.0 * REACH * deviation + height
+}
 
 /// Whether `landmark`, expected where a camera at `pose` sees it or `moved` (pixels) from there, with
 /// innovation covariance `covariance` (pixels²), may lie wholly in the picture.

@@ -5,10 +5,10 @@ use nalgebra::{DMatrix, DVector, Matrix4, Point2, Point3, Vector2, Vector4};
 use super::engine::{Engine, Expectation, MeasurementModel};
 use super::expected::{Anchor, AppearanceModel};
 use super::geometry::{COMPONENTS, joint_noise, pose_covariance};
-use super::region::may_be_in_view;
+use super::region::{may_be_in_view, reach};
 use super::{CandidateReport, NavigatorSettings, Outcome};
 use crate::filter::{FilterError, Gate};
-use crate::frames::Pose;
+use crate::frames::{GroundPoint, Pose};
 use crate::landmark::{Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting};
 use crate::raster::Pyramid;
 
@@ -65,7 +65,14 @@ impl<'a> Seer<'a> {
     pub fn candidates(&self, landmarks: &'a [Landmark]) -> Vec<(&'a Landmark, CandidateReport)> {
         let camera = self.model.camera;
         let mut found: Vec<(f64, &Landmark, CandidateReport)> = Vec::new();
-        for landmark in landmarks.iter().filter(|l| l.enabled) {
+        let spread = self.engine.state().position_covariance();
+        let reach = reach(camera, &self.pose, self.model.ground_down, &spread);
+        let below = GroundPoint::from(self.pose.position_in_world.xy().coords);
+        let near = |l: &&Landmark| {
+            let half = 0.5 * l.bounds.width().hypot(l.bounds.height());
+            l.enabled && l.bounds.center().distance(&below) <= reach + half
+        };
+        for landmark in landmarks.iter().filter(near) {
             let Some((report, anchor)) = self.begin(landmark) else {
                 continue;
             };

@@ -121,91 +121,23 @@ impl Verification {
 
 #[cfg(test)]
 mod tests {
-    use std::cell::RefCell;
-    use std::rc::Rc;
-    use std::sync::{Arc, Mutex};
+    use std::sync::Arc;
 
     use nalgebra::{Matrix4, Vector4};
     use rand::{RngExt, SeedableRng};
     use rand_chacha::ChaCha8Rng;
-    use rand_distr::{Distribution, StandardNormal};
 
     use super::*;
-    use crate::flight::{FrameError, FrameSource, FrameTruth};
-    use crate::frames::{GroundRect, Pose};
-    use crate::landmark::{
-        Detection, Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting,
-    };
+    use crate::frames::GroundRect;
+    use crate::landmark::Landmark;
     use crate::navigator::Navigator;
-    use crate::navigator::geometry::appearance;
     use crate::plan::{
-        DetectionStatistics, ExpectedDetection, PlannedLandmark, PredictionRequest, random_route,
+        DetectionStatistics, ExpectedDetection, PlannedLandmark, PredictionRequest, as_stated,
+        random_route,
     };
-    use crate::raster::Picture;
     use crate::simulate::{FlightPlan, Overrides, Scenario};
 
     const SPREAD: [f64; 4] = [0.1, 0.1, 0.004, 0.004];
-
-    /// Finds landmarks as often and as well as it was stated, without a picture.
-    struct AsStated {
-        expected: ExpectedDetection,
-        recognised: Vec<bool>,
-        pose: Arc<Mutex<Option<Pose>>>,
-        random: ChaCha8Rng,
-    }
-
-    impl Detector for AsStated {
-        fn detect(&mut self, view: &FrameView<'_>, request: &SearchRequest<'_>) -> Sighting {
-            let nothing = Sighting::Refused(Refusal::LowScore, None);
-            let landmark = request.landmark;
-            let chance: f64 = self.random.random();
-            let Some(pose) = *self.pose.lock().unwrap() else {
-                return nothing;
-            };
-            let whole = view
-                .camera
-                .holds(&pose, &landmark.bounds, view.ground_down, 0.0);
-            let known = self.recognised[landmark.id as usize];
-            let point = landmark.reference_in_world(view.ground_down);
-            let seen = appearance(view.camera, &pose, &view.pose, &point);
-            let (true, true, true, Some(seen)) =
-                (whole, known, chance < self.expected.per_frame, seen)
-            else {
-                return nothing;
-            };
-            let pixel = nalgebra::Point2::new(seen.x, seen.y);
-            let ground = view.camera.ground_at(&view.pose, &pixel, view.ground_down);
-            let mut error = || -> f64 { StandardNormal.sample(&mut self.random) };
-            let noise = Vector4::from(SPREAD).map(|sd| sd * error());
-            let ground = ground.unwrap().to_vector() + noise.xy();
-            Sighting::Found(Detection {
-                ground: ground.into(),
-                covariance: self.expected.covariance,
-                score: 0.9,
-                second_score: 0.1,
-                rotation: seen[2] + noise[2],
-                scale: (seen[3] + noise[3]).exp(),
-            })
-        }
-    }
-
-    /// Tells the detector from where each frame is taken.
-    struct Poses {
-        taken_from: Vec<Pose>,
-        now: Arc<Mutex<Option<Pose>>>,
-        asked: Rc<RefCell<usize>>,
-    }
-
-    impl FrameSource for Poses {
-        fn picture(&mut self, index: usize) -> Result<Picture, FrameError> {
-            *self.now.lock().unwrap() = self.taken_from.get(index).copied();
-            *self.asked.borrow_mut() += 1;
-            Ok(Picture::filled(8, 8, [0; 3]))
-        }
-        fn encoded(&mut self, _: usize) -> Result<Vec<u8>, FrameError> {
-            Ok(Vec::new())
-        }
-    }
 
     /// A route of `seed` with landmarks of 34 m beside it here and there.
     fn route(seed: u64) -> (FlightPlan, Vec<Landmark>) {
@@ -256,20 +188,7 @@ mod tests {
         let fly = |seed: u64| {
             let flight = plan.in_wind_of(seed, settings.start.wind);
             let flight = Arc::new(flight.simulate(seed).unwrap());
-            let mut random = ChaCha8Rng::seed_from_u64(seed ^ 0x4d);
-            let now = Arc::new(Mutex::new(None));
-            let detector = AsStated {
-                expected,
-                recognised: landmarks.iter().map(|_| random.random_bool(0.8)).collect(),
-                pose: Arc::clone(&now),
-                random,
-            };
-            let truth = flight.truth.as_ref().unwrap();
-            let mut frames = Poses {
-                taken_from: truth.frames.iter().filter_map(FrameTruth::pose).collect(),
-                now,
-                asked: Rc::default(),
-            };
+            let (detector, mut frames) = as_stated(&flight, &planned, seed).unwrap();
             let detector = Box::new(detector);
             let mut navigator =
                 Navigator::with_detector(Arc::clone(&flight), &landmarks, detector, &settings)
@@ -283,7 +202,7 @@ mod tests {
                     run.steps.push(step);
                 }
             }
-            assert!(*frames.asked.borrow() < flight.frames.len());
+            assert!(frames.asked() < flight.frames.len());
             compare(&flight, &run, &prediction)
         };
         let flights: Vec<_> = (0..flights).map(|i| fly(1000 * route_seed + i)).collect();

@@ -17,6 +17,7 @@ mod prediction;
 mod propagate;
 mod random_route;
 mod smooth;
+mod stated;
 mod suggest;
 mod view;
 
@@ -38,6 +39,7 @@ pub use prediction::{
 };
 pub use random_route::{random_places, random_route};
 pub use smooth::{Turns, fits};
+pub use stated::{StatedDetector, StatedFrames, as_stated};
 pub use suggest::{
     Candidate, Ranking, Suggestion, choose, choose_lasting, fading, poses_all_over, poses_over,
 };
