@@ -14,9 +14,9 @@ use pilotage_core::imagery::Imagery;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::write_mission;
 use pilotage_core::plan::{
-    Assessor, Candidate, Circumstances, DetectionStatistics, Envelope, EnvelopeSurvey,
-    PlannedLandmark, Prediction, PredictionRequest, Ranking, Rehearsal, Reliability, Suggestion,
-    Verification, choose_lasting, fading, poses_all_over, poses_over,
+    Assessor, Candidate, Circumstances, Envelope, EnvelopeSurvey, PlannedLandmark, Prediction,
+    PredictionRequest, Ranking, Rehearsal, Reliability, Suggestion, Verification, choose_lasting,
+    fading, poses_all_over, poses_over,
 };
 use serde::Serialize;
 
@@ -361,9 +361,7 @@ fn expected(arguments: &Arguments, ground: &Ground, ground_down: f64) -> Vec<Pla
         );
         landmarks.push(PlannedLandmark {
             landmark: landmark.clone(),
-            detection: expected.map_or_else(DetectionStatistics::default, |e| {
-                DetectionStatistics::everywhere(e)
-            }),
+            detection: assessor.statistics(),
         });
     }
     landmarks

@@ -12,8 +12,8 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::ExpectedDetection;
 use super::days::OtherDays;
+use super::{DayTally, DetectionStatistics, ExpectedDetection};
 use crate::camera::CameraModel;
 use crate::frames::{Attitude, GroundRect, Pose};
 use crate::imagery::{CachedImagery, Imagery, InsetImagery};
@@ -317,6 +317,22 @@ impl Assessor {
     /// What follows from them; `None` without a view.
     pub fn expected(&self) -> Option<ExpectedDetection> {
         expected(&self.views, self.days.len())
+    }
+
+    /// What follows from them for a prediction; nothing is expected without a view.
+    pub fn statistics(&self) -> DetectionStatistics {
+        let Some(expected) = self.expected() else {
+            return DetectionStatistics::default();
+        };
+        let mut by_day = vec![DayTally::default(); self.days.len()];
+        for view in &self.views {
+            by_day[view.day].looks += 1;
+            by_day[view.day].found += u32::from(view.found());
+        }
+        DetectionStatistics {
+            by_day,
+            ..DetectionStatistics::everywhere(expected)
+        }
     }
 
     /// Share of the views in which a wrong place was accepted.

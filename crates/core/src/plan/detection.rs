@@ -28,6 +28,19 @@ impl ExpectedDetection {
 pub struct DetectionStatistics {
     /// Heights above ground, metres, ascending, and what is expected there.
     pub by_height: Vec<(f64, ExpectedDetection)>,
+    /// How its rehearsals went, on the days in the order in which all landmarks of the map were rehearsed;
+    /// empty if that is not known.
+    #[serde(default)]
+    pub by_day: Vec<DayTally>,
+}
+
+/// How a landmark's rehearsals of one day went.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct DayTally {
+    /// Views of it.
+    pub looks: u32,
+    /// Those in which it was accepted and right.
+    pub found: u32,
 }
 
 impl DetectionStatistics {
@@ -35,6 +48,7 @@ impl DetectionStatistics {
     pub fn everywhere(expected: ExpectedDetection) -> Self {
         Self {
             by_height: vec![(0.0, expected)],
+            by_day: Vec::new(),
         }
     }
 
@@ -71,6 +85,7 @@ mod tests {
         };
         let statistics = DetectionStatistics {
             by_height: vec![(100.0, expected(0.8)), (200.0, expected(0.4))],
+            by_day: Vec::new(),
         };
         let at = |height| statistics.at(height).unwrap().per_frame;
         assert_eq!(

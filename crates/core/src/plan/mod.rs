@@ -4,6 +4,7 @@ mod assess;
 mod blind_way;
 mod calibration;
 mod corridor;
+mod day_factor;
 mod days;
 mod detection;
 mod envelope;
@@ -25,7 +26,7 @@ pub use assess::{Assessor, Circumstances, Rehearsal, View};
 pub use calibration::{Pass, Reliability, ReliabilityBin};
 pub use corridor::{Belief, Corridor, corridor};
 pub use days::{OtherDays, PictureDays, SceneryDays, any_day};
-pub use detection::{DetectionStatistics, ExpectedDetection};
+pub use detection::{DayTally, DetectionStatistics, ExpectedDetection};
 pub use envelope::{Envelope, EnvelopeSurvey, Tally, tally_by};
 pub use field::{FieldBuilder, FieldView, FixSource, Localizability};
 pub use find::{

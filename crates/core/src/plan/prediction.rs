@@ -1,13 +1,12 @@
 //! The position uncertainty that a filter will have along a route, before the flight.
 
-use rand::seq::SliceRandom;
-use rand::{RngExt, SeedableRng};
+use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use serde::{Deserialize, Serialize};
 
-use super::DetectionStatistics;
 use super::corridor::{Belief, Corridor, corridor, gaussian_kernels};
 use super::propagate::{Moment, Propagation, UnknownWind};
+use super::{DetectionStatistics, day_factor};
 use crate::frames::GroundPoint;
 use crate::landmark::Landmark;
 use crate::navigator::{NavigatorSettings, vehicle};
@@ -194,20 +193,22 @@ impl PredictionRequest<'_> {
         })
     }
 
-    /// For each of `worlds` and each landmark a number from 0 to 1. All of them lie evenly for every
-    /// landmark, whose probability is met as well as so many worlds can.
+    /// For each of `worlds` and each landmark a number from 0 to 1: it is recognised where that is more
+    /// probable. How far landmarks go together follows from their rehearsals.
     fn recognised(&self, worlds: usize) -> Vec<Vec<f64>> {
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
-        let mut all = vec![Vec::with_capacity(self.landmarks.len()); worlds];
-        let mut order: Vec<usize> = (0..worlds).collect();
-        for _ in self.landmarks {
-            order.shuffle(&mut random);
-            for (world, place) in all.iter_mut().zip(&order) {
-                let within: f64 = random.random();
-                world.push((*place as f64 + within) / worlds as f64);
-            }
-        }
-        all
+        let height = self.plan.height;
+        let rehearsed: Vec<_> = self
+            .landmarks
+            .iter()
+            .filter_map(|l| Some((l.detection.at(height)?, l.detection.by_day.as_slice())))
+            .collect();
+        day_factor::worlds(
+            worlds,
+            self.landmarks.len(),
+            day_factor::shared(&rehearsed),
+            &mut random,
+        )
     }
 
     /// States of `flight` at which the camera takes a picture, and where that is.

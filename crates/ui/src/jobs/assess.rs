@@ -6,7 +6,7 @@ use pilotage_core::camera::CameraModel;
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::navigator::NavigatorSettings;
-use pilotage_core::plan::{Assessor, Circumstances, ExpectedDetection, Rehearsal};
+use pilotage_core::plan::{Assessor, Circumstances, DayTally, ExpectedDetection, Rehearsal};
 use serde::{Deserialize, Serialize};
 
 use super::running::SLICE;
@@ -60,6 +60,19 @@ pub struct Assessment {
     pub false_matches: f64,
     /// Every view.
     pub views: Vec<Glance>,
+}
+
+impl Assessment {
+    /// How the views of each day went.
+    pub fn by_day(&self) -> Vec<DayTally> {
+        let days = self.views.iter().map(|v| v.day + 1).max().unwrap_or(0);
+        let mut tallies = vec![DayTally::default(); days];
+        for view in &self.views {
+            tallies[view.day].looks += 1;
+            tallies[view.day].found += u32::from(view.found);
+        }
+        tallies
+    }
 }
 
 /// A landmark being measured.

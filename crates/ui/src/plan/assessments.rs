@@ -177,7 +177,10 @@ impl Assessments {
         by_height.sort_by(|a, b| a.0.total_cmp(&b.0));
         let measured = Measured {
             last: found.clone(),
-            statistics: DetectionStatistics { by_height },
+            statistics: DetectionStatistics {
+                by_height,
+                by_day: found.by_day(),
+            },
         };
         self.measured.insert(id, measured);
     }
