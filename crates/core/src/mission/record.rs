@@ -10,6 +10,10 @@ use crate::frames::{AltitudeReference, Geodetic};
 use crate::landmark::Landmark;
 use crate::navigator::NavigatorSettings;
 
+/// Member of the file with the height of level ground, metres above mean sea level. The world's plane
+/// stays where its origin is, whatever the ground is said to be.
+const GROUND: &str = "ground_height_m";
+
 /// Which map the mission was made on.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum MapReference {
@@ -44,11 +48,25 @@ pub struct Mission {
 }
 
 impl Mission {
-    /// Level ground at the height of the mission's origin, where it takes off.
+    /// Height of level ground that was stated for where no elevation model says it, metres above mean
+    /// sea level.
+    pub fn stated_ground(&self) -> Option<f64> {
+        let stated: f64 = self.properties.get(GROUND)?.trim().parse().ok()?;
+        stated.is_finite().then_some(stated)
+    }
+
+    /// States the height of level ground, metres above mean sea level.
+    pub fn state_ground(&mut self, height: f64) {
+        self.properties
+            .insert(GROUND.to_owned(), height.to_string());
+    }
+
+    /// Level ground at the stated height, or else at that of the mission's origin, where it takes off.
     pub fn level_ground(&self) -> AltitudeReference {
+        let height = self.stated_ground().unwrap_or(self.origin.height);
         AltitudeReference {
-            take_off: self.origin.height,
-            ground: self.origin.height,
+            take_off: height,
+            ground: height,
         }
     }
 

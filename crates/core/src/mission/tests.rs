@@ -148,6 +148,17 @@ fn a_saved_file_is_saved_the_same_again() {
 }
 
 #[test]
+fn the_stated_height_of_the_ground_survives_the_file_and_the_origin_stays() {
+    let mut stated = mission();
+    assert_eq!(stated.level_ground().ground, 120.0);
+    stated.state_ground(431.5);
+    let after = read_mission(write_mission(&stated).as_bytes()).unwrap();
+    assert_eq!(after.level_ground().ground, 431.5);
+    assert_eq!(after.level_ground().take_off, 431.5);
+    assert!((after.origin.height - 120.0).abs() < 1e-9);
+}
+
+#[test]
 fn what_is_written_is_geojson() {
     let text = write_mission(&mission());
     let parsed: geojson::GeoJson = text.parse().unwrap();

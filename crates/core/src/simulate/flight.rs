@@ -145,10 +145,7 @@ impl FlightPlan {
     /// Flies in the gusts of `seed`, or in none.
     fn fly(&self, seed: Option<u64>) -> Option<TrueFlight> {
         let dt = 1.0 / STEPS_PER_SECOND as f64;
-        let guidance = GuidanceSettings {
-            bank_limit: self.airframe.bank_limit,
-            ..GuidanceSettings::default()
-        };
+        let guidance = GuidanceSettings::within(self.airframe.bank_limit);
         let mut path = PathFollower::new(&self.way_points, guidance)?;
         let turbulence = Turbulence::low_altitude(self.height, self.wind.norm());
         let mut gusts = seed.map(|seed| {

@@ -23,6 +23,18 @@ pub struct GuidanceSettings {
     pub roll_in: f64,
 }
 
+impl GuidanceSettings {
+    /// The usual settings for banks up to `bank_limit`, radians; turns are planned a little below it.
+    pub fn within(bank_limit: f64) -> Self {
+        let usual = Self::default();
+        Self {
+            bank_limit,
+            planned_bank: usual.planned_bank * (bank_limit / usual.bank_limit),
+            ..usual
+        }
+    }
+}
+
 impl Default for GuidanceSettings {
     fn default() -> Self {
         Self {

@@ -127,9 +127,8 @@ impl App {
                 camera.height,
                 across.to_degrees()
             ),
-            "Level ground at the height of the mission's origin.".to_owned(),
         ];
-        assumed.extend(assumptions(planner, route, &documents.mission));
+        assumed.extend(assumptions(planner, documents, route, self.view.units));
         let scene = BriefScene {
             mission: &documents.mission.name,
             route,

@@ -112,7 +112,7 @@ impl App {
         let altitude = altitude
             .and_then(|r| r.way_points.first())
             .map_or(usual, |w| w.altitude);
-        let made_for = planning::circumstances(planner, documents, &altitude);
+        let made_for = planning::circumstances(planner, documents, altitude, corners);
         let pattern = Pattern::new(Cover::Survey, corners, &made_for.frame);
         let mut route = Route::default();
         pattern.apply(&mut route, altitude, &made_for);

@@ -79,6 +79,10 @@ impl App {
                 let shown = &mut self.views.planner.preferences.profile;
                 *shown = !*shown;
             }
+            PlanCommand::SetGround { height, finished } => {
+                self.documents.state_ground(height, Step::of(finished));
+                self.desk.document_changed = true;
+            }
             PlanCommand::SetWind(wind) => self.views.planner.preferences.wind = wind,
             PlanCommand::Assess(_)
             | PlanCommand::AssessSelected
@@ -172,17 +176,12 @@ impl App {
                 }
             }
             PlanCommand::DuplicateRoute => {
-                if let Some(route) = planner.selected(&documents.mission).cloned() {
-                    let name = format!("{}, copy", route.name);
-                    planner.route = Some(documents.add_route(Some(&name), route.way_points));
-                }
+                planner.route = documents.duplicate_route(id).or(Some(id));
             }
             PlanCommand::SetPattern { pattern, finished } => {
                 let usual = planning::usual_altitude(documents);
                 let route = planner.selected(&documents.mission);
-                let altitude = route.and_then(|r| r.way_points.first());
-                let altitude = altitude.map_or(usual, |w| w.altitude);
-                let made_for = planning::circumstances(planner, documents, &altitude);
+                let made_for = planning::made_for(planner, documents, route);
                 documents.edit_route(id, Step::of(finished), |route| {
                     pattern.apply(route, usual, &made_for);
                 });
@@ -192,7 +191,7 @@ impl App {
                 if let Some(route) = planner.selected(&documents.mission).cloned() {
                     let usual = planning::usual_altitude(documents);
                     let altitude = route.way_points.first().map_or(usual, |w| w.altitude);
-                    let made_for = planning::circumstances(planner, documents, &altitude);
+                    let made_for = planning::made_for(planner, documents, Some(&route));
                     let line: Vec<GroundPoint> =
                         route.way_points.iter().map(|w| w.position).collect();
                     let cover = Cover::Corridor { width_m: CORRIDOR };
@@ -239,10 +238,7 @@ impl App {
         };
         let documents = &self.documents;
         let planner = &mut self.views.planner;
-        let height = planner.selected(&documents.mission).map_or_else(
-            || planning::usual_altitude(documents).metres,
-            |route| planning::height(route, &documents.mission, documents),
-        );
+        let height = planner.flown_height(documents);
         let landmarks = ids.iter().filter_map(|id| documents.mission.landmark(*id));
         let orders = landmarks.map(|landmark| AssessmentOrder {
             map: documents.map_source.clone(),

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use pilotage_core::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint, GroundRect};
+use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
 use pilotage_core::imagery::terrain::{HeightGrid, Terrain};
 
 /// Key under which the storage has the key of the elevation model's files.
@@ -51,24 +51,6 @@ impl Ground {
         self.heights.as_ref()?.height_at(place)
     }
 
-    /// An altitude at a place, counted above the ground there, metres; `take_off` is where altitudes
-    /// above take-off count from. `None` where the ground is not known.
-    pub fn above_ground(
-        &self,
-        altitude: &Altitude,
-        place: &GroundPoint,
-        take_off: &GroundPoint,
-    ) -> Option<f64> {
-        match altitude.frame {
-            AltitudeFrame::AboveGround => Some(altitude.metres),
-            AltitudeFrame::Amsl => Some(altitude.metres - self.height_at(place)?),
-            AltitudeFrame::AboveTakeOff => {
-                let climb = self.height_at(take_off)? - self.height_at(place)?;
-                Some(altitude.metres + climb)
-            }
-        }
-    }
-
     /// Whether heights of `area` in the world around `origin` have to be asked for; if so, they
     /// count as asked for from now on.
     pub fn wants(&mut self, origin: Geodetic, area: &GroundRect) -> bool {
@@ -96,8 +78,6 @@ impl Ground {
 
 #[cfg(test)]
 mod tests {
-    use pilotage_core::imagery::terrain::{FlatGround, HeightDatum};
-
     use super::*;
 
     fn area(side: f64) -> GroundRect {
@@ -115,30 +95,5 @@ mod tests {
         assert!(ground.wants(origin, &area(2000.0)));
         let other = Geodetic::from_degrees(47.0, -92.0, 0.0);
         assert!(ground.wants(other, &area(500.0)));
-    }
-
-    #[test]
-    fn an_altitude_above_sea_level_is_less_above_ground() {
-        let mut ground = Ground::of_files("opened-1");
-        let origin = Geodetic::from_degrees(46.0, -92.0, 0.0);
-        assert!(ground.wants(origin, &area(1000.0)));
-        let flat = FlatGround {
-            height: 200.0,
-            datum: HeightDatum::NotStated,
-        };
-        let mut grid = HeightGrid::over("flat", flat.datum.clone(), area(1000.0), 50.0, 100);
-        while !grid.take_rows(&flat, 8) {}
-        ground.take(grid);
-        let place = GroundPoint::new(10.0, -20.0);
-        let above = |metres, frame| {
-            ground.above_ground(
-                &Altitude::new(metres, frame),
-                &place,
-                &GroundPoint::default(),
-            )
-        };
-        assert_eq!(above(320.0, AltitudeFrame::Amsl), Some(120.0));
-        assert_eq!(above(120.0, AltitudeFrame::AboveTakeOff), Some(120.0));
-        assert_eq!(above(120.0, AltitudeFrame::AboveGround), Some(120.0));
     }
 }

@@ -3,9 +3,10 @@
 use std::sync::Arc;
 
 use pilotage_core::frames::GroundPoint;
+use pilotage_core::imagery::terrain::{HeightGrid, Terrain as _};
 use pilotage_core::plan::{
-    Aim, BudgetOf, FixSource, FoundRoute, NoFlyArea, PlannedLandmark, Prediction, RouteQuestion,
-    RouteSearch, Turns,
+    Aim, BudgetOf, FixSource, Forbidden, FoundRoute, NoFlyArea, PlannedLandmark, Prediction,
+    RouteQuestion, RouteSearch, Turns,
 };
 use pilotage_core::simulate::Airframe;
 use serde::{Deserialize, Serialize};
@@ -33,6 +34,8 @@ pub struct FindOrder {
     pub no_fly: Vec<NoFlyArea>,
     /// Distance that is kept from them, metres.
     pub clearance: f64,
+    /// Ground that is flown around because it is too high.
+    pub high_ground: Option<HighGround>,
     /// How the aircraft turns.
     pub turns: Turns,
     /// Greatest cost over that of the shortest route.
@@ -41,6 +44,15 @@ pub struct FindOrder {
     pub budget_of: BudgetOf,
     /// What is to be least.
     pub aim: Aim,
+}
+
+/// Ground above a height.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct HighGround {
+    /// The height of the ground; where it is not known, it is none.
+    pub heights: HeightGrid,
+    /// What is above that is too high, metres above the datum of the heights.
+    pub highest: f64,
 }
 
 /// A route and what is predicted of it.
@@ -74,6 +86,16 @@ impl Foreseen {
                 sigmas.sum::<f64>() / count as f64
             }
         }
+    }
+}
+
+impl HighGround {
+    fn forbidden(self) -> Forbidden {
+        let is_too_high = move |place: &GroundPoint| {
+            let height = self.heights.height_at(place);
+            height.is_some_and(|height| height > self.highest)
+        };
+        Arc::new(is_too_high)
     }
 }
 
@@ -136,7 +158,7 @@ impl FindRoute {
             pass,
             no_fly: order.no_fly.clone(),
             clearance: order.clearance,
-            forbidden: None,
+            forbidden: order.high_ground.clone().map(HighGround::forbidden),
             airspeed: order.flight.airspeed.unwrap_or(cruise),
             wind: order.flight.wind.velocity(),
             turns: order.turns,

@@ -38,7 +38,7 @@ pub use content::{FileContent, LentFiles, OpenAddress};
 pub use crew::{Crew, WorkerPort};
 pub use field::{FieldFrom, FieldOrder};
 pub use file_pool::has_ending;
-pub use find::{FindOrder, Foreseen, FoundPlan};
+pub use find::{FindOrder, Foreseen, FoundPlan, HighGround};
 pub use heights::{HeightsOrder, TerrainInfo};
 pub use imports::ImportedFile;
 pub use inline::InlineHost;

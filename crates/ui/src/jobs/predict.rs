@@ -26,6 +26,8 @@ pub struct PredictionOrder {
     pub targets: Vec<Target>,
     /// Airspeed, m/s; the aircraft's cruise if `None`.
     pub airspeed: Option<f64>,
+    /// Bank limit, radians; the aircraft's if `None`.
+    pub bank: Option<f64>,
     /// Mean wind.
     pub wind: Wind,
     /// The camera.
@@ -70,6 +72,7 @@ impl PredictionOrder {
     pub fn predict(&self) -> Result<Prediction, String> {
         let mut airframe = Airframe::sig_kadet_senior();
         airframe.cruise = self.airspeed.unwrap_or(airframe.cruise);
+        airframe.bank_limit = self.bank.unwrap_or(airframe.bank_limit);
         let length: f64 = self
             .way_points
             .windows(2)

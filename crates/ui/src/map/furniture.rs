@@ -5,7 +5,7 @@ use pilotage_core::frames::{GroundPoint, LocalFrame};
 use pilotage_core::navigator::StepReport;
 
 use crate::documents::Ground;
-use pilotage_core::imagery::terrain::{HeightDatum, Terrain as _};
+use pilotage_core::imagery::terrain::Terrain as _;
 
 use super::symbols::{paint_ellipses, paint_sigma, sigma_points};
 use super::transform::ScreenFromWorld;
@@ -109,10 +109,7 @@ pub fn paint_attribution(ui: &Ui, rect: Rect, attribution: &str, tokens: &Tokens
 pub fn height_text(p: &GroundPoint, ground: &Ground, units: Units) -> Option<String> {
     let (factor, unit) = units.length();
     let height = factor * ground.height_at(p)?;
-    let above = match ground.heights()?.datum() {
-        HeightDatum::MeanSeaLevel(_) | HeightDatum::NotStated => "AMSL",
-        HeightDatum::Ellipsoid => "above the ellipsoid",
-    };
+    let above = ground.heights()?.datum().frame();
     Some(format!("ground {height:.0} {unit} {above}"))
 }
 

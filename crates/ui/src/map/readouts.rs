@@ -1,6 +1,7 @@
 //! The few numbers that matter at the time cursor, above the map.
 
 use egui::{Align2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use pilotage_core::imagery::terrain::{HeightDatum, Terrain as _};
 use pilotage_core::navigator::StepReport;
 
 use crate::context::ViewContext;
@@ -52,9 +53,15 @@ fn readouts(context: &ViewContext<'_>, ground: &Ground, step: &StepReport) -> Ve
     }
     let height = step.control.height * length;
     add("Height above ground", format!("{height:.0}"), length_unit);
-    if let Some(below) = ground.height_at(&step.after.position()) {
+    let below = ground.height_at(&step.after.position());
+    if let Some((below, grid)) = below.zip(ground.heights()) {
         let height = (below + step.control.height) * length;
-        add("Height AMSL", format!("{height:.0}"), length_unit);
+        let name = match grid.datum() {
+            HeightDatum::MeanSeaLevel(_) => "Height AMSL",
+            HeightDatum::Ellipsoid => "Above the ellipsoid",
+            HeightDatum::NotStated => "Height, no datum",
+        };
+        add(name, format!("{height:.0}"), length_unit);
     }
     list
 }

@@ -107,6 +107,13 @@ pub enum PlanCommand {
     },
     /// Show the heights of the route below the map instead of the uncertainty, or the other way round.
     ToggleProfile,
+    /// Height of level ground, metres above mean sea level; `finished` as for a drag.
+    SetGround {
+        /// The height.
+        height: f64,
+        /// Whether the drag is over.
+        finished: bool,
+    },
     /// The wind to plan with; the flight's if `None`.
     SetWind(Option<Wind>),
     /// Measure how well landmarks are found.

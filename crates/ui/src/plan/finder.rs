@@ -1,19 +1,21 @@
 //! Finding a route: its two ends, its budget, no-fly areas, and what was found.
 
-use pilotage_core::frames::GroundPoint;
 use pilotage_core::frames::units::GRAVITY;
-use pilotage_core::mission::{NoFlyZone, WayPoint};
+use pilotage_core::frames::{Altitude, AltitudeFrame, AltitudeReference, GroundPoint};
+use pilotage_core::mission::NoFlyZone;
 use pilotage_core::plan::{Aim, BudgetOf, Turns};
 use pilotage_core::simulate::GuidanceSettings;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use super::heat::HeatOf;
-use super::planner::{Planner, cruise, ground_down, usual_altitude};
+use super::planner::{Planner, cruise, ground_down, height, line, usual_altitude};
 use super::words::Outlook;
 use crate::documents::Documents;
 use crate::host::Host;
-use crate::jobs::{FindOrder, Foreseen, FoundPlan, Job, JobEvent, JobId, PredictionOrder};
+use crate::jobs::{
+    FindOrder, Foreseen, FoundPlan, HighGround, Job, JobEvent, JobId, PredictionOrder,
+};
 
 /// What is looked for; remembered between visits.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -27,6 +29,8 @@ pub struct FindPreferences {
     pub aim: Aim,
     /// Distance that is kept from no-fly areas, metres.
     pub clearance: f64,
+    /// Height that is kept above the ground of the elevation model, metres.
+    pub ground_clearance: f64,
 }
 
 impl Default for FindPreferences {
@@ -36,6 +40,7 @@ impl Default for FindPreferences {
             budget_of: BudgetOf::default(),
             aim: Aim::default(),
             clearance: 50.0,
+            ground_clearance: 60.0,
         }
     }
 }
@@ -202,9 +207,14 @@ impl Planner {
         let mission = &documents.mission;
         let (from, to) = (self.finder.from?, self.finder.to?);
         let wanted = &self.preferences.find;
-        let field = self.field_order(documents, HeatOf::Landmarks)?;
+        let height = height(
+            &line(&[from, to], self.found_altitude(documents)),
+            documents,
+        );
+        let field = self.field_order(documents, HeatOf::Landmarks, height)?;
         let wind = self.wind(documents);
-        let guidance = GuidanceSettings::default();
+        let bank = self.preferences.bank;
+        let guidance = GuidanceSettings::within(bank);
         let speed = cruise() + wind.speed;
         let enabled = mission.landmarks.iter().filter(|l| l.enabled);
         Some(FindOrder {
@@ -215,6 +225,7 @@ impl Planner {
                 height: field.view.height,
                 targets: Vec::new(),
                 airspeed: None,
+                bank: Some(bank),
                 wind,
                 camera: field.view.camera.clone(),
                 ground_down: ground_down(documents),
@@ -227,6 +238,12 @@ impl Planner {
             field,
             no_fly: mission.no_fly.iter().map(|z| z.corners.clone()).collect(),
             clearance: wanted.clearance,
+            high_ground: self.highest_ground(documents).and_then(|highest| {
+                Some(HighGround {
+                    heights: documents.terrain.heights()?.as_ref().clone(),
+                    highest,
+                })
+            }),
             turns: Turns {
                 radius: speed * speed / (GRAVITY * guidance.planned_bank.tan()),
                 roll_in: speed * guidance.roll_in,
@@ -235,6 +252,33 @@ impl Planner {
             budget_of: wanted.budget_of,
             aim: wanted.aim,
         })
+    }
+
+    /// The altitude of a route that is found: that of the selected route.
+    pub fn found_altitude(&self, documents: &Documents) -> Altitude {
+        let route = self.selected(&documents.mission);
+        let first = route.and_then(|r| r.way_points.first());
+        first.map_or_else(|| usual_altitude(documents), |w| w.altitude)
+    }
+
+    /// Height above which ground is flown around, metres above the datum of the elevation model, where
+    /// one is open and A is chosen.
+    pub fn highest_ground(&self, documents: &Documents) -> Option<f64> {
+        let altitude = self.found_altitude(documents);
+        let clearance = self.preferences.find.ground_clearance;
+        documents.terrain.heights()?;
+        let reference = AltitudeReference {
+            take_off: documents.relief().at(&self.finder.from?),
+            ground: 0.0,
+        };
+        match altitude.frame {
+            // It follows the ground; too low is too low everywhere.
+            AltitudeFrame::AboveGround if altitude.metres >= clearance => None,
+            AltitudeFrame::AboveGround => Some(f64::NEG_INFINITY),
+            AltitudeFrame::Amsl | AltitudeFrame::AboveTakeOff => {
+                Some(altitude.amsl(&reference) - clearance)
+            }
+        }
     }
 
     /// Carries a command out; true if the mission changed.
@@ -271,16 +315,9 @@ impl Planner {
                 let Some(found) = finder.found.take() else {
                     return false;
                 };
-                let altitude = self.selected(&documents.mission).map_or_else(
-                    || usual_altitude(documents),
-                    |r| {
-                        let first = r.way_points.first().map(|w| w.altitude);
-                        first.unwrap_or_else(|| usual_altitude(documents))
-                    },
-                );
-                let places = &found.surest.route.way_points;
-                let way_points = places.iter().map(|p| WayPoint::new(*p, altitude));
-                let id = documents.add_route(Some("Found route"), way_points.collect());
+                let altitude = self.found_altitude(documents);
+                let found = line(&found.surest.route.way_points, altitude);
+                let id = documents.add_route(Some("Found route"), found.way_points);
                 self.route = Some(id);
                 self.way_point = None;
                 self.tab = super::planner::PlanTab::Route;

@@ -1,6 +1,7 @@
 //! The ground: where a fix would be had, no-fly areas, and finding a route over it.
 
 use egui::{Align, DragValue, Layout, Slider, Ui};
+use pilotage_core::frames::AltitudeFrame;
 use pilotage_core::plan::{Aim, BudgetOf};
 
 use super::PlanCommand;
@@ -10,19 +11,27 @@ use super::heat::{HeatCommand, HeatOf};
 use super::legs::time_text;
 use super::panel::button;
 use super::planner::Planner;
+use super::way_points::altitude_words;
 use super::words::distance_text;
 use crate::command::Command;
 use crate::context::ViewContext;
+use crate::documents::Documents;
 use crate::shell::{caption, icon_button, icons::Icon, muted};
+use crate::units::Units;
 
 /// Draws the tab.
-pub fn ground_tab(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
+pub fn ground_tab(
+    ui: &mut Ui,
+    planner: &Planner,
+    documents: &Documents,
+    context: &mut ViewContext<'_>,
+) {
     let space = context.tokens.space;
     heat(ui, planner, context);
     ui.add_space(2.0 * space);
     areas(ui, planner, context);
     ui.add_space(2.0 * space);
-    find(ui, planner, context);
+    find(ui, planner, documents, context);
 }
 
 fn say_heat(context: &mut ViewContext<'_>, command: HeatCommand) {
@@ -161,7 +170,7 @@ fn areas(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
     });
 }
 
-fn find(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
+fn find(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut ViewContext<'_>) {
     let tokens = context.tokens;
     let finder = &planner.finder;
     caption(ui, tokens, "Find a route");
@@ -186,7 +195,7 @@ fn find(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
     if let Some(words) = hint(finder.pick, finder.corners.len()) {
         ui.label(egui::RichText::new(words).color(tokens.accent));
     }
-    wishes(ui, planner, context);
+    wishes(ui, planner, documents, context);
     if let Some((share, words)) = finder.under_way() {
         ui.horizontal(|ui| {
             if icon_button(ui, tokens, Icon::Close, "Stop searching").clicked() {
@@ -213,7 +222,30 @@ fn find(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
     comparison(ui, planner, context);
 }
 
-fn wishes(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
+/// A length at the right of one line.
+fn length(
+    ui: &mut Ui,
+    label: &str,
+    name: &str,
+    metres: &mut f64,
+    most: f64,
+    context: &ViewContext<'_>,
+) {
+    let (factor, unit) = context.units.length();
+    row(ui, label, |ui| {
+        let mut shown = *metres * factor;
+        let field = DragValue::new(&mut shown)
+            .range(0.0..=most)
+            .speed(0.5)
+            .fixed_decimals(0)
+            .suffix(format!(" {unit}"));
+        if ui.add(field).accessible_name(name).changed() {
+            *metres = shown / factor;
+        }
+    });
+}
+
+fn wishes(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut ViewContext<'_>) {
     let mut wanted = planner.preferences.find;
     row(ui, "Keep small", |ui| {
         ui.selectable_value(&mut wanted.aim, Aim::Mean, "the mean");
@@ -237,21 +269,38 @@ fn wishes(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
         }
     });
     if !context.mission.no_fly.is_empty() {
-        let (factor, unit) = context.units.length();
-        row(ui, "Distance from no-fly areas", |ui| {
-            let mut metres = wanted.clearance * factor;
-            let field = DragValue::new(&mut metres)
-                .range(0.0..=5000.0)
-                .fixed_decimals(0)
-                .suffix(format!(" {unit}"));
-            let field = ui.add(field).accessible_name("Distance from no-fly areas");
-            if field.changed() {
-                wanted.clearance = metres / factor;
-            }
-        });
+        let label = "Distance from no-fly areas";
+        length(ui, label, label, &mut wanted.clearance, 5000.0, context);
+    }
+    if !documents.relief().is_level() {
+        let (label, least) = (
+            "Height over the ground, at least",
+            &mut wanted.ground_clearance,
+        );
+        length(ui, label, label, least, 5000.0, context);
+        let words = clearance_words(planner, documents, context.units);
+        ui.label(muted(context.tokens, words));
     }
     if wanted != planner.preferences.find {
         say(context, FindCommand::Set(wanted));
+    }
+}
+
+/// How a search keeps clear of the ground, in words.
+fn clearance_words(planner: &Planner, documents: &Documents, units: Units) -> String {
+    let altitude = planner.found_altitude(documents);
+    let flown = altitude_words(&altitude, units);
+    let follows = altitude.frame == AltitudeFrame::AboveGround;
+    match planner.highest_ground(documents) {
+        Some(highest) if highest.is_finite() => {
+            let (factor, unit) = units.length();
+            let frame = documents.relief().frame();
+            let highest = highest * factor;
+            format!("Flown at {flown}: ground over {highest:.0} {unit} {frame} is avoided.")
+        }
+        Some(_) => format!("Flown at {flown}, which is lower than that: choose a higher altitude."),
+        None if follows => format!("Flown at {flown}: it follows the ground."),
+        None => format!("Flown at {flown}."),
     }
 }
 
@@ -305,7 +354,9 @@ fn comparison(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
                 ui.with_layout(Layout::right_to_left(Align::Center), |ui| ui.label(text));
             };
             ui.label("");
-            for head in ["Straight", "Found", ""] {
+            let is_straight = found.shortest.route.way_points.len() == 2;
+            let first = if is_straight { "Straight" } else { "Shortest" };
+            for head in [first, "Found", ""] {
                 right(ui, muted(tokens, head));
             }
             ui.end_row();

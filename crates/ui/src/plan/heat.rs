@@ -230,11 +230,16 @@ pub fn blind_color() -> Color32 {
 }
 
 impl Planner {
-    /// The ground, the camera and what gives fixes, for the heat map or a search; `None` without a map.
-    pub fn field_order(&self, documents: &Documents, of: HeatOf) -> Option<FieldOrder> {
+    /// The ground, the camera at a height above it, metres, and what gives fixes, for the heat map or a
+    /// search; `None` without a map.
+    pub fn field_order(
+        &self,
+        documents: &Documents,
+        of: HeatOf,
+        height: f64,
+    ) -> Option<FieldOrder> {
         let mission = &documents.mission;
         let map = documents.map.as_ref()?;
-        let height = self.flown_height(documents);
         let sensors = &mission.navigator.sensors;
         let from = match of {
             HeatOf::Landmarks => {
@@ -267,10 +272,9 @@ impl Planner {
 
     /// Height above ground of the selected route, or the usual one, metres.
     pub fn flown_height(&self, documents: &Documents) -> f64 {
-        let mission = &documents.mission;
-        self.selected(mission).map_or_else(
+        self.selected(&documents.mission).map_or_else(
             || usual_altitude(documents).metres,
-            |route| height(route, mission, documents),
+            |route| height(route, documents),
         )
     }
 
@@ -278,7 +282,7 @@ impl Planner {
     pub fn heat_order(&self, documents: &Documents) -> Option<FieldOrder> {
         let heat = &self.preferences.heat;
         if heat.shown {
-            self.field_order(documents, heat.of)
+            self.field_order(documents, heat.of, self.flown_height(documents))
         } else {
             None
         }

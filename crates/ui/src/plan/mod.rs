@@ -23,6 +23,7 @@ mod patterns;
 pub mod planner;
 mod profile;
 mod readouts;
+mod relief;
 pub(crate) mod route_tab;
 pub mod routes;
 mod tool;

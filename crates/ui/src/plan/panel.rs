@@ -6,7 +6,7 @@ use super::PlanCommand;
 use super::chart::ChartScene;
 use super::ground_tab::ground_tab;
 use super::landmarks_tab::landmarks_tab;
-use super::planner::{PlanTab, Planner, ground_at};
+use super::planner::{PlanTab, Planner};
 use super::profile::{self, ProfileScene};
 use super::route_tab::route_tab;
 use crate::command::Command;
@@ -62,7 +62,7 @@ impl Planner {
             .auto_shrink(false)
             .show(ui, |ui| match self.tab {
                 PlanTab::Route => route_tab(ui, self, documents, context),
-                PlanTab::Ground => ground_tab(ui, self, context),
+                PlanTab::Ground => ground_tab(ui, self, documents, context),
                 PlanTab::Landmarks => landmarks_tab(ui, self, documents, context, list, examined),
             });
     }
@@ -135,12 +135,14 @@ impl Planner {
             ui.centered_and_justified(|ui| ui.label(muted(context.tokens, words)));
             return;
         };
-        let ground = |place: &pilotage_core::frames::GroundPoint| ground_at(documents, place);
+        let relief = documents.relief();
+        let source = relief.words(route, context.units);
         let scene = ProfileScene {
             route,
-            ground: &ground,
-            take_off: context.mission.origin.height,
-            source: "level, no elevation model is open",
+            ground: &|place| relief.at(place),
+            take_off: relief.take_off(route),
+            source: &source,
+            frame: relief.frame(),
             chosen: self.way_point,
             tokens: context.tokens,
             units: context.units,

@@ -16,12 +16,20 @@ use super::landmark_editor::LandmarkEditor;
 use super::landmark_table::LandmarkTable;
 use super::marking::Marking;
 use super::patterns::Circumstances;
+use super::profile::{Sample, on_leg, profile};
 use super::routes::route_of;
 use crate::documents::Documents;
 use crate::jobs::{FlightSource, PredictionOrder, scenario_wind};
 
 /// Height of a first way-point where no flight says another, metres above ground.
 const USUAL_HEIGHT: f64 = 120.0;
+
+/// Where the ground lets the height change otherwise than evenly, a leg is predicted in pieces: from so
+/// many metres off on, and none shorter than that many, so that turns have room before they begin.
+const UNEVEN: f64 = 4.0;
+const SHORTEST_PIECE: f64 = 200.0;
+/// Places at which a piece is looked at.
+const BENDS: u32 = 20;
 
 /// What the user accepts and assumes; remembered between visits.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -164,12 +172,13 @@ impl Planner {
             return None;
         }
         let camera = camera(documents);
-        let height = height(route, mission, documents);
+        let (way_points, targets) = flown_over(route, documents);
         Some(PredictionOrder {
-            way_points: route.way_points.iter().map(|w| w.position).collect(),
-            height,
-            targets: targets(route, mission, documents),
+            way_points,
+            height: height(route, documents),
+            targets,
             airspeed: None,
+            bank: Some(self.preferences.bank),
             wind: self.wind(documents),
             camera,
             ground_down: ground_down(documents),
@@ -214,65 +223,100 @@ pub fn ground_down(documents: &Documents) -> f64 {
     documents.flight.as_ref().map_or(0.0, |f| f.ground_down)
 }
 
-/// What the passes of a pattern are made for, if the route is flown at `altitude`.
+/// What the passes of a pattern over `places` are made for, if they are flown at `altitude`.
 pub fn circumstances(
     planner: &Planner,
     documents: &Documents,
-    altitude: &Altitude,
+    altitude: Altitude,
+    places: &[GroundPoint],
 ) -> Circumstances {
-    let counted = altitude.counted_from(
-        AltitudeFrame::AboveGround,
-        &documents.mission.level_ground(),
-    );
     Circumstances {
         frame: LocalFrame::new(documents.mission.origin),
         camera: camera(documents),
-        height: (counted.metres + ground_down(documents)).max(1.0),
+        height: height(&line(places, altitude), documents),
         radius: turn_radius(cruise(), planner.preferences.bank),
     }
 }
 
-/// Height of the ground at a place, metres above mean sea level: that of the mission's origin.
-pub fn ground_at(documents: &Documents, _place: &GroundPoint) -> f64 {
-    documents.mission.origin.height
+/// What the passes of a pattern are made for, if a route is made of it.
+pub fn made_for(planner: &Planner, documents: &Documents, route: Option<&Route>) -> Circumstances {
+    let way_points = route.map_or(&[][..], |r| &r.way_points);
+    let first = way_points.first().map(|w| w.altitude);
+    let altitude = first.unwrap_or_else(|| usual_altitude(documents));
+    let places: Vec<GroundPoint> = way_points.iter().map(|w| w.position).collect();
+    circumstances(planner, documents, altitude, &places)
 }
 
-/// Mean height of a route above ground, metres, each way-point by the length of its legs.
-pub fn height(route: &Route, mission: &Mission, documents: &Documents) -> f64 {
-    let reference = mission.level_ground();
-    let above = |altitude: &Altitude| {
-        let counted = altitude.counted_from(AltitudeFrame::AboveGround, &reference);
-        counted.metres + ground_down(documents)
+/// A route over places, all at one altitude.
+pub fn line(places: &[GroundPoint], altitude: Altitude) -> Route {
+    let way_points = places.iter().map(|p| WayPoint::new(*p, altitude));
+    Route {
+        way_points: way_points.collect(),
+        ..Route::default()
+    }
+}
+
+/// Mean height of a route above the ground below it, metres.
+pub fn height(route: &Route, documents: &Documents) -> f64 {
+    let relief = documents.relief();
+    let samples = profile(route, &|p| relief.at(p), relief.take_off(route));
+    let (mut sum, mut length) = (0.0, 0.0);
+    for pair in samples.windows(2) {
+        let step = pair[1].distance - pair[0].distance;
+        sum += step * 0.5 * (pair[0].above() + pair[1].above());
+        length += step;
+    }
+    let first = || route.way_points.first().map(|w| relief.above(route, w));
+    let mean = (length > 0.0).then(|| sum / length).or_else(first);
+    mean.unwrap_or(USUAL_HEIGHT).max(1.0)
+}
+
+/// Where a route is flown and how: its way-points with their heights above ground, metres, and
+/// airspeeds, and between them places from which on the ground lets the height change otherwise.
+fn flown_over(route: &Route, documents: &Documents) -> (Vec<GroundPoint>, Vec<Target>) {
+    let relief = documents.relief();
+    let ground = |p: &GroundPoint| relief.at(p);
+    let take_off = relief.take_off(route);
+    let (mut places, mut targets) = (Vec::new(), Vec::new());
+    let mut add = |sample: &Sample, airspeed| {
+        places.push(sample.place);
+        targets.push(Target {
+            height: sample.above().max(1.0),
+            airspeed,
+        });
     };
-    let (mut sum, mut weight) = (0.0, 0.0);
-    for pair in route.way_points.windows(2) {
-        let length = pair[0].position.distance(&pair[1].position);
-        sum += length * 0.5 * (above(&pair[0].altitude) + above(&pair[1].altitude));
-        weight += length;
-    }
-    if weight > 0.0 {
-        (sum / weight).max(1.0)
-    } else {
-        route
-            .way_points
-            .first()
-            .map_or(USUAL_HEIGHT, |w| above(&w.altitude))
-    }
-}
-
-/// How each way-point is flown over: heights above level ground, metres, and airspeeds.
-fn targets(route: &Route, mission: &Mission, documents: &Documents) -> Vec<Target> {
-    let reference = mission.level_ground();
-    let of = |w: &WayPoint| {
-        let counted = w
-            .altitude
-            .counted_from(AltitudeFrame::AboveGround, &reference);
-        Target {
-            height: (counted.metres + ground_down(documents)).max(1.0),
-            airspeed: w.speed,
+    for (index, way_point) in route.way_points.iter().enumerate() {
+        let before = index.checked_sub(1).map(|i| &route.way_points[i]);
+        let leg = on_leg((before.unwrap_or(way_point), way_point), &ground, take_off);
+        if let Some(before) = before.filter(|_| !relief.is_level()) {
+            let length = before.position.distance(&way_point.position);
+            let mut bends = Vec::new();
+            let above = |share: f64| leg(share).above();
+            bend(&above, (0.0, 1.0), SHORTEST_PIECE / length, &mut bends);
+            for share in bends {
+                add(&leg(share), way_point.speed);
+            }
         }
-    };
-    route.way_points.iter().map(of).collect()
+        add(&leg(1.0), way_point.speed);
+    }
+    (places, targets)
+}
+
+/// Shares of a leg between `a` and `b` at which its height above ground stops to change evenly, no two
+/// closer than `least`.
+fn bend(above: &dyn Fn(f64) -> f64, (a, b): (f64, f64), least: f64, bends: &mut Vec<f64>) {
+    let (from, to) = (above(a), above(b));
+    let off = |s: f64| (above(s) - from - (s - a) / (b - a) * (to - from)).abs();
+    let inner = (1..BENDS).map(|i| a + (b - a) * f64::from(i) / f64::from(BENDS));
+    let worst = inner
+        .filter(|s| s - a >= least && b - s >= least)
+        .map(|s| (s, off(s)))
+        .max_by(|x, y| x.1.total_cmp(&y.1));
+    if let Some((at, _)) = worst.filter(|(_, off)| *off > UNEVEN) {
+        bend(above, (a, at), least, bends);
+        bends.push(at);
+        bend(above, (at, b), least, bends);
+    }
 }
 
 /// The altitude of a first way-point.

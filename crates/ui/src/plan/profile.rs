@@ -4,7 +4,7 @@ use egui::{
     Align2, Color32, Mesh, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 use pilotage_core::frames::{AltitudeFrame, AltitudeReference, GroundPoint};
-use pilotage_core::mission::Route;
+use pilotage_core::mission::{Route, WayPoint};
 
 use super::words::{distance_text, long};
 use crate::tokens::Tokens;
@@ -22,12 +22,21 @@ const SAMPLES: usize = 240;
 /// Heights at one place of a route.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
+    /// Where it is.
+    pub place: GroundPoint,
     /// Distance along the route, metres.
     pub distance: f64,
     /// Height of the route above mean sea level, metres.
     pub flown: f64,
     /// Height of the ground above mean sea level, metres.
     pub ground: f64,
+}
+
+impl Sample {
+    /// Height above ground, metres.
+    pub fn above(&self) -> f64 {
+        self.flown - self.ground
+    }
 }
 
 /// What the chart shows.
@@ -40,6 +49,8 @@ pub struct ProfileScene<'a> {
     pub take_off: f64,
     /// Where the heights of the ground come from, in words.
     pub source: &'a str,
+    /// What they count from.
+    pub frame: &'a str,
     /// The selected way-point.
     pub chosen: Option<usize>,
     /// The look.
@@ -48,8 +59,46 @@ pub struct ProfileScene<'a> {
     pub units: Units,
 }
 
-/// Heights along `route`: between way-points above ground the height above ground changes evenly,
-/// elsewhere that above mean sea level.
+/// Heights on the leg from `a` to `b`, by the share of it that is flown, without the distance: between
+/// way-points above ground the height above ground changes evenly, elsewhere that above mean sea level.
+pub fn on_leg<'a>(
+    (a, b): (&'a WayPoint, &'a WayPoint),
+    ground: &'a dyn Fn(&GroundPoint) -> f64,
+    take_off: f64,
+) -> impl Fn(f64) -> Sample + 'a {
+    let follows = [a, b]
+        .iter()
+        .all(|w| w.altitude.frame == AltitudeFrame::AboveGround);
+    let amsl = move |w: &WayPoint| {
+        let reference = AltitudeReference {
+            take_off,
+            ground: ground(&w.position),
+        };
+        w.altitude.amsl(&reference)
+    };
+    let (from, to) = (amsl(a), amsl(b));
+    move |share| {
+        let between = |from: f64, to: f64| from + share * (to - from);
+        let place = GroundPoint::new(
+            between(a.position.north, b.position.north),
+            between(a.position.east, b.position.east),
+        );
+        let below = ground(&place);
+        let flown = if follows {
+            below + between(a.altitude.metres, b.altitude.metres)
+        } else {
+            between(from, to)
+        };
+        Sample {
+            place,
+            distance: 0.0,
+            flown,
+            ground: below,
+        }
+    }
+}
+
+/// Heights along `route`, see [`on_leg`].
 pub fn profile(route: &Route, ground: &dyn Fn(&GroundPoint) -> f64, take_off: f64) -> Vec<Sample> {
     let length = route.length();
     let mut samples = Vec::new();
@@ -57,35 +106,14 @@ pub fn profile(route: &Route, ground: &dyn Fn(&GroundPoint) -> f64, take_off: f6
     for pair in route.way_points.windows(2) {
         let (a, b) = (&pair[0], &pair[1]);
         let leg = a.position.distance(&b.position);
-        let follows = [a, b]
-            .iter()
-            .all(|w| w.altitude.frame == AltitudeFrame::AboveGround);
-        let amsl = |w: &pilotage_core::mission::WayPoint| {
-            let reference = AltitudeReference {
-                take_off,
-                ground: ground(&w.position),
-            };
-            w.altitude.amsl(&reference)
-        };
-        let (from, to) = (amsl(a), amsl(b));
+        let at = on_leg((a, b), ground, take_off);
         let parts = ((leg / length.max(1.0)) * SAMPLES as f64).ceil().max(1.0) as usize;
         let first = usize::from(!samples.is_empty());
         for part in first..=parts {
             let share = part as f64 / parts as f64;
-            let place = GroundPoint::new(
-                a.position.north + share * (b.position.north - a.position.north),
-                a.position.east + share * (b.position.east - a.position.east),
-            );
-            let below = ground(&place);
-            let flown = if follows {
-                below + a.altitude.metres + share * (b.altitude.metres - a.altitude.metres)
-            } else {
-                from + share * (to - from)
-            };
             samples.push(Sample {
                 distance: before + share * leg,
-                flown,
-                ground: below,
+                ..at(share)
             });
         }
         before += leg;
@@ -95,8 +123,8 @@ pub fn profile(route: &Route, ground: &dyn Fn(&GroundPoint) -> f64, take_off: f6
 
 /// The sample that is nearest to the ground.
 pub fn lowest(samples: &[Sample]) -> Option<&Sample> {
-    let above = |s: &Sample| s.flown - s.ground;
-    samples.iter().min_by(|a, b| above(a).total_cmp(&above(b)))
+    let samples = samples.iter();
+    samples.min_by(|a, b| a.above().total_cmp(&b.above()))
 }
 
 /// Draws the chart; the distance along the route under the pointer, metres.
@@ -109,7 +137,7 @@ pub fn show(ui: &mut Ui, scene: &ProfileScene<'_>) -> Option<f64> {
     let (near, near_unit) = scene.units.length();
     let clearance = format!(
         "lowest {:.0} {near_unit} above ground, at {}",
-        (low.flown - low.ground) * near,
+        low.above() * near,
         distance_text(low.distance, scene.units)
     );
     response.widget_info(|| {
@@ -144,21 +172,11 @@ pub fn show(ui: &mut Ui, scene: &ProfileScene<'_>) -> Option<f64> {
     let at = |s: &Sample, height: f64| axes.at(s.distance * far, height * near);
     let clip = painter.with_clip_rect(rect);
     let ground_color = tokens.truth;
-    let mut mesh = Mesh::default();
-    for pair in samples.windows(2) {
-        let first = mesh.vertices.len() as u32;
-        for sample in pair {
-            let top = at(sample, sample.ground);
-            mesh.colored_vertex(top, ground_color.gamma_multiply(0.35));
-            mesh.colored_vertex(
-                pos2(top.x, rect.bottom()),
-                ground_color.gamma_multiply(0.12),
-            );
-        }
-        mesh.add_triangle(first, first + 1, first + 2);
-        mesh.add_triangle(first + 1, first + 2, first + 3);
-    }
-    clip.add(Shape::mesh(mesh));
+    clip.add(Shape::mesh(earth(
+        samples.iter().map(|s| at(s, s.ground)),
+        rect.bottom(),
+        ground_color,
+    )));
     let line =
         |of: fn(&Sample) -> f64| -> Vec<Pos2> { samples.iter().map(|s| at(s, of(s))).collect() };
     clip.add(Shape::line(
@@ -186,10 +204,11 @@ pub fn show(ui: &mut Ui, scene: &ProfileScene<'_>) -> Option<f64> {
     let x = at(under, under.flown).x;
     clip.vline(x, rect.y_range(), Stroke::new(1.0, tokens.muted));
     let text = format!(
-        "{}: {:.0} {near_unit} AMSL, {:.0} {near_unit} above ground",
+        "{}: {:.0} {near_unit} {}, {:.0} {near_unit} above ground",
         distance_text(under.distance, scene.units),
         under.flown * near,
-        (under.flown - under.ground) * near
+        scene.frame,
+        under.above() * near
     );
     let align = if x > rect.center().x {
         Align2::RIGHT_TOP
@@ -202,6 +221,20 @@ pub fn show(ui: &mut Ui, scene: &ProfileScene<'_>) -> Option<f64> {
     );
     clip.text(place, align, text, tokens.small(), tokens.text);
     Some(under.distance)
+}
+
+/// What lies below a line, down to `bottom`.
+fn earth(line: impl Iterator<Item = Pos2>, bottom: f32, color: Color32) -> Mesh {
+    let mut mesh = Mesh::default();
+    for (first, top) in line.enumerate() {
+        mesh.colored_vertex(top, color.gamma_multiply(0.35));
+        mesh.colored_vertex(pos2(top.x, bottom), color.gamma_multiply(0.12));
+        if let Some(before) = (2 * first as u32).checked_sub(2) {
+            mesh.add_triangle(before, before + 1, before + 2);
+            mesh.add_triangle(before + 1, before + 2, before + 3);
+        }
+    }
+    mesh
 }
 
 fn way_points(
@@ -259,7 +292,8 @@ fn header(
     text(
         left - 4.0,
         Align2::RIGHT_CENTER,
-        &format!("{unit} AMSL"),
+        // Another frame is named with the source of the heights.
+        &unit_of(unit, scene.frame),
         tokens.muted,
     );
     let mut x = left + 12.0;
@@ -277,11 +311,17 @@ fn header(
     );
 }
 
+fn unit_of(unit: &str, frame: &str) -> String {
+    match frame {
+        "AMSL" => format!("{unit} {frame}"),
+        _ => unit.to_owned(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use pilotage_core::frames::Altitude;
-    use pilotage_core::mission::WayPoint;
 
     fn route(frame: AltitudeFrame) -> Route {
         let at = |e| WayPoint::new(GroundPoint::new(0.0, e), Altitude::new(100.0, frame));

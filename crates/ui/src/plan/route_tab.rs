@@ -1,7 +1,7 @@
 //! Routes: which, its legs and totals, the wind, the limit, and what is predicted.
 
 use egui::{Align, DragValue, Layout, TextEdit, Ui, UiBuilder};
-use pilotage_core::mission::{Mission, Route};
+use pilotage_core::mission::{Route, WayPoint, WayPointAction};
 
 use super::PlanCommand;
 use super::aircraft::{aircraft, energy_left, tight_legs};
@@ -10,7 +10,8 @@ use super::legs::{legs, time_text, totals};
 use super::marking::Purpose;
 use super::panel::button;
 use super::patterns::{Pattern, pattern_card};
-use super::planner::{Planner, circumstances, cruise, usual_altitude};
+use super::planner::{Planner, cruise, made_for};
+use super::relief::ground;
 use super::way_points::{Sums, way_points};
 use super::words::{Outlook, distance_text};
 use crate::command::Command;
@@ -18,6 +19,7 @@ use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::jobs::FlightSource;
 use crate::shell::{caption, heading, icon_button, icon_toggle, icons::Icon, muted};
+use crate::units::Units;
 
 /// Draws the tab.
 pub fn route_tab(
@@ -35,15 +37,13 @@ pub fn route_tab(
     chooser(ui, planner, route, context);
     ui.add_space(tokens.space);
     if let Some(pattern) = Pattern::of(route) {
-        let usual = usual_altitude(documents);
-        let altitude = route.way_points.first().map_or(usual, |w| w.altitude);
-        let made_for = circumstances(planner, documents, &altitude);
+        let made_for = made_for(planner, documents, Some(route));
         pattern_card(ui, route, &pattern, &made_for, cruise(), context);
         ui.add_space(tokens.space);
     }
     let id = egui::Id::unique("plan prediction");
     ui.scope_builder(UiBuilder::new().scope_id(id), |ui| {
-        prediction(ui, planner, route, context);
+        prediction(ui, planner, documents, route, context);
     });
     ui.add_space(tokens.space);
     let legs = legs(route, cruise(), &planner.wind(documents));
@@ -61,7 +61,9 @@ pub fn route_tab(
     });
     let left = energy_left(&legs, &planner.preferences);
     let tight = tight_legs(route, planner.preferences.bank);
+    let relief = documents.relief();
     let sums = Sums {
+        relief,
         legs: &legs,
         left,
         tight,
@@ -70,6 +72,8 @@ pub fn route_tab(
     ui.add_space(tokens.space);
     let id = egui::Id::unique("plan wind");
     ui.scope_builder(UiBuilder::new().scope_id(id), |ui| {
+        ground(ui, &relief, route, context);
+        ui.add_space(tokens.space);
         wind(ui, planner, documents, context);
         ui.add_space(tokens.space);
         aircraft(ui, &planner.preferences, context);
@@ -196,7 +200,13 @@ fn chooser(ui: &mut Ui, planner: &mut Planner, route: &Route, context: &mut View
     context.commands.extend(say.into_iter().map(Command::Plan));
 }
 
-fn prediction(ui: &mut Ui, planner: &Planner, route: &Route, context: &mut ViewContext<'_>) {
+fn prediction(
+    ui: &mut Ui,
+    planner: &Planner,
+    documents: &Documents,
+    route: &Route,
+    context: &mut ViewContext<'_>,
+) {
     let tokens = context.tokens;
     ui.horizontal(|ui| {
         caption(ui, tokens, "How well it knows its place");
@@ -241,14 +251,20 @@ fn prediction(ui: &mut Ui, planner: &Planner, route: &Route, context: &mut ViewC
             ui.label(egui::RichText::new(sentence).color(color));
         }
     }
-    for sentence in assumptions(planner, route, context.mission) {
+    for sentence in assumptions(planner, documents, route, context.units) {
         ui.label(muted(tokens, sentence));
     }
 }
 
 /// What the prediction assumes, in words.
-pub fn assumptions(planner: &Planner, route: &Route, mission: &Mission) -> Vec<String> {
-    let used: Vec<_> = mission
+pub fn assumptions(
+    planner: &Planner,
+    documents: &Documents,
+    route: &Route,
+    units: Units,
+) -> Vec<String> {
+    let used: Vec<_> = documents
+        .mission
         .landmarks
         .iter()
         .filter(|l| l.enabled)
@@ -278,6 +294,13 @@ pub fn assumptions(planner: &Planner, route: &Route, mission: &Mission) -> Vec<S
     if climbs {
         list.push("Between way-points of different heights it climbs or sinks evenly.".to_owned());
     }
+    let circles = |w: &WayPoint| matches!(w.action, WayPointAction::Loiter { .. });
+    if route.way_points.iter().any(circles) {
+        let words = "Circles at way-points count in the time of the legs, but are not predicted: the \
+                     aircraft is taken to fly by.";
+        list.push(words.to_owned());
+    }
+    list.extend(documents.relief().assumptions(route, units));
     list
 }
 

@@ -3,6 +3,7 @@
 use pilotage_core::frames::{Altitude, GroundPoint};
 use pilotage_core::mission::{Mission, Route, WayPoint};
 
+use super::patterns::Pattern;
 use crate::documents::Documents;
 
 /// Whether an edit is whole, or part of a drag that goes on.
@@ -47,6 +48,18 @@ impl Documents {
         id
     }
 
+    /// Adds a route like another, with all that is known of it, and returns its id.
+    pub fn duplicate_route(&mut self, id: u32) -> Option<u32> {
+        let mut route = route_of(&self.mission, id)?.clone();
+        self.history.remember(&self.mission);
+        self.mission_edited = true;
+        route.id = self.free_route_id();
+        route.name = format!("{}, copy", route.name);
+        let id = route.id;
+        self.mission.routes.push(route);
+        Some(id)
+    }
+
     /// Adds a route that was made, called `kind` and its number, and returns its id.
     pub fn add_made(&mut self, mut route: Route, kind: &str) -> u32 {
         self.history.remember(&self.mission);
@@ -85,9 +98,11 @@ impl Documents {
         }
     }
 
-    /// Makes two routes of one at a way-point; the second one's id.
+    /// Makes two routes of one at a way-point; the second one's id. Parts of a pattern are none.
     pub fn split_route(&mut self, id: u32, index: usize) -> Option<u32> {
-        let (first, mut second) = route_of(&self.mission, id)?.split(index)?;
+        let (mut first, mut second) = route_of(&self.mission, id)?.split(index)?;
+        Pattern::release(&mut first);
+        Pattern::release(&mut second);
         self.history.remember(&self.mission);
         self.mission_edited = true;
         let at = self.mission.routes.iter().position(|r| r.id == id)?;
@@ -146,6 +161,32 @@ mod tests {
         assert_eq!(documents.mission.routes.len(), 2);
         assert_eq!(documents.undo(), Some(false), "the flight is not affected");
         assert_eq!(documents.mission, before);
+    }
+
+    #[test]
+    fn the_parts_of_a_split_pattern_are_patterns_no_more_but_a_copy_is_one() {
+        let (mut documents, id) = documents();
+        let frame = pilotage_core::frames::LocalFrame::new(documents.mission.origin);
+        let places = route_of(&documents.mission, id).unwrap().way_points.clone();
+        let places: Vec<GroundPoint> = places.iter().map(|w| w.position).collect();
+        let pattern = Pattern::new(super::super::Cover::Survey, &places, &frame);
+        let text = serde_json::to_string(&pattern).unwrap();
+        documents.edit_route(id, Step::Whole, |r| {
+            r.properties.insert("pattern".to_owned(), text);
+            r.properties.insert("owner".to_owned(), "\"us\"".to_owned());
+        });
+        let copy = documents.duplicate_route(id).unwrap();
+        let of = |documents: &Documents, id| route_of(&documents.mission, id).cloned().unwrap();
+        let (original, copied) = (of(&documents, id), of(&documents, copy));
+        assert_eq!(Pattern::of(&copied), Some(pattern));
+        assert_eq!(copied.properties, original.properties);
+        assert_eq!(copied.name, format!("{}, copy", original.name));
+        let second = documents.split_route(id, 1).unwrap();
+        for part in [id, second] {
+            let part = of(&documents, part);
+            assert_eq!(Pattern::of(&part), None);
+            assert!(part.properties.contains_key("owner"));
+        }
     }
 
     #[test]

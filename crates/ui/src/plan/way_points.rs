@@ -4,12 +4,13 @@ use egui::{
     Align2, ComboBox, DragValue, EventFilter, Key, Role, Sense, Ui, UiBuilder, WidgetInfo, pos2,
     vec2,
 };
-use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint};
+use pilotage_core::frames::{Altitude, AltitudeFrame, AltitudeReference, GroundPoint};
 use pilotage_core::mission::{Route, WayPointAction};
 
 use super::PlanCommand;
 use super::legs::{Leg, time_text};
 use super::planner::{Planner, cruise};
+use super::relief::Relief;
 use super::tool::middle;
 use super::words::distance_text;
 use crate::command::Command;
@@ -21,6 +22,8 @@ const ROW: f32 = 38.0;
 
 /// What the table says of the legs.
 pub struct Sums<'a> {
+    /// The ground that it lies over.
+    pub relief: Relief<'a>,
     /// The legs.
     pub legs: &'a [Leg],
     /// Energy left at each way-point, watt hours, where it is stated.
@@ -45,7 +48,7 @@ pub fn way_points(
             let id = egui::Id::unique("selected way-point");
             ui.scope_builder(UiBuilder::new().scope_id(id), |ui| {
                 ui.spacing_mut().item_spacing.y = 4.0;
-                selected(ui, route, index, context);
+                selected(ui, route, index, &sums.relief, context);
             });
         }
     }
@@ -96,12 +99,14 @@ fn row(
     if tight {
         altitude.push_str(", too short for its turns");
     }
+    let energy = energy_words(sums, index);
     response.widget_info(|| {
         let leg = leg_words.as_ref().map_or_else(
             || "start".to_owned(),
             |[course, distance, time]| format!("course {course}, {distance}, {time}"),
         );
-        let name = format!("Way-point {}: {leg}, {altitude}", index + 1);
+        let end = energy.as_ref().map_or(String::new(), |e| format!(", {e}"));
+        let name = format!("Way-point {}: {leg}, {altitude}{end}", index + 1);
         WidgetInfo::selected(Role::Button, true, chosen, name)
     });
     let painter = ui.painter();
@@ -157,9 +162,8 @@ fn row(
         } else {
             "cruise "
         };
-        let left = sums.left.as_ref().and_then(|l| l.get(index));
-        let left = left.map_or(String::new(), |wh| format!(" · {wh:.0} Wh left"));
-        let text = format!("{kind}{speed:.1} {unit}{left}");
+        let end = energy.map_or(String::new(), |e| format!(" · {e}"));
+        let text = format!("{kind}{speed:.1} {unit}{end}");
         let at = pos2(rect.right() - 10.0, lower);
         painter.text(at, Align2::RIGHT_CENTER, text, tokens.small(), tokens.muted);
     }
@@ -172,6 +176,12 @@ fn row(
         paint_focus_ring(painter, rect, tokens);
         keyboard(ui, response.id, route, index, context);
     }
+}
+
+/// What is left on board behind the leg to a way-point, where that is stated.
+fn energy_words(sums: &Sums<'_>, index: usize) -> Option<String> {
+    let left = sums.left.as_ref()?.get(index).filter(|_| index > 0)?;
+    Some(format!("{left:.0} Wh left"))
 }
 
 /// What is done at a way-point, where that is more than flying by.
@@ -243,17 +253,44 @@ fn insertion(route: &Route, index: usize) -> PlanCommand {
 }
 
 /// Altitude with its frame, speed, and what can be done with the way-point.
-fn selected(ui: &mut Ui, route: &Route, index: usize, context: &mut ViewContext<'_>) {
+fn selected(
+    ui: &mut Ui,
+    route: &Route,
+    index: usize,
+    relief: &Relief<'_>,
+    context: &mut ViewContext<'_>,
+) {
     let tokens = context.tokens;
     let way_point = &route.way_points[index];
     let mut say: Vec<PlanCommand> = Vec::new();
     ui.horizontal(|ui| {
         ui.add_space(34.0);
-        say.extend(altitude(ui, way_point.altitude, index, context));
+        let reference = relief.reference(route, &way_point.position);
+        say.extend(altitude(ui, way_point.altitude, index, &reference, context));
         if index > 0 {
             say.extend(speed(ui, way_point.speed, index, context));
         }
     });
+    if !relief.is_level() || way_point.altitude.frame != AltitudeFrame::AboveGround {
+        let (factor, unit) = context.units.length();
+        let ground = relief.at(&way_point.position);
+        let above = relief.above(route, way_point);
+        ui.horizontal(|ui| {
+            ui.add_space(34.0);
+            let words = format!(
+                "{:.0} {unit} above ground at {:.0} {unit} {}",
+                above * factor,
+                ground * factor,
+                relief.frame()
+            );
+            let color = if above > 0.0 {
+                tokens.muted
+            } else {
+                tokens.warning
+            };
+            ui.label(egui::RichText::new(words).color(color));
+        });
+    }
     ui.horizontal(|ui| {
         ui.add_space(34.0);
         say.extend(action(ui, way_point.action, index, route, context));
@@ -373,6 +410,7 @@ fn altitude(
     ui: &mut Ui,
     now: Altitude,
     index: usize,
+    reference: &AltitudeReference,
     context: &ViewContext<'_>,
 ) -> Option<PlanCommand> {
     let (factor, unit) = context.units.length();
@@ -386,7 +424,6 @@ fn altitude(
     if field.changed() {
         altitude = Some(Altitude::new(value / factor, now.frame));
     }
-    let reference = context.mission.level_ground();
     let combo = ComboBox::from_id_salt("frame").width(104.0);
     let combo = combo.selected_text(now.frame.name()).show_ui(ui, |ui| {
         for frame in AltitudeFrame::ALL {
@@ -394,7 +431,7 @@ fn altitude(
                 .selectable_label(frame == now.frame, frame.name())
                 .clicked()
             {
-                altitude = Some(now.counted_from(frame, &reference));
+                altitude = Some(now.counted_from(frame, reference));
             }
         }
     });

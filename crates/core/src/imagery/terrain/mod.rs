@@ -70,6 +70,15 @@ impl HeightDatum {
             Self::NotStated => "a datum that is not stated",
         }
     }
+
+    /// Name of the frame of such heights, to stand behind a number with its unit.
+    pub fn frame(&self) -> &'static str {
+        match self {
+            Self::MeanSeaLevel(_) => "AMSL",
+            Self::Ellipsoid => "above the ellipsoid",
+            Self::NotStated => "above an unstated datum",
+        }
+    }
 }
 
 /// The height of the ground at every place.

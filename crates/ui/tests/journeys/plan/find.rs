@@ -1,7 +1,9 @@
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
+use pilotage_core::plan::{Aim, BudgetOf};
+use pilotage_ui::jobs::Job;
 
-use super::{click, number, planning, scroll};
+use super::{click, number, planning, scroll, set};
 
 #[test]
 fn a_route_is_found_beside_the_straight_line_accepted_and_undone() {
@@ -73,4 +75,30 @@ fn a_no_fly_area_is_drawn_flown_around_and_undone() {
         rig.state()["plan"]["no_fly"].as_array().map(Vec::len),
         Some(1)
     );
+}
+
+#[test]
+fn the_mean_may_be_kept_small_and_the_budget_may_be_of_length() {
+    let mut rig = planning();
+    rig.harness.key_press_modifiers(Modifiers::SHIFT, Key::F);
+    rig.settle();
+    click(&mut rig, 0.0, -300.0);
+    click(&mut rig, 0.0, 300.0);
+    rig.settle();
+    rig.harness.get_by_label("the mean").click();
+    rig.harness.get_by_label("length").click();
+    rig.settle();
+    set(&mut rig, "Budget over the shortest route", 10.0);
+    rig.harness.get_by_label("Find the route").click();
+    rig.settle();
+    let asked = rig.host().jobs.iter().rev().find_map(|(_, job)| match job {
+        Job::Find(order) => Some((order.aim, order.budget_of, order.budget)),
+        _ => None,
+    });
+    let (aim, of, budget) = asked.expect("a search");
+    assert_eq!((aim, of), (Aim::Mean, BudgetOf::Length));
+    assert!((budget - 1.1).abs() < 1e-9);
+    let of = |which: &str| number(&rig, &format!("/find/{which}"));
+    assert!(of("surest/length") <= 1.1 * of("shortest/length") + 1.0);
+    assert!(of("surest/mean") <= of("shortest/mean") + 1e-6);
 }

@@ -7,15 +7,18 @@ mod drag;
 mod draw;
 mod files;
 mod find;
+mod ground;
 mod heat;
 mod insert;
 mod keyboard;
 mod landmarks;
 mod patterns;
+mod route_tab;
 mod undo;
 mod workspace;
 
 use egui::{Key, Pos2, Vec2};
+use egui_kittest::kittest::Queryable as _;
 
 use super::support::{Rig, rig};
 
@@ -48,6 +51,32 @@ pub fn click(rig: &mut Rig, north: f64, east: f64) {
     rig.frames(1);
     rig.harness.drop_at(at);
     rig.frames(2);
+}
+
+/// Sets a number by its accessible name, in the unit that is shown.
+pub fn set(rig: &mut Rig, name: &str, value: f64) {
+    rig.harness.get_by_label(name).set_value_accesskit(value);
+    rig.settle();
+}
+
+/// How many things are called like that, by the beginning of the name.
+pub fn count(rig: &Rig, beginning: &str) -> usize {
+    let named = |n: &egui_kittest::kittest::AccessKitNode<'_>| {
+        [n.label(), n.value()]
+            .into_iter()
+            .flatten()
+            .any(|l| l.starts_with(beginning))
+    };
+    rig.harness.query_all_by(named).count()
+}
+
+/// Opens the settings of a way-point, counted from 1.
+pub fn choose(rig: &mut Rig, number: usize) {
+    let name = format!("Way-point {number}: ");
+    rig.harness
+        .get_by(|n| n.label().is_some_and(|l| l.starts_with(&name)))
+        .click_accesskit();
+    rig.frames(3);
 }
 
 /// Scrolls the column beside the map, points.

@@ -3,12 +3,13 @@
 use std::collections::HashMap;
 
 use pilotage_core::frames::{GroundPoint, GroundRect};
+use pilotage_core::imagery::terrain::{HeightDatum, HeightGrid, Terrain};
 use pilotage_core::plan::{ExpectedDetection, Localizability};
 use pilotage_core::raster::Raster;
 use pilotage_ui::host::{Host, OpenedFile};
 use pilotage_ui::jobs::{
-    Assessment, AssessmentOrder, Distinctness, Glance, Job, JobEvent, JobId, JobRunner, MapInfo,
-    Opened, Reply, Request,
+    Assessment, AssessmentOrder, Distinctness, Glance, HeightsOrder, Job, JobEvent, JobId,
+    JobRunner, MapInfo, Opened, Reply, Request,
 };
 
 use super::flight::{flight, mission, run, run_head};
@@ -48,6 +49,23 @@ pub struct ScriptedHost {
     pub opening_fails: Option<String>,
     /// What opened files turn out to be.
     pub opens: Option<Opened>,
+    /// Height of the ground in the elevation model that is opened, metres.
+    pub heights: Option<fn(&GroundPoint) -> f64>,
+}
+
+/// Ground of a shape.
+struct Shaped(fn(&GroundPoint) -> f64, HeightDatum);
+
+impl Terrain for Shaped {
+    fn name(&self) -> &'static str {
+        "ridge.tif"
+    }
+    fn datum(&self) -> &HeightDatum {
+        &self.1
+    }
+    fn height_at(&self, place: &GroundPoint) -> Option<f64> {
+        Some(self.0(place))
+    }
 }
 
 impl ScriptedHost {
@@ -164,19 +182,31 @@ impl ScriptedHost {
                 say(JobEvent::Field(Box::new(field)));
                 say(JobEvent::Finished);
             }
+            Job::TakeHeights(order) => {
+                if let Some(shape) = self.heights {
+                    say(JobEvent::Heights(Box::new(heights(shape, order))));
+                    say(JobEvent::Finished);
+                }
+            }
             Job::Find(_) => self.carry_out(id, job),
             Job::Brief(_) => {
                 say(JobEvent::BriefPictures(Box::default()));
                 say(JobEvent::Finished);
             }
             Job::ExplainMatch { .. } | Job::DecodePicture { .. } => say(JobEvent::Finished),
-            Job::Provide { .. }
-            | Job::Fly { .. }
-            | Job::PrepareMap(_)
-            | Job::ReadPlaces { .. }
-            | Job::TakeHeights(_) => {}
+            Job::Provide { .. } | Job::Fly { .. } | Job::PrepareMap(_) | Job::ReadPlaces { .. } => {
+            }
         }
     }
+}
+
+/// The heights of ground of a shape.
+fn heights(shape: fn(&GroundPoint) -> f64, order: &HeightsOrder) -> HeightGrid {
+    let datum = HeightDatum::MeanSeaLevel("EGM96".into());
+    let mut grid = HeightGrid::over("ridge.tif", datum.clone(), order.area, 10.0, 640);
+    let shaped = Shaped(shape, datum);
+    while !grid.take_rows(&shaped, 64) {}
+    grid
 }
 
 /// A box with one look-alike to the north of it.

@@ -1,0 +1,183 @@
+//! The ground that a plan counts its altitudes from: that of the elevation model, level elsewhere.
+
+use egui::{Align, DragValue, Layout, Ui};
+use pilotage_core::frames::{AltitudeFrame, AltitudeReference, GroundPoint};
+use pilotage_core::imagery::terrain::{HeightDatum, Terrain as _};
+use pilotage_core::mission::{Route, WayPoint};
+
+use super::PlanCommand;
+use super::profile::profile;
+use super::routes::Step;
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::documents::{Documents, Ground};
+use crate::shell::{caption, muted};
+use crate::units::Units;
+
+/// The height of the ground, metres above the datum of the elevation model, or above mean sea level
+/// where it is level.
+#[derive(Clone, Copy, Debug)]
+pub struct Relief<'a> {
+    terrain: &'a Ground,
+    /// Height where the elevation model does not know it, metres.
+    level: f64,
+}
+
+impl Documents {
+    /// The ground that is planned over.
+    pub fn relief(&self) -> Relief<'_> {
+        let down = self.flight.as_ref().map_or(0.0, |f| f.ground_down);
+        let stated = self.mission.stated_ground();
+        Relief {
+            terrain: &self.terrain,
+            level: stated.unwrap_or(self.mission.origin.height - down),
+        }
+    }
+
+    /// States the height of level ground, metres above mean sea level.
+    pub fn state_ground(&mut self, height: f64, step: Step) {
+        if self.mission.stated_ground() != Some(height) {
+            self.history.begin_drag(&self.mission);
+            self.mission.state_ground(height);
+            self.mission_edited = true;
+        }
+        if step == Step::Whole {
+            self.history.finish_drag(&self.mission);
+        }
+    }
+}
+
+impl Relief<'_> {
+    /// Height of the ground at a place, metres.
+    pub fn at(&self, place: &GroundPoint) -> f64 {
+        self.terrain.height_at(place).unwrap_or(self.level)
+    }
+
+    /// Height of the ground where a route takes off: at its first way-point, metres.
+    pub fn take_off(&self, route: &Route) -> f64 {
+        let first = route.way_points.first();
+        first.map_or(self.level, |w| self.at(&w.position))
+    }
+
+    /// What altitudes of a route count from at a place.
+    pub fn reference(&self, route: &Route, place: &GroundPoint) -> AltitudeReference {
+        AltitudeReference {
+            take_off: self.take_off(route),
+            ground: self.at(place),
+        }
+    }
+
+    /// Height of a way-point above the ground below it, metres.
+    pub fn above(&self, route: &Route, way_point: &WayPoint) -> f64 {
+        let reference = self.reference(route, &way_point.position);
+        let altitude = &way_point.altitude;
+        altitude
+            .counted_from(AltitudeFrame::AboveGround, &reference)
+            .metres
+    }
+
+    /// Whether no elevation model says the height of the ground.
+    pub fn is_level(&self) -> bool {
+        self.terrain.heights().is_none()
+    }
+
+    /// What its heights count from, to stand behind a number with its unit.
+    pub fn frame(&self) -> &'static str {
+        (self.terrain.heights()).map_or("AMSL", |grid| grid.datum().frame())
+    }
+
+    /// Share of a route over ground that the elevation model does not know, 0 to 1.
+    fn unknown(&self, route: &Route) -> f64 {
+        let places = places(route);
+        let unknown = |p: &&GroundPoint| self.terrain.height_at(p).is_none();
+        places.iter().filter(unknown).count() as f64 / places.len().max(1) as f64
+    }
+
+    /// Where the heights come from, in words.
+    pub fn words(&self, route: &Route, units: Units) -> String {
+        let (factor, unit) = units.length();
+        let level = format!("level at {:.0} {unit} AMSL", self.level * factor);
+        let Some(grid) = self.terrain.heights() else {
+            return format!("{level}, no elevation model is open");
+        };
+        let name = grid.name();
+        let share = self.unknown(route);
+        if share >= 1.0 {
+            return format!("{level}, {name} does not reach here");
+        }
+        let words = format!("{name}, heights above {}", grid.datum().name());
+        if share > 0.0 {
+            let percent = (100.0 * share).ceil();
+            return format!("{words}; {level} on the {percent:.0} % of the route beyond it");
+        }
+        words
+    }
+
+    /// What the ground has to do with what is predicted along a route, in sentences.
+    pub fn assumptions(&self, route: &Route, units: Units) -> Vec<String> {
+        let mut list = vec![format!("Ground: {}.", self.words(route, units))];
+        let frames = |f: AltitudeFrame| route.way_points.iter().any(|w| w.altitude.frame == f);
+        let Some(grid) = self.terrain.heights() else {
+            return list;
+        };
+        list.push(
+            "The height above ground follows the elevation model along the route; the ground within \
+             a picture counts as level."
+                .to_owned(),
+        );
+        if frames(AltitudeFrame::AboveTakeOff) {
+            let (factor, unit) = units.length();
+            list.push(format!(
+                "Take-off is at the first way-point, {:.0} {unit} {}.",
+                self.take_off(route) * factor,
+                self.frame()
+            ));
+        }
+        if frames(AltitudeFrame::Amsl) && !matches!(grid.datum(), HeightDatum::MeanSeaLevel(_)) {
+            list.push(format!(
+                "AMSL altitudes are compared with heights {} as they are: they may be tens of metres off.",
+                self.frame()
+            ));
+        }
+        list
+    }
+}
+
+/// Places along a route.
+fn places(route: &Route) -> Vec<GroundPoint> {
+    let level = profile(route, &|_| 0.0, 0.0);
+    level.into_iter().map(|s| s.place).collect()
+}
+
+/// Draws where the height of the ground comes from, and the height of level ground where it counts.
+pub fn ground(ui: &mut Ui, relief: &Relief<'_>, route: &Route, context: &mut ViewContext<'_>) {
+    let tokens = context.tokens;
+    let (factor, unit) = context.units.length();
+    ui.horizontal(|ui| {
+        caption(ui, tokens, "Height of the ground");
+        if relief.is_level() || relief.unknown(route) > 0.0 {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let mut height = relief.level * factor;
+                let field = DragValue::new(&mut height)
+                    .range(-500.0 * factor..=9000.0 * factor)
+                    .speed(1.0)
+                    .fixed_decimals(0)
+                    .suffix(format!(" {unit} AMSL"));
+                let field = ui.add(field).accessible_name("Height of level ground");
+                if field.changed() {
+                    let command = PlanCommand::SetGround {
+                        height: height / factor,
+                        finished: !field.dragged(),
+                    };
+                    context.commands.push(Command::Plan(command));
+                }
+                ui.label(muted(tokens, "level at"));
+            });
+        }
+    });
+    ui.label(muted(tokens, relief.words(route, context.units)));
+}
+
+#[cfg(test)]
+#[path = "relief_tests.rs"]
+mod tests;
