@@ -94,6 +94,16 @@ impl App {
                 }
                 self.views.planner.heat_command(command);
             }
+            PlanCommand::EditArea {
+                index,
+                change,
+                finished,
+            } => {
+                self.views.planner.finder.found = None;
+                let step = Step::of(finished);
+                self.documents.edit_no_fly(index, step, change);
+                self.desk.document_changed = true;
+            }
             PlanCommand::Find(command) => {
                 let Self {
                     documents, views, ..
@@ -372,6 +382,10 @@ impl App {
             })),
             "trouble": planner.forecast.trouble(),
             "measured": measured,
+            "areas": mission.no_fly.iter().map(|z| json!({
+                "name": z.name,
+                "corners": z.corners.iter().map(|p| [p.north, p.east]).collect::<Vec<_>>(),
+            })).collect::<Vec<_>>(),
             "no_fly": mission.no_fly.iter().map(|z| z.corners.len()).collect::<Vec<_>>(),
             "heat": planner.heat_json(),
             "find": planner.find_json(),

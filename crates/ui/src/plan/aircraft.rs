@@ -67,7 +67,6 @@ pub fn aircraft(ui: &mut Ui, preferences: &PlanPreferences, context: &mut ViewCo
             "Power",
             " W",
             "Power in cruise",
-            120.0,
             &mut next.power,
             context,
         );
@@ -76,7 +75,6 @@ pub fn aircraft(ui: &mut Ui, preferences: &PlanPreferences, context: &mut ViewCo
             "on board",
             " Wh",
             "Energy on board",
-            60.0,
             &mut next.energy,
             context,
         );
@@ -97,24 +95,23 @@ fn optional(
     label: &str,
     unit: &str,
     name: &str,
-    usual: f64,
     value: &mut Option<f64>,
     context: &ViewContext<'_>,
 ) {
     let tokens = context.tokens;
     ui.label(muted(tokens, label));
     let stated = *value;
-    let mut number = stated.unwrap_or(usual);
+    let mut number = stated.unwrap_or(0.0);
     let suffix = unit.to_owned();
     let field = DragValue::new(&mut number)
-        .range(1.0..=1e6)
+        .range(0.0..=1e6)
         .speed(1.0)
         .custom_formatter(move |value, _| match stated {
             Some(_) => format!("{value:.0}{suffix}"),
             None => "not stated".to_owned(),
         });
     if ui.add(field).accessible_name(name).changed() {
-        *value = Some(number);
+        *value = Some(number).filter(|n| *n > 0.0);
     }
     let forget = format!("Do not state: {}", name.to_lowercase());
     if stated.is_some() && icon_button(ui, tokens, Icon::Close, &forget).clicked() {

@@ -11,6 +11,15 @@ use super::patterns::Pattern;
 use super::planner::PlanTab;
 use crate::documents::landmarks::LandmarkChange;
 
+/// A change of a no-fly area.
+#[derive(Clone, Debug, PartialEq)]
+pub enum AreaChange {
+    /// Another name.
+    Name(String),
+    /// Another place of a corner, by its number.
+    Corner(usize, GroundPoint),
+}
+
 /// Something to do in the Plan workspace. Way-points are those of the selected route, counted from 0.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PlanCommand {
@@ -128,6 +137,15 @@ pub enum PlanCommand {
     DuplicateLandmark,
     /// Something about where fixes would be had.
     Heat(HeatCommand),
+    /// Change a no-fly area; `finished` as for a drag.
+    EditArea {
+        /// Its number.
+        index: usize,
+        /// What.
+        change: AreaChange,
+        /// Whether the drag is over.
+        finished: bool,
+    },
     /// Something about finding a route.
     Find(FindCommand),
     /// Choose another tab of the column.

@@ -8,7 +8,7 @@ use pilotage_core::plan::Prediction;
 use super::PlanCommand;
 use super::finder::{FindCommand, FindPick};
 use super::paint::corridor_band;
-use super::planner::Planner;
+use super::planner::{PlanTab, Planner};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::map::{ScreenFromWorld, paint_halo_text};
@@ -75,7 +75,8 @@ impl Planner {
     ) {
         for zone in &mission.no_fly {
             let corners: Vec<Pos2> = zone.corners.iter().map(|p| view.apply(p)).collect();
-            paint_area(painter, corners, true, tokens);
+            let corners_held = self.tab == PlanTab::Ground;
+            paint_area(painter, corners, true, corners_held, tokens);
             if let Some(middle) = middle(&zone.corners) {
                 let at = view.apply(&middle);
                 let (align, font) = (Align2::CENTER_CENTER, tokens.small());
@@ -86,7 +87,7 @@ impl Planner {
         if !finder.corners.is_empty() {
             let mut corners: Vec<Pos2> = finder.corners.iter().map(|p| view.apply(p)).collect();
             corners.extend(pointer);
-            paint_area(painter, corners, false, tokens);
+            paint_area(painter, corners, false, true, tokens);
         }
         if let Some(found) = &finder.found {
             paint_prediction(painter, view, &found.shortest.prediction, tokens.ghost);
@@ -139,12 +140,19 @@ fn paint_prediction(
 }
 
 /// An area with its edge and slanting lines, which also work where it is no convex polygon.
-fn paint_area(painter: &Painter, mut corners: Vec<Pos2>, closed: bool, tokens: &Tokens) {
+/// `held` says whether its corners can be taken.
+fn paint_area(
+    painter: &Painter,
+    mut corners: Vec<Pos2>,
+    closed: bool,
+    held: bool,
+    tokens: &Tokens,
+) {
     if closed {
         hatch(painter, &corners, tokens.warning.gamma_multiply(0.7));
     }
     for at in &corners {
-        painter.circle_filled(*at, if closed { 2.0 } else { 4.0 }, tokens.warning);
+        painter.circle_filled(*at, if held { 4.0 } else { 2.0 }, tokens.warning);
     }
     if closed {
         corners.extend(corners.first().copied());

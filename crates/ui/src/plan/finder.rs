@@ -8,8 +8,10 @@ use pilotage_core::simulate::GuidanceSettings;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
+use super::command::AreaChange;
 use super::heat::HeatOf;
 use super::planner::{Planner, cruise, ground_down, height, line, usual_altitude};
+use super::routes::Step;
 use super::words::Outlook;
 use crate::documents::Documents;
 use crate::host::Host;
@@ -387,6 +389,30 @@ impl Documents {
             corners,
             ..NoFlyZone::default()
         });
+    }
+
+    /// Changes an area that must not be flown over.
+    pub fn edit_no_fly(&mut self, index: usize, step: Step, change: AreaChange) {
+        let Some(zone) = self.mission.no_fly.get(index) else {
+            return;
+        };
+        let mut zone = zone.clone();
+        match change {
+            AreaChange::Name(name) => zone.name = name,
+            AreaChange::Corner(corner, to) => {
+                if let Some(place) = zone.corners.get_mut(corner) {
+                    *place = to;
+                }
+            }
+        }
+        if zone != self.mission.no_fly[index] {
+            self.history.begin_drag(&self.mission);
+            self.mission.no_fly[index] = zone;
+            self.mission_edited = true;
+        }
+        if step == Step::Whole {
+            self.history.finish_drag(&self.mission);
+        }
     }
 
     /// Deletes an area that must not be flown over; false if there is none of that number.

@@ -1,10 +1,11 @@
 //! The ground: where a fix would be had, no-fly areas, and finding a route over it.
 
-use egui::{Align, DragValue, Layout, Slider, Ui};
+use egui::{Align, DragValue, Layout, Slider, TextEdit, Ui};
 use pilotage_core::frames::AltitudeFrame;
 use pilotage_core::plan::{Aim, BudgetOf};
 
 use super::PlanCommand;
+use super::command::AreaChange;
 use super::find_tool::hint;
 use super::finder::{Compared, FindCommand, FindPick};
 use super::heat::{HeatCommand, HeatOf};
@@ -22,7 +23,7 @@ use crate::units::Units;
 /// Draws the tab.
 pub fn ground_tab(
     ui: &mut Ui,
-    planner: &Planner,
+    planner: &mut Planner,
     documents: &Documents,
     context: &mut ViewContext<'_>,
 ) {
@@ -140,13 +141,39 @@ fn heat_state(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
     }
 }
 
-fn areas(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
+/// The name of an area in a field of its own.
+fn area_name(ui: &mut Ui, planner: &mut Planner, index: usize, context: &mut ViewContext<'_>) {
+    let zone = &context.mission.no_fly[index];
+    let draft = match &mut planner.area_draft {
+        Some((of, text)) if *of == index => text,
+        _ => &mut zone.name.clone(),
+    };
+    let field = TextEdit::singleline(draft).desired_width(0.6 * ui.available_width());
+    let field = ui.add(field);
+    let field = field.accessible_name(format!("Name of {}", zone.name));
+    if field.lost_focus() {
+        let name = draft.trim().to_owned();
+        if !name.is_empty() && name != zone.name {
+            context.commands.push(Command::Plan(PlanCommand::EditArea {
+                index,
+                change: AreaChange::Name(name),
+                finished: true,
+            }));
+        }
+        planner.area_draft = None;
+    } else if field.has_focus() {
+        planner.area_draft = Some((index, draft.clone()));
+    }
+}
+
+fn areas(ui: &mut Ui, planner: &mut Planner, context: &mut ViewContext<'_>) {
     let tokens = context.tokens;
     let drawing = planner.finder.pick == FindPick::Area;
     caption(ui, tokens, "No-fly areas");
     let mission = context.mission;
     for (index, zone) in mission.no_fly.iter().enumerate() {
-        row(ui, &zone.name, |ui| {
+        ui.horizontal(|ui| {
+            area_name(ui, planner, index, context);
             let label = format!("Delete {}", zone.name);
             if icon_button(ui, tokens, Icon::Trash, &label).clicked() {
                 say(context, FindCommand::DeleteArea(index));
@@ -154,6 +181,10 @@ fn areas(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
             let corners = format!("{} corners", zone.corners.len());
             ui.label(muted(tokens, corners));
         });
+    }
+    if !mission.no_fly.is_empty() {
+        let words = "Drag a corner on the map to move it.";
+        ui.label(muted(tokens, words));
     }
     ui.horizontal(|ui| {
         let label = if drawing {

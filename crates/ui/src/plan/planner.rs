@@ -113,6 +113,8 @@ pub struct Planner {
     pub(super) editor: LandmarkEditor,
     /// The name being typed for the selected route.
     pub(super) name_draft: Option<(u32, String)>,
+    /// The name being typed for a no-fly area, by its number.
+    pub(super) area_draft: Option<(usize, String)>,
     /// Whether the map was fitted to the plan.
     pub fitted: bool,
 }

@@ -6,7 +6,8 @@ use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{Mission, Route};
 
 use super::PlanCommand;
-use super::planner::Planner;
+use super::command::AreaChange;
+use super::planner::{PlanTab, Planner};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::landmarks::LandmarkChange;
@@ -28,6 +29,8 @@ pub enum Hit {
     Route(u32),
     /// A corner of the selected landmark's outline.
     Corner(usize),
+    /// A corner of a no-fly area: number of the area and of the corner.
+    Area(usize, usize),
 }
 
 /// The pointer's own state.
@@ -37,6 +40,8 @@ pub struct PlanTool {
     dragged: Option<usize>,
     /// The landmark and the corner of its outline that is being dragged.
     corner: Option<(u32, usize)>,
+    /// The no-fly area and the corner of it that is being dragged.
+    area: Option<(usize, usize)>,
     /// What the pointer is over.
     pub(super) hovered: Option<Hit>,
     /// Where the pointer is, while something is drawn.
@@ -100,6 +105,16 @@ fn hit(
             return Some(Hit::Middle(index));
         }
     }
+    if planner.tab == PlanTab::Ground {
+        let zones = mission.no_fly.iter().enumerate();
+        let places = zones.flat_map(|(zone, of)| {
+            let corners = of.corners.iter().enumerate();
+            corners.map(move |(corner, p)| ((zone, corner), view.apply(p)))
+        });
+        if let Some((zone, corner)) = nearest(places, at) {
+            return Some(Hit::Area(zone, corner));
+        }
+    }
     let others = mission
         .routes
         .iter()
@@ -157,6 +172,7 @@ impl PlanTool {
                     });
                 }
                 Some(Hit::Corner(index)) => self.corner = landmark.map(|l| (l.id, index)),
+                Some(Hit::Area(zone, corner)) => self.area = Some((zone, corner)),
                 _ => {}
             }
         }
@@ -175,6 +191,21 @@ impl PlanTool {
             }
             if over {
                 self.corner = None;
+            }
+            ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
+            return true;
+        }
+        if let Some((index, corner)) = self.area {
+            let over = response.drag_stopped() || !response.dragged();
+            if let Some(at) = at {
+                say(PlanCommand::EditArea {
+                    index,
+                    change: AreaChange::Corner(corner, view.inverse(at)),
+                    finished: over,
+                });
+            }
+            if over {
+                self.area = None;
             }
             ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
             return true;
@@ -232,7 +263,7 @@ fn clicked(
             finished: true,
         }),
         Some(Hit::Route(id)) => say(PlanCommand::SelectRoute(id)),
-        Some(Hit::Corner(_)) => {}
+        Some(Hit::Corner(_) | Hit::Area(..)) => {}
         None => {
             if planner.way_point.is_some() {
                 say(PlanCommand::SelectWayPoint(None));

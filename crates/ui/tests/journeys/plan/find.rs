@@ -3,7 +3,7 @@ use egui_kittest::kittest::Queryable as _;
 use pilotage_core::plan::{Aim, BudgetOf};
 use pilotage_ui::jobs::Job;
 
-use super::{click, number, planning, scroll, set};
+use super::{click, number, planning, screen, scroll, set};
 
 #[test]
 fn a_route_is_found_beside_the_straight_line_accepted_and_undone() {
@@ -63,7 +63,24 @@ fn a_no_fly_area_is_drawn_flown_around_and_undone() {
     rig.settle();
     assert!(number(&rig, "/find/shortest/way_points") > 2.0);
     assert!(number(&rig, "/find/shortest/length") > 640.0);
-    rig.harness.get_by_label("Delete No-fly area 1").click();
+    rig.harness.get_by_label("Name of No-fly area 1").click();
+    rig.frames(2);
+    rig.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    rig.harness.event(egui::Event::Text("Airfield".into()));
+    rig.frames(2);
+    rig.key(Key::Enter);
+    rig.settle();
+    let corner = |north, east| screen(&rig, north, east);
+    let (from, to) = (corner(120.0, 60.0), corner(160.0, 90.0));
+    rig.drag(from, to);
+    rig.settle();
+    let moved = number(&rig, "/areas/0/corners/2/0");
+    assert!((moved - 160.0).abs() < 3.0, "{moved}");
+    rig.harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    rig.settle();
+    let back = number(&rig, "/areas/0/corners/2/0");
+    assert!((back - 120.0).abs() < 3.0, "the drag is one step: {back}");
+    rig.harness.get_by_label("Delete Airfield").click();
     rig.settle();
     assert_eq!(
         rig.state()["plan"]["no_fly"].as_array().map(Vec::len),

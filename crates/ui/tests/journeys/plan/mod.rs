@@ -55,7 +55,9 @@ pub fn click(rig: &mut Rig, north: f64, east: f64) {
 
 /// Sets a number by its accessible name, in the unit that is shown.
 pub fn set(rig: &mut Rig, name: &str, value: f64) {
-    rig.harness.get_by_label(name).set_value_accesskit(value);
+    rig.harness
+        .get_by_role_and_label(egui::accesskit::Role::SpinButton, name)
+        .set_value_accesskit(value);
     rig.settle();
 }
 

@@ -96,11 +96,13 @@ fn a_lower_limit_marks_a_stretch_and_says_how_long_it_is() {
     assert!(number(&rig, "/prediction/stretches") >= 1.0);
     assert!(number(&rig, "/prediction/over") > 0.0);
     assert_eq!(count(&rig, "Over your limit of 1.0 m"), 1);
-    let nowhere = "Over the limit: nowhere";
     let readouts = |rig: &Rig| {
-        rig.harness
-            .query_all_by(|n| n.label().is_some_and(|l| l.contains(nowhere)))
-            .count()
+        let nowhere =
+            |text: Option<String>| text.is_some_and(|t| t.contains("Over the limit: nowhere"));
+        let found = rig
+            .harness
+            .query_all_by(|n| nowhere(n.label()) || nowhere(n.value()));
+        found.count()
     };
     assert_eq!(readouts(&rig), 0);
     set(&mut rig, "Limit of σ", 5000.0);
