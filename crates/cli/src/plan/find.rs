@@ -9,12 +9,12 @@ use pilotage_core::frames::{GroundPoint, LocalFrame};
 use pilotage_core::imagery::terrain::{Dem, Terrain as _};
 use pilotage_core::plan::{
     Aim, BudgetOf, FieldBuilder, FieldView, FixSource, Forbidden, FoundRoutes, PlannedLandmark,
-    Prediction, PredictionRequest, RouteQuestion, Turns, growth_before_first_fix,
+    Prediction, PredictionRequest, RouteQuestion, Turns,
 };
 use pilotage_core::simulate::{FlightPlan, GuidanceSettings};
 use serde::Serialize;
 
-use super::{Arguments, Ground, expected, rank, way_points};
+use super::{Arguments, Ground, expected, rehearsed, way_points};
 use crate::files::DiskFile;
 
 /// Standard deviation of the position with which the field is computed, metres.
@@ -137,7 +137,8 @@ pub(super) fn find(
             .iter()
             .filter_map(|l| FixSource::of(l, ground.height))
             .collect(),
-        Over::Map => rank(arguments, ground, None)
+        Over::Map => rehearsed(arguments, ground, true)?
+            .ranked()
             .iter()
             .map(|c| FixSource {
                 bounds: c.bounds,
@@ -160,7 +161,6 @@ pub(super) fn find(
         forbidden: high_ground(wanted, ground)?,
         airspeed: plan.airframe.cruise,
         wind: plan.wind,
-        before_first_fix: growth_before_first_fix(&ground.mission.navigator),
         turns: turns(&plan),
         budget: wanted.budget,
         budget_of: match wanted.budget_of {

@@ -9,31 +9,19 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use clap::Args;
-use pilotage_core::frames::{GroundPoint, Pose};
-use pilotage_core::imagery::Imagery;
+use pilotage_core::frames::GroundPoint;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::write_mission;
 use pilotage_core::plan::{
-    Assessor, Candidate, Circumstances, Envelope, EnvelopeSurvey, PlannedLandmark, Prediction,
-    PredictionRequest, Ranking, Rehearsal, Reliability, Suggestion, Verification, choose_lasting,
-    fading, poses_all_over, poses_over,
+    Assessor, Circumstances, Envelope, EnvelopeSurvey, FieldView, PlannedLandmark, Prediction,
+    PredictionRequest, Proposal, ProposalQuestion, Rehearsal, Reliability, Suggestion,
+    Verification,
 };
 use serde::Serialize;
 
 use ground::{Ground, way_points};
 
 use crate::Outcome;
-
-/// Rehearsal days of a suggestion: with three, what is proposed depends on which they are.
-const SUGGESTION_DAYS: u64 = 8;
-/// Rehearsal days of an envelope.
-const DAYS: u64 = 3;
-/// Heights of an envelope, shares of the planned one.
-const HEIGHTS: [f64; 5] = [0.5, 0.75, 1.0, 1.5, 2.25];
-/// Tilts of an envelope, degrees.
-const TILTS: [f64; 4] = [0.0, 10.0, 20.0, 30.0];
-/// Looks in each of its cells.
-const LOOKS: usize = 6;
 
 /// What to plan.
 #[derive(Args)]
@@ -57,6 +45,10 @@ pub struct Arguments {
     /// it is not stated.
     #[arg(long)]
     side: Option<f64>,
+    /// Standard deviation of the position per axis, metres, when proposed landmarks are looked for:
+    /// how far around them look-alikes count.
+    #[arg(long, default_value_t = Proposal::POSITION)]
+    position: f64,
     /// Predict the uncertainty along the route.
     #[arg(long)]
     predict: bool,
@@ -212,44 +204,42 @@ fn sample(s: &pilotage_core::plan::PredictionSample) -> Sample {
     }
 }
 
-/// The poses from which landmarks may be seen: along the route, or all over the map without one.
-fn poses(ground: &Ground) -> Vec<(f64, Pose)> {
-    if let Some(plan) = &ground.plan {
-        let first = ground
-            .mission
-            .routes
-            .first()
-            .and_then(|r| r.way_points.first());
-        let speed = first.and_then(|w| w.speed).unwrap_or(plan.airframe.cruise);
-        return poses_over(&plan.way_points, ground.height, speed, plan.ground_down);
-    }
-    let step = 0.5 * ground.height * ground.camera.height as f64 / ground.camera.focal;
-    poses_all_over(ground.map.as_ref(), ground.height, step, 0.0)
-}
-
-/// Side of the boxes that are tried, metres.
-fn side(arguments: &Arguments, ground: &Ground) -> f64 {
-    let shorter = ground.camera.width.min(ground.camera.height) as f64;
-    let across = ground.height * shorter / ground.camera.focal;
-    arguments.side.unwrap_or(across / 3.0)
-}
-
-/// The places of the map that would serve as landmarks, the best first; only those in view of `frames`
-/// where some are given.
-fn rank(arguments: &Arguments, ground: &Ground, frames: Option<&[(f64, Pose)]>) -> Vec<Candidate> {
-    let days: Vec<Arc<dyn Imagery>> = (0..SUGGESTION_DAYS)
-        .map(|day| ground.days.day(arguments.seed.wrapping_mul(1000) + day))
-        .collect();
-    let side = side(arguments, ground);
+/// The places of the map as landmarks are proposed from them, rehearsed; all over the map or only along
+/// the route.
+fn rehearsed(
+    arguments: &Arguments,
+    ground: &Ground,
+    all_over: bool,
+) -> Result<Proposal, Box<dyn std::error::Error>> {
+    let plan = ground.plan.as_ref().filter(|_| !all_over);
+    let settings = &ground.mission.navigator;
+    let first = ground
+        .mission
+        .routes
+        .first()
+        .and_then(|r| r.way_points.first());
+    let cruise = plan.map_or(1.0, |p| p.airframe.cruise);
+    let mut proposal = Proposal::new(ProposalQuestion {
+        map: Arc::clone(&ground.map),
+        days: Proposal::days(ground.days.as_ref(), arguments.seed),
+        view: FieldView {
+            camera: ground.camera.clone(),
+            height: ground.height,
+            position: arguments.position,
+            tilt: settings.sensors.roll.max(settings.sensors.pitch),
+        },
+        way_points: plan.map_or_else(Vec::new, |p| p.way_points.clone()),
+        speed: first.and_then(|w| w.speed).unwrap_or(cruise),
+        ground_down: plan.map_or(0.0, |p| p.ground_down),
+        navigator: settings.clone(),
+        side: arguments.side,
+        taken: Vec::new(),
+    })
+    .ok_or("the camera does not see the ground")?;
     let begun = std::time::Instant::now();
-    let region = ground.map.bounds();
-    let mut ranking = Ranking::new(Arc::clone(&ground.map), &days, &region, side, side);
-    if let Some(frames) = frames {
-        ranking = ranking.seen_from(&ground.camera, frames, 0.0);
-    }
-    let (_, places) = ranking.progress();
-    while ranking.advance() {
-        let (done, _) = ranking.progress();
+    let (_, places) = proposal.progress();
+    while proposal.advance() {
+        let (done, _) = proposal.progress();
         if done % 500 == 0 {
             eprintln!(
                 "{:3} %  {done} of {places} places",
@@ -257,13 +247,12 @@ fn rank(arguments: &Arguments, ground: &Ground, frames: Option<&[(f64, Pose)]>) 
             );
         }
     }
-    let ranked = ranking.ranked();
     eprintln!(
-        "{} of {places} places of {side:.0} m would serve, {:.1} s",
-        ranked.len(),
+        "{places} places of {:.0} m rehearsed, {:.1} s",
+        proposal.side(),
         begun.elapsed().as_secs_f64()
     );
-    ranked
+    Ok(proposal)
 }
 
 fn suggest(
@@ -271,10 +260,7 @@ fn suggest(
     ground: &Ground,
     count: usize,
 ) -> Result<Vec<Suggestion>, Box<dyn std::error::Error>> {
-    let frames = poses(ground);
-    let ranked = rank(arguments, ground, ground.plan.as_ref().map(|_| &frames[..]));
-    let lasting = fading(&ground.mission.navigator);
-    let chosen = choose_lasting(&ranked, &ground.camera, &frames, 0.0, lasting, count);
+    let chosen = rehearsed(arguments, ground, false)?.chosen(count);
     if chosen.is_empty() {
         return Err(
             "no place of the map is distinct enough; try another --side or --height".into(),
@@ -306,26 +292,23 @@ fn circumstances(ground: &Ground) -> Circumstances {
 
 /// From which heights and with which tilts each landmark is found.
 fn envelopes(arguments: &Arguments, ground: &Ground) -> Vec<Envelope> {
-    let days: Vec<Arc<dyn Imagery>> = (0..DAYS)
-        .map(|day| ground.days.drawn(arguments.seed.wrapping_mul(2000) + day))
-        .collect();
+    let days = ground.days.spread(EnvelopeSurvey::DAYS, arguments.seed);
     let enabled = ground.mission.landmarks.iter().filter(|l| l.enabled);
     enabled
         .map(|landmark| {
             let map = Arc::clone(&ground.map);
             let assessor =
                 Assessor::new(landmark, map, &days, circumstances(ground), arguments.seed);
-            let heights = HEIGHTS.map(|h| h * ground.height).to_vec();
-            let tilts = TILTS.map(f64::to_radians).to_vec();
-            let mut survey = EnvelopeSurvey::new(assessor, heights, tilts, LOOKS);
+            let mut survey = EnvelopeSurvey::usual(assessor);
             while survey.advance() {}
             let envelope = survey.envelope().clone();
             println!(
-                "{}: height, then found of looks at tilts of {TILTS:?} degrees",
-                landmark.name
+                "{}: height, then found of looks at tilts of {:?} degrees",
+                landmark.name,
+                EnvelopeSurvey::TILTS
             );
             for (row, height) in envelope.heights.iter().enumerate() {
-                let cells = (0..TILTS.len()).filter_map(|tilt| envelope.at(row, tilt));
+                let cells = (0..envelope.tilts.len()).filter_map(|tilt| envelope.at(row, tilt));
                 let cells: Vec<String> =
                     cells.map(|c| format!("{}/{}", c.found, c.looks)).collect();
                 println!("{height:8.0} m  {}", cells.join("  "));

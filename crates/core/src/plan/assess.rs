@@ -165,9 +165,19 @@ impl Assessor {
         StandardNormal.sample(&mut self.random)
     }
 
+    /// Height of the camera above ground, metres.
+    pub fn height(&self) -> f64 {
+        self.circumstances.height
+    }
+
     /// The next view; days take turns. `None` if the landmark does not fit into the picture.
     pub fn look(&mut self) -> Option<View> {
-        let day = self.views.len() % self.days.len();
+        self.look_on(self.views.len())
+    }
+
+    /// A view on a day, counted round. `None` if the landmark does not fit into the picture.
+    fn look_on(&mut self, day: usize) -> Option<View> {
+        let day = day % self.days.len();
         let heading = TAU * self.random.random::<f64>();
         let margin = self.margin(heading)?;
         let camera = &self.circumstances.camera;
@@ -180,11 +190,11 @@ impl Assessor {
         self.glance(day, heading, wanted)
     }
 
-    /// The next view from another height (metres) with another tilt (radians).
-    pub fn look_from(&mut self, height: f64, tilt: f64) -> Option<View> {
+    /// A view on a day, counted round, from another height (metres) with another tilt (radians).
+    pub fn look_from(&mut self, day: usize, height: f64, tilt: f64) -> Option<View> {
         let usual = (self.circumstances.height, self.circumstances.tilt);
         (self.circumstances.height, self.circumstances.tilt) = (height, tilt);
-        let view = self.look();
+        let view = self.look_on(day);
         (self.circumstances.height, self.circumstances.tilt) = usual;
         view
     }

@@ -1,5 +1,6 @@
 //! From where a landmark can be found: over heights and tilts of the camera.
 
+use nalgebra::Matrix2;
 use serde::{Deserialize, Serialize};
 
 use super::{Assessor, View};
@@ -13,16 +14,31 @@ pub struct Tally {
     pub found: usize,
     /// Those in which a wrong place was accepted.
     pub wrong: usize,
+    /// Sum of the covariances of the place (north, east) where it was found, square metres.
+    pub covariances: Matrix2<f64>,
 }
 
 impl Tally {
     /// Sums views up.
     pub fn of<'a>(views: impl IntoIterator<Item = &'a View>) -> Self {
-        views.into_iter().fold(Self::default(), |sum, view| Self {
-            looks: sum.looks + 1,
-            found: sum.found + usize::from(view.found()),
-            wrong: sum.wrong + usize::from(view.wrong),
-        })
+        let mut sum = Self::default();
+        views.into_iter().for_each(|view| sum.add(view));
+        sum
+    }
+
+    /// Counts one view more.
+    pub fn add(&mut self, view: &View) {
+        self.looks += 1;
+        self.wrong += usize::from(view.wrong);
+        if let Some(found) = view.sighting.best().filter(|_| view.found()) {
+            self.found += 1;
+            self.covariances += found.covariance.fixed_view::<2, 2>(0, 0);
+        }
+    }
+
+    /// Mean covariance of the place (north, east) where it was found, square metres; `None` if never.
+    pub fn covariance(&self) -> Option<Matrix2<f64>> {
+        (self.found > 0).then(|| self.covariances / self.found as f64)
     }
 
     /// Share of the looks in which it was found; `None` without a look.
@@ -69,6 +85,22 @@ pub struct EnvelopeSurvey {
 }
 
 impl EnvelopeSurvey {
+    /// Days on which it looks.
+    pub const DAYS: usize = 3;
+    /// Looks in each cell.
+    pub const LOOKS: usize = 6;
+    /// Heights that are tried, as shares of the planned one.
+    pub const HEIGHTS: [f64; 5] = [0.5, 0.75, 1.0, 1.5, 2.25];
+    /// Tilts that are tried, degrees.
+    pub const TILTS: [f64; 4] = [0.0, 10.0, 20.0, 30.0];
+
+    /// The usual heights around the planned one and the usual tilts.
+    pub fn usual(assessor: Assessor) -> Self {
+        let heights = Self::HEIGHTS.map(|share| share * assessor.height());
+        let tilts = Self::TILTS.map(f64::to_radians);
+        Self::new(assessor, heights.to_vec(), tilts.to_vec(), Self::LOOKS)
+    }
+
     /// `each` looks from every height (metres) with every tilt (radians).
     pub fn new(assessor: Assessor, heights: Vec<f64>, tilts: Vec<f64>, each: usize) -> Self {
         let cells = vec![Tally::default(); heights.len() * tilts.len()];
@@ -100,12 +132,10 @@ impl EnvelopeSurvey {
         let tilts = self.envelope.tilts.len();
         let height = self.envelope.heights[cell / tilts];
         let tilt = self.envelope.tilts[cell % tilts];
-        if let Some(view) = self.assessor.look_from(height, tilt) {
-            let one = Tally::of([&view]);
-            let sum = &mut self.envelope.cells[cell];
-            sum.looks += one.looks;
-            sum.found += one.found;
-            sum.wrong += one.wrong;
+        // Every cell goes through the days, however many cells there are.
+        let day = done / self.envelope.cells.len();
+        if let Some(view) = self.assessor.look_from(day, height, tilt) {
+            self.envelope.cells[cell].add(&view);
         }
         true
     }
@@ -143,7 +173,7 @@ mod tests {
         let days = SceneryDays {
             scenery: Scenario::map(),
         };
-        let assessor = Assessor::new(pool, map, &days.spread(1, 5), circumstances, 5);
+        let assessor = Assessor::new(pool, map, &days.spread(2, 5), circumstances, 5);
         let (heights, tilts) = (vec![30.0, 122.0], vec![0.0, 0.3]);
         let mut survey = EnvelopeSurvey::new(assessor, heights, tilts, 4);
         while survey.advance() {}
@@ -153,5 +183,12 @@ mod tests {
         let usual = envelope.at(1, 0).unwrap();
         assert!(usual.looks == 4 && usual.found >= 3, "{envelope:?}");
         assert!(envelope.at(1, 1).unwrap().looks >= 3, "{envelope:?}");
+        // Two cells hold the pool and there are two days: neither cell sees one of them alone.
+        let on = |tilt: f64, day: usize| {
+            let views = survey.assessor.views().iter();
+            views.filter(|v| v.tilt == tilt && v.day == day).count()
+        };
+        assert_eq!([on(0.0, 0), on(0.0, 1)], [2, 2]);
+        assert!(on(0.3, 0) > 0 && on(0.3, 1) > 0);
     }
 }

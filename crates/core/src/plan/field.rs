@@ -18,6 +18,8 @@ use crate::frames::{Attitude, GroundPoint, GroundRect, Pose};
 const HEADINGS: usize = 12;
 /// Standard deviations beyond which a place cannot matter.
 const FAR: f64 = 4.0;
+/// Greatest distance at which look-alikes are looked for, in sides of a box.
+const WIDEST: f64 = 6.0;
 /// Uncertainty of the position below which an edge is drawn as sharp, metres.
 const SHARP: f64 = 1.0;
 
@@ -66,6 +68,12 @@ impl FieldView {
     /// Uncertainty of where the picture lies on the ground, metres per axis.
     pub fn spread(&self) -> f64 {
         self.position.hypot(self.height * self.tilt).max(SHARP)
+    }
+
+    /// How far around a box of `side` metres the detector comes to look for it, metres: as many standard
+    /// deviations as it searches, but a side at least, and no more than six.
+    pub fn searched(&self, search_sigmas: f64, side: f64) -> f64 {
+        (search_sigmas * self.spread()).clamp(side, WIDEST * side)
     }
 
     /// Shorter side of the picture on the ground, metres; `None` if it does not see the ground.

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use super::blind_way::{BlindWay, Unsure};
+use super::blind_way::BlindWay;
 use super::find::RouteQuestion;
 use crate::frames::GroundPoint;
 
@@ -77,7 +77,8 @@ pub(super) struct Graph {
 struct Label {
     node: usize,
     cost: f64,
-    unsure: Unsure,
+    /// Metres without a fix.
+    u: f64,
     before: Option<usize>,
 }
 
@@ -87,7 +88,7 @@ struct Queued {
     /// What is paid so far, as the order has it.
     paid: f64,
     cost: f64,
-    unsure: Unsure,
+    u: f64,
     node: usize,
     before: Option<usize>,
 }
@@ -183,19 +184,19 @@ impl Graph {
             order: 0.0,
             paid: 0.0,
             cost: 0.0,
-            unsure: Unsure::START,
+            u: 0.0,
             node: 0,
             before: None,
         });
         while let Some(head) = queue.pop() {
-            if head.node != 0 && !frontier.still(head.node, head.unsure.metres, head.order) {
+            if head.node != 0 && !frontier.still(head.node, head.u, head.order) {
                 continue;
             }
             let number = labels.len();
             labels.push(Label {
                 node: head.node,
                 cost: head.cost,
-                unsure: head.unsure,
+                u: head.u,
                 before: head.before,
             });
             if head.node == 1 {
@@ -204,7 +205,7 @@ impl Graph {
             let label = &labels[number];
             for way in &self.ways[label.node] {
                 let cost = label.cost + way.cost;
-                let unsure = way.blind.after(label.unsure);
+                let u = way.blind.end.of(label.u);
                 if cost + ahead[way.to] > most * (1.0 + 1e-9)
                     || Self::passed(&labels, number, way.to)
                 {
@@ -212,25 +213,25 @@ impl Graph {
                 }
                 let (paid, order) = match aimed {
                     Aimed::Under(limit) => {
-                        if way.blind.worst(label.unsure) > limit {
+                        if way.blind.worst(label.u) > limit {
                             continue;
                         }
                         (cost, cost + ahead[way.to])
                     }
                     Aimed::Priced(price) => {
-                        let blind = way.blind.integral.of(label.unsure);
+                        let blind = way.blind.integral.of(label.u);
                         let paid = head.paid + blind + price * way.blind.length;
                         (paid, paid)
                     }
                 };
-                if !frontier.take(way.to, unsure.metres, order) {
+                if !frontier.take(way.to, u, order) {
                     continue;
                 }
                 queue.push(Queued {
                     order,
                     paid,
                     cost,
-                    unsure,
+                    u,
                     node: way.to,
                     before: Some(number),
                 });

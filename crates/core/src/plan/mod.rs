@@ -2,6 +2,7 @@
 
 mod assess;
 mod blind_way;
+mod breakdown;
 mod calibration;
 mod corridor;
 mod day_factor;
@@ -16,6 +17,7 @@ mod no_fly;
 mod offered;
 mod prediction;
 mod propagate;
+mod proposal;
 mod random_route;
 mod smooth;
 mod stated;
@@ -23,6 +25,7 @@ mod suggest;
 mod view;
 
 pub use assess::{Assessor, Circumstances, Rehearsal, View};
+pub use breakdown::Breakdown;
 pub use calibration::{Pass, Reliability, ReliabilityBin};
 pub use corridor::{Belief, Corridor, corridor};
 pub use days::{OtherDays, PictureDays, SceneryDays, any_day};
@@ -31,7 +34,6 @@ pub use envelope::{Envelope, EnvelopeSurvey, Tally, tally_by};
 pub use field::{FieldBuilder, FieldView, FixSource, Localizability};
 pub use find::{
     Aim, BudgetOf, FindError, Forbidden, FoundRoute, FoundRoutes, RouteQuestion, RouteSearch,
-    growth_before_first_fix,
 };
 pub use honesty::{Comparison, Verification, compare};
 pub use no_fly::{NoFlyArea, inside};
@@ -39,6 +41,7 @@ pub use offered::OfferedField;
 pub use prediction::{
     PlannedLandmark, Prediction, PredictionError, PredictionRequest, PredictionSample, Stretch,
 };
+pub use proposal::{Proposal, ProposalQuestion};
 pub use random_route::{random_places, random_route};
 pub use smooth::{Turns, fits};
 pub use stated::{StatedDetector, StatedFrames, as_stated};

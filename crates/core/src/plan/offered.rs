@@ -8,9 +8,6 @@ use super::suggest::{Candidate, Ranking};
 use crate::frames::{GroundPoint, GroundRect};
 use crate::imagery::Imagery;
 
-/// Greatest radius within which look-alikes are looked for, in sides of a box.
-const WIDEST: f64 = 6.0;
-
 /// The field of a map without landmarks: every place of a lattice is rehearsed as if it were one.
 ///
 /// A place whose patch is flat or like its neighbours fails its rehearsal, so that water, woods and
@@ -78,7 +75,7 @@ impl OfferedField {
         (side, step): (f64, f64),
         search_sigmas: f64,
     ) -> Self {
-        let radius = (search_sigmas * view.spread()).clamp(side, WIDEST * side);
+        let radius = view.searched(search_sigmas, side);
         Self {
             map,
             days,

@@ -88,21 +88,21 @@ impl Candidate {
 }
 
 /// Rehearses the places of a map, one a call, so that the caller can show progress and stop.
-pub struct Ranking<'a> {
+pub struct Ranking {
     map: Arc<dyn Imagery>,
-    days: &'a [Arc<dyn Imagery>],
+    days: Vec<Arc<dyn Imagery>>,
     radius: f64,
     places: Vec<GroundRect>,
     next: usize,
     found: Vec<Candidate>,
 }
 
-impl<'a> Ranking<'a> {
+impl Ranking {
     /// Boxes of `side` metres all over `region`, half a side apart, to be rehearsed on `days` within
     /// `radius` metres around them.
     pub fn new(
         map: Arc<dyn Imagery>,
-        days: &'a [Arc<dyn Imagery>],
+        days: &[Arc<dyn Imagery>],
         region: &GroundRect,
         side: f64,
         radius: f64,
@@ -121,7 +121,7 @@ impl<'a> Ranking<'a> {
         }
         Self {
             map,
-            days,
+            days: days.to_vec(),
             radius,
             places,
             next: 0,

@@ -5,7 +5,9 @@ use pilotage_core::mission::Route;
 
 use super::{App, SideTab};
 use crate::documents::landmarks::{Drawn, LandmarkChange};
-use crate::plan::{Cover, Marking, Pattern, PlanCommand, PlanTab, Purpose, planner as planning};
+use crate::plan::{
+    Cover, Marking, Pattern, PlanCommand, PlanTab, Purpose, SuggestCommand, planner as planning,
+};
 
 impl App {
     /// Carries out what is about landmarks; gives back what is not.
@@ -33,6 +35,21 @@ impl App {
                     self.desk.document_changed = true;
                     self.selection = Some(*last);
                     self.views.planner.mark(copies);
+                    self.after_landmarks(true, now);
+                }
+            }
+            PlanCommand::Suggest(command) => {
+                let planner = &mut self.views.planner;
+                if command == SuggestCommand::Start {
+                    planner.tab = PlanTab::Landmarks;
+                }
+                let ids = planner
+                    .suggest_command(command, &mut self.documents)
+                    .landmarks;
+                if let Some(last) = ids.last() {
+                    self.desk.document_changed = true;
+                    // One is looked at; of several the proposals stay in sight.
+                    self.selection = Some(*last).filter(|_| ids.len() == 1);
                     self.after_landmarks(true, now);
                 }
             }

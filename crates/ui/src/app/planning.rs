@@ -86,6 +86,7 @@ impl App {
             PlanCommand::SetWind(wind) => self.views.planner.preferences.wind = wind,
             PlanCommand::Assess(_)
             | PlanCommand::AssessSelected
+            | PlanCommand::SurveyEnvelope
             | PlanCommand::AssessAll
             | PlanCommand::StopAssessing => self.assess(&command),
             PlanCommand::Heat(command) => {
@@ -236,7 +237,9 @@ impl App {
     fn assess(&mut self, command: &PlanCommand) {
         let ids: Vec<u32> = match command {
             PlanCommand::Assess(ids) => ids.clone(),
-            PlanCommand::AssessSelected => self.selection.into_iter().collect(),
+            PlanCommand::AssessSelected | PlanCommand::SurveyEnvelope => {
+                self.selection.into_iter().collect()
+            }
             PlanCommand::AssessAll => {
                 let landmarks = self.documents.mission.landmarks.iter();
                 landmarks.filter(|l| l.enabled).map(|l| l.id).collect()
@@ -250,7 +253,7 @@ impl App {
         let planner = &mut self.views.planner;
         let height = planner.flown_height(documents);
         let landmarks = ids.iter().filter_map(|id| documents.mission.landmark(*id));
-        let orders = landmarks.map(|landmark| AssessmentOrder {
+        let mut orders = landmarks.map(|landmark| AssessmentOrder {
             map: documents.map_source.clone(),
             landmark: landmark.clone(),
             camera: planning::camera(documents),
@@ -258,15 +261,21 @@ impl App {
             navigator: documents.mission.navigator.clone(),
             ground_down: planning::ground_down(documents),
         });
-        planner.assessments.ask(orders.collect());
+        if *command == PlanCommand::SurveyEnvelope {
+            planner.assessments.survey(orders.next());
+        } else {
+            planner.assessments.ask(orders.collect());
+        }
     }
 
     /// Takes what a worker says about the plan; false if it is about something else.
     pub(super) fn plan_event(&mut self, id: JobId, event: &JobEvent, now: f64) -> bool {
         let planner = &mut self.views.planner;
         planner.forecast.receive(id, event, now)
+            || planner.remedies.receive(id, event)
             || planner.heat.receive(id, event)
             || planner.finder.receive(id, event)
+            || planner.suggestions.receive(id, event)
             || planner
                 .assessments
                 .receive(id, event, &self.documents.mission.landmarks)
@@ -294,9 +303,13 @@ impl App {
         (planner.finder.from, planner.finder.to) = (finder.from, finder.to);
         finder.work(|| planner.find_order(&self.documents), host);
         planner.finder = finder;
+        let mut suggestions = std::mem::take(&mut planner.suggestions);
+        suggestions.work(|| planner.suggest_order(&self.documents), host);
+        planner.suggestions = suggestions;
         let order = planner.order(&self.documents);
         let limit = planner.preferences.limit;
         waits |= planner.forecast.work(order, limit, host);
+        planner.remedies.work(&planner.forecast, limit, host);
         if waits {
             context.request_repaint_after(std::time::Duration::from_millis(60));
         }
@@ -388,7 +401,15 @@ impl App {
             })).collect::<Vec<_>>(),
             "no_fly": mission.no_fly.iter().map(|z| z.corners.len()).collect::<Vec<_>>(),
             "heat": planner.heat_json(),
+            "remedies": planner.remedies.json(),
             "find": planner.find_json(),
+            "suggested": planner.suggestions_json(&mission.landmarks),
+            "envelopes": mission.landmarks.iter().filter_map(|l| {
+                let (height, envelope) = planner.assessments.envelope(l)?;
+                let looks = envelope.cells.iter().map(|c| c.looks).sum::<usize>();
+                Some(json!({"id": l.id, "height": height, "looks": looks}))
+            }).collect::<Vec<_>>(),
+            "surveying": planner.assessments.surveyed(),
             "measuring": planner.assessments.under_way().map(|(id, fraction, words)| {
                 json!({"id": id, "progress": fraction, "words": words})
             }),
@@ -411,6 +432,7 @@ impl App {
             let landmarks = &self.documents.mission.landmarks;
             let limit = planner.preferences.limit;
             parts.extend(outlook.sentences(limit, landmarks, self.view.units));
+            parts.extend(planner.remedies.sentences(self.view.units));
         }
         parts.join(" ")
     }

@@ -2,20 +2,21 @@
 
 use std::sync::Arc;
 
+use pilotage_core::frames::GroundRect;
 use pilotage_core::mission::Mission;
 
 use super::App;
 use super::desk::FlyJob;
 use crate::documents::Staged;
 use crate::host::Host;
-use crate::jobs::{FlightSource, Job, MapSource};
+use crate::jobs::{Distinctness, FlightSource, Job, MapSource};
 
 /// How long changes may follow each other before the run is computed again, milliseconds.
 const FLY_AGAIN_AFTER: f64 = 350.0;
 /// How long a landmark must rest before it is examined, milliseconds.
 const EXAMINE_AFTER: f64 = 120.0;
-/// How far around a landmark look-alikes are looked for, metres.
-const EXAMINE_RADIUS: f64 = 120.0;
+/// Change of the distance within which look-alikes count that is worth another look, metres.
+const OTHER_RADIUS: f64 = 0.5;
 /// Camera pictures decoded before their time has come.
 const DECODED_AHEAD: usize = 2;
 /// Most tiles asked for at a time.
@@ -130,6 +131,9 @@ impl App {
         if flies_now && self.desk.fly_again_at.is_some_and(|at| at <= now) {
             self.fly_again(host);
         }
+        if self.is_examined_otherwise() {
+            self.examine_soon(now);
+        }
         if self.desk.examine_at.is_some_and(|at| at <= now) {
             self.desk.examine_at = None;
             self.examine(host);
@@ -152,21 +156,49 @@ impl App {
     fn examine(&mut self, host: &mut dyn Host) {
         let Some(id) = self.selection else { return };
         self.desk.examined_in_vain = None;
-        if self.documents.distinctness_of(id).is_some() {
-            return;
-        }
         let Some(bounds) = self.documents.mission.landmark(id).map(|l| l.bounds) else {
             return;
         };
+        let radius = self.look_alike_radius(&bounds);
+        let known = self.documents.distinctness_of(id);
+        if known.is_some_and(|d| (d.radius - radius).abs() < OTHER_RADIUS) {
+            return;
+        }
         if let Some((job, _)) = self.desk.distinctness.take() {
             host.cancel(job);
         }
         let job = host.start(Job::Distinctness {
             map: self.documents.map_source.clone(),
             bounds,
-            radius: EXAMINE_RADIUS,
+            radius,
         });
         self.desk.distinctness = Some((job, id));
+    }
+
+    /// How far around a landmark the detector will look for it: that far look-alikes count, metres.
+    fn look_alike_radius(&self, bounds: &GroundRect) -> f64 {
+        let planner = &self.views.planner;
+        let height = planner.flown_height(&self.documents);
+        let view = planner.field_view(&self.documents, height);
+        let sigmas = self.documents.mission.navigator.detector.search_sigmas;
+        view.searched(sigmas, bounds.width().max(bounds.height()))
+    }
+
+    /// Whether the selected landmark was compared for another uncertainty of the position.
+    fn is_examined_otherwise(&self) -> bool {
+        let desk = &self.desk;
+        let waits = desk.distinctness.is_some() || desk.examine_at.is_some();
+        let Some(id) = self.selection.filter(|_| !waits) else {
+            return false;
+        };
+        let known = self.documents.distinctness_of(id);
+        let other =
+            |d: &Distinctness| (d.radius - self.look_alike_radius(&d.bounds)).abs() >= OTHER_RADIUS;
+        let in_vain = desk
+            .examined_in_vain
+            .as_ref()
+            .is_some_and(|(of, _)| *of == id);
+        known.is_some_and(other) && !in_vain
     }
 
     fn ask_for_tiles(&mut self, host: &mut dyn Host) {

@@ -6,7 +6,9 @@ use pilotage_core::camera::CameraModel;
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::navigator::NavigatorSettings;
-use pilotage_core::plan::{Assessor, Circumstances, DayTally, ExpectedDetection, Rehearsal};
+use pilotage_core::plan::{
+    Assessor, Breakdown, Circumstances, DayTally, ExpectedDetection, Rehearsal,
+};
 use serde::{Deserialize, Serialize};
 
 use super::running::SLICE;
@@ -30,6 +32,34 @@ pub struct AssessmentOrder {
     pub navigator: NavigatorSettings,
     /// Down coordinate of the ground plane, metres.
     pub ground_down: f64,
+}
+
+impl AssessmentOrder {
+    /// Prepares to look at the landmark on `days`.
+    pub(super) fn assessor(
+        &self,
+        workshop: &mut Workshop,
+        days: &[Arc<dyn Imagery>],
+    ) -> Result<Assessor, String> {
+        let map = workshop.map(&self.map)?;
+        let map: Arc<dyn Imagery> = Arc::new(CachedImagery::new(map, CACHE_MEGABYTES));
+        let circumstances = Circumstances {
+            camera: self.camera.clone(),
+            height: self.height,
+            position: Rehearsal::POSITION,
+            sensors: self.navigator.sensors,
+            detector: self.navigator.detector,
+            ground_down: self.ground_down,
+            tilt: 0.0,
+        };
+        Ok(Assessor::new(
+            &self.landmark,
+            map,
+            days,
+            circumstances,
+            SEED,
+        ))
+    }
 }
 
 /// One look at a landmark.
@@ -60,6 +90,8 @@ pub struct Assessment {
     pub false_matches: f64,
     /// Every view.
     pub views: Vec<Glance>,
+    /// What they depend on.
+    pub breakdown: Breakdown,
 }
 
 impl Assessment {
@@ -91,26 +123,8 @@ impl Assess {
     }
 
     fn begin(&self, workshop: &mut Workshop) -> Result<Assessor, String> {
-        let order = &self.order;
-        let days = workshop.rehearsal_days(&order.map)?;
-        let map = workshop.map(&order.map)?;
-        let map: Arc<dyn Imagery> = Arc::new(CachedImagery::new(map, CACHE_MEGABYTES));
-        let circumstances = Circumstances {
-            camera: order.camera.clone(),
-            height: order.height,
-            position: Rehearsal::POSITION,
-            sensors: order.navigator.sensors,
-            detector: order.navigator.detector,
-            ground_down: order.ground_down,
-            tilt: 0.0,
-        };
-        Ok(Assessor::new(
-            &order.landmark,
-            map,
-            &days,
-            circumstances,
-            SEED,
-        ))
+        let days = workshop.rehearsal_days(&self.order.map)?;
+        self.order.assessor(workshop, &days)
     }
 
     fn look(
@@ -163,6 +177,11 @@ impl Assess {
             expected,
             false_matches: assessor.false_matches(),
             views: assessor.views().iter().map(glance).collect(),
+            breakdown: Breakdown::of(
+                assessor.views(),
+                &self.order.navigator.sensors,
+                Rehearsal::DAYS,
+            ),
         })));
         emit(JobEvent::Finished);
         Ok(Advance::Done)

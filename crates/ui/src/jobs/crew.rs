@@ -246,7 +246,7 @@ impl<P: WorkerPort> Crew<P> {
 
 fn seat_for(job: &Job) -> usize {
     match job {
-        Job::Fly { .. } | Job::Assess(_) | Job::Field(_) => 0,
+        Job::Fly { .. } | Job::Assess(_) | Job::Envelope(_) | Job::Suggest(_) | Job::Field(_) => 0,
         Job::Tile { .. } | Job::DescribeMap(_) | Job::PrepareMap(_) => 1,
         Job::Provide { .. }
         | Job::Open { .. }
@@ -268,7 +268,8 @@ fn file_keys(job: &Job) -> Vec<&str> {
         Job::Provide { .. } | Job::DecodePicture { .. } | Job::Predict(_) | Job::Find(_) => {
             (None, None)
         }
-        Job::Assess(order) => (None, Some(&order.map)),
+        Job::Assess(order) | Job::Envelope(order) => (None, Some(&order.map)),
+        Job::Suggest(order) => (None, Some(&order.map)),
         Job::Field(order) => (None, Some(&order.map)),
         Job::Brief(order) => (None, Some(&order.map)),
         Job::Open { key, .. } | Job::ReadPlaces { key } => {

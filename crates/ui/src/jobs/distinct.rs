@@ -15,6 +15,7 @@ pub fn examine(map: &dyn Imagery, bounds: GroundRect, radius: f64) -> Distinctne
     let verdict = verdict(&found, &bounds, radius);
     Distinctness {
         bounds,
+        radius,
         surface: found.surface,
         surface_rect: found.surface_rect,
         look_alike: found.look_alike,

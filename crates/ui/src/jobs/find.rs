@@ -6,7 +6,7 @@ use pilotage_core::frames::GroundPoint;
 use pilotage_core::imagery::terrain::{HeightGrid, Terrain as _};
 use pilotage_core::plan::{
     Aim, BudgetOf, FixSource, Forbidden, FoundRoute, NoFlyArea, PlannedLandmark, Prediction,
-    RouteQuestion, RouteSearch, Turns, growth_before_first_fix,
+    RouteQuestion, RouteSearch, Turns,
 };
 use pilotage_core::simulate::Airframe;
 use serde::{Deserialize, Serialize};
@@ -161,7 +161,6 @@ impl FindRoute {
             forbidden: order.high_ground.clone().map(HighGround::forbidden),
             airspeed: order.flight.airspeed.unwrap_or(cruise),
             wind: order.flight.wind.velocity(),
-            before_first_fix: growth_before_first_fix(&order.flight.navigator),
             turns: order.turns,
             budget: order.budget,
             budget_of: order.budget_of,

@@ -6,14 +6,14 @@ use pilotage_core::imagery::terrain::HeightGrid;
 use pilotage_core::imagery::{Georeference, Window};
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Run, StepReport};
-use pilotage_core::plan::{Localizability, Prediction};
+use pilotage_core::plan::{Envelope, Localizability, Prediction, Suggestion};
 use pilotage_core::raster::{Gray, Raster, Rgba};
 use serde::{Deserialize, Serialize};
 
 use super::{
     Assessment, AssessmentOrder, Beside, BriefOrder, BriefPictures, EncodedPicture, FieldOrder,
-    FileContent, FindOrder, FoundPlan, HeightsOrder, ImportedFile, PredictionOrder, TerrainInfo,
-    WebMap, whole_bytes,
+    FileContent, FindOrder, FoundPlan, HeightsOrder, ImportedFile, PredictionOrder, SuggestOrder,
+    TerrainInfo, WebMap, whole_bytes,
 };
 
 /// Number of a job, unique within a page.
@@ -185,6 +185,10 @@ pub enum Job {
     Predict(Box<PredictionOrder>),
     /// How well a landmark is found on other days: event `Assessment`.
     Assess(Box<AssessmentOrder>),
+    /// From which heights and with which tilts a landmark is found: events `Envelope`, each knowing more.
+    Envelope(Box<AssessmentOrder>),
+    /// Landmarks proposed for a route: event `Suggestions`.
+    Suggest(Box<SuggestOrder>),
     /// Where a fix would be had: events `Field`, each knowing more.
     Field(Box<FieldOrder>),
     /// A route over ground where fixes are had: event `FoundPlan`.
@@ -226,6 +230,8 @@ pub struct Distinctness {
     pub surface: Gray,
     /// Ground that the surface covers.
     pub surface_rect: GroundRect,
+    /// How far around it look-alikes were looked for, metres.
+    pub radius: f64,
     /// Centre of the strongest look-alike, and its score.
     pub look_alike: Option<(GroundPoint, f64)>,
     /// Standard deviation of the patch's grey values, 0 to 255.
@@ -343,6 +349,10 @@ pub enum JobEvent {
     },
     /// How well a landmark is found.
     Assessment(Box<Assessment>),
+    /// From which heights and with which tilts a landmark is found, as far as it is known.
+    Envelope(Box<Envelope>),
+    /// Landmarks that are proposed, the one that gains most first.
+    Suggestions(Vec<Suggestion>),
     /// Where a fix would be had, as far as it is known.
     Field(Box<Localizability>),
     /// A route that was found, beside the shortest.

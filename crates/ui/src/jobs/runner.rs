@@ -86,7 +86,13 @@ fn urgency(job: &Job) -> u8 {
         | Job::ReadPlaces { .. }
         | Job::DecodePicture { .. } => 1,
         Job::Distinctness { .. } | Job::ExplainMatch { .. } | Job::Predict(_) => 2,
-        Job::Tile { .. } | Job::TakeHeights(_) | Job::Assess(_) | Job::Find(_) | Job::Brief(_) => 3,
+        Job::Tile { .. }
+        | Job::TakeHeights(_)
+        | Job::Assess(_)
+        | Job::Envelope(_)
+        | Job::Suggest(_)
+        | Job::Find(_)
+        | Job::Brief(_) => 3,
         Job::PrepareMap(_) => 5,
         Job::Fly { .. } | Job::Field(_) => 4,
     }

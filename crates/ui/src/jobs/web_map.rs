@@ -115,7 +115,7 @@ pub fn wanted_addresses(job: &Job) -> Vec<String> {
             bounds,
             radius,
         } => around(map, &mut std::iter::once(bounds.grown(*radius))),
-        Job::Assess(order) => match &order.map {
+        Job::Assess(order) | Job::Envelope(order) => match &order.map {
             MapSource::Web(map) => {
                 let area = order.landmark.bounds.grown(AROUND_LANDMARK);
                 around(map, &mut std::iter::once(area))

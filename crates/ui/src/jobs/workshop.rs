@@ -8,7 +8,9 @@ use std::sync::Arc;
 use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::{ByteSource, Imagery, MapMemory};
 use pilotage_core::mission::{MapOptions, open_map_with};
-use pilotage_core::plan::{OtherDays, PictureDays, Rehearsal, SceneryDays};
+use pilotage_core::plan::{
+    EnvelopeSurvey, OtherDays, PictureDays, Proposal, Rehearsal, SceneryDays,
+};
 use pilotage_core::raster::decode_picture;
 use pilotage_core::simulate::Scenario;
 use pilotage_core::simulate::scenery::Scenery;
@@ -16,6 +18,7 @@ use pilotage_core::simulate::scenery::Scenery;
 use super::assess::Assess;
 use super::brief::Brief;
 use super::content::{LentFiles, OpenAddress};
+use super::envelope::SurveyEnvelope;
 use super::explain::match_pictures;
 use super::field::ComputeField;
 use super::file_pool::FilePool;
@@ -26,6 +29,7 @@ use super::heights::TakeHeights;
 use super::predict::Predict;
 use super::prepare::PrepareMap;
 use super::running::Once;
+use super::suggest::Suggest;
 use super::web_map::{FetchedTiles, WEB_TILES};
 use super::{
     FileContent, FlightSource, Job, JobEvent, MapInfo, MapSource, RunningJob, distinct, opening,
@@ -133,6 +137,8 @@ impl Workshop {
             Job::Predict(order) => Box::new(Predict(*order)),
             Job::Brief(order) => Box::new(Brief::new(order)),
             Job::Assess(order) => Box::new(Assess::new(*order)),
+            Job::Envelope(order) => Box::new(SurveyEnvelope::new(*order)),
+            Job::Suggest(order) => Box::new(Suggest::new(*order)),
             Job::Field(order) => Box::new(ComputeField::new(*order)),
             Job::Find(order) => Box::new(FindRoute::new(*order)),
             Job::ExplainMatch {
@@ -287,6 +293,17 @@ impl Workshop {
         let days = Rehearsal::days(self.others(source)?.as_ref(), REHEARSAL_SEED);
         self.rehearsal = Some((key, days.clone()));
         Ok(days)
+    }
+
+    /// The days on which an envelope is measured, evenly spread; not kept.
+    pub fn envelope_days(&mut self, source: &MapSource) -> Result<Days, String> {
+        let others = self.others(source)?;
+        Ok(others.spread(EnvelopeSurvey::DAYS, REHEARSAL_SEED))
+    }
+
+    /// The days on which places are rehearsed before landmarks are proposed; not kept.
+    pub fn proposal_days(&mut self, source: &MapSource, seed: u64) -> Result<Days, String> {
+        Ok(Proposal::days(self.others(source)?.as_ref(), seed))
     }
 
     fn others(&mut self, source: &MapSource) -> Result<Box<dyn OtherDays>, String> {

@@ -18,7 +18,7 @@ mod view;
 
 pub use heat::heat_image;
 pub use layers::{Layer, Layers};
-pub(crate) use symbols::{ellipse, paint_halo_text};
+pub(crate) use symbols::{ellipse, paint_halo_text, paint_lifted_line};
 pub use tiles::{TileCache, TileKey};
 pub use transform::{MapCamera, ScreenFromWorld};
 pub use view::{MapExtra, MapView};

@@ -179,6 +179,8 @@ impl MapView {
         if let Some(plan) = extra.plan {
             let pointer = response.hover_pos();
             let tokens = context.tokens;
+            plan.paint_remedy(&painter, &view, tokens);
+            plan.paint_suggestions(&painter, &view, &context.mission.landmarks, tokens);
             plan.paint_find(&painter, &view, context.mission, pointer, tokens);
             if let Some(pointer) = pointer {
                 plan.paint_heat_readout(&painter, &view, pointer, tokens);
@@ -311,7 +313,8 @@ impl MapView {
             paint_landmarks(painter, view, rect, &scene, tokens);
         }
         if let Some(distinctness) = extra.distinctness {
-            paint_look_alike(painter, view, distinctness, tokens);
+            let most = context.mission.navigator.detector.greatest_ambiguity;
+            paint_look_alike(painter, view, distinctness, most, tokens);
         }
         let Some(step) = step else { return };
         let heading = step.control.heading;
@@ -464,11 +467,13 @@ fn status_color(frame_step: Option<&StepReport>, tokens: &crate::tokens::Tokens)
     }
 }
 
-/// Marks the strongest look-alike of the selected landmark and joins the two.
+/// Marks the strongest look-alike of the selected landmark and joins the two; `most` is the greatest
+/// score at which the landmark is not refused.
 fn paint_look_alike(
     painter: &egui::Painter,
     view: &ScreenFromWorld,
     distinctness: &Distinctness,
+    most: f64,
     tokens: &crate::tokens::Tokens,
 ) {
     let Some((place, score)) = distinctness.look_alike else {
@@ -487,7 +492,7 @@ fn paint_look_alike(
     closed.push(corners[0]);
     let stroke = Stroke::new(2.0, tokens.warning);
     painter.extend(egui::Shape::dashed_line(&closed, stroke, 5.0, 3.0));
-    let text = format!("look-alike {score:.2}");
+    let text = format!("look-alike {score:.2}, margin {:.2}", most - score);
     let at = super::transform::topmost(&corners) - vec2(0.0, 5.0);
     let align = egui::Align2::CENTER_BOTTOM;
     paint_halo_text(painter, at, align, &text, tokens.small(), tokens.warning);

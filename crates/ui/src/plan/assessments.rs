@@ -4,7 +4,7 @@ use std::collections::{HashMap, VecDeque};
 
 use nalgebra::{Matrix4, Vector4};
 use pilotage_core::landmark::Landmark;
-use pilotage_core::plan::{DetectionStatistics, ExpectedDetection};
+use pilotage_core::plan::{DetectionStatistics, Envelope, ExpectedDetection};
 
 use crate::host::Host;
 use crate::jobs::{Assessment, AssessmentOrder, Job, JobEvent, JobId, MapSource};
@@ -37,12 +37,18 @@ pub struct Measured {
 #[derive(Debug, Default)]
 pub struct Assessments {
     measured: HashMap<u32, Measured>,
+    /// The height around which landmarks were looked at, and the envelopes.
+    envelopes: HashMap<u32, (Landmark, f64, Envelope)>,
+    wants_envelope: Option<AssessmentOrder>,
+    surveyed: Option<(JobId, AssessmentOrder)>,
     /// Why a landmark could not be measured.
     failed: HashMap<u32, (Landmark, String)>,
     waiting: VecDeque<AssessmentOrder>,
     asked: Option<(JobId, u32)>,
     /// How far the one under way is, 0 to 1, and in words.
     progress: (f32, String),
+    /// How far the looks from other heights are, 0 to 1.
+    pub survey_progress: f32,
     /// How many were asked for in one go.
     batch: usize,
     /// The map that all of it is about.
@@ -69,6 +75,24 @@ impl Assessments {
         known
             .filter(|(of, _)| same(of, landmark))
             .map(|(_, why)| why.as_str())
+    }
+
+    /// The height that was planned with when it was looked at from others, metres, and from where it is
+    /// found, as far as that is known.
+    pub fn envelope(&self, landmark: &Landmark) -> Option<(f64, &Envelope)> {
+        let known = self.envelopes.get(&landmark.id);
+        let (_, height, envelope) = known.filter(|(of, ..)| same(of, landmark))?;
+        Some((*height, envelope))
+    }
+
+    /// The landmark that is being looked at from other heights.
+    pub fn surveyed(&self) -> Option<u32> {
+        self.surveyed.as_ref().map(|(_, order)| order.landmark.id)
+    }
+
+    /// Looks at a landmark from other heights and with other tilts.
+    pub fn survey(&mut self, order: Option<AssessmentOrder>) {
+        self.wants_envelope = order;
     }
 
     /// What is expected of a landmark: measured, or assumed.
@@ -115,7 +139,10 @@ impl Assessments {
     /// Stops measuring; what is known stays.
     pub fn stop(&mut self, host: &mut dyn Host) {
         self.waiting.clear();
-        if let Some((id, _)) = self.asked.take() {
+        self.wants_envelope = None;
+        let asked = self.asked.take().map(|(id, _)| id);
+        let surveyed = self.surveyed.take().map(|(id, _)| id);
+        for id in asked.into_iter().chain(surveyed) {
             host.cancel(id);
         }
     }
@@ -124,6 +151,7 @@ impl Assessments {
     pub fn clear(&mut self, host: &mut dyn Host) {
         self.stop(host);
         self.measured.clear();
+        self.envelopes.clear();
         self.failed.clear();
     }
 
@@ -135,6 +163,15 @@ impl Assessments {
         }
         if std::mem::take(&mut self.wants_stop) {
             self.stop(host);
+        }
+        if let Some(order) = self.wants_envelope.take() {
+            if let Some((id, _)) = self.surveyed.take() {
+                host.cancel(id);
+            }
+            self.failed.remove(&order.landmark.id);
+            self.survey_progress = 0.0;
+            let id = host.start(Job::Envelope(Box::new(order.clone())));
+            self.surveyed = Some((id, order));
         }
         if self.asked.is_none()
             && let Some(order) = self.waiting.pop_front()
@@ -148,6 +185,10 @@ impl Assessments {
 
     /// Takes what a worker says; false if it is about something else.
     pub fn receive(&mut self, id: JobId, event: &JobEvent, landmarks: &[Landmark]) -> bool {
+        if let Some((_, order)) = self.surveyed.take_if(|(asked, _)| *asked == id) {
+            self.survey_event(order, id, event);
+            return true;
+        }
         let Some((_, landmark)) = self.asked.filter(|(asked, _)| *asked == id) else {
             return false;
         };
@@ -164,6 +205,24 @@ impl Assessments {
             _ => {}
         }
         true
+    }
+
+    fn survey_event(&mut self, order: AssessmentOrder, id: JobId, event: &JobEvent) {
+        let landmark = order.landmark.clone();
+        match event {
+            JobEvent::Progress(share, _) => self.survey_progress = *share,
+            JobEvent::Envelope(envelope) => {
+                let known = (landmark.clone(), order.height, envelope.as_ref().clone());
+                self.envelopes.insert(landmark.id, known);
+            }
+            JobEvent::Failed(why) => {
+                self.failed.insert(landmark.id, (landmark, why.clone()));
+                return;
+            }
+            JobEvent::Finished | JobEvent::Cancelled => return,
+            _ => {}
+        }
+        self.surveyed = Some((id, order));
     }
 
     fn keep(&mut self, found: &Assessment) {

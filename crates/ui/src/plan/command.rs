@@ -9,6 +9,7 @@ use super::heat::HeatCommand;
 use super::marking::Purpose;
 use super::patterns::Pattern;
 use super::planner::PlanTab;
+use super::suggestions::SuggestCommand;
 use crate::documents::landmarks::LandmarkChange;
 
 /// A change of a no-fly area.
@@ -131,6 +132,10 @@ pub enum PlanCommand {
     AssessSelected,
     /// Measure every landmark that is switched on.
     AssessAll,
+    /// Measure from which heights and with which tilts the selected landmark is found.
+    SurveyEnvelope,
+    /// Something about landmarks that are proposed.
+    Suggest(SuggestCommand),
     /// Stop measuring.
     StopAssessing,
     /// A second landmark like the selected one, or like each of the marked ones, beside it.

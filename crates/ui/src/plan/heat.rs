@@ -240,7 +240,7 @@ impl Planner {
     ) -> Option<FieldOrder> {
         let mission = &documents.mission;
         let map = documents.map.as_ref()?;
-        let sensors = &mission.navigator.sensors;
+        let view = self.field_view(documents, height);
         let from = match of {
             HeatOf::Landmarks => {
                 let enabled = mission.landmarks.iter().filter(|l| l.enabled);
@@ -249,7 +249,7 @@ impl Planner {
                         landmark: l.clone(),
                         detection: self.assessments.expected(l),
                     };
-                    FixSource::of(&planned, height)
+                    FixSource::of(&planned, view.height)
                 });
                 FieldFrom::Landmarks(sources.collect())
             }
@@ -260,14 +260,20 @@ impl Planner {
         Some(FieldOrder {
             map: documents.map_source.clone(),
             region: map.bounds,
-            view: FieldView {
-                camera: camera(documents),
-                height,
-                position: self.preferences.heat.position,
-                tilt: sensors.roll.max(sensors.pitch),
-            },
+            view,
             from,
         })
+    }
+
+    /// How the ground is looked at from a height above it, metres, and how uncertain the position is then.
+    pub fn field_view(&self, documents: &Documents, height: f64) -> FieldView {
+        let sensors = &documents.mission.navigator.sensors;
+        FieldView {
+            camera: camera(documents),
+            height,
+            position: self.preferences.heat.position,
+            tilt: sensors.roll.max(sensors.pitch),
+        }
     }
 
     /// Height above ground of the selected route, or the usual one, metres.

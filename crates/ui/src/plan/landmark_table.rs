@@ -226,11 +226,6 @@ impl LandmarkTable {
             let name = format!("Sort by {}", label.to_lowercase());
             WidgetInfo::selected(Role::Button, true, sorted, name)
         });
-        let text = match (sorted, self.descending) {
-            (true, false) => format!("{label} ▲"),
-            (true, true) => format!("{label} ▼"),
-            _ => label.to_owned(),
-        };
         let color = if sorted || response.hovered() || response.has_focus() {
             tokens.text
         } else {
@@ -247,7 +242,20 @@ impl LandmarkTable {
                 Align2::RIGHT_CENTER,
             )
         };
-        ui.painter().text(at, align, text, tokens.small(), color);
+        let painter = ui.painter();
+        let words = painter.text(at, align, label, tokens.small(), color);
+        if sorted {
+            let middle = if column == Column::Name {
+                words.right_center() + vec2(9.0, 0.0)
+            } else {
+                words.left_center() - vec2(9.0, 0.0)
+            };
+            let tip = if self.descending { 3.0 } else { -3.0 };
+            let corners = [vec2(0.0, tip), vec2(4.0, -tip), vec2(-4.0, -tip)];
+            let corners = corners.map(|c| middle + c).to_vec();
+            let shape = egui::Shape::convex_polygon(corners, color, egui::Stroke::NONE);
+            painter.add(shape);
+        }
     }
 }
 

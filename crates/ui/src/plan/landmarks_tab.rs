@@ -8,12 +8,14 @@ use super::assessments::{ASSUMED_PER_FRAME, ASSUMED_RECOGNISED, Measured};
 use super::marking::Purpose;
 use super::panel::button;
 use super::planner::Planner;
+use super::tallies;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::shell::{
     Examined, LandmarkList, caption, chip, icon_button, icons::Icon, muted, text_button,
 };
+use crate::views::ellipse::largest_sigma;
 
 /// Height of the table before it scrolls, points: what is selected stays in sight below it.
 const TABLE_HEIGHT: f32 = 280.0;
@@ -54,6 +56,7 @@ pub fn landmarks_tab(
             );
         }
     });
+    planner.suggestions_card(ui, context);
     if mission.landmarks.is_empty() {
         ui.label(muted(
             tokens,
@@ -124,6 +127,8 @@ fn actions(ui: &mut Ui, planner: &Planner, landmark: &Landmark, context: &mut Vi
             "Measure how well it is found"
         };
         button(ui, context, None, label, true, PlanCommand::AssessSelected);
+        let survey = PlanCommand::SurveyEnvelope;
+        button(ui, context, None, "From which heights", false, survey);
         let copy = PlanCommand::DuplicateLandmark;
         button(ui, context, None, "Duplicate", false, copy);
     });
@@ -142,6 +147,8 @@ fn card(ui: &mut Ui, planner: &Planner, landmark: &Landmark, context: &mut ViewC
     }
     if let Some(measured) = planner.assessments.of(landmark) {
         result(ui, measured, context);
+        ui.add_space(tokens.space);
+        tallies::breakdown(ui, &measured.last.breakdown, context);
     } else {
         ui.label(muted(
             tokens,
@@ -152,6 +159,27 @@ fn card(ui: &mut Ui, planner: &Planner, landmark: &Landmark, context: &mut ViewC
                 100.0 * ASSUMED_PER_FRAME
             ),
         ));
+    }
+    let known = planner.assessments.of(landmark).is_some()
+        || planner.assessments.envelope(landmark).is_some();
+    if planner.assessments.surveyed() == Some(landmark.id) {
+        ui.add_space(tokens.space);
+        ui.horizontal(|ui| {
+            if icon_button(ui, tokens, Icon::Close, "Stop looking from other heights").clicked() {
+                let stop = PlanCommand::StopAssessing;
+                context.commands.push(Command::Plan(stop));
+            }
+            let bar = egui::ProgressBar::new(planner.assessments.survey_progress);
+            ui.add(bar.desired_height(4.0))
+                .accessible_name("How far the looks from other heights are");
+        });
+    }
+    if let Some((height, envelope)) = planner.assessments.envelope(landmark) {
+        ui.add_space(tokens.space);
+        tallies::envelope(ui, envelope, height, context);
+    }
+    if known {
+        tallies::legend(ui, tokens);
     }
     if let Some(why) = planner.assessments.trouble(landmark) {
         let text = egui::RichText::new(format!("It could not be measured: {why}"));
@@ -180,9 +208,17 @@ fn result(ui: &mut Ui, measured: &Measured, context: &ViewContext<'_>) {
         };
         let text = format!("wrong {:.0} %", 100.0 * found.false_matches);
         chip(ui, tokens, &text, tone);
-        let place = expected.covariance.fixed_view::<2, 2>(0, 0);
-        let deviation = (0.5 * place.trace()).max(0.0).sqrt() * factor;
-        let text = format!("place ±{deviation:.2} {unit}");
+        let place = expected.covariance.fixed_view::<2, 2>(0, 0).into_owned();
+        let longer = largest_sigma(&place);
+        let shorter = (place.trace() - longer * longer).max(0.0).sqrt();
+        // Of the longer axis, from north.
+        let angle = 0.5 * (2.0 * place[(0, 1)]).atan2(place[(0, 0)] - place[(1, 1)]);
+        let text = format!(
+            "place ±{:.2} {unit} towards {:.0}°, ±{:.2} {unit} across",
+            longer * factor,
+            angle.to_degrees().rem_euclid(180.0),
+            shorter * factor
+        );
         chip(ui, tokens, &text, tokens.muted);
     });
     ui.label(egui::RichText::new(sentence(measured)).color(tokens.text));

@@ -17,7 +17,9 @@ use super::landmark_table::LandmarkTable;
 use super::marking::Marking;
 use super::patterns::Circumstances;
 use super::profile::{Sample, on_leg, profile};
+use super::remedy::Remedies;
 use super::routes::route_of;
+use super::suggestions::Suggestions;
 use crate::documents::Documents;
 use crate::jobs::{FlightSource, PredictionOrder, scenario_wind};
 
@@ -43,6 +45,8 @@ pub struct PlanPreferences {
     pub heat: HeatPreferences,
     /// What is looked for when a route is found.
     pub find: FindPreferences,
+    /// How many landmarks are proposed.
+    pub suggest: usize,
     /// Bank limit, radians.
     pub bank: f64,
     /// Power in cruise, watts, if the user states it.
@@ -60,6 +64,7 @@ impl Default for PlanPreferences {
             wind: None,
             heat: HeatPreferences::default(),
             find: FindPreferences::default(),
+            suggest: 6,
             bank: Airframe::sig_kadet_senior().bank_limit,
             power: None,
             energy: None,
@@ -99,8 +104,12 @@ pub struct Planner {
     pub hovered: Option<f64>,
     /// The prediction.
     pub forecast: Forecast,
+    /// What would mend its worst stretch.
+    pub remedies: Remedies,
     /// How well landmarks are found.
     pub assessments: Assessments,
+    /// Landmarks that are proposed.
+    pub suggestions: Suggestions,
     /// Where fixes would be had.
     pub heat: Heat,
     /// The search for a route.

@@ -250,6 +250,7 @@ fn prediction(
             let color = if bad { tokens.warning } else { tokens.text };
             ui.label(egui::RichText::new(sentence).color(color));
         }
+        planner.remedies_card(ui, context);
     }
     for sentence in assumptions(planner, documents, route, context.units) {
         ui.label(muted(tokens, sentence));

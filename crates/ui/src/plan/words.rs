@@ -85,12 +85,6 @@ impl Outlook {
                 far(self.over)
             ),
         });
-        if self.stretches > 0 {
-            list.push(
-                "What mends it: a landmark before or on the dashed stretch, or a line past one."
-                    .to_owned(),
-            );
-        }
         list
     }
 }

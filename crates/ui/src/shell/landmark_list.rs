@@ -275,16 +275,19 @@ fn distinctness_card(
         }
         match found.look_alike {
             Some((_, score)) => {
-                let tone = if score > 0.7 {
-                    tokens.warning
-                } else {
-                    tokens.truth
+                let most = context.mission.navigator.detector.greatest_ambiguity;
+                let margin = most - score;
+                let tone = match margin {
+                    m if m < 0.0 => tokens.warning,
+                    m if m < 0.15 => tokens.accent,
+                    _ => tokens.truth,
                 };
+                chip(ui, tokens, &format!("margin {margin:.2}"), tone);
                 chip(
                     ui,
                     tokens,
-                    &format!("strongest look-alike {score:.2}"),
-                    tone,
+                    &format!("look-alike {score:.2}, refused from {most:.2}"),
+                    tokens.muted,
                 );
             }
             None => {
@@ -352,6 +355,6 @@ fn heat_picture(
     }
     ui.label(muted(
         tokens,
-        "Bright: the map looks like the box. Circle: the box itself. Square: its look-alike.",
+        "Bright: the map looks like the box. Circle: the box itself. Square: its look-alike, marked on the map, too.",
     ));
 }

@@ -6,7 +6,7 @@ mod camera;
 mod canvas;
 pub(crate) mod chart;
 pub(crate) mod color_map;
-mod ellipse;
+pub(crate) mod ellipse;
 #[cfg(test)]
 mod fixture;
 mod inspector;

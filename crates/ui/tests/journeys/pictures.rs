@@ -72,6 +72,23 @@ impl Scene {
         self.work(3, 20.0);
     }
 
+    /// What the app holds.
+    fn state(&self) -> serde_json::Value {
+        let app = self.harness.state().app.as_ref().expect("drawn");
+        serde_json::from_str(&app.state_json()).expect("the app writes JSON")
+    }
+
+    /// Lets the workers work until the state has something there.
+    fn until(&mut self, pointer: &str) {
+        for _ in 0..20_000 {
+            self.work(1, 20.0);
+            if self.state().pointer(pointer).is_some() {
+                return;
+            }
+        }
+        panic!("no {pointer}");
+    }
+
     fn save(&self, name: &str) {
         let Some(folder) = folder() else { return };
         let output = self.harness.output();
@@ -131,10 +148,37 @@ fn the_app_is_drawn_for_people_to_look_at() {
         scene.work(160, 20.0);
         scene.save("plan");
         scene.tab("Landmarks");
-        scene.click("church");
+        let label = "Suggest 6 landmarks for this route";
+        scene.click(label);
+        scene.until("/plan/suggested/list/0");
+        scene.work(20, 20.0);
+        scene.save("plan-suggested");
+        scene.click("Dismiss");
+        let row = scene.harness.get_by_label_contains("church: ");
+        row.click();
+        scene.work(40, 20.0);
         scene.click("Measure how well it is found");
-        scene.work(120, 20.0);
+        scene.until("/plan/measured/0");
+        scene.click("From which heights");
+        scene.until("/plan/envelopes/0");
+        while !scene.state()["plan"]["surveying"].is_null() {
+            scene.work(1, 20.0);
+        }
         scene.save("plan-landmarks");
+        let at = vec2(1200.0, 700.0).to_pos2();
+        scene.harness.hover_at(at);
+        for _ in 0..40 {
+            scene.harness.event(egui::Event::MouseWheel {
+                unit: egui::MouseWheelUnit::Point,
+                delta: vec2(0.0, -200.0),
+                phase: egui::TouchPhase::Move,
+                source: egui::MouseWheelSource::Wheel,
+                modifiers: Modifiers::NONE,
+            });
+            scene.work(1, 20.0);
+        }
+        scene.work(20, 20.0);
+        scene.save("plan-landmarks-below");
     }
     if wanted("panels") {
         let mut scene = flown(wide, 40.0);

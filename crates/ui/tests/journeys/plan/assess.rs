@@ -16,6 +16,37 @@ fn a_measured_landmark_is_believed_instead_of_the_assumption() {
     assert!((number(&rig, "/measured/0/probability") - 0.45).abs() < 1e-9);
     rig.harness.get_by_label("found 45 % of the time");
     rig.harness.get_by_label("wrong 3 %");
+    rig.harness
+        .get_by_label("place ±0.20 m towards 0°, ±0.20 m across");
+    for strip in [
+        "Found by heading: N 4 of 8, E 4 of 8, S 4 of 8, W 4 of 8",
+        "Found by tilt error: under 0.3° 5 of 10, to 0.6° 5 of 10, over that 0 of 0",
+        "Found by day: 1 4 of 8, 2 4 of 8, 3 4 of 8, 4 4 of 8",
+    ] {
+        rig.harness.get_by_label(strip);
+    }
+}
+
+#[test]
+fn a_landmark_is_looked_at_from_other_heights_and_with_other_tilts() {
+    let mut rig = planning();
+    rig.open_tab("Landmarks");
+    rig.harness.get_by_label_contains("Chapel: ").click();
+    rig.settle();
+    rig.harness.get_by_label("From which heights").click();
+    rig.settle();
+    assert_eq!(number(&rig, "/envelopes/0/id"), 2.0);
+    assert_eq!(number(&rig, "/envelopes/0/looks"), 12.0);
+    rig.harness
+        .get_by_label("Detection envelope: 2 heights by 2 tilts, 12 looks");
+    // Another box is another landmark.
+    rig.key_with(egui::Modifiers::COMMAND, egui::Key::D);
+    rig.settle();
+    assert!(
+        rig.harness
+            .query_by_label_contains("Detection envelope")
+            .is_none()
+    );
 }
 
 #[test]

@@ -1,7 +1,7 @@
 use egui::Key;
 use egui_kittest::kittest::Queryable as _;
 
-use super::{number, planning};
+use super::{number, planning, type_number};
 
 #[test]
 fn the_heat_map_is_shown_by_its_key_and_tells_how_much_of_the_map_is_blind() {
@@ -25,21 +25,34 @@ fn the_heat_map_is_shown_by_its_key_and_tells_how_much_of_the_map_is_blind() {
 }
 
 #[test]
-fn another_uncertainty_is_computed_anew() {
+fn another_uncertainty_is_computed_anew_and_so_are_fixes_from_the_map_alone() {
     let mut rig = planning();
     rig.key(Key::H);
     rig.settle();
+    let position = |rig: &super::Rig| {
+        let jobs = rig.harness.state().host.jobs.iter().rev();
+        let mut orders = jobs.filter_map(|(_, job)| match job {
+            pilotage_ui::jobs::Job::Field(order) => Some(order.view.position),
+            _ => None,
+        });
+        orders.next()
+    };
     let fields = |rig: &super::Rig| {
         let jobs = &rig.harness.state().host.jobs;
         let field =
             |j: &&(u64, pilotage_ui::jobs::Job)| matches!(j.1, pilotage_ui::jobs::Job::Field(_));
         jobs.iter().filter(field).count()
     };
-    assert_eq!(fields(&rig), 1);
+    assert_eq!((fields(&rig), position(&rig)), (1, Some(10.0)));
+    rig.open_tab("Ground");
+    type_number(&mut rig, "Uncertainty of the position", "25");
+    rig.settle();
+    rig.settle();
+    assert_eq!((fields(&rig), position(&rig)), (2, Some(25.0)));
     rig.harness.get_by_label("the map alone").click();
     rig.settle();
     rig.harness.state_mut().host.now += 1000.0;
     rig.settle();
-    assert_eq!(fields(&rig), 2);
+    assert_eq!(fields(&rig), 3);
     rig.harness.get_by_label_contains("map alone, 0 to 1");
 }

@@ -1,9 +1,9 @@
 use egui::{Key, Modifiers};
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use serde_json::Value;
 
 use super::super::support::Rig;
-use super::{click, planning, screen};
+use super::{click, planning, screen, scroll, type_number};
 
 fn landmarks(rig: &Rig) -> Vec<Value> {
     rig.state()["landmarks"]
@@ -145,4 +145,116 @@ fn notes_of_the_selected_landmark_are_kept() {
     rig.key(Key::Tab);
     rig.frames(2);
     assert_eq!(landmarks(&rig)[3]["notes"], "red roof");
+}
+
+fn rows(rig: &Rig) -> Vec<String> {
+    let rows = rig
+        .harness
+        .query_all_by(|n| n.label().is_some_and(|l| l.ends_with(" metres")));
+    let name = |label: String| label.split(':').next().unwrap_or_default().to_owned();
+    let mut rows: Vec<(f32, String)> = rows
+        .filter_map(|n| Some((n.rect().top(), name(n.accesskit_node().label()?))))
+        .collect();
+    rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+    rows.into_iter().map(|r| r.1).collect()
+}
+
+#[test]
+fn the_table_is_sorted_by_a_click_on_its_head_the_other_way_by_a_second_and_not_by_a_third() {
+    let mut rig = planning();
+    rig.open_tab("Landmarks");
+    let given = rows(&rig);
+    let mut sorted = given.clone();
+    sorted.sort();
+    assert_ne!(given, sorted, "the test needs another order");
+    let mut click = || {
+        rig.harness.get_by_label("Sort by landmark").click();
+        rig.frames(3);
+        rows(&rig)
+    };
+    assert_eq!(click(), sorted);
+    sorted.reverse();
+    assert_eq!(click(), sorted);
+    assert_eq!(click(), given);
+}
+
+#[test]
+fn height_direction_and_reference_point_of_a_landmark_are_set_and_each_is_one_step() {
+    let mut rig = planning();
+    rig.open_tab("Landmarks");
+    row(&mut rig, "Mill", Modifiers::NONE);
+    let before = landmarks(&rig)[3].clone();
+    type_number(&mut rig, "Height of the reference point", "12");
+    assert_eq!(landmarks(&rig)[3]["height"], 12.0);
+    let direction = "Direction of the landmark, degrees from north";
+    type_number(&mut rig, direction, "90");
+    let turned = landmarks(&rig)[3]["orientation"].as_f64();
+    assert!((turned.expect("a direction") - 90.0).abs() < 1e-9);
+    scroll(&mut rig, 2000.0);
+    rig.harness
+        .get_by_label("Set the reference point on the map")
+        .click();
+    rig.frames(3);
+    let middle = |i: usize| before["reference"][i].as_f64().expect("metres");
+    click(&mut rig, middle(0) + 6.0, middle(1) - 4.0);
+    let moved = |rig: &Rig| landmarks(rig)[3]["reference"][0].as_f64().expect("metres");
+    assert!((moved(&rig) - middle(0) - 6.0).abs() < 1.0);
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(moved(&rig), middle(0));
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    assert!(landmarks(&rig)[3]["orientation"].is_null());
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(landmarks(&rig)[3], before);
+}
+
+#[test]
+fn all_are_marked_and_duplicated_in_one_step() {
+    let mut rig = planning();
+    rig.open_tab("Landmarks");
+    rig.harness.get_by_label("Mark all").click();
+    rig.frames(3);
+    let marked = |rig: &Rig| rig.state()["plan"]["marked"].as_array().map(Vec::len);
+    assert_eq!(marked(&rig), Some(4));
+    rig.key_with(Modifiers::COMMAND, Key::D);
+    let list = landmarks(&rig);
+    assert_eq!(list.len(), 8);
+    assert_eq!(list[4]["name"], "Barn, copy");
+    assert_eq!(marked(&rig), Some(4), "the copies are marked");
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(landmarks(&rig).len(), 4);
+}
+
+#[test]
+fn the_look_alike_is_told_with_its_margin_and_marked_on_the_map() {
+    let mut rig = planning();
+    rig.open_tab("Landmarks");
+    row(&mut rig, "Mill", Modifiers::NONE);
+    rig.settle();
+    rig.harness.get_by_label("margin 0.44");
+    rig.harness
+        .get_by_label("look-alike 0.41, refused from 0.85");
+    let shapes = &rig.harness.output().shapes;
+    let mut words = shapes.iter().filter_map(|s| match &s.shape {
+        egui::Shape::Text(text) => Some(text.galley.text()),
+        _ => None,
+    });
+    assert!(words.any(|w| w == "look-alike 0.41, margin 0.44"));
+    // As far around as the detector comes to look for it.
+    let radius = |rig: &Rig| {
+        let jobs = rig.harness.state().host.jobs.iter().rev();
+        let mut asked = jobs.filter_map(|(_, job)| match job {
+            pilotage_ui::jobs::Job::Distinctness { radius, .. } => Some(*radius),
+            _ => None,
+        });
+        asked.next().expect("a question")
+    };
+    let usual = radius(&rig);
+    rig.open_tab("Ground");
+    type_number(&mut rig, "Uncertainty of the position", "30");
+    rig.settle();
+    assert!(
+        usual < 60.0 && radius(&rig) > 100.0,
+        "{usual} {}",
+        radius(&rig)
+    );
 }

@@ -13,7 +13,9 @@ mod insert;
 mod keyboard;
 mod landmarks;
 mod patterns;
+mod remedy;
 mod route_tab;
+mod suggest;
 mod undo;
 mod workspace;
 
@@ -113,6 +115,15 @@ pub fn place(rig: &Rig, index: usize) -> (f64, f64) {
     let at = &state["plan"]["routes"][0]["way_points"][index];
     let metres = |k: &str| at[k].as_f64().expect("metres");
     (metres("north"), metres("east"))
+}
+
+/// Types a number into a field that shows one.
+pub fn type_number(rig: &mut Rig, label: &str, text: &str) {
+    rig.harness.get_by_label(label).focus();
+    rig.frames(2);
+    rig.harness.event(egui::Event::Text(text.into()));
+    rig.frames(2);
+    rig.key(Key::Enter);
 }
 
 /// A number of the plan.

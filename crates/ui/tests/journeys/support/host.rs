@@ -3,13 +3,16 @@
 use std::collections::HashMap;
 
 use pilotage_core::frames::{GroundPoint, GroundRect};
+use pilotage_core::imagery::Window;
 use pilotage_core::imagery::terrain::{HeightDatum, HeightGrid, Terrain};
-use pilotage_core::plan::{ExpectedDetection, Localizability};
+use pilotage_core::plan::{
+    Breakdown, Candidate, Envelope, ExpectedDetection, Localizability, Suggestion, Tally,
+};
 use pilotage_core::raster::Raster;
 use pilotage_ui::host::{Host, OpenedFile};
 use pilotage_ui::jobs::{
-    Assessment, AssessmentOrder, Distinctness, Glance, HeightsOrder, Job, JobEvent, JobId,
-    JobRunner, MapInfo, Opened, Reply, Request,
+    Assessment, AssessmentOrder, Distinctness, FieldOrder, Glance, HeightsOrder, Job, JobEvent,
+    JobId, JobRunner, MapInfo, Opened, Reply, Request, SuggestOrder,
 };
 
 use super::flight::{flight, mission, run, run_head};
@@ -129,17 +132,7 @@ impl ScriptedHost {
                 say(JobEvent::Finished);
             }
             Job::Tile { window, .. } => {
-                let shade = |c: usize, r: usize| {
-                    let ground = window.ground_at(c as f64 + 0.5, r as f64 + 0.5);
-                    let field = (ground.north / 60.0).floor() + (ground.east / 85.0).floor();
-                    let green = 88 + (13.0 * field.rem_euclid(3.0)) as u8;
-                    [74, green, 52, 255]
-                };
-                say(JobEvent::Tile {
-                    window: *window,
-                    pixels: Raster::from_fn(window.width, window.height, shade),
-                    whole: true,
-                });
+                say(tile(*window));
                 say(JobEvent::Finished);
             }
             Job::Distinctness { bounds, radius, .. } => {
@@ -172,14 +165,21 @@ impl ScriptedHost {
                 say(JobEvent::Assessment(Box::new(assessment(order))));
                 say(JobEvent::Finished);
             }
+            Job::Envelope(order) => {
+                say(JobEvent::Progress(0.5, "Look 6 of 12".into()));
+                say(JobEvent::Envelope(Box::new(envelope(order.height))));
+                say(JobEvent::Finished);
+            }
+            Job::Suggest(order) => {
+                say(JobEvent::Progress(0.5, "Place 1 of 2".into()));
+                say(JobEvent::Suggestions(suggestions(order)));
+                say(JobEvent::Finished);
+            }
             Job::Field(order) => {
-                let mut field = Localizability::unknown(&order.region, order.step());
-                let half = field.values.len() / 2;
-                field.values[..half].fill(0.9);
+                let [half, whole] = fields(order).map(Box::new);
                 say(JobEvent::Progress(0.5, "Row 1 of 2".into()));
-                say(JobEvent::Field(Box::new(field.clone())));
-                field.values[half..].fill(0.0);
-                say(JobEvent::Field(Box::new(field)));
+                say(JobEvent::Field(half));
+                say(JobEvent::Field(whole));
                 say(JobEvent::Finished);
             }
             Job::TakeHeights(order) => {
@@ -209,11 +209,37 @@ fn heights(shape: fn(&GroundPoint) -> f64, order: &HeightsOrder) -> HeightGrid {
     grid
 }
 
+/// A field of which the north is known, and the same with a blind south.
+fn fields(order: &FieldOrder) -> [Localizability; 2] {
+    let mut half = Localizability::unknown(&order.region, order.step());
+    let north = half.values.len() / 2;
+    half.values[..north].fill(0.9);
+    let mut whole = half.clone();
+    whole.values[north..].fill(0.0);
+    [half, whole]
+}
+
+/// Pixels of invented ground.
+fn tile(window: Window) -> JobEvent {
+    let shade = |c: usize, r: usize| {
+        let ground = window.ground_at(c as f64 + 0.5, r as f64 + 0.5);
+        let field = (ground.north / 60.0).floor() + (ground.east / 85.0).floor();
+        let green = 88 + (13.0 * field.rem_euclid(3.0)) as u8;
+        [74, green, 52, 255]
+    };
+    JobEvent::Tile {
+        window,
+        pixels: Raster::from_fn(window.width, window.height, shade),
+        whole: true,
+    }
+}
+
 /// A box with one look-alike to the north of it.
 fn distinctness(bounds: GroundRect, radius: f64) -> Distinctness {
     let center = bounds.center();
     Distinctness {
         bounds,
+        radius,
         surface: Raster::from_fn(40, 40, |c, r| {
             let (x, y) = (c as f32 - 20.0, r as f32 - 20.0);
             (-0.02 * (x * x + y * y)).exp()
@@ -224,6 +250,48 @@ fn distinctness(bounds: GroundRect, radius: f64) -> Distinctness {
         flat: false,
         verdict: "Distinct: nothing within 120 m looks like it.".into(),
     }
+}
+
+/// So many looks, of which so many found the landmark and so many something else.
+fn tally(looks: usize, found: usize, wrong: usize) -> Tally {
+    Tally {
+        looks,
+        found,
+        wrong,
+        covariances: nalgebra::Matrix2::identity() * 0.04 * found as f64,
+    }
+}
+
+/// A grid in which the landmark does not fit into pictures from the lowest height.
+fn envelope(height: f64) -> Envelope {
+    let mut cells = vec![Tally::default(); 2];
+    cells.extend([tally(6, 6, 0), tally(6, 3, 1)]);
+    Envelope {
+        heights: vec![0.5 * height, height],
+        tilts: vec![0.0, 0.35],
+        cells,
+    }
+}
+
+/// Two places of the map, the surer first.
+fn suggestions(order: &SuggestOrder) -> Vec<Suggestion> {
+    let place = |north: f64, probability: f64| Suggestion {
+        candidate: Candidate {
+            bounds: GroundRect::centered(GroundPoint::new(north, 0.0), 30.0, 30.0),
+            score: 0.7,
+            rival: 0.3,
+            rival_place: GroundPoint::new(north + 40.0, 0.0),
+            margin: 0.295,
+            drift: 0.1,
+            probability,
+        },
+        in_view: 12.0,
+        gained: 9.0,
+        reason: format!("keeps 9 s from dead reckoning, found in {probability:.2}"),
+    };
+    let mut list = vec![place(-120.0, 0.7), place(160.0, 0.5)];
+    list.truncate(order.count);
+    list
 }
 
 /// A landmark that is found in every other view.
@@ -245,6 +313,12 @@ fn assessment(order: &AssessmentOrder) -> Assessment {
         },
         false_matches: 1.0 / 32.0,
         views: (0..32).map(glance).collect(),
+        breakdown: Breakdown {
+            heading: vec![tally(8, 4, 0); 4],
+            attitude_error: vec![tally(10, 5, 1), tally(10, 5, 0), Tally::default()],
+            edges: [0.005, 0.01],
+            day: vec![tally(8, 4, 0); 4],
+        },
     }
 }
 

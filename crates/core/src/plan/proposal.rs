@@ -1,0 +1,117 @@
+//! Landmarks proposed for a flight: every place that its camera sees is rehearsed, and the set that
+//! serves it best is chosen.
+
+use std::sync::Arc;
+
+use super::days::OtherDays;
+use super::field::FieldView;
+use super::suggest::{
+    Candidate, Ranking, Suggestion, choose_lasting, fading, poses_all_over, poses_over,
+};
+use crate::frames::{GroundPoint, GroundRect, Pose};
+use crate::imagery::{CachedImagery, Imagery};
+use crate::navigator::NavigatorSettings;
+
+/// Memory for tiles of one day, megabytes: several rows of places, one below the other.
+const CACHE_MEGABYTES: usize = 8;
+
+/// What landmarks are proposed for.
+pub struct ProposalQuestion {
+    /// The map.
+    pub map: Arc<dyn Imagery>,
+    /// The same ground on other days.
+    pub days: Vec<Arc<dyn Imagery>>,
+    /// How the ground is looked at, and how uncertain the position is then.
+    pub view: FieldView,
+    /// Way-points of the flight; without any it may go anywhere over the map.
+    pub way_points: Vec<GroundPoint>,
+    /// Speed over the ground, m/s.
+    pub speed: f64,
+    /// Down coordinate of the ground plane, metres.
+    pub ground_down: f64,
+    /// How it will be navigated.
+    pub navigator: NavigatorSettings,
+    /// Side of the boxes, metres; a third of the picture's shorter side on the ground if `None`.
+    pub side: Option<f64>,
+    /// Boxes of landmarks that are there already: none is proposed over them.
+    pub taken: Vec<GroundRect>,
+}
+
+/// Rehearses the places, one a call, so that the caller can show progress and stop.
+pub struct Proposal {
+    question: ProposalQuestion,
+    frames: Vec<(f64, Pose)>,
+    ranking: Ranking,
+    side: f64,
+}
+
+impl Proposal {
+    /// Days on which places are rehearsed: with three, what is proposed depends on which they are.
+    pub const DAYS: u64 = 8;
+    /// Standard deviation of the position that is assumed, per axis, metres.
+    pub const POSITION: f64 = 10.0;
+
+    /// Those days, drawn by `seed`.
+    pub fn days(others: &dyn OtherDays, seed: u64) -> Vec<Arc<dyn Imagery>> {
+        let kept = |day| {
+            let drawn = others.drawn(seed.wrapping_mul(1000) + day);
+            Arc::new(CachedImagery::new(drawn, CACHE_MEGABYTES)) as Arc<dyn Imagery>
+        };
+        (0..Self::DAYS).map(kept).collect()
+    }
+
+    /// Prepares to rehearse; `None` if the camera does not see the ground.
+    pub fn new(question: ProposalQuestion) -> Option<Self> {
+        let q = &question;
+        let side = q.side.or_else(|| Some(q.view.across()? / 3.0))?;
+        let radius = q.view.searched(q.navigator.detector.search_sigmas, side);
+        let region = q.map.bounds();
+        let ranking = Ranking::new(Arc::clone(&q.map), &q.days, &region, side, radius);
+        let (height, camera) = (q.view.height, &q.view.camera);
+        let (frames, ranking) = if q.way_points.is_empty() {
+            let step = 0.5 * height * camera.height as f64 / camera.focal;
+            let frames = poses_all_over(q.map.as_ref(), height, step, q.ground_down);
+            (frames, ranking)
+        } else {
+            let frames = poses_over(&q.way_points, height, q.speed, q.ground_down);
+            let ranking = ranking.seen_from(camera, &frames, q.ground_down);
+            (frames, ranking)
+        };
+        Some(Self {
+            question,
+            frames,
+            ranking,
+            side,
+        })
+    }
+
+    /// Side of the boxes, metres.
+    pub fn side(&self) -> f64 {
+        self.side
+    }
+
+    /// Places done, and places in all.
+    pub fn progress(&self) -> (usize, usize) {
+        self.ranking.progress()
+    }
+
+    /// Rehearses the next place; false when all are done.
+    pub fn advance(&mut self) -> bool {
+        self.ranking.advance()
+    }
+
+    /// The places that passed, the most certain first.
+    pub fn ranked(self) -> Vec<Candidate> {
+        self.ranking.ranked()
+    }
+
+    /// At most `count` of them that serve the flight best, the one that gains most first.
+    pub fn chosen(self, count: usize) -> Vec<Suggestion> {
+        let q = self.question;
+        let mut ranked = self.ranking.ranked();
+        ranked.retain(|c| q.taken.iter().all(|t| !t.overlaps(&c.bounds)));
+        let lasting = fading(&q.navigator);
+        let camera = &q.view.camera;
+        choose_lasting(&ranked, camera, &self.frames, q.ground_down, lasting, count)
+    }
+}

@@ -1,0 +1,67 @@
+//! From which heights and with which tilts a landmark is found, a look after the other.
+
+use pilotage_core::plan::EnvelopeSurvey;
+
+use super::running::SLICE;
+use super::{Advance, AssessmentOrder, JobEvent, RunningJob, Workshop};
+
+/// Milliseconds between two looks at what is known so far.
+const EVERY: f64 = 400.0;
+
+/// An envelope being filled.
+pub struct SurveyEnvelope {
+    order: AssessmentOrder,
+    survey: Option<EnvelopeSurvey>,
+    told: f64,
+}
+
+impl SurveyEnvelope {
+    /// Nothing looked at yet.
+    pub fn new(order: AssessmentOrder) -> Self {
+        Self {
+            order,
+            survey: None,
+            told: 0.0,
+        }
+    }
+}
+
+impl RunningJob for SurveyEnvelope {
+    fn advance(
+        &mut self,
+        workshop: &mut Workshop,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Advance {
+        let Some(survey) = &mut self.survey else {
+            let words = "Laying out the ground of other days".to_owned();
+            emit(JobEvent::Progress(0.0, words));
+            let days = workshop.envelope_days(&self.order.map);
+            match days.and_then(|days| self.order.assessor(workshop, &days)) {
+                Ok(assessor) => self.survey = Some(EnvelopeSurvey::usual(assessor)),
+                Err(why) => {
+                    emit(JobEvent::Failed(why));
+                    return Advance::Done;
+                }
+            }
+            return Advance::More;
+        };
+        let begun = clock();
+        let mut more = true;
+        while more && clock() - begun < SLICE {
+            more = survey.advance();
+        }
+        let (done, of) = survey.progress();
+        let share = done as f32 / of.max(1) as f32;
+        emit(JobEvent::Progress(share, format!("Look {done} of {of}")));
+        if !more || clock() - self.told > EVERY {
+            self.told = clock();
+            emit(JobEvent::Envelope(Box::new(survey.envelope().clone())));
+        }
+        if more {
+            return Advance::More;
+        }
+        emit(JobEvent::Finished);
+        Advance::Done
+    }
+}

@@ -1,0 +1,110 @@
+//! Landmarks proposed for a route, as a job: the very proposal of the command line.
+
+use std::sync::Arc;
+
+use pilotage_core::frames::{GroundPoint, GroundRect};
+use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::navigator::NavigatorSettings;
+use pilotage_core::plan::{FieldView, Proposal, ProposalQuestion};
+use serde::{Deserialize, Serialize};
+
+use super::running::SLICE;
+use super::{Advance, JobEvent, MapSource, RunningJob, Workshop};
+
+/// Seed of the days: the same plan always has the same proposals.
+const SEED: u64 = 1;
+const CACHE_MEGABYTES: usize = 48;
+
+/// What landmarks are proposed for.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SuggestOrder {
+    /// The map.
+    pub map: MapSource,
+    /// How the ground is looked at, and how uncertain the position is then.
+    pub view: FieldView,
+    /// Way-points; without any the flight may go anywhere over the map.
+    pub way_points: Vec<GroundPoint>,
+    /// Speed, m/s.
+    pub speed: f64,
+    /// Down coordinate of the ground plane, metres.
+    pub ground_down: f64,
+    /// How it will be navigated.
+    pub navigator: NavigatorSettings,
+    /// Boxes of landmarks that are there already.
+    pub taken: Vec<GroundRect>,
+    /// How many to propose at most.
+    pub count: usize,
+}
+
+/// Places being rehearsed.
+pub struct Suggest {
+    order: SuggestOrder,
+    proposal: Option<Proposal>,
+}
+
+impl Suggest {
+    /// Nothing rehearsed yet.
+    pub fn new(order: SuggestOrder) -> Self {
+        Self {
+            order,
+            proposal: None,
+        }
+    }
+
+    fn begin(&self, workshop: &mut Workshop) -> Result<Proposal, String> {
+        let order = self.order.clone();
+        let days = workshop.proposal_days(&order.map, SEED)?;
+        let map = workshop.map(&order.map)?;
+        let map: Arc<dyn Imagery> = Arc::new(CachedImagery::new(map, CACHE_MEGABYTES));
+        Proposal::new(ProposalQuestion {
+            map,
+            days,
+            view: order.view,
+            way_points: order.way_points,
+            speed: order.speed,
+            ground_down: order.ground_down,
+            navigator: order.navigator,
+            side: None,
+            taken: order.taken,
+        })
+        .ok_or_else(|| "the camera does not look down at the ground".to_owned())
+    }
+}
+
+impl RunningJob for Suggest {
+    fn advance(
+        &mut self,
+        workshop: &mut Workshop,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Advance {
+        let Some(proposal) = &mut self.proposal else {
+            let words = "Laying out the ground of other days".to_owned();
+            emit(JobEvent::Progress(0.0, words));
+            match self.begin(workshop) {
+                Ok(proposal) => self.proposal = Some(proposal),
+                Err(why) => {
+                    emit(JobEvent::Failed(why));
+                    return Advance::Done;
+                }
+            }
+            return Advance::More;
+        };
+        let begun = clock();
+        let mut more = true;
+        while more && clock() - begun < SLICE {
+            more = proposal.advance();
+        }
+        let (done, of) = proposal.progress();
+        let share = done as f32 / of.max(1) as f32;
+        emit(JobEvent::Progress(share, format!("Place {done} of {of}")));
+        if more {
+            return Advance::More;
+        }
+        if let Some(proposal) = self.proposal.take() {
+            emit(JobEvent::Suggestions(proposal.chosen(self.order.count)));
+        }
+        emit(JobEvent::Finished);
+        Advance::Done
+    }
+}

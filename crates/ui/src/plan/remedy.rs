@@ -1,0 +1,230 @@
+//! What would mend the worst stretch of a route: a landmark, more height, another line; by its figures.
+
+use egui::{Align2, Painter, Stroke, Ui};
+use pilotage_core::frames::{GroundPoint, GroundRect};
+use pilotage_core::landmark::Landmark;
+use pilotage_core::plan::{DetectionStatistics, Prediction, Stretch};
+use pilotage_core::simulate::Target;
+
+use super::PlanCommand;
+use super::assessments::assumed;
+use super::chart::sample_at;
+use super::finder::FindCommand;
+use super::forecast::Forecast;
+use super::planner::Planner;
+use super::words::distance_text;
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::documents::landmarks::POINT_SIDE;
+use crate::host::Host;
+use crate::jobs::{Job, JobEvent, JobId, PredictionOrder};
+use crate::map::{ScreenFromWorld, paint_halo_text};
+use crate::shell::text_button;
+use crate::tokens::Tokens;
+use crate::units::Units;
+
+/// Worlds of each comparison: the same ones for each, so that few tell.
+const WORLDS: usize = 16;
+/// How much higher is tried.
+const HIGHER: f64 = 1.25;
+/// Share of the uncertainty that must go for a remedy to be called one.
+const HELPS: f64 = 0.9;
+
+/// The worst stretch, and what it would be with each remedy.
+#[derive(Debug, Default)]
+pub struct Remedies {
+    /// The plan and the limit that it is about.
+    of: Option<(PredictionOrder, f64)>,
+    worst: Option<Worst>,
+    asked: Option<JobId>,
+    /// Largest standard deviation on the stretch as planned, with a landmark, and higher, metres.
+    sigmas: Vec<f64>,
+}
+
+/// A stretch and where it lies.
+#[derive(Clone, Copy, Debug)]
+struct Worst {
+    stretch: Stretch,
+    /// Where it begins: a fix there is of most use.
+    begin: GroundPoint,
+    end: GroundPoint,
+}
+
+impl Worst {
+    fn of(prediction: &Prediction) -> Option<Self> {
+        let over = !prediction.over_limit.is_empty();
+        let stretch = prediction.worst_stretch().filter(|_| over)?;
+        let at = |distance| sample_at(&prediction.samples, distance).map(|s| s.position);
+        Some(Self {
+            begin: at(stretch.begin)?,
+            end: at(stretch.end)?,
+            stretch,
+        })
+    }
+
+    /// Largest standard deviation of the longer axis on this stretch, metres.
+    fn sigma(&self, prediction: &Prediction) -> f64 {
+        let s = &self.stretch;
+        let on = prediction.samples.iter();
+        let on = on.filter(|p| (s.begin - 1.0..=s.end + 1.0).contains(&p.distance));
+        on.map(|p| p.corridor.sigma_major).fold(0.0, f64::max)
+    }
+}
+
+impl Remedies {
+    /// Asks for what is not known yet of the prediction on screen.
+    pub fn work(&mut self, forecast: &Forecast, limit: f64, host: &mut dyn Host) {
+        let Some(shown) = forecast.shown().filter(|_| forecast.is_fine()) else {
+            self.forget(host);
+            return;
+        };
+        let known = self.of.as_ref();
+        if known.is_none_or(|(order, l)| *order != shown.order || *l != limit) {
+            self.forget(host);
+            self.of = Some((shown.order.clone(), limit));
+            self.worst = Worst::of(&shown.prediction);
+        }
+        let Some(worst) = self.worst.filter(|_| self.asked.is_none()) else {
+            return;
+        };
+        let mut order = PredictionOrder {
+            worlds: WORLDS,
+            ..shown.order.clone()
+        };
+        match self.sigmas.len() {
+            0 => {}
+            1 => order.landmarks.push(imagined(worst.begin)),
+            2 => {
+                order.height *= HIGHER;
+                let higher = |t: &Target| Target {
+                    height: HIGHER * t.height,
+                    ..*t
+                };
+                order.targets = order.targets.iter().map(higher).collect();
+            }
+            _ => return,
+        }
+        self.asked = Some(host.start(Job::Predict(Box::new(order))));
+    }
+
+    fn forget(&mut self, host: &mut dyn Host) {
+        if let Some(id) = self.asked.take() {
+            host.cancel(id);
+        }
+        (self.of, self.worst) = (None, None);
+        self.sigmas.clear();
+    }
+
+    /// Takes what a worker says; false if it is about something else.
+    pub fn receive(&mut self, id: JobId, event: &JobEvent) -> bool {
+        if self.asked != Some(id) {
+            return false;
+        }
+        match (event, &self.worst) {
+            (JobEvent::Prediction { prediction, .. }, Some(worst)) => {
+                self.sigmas.push(worst.sigma(prediction));
+            }
+            (JobEvent::Failed(_), _) => {
+                self.sigmas.push(f64::NAN);
+                self.asked = None;
+            }
+            (JobEvent::Finished | JobEvent::Cancelled, _) => self.asked = None,
+            _ => {}
+        }
+        true
+    }
+
+    /// What the stretch would come to with the landmark (1) or higher (2), metres.
+    fn would_be(&self, which: usize) -> Option<f64> {
+        let share = self.sigmas.get(which)? / self.sigmas.first()?;
+        let sigma = share * self.worst?.stretch.sigma;
+        sigma.is_finite().then_some(sigma)
+    }
+
+    /// What mends it, in sentences; none where nothing is to be mended.
+    pub fn sentences(&self, units: Units) -> Vec<String> {
+        let Some((worst, (order, _))) = self.worst.zip(self.of.as_ref()) else {
+            return Vec::new();
+        };
+        let (factor, unit) = units.length();
+        let short = |metres: f64| format!("{:.1} {unit}", metres * factor);
+        let begin = distance_text(worst.stretch.begin, units);
+        let mut list = vec![format!(
+            "What mends the worst stretch: a landmark at {begin} of the way, or before.{}",
+            self.would_be(1).map_or_else(String::new, |sigma| format!(
+                " One there, found as is assumed, makes its σ {} instead of {}.",
+                short(sigma),
+                short(worst.stretch.sigma)
+            ))
+        )];
+        if let Some(sigma) = self.would_be(2) {
+            let height = format!("{:.0} {unit}", HIGHER * order.height * factor);
+            list.push(if sigma < HELPS * worst.stretch.sigma {
+                format!(
+                    "From {height} above ground its σ is {}, if landmarks are found as well from there.",
+                    short(sigma)
+                )
+            } else {
+                format!(
+                    "Flying higher does not mend it: from {height} above ground its σ is {}.",
+                    short(sigma)
+                )
+            });
+        }
+        list
+    }
+
+    /// What it comes to, for journeys: the place, and the figures as planned, with a landmark, higher.
+    pub fn json(&self) -> serde_json::Value {
+        let place = self.worst.map(|w| [w.begin.north, w.begin.east]);
+        serde_json::json!({"place": place, "sigmas": self.sigmas})
+    }
+}
+
+/// A landmark that is not there, and what would be expected of it.
+fn imagined(at: GroundPoint) -> (Landmark, DetectionStatistics) {
+    let bounds = GroundRect::centered(at, POINT_SIDE, POINT_SIDE);
+    let landmark = Landmark::new(u32::MAX, "a landmark here", bounds);
+    (landmark, DetectionStatistics::everywhere(assumed()))
+}
+
+impl Planner {
+    /// Draws what mends the worst stretch, with a button that looks for another line.
+    pub(super) fn remedies_card(&self, ui: &mut Ui, context: &mut ViewContext<'_>) {
+        let tokens = context.tokens;
+        for sentence in self.remedies.sentences(context.units) {
+            ui.label(egui::RichText::new(sentence).color(tokens.text));
+        }
+        let Some(worst) = self.remedies.worst else {
+            return;
+        };
+        if text_button(ui, tokens, None, "Find another line past it", false).clicked() {
+            for command in [
+                FindCommand::Begin,
+                FindCommand::Click(worst.begin),
+                FindCommand::Click(worst.end),
+                FindCommand::Start,
+            ] {
+                let command = Command::Plan(PlanCommand::Find(command));
+                context.commands.push(command);
+            }
+        }
+    }
+
+    /// Marks on the map where a landmark would mend the worst stretch.
+    pub(crate) fn paint_remedy(&self, painter: &Painter, view: &ScreenFromWorld, tokens: &Tokens) {
+        let Some(worst) = self.remedies.worst else {
+            return;
+        };
+        let at = view.apply(&worst.begin);
+        for stroke in [
+            Stroke::new(5.0, tokens.outline()),
+            Stroke::new(2.0, tokens.warning),
+        ] {
+            painter.circle_stroke(at, 9.0, stroke);
+        }
+        let (below, align) = (at + egui::vec2(0.0, 14.0), Align2::CENTER_TOP);
+        let text = "a landmark here would help";
+        paint_halo_text(painter, below, align, text, tokens.small(), tokens.warning);
+    }
+}
