@@ -17,6 +17,8 @@ const DAYS: usize = 2;
 /// Milliseconds between two looks at what is known so far.
 const EVERY: f64 = 400.0;
 const CACHE_MEGABYTES: usize = 48;
+/// Why nothing can be seen.
+pub(super) const LOOKS_AWAY: &str = "the camera does not look down at the ground";
 
 /// What gives fixes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -49,6 +51,26 @@ impl FieldOrder {
         let longer = self.region.width().max(self.region.height());
         let across = self.view.across().unwrap_or(self.view.height);
         (across / 9.0).max(longer / MOST_CELLS)
+    }
+
+    /// A field of what the map offers, to be computed.
+    pub(super) fn offered(
+        &self,
+        search_sigmas: f64,
+        workshop: &mut Workshop,
+    ) -> Result<OfferedField, String> {
+        let across = self.view.across().ok_or(LOOKS_AWAY)?;
+        let days = workshop.other_days(&self.map, DAYS)?;
+        let map = workshop.map(&self.map)?;
+        let map: Arc<dyn Imagery> = Arc::new(CachedImagery::new(map, CACHE_MEGABYTES));
+        Ok(OfferedField::new(
+            map,
+            days,
+            self.view.clone(),
+            &self.region,
+            (across / 3.0, self.step()),
+            search_sigmas,
+        ))
     }
 
     /// A field of the landmarks at once.
@@ -84,11 +106,8 @@ impl ComputeField {
 
     fn begin(&self, workshop: &mut Workshop) -> Result<Work, String> {
         let order = &self.order;
-        let across = order
-            .view
-            .across()
-            .ok_or("the camera does not look down at the ground")?;
         match &order.from {
+            _ if order.view.across().is_none() => Err(LOOKS_AWAY.to_owned()),
             FieldFrom::Landmarks(sources) => Ok(Work::Landmarks(Box::new(FieldBuilder::new(
                 order.view.clone(),
                 &order.region,
@@ -96,17 +115,8 @@ impl ComputeField {
                 sources.clone(),
             )))),
             FieldFrom::Map { search_sigmas } => {
-                let days = workshop.other_days(&order.map, DAYS)?;
-                let map = workshop.map(&order.map)?;
-                let map: Arc<dyn Imagery> = Arc::new(CachedImagery::new(map, CACHE_MEGABYTES));
-                Ok(Work::Map(Box::new(OfferedField::new(
-                    map,
-                    days,
-                    order.view.clone(),
-                    &order.region,
-                    (across / 3.0, order.step()),
-                    *search_sigmas,
-                ))))
+                let offered = order.offered(*search_sigmas, workshop)?;
+                Ok(Work::Map(Box::new(offered)))
             }
         }
     }

@@ -5,12 +5,13 @@ use std::sync::Arc;
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::imagery::terrain::{HeightGrid, Terrain as _};
 use pilotage_core::plan::{
-    Aim, BudgetOf, FixSource, Forbidden, FoundRoute, NoFlyArea, PlannedLandmark, Prediction,
+    Aim, BudgetOf, Forbidden, FoundRoute, Localizability, NoFlyArea, OfferedField, Prediction,
     RouteQuestion, RouteSearch, Turns,
 };
 use pilotage_core::simulate::Airframe;
 use serde::{Deserialize, Serialize};
 
+use super::field::LOOKS_AWAY;
 use super::running::SLICE;
 use super::{Advance, FieldFrom, FieldOrder, JobEvent, PredictionOrder, RunningJob, Workshop};
 
@@ -101,6 +102,7 @@ impl HighGround {
 
 enum Stage {
     Field,
+    Offer(Box<OfferedField>),
     Search(Box<RouteSearch>),
     Predict(Vec<FoundRoute>, Vec<Foreseen>),
 }
@@ -120,26 +122,16 @@ impl FindRoute {
         }
     }
 
-    fn search(&self) -> Result<RouteSearch, String> {
-        let order = &self.order;
-        let view = &order.field.view;
-        let pass = view
-            .across()
-            .ok_or("the camera does not look down at the ground")?;
-        let sources: Vec<FixSource> = match &order.field.from {
+    /// The field of the landmarks, or what the map offers as work to be done.
+    fn begin(&self, workshop: &mut Workshop) -> Result<Stage, String> {
+        let field = &self.order.field;
+        let pass = field.view.across().ok_or(LOOKS_AWAY)?;
+        let sources = match &field.from {
             FieldFrom::Landmarks(sources) => sources.clone(),
-            FieldFrom::Map { .. } => order
-                .flight
-                .landmarks
-                .iter()
-                .filter_map(|(landmark, detection)| {
-                    let planned = PlannedLandmark {
-                        landmark: landmark.clone(),
-                        detection: detection.clone(),
-                    };
-                    FixSource::of(&planned, view.height)
-                })
-                .collect(),
+            FieldFrom::Map { search_sigmas } => {
+                let offered = field.offered(*search_sigmas, workshop)?;
+                return Ok(Stage::Offer(Box::new(offered)));
+            }
         };
         if sources.is_empty() {
             return Err(
@@ -147,9 +139,14 @@ impl FindRoute {
                     .to_owned(),
             );
         }
-        let region = order.field.region;
+        let region = field.region;
         let step = (pass / 6.0).max(region.width().max(region.height()) / MOST_CELLS);
-        let field = order.field.of_landmarks(sources, step);
+        self.search(field.of_landmarks(sources, step))
+    }
+
+    fn search(&self, field: Localizability) -> Result<Stage, String> {
+        let order = &self.order;
+        let pass = order.field.view.across().ok_or(LOOKS_AWAY)?;
         let cruise = Airframe::sig_kadet_senior().cruise;
         RouteSearch::new(RouteQuestion {
             from: order.from,
@@ -166,11 +163,13 @@ impl FindRoute {
             budget_of: order.budget_of,
             aim: order.aim,
         })
+        .map(|search| Stage::Search(Box::new(search)))
         .map_err(|e| e.to_string())
     }
 
     fn work(
         &mut self,
+        workshop: &mut Workshop,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
@@ -178,7 +177,22 @@ impl FindRoute {
             Stage::Field => {
                 let words = "Where a fix would be had".to_owned();
                 emit(JobEvent::Progress(0.02, words));
-                self.stage = Stage::Search(Box::new(self.search()?));
+                self.stage = self.begin(workshop)?;
+            }
+            Stage::Offer(offered) => {
+                let begun = clock();
+                let mut more = true;
+                while more && clock() - begun < SLICE {
+                    more = offered.advance();
+                }
+                let (done, of) = offered.progress();
+                let share = 0.7 * done as f32 / of.max(1) as f32;
+                let words = format!("What the map offers: place {done} of {of}");
+                emit(JobEvent::Progress(share, words));
+                if !more {
+                    let field = offered.field().clone();
+                    self.stage = self.search(field)?;
+                }
             }
             Stage::Search(search) => {
                 let begun = clock();
@@ -186,7 +200,9 @@ impl FindRoute {
                 while more && clock() - begun < SLICE {
                     more = search.advance();
                 }
-                let share = 0.05 + 0.65 * search.progress();
+                let by_map = matches!(self.order.field.from, FieldFrom::Map { .. });
+                let begin = if by_map { 0.7 } else { 0.05 };
+                let share = begin + (0.75 - begin) * search.progress();
                 let words = "Comparing ways from fix to fix".to_owned();
                 emit(JobEvent::Progress(share, words));
                 if !more {
@@ -212,7 +228,9 @@ impl FindRoute {
                 } else if let (Some(surest), Some(shortest)) = (done.pop(), done.pop()) {
                     // What the field promised is not always what is foreseen along the way.
                     let aim = self.order.aim;
-                    let is_better = surest.uncertainty(aim) <= shortest.uncertainty(aim);
+                    // Of what the map offers, nothing is predicted before it is a landmark.
+                    let by_map = matches!(self.order.field.from, FieldFrom::Map { .. });
+                    let is_better = by_map || surest.uncertainty(aim) <= shortest.uncertainty(aim);
                     let surest = if is_better { surest } else { shortest.clone() };
                     let plan = FoundPlan { shortest, surest };
                     emit(JobEvent::FoundPlan(Box::new(plan)));
@@ -228,11 +246,11 @@ impl FindRoute {
 impl RunningJob for FindRoute {
     fn advance(
         &mut self,
-        _workshop: &mut Workshop,
+        workshop: &mut Workshop,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Advance {
-        self.work(clock, emit).unwrap_or_else(|why| {
+        self.work(workshop, clock, emit).unwrap_or_else(|why| {
             emit(JobEvent::Failed(why));
             Advance::Done
         })

@@ -1,7 +1,7 @@
 //! Finding a route: its two ends, its budget, no-fly areas, and what was found.
 
 use pilotage_core::frames::units::GRAVITY;
-use pilotage_core::frames::{Altitude, AltitudeFrame, AltitudeReference, GroundPoint};
+use pilotage_core::frames::{Altitude, AltitudeFrame, AltitudeReference, GroundPoint, GroundRect};
 use pilotage_core::mission::NoFlyZone;
 use pilotage_core::plan::{Aim, BudgetOf, Turns};
 use pilotage_core::simulate::GuidanceSettings;
@@ -29,6 +29,8 @@ pub struct FindPreferences {
     pub budget_of: BudgetOf,
     /// What is to be least.
     pub aim: Aim,
+    /// What it shall lead over.
+    pub over: HeatOf,
     /// Distance that is kept from no-fly areas, metres.
     pub clearance: f64,
     /// Height that is kept above the ground of the elevation model, metres.
@@ -41,6 +43,7 @@ impl Default for FindPreferences {
             budget: 1.3,
             budget_of: BudgetOf::default(),
             aim: Aim::default(),
+            over: HeatOf::default(),
             clearance: 50.0,
             ground_clearance: 60.0,
         }
@@ -213,7 +216,21 @@ impl Planner {
             &line(&[from, to], self.found_altitude(documents)),
             documents,
         );
-        let field = self.field_order(documents, HeatOf::Landmarks, height)?;
+        let mut field = self.field_order(documents, wanted.over, height)?;
+        if wanted.over == HeatOf::Map {
+            // No farther around than a route within a usual budget leads.
+            let far = 0.5 * from.distance(&to) + height;
+            let near = GroundRect::around([from, to])?.grown(far);
+            if !near.overlaps(&field.region) {
+                return None;
+            }
+            field.region = GroundRect {
+                south: near.south.max(field.region.south),
+                north: near.north.min(field.region.north),
+                west: near.west.max(field.region.west),
+                east: near.east.min(field.region.east),
+            };
+        }
         let wind = self.wind(documents);
         let bank = self.preferences.bank;
         let guidance = GuidanceSettings::within(bank);

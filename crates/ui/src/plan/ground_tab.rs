@@ -278,6 +278,10 @@ fn length(
 
 fn wishes(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut ViewContext<'_>) {
     let mut wanted = planner.preferences.find;
+    row(ui, "Lead it over", |ui| {
+        ui.selectable_value(&mut wanted.over, HeatOf::Map, "any good place");
+        ui.selectable_value(&mut wanted.over, HeatOf::Landmarks, "my landmarks");
+    });
     row(ui, "Keep small", |ui| {
         ui.selectable_value(&mut wanted.aim, Aim::Mean, "the mean");
         ui.selectable_value(&mut wanted.aim, Aim::Worst, "the worst uncertainty");
@@ -403,6 +407,12 @@ fn comparison(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
         ui.label(muted(
             tokens,
             "Nothing within the budget is better than the shortest way.",
+        ));
+    }
+    if planner.preferences.find.over == HeatOf::Map {
+        ui.label(muted(
+            tokens,
+            "Predicted with the landmarks that are on: draw some along the found route.",
         ));
     }
     ui.horizontal(|ui| {
