@@ -33,11 +33,15 @@ export async function run(page, tools) {
   await tools.click(await tools.find(null, "What the altitude counts from"));
   await tools.click(await tools.find("Button", "AMSL"));
   const amsl = await tools.waitFor((s) => first(s).frame === "AMSL", "the altitude above mean sea level");
+  // What stands above the way-points in the column changes with the prediction.
+  const climbing = await tools.waitFor(fine, "the prediction from that altitude", 60_000);
+  await page.waitForTimeout(300);
   const ground = first(amsl).altitude - first(opened).altitude;
   tools.check(ground > 299 && ground < 371, `the ground below the first way-point is ${ground} m high`);
   await tools.find(null, new RegExp(` m above ground at ${ground.toFixed(0)} m AMSL$`));
   await tools.click(await tools.find("Button", "This altitude for all way-points"));
   const level = await tools.waitFor((s) => s.plan.routes[0].way_points.every((w) => w.frame === "AMSL") && fine(s), "the prediction at that altitude", 60_000);
+  console.log(`        σ ${opened.plan.prediction.worst_sigma.toFixed(1)} m over level ground, ${climbing.plan.prediction.worst_sigma.toFixed(1)} m from that altitude, ${level.plan.prediction.worst_sigma.toFixed(1)} m over the hill`);
   tools.check(level.plan.prediction.mean_width !== opened.plan.prediction.mean_width, "the hill changes nothing of the prediction");
 
   await tools.click(await tools.find("Tab", "Heights"));
