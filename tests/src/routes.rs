@@ -15,6 +15,7 @@ use pilotage_core::plan::{
     Aim, Assessor, BudgetOf, Circumstances, DetectionStatistics, ExpectedDetection, FieldBuilder,
     FieldView, FixSource, FoundRoute, FoundRoutes, Localizability, PlannedLandmark, Prediction,
     PredictionRequest, Rehearsal, RouteQuestion, SceneryDays, Turns, as_stated,
+    growth_before_first_fix,
 };
 use pilotage_core::simulate::scenery::Day;
 use pilotage_core::simulate::{
@@ -181,14 +182,23 @@ impl Case {
                 bounds.west + bounds.width() * random.random::<f64>(),
             )
         };
+        // One takes off where there is something to see; where one goes there may be nothing.
+        let homes: Vec<GroundPoint> = mission.landmarks.iter().map(|l| l.reference).collect();
         for _ in 0..10_000 {
-            let (from, to) = (place(), place());
+            let to = place();
+            let from = homes[(to.north.abs() * 1e3) as usize % homes.len()];
             if !(APART.0..APART.1).contains(&from.distance(&to)) {
                 continue;
             }
-            let question = question(from, to, &field, pass, &scenario, budget);
+            let mut question = question(from, to, &field, pass, &scenario, budget);
+            question.before_first_fix = growth_before_first_fix(&mission.navigator);
             let straight = question.judge(&[from, to]).ok_or("nothing is forbidden")?;
             if straight.worst_blind < BLIND * straight.length {
+                continue;
+            }
+            // Blind is what one gets lost over: further off than the picture is wide.
+            let line = flight_plan(&scenario, seed, &[from, to]);
+            if worst(&predict(&mission, &landmarks, &line)?) < pass {
                 continue;
             }
             let found = question.find().map_err(|e| e.to_string())?;
@@ -207,34 +217,11 @@ impl Case {
         Err(format!("county {seed} has no blind ground"))
     }
 
-    fn plan(&self, way_points: &[GroundPoint]) -> FlightPlan {
-        FlightPlan {
-            name: format!("county {}", self.seed),
-            way_points: way_points.to_vec(),
-            wind: Vector2::zeros(),
-            longest: 3600.0,
-            ..self.scenario.plan(&Overrides::default())
-        }
-    }
-
-    fn predict(&self, plan: &FlightPlan) -> Result<Prediction, String> {
-        let request = PredictionRequest {
-            plan,
-            settings: &self.mission.navigator,
-            landmarks: &self.landmarks,
-            wind_deviation: self.mission.navigator.start.wind,
-            worlds: WORLDS,
-            seed: 1,
-            limit: f64::INFINITY,
-        };
-        request.predict().map_err(|e| e.to_string())
-    }
-
     /// Predicts a route and flies it with every seed below `flights`, each in a wind of its own, over
     /// what is seen.
     pub fn fly(&self, route: &FoundRoute, flights: u64, seen: Seen) -> Result<Flown, String> {
-        let plan = self.plan(&route.way_points);
-        let prediction = self.predict(&plan)?;
+        let plan = flight_plan(&self.scenario, self.seed, &route.way_points);
+        let prediction = predict(&self.mission, &self.landmarks, &plan)?;
         let samples = &prediction.samples;
         let sigmas = || samples.iter().map(|s| s.corridor.sigma_major);
         let next = AtomicU64::new(0);
@@ -261,7 +248,7 @@ impl Case {
         let all = || errors.iter().flatten();
         Ok(Flown {
             route: route.clone(),
-            predicted_worst: sigmas().fold(0.0, f64::max),
+            predicted_worst: worst(&prediction),
             predicted_mean: sigmas().sum::<f64>() / samples.len().max(1) as f64,
             time: samples.last().map_or(0.0, |s| s.time),
             largest: errors
@@ -311,6 +298,39 @@ impl Case {
     }
 }
 
+fn flight_plan(scenario: &Scenario, seed: u64, way_points: &[GroundPoint]) -> FlightPlan {
+    FlightPlan {
+        name: format!("county {seed}"),
+        way_points: way_points.to_vec(),
+        wind: Vector2::zeros(),
+        longest: 3600.0,
+        ..scenario.plan(&Overrides::default())
+    }
+}
+
+fn predict(
+    mission: &Mission,
+    landmarks: &[PlannedLandmark],
+    plan: &FlightPlan,
+) -> Result<Prediction, String> {
+    let request = PredictionRequest {
+        plan,
+        settings: &mission.navigator,
+        landmarks,
+        wind_deviation: mission.navigator.start.wind,
+        worlds: WORLDS,
+        seed: 1,
+        limit: f64::INFINITY,
+    };
+    request.predict().map_err(|e| e.to_string())
+}
+
+/// Largest standard deviation of the longer axis, metres.
+fn worst(prediction: &Prediction) -> f64 {
+    let sigmas = prediction.samples.iter();
+    sigmas.map(|s| s.corridor.sigma_major).fold(0.0, f64::max)
+}
+
 fn error(flight: &Flight, time: f64, estimate: &GroundPoint) -> Option<f64> {
     let truth = flight.truth.as_ref()?.position(time)?;
     Some((estimate.north - truth.x).hypot(estimate.east - truth.y))
@@ -334,6 +354,7 @@ fn question(
         forbidden: None,
         airspeed: scenario.plan(&Overrides::default()).airframe.cruise,
         wind: Vector2::zeros(),
+        before_first_fix: 1.0,
         turns: turns(scenario, 0.0),
         budget,
         budget_of: BudgetOf::Time,

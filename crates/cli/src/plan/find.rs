@@ -9,7 +9,7 @@ use pilotage_core::frames::{GroundPoint, LocalFrame};
 use pilotage_core::imagery::terrain::{Dem, Terrain as _};
 use pilotage_core::plan::{
     Aim, BudgetOf, FieldBuilder, FieldView, FixSource, Forbidden, FoundRoutes, PlannedLandmark,
-    Prediction, PredictionRequest, RouteQuestion, Turns,
+    Prediction, PredictionRequest, RouteQuestion, Turns, growth_before_first_fix,
 };
 use pilotage_core::simulate::{FlightPlan, GuidanceSettings};
 use serde::Serialize;
@@ -161,6 +161,7 @@ pub(super) fn find(
         forbidden: high_ground(wanted, ground)?,
         airspeed: plan.airframe.cruise,
         wind: plan.wind,
+        before_first_fix: growth_before_first_fix(&ground.mission.navigator),
         turns: turns(&plan),
         budget: wanted.budget,
         budget_of: match wanted.budget_of {

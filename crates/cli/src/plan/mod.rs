@@ -68,6 +68,9 @@ pub struct Arguments {
     /// the errors with the prediction.
     #[arg(long, requires_all = ["scenario", "predict"], value_name = "A..B")]
     fly: Option<String>,
+    /// Fly without pictures: landmarks are found as often and as well as is expected of them.
+    #[arg(long, requires = "fly")]
+    as_stated: bool,
     /// Fly about that many passes over places of every quality on days that were not rehearsed, and
     /// compare how often they are found with what was said.
     #[arg(long, requires = "scenario", value_name = "PASSES")]
@@ -151,12 +154,13 @@ pub fn run(arguments: &Arguments) -> Outcome {
         summary.envelopes = envelopes(arguments, &ground);
     }
     if arguments.predict {
-        let prediction = predict(arguments, &ground)?;
+        let (prediction, landmarks) = predict(arguments, &ground)?;
         summary.worst_stretch = prediction.worst_stretch();
         summary.samples = prediction.samples.iter().map(sample).collect();
         if let Some((seeds, plan)) = arguments.fly.as_ref().zip(ground.plan.as_ref()) {
             let seeds = crate::replay::seed_range(seeds)?;
-            let found = verify::verify(&ground, plan, &prediction, seeds)?;
+            let stated = arguments.as_stated.then_some(landmarks.as_slice());
+            let found = verify::verify(&ground, plan, &prediction, seeds, stated)?;
             println!(
                 "{} flights, {} frames: {:.1} % inside the 95 % ellipse, {:.1} ± {:.1} % inside the corridor; \
                  error {:.2} m RMS where {:.2} m was predicted and the filter believed {:.2} m (NEES {:.2}), \
@@ -354,7 +358,7 @@ fn expected(arguments: &Arguments, ground: &Ground, ground_down: f64) -> Vec<Pla
 fn predict(
     arguments: &Arguments,
     ground: &Ground,
-) -> Result<Prediction, Box<dyn std::error::Error>> {
+) -> Result<(Prediction, Vec<PlannedLandmark>), Box<dyn std::error::Error>> {
     let plan = ground
         .plan
         .as_ref()
@@ -394,5 +398,5 @@ fn predict(
             stretch.dead_reckoning
         );
     }
-    Ok(prediction)
+    Ok((prediction, landmarks))
 }

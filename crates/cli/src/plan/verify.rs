@@ -3,11 +3,14 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use pilotage_core::flight::Flight;
+use pilotage_core::flight::{Flight, FrameSource};
 use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::landmark::{Detector, TemplateDetector};
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Navigator, Run};
-use pilotage_core::plan::{Comparison, Prediction, Verification, any_day, compare};
+use pilotage_core::plan::{
+    Comparison, PlannedLandmark, Prediction, Verification, any_day, as_stated, compare,
+};
 use pilotage_core::simulate::{FlightDay, FlightPlan, Scenario, SimulatedFrames};
 
 use super::Ground;
@@ -22,12 +25,14 @@ const CACHE: usize = 256;
 /// Flies seeds `first..end` and compares their errors with `prediction`.
 ///
 /// Each flight has a wind of its own, drawn from what was predicted for, and a day of several: a
-/// prediction is a statement about all of them, and one over and over would be one sample of it.
+/// prediction is a statement about all of them, and one over and over would be one sample of it. Where
+/// landmarks are `stated` there are no pictures: they are found as often and as well as that says.
 pub fn verify(
     ground: &Ground,
     plan: &FlightPlan,
     prediction: &Prediction,
     (first, end): (u64, u64),
+    stated: Option<&[PlannedLandmark]>,
 ) -> Result<Verification, Box<dyn std::error::Error>> {
     let map = Scenario::map();
     let days: Vec<Arc<CachedImagery>> = (0..DAYS)
@@ -45,7 +50,7 @@ pub fn verify(
                 return Ok(all);
             }
             let day = &days[(seed % DAYS) as usize];
-            let (flight, run) = fly(ground, plan, day, seed)?;
+            let (flight, run) = fly(ground, plan, day, seed, stated)?;
             let compared = compare(&flight, &run, prediction);
             let of = Verification::of(std::slice::from_ref(&compared));
             eprintln!(
@@ -83,25 +88,38 @@ fn fly(
     plan: &FlightPlan,
     seen: &Arc<CachedImagery>,
     seed: u64,
+    stated: Option<&[PlannedLandmark]>,
 ) -> Result<(Flight, Run), String> {
     let named = |e: &dyn std::fmt::Display| format!("seed {seed}: {e}");
     let flight = plan
         .in_wind_of(seed, ground.mission.navigator.start.wind)
         .simulate(seed)
         .ok_or_else(|| named(&"the route needs two way-points"))?;
-    let mut frames = SimulatedFrames::new(&flight, FlightDay::Other, seed).over(Arc::clone(seen));
-    let flight = Arc::new(flight);
     let Mission {
         landmarks,
         navigator: settings,
         ..
     } = &ground.mission;
-    let map = Arc::clone(&ground.map);
-    let mut navigator = Navigator::new(Arc::clone(&flight), landmarks, map, settings)
-        .map_err(|e| named(&e))?
-        .sparing();
+    let (detector, mut frames): (Box<dyn Detector>, Box<dyn FrameSource>) =
+        if let Some(stated) = stated {
+            let stated = as_stated(&flight, stated, seed);
+            let (detector, frames) = stated.ok_or_else(|| named(&"there is no truth"))?;
+            (Box::new(detector), Box::new(frames))
+        } else {
+            let frames = SimulatedFrames::new(&flight, FlightDay::Other, seed);
+            let map = Arc::clone(&ground.map);
+            (
+                Box::new(TemplateDetector::new(map, settings.detector)),
+                Box::new(frames.over(Arc::clone(seen))),
+            )
+        };
+    let flight = Arc::new(flight);
+    let mut navigator =
+        Navigator::with_detector(Arc::clone(&flight), landmarks, detector, settings)
+            .map_err(|e| named(&e))?
+            .sparing();
     let mut run = navigator.run_head();
-    while let Some(step) = navigator.advance(&mut frames, &|| 0.0) {
+    while let Some(step) = navigator.advance(frames.as_mut(), &|| 0.0) {
         let step = step.map_err(|e| named(&e))?;
         if step.frame.is_some() {
             run.steps.push(step);

@@ -6,6 +6,9 @@
 //! is had with probability P leaves √(1-P) of it, so that a piece of ds leaves (1-P)^(ds/2L). Every
 //! piece maps u to an affine function of it, and so does every way: it is sampled once and then holds
 //! for any u with which it is begun.
+//!
+//! Before the first fix nobody knows the wind, and the uncertainty grows faster by a ratio k. What is left
+//! of that, 1 at the start, is taken back by a pass like u itself; u is linear in it, too.
 
 use nalgebra::Vector2;
 
@@ -17,16 +20,34 @@ const LIT: f64 = 0.02;
 /// Greatest probability that is believed.
 const SUREST: f64 = 0.99;
 
-/// An affine function of the metres without a fix at the beginning.
+/// How unsure one is of the position and of what moves it.
 #[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Unsure {
+    /// Metres without a fix.
+    pub metres: f64,
+    /// Share of the start's ignorance of the wind that is left, 0 to 1.
+    pub wind: f64,
+}
+
+impl Unsure {
+    /// At the start of a route.
+    pub const START: Self = Self {
+        metres: 0.0,
+        wind: 1.0,
+    };
+}
+
+/// An affine function of what one is unsure of at the beginning.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Affine {
     pub factor: f64,
+    pub of_wind: f64,
     pub offset: f64,
 }
 
 impl Affine {
-    pub fn of(&self, u: f64) -> f64 {
-        self.factor * u + self.offset
+    pub fn of(&self, unsure: Unsure) -> f64 {
+        self.factor * unsure.metres + self.of_wind * unsure.wind + self.offset
     }
 }
 
@@ -37,8 +58,10 @@ pub(super) struct BlindWay {
     pub length: f64,
     /// How long it takes, seconds.
     pub time: f64,
-    /// What is left at its end.
+    /// Metres without a fix at its end.
     pub end: Affine,
+    /// Share of the ignorance of the wind that is left at its end.
+    pub wind_kept: f64,
     /// Its values where it may be greatest.
     pub peaks: Vec<Affine>,
     /// Its integral over the way, m².
@@ -46,9 +69,18 @@ pub(super) struct BlindWay {
 }
 
 impl BlindWay {
-    /// Greatest metres without a fix on the way, begun with `u`.
-    pub fn worst(&self, u: f64) -> f64 {
-        self.peaks.iter().map(|p| p.of(u)).fold(u, f64::max)
+    /// Greatest metres without a fix on the way, begun with `unsure`.
+    pub fn worst(&self, unsure: Unsure) -> f64 {
+        let peaks = self.peaks.iter().map(|p| p.of(unsure));
+        peaks.fold(unsure.metres, f64::max)
+    }
+
+    /// What one is unsure of at its end.
+    pub fn after(&self, unsure: Unsure) -> Unsure {
+        Unsure {
+            metres: self.end.of(unsure),
+            wind: self.wind_kept * unsure.wind,
+        }
     }
 }
 
@@ -79,6 +111,8 @@ pub(super) struct Ground<'a> {
     /// Length of a pass over a source: the shorter side of the picture on the ground, metres.
     pub pass: f64,
     pub pace: Pace,
+    /// How many times as fast the uncertainty grows before the first fix.
+    pub before_first_fix: f64,
 }
 
 impl Ground<'_> {
@@ -88,18 +122,17 @@ impl Ground<'_> {
         let length = way.norm();
         let mut end = Affine {
             factor: 1.0,
-            offset: 0.0,
+            ..Affine::default()
         };
-        let mut integral = Affine {
-            factor: 0.0,
-            offset: 0.0,
-        };
+        let mut integral = Affine::default();
+        let mut wind_kept = 1.0;
         let mut peaks = Vec::new();
         if length < 1e-9 {
             return Some(BlindWay {
                 length,
                 time: 0.0,
                 end,
+                wind_kept,
                 peaks,
                 integral,
             });
@@ -116,15 +149,19 @@ impl Ground<'_> {
             }
             lit = p >= LIT;
             let grown = Affine {
-                factor: end.factor,
+                of_wind: end.of_wind + ds * (self.before_first_fix - 1.0) * wind_kept,
                 offset: end.offset + ds,
+                ..end
             };
             // Trapezoid of the growth.
             integral.factor += ds * end.factor;
+            integral.of_wind += ds * 0.5 * (end.of_wind + grown.of_wind);
             integral.offset += ds * 0.5 * (end.offset + grown.offset);
             let kept = (1.0 - p).powf(0.5 * ds / self.pass);
+            wind_kept *= kept;
             end = Affine {
                 factor: grown.factor * kept,
+                of_wind: grown.of_wind * kept,
                 offset: grown.offset * kept,
             };
         }
@@ -133,6 +170,7 @@ impl Ground<'_> {
             length,
             time,
             end,
+            wind_kept,
             peaks,
             integral,
         })
@@ -164,7 +202,30 @@ mod tests {
                 airspeed: 20.0,
                 wind: Vector2::zeros(),
             },
+            before_first_fix: 5.0,
         }
+    }
+
+    /// So many metres in a wind that is known.
+    fn metres(metres: f64) -> Unsure {
+        Unsure { metres, wind: 0.0 }
+    }
+
+    #[test]
+    fn before_the_first_fix_the_uncertainty_grows_faster_and_a_fix_ends_that() {
+        let field = field(|p| f64::from(u8::from((400.0..600.0).contains(&p.north))) * 0.96);
+        let follow = |from: f64, to: f64| {
+            let (from, to) = (GroundPoint::new(from, 0.0), GroundPoint::new(to, 0.0));
+            ground(&field).follow(&from, &to).unwrap()
+        };
+        let first = follow(0.0, 390.0);
+        assert!((first.after(Unsure::START).metres - 5.0 * 390.0).abs() < 1e-6);
+        assert_eq!(first.after(Unsure::START).wind, 1.0);
+        // Two passes of 96 %: a 25th is left.
+        let behind = follow(0.0, 620.0).after(Unsure::START);
+        assert!((0.03..0.06).contains(&behind.wind), "{behind:?}");
+        let later = follow(620.0, 1020.0).after(behind).metres - behind.metres;
+        assert!((400.0..480.0).contains(&later), "{later}");
     }
 
     #[test]
@@ -173,9 +234,9 @@ mod tests {
         let way = ground(&field)
             .follow(&GroundPoint::new(0.0, 0.0), &GroundPoint::new(900.0, 0.0))
             .unwrap();
-        assert!((way.end.of(50.0) - 950.0).abs() < 1e-9);
-        assert!((way.worst(50.0) - 950.0).abs() < 1e-9);
-        assert!((way.integral.of(0.0) - 0.5 * 900.0 * 900.0).abs() < 1e-6);
+        assert!((way.end.of(metres(50.0)) - 950.0).abs() < 1e-9);
+        assert!((way.worst(metres(50.0)) - 950.0).abs() < 1e-9);
+        assert!((way.integral.of(metres(0.0)) - 0.5 * 900.0 * 900.0).abs() < 1e-6);
         assert_eq!((way.length, way.time), (900.0, 45.0));
     }
 
@@ -186,10 +247,10 @@ mod tests {
         let way = ground(&field)
             .follow(&GroundPoint::new(0.0, 0.0), &GroundPoint::new(500.0, 0.0))
             .unwrap();
-        let end = way.end.of(1600.0);
+        let end = way.end.of(metres(1600.0));
         // Half of the 2,000 m with which it comes to the fix, and some of the pass itself.
         assert!((1000.0..1090.0).contains(&end), "{end}");
-        assert!((way.worst(1600.0) - 2000.0).abs() < 26.0, "{way:?}");
+        assert!((way.worst(metres(1600.0)) - 2000.0).abs() < 26.0, "{way:?}");
     }
 
     #[test]

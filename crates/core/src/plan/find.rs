@@ -11,12 +11,13 @@ use std::sync::Arc;
 use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
-use super::blind_way::{Ground, Pace};
+use super::blind_way::{Ground, Pace, Unsure};
 use super::field::Localizability;
 use super::graph::{Aimed, Graph};
 use super::no_fly::{NoFlyArea, Obstacles};
 use super::smooth::{Turns, fits, pull_tight};
 use crate::frames::{GroundPoint, GroundRect};
+use crate::navigator::NavigatorSettings;
 
 /// Most nodes taken from the field.
 const MOST_SOURCES: usize = 260;
@@ -77,6 +78,9 @@ pub struct RouteQuestion {
     pub airspeed: f64,
     /// Velocity of the air (north, east), m/s.
     pub wind: Vector2<f64>,
+    /// How many times as fast the uncertainty grows before the first fix, while nobody knows the wind; 1 if
+    /// it is known.
+    pub before_first_fix: f64,
     /// Radius of a turn, metres, and the way flown while rolling into it, metres.
     pub turns: Turns,
     /// Greatest cost of the route over that of the shortest allowed one, e.g. 1.3.
@@ -97,7 +101,7 @@ pub struct FoundRoute {
     /// How long it takes in the wind, without turns, seconds.
     pub time: f64,
     /// Greatest metres since the last fix: root mean square over the ways in which detections may turn
-    /// out.
+    /// out. Those before the first fix count as often as the question says.
     pub worst_blind: f64,
     /// Their mean over the way.
     pub mean_blind: f64,
@@ -129,6 +133,15 @@ pub enum FindError {
     SamePlace,
 }
 
+/// Standard deviation of the wind per axis that is left after a fix or two, m/s: the scenarios' filter
+/// comes to half of that within a minute.
+const WIND_AFTER_A_FIX: f64 = 0.5;
+
+/// How many times as fast the uncertainty grows before the first fix for a filter with these settings.
+pub fn growth_before_first_fix(settings: &NavigatorSettings) -> f64 {
+    (settings.start.wind / WIND_AFTER_A_FIX).max(1.0)
+}
+
 impl RouteQuestion {
     fn obstacles(&self) -> Obstacles<'_> {
         Obstacles {
@@ -145,6 +158,7 @@ impl RouteQuestion {
                 airspeed: self.airspeed,
                 wind: self.wind,
             },
+            before_first_fix: self.before_first_fix.max(1.0),
         }
     }
 
@@ -188,15 +202,15 @@ impl RouteQuestion {
             way_points: way_points.to_vec(),
             ..FoundRoute::default()
         };
-        let (mut u, mut integral) = (0.0, 0.0);
+        let (mut unsure, mut integral) = (Unsure::START, 0.0);
         for leg in way_points.windows(2) {
             if !self.allows(&leg[0], &leg[1]) {
                 return None;
             }
             let way = ground.follow(&leg[0], &leg[1])?;
-            route.worst_blind = way.worst(u).max(route.worst_blind);
-            integral += way.integral.of(u);
-            u = way.end.of(u);
+            route.worst_blind = way.worst(unsure).max(route.worst_blind);
+            integral += way.integral.of(unsure);
+            unsure = way.after(unsure);
             route.length += way.length;
             route.time += way.time;
         }

@@ -34,6 +34,7 @@ fn question(fixes: &[GroundPoint]) -> RouteQuestion {
         clearance: 20.0,
         forbidden: None,
         airspeed: 20.0,
+        before_first_fix: 1.0,
         wind: Vector2::zeros(),
         turns: Turns {
             radius: 65.0,

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use super::blind_way::BlindWay;
+use super::blind_way::{BlindWay, Unsure};
 use super::find::RouteQuestion;
 use crate::frames::GroundPoint;
 
@@ -77,8 +77,7 @@ pub(super) struct Graph {
 struct Label {
     node: usize,
     cost: f64,
-    /// Metres without a fix.
-    u: f64,
+    unsure: Unsure,
     before: Option<usize>,
 }
 
@@ -88,7 +87,7 @@ struct Queued {
     /// What is paid so far, as the order has it.
     paid: f64,
     cost: f64,
-    u: f64,
+    unsure: Unsure,
     node: usize,
     before: Option<usize>,
 }
@@ -184,19 +183,19 @@ impl Graph {
             order: 0.0,
             paid: 0.0,
             cost: 0.0,
-            u: 0.0,
+            unsure: Unsure::START,
             node: 0,
             before: None,
         });
         while let Some(head) = queue.pop() {
-            if head.node != 0 && !frontier.still(head.node, head.u, head.order) {
+            if head.node != 0 && !frontier.still(head.node, head.unsure.metres, head.order) {
                 continue;
             }
             let number = labels.len();
             labels.push(Label {
                 node: head.node,
                 cost: head.cost,
-                u: head.u,
+                unsure: head.unsure,
                 before: head.before,
             });
             if head.node == 1 {
@@ -205,7 +204,7 @@ impl Graph {
             let label = &labels[number];
             for way in &self.ways[label.node] {
                 let cost = label.cost + way.cost;
-                let u = way.blind.end.of(label.u);
+                let unsure = way.blind.after(label.unsure);
                 if cost + ahead[way.to] > most * (1.0 + 1e-9)
                     || Self::passed(&labels, number, way.to)
                 {
@@ -213,25 +212,25 @@ impl Graph {
                 }
                 let (paid, order) = match aimed {
                     Aimed::Under(limit) => {
-                        if way.blind.worst(label.u) > limit {
+                        if way.blind.worst(label.unsure) > limit {
                             continue;
                         }
                         (cost, cost + ahead[way.to])
                     }
                     Aimed::Priced(price) => {
-                        let blind = way.blind.integral.of(label.u);
+                        let blind = way.blind.integral.of(label.unsure);
                         let paid = head.paid + blind + price * way.blind.length;
                         (paid, paid)
                     }
                 };
-                if !frontier.take(way.to, u, order) {
+                if !frontier.take(way.to, unsure.metres, order) {
                     continue;
                 }
                 queue.push(Queued {
                     order,
                     paid,
                     cost,
-                    u,
+                    unsure,
                     node: way.to,
                     before: Some(number),
                 });

@@ -34,6 +34,7 @@ pub use envelope::{Envelope, EnvelopeSurvey, Tally, tally_by};
 pub use field::{FieldBuilder, FieldView, FixSource, Localizability};
 pub use find::{
     Aim, BudgetOf, FindError, Forbidden, FoundRoute, FoundRoutes, RouteQuestion, RouteSearch,
+    growth_before_first_fix,
 };
 pub use honesty::{Comparison, Verification, compare};
 pub use no_fly::{NoFlyArea, inside};

@@ -6,7 +6,7 @@ use pilotage_core::frames::GroundPoint;
 use pilotage_core::imagery::terrain::{HeightGrid, Terrain as _};
 use pilotage_core::plan::{
     Aim, BudgetOf, Forbidden, FoundRoute, Localizability, NoFlyArea, OfferedField, Prediction,
-    RouteQuestion, RouteSearch, Turns,
+    RouteQuestion, RouteSearch, Turns, growth_before_first_fix,
 };
 use pilotage_core::simulate::Airframe;
 use serde::{Deserialize, Serialize};
@@ -158,6 +158,7 @@ impl FindRoute {
             forbidden: order.high_ground.clone().map(HighGround::forbidden),
             airspeed: order.flight.airspeed.unwrap_or(cruise),
             wind: order.flight.wind.velocity(),
+            before_first_fix: growth_before_first_fix(&order.flight.navigator),
             turns: order.turns,
             budget: order.budget,
             budget_of: order.budget_of,
