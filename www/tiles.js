@@ -3,8 +3,17 @@
 const CACHE = "tiles-of-pilotage";
 const AT_A_TIME = 4;
 
+const underWay = new Map();
+
+/** The bytes of a tile, asked for once however many wait for it. */
+function tile(cache, address) {
+  const asked = underWay.get(address) ?? request(cache, address).finally(() => underWay.delete(address));
+  underWay.set(address, asked);
+  return asked;
+}
+
 /** The bytes of a tile, null where the server has none; throws where it cannot be had. */
-async function tile(cache, address) {
+async function request(cache, address) {
   const kept = await cache?.match(address);
   if (kept) return new Uint8Array(await kept.arrayBuffer());
   const answer = await fetch(address, { credentials: "omit", referrerPolicy: "origin" });

@@ -80,6 +80,24 @@ export async function run(page, tools) {
   const kml = `<?xml version="1.0"?><kml xmlns="http://www.opengis.net/kml/2.2"><Document><Placemark><name>Barn</name><Point><coordinates>-92.0765,46.8571,0</coordinates></Point></Placemark></Document></kml>`;
   await page.setInputFiles("#files", [file("places.kml", kml)]);
   await tools.waitFor((s) => s.georeferencer.places === 1, "the place of the KML");
+  // The place is given to a point of the picture; the table then has a row of numbers for it, and the
+  // place, which has nothing to do with that point, the largest of them.
+  await inPicture([250, 250]);
+  await tools.waitFor((s) => s.georeferencer.pending[0], "the point in the picture");
+  await tools.click(await tools.find("Button", "Barn"));
+  await count(6);
+  await tools.waitFor((s) => s.georeferencer.rms_metres > 10, "the error of the place");
+  await page.waitForTimeout(500);
+  const nodes = await tools.a11y();
+  const box = nodes.find((n) => n.role === "CheckBox" && n.label === "Point 6");
+  tools.check(box, "the table has no row for the sixth point");
+  const beside = (row) => nodes.filter((n) => n.role === "Label" && /^\d+\.\d\d$/.test(n.value ?? "") && n.rect[0] > row.rect[2] && Math.abs((n.rect[1] + n.rect[3]) - (row.rect[1] + row.rect[3])) < 12).map((n) => Number(n.value));
+  const rows = [1, 2, 3, 4, 5, 6].map((i) => beside(nodes.find((n) => n.label === `Point ${i}`)));
+  tools.check(rows.every((row) => row.length >= 2), `the rows of the table: ${JSON.stringify(rows)}`);
+  tools.check(rows[5][1] === Math.max(...rows.map((row) => row[1])), `the place does not stand out: ${JSON.stringify(rows)}`);
+  await tools.screenshot("georeference-residuals");
+  await page.keyboard.press("Control+z");
+  await count(5);
 
   // Exact points from a file of QGIS; its saved world file then is exact as well.
   const lines = [...corners, [100, 500]].map((p) => `${placeOf(p).join(",")},${p[0]},${-p[1]},1,0,0,0`);
@@ -96,6 +114,11 @@ export async function run(page, tools) {
   tools.check(numbers.every((value, i) => Math.abs(value - wanted[i]) < 1e-6), `the world file holds ${numbers}`);
   tools.check(/UTM_Zone_15N/.test(await read("photo.prj")), "the .prj does not name the zone");
 
+  // Four exact points determine the perspective, which is the same place here.
+  await tools.click(await tools.find("Tab", "projective"));
+  const projective = await tools.waitFor((s) => s.georeferencer.rms_metres < 1e-6, "the projective fit");
+  tools.check(projective.georeferencer.points === 4, "a point was lost");
+  await page.waitForTimeout(500);
   await tools.click(await tools.find("Button", "Use as the map"));
   const used = await tools.waitFor((s) => !s.georeferencer && s.map.name === "photo.png" && s.map.tiles > 0 && s.map.whole, "the picture as the map", 30_000);
   const [south, west, top, right] = used.map.bounds;

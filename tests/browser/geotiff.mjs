@@ -64,3 +64,50 @@ export function country(width, height) {
     return [70 + 14 * field + (x * 13 + y * 7) % 9, 105 + 9 * field + (x * 5 + y * 11) % 9, 60 + 6 * field];
   };
 }
+
+/**
+ * A map of any size in a small file: uncompressed tiles of 512 pixels, of which the tables of all levels
+ * point again and again at the same few. `pixel(tile, x, y)` gives three samples of one of them.
+ */
+export function repeatingGeotiff({ width, height, gsd, east, north, tiles, pixel }) {
+  const side = 512;
+  const pixels = Buffer.alloc(tiles * side * side * 3);
+  for (let tile = 0, at = 0; tile < tiles; tile += 1) {
+    for (let y = 0; y < side; y += 1) for (let x = 0; x < side; x += 1) for (const sample of pixel(tile, x, y)) at = pixels.writeUInt8(sample, at);
+  }
+  const parts = [Buffer.alloc(8), pixels];
+  let length = 8 + pixels.length;
+  const add = (bytes) => { const at = length; parts.push(bytes); length += bytes.length; return at; };
+  const header = parts[0];
+  header.write("II*\0", "latin1");
+  let pointer = [header, 4];
+  for (let factor = 1; ; factor *= 2) {
+    const [w, h] = [Math.ceil(width / factor), Math.ceil(height / factor)];
+    const [across, down] = [Math.ceil(w / side), Math.ceil(h / side)];
+    const chosen = Array.from({ length: across * down }, (_, i) => (7 * (i % across) + 3 * Math.floor(i / across) + factor) % tiles);
+    const place = { 33550: [12, [gsd, gsd, 0]], 33922: [12, [0, 0, 0, east, north, 0]], 34735: [3, [1, 1, 0, 3, 1024, 0, 1, 1, 1025, 0, 1, 1, 3072, 0, 1, 32615]] };
+    const all = {
+      254: [4, [factor > 1 ? 1 : 0]], 256: [4, [w]], 257: [4, [h]], 258: [3, [8, 8, 8]], 259: [3, [1]], 262: [3, [2]], 277: [3, [3]],
+      322: [3, [side]], 323: [3, [side]], 324: [4, chosen.map((tile) => 8 + tile * side * side * 3)], 325: [4, chosen.map(() => side * side * 3)],
+      ...(factor > 1 ? {} : place),
+    };
+    const entries = Object.entries(all).map(([tag, [kind, list]]) => {
+      const body = values(kind, list);
+      const entry = Buffer.alloc(12);
+      entry.writeUInt16LE(Number(tag), 0);
+      entry.writeUInt16LE(kind, 2);
+      entry.writeUInt32LE(list.length, 4);
+      if (body.length <= 4) body.copy(entry, 8);
+      else entry.writeUInt32LE(add(body.length % 2 ? Buffer.concat([body, Buffer.alloc(1)]) : body), 8);
+      return entry;
+    });
+    const head = Buffer.alloc(2);
+    head.writeUInt16LE(entries.length);
+    const end = Buffer.alloc(4);
+    pointer[0].writeUInt32LE(length, pointer[1]);
+    add(Buffer.concat([head, ...entries]));
+    add(end);
+    pointer = [end, 0];
+    if (across * down === 1) return Buffer.concat(parts);
+  }
+}

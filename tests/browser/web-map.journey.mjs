@@ -8,8 +8,9 @@ export const name = "tiles of the web are shown with their attribution, download
 const shade = (zoom, x, y) => [40 + ((x * 37) % 5) * 40, 60 + ((y * 53) % 5) * 35, (zoom * 29) % 256];
 
 function serve(map) {
-  const counts = { tiles: 0, ranges: 0, bytes: 0 };
+  const counts = { tiles: 0, ranges: 0, bytes: 0, asked: new Map() };
   let refuses = false;
+  let delay = 0;
   const server = createServer((request, response) => {
     response.setHeader("Access-Control-Allow-Origin", "*");
     response.setHeader("Access-Control-Allow-Headers", "Range");
@@ -17,11 +18,12 @@ function serve(map) {
     const tile = request.url.match(/^\/(\d+)\/(\d+)\/(\d+)\.png$/);
     if (tile) {
       counts.tiles += 1;
+      counts.asked.set(request.url, 1 + (counts.asked.get(request.url) ?? 0));
       if (refuses) return response.writeHead(503).end();
       const [zoom, x, y] = tile.slice(1).map(Number);
       const body = png(256, 256, (c, r) => (c === 0 || r === 0 ? [255, 255, 255] : shade(zoom, x, y)));
       response.setHeader("Content-Type", "image/png");
-      return response.end(body);
+      return setTimeout(() => response.end(body), delay);
     }
     if (request.url === "/far.tif") {
       response.setHeader("Accept-Ranges", "bytes");
@@ -36,7 +38,7 @@ function serve(map) {
     response.writeHead(404).end();
   });
   return new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve({
-    counts, address: `http://127.0.0.1:${server.address().port}`, close: () => server.close(), refuse() { refuses = true; },
+    counts, address: `http://127.0.0.1:${server.address().port}`, close: () => server.close(), refuse() { refuses = true; }, slow(ms) { delay = ms; },
   })));
 }
 
@@ -78,9 +80,26 @@ export async function run(page, tools) {
     await command(page, tools, "map from the web");
     await tools.waitFor((s) => s.dialogs.web_map, "the dialog");
     await tools.screenshot("web-map-download");
+    // Stopped on the way, it goes on later where it was: no tile is asked for twice.
+    server.slow(300);
     await tools.click(await tools.find("Button", "Download what is in sight"));
-    const done = await tools.waitFor((s) => s.download?.over, "the download", 60_000);
+    await tools.waitFor((s) => s.download?.done > 2, "the first tiles", 60_000);
+    await tools.click(await tools.find("Button", "Stop the download"));
+    const stopped = await tools.waitFor((s) => s.download?.over, "the stop", 30_000);
+    tools.check(stopped.download.done < stopped.download.all, `it was not stopped: ${JSON.stringify(stopped.download)}`);
+    await page.waitForTimeout(800);
+    const paused = server.counts.tiles;
+    await page.waitForTimeout(800);
+    tools.check(server.counts.tiles === paused, "tiles are requested after the stop");
+    server.slow(0);
+    await page.mouse.move(20, 400); // the dialog is drawn anew, lower than while it showed progress
+    await page.waitForTimeout(700);
+    await tools.click(await tools.find("Button", "Download what is in sight"));
+    const done = await tools.waitFor((s) => s.download?.over && s.download.done === s.download.all, "the download", 60_000);
     tools.check(done.download.failed === 0 && done.download.done > 4, JSON.stringify(done.download));
+    const twice = [...server.counts.asked].filter(([, times]) => times > 1);
+    tools.check(twice.length === 0, `asked for more than once: ${twice.join("; ")}`);
+    console.log(`        stopped after ${stopped.download.done} of ${stopped.download.all} tiles`);
     console.log(`        ${done.download.done} tiles downloaded, ${server.counts.tiles} requested in all`);
     await page.keyboard.press("Escape");
 
@@ -97,7 +116,7 @@ export async function run(page, tools) {
     await command(page, tools, "map from the web");
     await tools.waitFor((s) => s.dialogs.web_map, "the dialog");
     await fill(page, tools, "Address", `${server.address}/far.tif`);
-    await page.waitForTimeout(700); // the dialog is lower without the fields for tiles
+    await page.waitForTimeout(1500); // the dialog is lower without the fields for tiles
     await tools.click(await tools.find("Button", "Open the map"));
     const far = await tools.waitFor((s) => s.map.name?.endsWith("/far.tif") && s.map.tiles > 0 && s.map.whole, "the GeoTIFF", 60_000);
     console.log(`        ${server.counts.ranges} ranges, ${(server.counts.bytes / 1e6).toFixed(1)} MB`);
