@@ -59,7 +59,7 @@ export async function withPrivateFiles(storage) {
     storage.pending += 1;
     last = last.then(deed).then(
       () => { storage.written += 1; if (inDatabase.delete(key)) remove(key); },
-      (error) => { storage.untold += 1; console.warn(`could not store ${key}:`, error); },
+      (error) => { storage.untold.push(key); console.warn(`could not store ${key}:`, error); },
     ).finally(() => { storage.pending -= 1; });
   };
   storage.put = (key, bytes) => {

@@ -41,7 +41,7 @@ export function shellServices(storage, openFiles) {
     stopDownload,
     storeFile(key, file) { storage.putFile(key, file); },
     forget(key) { storage.remove(key); },
-    failedStores() { const failed = storage.untold; storage.untold = 0; return failed; },
+    failedStores() { return storage.untold.splice(0); },
     interruptedSaves() { const broken = storage.interrupted; storage.interrupted = 0; return broken; },
     print(style, body) { printPage(style, body); },
     copyLink(fragment) {

@@ -18,7 +18,7 @@ async function openDatabase() {
 
 /** Never fails: without a database, documents live as long as the page, and the console says so. */
 export async function openStorage() {
-  const storage = { loaded: new Map(), pending: 0, written: 0, untold: 0, put() {}, putFile() {}, remove() {} };
+  const storage = { loaded: new Map(), pending: 0, written: 0, untold: [], put() {}, putFile() {}, remove() {} };
   try {
     const database = await openDatabase();
     const table = database.transaction(TABLE, "readonly").objectStore(TABLE);
@@ -29,7 +29,7 @@ export async function openStorage() {
       const write = database.transaction(TABLE, "readwrite");
       deed(write.objectStore(TABLE));
       write.oncomplete = () => { storage.pending -= 1; storage.written += 1; };
-      write.onabort = () => { storage.pending -= 1; storage.untold += 1; console.warn(`could not store ${key}:`, write.error); };
+      write.onabort = () => { storage.pending -= 1; storage.untold.push(key); console.warn(`could not store ${key}:`, write.error); };
       write.commit?.();
     };
     storage.put = (key, bytes) => change(key, (documents) => documents.put(bytes.buffer, key));

@@ -64,9 +64,9 @@ pub trait Host {
     /// Ends it; what has come stays.
     fn stop_download(&mut self) {}
 
-    /// How often the browser refused to store something since the last call, for lack of room.
-    fn failed_stores(&mut self) -> usize {
-        0
+    /// Keys of what the browser refused to store since the last call, for lack of room.
+    fn failed_stores(&mut self) -> Vec<String> {
+        Vec::new()
     }
 
     /// How often a save of an earlier visit was found to have broken off, since the last call.

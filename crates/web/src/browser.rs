@@ -59,9 +59,9 @@ extern "C" {
     #[wasm_bindgen(method)]
     pub fn forget(this: &Shell, key: &str);
 
-    /// How often the browser refused to store something since the last call.
+    /// Keys of what the browser refused to store since the last call.
     #[wasm_bindgen(method, js_name = failedStores)]
-    pub fn failed_stores(this: &Shell) -> u32;
+    pub fn failed_stores(this: &Shell) -> Vec<String>;
 
     /// How often a save of an earlier visit was found to have broken off, since the last call.
     #[wasm_bindgen(method, js_name = interruptedSaves)]

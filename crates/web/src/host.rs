@@ -278,8 +278,8 @@ impl Host for PageHost {
         self.inner.borrow().shell.forget(key);
     }
 
-    fn failed_stores(&mut self) -> usize {
-        self.inner.borrow().shell.failed_stores() as usize
+    fn failed_stores(&mut self) -> Vec<String> {
+        self.inner.borrow().shell.failed_stores()
     }
 
     fn interrupted_saves(&mut self) -> usize {

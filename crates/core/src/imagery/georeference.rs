@@ -104,6 +104,25 @@ pub struct Similarity {
     pub translation: [f64; 2],
 }
 
+/// A perspective as its file states it.
+#[derive(Serialize, Deserialize)]
+struct Perspective {
+    epsg: u32,
+    plane_from_pixel: [[f64; 3]; 3],
+}
+
+impl TryFrom<Perspective> for Georeference {
+    type Error = serde_json::Error;
+
+    fn try_from(file: Perspective) -> Result<Self, Self::Error> {
+        let unknown = || serde::de::Error::custom(format!("EPSG:{} is not known", file.epsg));
+        Ok(Self::Projective {
+            system: ReferenceSystem::from_epsg(file.epsg).ok_or_else(unknown)?,
+            plane_from_pixel: Matrix3::from_fn(|row, column| file.plane_from_pixel[row][column]),
+        })
+    }
+}
+
 impl Georeference {
     /// Reads a world file (.jgw, .pgw, .tfw, .wld).
     ///
@@ -170,20 +189,41 @@ impl Georeference {
         }
     }
 
-    /// Reads a fitted similarity: JSON with `origin_lat`, `origin_lon`, `gsd`, `R` and `T`; other
-    /// members are ignored.
+    /// Reads a fitted similarity: JSON with `origin_lat`, `origin_lon`, `gsd`, `R` and `T`; or a
+    /// perspective: `epsg` and the rows of `plane_from_pixel`. Other members are ignored.
     pub fn from_json(text: &str) -> Result<Self, GeoreferenceError> {
-        serde_json::from_str(text)
-            .map(Self::Similarity)
-            .map_err(|e| {
-                let text = e.to_string();
-                let end = text.rfind(" at line ").unwrap_or(text.len());
-                GeoreferenceError::Json {
-                    line: e.line(),
-                    column: e.column(),
-                    cause: text[..end].to_owned(),
-                }
-            })
+        let read = if text.contains("\"plane_from_pixel\"") {
+            serde_json::from_str::<Perspective>(text).and_then(Self::try_from)
+        } else {
+            serde_json::from_str(text).map(Self::Similarity)
+        };
+        read.map_err(|e| {
+            let text = e.to_string();
+            let end = text.rfind(" at line ").unwrap_or(text.len());
+            GeoreferenceError::Json {
+                line: e.line(),
+                column: e.column(),
+                cause: text[..end].to_owned(),
+            }
+        })
+    }
+
+    /// The JSON that [`Georeference::from_json`] reads; `None` of what is a world file.
+    pub fn to_json(&self) -> Option<String> {
+        match self {
+            Self::Metres(_) | Self::Projected { .. } => None,
+            Self::Similarity(similarity) => serde_json::to_string(similarity).ok(),
+            Self::Projective {
+                system,
+                plane_from_pixel: m,
+            } => {
+                let perspective = Perspective {
+                    epsg: system.epsg(),
+                    plane_from_pixel: [0, 1, 2].map(|row| [0, 1, 2].map(|column| m[(row, column)])),
+                };
+                serde_json::to_string(&perspective).ok()
+            }
+        }
     }
 
     /// Reads either kind, by the first character.

@@ -4,7 +4,7 @@ use pilotage_core::frames::GroundPoint;
 
 use super::App;
 use crate::host::Host;
-use crate::jobs::{BriefOrder, BriefPictures, Job, JobEvent};
+use crate::jobs::{BriefOrder, BriefPictures, Job, JobEvent, MapSource};
 use crate::plan::legs::legs;
 use crate::plan::planner::{self as planning, cruise};
 use crate::plan::route_tab::assumptions;
@@ -21,7 +21,7 @@ impl App {
             self.toasts.note(host.now(), "No route to print", text);
             return;
         };
-        let landmarks = self.brief_landmarks();
+        let (landmarks, more) = self.brief_landmarks();
         let places = route.way_points.iter().map(|w| w.position);
         let boxes = landmarks.iter().flat_map(|l| {
             let b = l.landmark.bounds;
@@ -42,15 +42,15 @@ impl App {
             host.cancel(old);
         }
         let id = host.start(Job::Brief(order));
-        self.desk.brief = Some((id, area, landmarks));
+        self.desk.brief = Some((id, area, landmarks, more));
         let text = "The browser's print opens as soon as its pictures are drawn.";
         self.toasts
             .note(host.now(), "Preparing the mission brief", text);
     }
 
     /// The landmarks that the prediction finds along the route, in that order; without a prediction
-    /// those that are on.
-    fn brief_landmarks(&self) -> Vec<BriefLandmark> {
+    /// those that are on. Beside them the number of those that are too many.
+    fn brief_landmarks(&self) -> (Vec<BriefLandmark>, usize) {
         let planner = &self.views.planner;
         let of = |landmark: &pilotage_core::landmark::Landmark| {
             let found = match planner.assessments.of(landmark) {
@@ -67,8 +67,10 @@ impl App {
         };
         let Some(shown) = planner.forecast.shown() else {
             let landmarks = self.documents.mission.landmarks.iter();
-            let on = landmarks.filter(|l| l.enabled);
-            return on.take(MOST_LANDMARKS).map(of).collect();
+            let on: Vec<_> = landmarks.filter(|l| l.enabled).collect();
+            let more = on.len().saturating_sub(MOST_LANDMARKS);
+            let shown = on.into_iter().take(MOST_LANDMARKS);
+            return (shown.map(of).collect(), more);
         };
         let mut order: Vec<(f64, usize)> = (0..shown.order.landmarks.len())
             .filter_map(|index| {
@@ -82,9 +84,9 @@ impl App {
             .collect();
         order.sort_by(|a, b| a.0.total_cmp(&b.0));
         let landmarks = order.iter().take(MOST_LANDMARKS);
-        landmarks
-            .map(|(_, index)| of(&shown.order.landmarks[*index].0))
-            .collect()
+        let landmarks = landmarks.map(|(_, index)| of(&shown.order.landmarks[*index].0));
+        let more = order.len().saturating_sub(MOST_LANDMARKS);
+        (landmarks.collect(), more)
     }
 
     /// Takes what the worker says of the brief.
@@ -102,7 +104,7 @@ impl App {
     }
 
     fn print_brief(&mut self, host: &mut dyn Host, pictures: &BriefPictures) {
-        let Some((_, area, landmarks)) = self.desk.brief.take() else {
+        let Some((_, area, landmarks, more_landmarks)) = self.desk.brief.take() else {
             return;
         };
         let documents = &self.documents;
@@ -138,6 +140,11 @@ impl App {
             limit: planner.preferences.limit,
             assumptions: assumed,
             landmarks: &landmarks,
+            more_landmarks,
+            attribution: match &documents.map_source {
+                MapSource::Web(map) => &map.template.attribution,
+                _ => "",
+            },
             area,
             pictures,
             units: self.view.units,

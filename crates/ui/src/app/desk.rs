@@ -107,14 +107,15 @@ pub struct Desk {
     pub keeping: Keeping,
     /// Whether the map is to be fitted once it is known how far it reaches.
     pub fit_when_known: bool,
-    /// The brief whose pictures are being made: job, the ground of its map, its landmarks.
-    pub brief: Option<(JobId, GroundRect, Vec<BriefLandmark>)>,
+    /// The brief whose pictures are being made: job, the ground of its map, its landmarks, and how
+    /// many more there are.
+    pub brief: Option<(JobId, GroundRect, Vec<BriefLandmark>, usize)>,
     /// What to look at once the flight of a link is there.
     pub link: Option<Link>,
     /// What was open before a link was followed.
     pub before_link: Option<Session>,
-    /// The files of the map, to be saved with the mission: path and contents.
-    pub map_files: Vec<(String, Vec<u8>)>,
+    /// The mission file being made, and its name.
+    pub packing: Option<(JobId, String)>,
     /// Matches that could not be explained; not asked again.
     pub unexplained: Option<(f64, u32)>,
 }

@@ -103,6 +103,8 @@ impl App {
             self.picture_event(event);
         } else if self.desk.brief.as_ref().is_some_and(|b| b.0 == id) {
             self.brief_event(host, event);
+        } else if self.desk.packing.as_ref().is_some_and(|p| p.0 == id) {
+            self.pack_event(host, event);
         } else if self.desk.opening.contains_key(&id) {
             self.open_event(host, id, event);
         } else if let JobEvent::Remark(text) = event {
@@ -286,7 +288,6 @@ impl App {
             unplaced,
             imports,
             beside,
-            pictures,
             remarks,
         } = opened;
         if let Some(unplaced) = unplaced {
@@ -297,9 +298,6 @@ impl App {
         let has_flight = flight.is_some();
         if has_flight || map.is_some() || terrain.is_some() {
             self.keep_files(host, &opening.key, &opening.name, &opening.files);
-        }
-        if map.is_some() {
-            self.remember_map_files(opening, pictures);
         }
         let map_source = if let Some(info) = &map {
             parts.push("a map");

@@ -2,21 +2,24 @@
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
-use pilotage_core::flight::FLIGHT_FILE;
-
 use super::App;
+use crate::command::Workspace;
 use crate::documents::kept::{
     MOST_KEPT, MOST_LENT_KEPT, address_key, encode_list, file_key, list_key, recall_files,
 };
-use crate::documents::{Documents, Session};
+use crate::documents::{Documents, Ground, Session};
 use crate::host::{Host, OpenedFile};
 use crate::jobs::{FileContent, FlightSource, Job, MapSource};
+use crate::plan::planner::plan_ground;
 
 /// Bytes stored in one frame, after which the rest waits for the next.
 const PER_FRAME: usize = 2 << 20;
 
 /// How long to wait before a refused document is stored again, milliseconds.
 const TRY_AGAIN_AFTER: f64 = 8_000.0;
+
+/// How often files that were refused are stored again.
+const MOST_RETRIES: u8 = 2;
 
 /// One thing to do with the storage.
 #[derive(Debug)]
@@ -25,12 +28,23 @@ enum Deed {
     Forget(String),
 }
 
+/// A set of opened files that is stored, or about to be.
+#[derive(Debug)]
+struct Set {
+    files: Vec<OpenedFile>,
+    /// How many files it has in the storage.
+    count: usize,
+    /// How often it was stored again.
+    retries: u8,
+}
+
 /// What is in the storage of opened files, and what is still to be done there.
 #[derive(Debug, Default)]
 pub struct Keeping {
     waiting: VecDeque<Deed>,
-    /// Number of files of every set that is stored, or about to be.
-    sets: BTreeMap<String, usize>,
+    sets: BTreeMap<String, Set>,
+    /// Sets that were refused, and when to store them again, milliseconds.
+    refused: BTreeMap<String, f64>,
 }
 
 impl Keeping {
@@ -39,24 +53,67 @@ impl Keeping {
         self.waiting.is_empty()
     }
 
-    fn keep(&mut self, set: &str, files: &[OpenedFile]) {
+    fn keep(&mut self, set: &str, files: Vec<OpenedFile>) {
+        self.knows(set, files.len(), files);
+        self.store(set);
+    }
+
+    /// Counts a set as stored.
+    fn knows(&mut self, set: &str, count: usize, files: Vec<OpenedFile>) {
+        let retries = 0;
+        let it = Set {
+            files,
+            count,
+            retries,
+        };
+        self.sets.insert(set.to_owned(), it);
+    }
+
+    fn store(&mut self, set: &str) {
+        let Some(Set { files, .. }) = self.sets.get(set) else {
+            return;
+        };
         let stores = files.iter().enumerate();
         let stores = stores.map(|(n, f)| Deed::Store(file_key(set, n), f.content.clone()));
         self.waiting.extend(stores);
         let paths: Vec<String> = files.iter().map(|f| f.path.clone()).collect();
         let list = FileContent::from(encode_list(&paths));
         self.waiting.push_back(Deed::Store(list_key(set), list));
-        self.sets.insert(set.to_owned(), files.len());
+    }
+
+    /// Takes note of what the browser refused to store; the first file of every set among it.
+    fn refuse(&mut self, keys: &[String], now: f64) -> Vec<&str> {
+        let mut names = Vec::new();
+        for (set, it) in &mut self.sets {
+            let ending = format!(" of {set}");
+            if keys.iter().any(|key| key.ends_with(&ending)) {
+                names.extend(it.files.first().map(|f| f.path.as_str()));
+                if it.retries < MOST_RETRIES {
+                    it.retries += 1;
+                    self.refused.insert(set.clone(), now + TRY_AGAIN_AFTER);
+                }
+            }
+        }
+        names
+    }
+
+    /// Stores again what was refused a while ago.
+    fn retry(&mut self, now: f64) {
+        while let Some((set, _)) = self.refused.iter().find(|(_, at)| **at <= now) {
+            let set = set.clone();
+            self.refused.remove(&set);
+            self.store(&set);
+        }
     }
 
     /// Forgets every set but these.
     fn forget_others(&mut self, used: &BTreeSet<&str>) {
         let waiting = &mut self.waiting;
-        self.sets.retain(|set, count| {
+        self.sets.retain(|set, it| {
             let kept = used.contains(set.as_str());
             if !kept {
                 waiting.push_back(Deed::Forget(list_key(set)));
-                for key in (0..*count).map(|n| file_key(set, n)) {
+                for key in (0..it.count).map(|n| file_key(set, n)) {
                     waiting.push_back(Deed::Forget(address_key(&key)));
                     waiting.push_back(Deed::Forget(key));
                 }
@@ -112,7 +169,7 @@ impl App {
         let total: u64 = files.iter().map(length).sum();
         let lent: u64 = files.iter().filter(is_lent).map(length).sum();
         if total - lent <= MOST_KEPT && lent <= MOST_LENT_KEPT {
-            self.desk.keeping.keep(set, files);
+            self.desk.keeping.keep(set, files.to_vec());
             return;
         }
         let text = format!(
@@ -128,17 +185,26 @@ impl App {
 
     /// Stores and forgets what is due.
     pub(super) fn tend_files(&mut self, context: &egui::Context, host: &mut dyn Host) {
-        if host.failed_stores() > 0 {
-            self.toasts.trouble(
-                host.now(),
-                "The browser could not keep everything",
-                "Its storage for this page is full or switched off. Your last edit may be missing at the next visit: save the mission as a file to be sure of it.",
-            );
+        let now = host.now();
+        let refused = host.failed_stores();
+        if !refused.is_empty() {
+            let files = self.desk.keeping.refuse(&refused, now).join(", ");
+            let lost = if files.is_empty() {
+                "Your last edit may be missing at the next visit: save the mission as a file to be \
+                 sure of it."
+                    .to_owned()
+            } else {
+                format!("There is no room for {files}: open it again at the next visit.")
+            };
+            let text = format!("Its storage for this page is full or switched off. {lost}");
+            let title = "The browser could not keep everything";
+            self.toasts.trouble(now, title, text);
             // What was stored before is still there; what is open now is tried again.
             self.stored_session.clear();
             self.desk.document_changed = true;
-            self.dirty_since = Some(host.now() + TRY_AGAIN_AFTER);
+            self.dirty_since = Some(now + TRY_AGAIN_AFTER);
         }
+        self.desk.keeping.retry(now);
         if !self.desk.keeping.is_done() {
             self.desk.keeping.work(host);
             context.request_repaint();
@@ -158,37 +224,75 @@ impl App {
         }
     }
 
-    /// Gives the workers the files of the earlier visit; without them the demo opens instead.
-    pub(super) fn restore_files(&mut self, host: &mut dyn Host) {
+    /// Gives the workers the files of the earlier visit; the keys of those that are gone.
+    pub(super) fn restore_files(&mut self, host: &mut dyn Host) -> BTreeSet<String> {
         let session = self.documents.session();
         let mut sets = file_sets(&session.flight, &session.map);
         sets.extend(self.documents.terrain.key());
         let sets: Vec<String> = sets.into_iter().map(str::to_owned).collect();
-        for set in &sets {
-            let Some(files) = recall_files(host, set) else {
-                self.documents = Documents::new(&Session::demo());
-                self.toasts.note(
-                    host.now(),
-                    "The files of your last visit are not here",
-                    "The browser did not keep them. Open them again; meanwhile, this is the demo.",
-                );
-                return;
-            };
-            self.desk.count_batches(set);
-            let is_map = matches!(&session.map, MapSource::Files(of) if of == set);
-            if is_map && !files.iter().any(|(path, _)| path.ends_with(FLIGHT_FILE)) {
-                let whole = |(path, content): &(String, FileContent)| {
-                    Some((path.clone(), content.bytes()?.to_vec()))
-                };
-                self.desk.map_files = files
-                    .iter()
-                    .map(whole)
-                    .collect::<Option<_>>()
-                    .unwrap_or_default();
+        let mut gone = BTreeSet::new();
+        for key in sets {
+            self.desk.count_batches(&key);
+            match recall_files(host, &key) {
+                Ok(files) => {
+                    let of = |(path, content): &(String, FileContent)| OpenedFile {
+                        path: path.clone(),
+                        content: content.clone(),
+                    };
+                    let known = files.iter().map(of).collect();
+                    self.desk.keeping.knows(&key, files.len(), known);
+                    host.start(Job::Provide { key, files });
+                }
+                Err(count) => {
+                    self.desk.keeping.knows(&key, count, Vec::new());
+                    gone.insert(key);
+                }
             }
-            self.desk.keeping.sets.insert(set.to_owned(), files.len());
-            let key = set.to_owned();
-            host.start(Job::Provide { key, files });
         }
+        if !gone.is_empty() {
+            self.do_without(host, &gone);
+        }
+        gone
+    }
+
+    /// Goes on without sets of files that the browser did not keep: the mission stays, and only
+    /// what was made from them goes.
+    fn do_without(&mut self, host: &mut dyn Host, gone: &BTreeSet<String>) {
+        let documents = &mut self.documents;
+        let is_gone = |key: Option<&str>| key.is_some_and(|key| gone.contains(key));
+        let mut parts = Vec::new();
+        if let FlightSource::Files(key) = &documents.flight_source
+            && is_gone(Some(key))
+        {
+            parts.push("the flight");
+            documents.flight_source = FlightSource::Nothing;
+        }
+        if is_gone(documents.map_source.key()) {
+            parts.push("the map");
+            match &documents.flight_source {
+                FlightSource::Simulated(_) => documents.map_source = MapSource::Scenery,
+                FlightSource::Files(key) => documents.map_source = MapSource::Files(key.clone()),
+                // The plan keeps the name of its map: nothing else lies there.
+                FlightSource::Nothing => {}
+            }
+        }
+        if is_gone(documents.terrain.key()) {
+            parts.push("the elevation model");
+            documents.terrain = Ground::default();
+        }
+        let planned = documents.flight_source == FlightSource::Nothing;
+        let text = if planned && !documents.mission_edited {
+            *documents = Documents::new(&Session::demo());
+            "Open them again; meanwhile, this is the demo."
+        } else {
+            "Your mission is here. Open them again to go on where you were."
+        };
+        if let Some(ground) = plan_ground(&self.documents.mission).filter(|_| planned) {
+            self.show_workspace(Workspace::Plan);
+            self.views.map.fit(ground);
+        }
+        let title = "Files of your last visit are not here";
+        let text = format!("The browser did not keep {}. {text}", parts.join(", "));
+        self.toasts.trouble(host.now(), title, text);
     }
 }

@@ -88,6 +88,8 @@ pub struct App {
     desk: Desk,
     commands: Vec<Command>,
     started: bool,
+    /// What was stored at an earlier visit and could not be read.
+    aside: Option<start::Aside>,
     last_now: Option<f64>,
     stored_session: Vec<u8>,
     stored_view: Vec<u8>,

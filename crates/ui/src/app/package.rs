@@ -1,19 +1,12 @@
 //! The mission file: saved with what goes with it.
 
-use std::collections::BTreeMap;
-
-use pilotage_core::flight::FLIGHT_FILE;
-use pilotage_core::mission::package::{MissionPackage, write_package};
-
 use super::App;
-use super::desk::Opening;
 use crate::host::Host;
-use crate::jobs::{BESIDE, Beside, EncodedPicture, FlightSource, has_ending};
+use crate::jobs::{Beside, FlightSource, Job, JobEvent, PackOrder};
 
 impl App {
-    /// Offers the mission as a file, with the pictures of its map.
+    /// Has the mission made into a file, with the pictures of its map.
     pub(super) fn save_mission(&mut self, host: &mut dyn Host) {
-        let now = host.now();
         let documents = &self.documents;
         let beside = Beside {
             simulation: match &documents.flight_source {
@@ -22,62 +15,41 @@ impl App {
             },
             bookmarks: documents.bookmarks.clone(),
         };
-        let beside = serde_json::to_string(&beside).unwrap_or_else(|_| "null".to_owned());
-        let package = MissionPackage {
+        let order = PackOrder {
             mission: documents.mission.clone(),
-            settings: BTreeMap::from([(BESIDE.to_owned(), beside)]),
-            files: self.desk.map_files.clone(),
+            beside,
+            map: documents.map_source.clone(),
         };
-        match write_package(&package) {
-            Ok(bytes) => {
-                let name = format!("{}.pilotage.zip", self.file_stem());
-                host.save_file(&name, &bytes);
-                let text = if self.map_is_missing() {
-                    format!("{name}. The map's own files are not in it: keep them beside it.")
-                } else {
-                    name
-                };
-                self.toasts.note(now, "Mission saved", text);
+        let name = format!("{}.pilotage.zip", self.file_stem());
+        let id = host.start(Job::Pack(Box::new(order)));
+        self.desk.packing = Some((id, name));
+    }
+
+    /// Takes what the worker says of the mission file.
+    pub(super) fn pack_event(&mut self, host: &mut dyn Host, event: JobEvent) {
+        let Some((_, name)) = &self.desk.packing else {
+            return;
+        };
+        let now = host.now();
+        match event {
+            JobEvent::Packed { bytes, lacks } => {
+                host.save_file(name, &bytes);
+                match lacks {
+                    Some(lacks) => {
+                        let text = format!("{name} is saved. {lacks}");
+                        let title = "The mission file has no map in it";
+                        self.toasts.trouble(now, title, text);
+                    }
+                    None => self.toasts.note(now, "Mission saved", name.clone()),
+                }
             }
-            Err(error) => {
-                let title = "The mission was not saved";
-                self.toasts.trouble(now, title, error.to_string());
+            JobEvent::Failed(why) => {
+                self.desk.packing = None;
+                self.toasts.trouble(now, "The mission was not saved", why);
             }
+            JobEvent::Finished | JobEvent::Cancelled => self.desk.packing = None,
+            _ => {}
         }
-    }
-
-    /// Whether the map comes from files that a mission file would not have.
-    fn map_is_missing(&self) -> bool {
-        let from_files = matches!(self.documents.map_source, crate::jobs::MapSource::Files(_));
-        from_files && self.desk.map_files.is_empty()
-    }
-
-    /// Keeps at hand what a mission file over this map needs: its pictures and what lies beside them.
-    pub(super) fn remember_map_files(
-        &mut self,
-        opening: &Opening,
-        packed: Vec<(String, EncodedPicture)>,
-    ) {
-        let is_flight = opening.files.iter().any(|f| f.path.ends_with(FLIGHT_FILE));
-        let files = opening
-            .files
-            .iter()
-            .filter(|f| !has_ending(&f.path, &["zip"]));
-        let whole: Option<Vec<_>> = files
-            .map(|f| {
-                let name = f.path.rsplit('/').next().unwrap_or(&f.path);
-                Some((name.to_owned(), f.content.bytes()?.to_vec()))
-            })
-            .collect();
-        // Files too large to be held stay beside the mission.
-        let files = whole.unwrap_or_default().into_iter();
-        // A flight's own pictures are no part of a mission.
-        let packed = packed.into_iter().map(|(name, picture)| (name, picture.0));
-        self.desk.map_files = if is_flight {
-            Vec::new()
-        } else {
-            files.chain(packed).collect()
-        };
     }
 
     /// Opens what was open beside a mission when it was saved.

@@ -2,7 +2,9 @@
 
 use super::App;
 use super::desk::Desk;
-use crate::documents::{Documents, Ground, SESSION_KEY, Session, TERRAIN_KEY, VIEW_KEY, ViewState};
+use crate::documents::{
+    Documents, Ground, SESSION_KEY, Session, TERRAIN_KEY, UNREAD_KEY, VIEW_KEY, ViewState,
+};
 use crate::host::Host;
 use crate::shell::keys::ShortcutListener;
 use crate::shell::{Toasts, apply_theme, fonts};
@@ -12,13 +14,30 @@ use crate::tokens::Tokens;
 /// How long a change waits before it is stored, milliseconds.
 const STORE_AFTER: f64 = 600.0;
 
+/// What becomes of a document that could not be read.
+pub(super) enum Aside {
+    /// It is kept aside.
+    Keep(Vec<u8>),
+    /// It was aside and can be read now.
+    Taken,
+}
+
 impl App {
     /// The app as it was left, or with the built-in demo.
     pub fn new(context: &egui::Context, host: &dyn Host) -> Self {
-        let session = host
-            .recall(SESSION_KEY)
-            .and_then(|bytes| Session::decode(&bytes))
-            .unwrap_or_else(Session::demo);
+        let stored = host.recall(SESSION_KEY);
+        let read = |bytes: &Vec<u8>| Session::decode(bytes);
+        let session = stored.as_ref().and_then(read);
+        let mut aside = stored.filter(|_| session.is_none()).map(Aside::Keep);
+        let mut session = session.unwrap_or_else(Session::demo);
+        // What could not be read when it was stored may be now.
+        if aside.is_none()
+            && session.mission.is_none()
+            && let Some(before) = host.recall(UNREAD_KEY).as_ref().and_then(read)
+        {
+            session = before;
+            aside = Some(Aside::Taken);
+        }
         let view = host
             .recall(VIEW_KEY)
             .map(|bytes| ViewState::decode(&bytes))
@@ -47,6 +66,7 @@ impl App {
             desk: Desk::default(),
             commands: Vec::new(),
             started: false,
+            aside,
             last_now: None,
             stored_session: session.encode(),
             stored_view: view.encode(),
@@ -65,6 +85,19 @@ impl App {
         if let Some(key) = terrain.and_then(|bytes| String::from_utf8(bytes).ok()) {
             self.documents.terrain = Ground::of_files(&key);
         }
+        let aside = self.aside.take();
+        if let Some(Aside::Taken) = aside {
+            host.forget(UNREAD_KEY);
+            self.desk.document_changed = true;
+            self.stored_session.clear();
+        }
+        if let Some(Aside::Keep(bytes)) = aside {
+            host.store(UNREAD_KEY, &bytes);
+            let title = "The work of your last visit cannot be read";
+            let text = "It is damaged, or a later version of this page stored it. It is kept aside \
+                until a version can read it; meanwhile, this is the demo.";
+            self.toasts.trouble(host.now(), title, text);
+        }
         self.follow_link(host);
         if host.interrupted_saves() > 0 {
             self.toasts.trouble(
@@ -73,8 +106,11 @@ impl App {
                 "What is here is as it was saved before that: at most your last edit is missing.",
             );
         }
-        self.restore_files(host);
-        self.describe_map(host);
+        let gone = self.restore_files(host);
+        let map = self.documents.map_source.key();
+        if !map.is_some_and(|key| gone.contains(key)) {
+            self.describe_map(host);
+        }
         let session = self.documents.session();
         self.fly_new(host, session.flight, session.map, session.mission);
     }

@@ -29,10 +29,13 @@ pub fn encode_list(paths: &[String]) -> Vec<u8> {
     postcard::to_extend(paths, vec![1]).unwrap_or_default()
 }
 
-/// Paths and contents of a set that an earlier visit kept; `None` unless all of it is there.
-pub fn recall_files(host: &dyn Host, set: &str) -> Option<Vec<(String, FileContent)>> {
-    let list = host.recall(&list_key(set))?;
-    let paths: Vec<String> = postcard::from_bytes(list.strip_prefix(&[1])?).ok()?;
+/// Paths and contents of a set that an earlier visit kept; unless all of it is there, how many
+/// files it had.
+pub fn recall_files(host: &dyn Host, set: &str) -> Result<Vec<(String, FileContent)>, usize> {
+    let list = host.recall(&list_key(set)).unwrap_or_default();
+    let paths = list.strip_prefix(&[1]).ok_or(0_usize)?;
+    let paths: Vec<String> = postcard::from_bytes(paths).map_err(|_| 0_usize)?;
+    let count = paths.len();
     let file = |(number, path)| {
         let key = file_key(set, number);
         let whole = || host.recall(&key).map(FileContent::from);
@@ -42,5 +45,6 @@ pub fn recall_files(host: &dyn Host, set: &str) -> Option<Vec<(String, FileConte
         let content = address.map(FileContent::Address).or_else(lent);
         Some((path, content.or_else(whole)?))
     };
-    paths.into_iter().enumerate().map(file).collect()
+    let files: Option<_> = paths.into_iter().enumerate().map(file).collect();
+    files.ok_or(count)
 }

@@ -9,11 +9,12 @@ pub mod landmarks;
 mod laps;
 pub mod link;
 mod session;
+mod session_v1;
 mod store;
 
 pub use add::Added;
 pub use ground::{Ground, TERRAIN_KEY};
 pub use history::History;
 pub use pilotage_core::navigator::{RunFileError, decode_run, encode_run};
-pub use session::{SESSION_KEY, Session, VIEW_KEY, ViewState};
+pub use session::{SESSION_KEY, Session, UNREAD_KEY, VIEW_KEY, ViewState};
 pub use store::{Documents, Staged};

@@ -24,6 +24,23 @@ pub struct BriefOrder {
     pub boxes: Vec<GroundRect>,
 }
 
+impl BriefOrder {
+    /// The pictures that are taken of the map: it itself, then each box with a margin.
+    pub fn windows(&self) -> Vec<Window> {
+        let window = |area: &GroundRect, across: f64| {
+            let gsd = (area.width().max(area.height()) / across).max(0.02);
+            Window::covering(area, gsd)
+        };
+        let thumbnails = self.boxes.iter().map(|rect| {
+            let margin = 0.2 * rect.width().max(rect.height());
+            window(&rect.grown(margin), THUMBNAIL)
+        });
+        std::iter::once(window(&self.area, MAP))
+            .chain(thumbnails)
+            .collect()
+    }
+}
+
 /// A JPEG.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct EncodedPicture(#[serde(with = "whole_bytes")] pub Vec<u8>);
@@ -40,41 +57,29 @@ pub struct BriefPictures {
 /// Pictures being made.
 pub struct Brief {
     order: BriefOrder,
-    done: Option<BriefPictures>,
+    done: Vec<EncodedPicture>,
 }
 
 impl Brief {
     /// Nothing made yet.
     pub fn new(order: BriefOrder) -> Self {
-        Self { order, done: None }
+        let done = Vec::new();
+        Self { order, done }
     }
 
     /// Makes the next picture; the first is the map. None is left if `None`.
     fn next(&mut self, map: &dyn Imagery) -> Result<Option<f32>, String> {
-        let count = self.order.boxes.len() + 1;
-        let Some(done) = &mut self.done else {
-            let map = picture(map, &self.order.area, MAP)?;
-            let thumbnails = Vec::new();
-            self.done = Some(BriefPictures { map, thumbnails });
-            return Ok(Some(1.0 / count as f32));
-        };
-        let Some(rect) = self.order.boxes.get(done.thumbnails.len()) else {
+        let windows = self.order.windows();
+        let Some(window) = windows.get(self.done.len()) else {
             return Ok(None);
         };
-        let margin = 0.2 * rect.width().max(rect.height());
-        let thumbnail = picture(map, &rect.grown(margin), THUMBNAIL)?;
-        done.thumbnails.push(thumbnail);
-        Ok(Some((1 + done.thumbnails.len()) as f32 / count as f32))
+        let pixels = map.window(window);
+        // Paper is white where the map has nothing.
+        let opaque = |[r, g, b, a]: [u8; 4]| if a == 0 { [255; 3] } else { [r, g, b] };
+        let bytes = encode_jpeg(&pixels.map(opaque), QUALITY).map_err(|e| e.to_string())?;
+        self.done.push(EncodedPicture(bytes));
+        Ok(Some(self.done.len() as f32 / windows.len() as f32))
     }
-}
-
-fn picture(map: &dyn Imagery, area: &GroundRect, across: f64) -> Result<EncodedPicture, String> {
-    let gsd = (area.width().max(area.height()) / across).max(0.02);
-    let pixels = map.window(&Window::covering(area, gsd));
-    // Paper is white where the map has nothing.
-    let opaque = |[r, g, b, a]: [u8; 4]| if a == 0 { [255; 3] } else { [r, g, b] };
-    let bytes = encode_jpeg(&pixels.map(opaque), QUALITY).map_err(|e| e.to_string())?;
-    Ok(EncodedPicture(bytes))
 }
 
 impl RunningJob for Brief {
@@ -91,7 +96,11 @@ impl RunningJob for Brief {
                 return Advance::More;
             }
             Ok(None) => {
-                let pictures = self.done.take().unwrap_or_default();
+                let mut done = std::mem::take(&mut self.done).into_iter();
+                let pictures = BriefPictures {
+                    map: done.next().unwrap_or_default(),
+                    thumbnails: done.collect(),
+                };
                 emit(JobEvent::BriefPictures(Box::new(pictures)));
                 emit(JobEvent::Finished);
             }

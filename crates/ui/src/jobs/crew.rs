@@ -257,7 +257,8 @@ fn seat_for(job: &Job) -> usize {
         | Job::Find(_)
         | Job::TakeHeights(_)
         | Job::Predict(_)
-        | Job::Brief(_) => 2,
+        | Job::Brief(_)
+        | Job::Pack(_) => 2,
     }
 }
 
@@ -272,6 +273,7 @@ fn file_keys(job: &Job) -> Vec<&str> {
         Job::Suggest(order) => (None, Some(&order.map)),
         Job::Field(order) => (None, Some(&order.map)),
         Job::Brief(order) => (None, Some(&order.map)),
+        Job::Pack(order) => (None, Some(&order.map)),
         Job::Open { key, .. } | Job::ReadPlaces { key } => {
             keys.push(key.as_str());
             (None, None)

@@ -22,6 +22,7 @@ mod imports;
 mod inline;
 mod messages;
 mod opening;
+mod pack;
 mod predict;
 mod prepare;
 mod protocol;
@@ -45,6 +46,7 @@ pub use heights::{HeightsOrder, TerrainInfo};
 pub use imports::ImportedFile;
 pub use inline::InlineHost;
 pub use messages::{Reply, Request};
+pub use pack::PackOrder;
 pub use predict::PredictionOrder;
 pub use protocol::{
     Distinctness, FlightSource, Job, JobEvent, JobId, MapInfo, MapSource, MatchPictures, Opened,

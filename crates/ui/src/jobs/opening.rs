@@ -9,11 +9,10 @@ use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::imagery::GeoTiffError;
 use pilotage_core::imagery::terrain::Dem;
 use pilotage_core::imagery::tiff::{SampleKind, TiffFile};
-use pilotage_core::mission::package::{PACKAGE_HEAD, PACKAGE_PICTURES, read_head};
+use pilotage_core::mission::package::{PACKAGE_HEAD, read_head};
 use pilotage_core::mission::{MapError, MapOptions, Mission, OpenMap, open_map_with, read_mission};
 use pilotage_core::navigator::Run;
 
-use super::EncodedPicture;
 use super::beside::BESIDE;
 use super::file_pool::{FilePool, has_ending};
 use super::flights::{KeptFrames, OpenFlight};
@@ -73,7 +72,7 @@ pub fn look_through(
         remarks.extend(notes);
         Arc::unwrap_or_clone(open.flight)
     });
-    let map = map.map(|map| MapInfo {
+    let map = map.map(|(_, map)| MapInfo {
         origin: map.frame().map(|frame| frame.origin),
         ..describe(&map)
     });
@@ -86,7 +85,6 @@ pub fn look_through(
         run,
         unplaced,
         imports,
-        pictures: pictures(pool),
         beside,
         remarks,
     })
@@ -149,15 +147,15 @@ pub fn flight(pool: &Arc<FilePool>) -> Result<Option<(OpenFlight, Vec<String>)>,
 }
 
 /// The map among the files: one that says where it lies, or a picture with a file beside it that
-/// does.
-pub fn map(pool: &FilePool, options: &MapOptions) -> Result<Option<OpenMap>, String> {
+/// does; beside its name.
+pub fn map(pool: &FilePool, options: &MapOptions) -> Result<Option<(String, OpenMap)>, String> {
     let names = pool.ending_in(&MAPS).into_iter();
     for name in names.chain(pool.ending_in(&PICTURES)) {
         if has_ending(&name, &MAPS) && is_elevation(pool, &name) {
             continue;
         }
         match open_map_with(pool, &name, options) {
-            Ok(map) => return Ok(Some(map)),
+            Ok(map) => return Ok(Some((name, map))),
             Err(
                 MapError::NoGeoreference { .. } | MapError::GeoTiff(GeoTiffError::NoPlace { .. }),
             ) => {}
@@ -191,19 +189,6 @@ fn is_elevation(pool: &FilePool, name: &str) -> bool {
             let layout = &file.levels()[0];
             layout.samples == 1 && !matches!(layout.kind, SampleKind::U8 | SampleKind::U16)
         })
-}
-
-/// The pictures of a mission file, to be saved with it again.
-fn pictures(pool: &FilePool) -> Vec<(String, EncodedPicture)> {
-    if pool.read(PACKAGE_HEAD).is_none() {
-        return Vec::new();
-    }
-    let names = pool.names();
-    let pictures = names.into_iter().filter_map(|name| {
-        let path = name.strip_prefix(PACKAGE_PICTURES)?.to_owned();
-        Some((path, EncodedPicture(pool.read(&name)?)))
-    });
-    pictures.collect()
 }
 
 /// The mission among the files; beside a flight any GeoJSON is its mission.

@@ -11,8 +11,8 @@ use pilotage_core::raster::{Gray, Raster, Rgba};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Assessment, AssessmentOrder, Beside, BriefOrder, BriefPictures, EncodedPicture, FieldOrder,
-    FileContent, FindOrder, FoundPlan, HeightsOrder, ImportedFile, PredictionOrder, SuggestOrder,
+    Assessment, AssessmentOrder, Beside, BriefOrder, BriefPictures, FieldOrder, FileContent,
+    FindOrder, FoundPlan, HeightsOrder, ImportedFile, PackOrder, PredictionOrder, SuggestOrder,
     TerrainInfo, WebMap, whole_bytes,
 };
 
@@ -195,6 +195,8 @@ pub enum Job {
     Find(Box<FindOrder>),
     /// The pictures of a mission brief: event `BriefPictures`.
     Brief(BriefOrder),
+    /// A mission file: event `Packed`.
+    Pack(Box<PackOrder>),
 }
 
 /// A picture that does not say where it lies.
@@ -282,8 +284,6 @@ pub struct Opened {
     pub unplaced: Option<Unplaced>,
     /// Routes and landmarks of other programs, to be added to the mission.
     pub imports: Vec<ImportedFile>,
-    /// The pictures that a mission file brought: path and contents.
-    pub pictures: Vec<(String, EncodedPicture)>,
     /// What was open beside the mission when it was saved.
     pub beside: Option<Beside>,
     /// What was skipped, in words.
@@ -359,6 +359,14 @@ pub enum JobEvent {
     FoundPlan(Box<FoundPlan>),
     /// The pictures of a mission brief.
     BriefPictures(Box<BriefPictures>),
+    /// A mission file.
+    Packed {
+        /// The zip.
+        #[serde(with = "whole_bytes")]
+        bytes: Vec<u8>,
+        /// What of its map is not in it and where to have it, in words.
+        lacks: Option<String>,
+    },
     /// What provided files are.
     Opened(Box<Opened>),
     /// Done.

@@ -85,7 +85,7 @@ fn urgency(job: &Job) -> u8 {
         | Job::Open { .. }
         | Job::ReadPlaces { .. }
         | Job::DecodePicture { .. } => 1,
-        Job::Distinctness { .. } | Job::ExplainMatch { .. } | Job::Predict(_) => 2,
+        Job::Distinctness { .. } | Job::ExplainMatch { .. } | Job::Predict(_) | Job::Pack(_) => 2,
         Job::Tile { .. }
         | Job::TakeHeights(_)
         | Job::Assess(_)

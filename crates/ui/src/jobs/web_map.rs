@@ -11,7 +11,7 @@ use pilotage_core::imagery::web_tiles::{TileNumber, TileStore, TileTemplate, Web
 use pilotage_core::raster::{Raster, Rgba, decode_picture_with_coverage};
 use serde::{Deserialize, Serialize};
 
-use super::{Job, MapSource};
+use super::{FieldFrom, Job, MapSource};
 
 /// Key under which fetched tiles are given to a worker: files whose names are addresses.
 pub const WEB_TILES: &str = "tiles of the web";
@@ -85,6 +85,21 @@ impl WebMap {
         (zooms.0..=zooms.1).flat_map(of).collect()
     }
 
+    /// Addresses of the deepest tiles over areas that are not too many: of wide ones coarser tiles.
+    fn finest_over(&self, areas: &[GroundRect]) -> Vec<String> {
+        let count = |zoom| {
+            let counts = areas.iter().map(|area| self.count_over(area, (zoom, zoom)));
+            counts.sum::<u64>()
+        };
+        let (least, most) = self.zooms();
+        let deepest = (least..=most)
+            .rev()
+            .find(|z| count(*z) <= MOST_PER_JOB as u64);
+        let zoom = deepest.unwrap_or(least);
+        let of = |area| self.addresses_over(area, (zoom, zoom));
+        areas.iter().flat_map(of).collect()
+    }
+
     /// The map over the tiles that a worker has.
     pub fn open(&self, fetched: &FetchedTiles) -> WebTiles {
         let store = Store {
@@ -95,42 +110,72 @@ impl WebMap {
     }
 }
 
+/// What a job reads of its map.
+enum Reads {
+    /// These pictures of it.
+    Windows(Vec<Window>),
+    /// All that there is of these areas.
+    Areas(Vec<GroundRect>),
+}
+
 /// Addresses of the tiles of web maps that a job needs; none for other maps.
 pub fn wanted_addresses(job: &Job) -> Vec<String> {
-    let around = |map: &WebMap, areas: &mut dyn Iterator<Item = GroundRect>| {
-        let deepest = (map.template.most_zoom, map.template.most_zoom);
-        let mut all: Vec<String> = Vec::new();
-        for area in areas {
-            all.extend(map.addresses_over(&area, deepest));
-        }
-        all
-    };
-    let mut all = match job {
-        Job::Tile {
-            map: MapSource::Web(map),
-            window,
-        } => map.of_window(window),
+    let around = |bounds: &GroundRect| bounds.grown(AROUND_LANDMARK);
+    let (map, reads) = match job {
+        Job::Provide { .. }
+        | Job::Open { .. }
+        | Job::ReadPlaces { .. }
+        | Job::DescribeMap(_)
+        | Job::PrepareMap(_)
+        | Job::TakeHeights(_)
+        | Job::DecodePicture { .. }
+        | Job::Predict(_)
+        | Job::Find(_)
+        | Job::Pack(_) => return Vec::new(),
+        Job::Tile { map, window } => (map, Reads::Windows(vec![*window])),
+        Job::Brief(order) => (&order.map, Reads::Windows(order.windows())),
         Job::Distinctness {
-            map: MapSource::Web(map),
+            map,
             bounds,
             radius,
-        } => around(map, &mut std::iter::once(bounds.grown(*radius))),
-        Job::Assess(order) | Job::Envelope(order) => match &order.map {
-            MapSource::Web(map) => {
-                let area = order.landmark.bounds.grown(AROUND_LANDMARK);
-                around(map, &mut std::iter::once(area))
-            }
-            _ => Vec::new(),
-        },
-        Job::Fly {
-            map: MapSource::Web(map),
-            mission: Some(mission),
+        } => (map, Reads::Areas(vec![bounds.grown(*radius)])),
+        Job::Assess(order) | Job::Envelope(order) => {
+            let area = around(&order.landmark.bounds);
+            (&order.map, Reads::Areas(vec![area]))
+        }
+        Job::Suggest(order) => {
+            let across = order.view.across().unwrap_or(0.0);
+            let along = GroundRect::around(order.way_points.iter().copied());
+            let areas = along.map(|area| area.grown(across)).into_iter().collect();
+            (&order.map, Reads::Areas(areas))
+        }
+        Job::Field(order) => {
+            let from_map = matches!(order.from, FieldFrom::Map { .. });
+            let areas = from_map.then_some(order.region).into_iter().collect();
+            (&order.map, Reads::Areas(areas))
+        }
+        Job::Fly { map, mission, .. } => {
+            let landmarks = mission.iter().flat_map(|m| &m.landmarks);
+            let areas = landmarks.map(|l| around(&l.bounds)).collect();
+            (map, Reads::Areas(areas))
+        }
+        Job::ExplainMatch {
+            map,
+            mission,
+            landmark,
             ..
         } => {
-            let landmarks = mission.landmarks.iter();
-            around(map, &mut landmarks.map(|l| l.bounds.grown(AROUND_LANDMARK)))
+            let landmark = mission.landmark(*landmark);
+            let areas = landmark.map(|l| around(&l.bounds)).into_iter().collect();
+            (map, Reads::Areas(areas))
         }
-        _ => Vec::new(),
+    };
+    let MapSource::Web(map) = map else {
+        return Vec::new();
+    };
+    let mut all = match reads {
+        Reads::Windows(windows) => windows.iter().flat_map(|w| map.of_window(w)).collect(),
+        Reads::Areas(areas) => map.finest_over(&areas),
     };
     all.sort_unstable();
     all.dedup();
@@ -210,10 +255,13 @@ impl TileStore for Store {
 
 #[cfg(test)]
 mod tests {
+    use pilotage_core::camera::CameraModel;
     use pilotage_core::imagery::Imagery as _;
+    use pilotage_core::plan::FieldView;
     use pilotage_core::raster::{Picture, encode_png};
 
     use super::*;
+    use crate::jobs::{BriefOrder, FieldOrder};
 
     fn map() -> WebMap {
         WebMap {
@@ -256,6 +304,48 @@ mod tests {
                 .iter()
                 .all(|p| *p == [10, 200, 30, 255])
         );
+    }
+
+    #[test]
+    fn the_brief_and_the_field_of_the_map_get_their_tiles_and_a_wide_area_coarser_ones() {
+        let source = MapSource::Web(map());
+        let area = |side| GroundRect::centered(GroundPoint::default(), side, side);
+        let brief = Job::Brief(BriefOrder {
+            map: source.clone(),
+            area: area(2000.0),
+            boxes: vec![area(20.0)],
+        });
+        let zooms = |job: &Job| {
+            let all = wanted_addresses(job);
+            assert!(
+                !all.is_empty() && all.len() <= MOST_PER_JOB,
+                "{}",
+                all.len()
+            );
+            let zoom = |a: &String| a.split('/').nth(3).map(str::to_owned);
+            all.iter()
+                .filter_map(zoom)
+                .collect::<std::collections::BTreeSet<_>>()
+        };
+        assert!(zooms(&brief).contains("17"));
+        let field = |from, side| {
+            Job::Field(Box::new(FieldOrder {
+                map: source.clone(),
+                region: area(side),
+                view: FieldView {
+                    camera: CameraModel::pinhole(640, 480, 0.8),
+                    height: 100.0,
+                    position: 10.0,
+                    tilt: 0.0,
+                },
+                from,
+            }))
+        };
+        let of_map = || FieldFrom::Map { search_sigmas: 3.0 };
+        assert_eq!(zooms(&field(of_map(), 2000.0)), ["17".to_owned()].into());
+        assert_eq!(zooms(&field(of_map(), 20_000.0)), ["14".to_owned()].into());
+        let of_landmarks = field(FieldFrom::Landmarks(Vec::new()), 2000.0);
+        assert!(wanted_addresses(&of_landmarks).is_empty());
     }
 
     #[test]

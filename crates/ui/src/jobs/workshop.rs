@@ -26,6 +26,7 @@ use super::find::FindRoute;
 use super::flights::OpenFlight;
 use super::fly::Fly;
 use super::heights::TakeHeights;
+use super::pack::pack;
 use super::predict::Predict;
 use super::prepare::PrepareMap;
 use super::running::Once;
@@ -150,6 +151,11 @@ impl Workshop {
             } => once(move |workshop, emit| {
                 let pictures = match_pictures(workshop, &flight, &map, &mission, &step, landmark)?;
                 emit(JobEvent::Match(Box::new(pictures)));
+                Ok(())
+            }),
+            Job::Pack(order) => once(move |workshop, emit| {
+                let (bytes, lacks) = pack(workshop, &order)?;
+                emit(JobEvent::Packed { bytes, lacks });
                 Ok(())
             }),
             Job::DecodePicture { encoded } => once(move |_, emit| {
@@ -353,7 +359,8 @@ fn open_map(files: &FilePool, frame: Option<LocalFrame>) -> Result<Arc<dyn Image
         ..MapOptions::default()
     };
     let map = opening::map(files, &options)?;
-    Ok(Arc::new(map.ok_or("there is no map among the files")?))
+    let (_, map) = map.ok_or("there is no map among the files")?;
+    Ok(Arc::new(map))
 }
 
 fn once<F>(work: F) -> Box<dyn RunningJob>

@@ -16,8 +16,9 @@ use crate::units::Units;
 
 /// Width over height of the picture of the map.
 const ASPECT: f64 = 1.75;
-/// Most landmarks with a thumbnail.
+/// Most landmarks with a thumbnail, and most rows of legs: what one page has room for.
 pub const MOST_LANDMARKS: usize = 12;
+const MOST_ROWS: usize = 12;
 /// Width of the drawing over the map, in its own units.
 const WIDTH: f64 = 1000.0;
 
@@ -51,6 +52,10 @@ pub struct BriefScene<'a> {
     pub assumptions: Vec<String>,
     /// Landmarks in the order of the pictures.
     pub landmarks: &'a [BriefLandmark],
+    /// How many more there are.
+    pub more_landmarks: usize,
+    /// Whom to thank for the map.
+    pub attribution: &'a str,
     /// The ground that the picture of the map shows.
     pub area: GroundRect,
     /// The pictures.
@@ -82,6 +87,9 @@ pub fn brief(scene: &BriefScene<'_>) -> String {
         escape(&scene.route.name)
     );
     map(&mut text, scene);
+    if !scene.attribution.is_empty() {
+        let _ = write!(text, "<p>Map: {}</p>", escape(scene.attribution));
+    }
     text.push_str("<div class=\"columns\"><section>");
     outlook(&mut text, scene);
     text.push_str("<h2>Assumed</h2><ul>");
@@ -276,7 +284,23 @@ fn legs(text: &mut String, scene: &BriefScene<'_>) {
             ""
         }
     );
-    for (index, way_point) in scene.route.way_points.iter().enumerate() {
+    let way_points = &scene.route.way_points;
+    // Of too many rows the first ones and the last are shown.
+    let left_out = match way_points.len() {
+        count if count > MOST_ROWS => MOST_ROWS - 2..count - 1,
+        _ => 0..0,
+    };
+    for (index, way_point) in way_points.iter().enumerate() {
+        if left_out.contains(&index) {
+            if index == left_out.start {
+                let (count, last) = (left_out.len(), left_out.end);
+                let _ = write!(
+                    text,
+                    "<tr><td>…</td><td colspan=\"5\">and {count} more, up to way-point {last}</td></tr>"
+                );
+            }
+            continue;
+        }
         let leg = index.checked_sub(1).and_then(|i| scene.legs.get(i));
         let mut altitude = altitude_words(&way_point.altitude, scene.units);
         if let Some(action) = action_words(&way_point.action) {
@@ -359,6 +383,13 @@ fn landmarks(text: &mut String, scene: &BriefScene<'_>) {
         );
     }
     text.push_str("</div>");
+    if scene.more_landmarks > 0 {
+        let _ = write!(
+            text,
+            "<p>and {} more in the mission file</p>",
+            scene.more_landmarks
+        );
+    }
 }
 
 /// The letter of a landmark on the map.
@@ -387,11 +418,15 @@ mod tests {
     }
 
     fn page(units: Units) -> String {
+        page_of(units, 2)
+    }
+
+    fn page_of(units: Units, count: usize) -> String {
         let altitude: Altitude = USUAL_ALTITUDE;
         let at = |e| WayPoint::new(GroundPoint::new(0.0, e), altitude);
         let route = Route {
             name: "There & back".into(),
-            way_points: vec![at(0.0), at(600.0)],
+            way_points: (0..count).map(|i| at(600.0 * i as f64)).collect(),
             ..Route::default()
         };
         let legs =
@@ -411,10 +446,21 @@ mod tests {
             limit: 10.0,
             assumptions: vec!["No wind.".into()],
             landmarks: &landmarks,
+            more_landmarks: 5,
+            attribution: "© <us>",
             area,
             pictures: &BriefPictures::default(),
             units,
         })
+    }
+
+    #[test]
+    fn of_many_legs_the_first_and_the_last_are_on_the_page_and_the_rest_is_counted() {
+        let text = page_of(Units::Metric, 90);
+        assert!(text.contains("<tr><td>10</td>") && text.contains("<tr><td>90</td>"));
+        assert!(!text.contains("<tr><td>11</td>"));
+        assert!(text.contains("and 79 more, up to way-point 89"), "{text}");
+        assert!(!page_of(Units::Metric, 12).contains("way-point 11"));
     }
 
     #[test]
@@ -430,6 +476,7 @@ mod tests {
         ] {
             assert!(text.contains(words), "{words} in {text}");
         }
+        assert!(text.contains("and 5 more") && text.contains("Map: © &lt;us&gt;"));
         assert!(!text.contains("style="), "the page's rules forbid it");
         assert!(page(Units::Aviation).contains(" NM"));
     }

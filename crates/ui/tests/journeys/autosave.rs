@@ -17,7 +17,7 @@ fn a_refused_save_is_told_and_tried_again_without_another_edit() {
     let mut rig = planning();
     draw(&mut rig, &[(0.0, -300.0), (0.0, 300.0)]);
     rig.host().stored.remove(SESSION_KEY);
-    rig.host().refused = 1;
+    rig.host().refused = vec![SESSION_KEY.into()];
     rig.frames(2);
     assert!(told(&rig, "could not keep everything"));
     for _ in 0..4 {

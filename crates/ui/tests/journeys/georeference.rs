@@ -21,7 +21,6 @@ fn rig_with_a_picture() -> Rig {
             points: None,
         }),
         imports: Vec::new(),
-        pictures: Vec::new(),
         beside: None,
         remarks: Vec::new(),
     });

@@ -21,7 +21,6 @@ fn a_map(origin: Option<Geodetic>) -> Opened {
         run: None,
         unplaced: None,
         imports: Vec::new(),
-        pictures: Vec::new(),
         beside: None,
         remarks: Vec::new(),
     }

@@ -1,7 +1,10 @@
 use egui::Vec2;
+use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
+use pilotage_ui::documents::{SESSION_KEY, Session, UNREAD_KEY};
 use pilotage_ui::host::OpenedFile;
-use pilotage_ui::jobs::{FlightSource, Job, Opened};
+use pilotage_ui::jobs::{FlightSource, Job, MapInfo, MapSource, Opened};
 
+use super::plan::draw;
 use super::support::flight::flight;
 use super::support::{Rig, ScriptedHost, rig, rig_on};
 
@@ -17,8 +20,19 @@ fn files(bytes: usize) -> Vec<OpenedFile> {
 fn rig_with_a_flight(bytes: usize) -> Rig {
     let mut rig = rig();
     rig.host().opens = Some(Opened {
-        key: String::new(),
         flight: Some(flight()),
+        ..nothing()
+    });
+    rig.host().opened.push(files(bytes));
+    rig.frames(6);
+    rig.settle();
+    rig
+}
+
+fn nothing() -> Opened {
+    Opened {
+        key: String::new(),
+        flight: None,
         map: None,
         terrain: None,
         unplaced: None,
@@ -26,13 +40,44 @@ fn rig_with_a_flight(bytes: usize) -> Rig {
         run: None,
         imports: Vec::new(),
         beside: None,
-        pictures: Vec::new(),
         remarks: Vec::new(),
+    }
+}
+
+/// The app after a map was opened over which a mission is planned.
+fn rig_with_a_map() -> Rig {
+    let mut rig = rig();
+    rig.open_tab("Plan");
+    rig.host().opens = Some(Opened {
+        map: Some(MapInfo {
+            name: "area.png".into(),
+            bounds: GroundRect::centered(GroundPoint::default(), 2000.0, 2000.0),
+            native_gsd: 0.5,
+            is_coarse_cheap: true,
+            origin: Some(Geodetic::from_degrees(46.857, -92.076, 0.0)),
+        }),
+        ..nothing()
     });
-    rig.host().opened.push(files(bytes));
+    rig.host().opened.push(vec![OpenedFile {
+        path: "area.png".into(),
+        content: vec![7; 100].into(),
+    }]);
     rig.frames(6);
     rig.settle();
+    draw(&mut rig, &[(0.0, -300.0), (0.0, 300.0)]);
     rig
+}
+
+/// The mission that is stored for the next visit.
+fn stored_routes(rig: &mut Rig) -> usize {
+    let bytes = rig.host().stored.get(SESSION_KEY).cloned();
+    let session = bytes.and_then(|bytes| Session::decode(&bytes));
+    let mission = session.and_then(|session| session.mission);
+    mission.map_or(0, |mission| mission.routes.len())
+}
+
+fn first_toast(rig: &Rig) -> String {
+    rig.state()["toasts"][0].to_string()
 }
 
 fn reloaded(rig: &mut Rig) -> Rig {
@@ -83,11 +128,89 @@ fn a_flight_of_which_a_file_is_missing_gives_way_to_the_demo_with_a_word() {
         .retain(|key, _| !key.starts_with("file 1"));
     let mut again = reloaded(&mut rig);
     assert!(!flies_files(&mut again));
-    let title = again.state()["toasts"][0]["title"].clone();
+    let told = first_toast(&again);
     assert!(
-        title.as_str().is_some_and(|t| t.contains("last visit")),
-        "{title}"
+        told.contains("last visit") && told.contains("the flight"),
+        "{told}"
     );
+}
+
+#[test]
+fn a_mission_stays_when_its_map_was_not_kept_and_survives_the_next_save() {
+    let mut rig = rig_with_a_map();
+    assert_eq!(stored_routes(&mut rig), 1);
+    rig.host().stored.retain(|key, _| !key.starts_with("file "));
+    let mut again = reloaded(&mut rig);
+    let told = first_toast(&again);
+    assert!(
+        told.contains("the map") && told.contains("Your mission is here"),
+        "{told}"
+    );
+    assert_eq!(
+        again.state()["plan"]["routes"].as_array().map(Vec::len),
+        Some(1)
+    );
+    // The next edit stores the session anew.
+    draw(&mut again, &[(60.0, -200.0), (60.0, 200.0)]);
+    assert_eq!(stored_routes(&mut again), 2);
+    // The map opens again over the plan, under a key of its own.
+    again.host().opens = rig.host().opens.clone();
+    again.host().opened.push(vec![OpenedFile {
+        path: "area.png".into(),
+        content: vec![7; 100].into(),
+    }]);
+    again.frames(6);
+    again.settle();
+    let shown = again
+        .host()
+        .jobs
+        .iter()
+        .rev()
+        .find_map(|(_, job)| match job {
+            Job::Tile { map, .. } => Some(map.clone()),
+            _ => None,
+        });
+    let key = shown.as_ref().and_then(MapSource::key).map(str::to_owned);
+    assert_eq!(key.as_deref(), Some("opened-2"));
+    assert_eq!(stored_routes(&mut again), 2);
+}
+
+#[test]
+fn an_elevation_model_that_was_not_kept_goes_alone() {
+    let mut rig = rig_with_a_map();
+    let terrain = pilotage_ui::documents::TERRAIN_KEY;
+    rig.host()
+        .stored
+        .insert(terrain.into(), b"opened-9".to_vec());
+    let again = reloaded(&mut rig);
+    let told = first_toast(&again);
+    assert!(
+        told.contains("the elevation model.") && !told.contains("the map"),
+        "{told}"
+    );
+    assert_eq!(
+        again.state()["plan"]["routes"].as_array().map(Vec::len),
+        Some(1)
+    );
+}
+
+#[test]
+fn opened_files_that_were_refused_are_named_and_stored_again() {
+    let mut rig = rig_with_a_map();
+    let key = "file 0 of opened-1".to_owned();
+    rig.host().stored.remove(&key);
+    rig.host().refused = vec![key.clone()];
+    rig.frames(2);
+    assert!(
+        first_toast(&rig).contains("no room for area.png"),
+        "{}",
+        first_toast(&rig)
+    );
+    assert!(!rig.host().stored.contains_key(&key));
+    for _ in 0..4 {
+        rig.settle();
+    }
+    assert!(rig.host().stored.contains_key(&key));
 }
 
 #[test]
@@ -125,4 +248,31 @@ fn an_opened_flight_lies_within_the_map() {
         east - half < -400.0 && east + half > 560.0,
         "{east} ± {half}"
     );
+}
+
+#[test]
+fn a_document_of_a_later_version_is_kept_aside_and_taken_once_it_can_be_read() {
+    let mut rig = rig_with_a_map();
+    let mut later = rig.host().stored[SESSION_KEY].clone();
+    let own = later.clone();
+    later[0] = 9;
+    rig.host().stored.insert(SESSION_KEY.into(), later.clone());
+    let mut again = reloaded(&mut rig);
+    let told = first_toast(&again);
+    assert!(
+        told.contains("cannot be read") && told.contains("kept aside"),
+        "{told}"
+    );
+    assert_eq!(again.host().stored.get(UNREAD_KEY), Some(&later));
+    // An update brings what reads it.
+    again.host().stored.insert(UNREAD_KEY.into(), own);
+    again.host().stored.remove(SESSION_KEY);
+    let mut updated = reloaded(&mut again);
+    updated.settle();
+    assert_eq!(
+        updated.state()["plan"]["routes"].as_array().map(Vec::len),
+        Some(1)
+    );
+    assert!(!updated.host().stored.contains_key(UNREAD_KEY));
+    assert_eq!(stored_routes(&mut updated), 1);
 }

@@ -20,7 +20,6 @@ fn opened(rig: &mut Rig, file: ImportedFile) {
         unplaced: None,
         imports: vec![file],
         beside: None,
-        pictures: Vec::new(),
         remarks: Vec::new(),
     });
     rig.host().opened.push(vec![OpenedFile {

@@ -33,7 +33,6 @@ fn open_heights(rig: &mut Rig) {
         unplaced: None,
         imports: Vec::new(),
         beside: None,
-        pictures: Vec::new(),
         remarks: Vec::new(),
     });
     rig.host().opened.push(vec![OpenedFile {

@@ -40,8 +40,8 @@ pub struct ScriptedHost {
     pub link: String,
     /// The page printed last: its style and its body.
     pub printed: Option<(String, String)>,
-    /// Refusals to store to report.
-    pub refused: usize,
+    /// Keys to report as refused.
+    pub refused: Vec<String>,
     /// Saves to report as broken off.
     pub interrupted: usize,
     /// Workers to report as lost.
@@ -97,7 +97,10 @@ impl ScriptedHost {
                 events.push((id, event));
             }
         };
-        runner.receive(Request::Start(id, job.clone()), &mut keep);
+        let files = (self.jobs.iter()).filter(|(_, j)| matches!(j, Job::Provide { .. }));
+        for (id, job) in files.cloned().chain([(id, job.clone())]) {
+            runner.receive(Request::Start(id, job), &mut keep);
+        }
         while runner.turn(&|| 0.0, &mut keep) {}
     }
 
@@ -188,7 +191,7 @@ impl ScriptedHost {
                     say(JobEvent::Finished);
                 }
             }
-            Job::Find(_) => self.carry_out(id, job),
+            Job::Find(_) | Job::Pack(_) => self.carry_out(id, job),
             Job::Brief(_) => {
                 say(JobEvent::BriefPictures(Box::default()));
                 say(JobEvent::Finished);
@@ -375,7 +378,7 @@ impl Host for ScriptedHost {
         self.printed = Some((style.into(), body.into()));
     }
 
-    fn failed_stores(&mut self) -> usize {
+    fn failed_stores(&mut self) -> Vec<String> {
         std::mem::take(&mut self.refused)
     }
 
