@@ -62,7 +62,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         let (routes, landmarks) = (&imported.routes, &imported.landmarks);
         write_routes_and_landmarks(format, routes, landmarks, &imported.frame)?
     };
-    std::fs::write(to, &written.bytes).map_err(|e| format!("{name}: {e}"))?;
+    crate::files::write_whole(to, &written.bytes)?;
     notes.extend(written.notes);
     tell(to, &notes);
     println!(

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::fs::{self, File};
-use std::io::{Read, Seek, SeekFrom};
+use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -115,10 +115,30 @@ impl FileSink for Directory {
     fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), String> {
         let path = self.root.join(name);
         let parent = path.parent().unwrap_or(&self.root);
-        fs::create_dir_all(parent)
-            .and_then(|()| fs::write(&path, bytes))
-            .map_err(|e| format!("{}: {e}", path.display()))
+        fs::create_dir_all(parent).map_err(|e| format!("{}: {e}", parent.display()))?;
+        write_whole(&path, bytes)
     }
+}
+
+/// Writes a file whole or not at all: beside the old one, whose place it then takes.
+pub fn write_whole(path: &Path, bytes: impl AsRef<[u8]>) -> Result<(), String> {
+    let blame = |e: std::io::Error| format!("{}: {e}", path.display());
+    // What is no plain file, such as /dev/stdout, cannot be replaced.
+    if fs::metadata(path).is_ok_and(|there| !there.is_file()) {
+        return fs::write(path, bytes).map_err(blame);
+    }
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let fresh = path.with_file_name(format!(".{name}.{}.unfinished", std::process::id()));
+    let write = || {
+        let mut file = File::create(&fresh)?;
+        file.write_all(bytes.as_ref())?;
+        file.sync_all()?;
+        fs::rename(&fresh, path)
+    };
+    write().map_err(|e| {
+        fs::remove_file(&fresh).ok();
+        blame(e)
+    })
 }
 
 /// The picture with the georeference that lies beside it, in the world frame of a flight or mission;

@@ -178,5 +178,5 @@ fn summarize(
 }
 
 fn write(path: &Path, text: &str) -> Result<(), String> {
-    std::fs::write(path, text).map_err(|e| format!("{}: {e}", path.display()))
+    crate::files::write_whole(path, text)
 }

@@ -334,8 +334,7 @@ fn tile(arguments: &MapArguments, out: &Path, window: Option<&str>, gsd: Option<
             eprintln!("note: {problem}");
         }
     }
-    std::fs::write(out, encode_png_with_coverage(&picture)?)
-        .map_err(|e| format!("{}: {e}", out.display()))?;
+    crate::files::write_whole(out, encode_png_with_coverage(&picture)?)?;
     println!(
         "{}: {} × {} pixels of {gsd:.3} m",
         out.display(),

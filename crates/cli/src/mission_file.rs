@@ -8,7 +8,7 @@ use pilotage_core::flight::files::MemoryFiles;
 use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::mission::package::{MissionPackage, read_package};
-use pilotage_core::mission::{MapReference, open_map};
+use pilotage_core::mission::{MapError, MapReference, open_map};
 use pilotage_core::simulate::Scenario;
 
 /// Endings of files in a mission file that can be its map, the likeliest first.
@@ -54,14 +54,21 @@ impl OpenMission {
             return crate::files::open_map(path, Some(frame), megabytes);
         }
         let files: BTreeMap<String, Vec<u8>> = self.package.files.iter().cloned().collect();
-        let is_map = |name: &&String| {
-            let name = name.to_lowercase();
-            MAPS.iter().any(|ending| name.ends_with(ending))
+        let files = MemoryFiles(files);
+        let ending_in = |ending: &&str| {
+            let names = files.0.keys();
+            let found = names.filter(|name| name.to_lowercase().ends_with(*ending));
+            found.cloned().collect::<Vec<_>>()
         };
-        if let Some(name) = files.keys().find(is_map).cloned() {
-            let map = open_map(&MemoryFiles(files), &name, Some(frame))
-                .map_err(|e| format!("{}: {e}", self.name))?;
-            return Ok(Arc::new(CachedImagery::new(Arc::new(map), megabytes)));
+        for name in MAPS.iter().flat_map(ending_in) {
+            match open_map(&files, &name, Some(frame)) {
+                // Another picture may be the map.
+                Err(MapError::NoGeoreference { .. }) => {}
+                map => {
+                    let map = map.map_err(|e| format!("{}: {e}", self.name))?;
+                    return Ok(Arc::new(CachedImagery::new(Arc::new(map), megabytes)));
+                }
+            }
         }
         if self.is_over_scenery() {
             let scenery = Arc::new(Scenario::map());

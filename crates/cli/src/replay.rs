@@ -213,7 +213,7 @@ fn report(arguments: &Arguments, flight: &Flight, run: &Run, summary: &Summary) 
     }
     if let Some(path) = &arguments.out {
         let bytes = pilotage_core::navigator::encode_run(run)?;
-        std::fs::write(path, bytes).map_err(|e| format!("{}: {e}", path.display()))?;
+        crate::files::write_whole(path, bytes)?;
     }
     Ok(())
 }
@@ -261,6 +261,8 @@ fn print_frames(flight: &Flight, run: &Run) {
 }
 
 fn write_json(path: &Path, value: &impl Serialize) -> Outcome {
-    std::fs::write(path, serde_json::to_string_pretty(value)?)
-        .map_err(|e| format!("{}: {e}", path.display()).into())
+    Ok(crate::files::write_whole(
+        path,
+        serde_json::to_string_pretty(value)?,
+    )?)
 }

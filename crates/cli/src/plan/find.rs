@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use clap::ValueEnum;
 use pilotage_core::frames::units::GRAVITY;
-use pilotage_core::frames::{GroundPoint, LocalFrame};
+use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
 use pilotage_core::imagery::terrain::{Dem, Terrain as _};
+use pilotage_core::mission::{Route, WayPoint};
 use pilotage_core::plan::{
     Aim, BudgetOf, FieldBuilder, FieldView, FixSource, Forbidden, FoundRoutes, PlannedLandmark,
     Prediction, PredictionRequest, RouteQuestion, Turns, growth_before_first_fix,
@@ -205,10 +206,31 @@ pub(super) fn find(
         );
         comparison.push(compared);
     }
-    if let Some(plan) = &mut ground.plan {
-        plan.way_points.clone_from(&routes.surest.way_points);
-    }
+    take(ground, &routes.surest.way_points);
     Ok(Found { routes, comparison })
+}
+
+/// Plans the found way-points, and makes them the mission's first route.
+fn take(ground: &mut Ground, way_points: &[GroundPoint]) {
+    if let Some(plan) = &mut ground.plan {
+        plan.way_points = way_points.to_vec();
+        plan.targets.clear();
+    }
+    let altitude = Altitude {
+        metres: ground.height,
+        frame: AltitudeFrame::AboveGround,
+    };
+    let all = &mut ground.mission.routes;
+    let found = Route {
+        id: all.iter().map(|r| r.id + 1).max().unwrap_or(1),
+        name: "Found".to_owned(),
+        way_points: way_points
+            .iter()
+            .map(|at| WayPoint::new(*at, altitude))
+            .collect(),
+        ..Route::default()
+    };
+    all.insert(0, found);
 }
 
 fn predict(

@@ -22,6 +22,7 @@ use serde::Serialize;
 use ground::{Ground, way_points};
 
 use crate::Outcome;
+use crate::files::write_whole;
 
 /// What to plan.
 #[derive(Args)]
@@ -87,7 +88,8 @@ pub struct Arguments {
     /// Seed of rehearsal days and worlds.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Write the mission with the proposed landmarks instead of its own.
+    /// Write the mission, with the proposed landmarks instead of its own and the found route as its
+    /// first.
     #[arg(long)]
     out: Option<PathBuf>,
     /// Write the results as JSON.
@@ -109,6 +111,7 @@ struct Sample {
 
 #[derive(Serialize)]
 struct Summary {
+    /// Those that are switched on, in the order of every `p_detect`.
     landmarks: Vec<String>,
     suggestions: Vec<Suggestion>,
     found: Option<find::Found>,
@@ -145,8 +148,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     if let Some(passes) = arguments.calibrate {
         let (reliability, _) = calibrate::calibrate(arguments, &ground, passes);
         if let Some(path) = &arguments.diagram {
-            std::fs::write(path, reliability.svg())
-                .map_err(|e| format!("{}: {e}", path.display()))?;
+            write_whole(path, reliability.svg())?;
         }
         summary.reliability = Some(reliability);
     }
@@ -183,15 +185,14 @@ pub fn run(arguments: &Arguments) -> Outcome {
         .mission
         .landmarks
         .iter()
+        .filter(|l| l.enabled)
         .map(|l| l.name.clone())
         .collect();
     if let Some(path) = &arguments.out {
-        std::fs::write(path, write_mission(&ground.mission))
-            .map_err(|e| format!("{}: {e}", path.display()))?;
+        write_whole(path, write_mission(&ground.mission))?;
     }
     if let Some(path) = &arguments.summary {
-        std::fs::write(path, serde_json::to_string_pretty(&summary)?)
-            .map_err(|e| format!("{}: {e}", path.display()))?;
+        write_whole(path, serde_json::to_string_pretty(&summary)?)?;
     }
     Ok(())
 }
