@@ -255,3 +255,60 @@ fn what_is_wrong_in_a_way_point_file_is_told_with_line_and_column() {
     assert!(error("QGC WPL 100\n").contains("line 1"));
     assert!(error("QGC WPL 110\n1 2 3\n").contains("there are 3 fields, not 12"));
 }
+
+/// What `QGroundControl`'s guide shows of a plan: fences of both kinds, rally points, a survey with its
+/// transects, put together.
+const DOCUMENTED: &str = r#"{
+    "fileType": "Plan", "version": 1, "groundStation": "QGroundControl",
+    "geoFence": { "version": 2,
+        "circles": [ { "circle": { "center": [47.39756763610029, 8.544649762407738], "radius": 319.85 }, "inclusion": true, "version": 1 } ],
+        "polygons": [ { "inclusion": true, "version": 1, "polygon": [ [47.39807773798406, 8.543834631785785], [47.39983519888905, 8.550024648373267], [47.39641100087146, 8.54499282423751], [47.395590322265186, 8.539435808992085] ] } ] },
+    "rallyPoints": { "version": 2, "points": [ [47.39760401, 8.5509154, 50], [47.39902017, 8.54263274, 50] ] },
+    "mission": { "version": 2, "firmwareType": 12, "globalPlanAltitudeMode": 1, "vehicleType": 2, "cruiseSpeed": 15, "hoverSpeed": 5,
+        "plannedHomePosition": [47.3977419, 8.545594, 487.989],
+        "items": [
+            { "AMSLAltAboveTerrain": null, "Altitude": 50, "AltitudeMode": 0, "autoContinue": true, "command": 22, "doJumpId": 1, "frame": 3, "params": [15, 0, 0, null, 47.39750719, 8.54544, 50], "type": "SimpleItem" },
+            { "TransectStyleComplexItem": {
+                "CameraCalc": { "AdjustedFootprintFrontal": 25, "AdjustedFootprintSide": 25, "CameraName": "Manual (no camera specs)", "DistanceToSurface": 50, "DistanceToSurfaceRelative": true, "version": 1 },
+                "CameraShots": 14, "CameraTriggerInTurnAround": true, "FollowTerrain": false, "HoverAndCapture": false,
+                "Items": [ { "autoContinue": true, "command": 16, "doJumpId": 2, "frame": 3, "params": [0, 0, 0, null, 47.39795, 8.5456, 50], "type": "SimpleItem" } ],
+                "Refly90Degrees": false, "TurnAroundDistance": 10, "VisualTransectPoints": [ [47.39795, 8.5456], [47.39899, 8.5456] ], "version": 1 },
+              "angle": 0, "complexItemType": "survey", "entryLocation": 0, "flyAlternateTransects": false,
+              "polygon": [ [47.3989, 8.5455], [47.3989, 8.5465], [47.3979, 8.5465] ], "splitConcavePolygons": false, "type": "ComplexItem", "version": 5 },
+            { "AMSLAltAboveTerrain": null, "Altitude": 60, "AltitudeMode": 1, "autoContinue": true, "command": 16, "doJumpId": 9, "frame": 3, "params": [0, 0, 0, null, 47.3991, 8.5481, 60], "type": "SimpleItem" },
+            { "autoContinue": true, "command": 20, "doJumpId": 10, "frame": 2, "params": [0, 0, 0, 0, 0, 0, 0], "type": "SimpleItem" }
+        ] }
+}"#;
+
+#[test]
+fn the_documented_plan_is_edited_and_keeps_fences_rally_points_and_the_survey() {
+    let (mut route, notes) = read("documented.plan", DOCUMENTED);
+    let told = |words: &str| {
+        assert!(
+            notes.iter().any(|n| n.contains(words)),
+            "{words}: {notes:?}"
+        );
+    };
+    told("fences are kept");
+    told("rally points are kept");
+    told("survey");
+    let last = route.way_points.last_mut().unwrap();
+    last.altitude = Altitude {
+        metres: 75.0,
+        frame: AltitudeFrame::AboveTakeOff,
+    };
+    let text = plan(&route);
+    let json = |text: &str| serde_json::from_str::<serde_json::Value>(text).unwrap();
+    let (after, before) = (json(&text), json(DOCUMENTED));
+    for name in ["geoFence", "rallyPoints"] {
+        assert_eq!(after[name], before[name]);
+    }
+    let items = |plan: &serde_json::Value| plan["mission"]["items"].as_array().unwrap().clone();
+    let (after, before) = (items(&after), items(&before));
+    assert_eq!(after.len(), before.len());
+    assert_eq!(after[1], before[1], "the survey");
+    assert_eq!(after[2]["params"][6], 75.0);
+    assert_eq!(after[2]["params"][4], before[2]["params"][4]);
+    assert_eq!(after[3]["command"], 20);
+    assert_eq!(plan(&read("documented.plan", &text).0), text);
+}

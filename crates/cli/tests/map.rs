@@ -1,0 +1,183 @@
+//! `pilotage map` as a user calls it.
+
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+use pilotage_core::raster::{Picture, decode_picture, encode_jpeg, encode_png};
+use serde_json::Value;
+
+const WORLD_FILE: &str = "0.5\n0\n0\n-0.5\n570000.25\n5189999.75\n";
+const WIDTH: u32 = 40;
+const HEIGHT: u32 = 30;
+
+fn shade(x: usize, y: usize) -> [u8; 3] {
+    [(6 * x) as u8, (8 * y) as u8, ((x * y) % 251) as u8]
+}
+
+/// A TIFF of one strip in three colours; with its place in UTM zone 15 north, or without.
+fn tiff(says_where: bool) -> Vec<u8> {
+    let pixels: Vec<u8> = (0..HEIGHT as usize)
+        .flat_map(|y| (0..WIDTH as usize).flat_map(move |x| shade(x, y)))
+        .collect();
+    let long = |value: u32| value.to_le_bytes().to_vec();
+    let shorts = |values: &[u16]| values.iter().flat_map(|v| v.to_le_bytes()).collect();
+    let reals = |values: &[f64]| values.iter().flat_map(|v| v.to_le_bytes()).collect();
+    let mut tags: Vec<(u16, u16, u32, Vec<u8>)> = vec![
+        (256, 4, 1, long(WIDTH)),
+        (257, 4, 1, long(HEIGHT)),
+        (258, 3, 3, shorts(&[8, 8, 8])),
+        (259, 3, 1, shorts(&[1, 0])),
+        (262, 3, 1, shorts(&[2, 0])),
+        (273, 4, 1, long(8)),
+        (277, 3, 1, shorts(&[3, 0])),
+        (278, 4, 1, long(HEIGHT)),
+        (279, 4, 1, long(pixels.len() as u32)),
+    ];
+    if says_where {
+        let keys = [1, 1, 0, 3, 1024, 0, 1, 1, 1025, 0, 1, 1, 3072, 0, 1, 32_615];
+        let tie = [0.0, 0.0, 0.0, 570_000.0, 5_190_000.0, 0.0];
+        tags.push((33_550, 12, 3, reals(&[0.5, 0.5, 0.0])));
+        tags.push((33_922, 12, 6, reals(&tie)));
+        tags.push((34_735, 3, 16, shorts(&keys)));
+    }
+    let directory = 8 + pixels.len();
+    let after = directory + 2 + 12 * tags.len() + 4;
+    let mut beyond: Vec<u8> = Vec::new();
+    let mut file = b"II\x2a\x00".to_vec();
+    file.extend((directory as u32).to_le_bytes());
+    file.extend(pixels);
+    file.extend((tags.len() as u16).to_le_bytes());
+    for (tag, kind, count, value) in tags {
+        file.extend(tag.to_le_bytes());
+        file.extend(kind.to_le_bytes());
+        file.extend(count.to_le_bytes());
+        if value.len() == 4 {
+            file.extend(value);
+        } else {
+            file.extend(((after + beyond.len()) as u32).to_le_bytes());
+            beyond.extend(value);
+        }
+    }
+    file.extend([0; 4]);
+    file.extend(beyond);
+    file
+}
+
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let folder = format!("pilotage-map-{name}-{}", std::process::id());
+        let folder = std::env::temp_dir().join(folder);
+        std::fs::create_dir_all(&folder).expect("the temporary folder can be written");
+        Self(folder)
+    }
+
+    fn write(&self, name: &str, bytes: impl AsRef<[u8]>) {
+        std::fs::write(self.0.join(name), bytes).expect("the folder can be written");
+    }
+
+    fn map(&self, words: &[&str]) -> Output {
+        let done = Command::new(env!("CARGO_BIN_EXE_pilotage"))
+            .current_dir(&self.0)
+            .arg("map")
+            .args(words)
+            .output()
+            .expect("the program starts");
+        let said = String::from_utf8_lossy(&done.stderr);
+        assert!(done.status.success(), "{said}");
+        done
+    }
+
+    fn info(&self, words: &[&str]) -> Value {
+        let done = self.map(&[&["info"], words].concat());
+        serde_json::from_slice(&done.stdout).expect("JSON")
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        std::fs::remove_dir_all(&self.0).ok();
+    }
+}
+
+#[test]
+fn a_geotiff_tells_its_size_its_system_and_its_corners() {
+    let folder = Folder::new("info");
+    folder.write("area.tif", tiff(true));
+    let info = folder.info(&["area.tif"]);
+    assert_eq!((&info["width"], &info["height"]), (&40.into(), &30.into()));
+    assert_eq!(
+        (&info["kind"], &info["epsg"]),
+        (&"GeoTIFF".into(), &32_615.into())
+    );
+    assert_eq!(
+        (&info["samples"], &info["cut"]),
+        (&3.into(), &"strips".into())
+    );
+    let gsd = info["gsd_m"].as_f64().expect("a size of pixels");
+    assert!((gsd - 0.5).abs() < 1e-3, "{gsd}");
+    // The top left corner, by pyproj: 46.85797 north, 92.08141 west, to a few metres.
+    let corner = &info["corners_lat_lon"][0];
+    let degrees = |i: usize| corner[i].as_f64().expect("degrees");
+    assert!((degrees(0) - 46.858).abs() < 5e-3, "{corner}");
+    assert!((degrees(1) + 92.081).abs() < 5e-3, "{corner}");
+}
+
+#[test]
+fn a_tile_cut_out_of_a_picture_has_its_pixels() {
+    let folder = Folder::new("tile");
+    let picture = Picture::from_fn(WIDTH as usize, HEIGHT as usize, shade);
+    folder.write("area.png", encode_png(&picture).expect("a picture"));
+    // Metres of no place on the globe: nothing is turned or stretched.
+    folder.write("area.pgw", WORLD_FILE);
+    folder.map(&[
+        "tile",
+        "area.png",
+        "--window",
+        "8,6,16,12",
+        "--out",
+        "part.png",
+    ]);
+    let part = std::fs::read(folder.0.join("part.png")).expect("the part");
+    let part = decode_picture(&part).expect("a picture");
+    assert_eq!((part.width(), part.height()), (16, 12));
+    for (x, y) in [(0, 0), (15, 0), (0, 11), (15, 11), (7, 5)] {
+        assert_eq!(part.get(x, y), shade(8 + x, 6 + y), "{x}, {y}");
+    }
+    // Twice as coarse: a quarter of the pixels, each the mean of four.
+    folder.map(&["tile", "area.png", "--gsd", "1", "--out", "coarse.png"]);
+    let coarse = std::fs::read(folder.0.join("coarse.png")).expect("the picture");
+    let coarse = decode_picture(&coarse).expect("a picture");
+    assert_eq!((coarse.width(), coarse.height()), (20, 15));
+    let (ours, wanted) = (coarse.get(5, 4), [63, 68]);
+    for (ours, wanted) in ours.iter().zip(wanted) {
+        assert!(ours.abs_diff(wanted) <= 2, "{ours}, not {wanted}");
+    }
+}
+
+#[test]
+fn every_kind_of_world_file_is_found_beside_its_kind_of_picture() {
+    let folder = Folder::new("world-files");
+    let picture = Picture::from_fn(WIDTH as usize, HEIGHT as usize, shade);
+    let jpeg = encode_jpeg(&picture, 90).expect("a picture");
+    let png = encode_png(&picture).expect("a picture");
+    let files = [
+        ("a.jpg", "a.jgw", &jpeg),
+        ("b.jpeg", "b.wld", &jpeg),
+        ("c.png", "c.pgw", &png),
+        ("d.png", "d.wld", &png),
+        ("e.tif", "e.tfw", &tiff(false)),
+        ("f.tif", "f.wld", &tiff(false)),
+    ];
+    for (name, beside, bytes) in files {
+        folder.write(name, bytes);
+        folder.write(beside, WORLD_FILE);
+        let info = folder.info(&[name, "--system", "EPSG:32615"]);
+        let metres = |name: &str| info[name].as_f64().expect("metres");
+        assert!((metres("width_m") - 20.0).abs() < 0.3, "{name}: {info}");
+        assert!((metres("height_m") - 15.0).abs() < 0.3, "{name}: {info}");
+        let north = info["corners_lat_lon"][0][0].as_f64().expect("a latitude");
+        assert!((north - 46.858).abs() < 5e-3, "{name}: {info}");
+    }
+}

@@ -1,0 +1,253 @@
+//! `pilotage plan` over a small map, as a user calls it.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use nalgebra::Matrix3;
+use pilotage_core::camera::CameraModel;
+use pilotage_core::frames::{
+    Altitude, AltitudeFrame, Geodetic, GroundPoint, GroundRect, ReferenceSystem,
+};
+use pilotage_core::imagery::{Georeference, WorldFile};
+use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::package::{MissionPackage, write_package};
+use pilotage_core::mission::{Mission, Route, WayPoint, place_files, read_mission, write_mission};
+use pilotage_core::navigator::NavigatorSettings;
+use pilotage_core::raster::{Picture, encode_png};
+use serde_json::Value;
+
+/// Metres per pixel of the map, and its size in pixels.
+const GSD: f64 = 0.5;
+const SIDE: usize = 700;
+
+fn utm() -> ReferenceSystem {
+    ReferenceSystem::from_epsg(32_615).expect("a UTM zone")
+}
+
+/// The middle of the map.
+fn origin() -> Geodetic {
+    let half = 0.5 * SIDE as f64 * GSD;
+    utm()
+        .geodetic(570_000.0 + half, 5_190_000.0 - half)
+        .expect("a place")
+}
+
+/// Blocks of brightness, no two places alike.
+fn map() -> Vec<u8> {
+    let block = |x: usize, y: usize| {
+        let mixed = (x as u32).wrapping_mul(0x9e37_79b9) ^ (y as u32).wrapping_mul(0x85eb_ca6b);
+        (mixed.wrapping_mul(0xc2b2_ae35) >> 24) as u8
+    };
+    let shade = |x: usize, y: usize| {
+        let (fine, coarse) = (block(x / 5, y / 5), block(1000 + x / 17, y / 17));
+        [fine / 2 + coarse / 2, coarse, fine / 3 + 60]
+    };
+    encode_png(&Picture::from_fn(SIDE, SIDE, shade)).expect("a picture")
+}
+
+fn place() -> WorldFile {
+    WorldFile {
+        a: GSD,
+        d: 0.0,
+        b: 0.0,
+        e: -GSD,
+        c: 570_000.0 + 0.5 * GSD,
+        f: 5_190_000.0 - 0.5 * GSD,
+    }
+}
+
+/// A line of 240 m over three landmarks, the second of which is switched off.
+fn mission() -> Mission {
+    let altitude = Altitude {
+        metres: 60.0,
+        frame: AltitudeFrame::AboveGround,
+    };
+    let at = |east| WayPoint::new(GroundPoint::new(0.0, east), altitude);
+    let landmark = |id, name: &str, east| {
+        let bounds = GroundRect::centered(GroundPoint::new(0.0, east), 16.0, 16.0);
+        Landmark::new(id, name, bounds)
+    };
+    let mut off = landmark(2, "Off", 0.0);
+    off.enabled = false;
+    Mission {
+        name: "Small".to_owned(),
+        origin: origin(),
+        map: None,
+        landmarks: vec![landmark(1, "West", -60.0), off, landmark(3, "East", 60.0)],
+        routes: vec![Route {
+            id: 1,
+            name: "Line".to_owned(),
+            way_points: vec![at(-120.0), at(120.0)],
+            ..Route::default()
+        }],
+        no_fly: Vec::new(),
+        camera: Some(CameraModel::pinhole(320, 240, 0.8)),
+        navigator: NavigatorSettings::default(),
+        properties: std::collections::BTreeMap::new(),
+    }
+}
+
+/// The mission in a file as the page saves it, with what lies beside the map's picture.
+fn saved(beside: Vec<(String, Vec<u8>)>) -> Vec<u8> {
+    let mut files = vec![("area.png".to_owned(), map())];
+    files.extend(beside);
+    let package = MissionPackage {
+        mission: mission(),
+        settings: std::collections::BTreeMap::new(),
+        files,
+    };
+    write_package(&package).expect("a mission file")
+}
+
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let folder = format!("pilotage-plan-{name}-{}", std::process::id());
+        let folder = std::env::temp_dir().join(folder);
+        std::fs::create_dir_all(&folder).expect("the temporary folder can be written");
+        Self(folder)
+    }
+
+    fn write(&self, name: &str, bytes: impl AsRef<[u8]>) {
+        std::fs::write(self.0.join(name), bytes).expect("the folder can be written");
+    }
+
+    fn run(&self, words: &[&str]) -> Output {
+        Command::new(env!("CARGO_BIN_EXE_pilotage"))
+            .current_dir(&self.0)
+            .args(words)
+            .output()
+            .expect("the program starts")
+    }
+
+    /// The summary of a plan.
+    fn plan(&self, words: &[&str]) -> Value {
+        let mut all = vec!["plan", "--summary", "summary.json"];
+        all.extend(words);
+        let done = self.run(&all);
+        let said = String::from_utf8_lossy(&done.stderr);
+        assert!(done.status.success(), "{said}");
+        let text = std::fs::read(self.0.join("summary.json")).expect("a summary");
+        serde_json::from_slice(&text).expect("JSON")
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        std::fs::remove_dir_all(&self.0).ok();
+    }
+}
+
+fn is_whole(folder: &Path) -> bool {
+    let names = std::fs::read_dir(folder).expect("the folder");
+    let mut names = names.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
+    !names.any(|name| name.ends_with(".unfinished"))
+}
+
+#[test]
+fn a_mission_saved_over_an_opened_map_is_predicted_with_a_probability_for_every_landmark_that_is_on()
+ {
+    let folder = Folder::new("predict");
+    let place = Georeference::Projected {
+        system: utm(),
+        file: place(),
+    };
+    folder.write("small.pilotage.zip", saved(place_files("area.png", &place)));
+    let summary = folder.plan(&[
+        "--mission",
+        "small.pilotage.zip",
+        "--predict",
+        "--limit",
+        "3",
+    ]);
+    let landmarks: Vec<&str> = (summary["landmarks"].as_array().expect("landmarks").iter())
+        .filter_map(Value::as_str)
+        .collect();
+    assert_eq!(landmarks, ["West", "East"]);
+    let samples = summary["samples"].as_array().expect("samples");
+    assert!(samples.len() > 10, "{} samples", samples.len());
+    let number = |sample: &Value, name: &str| {
+        let value = sample[name].as_f64();
+        value.unwrap_or_else(|| panic!("{name} in {sample}"))
+    };
+    let mut before = -1.0;
+    for sample in samples {
+        let distance = number(sample, "distance_m");
+        assert!(distance > before, "{distance} after {before}");
+        before = distance;
+        let (major, minor) = (
+            number(sample, "sigma_major_m"),
+            number(sample, "sigma_minor_m"),
+        );
+        assert!(major >= minor && minor > 0.0, "{major} and {minor}");
+        assert!(number(sample, "heading_of_major_deg").abs() <= 360.0);
+        let found = sample["p_detect"].as_array().expect("p_detect");
+        assert_eq!(found.len(), landmarks.len());
+    }
+    // Each is found where it lies: 60 m and 180 m along the line.
+    let best = |index: usize| {
+        let by = |s: &&Value| s["p_detect"][index].as_f64().unwrap_or(0.0);
+        let best = samples.iter().max_by(|a, b| by(a).total_cmp(&by(b)));
+        let best = best.expect("a sample");
+        (number(best, "distance_m"), by(&best))
+    };
+    for (index, along) in [(0, 60.0), (1, 180.0)] {
+        let (distance, probability) = best(index);
+        assert!((distance - along).abs() < 45.0, "{index}: {distance} m");
+        assert!(probability > 0.3, "{index}: {probability}");
+    }
+    let worst = &summary["worst_stretch"];
+    let (begin, end) = (number(worst, "begin"), number(worst, "end"));
+    assert!(begin < end && number(worst, "sigma") > 3.0, "{worst}");
+    assert!(is_whole(&folder.0));
+}
+
+#[test]
+fn a_route_is_found_over_a_picture_that_was_put_on_the_ground_and_replaces_the_plan_whole() {
+    let folder = Folder::new("find");
+    let (c, f) = (570_000.0, 5_190_000.0);
+    let place = Georeference::Projective {
+        system: utm(),
+        plane_from_pixel: Matrix3::new(GSD, 0.0, c, 0.0, -GSD, f, 0.0, 1e-13, 1.0),
+    };
+    let mut beside = place_files("area.png", &place);
+    // A picture that lies nowhere is not the map.
+    beside.push(("aaa.png".to_owned(), map()));
+    folder.write("small.pilotage.zip", saved(beside));
+    folder.write("found.json", "an older file");
+    let ends = ["--find", "0,-120", "0,120", "--out", "found.json"];
+    let summary = folder.plan(&[&["--mission", "small.pilotage.zip"], &ends[..]].concat());
+    let compared = summary["found"]["comparison"]
+        .as_array()
+        .expect("two routes");
+    assert_eq!(compared.len(), 2);
+    for route in compared {
+        assert!(
+            route["worst_sigma_m"].as_f64().is_some_and(|s| s > 0.0),
+            "{route}"
+        );
+        assert!(
+            route["length_m"].as_f64().is_some_and(|l| l > 230.0),
+            "{route}"
+        );
+    }
+    let text = std::fs::read(folder.0.join("found.json")).expect("the mission");
+    let found = read_mission(&text).expect("a mission");
+    assert_eq!(found.routes[0].name, "Found");
+    assert!(found.routes[0].way_points.len() >= 2 && found.routes.len() == 2);
+    assert!(is_whole(&folder.0));
+}
+
+#[test]
+fn a_file_that_cannot_be_written_leaves_the_old_one_and_nothing_half() {
+    let folder = Folder::new("refused");
+    folder.write("plain.json", write_mission(&mission()));
+    let done = folder.run(&["convert", "plain.json", "no/such/folder/out.kml"]);
+    assert!(!done.status.success());
+    assert!(String::from_utf8_lossy(&done.stderr).contains("no/such/folder"));
+    // A plain mission without a map says what to do.
+    let done = folder.run(&["plan", "--mission", "plain.json", "--predict"]);
+    assert!(String::from_utf8_lossy(&done.stderr).contains("--map"));
+    assert!(is_whole(&folder.0));
+}
