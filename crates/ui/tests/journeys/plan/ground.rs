@@ -53,14 +53,20 @@ fn frame(rig: &mut Rig, frame: &str) {
     rig.settle();
 }
 
-/// Heights above ground in the last prediction that was asked for, metres.
-fn predicted_heights(rig: &mut Rig) -> Vec<f64> {
+/// Heights above ground, metres, in the last prediction that was asked for from `height` at the start: what
+/// would mend a stretch is predicted from higher up.
+fn predicted_heights(rig: &mut Rig, height: f64) -> Vec<f64> {
     let jobs = rig.host().jobs.iter().rev();
     let order = jobs.filter_map(|(_, job)| match job {
         Job::Predict(order) => Some(order),
         _ => None,
     });
-    let targets = order.map(|o| &o.targets).next().expect("a prediction");
+    let mut order = order.filter(|o| {
+        o.targets
+            .first()
+            .is_some_and(|t| (t.height - height).abs() < 0.5)
+    });
+    let targets = order.next().map(|o| &o.targets).expect("a prediction");
     targets.iter().map(|t| t.height).collect()
 }
 
@@ -86,7 +92,7 @@ fn an_opened_elevation_model_is_named_and_counts_in_altitudes_profile_and_predic
         .get_by_label("This altitude for all way-points")
         .click();
     rig.settle();
-    let heights = predicted_heights(&mut rig);
+    let heights = predicted_heights(&mut rig, height);
     let lowest = heights.iter().copied().fold(f64::INFINITY, f64::min);
     assert!(
         heights.len() > 2 && (lowest - height + 100.0).abs() < 1.0,
