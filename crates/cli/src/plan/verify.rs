@@ -35,7 +35,9 @@ pub fn verify(
     stated: Option<&[PlannedLandmark]>,
 ) -> Result<Verification, Box<dyn std::error::Error>> {
     let map = Scenario::map();
-    let days: Vec<Arc<CachedImagery>> = (0..DAYS)
+    // Without pictures nobody looks at the ground.
+    let drawn = if stated.is_some() { 0 } else { DAYS };
+    let days: Vec<Arc<CachedImagery>> = (0..drawn)
         .map(|day| {
             let scenery: Arc<dyn Imagery> = Arc::new(map.on_day(any_day(FIRST_DAY + day)));
             Arc::new(CachedImagery::new(scenery, CACHE))
@@ -49,8 +51,9 @@ pub fn verify(
             if seed >= end {
                 return Ok(all);
             }
-            let day = &days[(seed % DAYS) as usize];
-            let (flight, run) = fly(ground, plan, day, seed, stated)?;
+            let seen =
+                stated.map_or_else(|| Seen::Day(&days[(seed % DAYS) as usize]), Seen::AsStated);
+            let (flight, run) = fly(ground, plan, seen, seed)?;
             let compared = compare(&flight, &run, prediction);
             let of = Verification::of(std::slice::from_ref(&compared));
             eprintln!(
@@ -83,12 +86,18 @@ pub fn verify(
     Ok(Verification::of(&all))
 }
 
+/// What a flight sees: pictures of a day, or nothing but what is stated of its landmarks.
+#[derive(Clone, Copy)]
+enum Seen<'a> {
+    Day(&'a Arc<CachedImagery>),
+    AsStated(&'a [PlannedLandmark]),
+}
+
 fn fly(
     ground: &Ground,
     plan: &FlightPlan,
-    seen: &Arc<CachedImagery>,
+    seen: Seen<'_>,
     seed: u64,
-    stated: Option<&[PlannedLandmark]>,
 ) -> Result<(Flight, Run), String> {
     let named = |e: &dyn std::fmt::Display| format!("seed {seed}: {e}");
     let flight = plan
@@ -100,19 +109,21 @@ fn fly(
         navigator: settings,
         ..
     } = &ground.mission;
-    let (detector, mut frames): (Box<dyn Detector>, Box<dyn FrameSource>) =
-        if let Some(stated) = stated {
-            let stated = as_stated(&flight, stated, seed);
-            let (detector, frames) = stated.ok_or_else(|| named(&"there is no truth"))?;
-            (Box::new(detector), Box::new(frames))
-        } else {
+    let (detector, mut frames): (Box<dyn Detector>, Box<dyn FrameSource>) = match seen {
+        Seen::Day(day) => {
             let frames = SimulatedFrames::new(&flight, FlightDay::Other, seed);
             let map = Arc::clone(&ground.map);
             (
                 Box::new(TemplateDetector::new(map, settings.detector)),
-                Box::new(frames.over(Arc::clone(seen))),
+                Box::new(frames.over(Arc::clone(day))),
             )
-        };
+        }
+        Seen::AsStated(landmarks) => {
+            let stated = as_stated(&flight, landmarks, seed);
+            let (detector, frames) = stated.ok_or_else(|| named(&"there is no truth"))?;
+            (Box::new(detector), Box::new(frames))
+        }
+    };
     let flight = Arc::new(flight);
     let mut navigator =
         Navigator::with_detector(Arc::clone(&flight), landmarks, detector, settings)

@@ -13,7 +13,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::days::OtherDays;
-use super::{DayTally, DetectionStatistics, ExpectedDetection};
+use super::{DetectionStatistics, ExpectedDetection, Tally};
 use crate::camera::CameraModel;
 use crate::frames::{Attitude, GroundRect, Pose};
 use crate::imagery::{CachedImagery, Imagery, InsetImagery};
@@ -334,13 +334,8 @@ impl Assessor {
         let Some(expected) = self.expected() else {
             return DetectionStatistics::default();
         };
-        let mut by_day = vec![DayTally::default(); self.days.len()];
-        for view in &self.views {
-            by_day[view.day].looks += 1;
-            by_day[view.day].found += u32::from(view.found());
-        }
         DetectionStatistics {
-            by_day,
+            by_day: Tally::by_day(&self.views, self.days.len()),
             ..DetectionStatistics::everywhere(expected)
         }
     }
@@ -386,14 +381,11 @@ fn expected(views: &[View], days: usize) -> Option<ExpectedDetection> {
     if views.is_empty() {
         return None;
     }
-    let of_day = |day: usize| {
-        let on = views.iter().filter(move |v| v.day == day);
-        let (found, all) = on.fold((0, 0), |(found, all), v| {
-            (found + usize::from(v.found()), all + 1)
-        });
-        (found as f64, f64::from(all))
-    };
-    let flown: Vec<(f64, f64)> = (0..days).map(of_day).filter(|d| d.1 > 0.0).collect();
+    let flown: Vec<(f64, f64)> = Tally::by_day(views, days)
+        .iter()
+        .filter(|day| day.looks > 0)
+        .map(|day| (day.found as f64, day.looks as f64))
+        .collect();
     let share: f64 = flown.iter().map(|(found, all)| found / all).sum();
     let [hits, misses] = PRIOR;
     let overall = (share + hits) / (flown.len() as f64 + hits + misses);

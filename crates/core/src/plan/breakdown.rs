@@ -34,14 +34,13 @@ impl Breakdown {
             .map(|quarter| f64::from(quarter) * FRAC_PI_2)
             .collect();
         let from_quarter = |view: &View| (view.heading + 0.5 * FRAC_PI_2).rem_euclid(TAU);
-        let of_day = |day| Tally::of(views.iter().filter(|view| view.day == day));
         Self {
             heading: tally_by(views, &quarters, from_quarter),
             attitude_error: tally_by(views, &[0.0, edges[0], edges[1], f64::INFINITY], |view| {
                 view.attitude_error
             }),
             edges,
-            day: (0..days).map(of_day).collect(),
+            day: Tally::by_day(views, days),
         }
     }
 }

@@ -3,6 +3,8 @@
 use nalgebra::Matrix4;
 use serde::{Deserialize, Serialize};
 
+use super::Tally;
+
 /// What is expected of one landmark while it lies wholly in the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ExpectedDetection {
@@ -31,16 +33,7 @@ pub struct DetectionStatistics {
     /// How its rehearsals went, on the days in the order in which all landmarks of the map were rehearsed;
     /// empty if that is not known.
     #[serde(default)]
-    pub by_day: Vec<DayTally>,
-}
-
-/// How a landmark's rehearsals of one day went.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct DayTally {
-    /// Views of it.
-    pub looks: u32,
-    /// Those in which it was accepted and right.
-    pub found: u32,
+    pub by_day: Vec<Tally>,
 }
 
 impl DetectionStatistics {

@@ -26,6 +26,12 @@ impl Tally {
         sum
     }
 
+    /// Sums the views of each of `days` days up.
+    pub fn by_day(views: &[View], days: usize) -> Vec<Self> {
+        let of_day = |day| Self::of(views.iter().filter(|view| view.day == day));
+        (0..days).map(of_day).collect()
+    }
+
     /// Counts one view more.
     pub fn add(&mut self, view: &View) {
         self.looks += 1;

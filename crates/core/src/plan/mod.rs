@@ -29,7 +29,7 @@ pub use breakdown::Breakdown;
 pub use calibration::{Pass, Reliability, ReliabilityBin};
 pub use corridor::{Belief, Corridor, corridor};
 pub use days::{OtherDays, PictureDays, SceneryDays, any_day};
-pub use detection::{DayTally, DetectionStatistics, ExpectedDetection};
+pub use detection::{DetectionStatistics, ExpectedDetection};
 pub use envelope::{Envelope, EnvelopeSurvey, Tally, tally_by};
 pub use field::{FieldBuilder, FieldView, FixSource, Localizability};
 pub use find::{

@@ -6,9 +6,7 @@ use pilotage_core::camera::CameraModel;
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::navigator::NavigatorSettings;
-use pilotage_core::plan::{
-    Assessor, Breakdown, Circumstances, DayTally, ExpectedDetection, Rehearsal,
-};
+use pilotage_core::plan::{Assessor, Breakdown, Circumstances, ExpectedDetection, Rehearsal};
 use serde::{Deserialize, Serialize};
 
 use super::running::SLICE;
@@ -92,19 +90,6 @@ pub struct Assessment {
     pub views: Vec<Glance>,
     /// What they depend on.
     pub breakdown: Breakdown,
-}
-
-impl Assessment {
-    /// How the views of each day went.
-    pub fn by_day(&self) -> Vec<DayTally> {
-        let days = self.views.iter().map(|v| v.day + 1).max().unwrap_or(0);
-        let mut tallies = vec![DayTally::default(); days];
-        for view in &self.views {
-            tallies[view.day].looks += 1;
-            tallies[view.day].found += u32::from(view.found);
-        }
-        tallies
-    }
 }
 
 /// A landmark being measured.

@@ -2,7 +2,7 @@
 
 use pilotage_core::plan::EnvelopeSurvey;
 
-use super::running::SLICE;
+use super::running::slice;
 use super::{Advance, AssessmentOrder, JobEvent, RunningJob, Workshop};
 
 /// Milliseconds between two looks at what is known so far.
@@ -46,11 +46,7 @@ impl RunningJob for SurveyEnvelope {
             }
             return Advance::More;
         };
-        let begun = clock();
-        let mut more = true;
-        while more && clock() - begun < SLICE {
-            more = survey.advance();
-        }
+        let more = slice(clock, || survey.advance());
         let (done, of) = survey.progress();
         let share = done as f32 / of.max(1) as f32;
         emit(JobEvent::Progress(share, format!("Look {done} of {of}")));

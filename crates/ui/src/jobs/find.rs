@@ -12,7 +12,7 @@ use pilotage_core::simulate::Airframe;
 use serde::{Deserialize, Serialize};
 
 use super::field::LOOKS_AWAY;
-use super::running::SLICE;
+use super::running::slice;
 use super::{Advance, FieldFrom, FieldOrder, JobEvent, PredictionOrder, RunningJob, Workshop};
 
 /// Cells along the longer side of the ground that is searched, at most.
@@ -181,11 +181,7 @@ impl FindRoute {
                 self.stage = self.begin(workshop)?;
             }
             Stage::Offer(offered) => {
-                let begun = clock();
-                let mut more = true;
-                while more && clock() - begun < SLICE {
-                    more = offered.advance();
-                }
+                let more = slice(clock, || offered.advance());
                 let (done, of) = offered.progress();
                 let share = 0.7 * done as f32 / of.max(1) as f32;
                 let words = format!("What the map offers: place {done} of {of}");
@@ -196,11 +192,7 @@ impl FindRoute {
                 }
             }
             Stage::Search(search) => {
-                let begun = clock();
-                let mut more = true;
-                while more && clock() - begun < SLICE {
-                    more = search.advance();
-                }
+                let more = slice(clock, || search.advance());
                 let by_map = matches!(self.order.field.from, FieldFrom::Map { .. });
                 let begin = if by_map { 0.7 } else { 0.05 };
                 let share = begin + (0.75 - begin) * search.progress();

@@ -5,6 +5,17 @@ use super::{JobEvent, Workshop};
 /// Longest time that a slice of work should take, milliseconds.
 pub const SLICE: f64 = 25.0;
 
+/// Takes steps for about a slice of `clock` (milliseconds), or until one says that it was the last; whether
+/// there are more.
+pub fn slice(clock: &dyn Fn() -> f64, mut step: impl FnMut() -> bool) -> bool {
+    let begun = clock();
+    let mut more = true;
+    while more && clock() - begun < SLICE {
+        more = step();
+    }
+    more
+}
+
 /// Whether a job has more to do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Advance {

@@ -8,7 +8,7 @@ use pilotage_core::navigator::NavigatorSettings;
 use pilotage_core::plan::{FieldView, Proposal, ProposalQuestion};
 use serde::{Deserialize, Serialize};
 
-use super::running::SLICE;
+use super::running::slice;
 use super::{Advance, JobEvent, MapSource, RunningJob, Workshop};
 
 /// Seed of the days: the same plan always has the same proposals.
@@ -90,11 +90,7 @@ impl RunningJob for Suggest {
             }
             return Advance::More;
         };
-        let begun = clock();
-        let mut more = true;
-        while more && clock() - begun < SLICE {
-            more = proposal.advance();
-        }
+        let more = slice(clock, || proposal.advance());
         let (done, of) = proposal.progress();
         let share = done as f32 / of.max(1) as f32;
         emit(JobEvent::Progress(share, format!("Place {done} of {of}")));

@@ -238,7 +238,7 @@ impl Assessments {
             last: found.clone(),
             statistics: DetectionStatistics {
                 by_height,
-                by_day: found.by_day(),
+                by_day: found.breakdown.day.clone(),
             },
         };
         self.measured.insert(id, measured);
