@@ -3,11 +3,11 @@
 Question: {"directory": where to write, "files": [paths of files that exist already]}. Answer:
 a list with one member a file: "name", "path", "lossy", "dtype", "shape" (height, width, bands),
 "samples" (all samples as hex, little-endian, those of a pixel together, masked ones included),
-"valid" (255 or 0 a pixel, as hex), "overviews" (widths), "epsg", "transform" (x = a column + b row +
-c, y = d column + e row + f, as [a, b, c, d, e, f]), and "points": the corners of the picture and 1,000
-random places as [column, row, x, y, latitude, longitude, north, east], the last two on the plane
-through the middle of the picture at height zero. Files that lie where an earlier one does have no
-points.
+"valid" (255 or 0 a pixel, as hex), "overviews" (one member each, from the finest on: "shape", "samples"
+and "valid" as those of the picture), "epsg", "transform" (x = a column + b row + c, y = d column + e
+row + f, as [a, b, c, d, e, f]), and "points": the corners of the picture and 1,000 random places as
+[column, row, x, y, latitude, longitude, north, east], the last two on the plane through the middle of
+the picture at height zero. Files that lie where an earlier one does have no points.
 """
 
 import itertools
@@ -18,6 +18,7 @@ import warnings
 
 import numpy as np
 import rasterio
+import rasterio.shutil
 from pyproj import CRS, Transformer
 from rasterio.enums import ColorInterp, Resampling
 from rasterio.transform import Affine, from_origin
@@ -26,6 +27,8 @@ from pyproj_points import on_plane
 
 warnings.filterwarnings("ignore")
 WIDTH, HEIGHT = 70, 93
+# Of files with overviews: odd numbers all the way up, and several tiles in the first overview.
+WIDE, HIGH = 189, 261
 
 UTM = (32617, from_origin(404211.9, 3285102.9, 0.1, 0.1))
 PLACES = {
@@ -37,15 +40,17 @@ PLACES = {
 }
 
 
-def picture(random, dtype, bands, smooth):
+def picture(random, dtype, shape, smooth):
+    """`smooth`: 0 for noise, or how many times longer waves are than the shortest."""
+    bands, height, width = shape
     if smooth:
-        y, x = np.mgrid[0:HEIGHT, 0:WIDTH]
+        y, x = np.mgrid[0:height, 0:width] / smooth
         waves = [127 + 90 * np.sin(x / (7 + 3 * b) + y / (11 - b)) for b in range(bands)]
         return np.stack(waves).astype(dtype)
     if np.issubdtype(dtype, np.floating):
-        return random.normal(300, 80, (bands, HEIGHT, WIDTH)).astype(dtype)
+        return random.normal(300, 80, shape).astype(dtype)
     info = np.iinfo(dtype)
-    return random.integers(info.min, info.max, (bands, HEIGHT, WIDTH), dtype, endpoint=True)
+    return random.integers(info.min, info.max, shape, dtype, endpoint=True)
 
 
 def kinds():
@@ -90,8 +95,7 @@ def kinds():
     yield "sparse", "uint8", 3, dict(tiles, SPARSE_OK="TRUE")
     yield "no-data", "int16", 1, dict(tiles, nodata=-32768)
     yield "mask", "uint8", 3, dict(tiles, photometric="RGB")
-    yield "overviews", "uint8", 3, dict(tiles, photometric="RGB")
-    yield "overviews-mask", "uint8", 3, dict(tiles, photometric="RGB")
+    yield from kinds_with_overviews(layouts, tiles)
     for real in ("float64", "uint32", "int32", "int8"):
         yield f"samples-{real}", real, 1, tiles
     for place in PLACES:
@@ -99,31 +103,80 @@ def kinds():
     yield "place-point", "uint8", 1, tiles
 
 
+def kinds_with_overviews(layouts, tiles):
+    for (layout, cut), packing, dtype, bands in itertools.product(
+        [("strips", layouts["strips"]), ("tiles", layouts["tiles"])],
+        ["none", "deflate", "lzw", "jpeg"],
+        ["uint8", "uint16"],
+        [1, 3, 4],
+    ):
+        if packing == "jpeg" and (dtype == "uint16" or bands == 4):
+            continue
+        options = dict(cut, compress=packing)
+        if packing in ("deflate", "lzw"):
+            options["predictor"] = 2
+        if bands >= 3:
+            options["photometric"] = "RGB"
+        if bands == 4:
+            options["alpha"] = "unassociated"
+        yield f"overviews-{layout}-{packing}-{dtype}-{bands}", dtype, bands, options
+    colour = dict(tiles, photometric="RGB")
+    jpeg = dict(layouts["tiles"], compress="jpeg", photometric="YCBCR")
+    yield "overviews-jpeg-ycbcr", "uint8", 3, jpeg
+    yield "overviews-planes", "uint8", 3, dict(colour, interleave="band")
+    yield "overviews-bigtiff-big-endian", "uint16", 3, dict(colour, BIGTIFF="YES", ENDIANNESS="BIG")
+    yield "overviews-mask", "uint8", 3, colour
+    yield "overviews-mask-strips", "uint8", 3, dict(compress="lzw", photometric="RGB")
+    yield "overviews-no-data", "uint8", 1, dict(tiles, nodata=0)
+    # Files as GDAL's driver for cloud-optimized GeoTIFF lays them out: overviews before the picture.
+    for packing, bands in itertools.product(["deflate", "lzw"], [1, 3]):
+        yield f"overviews-cloud-{packing}-{bands}", "uint8", bands, {"cloud": packing}
+    yield "overviews-cloud-jpeg-grey", "uint8", 1, {"cloud": "jpeg"}
+    yield "overviews-cloud-jpeg-ycbcr", "uint8", 3, {"cloud": "jpeg"}
+    yield "overviews-cloud-mask", "uint8", 3, {"cloud": "deflate"}
+
+
 def write(directory, name, dtype, bands, options):
     random = np.random.default_rng(abs(hash_of(name)))
     place = name.removeprefix("place-") if name.startswith("place-") else "utm"
     epsg, transform = PLACES.get(place, UTM)
-    data = picture(random, np.dtype(dtype), bands, "jpeg" in name)
+    width, height = (WIDE, HIGH) if name.startswith("overviews") else (WIDTH, HEIGHT)
+    smooth = 1 if "jpeg" in name else 0
+    if smooth and name.startswith("overviews") and "ycbcr" in name:
+        # GDAL repeats halved colour where others interpolate: it has to be smooth in overviews, too.
+        smooth = 8
+    data = picture(random, np.dtype(dtype), (bands, height, width), smooth)
     if name == "sparse":
         data[:, 16:48, 0:32] = 0
     if name == "no-data":
         data[:, 10:30, 20:50] = -32768
     path = os.path.join(directory, f"{name}.tif")
+    options = dict(options)
+    cloud = options.pop("cloud", None)
     environment = {"GDAL_TIFF_INTERNAL_MASK": True}
     with rasterio.Env(**environment), rasterio.open(
-        path, "w", driver="GTiff", width=WIDTH, height=HEIGHT, count=bands, dtype=dtype,
+        path, "w", driver="GTiff", width=width, height=height, count=bands, dtype=dtype,
         crs=f"EPSG:{epsg}", transform=transform, **options,
     ) as file:
         file.write(data)
         if name == "place-point":
             file.update_tags(AREA_OR_POINT="Point")
         if "mask" in name:
-            mask = np.full((HEIGHT, WIDTH), 255, np.uint8)
+            mask = np.full((height, width), 255, np.uint8)
             mask[5:40, 30:61] = 0
             file.write_mask(mask)
-    if name.startswith("overviews"):
-        with rasterio.Env(**environment), rasterio.open(path, "r+") as file:
-            file.build_overviews([2, 4], Resampling.average)
+    if cloud:
+        plain = path.replace("overviews-cloud", "plain-cloud")
+        os.replace(path, plain)
+        rasterio.shutil.copy(
+            plain, path, driver="COG", COMPRESS=cloud, BLOCKSIZE=128, OVERVIEW_COUNT=2,
+            OVERVIEWS="IGNORE_EXISTING", PREDICTOR="NO" if cloud == "jpeg" else "YES", QUALITY=95,
+        )
+    elif name.startswith("overviews"):
+        # Tiles smaller than GDAL's usual ones, so that overviews have several.
+        with rasterio.Env(GDAL_TIFF_OVR_BLOCKSIZE=64, JPEG_QUALITY_OVERVIEW=95, **environment):
+            with rasterio.open(path, "r+") as file:
+                file.build_overviews([2, 4, 8], Resampling.average)
     return path
 
 
@@ -144,10 +197,22 @@ def points(file, epsg):
     return np.stack([columns, rows, x, y, latitude, longitude, north, east], axis=1).tolist()
 
 
+def pixels(file):
+    samples = np.ascontiguousarray(np.moveaxis(file.read(masked=False), 0, -1))
+    return {
+        "shape": samples.shape,
+        "samples": samples.astype(samples.dtype.newbyteorder("<")).tobytes().hex(),
+        "valid": file.dataset_mask().tobytes().hex(),
+    }
+
+
+def overview(path, level):
+    with rasterio.open(path, overview_level=level) as file:
+        return pixels(file)
+
+
 def answer(name, path, lossy, answered):
     with rasterio.open(path) as file:
-        samples = np.ascontiguousarray(np.moveaxis(file.read(masked=False), 0, -1))
-        valid = file.dataset_mask()
         epsg = file.crs.to_epsg()
         transform = [float(v) for v in tuple(file.transform)[:6]]
         place = (epsg, *transform)
@@ -157,11 +222,9 @@ def answer(name, path, lossy, answered):
             "name": name,
             "path": path,
             "lossy": lossy,
-            "dtype": samples.dtype.name,
-            "shape": samples.shape,
-            "samples": samples.astype(samples.dtype.newbyteorder("<")).tobytes().hex(),
-            "valid": valid.tobytes().hex(),
-            "overviews": [-(-file.width // f) for f in file.overviews(1)],
+            "dtype": file.dtypes[0],
+            **pixels(file),
+            "overviews": [overview(path, level) for level in range(len(file.overviews(1)))],
             "epsg": epsg,
             "transform": transform,
             "points": points(file, epsg) if is_new else [],

@@ -27,16 +27,29 @@ struct File {
     path: PathBuf,
     lossy: bool,
     dtype: String,
-    shape: [usize; 3],
-    samples: String,
-    valid: String,
-    overviews: Vec<usize>,
+    #[serde(flatten)]
+    picture: Pixels,
+    overviews: Vec<Pixels>,
     epsg: u32,
     transform: [f64; 6],
     points: Vec<[f64; 8]>,
 }
 
+/// The samples of a picture or an overview.
+#[derive(Deserialize)]
+struct Pixels {
+    /// Height, width, bands.
+    shape: [usize; 3],
+    samples: String,
+    valid: String,
+}
+
 impl File {
+    /// The picture and its overviews, from the finest on.
+    fn levels(&self) -> impl Iterator<Item = &Pixels> {
+        std::iter::once(&self.picture).chain(&self.overviews)
+    }
+
     fn open(&self) -> GeoTiffFile {
         let bytes = std::fs::read(&self.path).unwrap();
         let source: Arc<dyn ByteSource> = Arc::new(MemoryBytes::new(self.name.clone(), bytes));
@@ -44,7 +57,7 @@ impl File {
     }
 
     fn frame(&self) -> LocalFrame {
-        let [height, width, _] = self.shape;
+        let [height, width, _] = self.picture.shape;
         let [a, b, c, d, e, f] = self.transform;
         let (x, y) = (0.5 * width as f64, 0.5 * height as f64);
         let system = ReferenceSystem::from_epsg(self.epsg).unwrap();
@@ -52,9 +65,9 @@ impl File {
         LocalFrame::new(middle.unwrap())
     }
 
-    /// All samples as real numbers.
-    fn samples(&self) -> Vec<f64> {
-        let bytes = bytes_of_hex(&self.samples);
+    /// All samples of a level as real numbers.
+    fn samples(&self, level: &Pixels) -> Vec<f64> {
+        let bytes = bytes_of_hex(&level.samples);
         macro_rules! reals {
             ($kind:ty) => {
                 (bytes.chunks_exact(size_of::<$kind>()))
@@ -88,14 +101,14 @@ fn files() -> Option<&'static [File]> {
 }
 
 /// All samples of a level, put together from its tiles.
-fn all_samples(file: &TiffFile) -> Vec<f64> {
-    let layout = &file.levels()[0];
+fn all_samples(file: &TiffFile, level: usize) -> Vec<f64> {
+    let layout = &file.levels()[level];
     let n = layout.samples;
     let mut all = vec![f64::NAN; layout.width * layout.height * n];
     for row in 0..layout.down() {
         for column in 0..layout.across() {
             let chunk = file
-                .chunk(0, column, row)
+                .chunk(level, column, row)
                 .unwrap_or_else(|error| panic!("{error}"));
             let real = |i: usize| chunk.as_ref().map_or(0.0, |c| c.samples.real(i));
             let height = chunk.as_ref().map_or(layout.chunk_height, |c| c.height);
@@ -117,12 +130,16 @@ fn all_samples(file: &TiffFile) -> Vec<f64> {
     all
 }
 
-/// The window of one pixel of the map, seen exactly.
-fn colour_at(map: &GeoTiff, column: usize, row: usize) -> [u8; 4] {
-    let ground = map
-        .placement()
-        .ground_at(&Point2::new(column as f64 + 0.5, row as f64 + 0.5));
-    let gsd = map.native_gsd();
+/// The window of one pixel of a level of `width` × `height` pixels, seen exactly.
+fn colour_at(map: &GeoTiff, (width, height): (usize, usize), column: usize, row: usize) -> [u8; 4] {
+    let whole = map.placement().size();
+    let (right, down) = (
+        whole.0 as f64 / width as f64,
+        whole.1 as f64 / height as f64,
+    );
+    let middle = Point2::new((column as f64 + 0.5) * right, (row as f64 + 0.5) * down);
+    let ground = map.placement().ground_at(&middle);
+    let gsd = map.native_gsd() * right;
     let window = Window {
         north_edge: ground.north + 0.5 * gsd,
         west_edge: ground.east - 0.5 * gsd,
@@ -134,38 +151,44 @@ fn colour_at(map: &GeoTiff, column: usize, row: usize) -> [u8; 4] {
 }
 
 #[test]
-fn samples_are_those_of_rasterio() {
+fn samples_of_pictures_and_overviews_are_those_of_rasterio() {
     let Some(files) = files() else { return };
-    let mut furthest_lossy: BTreeMap<&str, (f64, f64)> = BTreeMap::new();
+    let mut furthest_lossy: BTreeMap<String, (f64, f64)> = BTreeMap::new();
+    let (mut overviews, mut compared) = (0, 0);
     for file in files {
         let tiff = file.open().tiff;
-        let ours = all_samples(&tiff);
-        let theirs = file.samples();
-        assert_eq!(ours.len(), theirs.len(), "{}", file.name);
-        let mut overviews: Vec<usize> = tiff.levels()[1..].iter().map(|l| l.width).collect();
-        overviews.truncate(file.overviews.len());
-        assert_eq!(overviews, file.overviews, "{}", file.name);
-        if file.lossy {
-            let differences: Vec<f64> = ours
-                .iter()
-                .zip(&theirs)
-                .map(|(a, b)| (a - b).abs())
-                .collect();
-            let furthest = differences.iter().copied().fold(0.0, f64::max);
-            let mean = differences.iter().sum::<f64>() / differences.len() as f64;
-            furthest_lossy.insert(&file.name, (mean, furthest));
-            continue;
+        let sizes: Vec<_> = tiff.levels().iter().map(|l| (l.height, l.width)).collect();
+        let known: Vec<_> = file.levels().map(|l| (l.shape[0], l.shape[1])).collect();
+        assert_eq!(sizes, known, "{}: sizes of the levels", file.name);
+        for (level, theirs) in file.levels().enumerate() {
+            let name = format!("{}, level {level}", file.name);
+            let ours = all_samples(&tiff, level);
+            let theirs = file.samples(theirs);
+            assert_eq!(ours.len(), theirs.len(), "{name}");
+            overviews += usize::from(level > 0);
+            compared += ours.len();
+            let pairs = ours.iter().zip(&theirs);
+            if file.lossy {
+                let differences: Vec<f64> = pairs.map(|(a, b)| (a - b).abs()).collect();
+                let furthest = differences.iter().copied().fold(0.0, f64::max);
+                let mean = differences.iter().sum::<f64>() / differences.len() as f64;
+                furthest_lossy.insert(name, (mean, furthest));
+                continue;
+            }
+            let other = pairs.into_iter().position(|(a, b)| a != b);
+            assert_eq!(other, None, "{name}: first different sample");
         }
-        let other = ours.iter().zip(&theirs).position(|(a, b)| a != b);
-        assert_eq!(other, None, "{}: first different sample", file.name);
     }
     println!(
-        "{} files, {} of them JPEG",
+        "{} files with {overviews} overviews, {compared} samples; {} levels are JPEG",
         files.len(),
         furthest_lossy.len()
     );
-    for (name, (mean, furthest)) in furthest_lossy {
+    assert!(overviews > 100);
+    for (name, (mean, furthest)) in &furthest_lossy {
         println!("{name}: mean difference {mean:.2}, largest {furthest}");
+    }
+    for (name, (mean, furthest)) in furthest_lossy {
         // Decoders round differently, and interpolate halved colour differently.
         let halved = name.contains("ycbcr");
         assert!(mean < if halved { 1.0 } else { 0.1 }, "{name}: {mean}");
@@ -220,45 +243,54 @@ fn the_colours_of_a_map_stand_where_its_samples_do() {
         let opened = file.open();
         let alpha = opened.tiff.levels()[0].alpha.map(|(band, _)| band);
         let map = GeoTiff::new(opened, &file.frame(), MapMemory::default()).unwrap();
-        let (samples, valid) = (file.samples(), bytes_of_hex(&file.valid));
-        let [height, width, bands] = file.shape;
-        for row in (0..height).step_by(7) {
-            for column in (row % 5..width).step_by(9) {
-                let pixel = &samples[(row * width + column) * bands..][..bands];
-                let scale = 255.0 / f64::from(map.white());
-                let colours = bands - usize::from(alpha.is_some());
-                let shown = |band: usize| (pixel[band] * scale).round() as i32;
-                let grey = colours < 3;
-                let theirs = [0, 1, 2].map(|band| shown(if grey { 0 } else { band }));
-                let ours = colour_at(&map, column, row);
-                if let Some(band) = alpha {
-                    let whole = if file.dtype == "uint8" {
-                        255.0
-                    } else {
-                        65_535.0
-                    };
-                    let covered = (pixel[band] / whole * 255.0).round() as i32;
-                    assert!((i32::from(ours[3]) - covered).abs() <= 1, "{}", file.name);
-                } else if file.name != "sparse" {
-                    assert_eq!(ours[3], valid[row * width + column], "{}", file.name);
-                }
-                if ours[3] == 0 {
-                    continue;
-                }
-                for (a, b) in ours.iter().zip(theirs) {
-                    assert!(
-                        (i32::from(*a) - b).abs() <= 1,
-                        "{} at {column}, {row}: {ours:?}, not {theirs:?}",
-                        file.name
-                    );
-                }
-                looked_at += 1;
-            }
+        for level in file.levels() {
+            looked_at += compare_colours(file, level, &map, alpha);
         }
         assert!(map.problems().is_empty(), "{:?}", map.problems());
     }
     println!("{looked_at} pixels");
     assert!(looked_at > 10_000);
+}
+
+/// Compares some colours of a level and says of how many pixels.
+fn compare_colours(file: &File, level: &Pixels, map: &GeoTiff, alpha: Option<usize>) -> usize {
+    let (samples, valid) = (file.samples(level), bytes_of_hex(&level.valid));
+    let [height, width, bands] = level.shape;
+    let name = format!("{}, {width} × {height}", file.name);
+    let mut looked_at = 0;
+    for row in (0..height).step_by(7) {
+        for column in (row % 5..width).step_by(9) {
+            let pixel = &samples[(row * width + column) * bands..][..bands];
+            let scale = 255.0 / f64::from(map.white());
+            let colours = bands - usize::from(alpha.is_some());
+            let shown = |band: usize| (pixel[band] * scale).round() as i32;
+            let grey = colours < 3;
+            let theirs = [0, 1, 2].map(|band| shown(if grey { 0 } else { band }));
+            let ours = colour_at(map, (width, height), column, row);
+            if let Some(band) = alpha {
+                let whole = if file.dtype == "uint8" {
+                    255.0
+                } else {
+                    65_535.0
+                };
+                let covered = (pixel[band] / whole * 255.0).round() as i32;
+                assert!((i32::from(ours[3]) - covered).abs() <= 1, "{name}");
+            } else if file.name != "sparse" {
+                assert_eq!(ours[3], valid[row * width + column], "{name}");
+            }
+            if ours[3] == 0 {
+                continue;
+            }
+            for (a, b) in ours.iter().zip(theirs) {
+                assert!(
+                    (i32::from(*a) - b).abs() <= 1,
+                    "{name} at {column}, {row}: {ours:?}, not {theirs:?}"
+                );
+            }
+            looked_at += 1;
+        }
+    }
+    looked_at
 }
 
 #[test]
