@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use pilotage_core::flight::{Flight, FrameSource};
-use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::imagery::CachedImagery;
 use pilotage_core::landmark::{Detector, TemplateDetector};
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Navigator, Run};
@@ -15,17 +15,15 @@ use pilotage_core::simulate::{FlightDay, FlightPlan, Scenario, SimulatedFrames};
 
 use super::Ground;
 
-/// Days on which the flights take turns, none of which was rehearsed.
-const DAYS: u64 = 20;
-/// Seed of the first of them.
+/// Seed of the day of the first flight, which was not rehearsed; that of another follows from its own.
 const FIRST_DAY: u64 = 770_001;
 /// Memory for tiles of one day, megabytes.
 const CACHE: usize = 256;
 
 /// Flies seeds `first..end` and compares their errors with `prediction`.
 ///
-/// Each flight has a wind of its own, drawn from what was predicted for, and a day of several: a
-/// prediction is a statement about all of them, and one over and over would be one sample of it. Where
+/// Each flight has a wind and a day of its own, drawn from what was predicted for: a prediction is a
+/// statement about all of them, and one over and over would be one sample of it. Where
 /// landmarks are `stated` there are no pictures: they are found as often and as well as that says.
 pub fn verify(
     ground: &Ground,
@@ -35,14 +33,6 @@ pub fn verify(
     stated: Option<&[PlannedLandmark]>,
 ) -> Result<Verification, Box<dyn std::error::Error>> {
     let map = Scenario::map();
-    // Without pictures nobody looks at the ground.
-    let drawn = if stated.is_some() { 0 } else { DAYS };
-    let days: Vec<Arc<CachedImagery>> = (0..drawn)
-        .map(|day| {
-            let scenery: Arc<dyn Imagery> = Arc::new(map.on_day(any_day(FIRST_DAY + day)));
-            Arc::new(CachedImagery::new(scenery, CACHE))
-        })
-        .collect();
     let next = AtomicU64::new(first);
     let worker = || -> Result<Vec<Vec<Comparison>>, String> {
         let mut all = Vec::new();
@@ -51,8 +41,9 @@ pub fn verify(
             if seed >= end {
                 return Ok(all);
             }
-            let seen =
-                stated.map_or_else(|| Seen::Day(&days[(seed % DAYS) as usize]), Seen::AsStated);
+            let day = || map.on_day(any_day(FIRST_DAY + seed));
+            let day = || Seen::Day(Arc::new(CachedImagery::new(Arc::new(day()), CACHE)));
+            let seen = stated.map_or_else(day, Seen::AsStated);
             let (flight, run) = fly(ground, plan, seen, seed)?;
             let compared = compare(&flight, &run, prediction);
             let of = Verification::of(std::slice::from_ref(&compared));
@@ -87,9 +78,8 @@ pub fn verify(
 }
 
 /// What a flight sees: pictures of a day, or nothing but what is stated of its landmarks.
-#[derive(Clone, Copy)]
 enum Seen<'a> {
-    Day(&'a Arc<CachedImagery>),
+    Day(Arc<CachedImagery>),
     AsStated(&'a [PlannedLandmark]),
 }
 
@@ -115,7 +105,7 @@ fn fly(
             let map = Arc::clone(&ground.map);
             (
                 Box::new(TemplateDetector::new(map, settings.detector)),
-                Box::new(frames.over(Arc::clone(day))),
+                Box::new(frames.over(day)),
             )
         }
         Seen::AsStated(landmarks) => {

@@ -28,31 +28,13 @@ pub struct Belief {
 }
 
 /// `count` points that lie like a standard Gaussian of two axes: equally likely rings, on a spiral.
-pub(super) fn gaussian_points(count: usize) -> impl Iterator<Item = Vector2<f64>> {
+fn gaussian_points(count: usize) -> impl Iterator<Item = Vector2<f64>> {
     (0..count).map(move |i| {
         let within = (i as f64 + 0.5) / count as f64;
         let radius = (-2.0 * (1.0 - within).ln()).sqrt();
         let (sin, cos) = (GOLDEN_ANGLE * i as f64).sin_cos();
         radius * Vector2::new(cos, sin)
     })
-}
-
-/// `count` points whose Gaussian kernels add up to a standard Gaussian of two axes, and the standard
-/// deviation of the kernels.
-///
-/// A few points alone have no tails: the strip that holds 95 % of 20 of them holds 88 to 98 % of the
-/// Gaussian, as its direction falls. Each stands for what lies around it, as widely as suits so many
-/// (Silverman 1986, 4.14), and they stand closer together, so that the variance of the whole is right.
-pub(super) fn gaussian_kernels(count: usize) -> (Vec<Vector2<f64>>, f64) {
-    let mut points: Vec<_> = gaussian_points(count).collect();
-    let kernel = (count as f64).powf(-1.0 / 6.0);
-    let squares = points.iter().map(Vector2::norm_squared).sum::<f64>();
-    let variance = squares / (2 * count) as f64;
-    let closer = ((1.0 - kernel * kernel) / variance).max(0.0).sqrt();
-    for point in &mut points {
-        *point *= closer;
-    }
-    (points, kernel)
 }
 
 /// The ellipse and the strip that hold the error with a stated probability.
@@ -186,6 +168,7 @@ fn strip(worlds: &[Belief], direction: &Vector2<f64>, probability: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::plan::winds;
     use rand::SeedableRng;
     use rand_distr::{Distribution, StandardNormal};
 
@@ -209,15 +192,14 @@ mod tests {
     }
 
     #[test]
-    fn a_few_kernels_have_the_corridor_of_their_gaussian_in_every_direction() {
-        for (count, most) in [(1, 0.02), (5, 0.12), (20, 0.08), (60, 0.05)] {
-            let (points, kernel) = gaussian_kernels(count);
-            let worlds: Vec<Belief> = points
+    fn a_few_parts_of_a_gaussian_have_its_corridor_in_every_direction() {
+        for (count, most) in [(1, 0.02), (5, 0.06), (20, 0.03), (70, 0.02)] {
+            let worlds: Vec<Belief> = winds::parts(count)
                 .iter()
-                .map(|point| Belief {
-                    weight: 1.0,
-                    mean: *point,
-                    covariance: Matrix2::from_diagonal_element(kernel * kernel),
+                .map(|part| Belief {
+                    weight: part.weight,
+                    mean: part.mean,
+                    covariance: part.covariance,
                 })
                 .collect();
             for course in 0..18 {
@@ -226,7 +208,7 @@ mod tests {
                 let off = found.across / 1.96 - 1.0;
                 assert!(off.abs() < most, "{count}: {off}");
                 let variance = 0.5 * found.covariance.trace();
-                assert!((variance - 1.0).abs() < 1e-9, "{count}: {variance}");
+                assert!((variance - 1.0).abs() < 2e-3, "{count}: {variance}");
             }
         }
     }

@@ -85,16 +85,18 @@ fn quantile(p: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// For each of `worlds` and each of `landmarks` a number from 0 to 1: it is recognised where that is more
-/// probable. All of them lie evenly for every landmark, whose probability is met as well as so many
-/// worlds can, and they go together as `rho` says.
+/// For each world of these weights and each of `landmarks` a number from 0 to 1: it is recognised where
+/// that is more probable. All of them lie evenly for every landmark, whose probability is met as well as
+/// so many worlds can, and they go together as `rho` says.
 pub(super) fn worlds(
-    worlds: usize,
+    weights: &[f64],
     landmarks: usize,
     rho: f64,
     random: &mut impl Rng,
 ) -> Vec<Vec<f64>> {
     let mut normal = |_| -> f64 { StandardNormal.sample(random) };
+    let worlds = weights.len();
+    let whole: f64 = weights.iter().sum();
     let days: Vec<f64> = (0..worlds).map(&mut normal).collect();
     let mut all = vec![Vec::with_capacity(landmarks); worlds];
     for _ in 0..landmarks {
@@ -104,13 +106,17 @@ pub(super) fn worlds(
             .collect();
         let mut order: Vec<usize> = (0..worlds).collect();
         order.sort_by(|a, b| drawn[*a].total_cmp(&drawn[*b]));
-        for (rank, world) in order.into_iter().enumerate() {
-            all[world].push(rank as f64);
+        let mut before = 0.0;
+        for world in order {
+            all[world].push(before);
+            before += weights[world];
         }
     }
-    for place in all.iter_mut().flatten() {
-        let within: f64 = random.random();
-        *place = (*place + within) / worlds as f64;
+    for (weight, world) in weights.iter().zip(&mut all) {
+        for place in world {
+            let within: f64 = random.random();
+            *place = (*place + weight * within) / whole;
+        }
     }
     all
 }
@@ -135,7 +141,7 @@ mod tests {
         let mut random = ChaCha8Rng::seed_from_u64(8);
         for rho in [0.0, 0.3, 0.7] {
             let chances = [0.4, 0.5, 0.6, 0.7, 0.8, 0.6, 0.5, 0.7];
-            let drawn = worlds(60, chances.len(), rho, &mut random);
+            let drawn = worlds(&[1.0; 60], chances.len(), rho, &mut random);
             let tallies: Vec<Vec<Tally>> = (0..chances.len())
                 .map(|i| {
                     let found = |u: f64| usize::from(u < chances[i]) * 2;
@@ -161,13 +167,13 @@ mod tests {
     fn every_landmark_is_recognised_in_its_share_of_the_worlds_however_they_go_together() {
         let mut random = ChaCha8Rng::seed_from_u64(9);
         for rho in [0.0, 0.8] {
-            let drawn = worlds(50, 3, rho, &mut random);
+            let drawn = worlds(&[0.02; 50], 3, rho, &mut random);
             for landmark in 0..3 {
                 let known = drawn.iter().filter(|w| w[landmark] < 0.7).count();
                 assert_eq!(known, 35, "{rho}");
             }
         }
-        let together = worlds(2000, 2, 0.8, &mut random);
+        let together = worlds(&[1.0; 2000], 2, 0.8, &mut random);
         let neither = together.iter().filter(|w| w[0] > 0.9 && w[1] > 0.9).count();
         assert!(
             (60..160).contains(&neither),

@@ -23,6 +23,7 @@ mod smooth;
 mod stated;
 mod suggest;
 mod view;
+mod winds;
 
 pub use assess::{Assessor, Circumstances, Rehearsal, View};
 pub use breakdown::Breakdown;

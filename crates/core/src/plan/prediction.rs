@@ -4,9 +4,9 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use serde::{Deserialize, Serialize};
 
-use super::corridor::{Belief, Corridor, corridor, gaussian_kernels};
+use super::corridor::{Belief, Corridor, corridor};
 use super::propagate::{Moment, Propagation, UnknownWind};
-use super::{DetectionStatistics, day_factor};
+use super::{DetectionStatistics, day_factor, winds};
 use crate::frames::GroundPoint;
 use crate::landmark::Landmark;
 use crate::navigator::{NavigatorSettings, vehicle};
@@ -159,13 +159,16 @@ impl PredictionRequest<'_> {
         } else {
             1
         };
-        let per_wind = worlds.div_ceil(winds);
-        let recognised = self.recognised(winds * per_wind);
-        let (points, kernel) = gaussian_kernels(winds);
-        let mut ways = Vec::with_capacity(winds);
-        for ((number, point), worlds) in points.iter().enumerate().zip(recognised.chunks(per_wind))
-        {
-            let wind = self.plan.wind + self.wind_deviation * point;
+        let parts = winds::parts(winds);
+        let per_wind = worlds.div_ceil(parts.len());
+        let weights: Vec<f64> = parts
+            .iter()
+            .flat_map(|part| std::iter::repeat_n(part.weight, per_wind))
+            .collect();
+        let recognised = self.recognised(&weights);
+        let mut ways = Vec::with_capacity(parts.len());
+        for ((number, part), worlds) in parts.iter().enumerate().zip(recognised.chunks(per_wind)) {
+            let wind = self.plan.wind + self.wind_deviation * part.mean;
             let other = uncertain
                 .then(|| {
                     FlightPlan {
@@ -175,16 +178,17 @@ impl PredictionRequest<'_> {
                     .nominal()
                 })
                 .flatten();
-            ways.push(vehicle(self.settings).visit(Propagation {
+            let way = vehicle(self.settings).visit(Propagation {
                 request: self,
                 flight: other.as_ref().unwrap_or(&flight),
                 worlds,
                 seed: self.seed.wrapping_mul(1000) + number as u64,
                 unknown_wind: uncertain.then_some(UnknownWind {
                     mean: wind,
-                    deviation: kernel * self.wind_deviation,
+                    covariance: part.covariance * self.wind_deviation.powi(2),
                 }),
-            })?);
+            })?;
+            ways.push((part.weight, way));
         }
         let samples = samples(&flight, brought_together(&self.track(&flight), &ways))?;
         Ok(Prediction {
@@ -193,9 +197,9 @@ impl PredictionRequest<'_> {
         })
     }
 
-    /// For each of `worlds` and each landmark a number from 0 to 1: it is recognised where that is more
-    /// probable. How far landmarks go together follows from their rehearsals.
-    fn recognised(&self, worlds: usize) -> Vec<Vec<f64>> {
+    /// For each world of these weights and each landmark a number from 0 to 1: it is recognised where
+    /// that is more probable. How far landmarks go together follows from their rehearsals.
+    fn recognised(&self, worlds: &[f64]) -> Vec<Vec<f64>> {
         let mut random = ChaCha8Rng::seed_from_u64(self.seed);
         let height = self.plan.height;
         let rehearsed: Vec<_> = self
@@ -249,8 +253,8 @@ fn lasting(way: &[Moment], index: usize) -> f64 {
     frames / length.max(SLOWEST * frames)
 }
 
-/// What all ways come to at the places of `track`.
-fn brought_together(track: &[(usize, GroundPoint)], ways: &[Vec<Moment>]) -> Vec<Moment> {
+/// What all ways, each with its weight, come to at the places of `track`.
+fn brought_together(track: &[(usize, GroundPoint)], ways: &[(f64, Vec<Moment>)]) -> Vec<Moment> {
     let mut reached = vec![0; ways.len()];
     track
         .iter()
@@ -262,13 +266,12 @@ fn brought_together(track: &[(usize, GroundPoint)], ways: &[Vec<Moment>]) -> Vec
                 found: Vec::new(),
                 any: 0.0,
             };
-            let share = 1.0 / ways.len() as f64;
-            for (way, last) in ways.iter().zip(&mut reached) {
+            for ((share, way), last) in ways.iter().zip(&mut reached) {
                 *last = nearest_ahead(|i| way.get(i).map(|m| m.place), *last, place);
                 let Some(moment) = way.get(*last) else {
                     continue;
                 };
-                let weight = lasting(way, *last);
+                let weight = share * lasting(way, *last);
                 let weighed = moment.beliefs.iter().map(|b| Belief { weight, ..*b });
                 all.beliefs.extend(weighed);
                 all.found.resize(moment.found.len(), 0.0);

@@ -52,8 +52,8 @@ pub(super) struct Propagation<'a> {
 pub(super) struct UnknownWind {
     /// Its mean (north, east), m/s.
     pub mean: Vector2<f64>,
-    /// Its standard deviation per axis, m/s: one wind stands for those near it.
-    pub deviation: f64,
+    /// Its covariance, m²/s²: one wind stands for those near it.
+    pub covariance: Matrix2<f64>,
 }
 
 impl VehicleVisitor for Propagation<'_> {
@@ -124,7 +124,7 @@ impl Propagation<'_> {
         let Some(wind) = self.unknown_wind else {
             return model.clone();
         };
-        let speed = wind.mean.norm().hypot(2.0_f64.sqrt() * wind.deviation);
+        let speed = (wind.mean.norm_squared() + wind.covariance.trace()).sqrt();
         let gusts = Turbulence::low_altitude(self.request.plan.height, speed);
         model.in_gusts(gusts.intensity.x, self.request.settings.process.gust_time)
     }
@@ -147,7 +147,9 @@ impl Propagation<'_> {
                 error[i + axis] = wind.mean[axis];
                 scatter.row_mut(i + axis).fill(0.0);
                 scatter.column_mut(i + axis).fill(0.0);
-                scatter[(i + axis, i + axis)] = wind.deviation * wind.deviation;
+            }
+            for (row, column) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                scatter[(i + row, i + column)] = wind.covariance[(row, column)];
             }
         }
         World {
