@@ -1,5 +1,6 @@
 //! The pipeline: predict → choose landmarks → see → associate → gate → update → report.
 
+mod attention;
 mod bound;
 mod engine;
 mod expected;

@@ -292,6 +292,7 @@ impl Navigator {
             engine: self.engine.as_ref(),
             model,
             pose,
+            frame: index,
         };
         !seer.candidates(&self.landmarks).is_empty()
     }
@@ -326,6 +327,7 @@ impl Navigator {
             engine: self.engine.as_ref(),
             model,
             pose,
+            frame: index,
         };
         let candidates = seer.candidates(&self.landmarks);
         let mut reports: Vec<CandidateReport> = Vec::with_capacity(candidates.len());

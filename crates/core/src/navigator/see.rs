@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, Matrix4, Point2, Point3, Vector2, Vector4};
 
+use super::attention::{attended, probability_of_view};
 use super::engine::{Engine, Expectation, MeasurementModel};
 use super::expected::{Anchor, AppearanceModel};
 use super::geometry::{COMPONENTS, joint_noise, pose_covariance};
@@ -35,6 +36,8 @@ pub struct Seer<'a> {
     pub engine: &'a dyn Engine,
     pub model: AppearanceModel<'a>,
     pub pose: Pose,
+    /// Number of the frame.
+    pub frame: usize,
 }
 
 impl<'a> Seer<'a> {
@@ -61,7 +64,8 @@ impl<'a> Seer<'a> {
         )
     }
 
-    /// Landmarks that may be in view, the most central first, with the reports begun.
+    /// Landmarks that may be in view, the most central first, with the reports begun; not all of them
+    /// if there are too many (see [`attended`]).
     pub fn candidates(&self, landmarks: &'a [Landmark]) -> Vec<(&'a Landmark, CandidateReport)> {
         let camera = self.model.camera;
         let mut found: Vec<(f64, &Landmark, CandidateReport)> = Vec::new();
@@ -86,11 +90,20 @@ impl<'a> Seer<'a> {
             }
         }
         found.sort_by(|a, b| a.0.total_cmp(&b.0));
-        found.truncate(self.settings.most_landmarks);
-        found
-            .into_iter()
-            .map(|(_, landmark, report)| (landmark, report))
-            .collect()
+        let in_view = |(_, _, r): &(f64, &Landmark, CandidateReport)| {
+            probability_of_view(camera, &r.predicted_pixel, &r.innovation_covariance)
+        };
+        let in_view: Vec<f64> = found.iter().map(in_view).collect();
+        let mut chosen = attended(&in_view, self.settings.most_landmarks, self.frame).into_iter();
+        let mut next = chosen.next();
+        let mut kept = Vec::new();
+        for (index, (_, landmark, report)) in found.into_iter().enumerate() {
+            if next == Some(index) {
+                kept.push((landmark, report));
+                next = chosen.next();
+            }
+        }
+        kept
     }
 
     /// The report of a landmark before it is looked for; `None` if it cannot be in front of the lens.

@@ -15,7 +15,7 @@ use super::blind_way::{Ground, Pace, Unsure};
 use super::field::Localizability;
 use super::graph::{Aimed, Graph};
 use super::no_fly::{NoFlyArea, Obstacles};
-use super::smooth::{Turns, fits, pull_tight};
+use super::smooth::{Turns, fits, flown, polish, pull_tight};
 use crate::frames::{GroundPoint, GroundRect};
 use crate::navigator::NavigatorSettings;
 
@@ -195,7 +195,8 @@ impl RouteQuestion {
         self.cost(length, length / fastest.max(1e-3))
     }
 
-    /// What a line over way-points is worth; `None` where it is not allowed.
+    /// What a line over way-points is worth, flown with its turns before them; `None` where it is not
+    /// allowed.
     pub fn judge(&self, way_points: &[GroundPoint]) -> Option<FoundRoute> {
         let ground = self.ground();
         let mut route = FoundRoute {
@@ -207,14 +208,20 @@ impl RouteQuestion {
             if !self.allows(&leg[0], &leg[1]) {
                 return None;
             }
-            let way = ground.follow(&leg[0], &leg[1])?;
+            let way = leg[1].to_vector() - leg[0].to_vector();
+            let speed = ground.pace.over_ground(&way);
+            route.length += way.norm();
+            route.time += way.norm() / speed.unwrap_or(f64::INFINITY);
+        }
+        let mut length = 0.0;
+        for piece in flown(way_points, &self.turns).windows(2) {
+            let way = ground.follow(&piece[0], &piece[1])?;
             route.worst_blind = way.worst(unsure).max(route.worst_blind);
             integral += way.integral.of(unsure);
             unsure = way.after(unsure);
-            route.length += way.length;
-            route.time += way.time;
+            length += way.length;
         }
-        route.mean_blind = integral / route.length.max(1e-9);
+        route.mean_blind = integral / length.max(1e-9);
         Some(route)
     }
 
@@ -394,6 +401,7 @@ impl RouteSearch {
     pub fn found(mut self) -> Result<FoundRoutes, FindError> {
         if let Some(best) = self.best.take() {
             let pulled = pull_tight(&self.question, &best, self.most, SIMPLER);
+            let pulled = polish(&self.question, pulled, self.most);
             let better = self.question.aimed(&pulled) < self.question.aimed(&self.shortest);
             self.best = better.then_some(pulled);
         }

@@ -1,5 +1,8 @@
 //! Routes with as few way-points as they need, and none that the aircraft cannot turn at.
 
+use std::f64::consts::TAU;
+
+use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
 use super::find::{FoundRoute, RouteQuestion};
@@ -7,6 +10,15 @@ use crate::frames::GroundPoint;
 
 /// Sharpest turn that is anticipated before a way-point, radians; as in the guidance.
 const SHARPEST: f64 = 2.4;
+
+/// Longest piece of an arc that is taken for straight, radians.
+const CHORD: f64 = 0.4;
+/// Rounds in which way-points are moved, and the directions that are tried.
+const POLISHING: usize = 24;
+/// See [`POLISHING`].
+const DIRECTIONS: u32 = 8;
+/// Share by which a route is better, at least, if a way-point is to be moved for it.
+const LEAST_GAIN: f64 = 1e-3;
 
 /// How the aircraft turns from one leg onto the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -43,6 +55,64 @@ pub fn fits(way_points: &[GroundPoint], turns: &Turns) -> Option<usize> {
     };
     (0..way_points.len().saturating_sub(1))
         .find(|&i| way_points[i].distance(&way_points[i + 1]) < lead(i) + lead(i + 1))
+}
+
+/// The path over `way_points`: straight, and before each of them an arc onto the next leg that leaves it
+/// aside. Where legs are short the arcs are narrower than the aircraft flies.
+pub(super) fn flown(way_points: &[GroundPoint], turns: &Turns) -> Vec<GroundPoint> {
+    let mut path: Vec<GroundPoint> = way_points.first().copied().into_iter().collect();
+    for corner in way_points.windows(3) {
+        let at = corner[1].to_vector();
+        let (a, b) = (at - corner[0].to_vector(), corner[2].to_vector() - at);
+        let turn = a.perp(&b).atan2(a.dot(&b));
+        let half = (0.5 * turn.abs().min(SHARPEST)).tan();
+        let lead = (turns.radius * half).min(0.5 * a.norm().min(b.norm()));
+        if turn.abs() < 1e-3 || lead < 1e-3 {
+            path.push(corner[1]);
+            continue;
+        }
+        let (along, side) = (a.normalize(), turn.signum());
+        let inwards = side * Vector2::new(-along.y, along.x);
+        let (begin, radius) = (at - lead * along, lead / half);
+        let chords = (turn.abs() / CHORD).ceil().max(1.0) as usize;
+        path.extend((0..=chords).map(|i| {
+            let angle = turn.abs() * i as f64 / chords as f64;
+            let on_arc = angle.sin() * along + (1.0 - angle.cos()) * inwards;
+            GroundPoint::from(begin + radius * on_arc)
+        }));
+    }
+    path.extend(way_points.get(1..).and_then(<[_]>::last));
+    path
+}
+
+/// Moves way-points, one by one and by less and less, as long as that makes the route better and it costs
+/// no more than `most`: the nodes of the graph do not know of the turns.
+pub(super) fn polish(question: &RouteQuestion, route: FoundRoute, most: f64) -> FoundRoute {
+    let mut now = route;
+    let mut step = question.pass;
+    for _ in 0..POLISHING {
+        let mut better = false;
+        for i in 1..now.way_points.len().saturating_sub(1) {
+            for direction in 0..DIRECTIONS {
+                let (sin, cos) = (TAU * f64::from(direction) / f64::from(DIRECTIONS)).sin_cos();
+                let mut line = now.way_points.clone();
+                line[i] = (line[i].to_vector() + step * Vector2::new(cos, sin)).into();
+                let moved = question.judge(&line).filter(|moved| {
+                    question.aimed(moved) < (1.0 - LEAST_GAIN) * question.aimed(&now)
+                        && question.cost(moved.length, moved.time) <= most
+                        && fits(&line, &question.turns).is_none()
+                });
+                if let Some(moved) = moved {
+                    now = moved;
+                    better = true;
+                }
+            }
+        }
+        if !better {
+            step *= 0.5;
+        }
+    }
+    now
 }
 
 /// Takes way-points out of a route, or makes one of two, as long as it gets worse by no more than the share `worse` and costs
@@ -121,6 +191,33 @@ mod tests {
             .iter()
             .map(|(n, e)| GroundPoint::new(*n, *e))
             .collect()
+    }
+
+    #[test]
+    fn a_corner_is_cut_by_an_arc_of_the_radius_that_touches_both_legs() {
+        let turns = Turns {
+            radius: 100.0,
+            roll_in: 0.0,
+        };
+        let line =
+            [(0.0, 0.0), (1000.0, 0.0), (1000.0, 800.0)].map(|(n, e)| GroundPoint::new(n, e));
+        let path = flown(&line, &turns);
+        assert_eq!((path[0], path[path.len() - 1]), (line[0], line[2]));
+        let middle = GroundPoint::new(900.0, 100.0);
+        for point in &path[1..path.len() - 1] {
+            assert!((point.distance(&middle) - 100.0).abs() < 1e-6, "{point:?}");
+        }
+        assert!(path[1].distance(&GroundPoint::new(900.0, 0.0)) < 1e-6);
+        assert!(path[path.len() - 2].distance(&GroundPoint::new(1000.0, 100.0)) < 1e-6);
+        // To the left it is the mirror image.
+        let left = line.map(|p| GroundPoint::new(p.north, -p.east));
+        let mirrored = flown(&left, &turns).into_iter();
+        assert!(
+            mirrored
+                .zip(&path)
+                .all(|(l, r)| l.distance(&GroundPoint::new(r.north, -r.east)) < 1e-6)
+        );
+        assert_eq!(flown(&line[..2], &turns), line[..2]);
     }
 
     #[test]

@@ -12,6 +12,10 @@ use crate::camera::CameraModel;
 use crate::flight::{Flight, Frame, FrameTruth, StartFix, Truth, TruthState};
 use crate::frames::{GroundPoint, LocalFrame};
 
+/// Strongest wind in which anybody takes off, as a share of the airspeed.
+const STRONGEST_WIND: f64 = 0.75;
+/// Winds drawn, at most, until one is weaker.
+const WINDS_DRAWN: usize = 100;
 /// Integration steps per second.
 const STEPS_PER_SECOND: usize = 100;
 /// Steps between two recorded states; 20 Hz.
@@ -120,17 +124,23 @@ impl FlightPlan {
     }
 
     /// The same plan in a wind drawn by `seed` about the plan's with `deviation` m/s per axis, for
-    /// studies over winds.
+    /// studies over winds. A wind that nobody takes off in, because it would carry the aircraft away, is
+    /// drawn anew.
     #[must_use]
     pub fn in_wind_of(&self, seed: u64, deviation: f64) -> Self {
         let mut random = Stream::Wind.random(seed);
-        let about = Vector2::from_fn(|_, _| {
-            let z: f64 = StandardNormal.sample(&mut random);
-            deviation * z
-        });
-        let wind = self.wind + about;
+        let mut wind = || {
+            self.wind
+                + Vector2::from_fn(|_, _| {
+                    let z: f64 = StandardNormal.sample(&mut random);
+                    deviation * z
+                })
+        };
+        let drawn = std::iter::repeat_with(&mut wind).take(WINDS_DRAWN);
+        let strongest = STRONGEST_WIND * self.airframe.cruise;
+        let flyable = drawn.into_iter().find(|wind| wind.norm() < strongest);
         Self {
-            wind,
+            wind: flyable.unwrap_or(self.wind),
             ..self.clone()
         }
     }
@@ -383,6 +393,30 @@ mod tests {
         let flight = scenario.fly(4, &Overrides::default());
         assert_eq!(flight, scenario.fly(4, &Overrides::default()));
         assert_ne!(flight, scenario.fly(5, &Overrides::default()));
+    }
+
+    #[test]
+    fn the_winds_of_many_flights_are_spread_as_asked_and_none_carries_the_aircraft_away() {
+        let plan = Scenario::all()[1].plan(&Overrides::default());
+        let calm = FlightPlan {
+            wind: Vector2::zeros(),
+            ..plan
+        };
+        let winds: Vec<_> = (0..4000)
+            .map(|seed| calm.in_wind_of(seed, 4.0).wind)
+            .collect();
+        let square = winds.iter().map(Vector2::norm_squared).sum::<f64>() / 8000.0;
+        assert!((square.sqrt() - 4.0).abs() < 0.1, "{square}");
+        assert!(
+            winds
+                .iter()
+                .all(|wind| wind.norm() < 0.75 * calm.airframe.cruise)
+        );
+        let strong = winds.iter().filter(|wind| wind.norm() > 10.0).count() as f64 / 4000.0;
+        assert!(
+            (strong - (-0.5 * 2.5_f64.powi(2)).exp()).abs() < 0.012,
+            "{strong}"
+        );
     }
 
     #[test]
