@@ -1,4 +1,4 @@
-//! Heights of elevation models against rasterio and `SciPy`.
+//! Heights of elevation models against rasterio and `SciPy`, and what they count from against PROJ.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -20,11 +20,13 @@ struct Question {
 struct Model {
     name: String,
     path: PathBuf,
+    datum: String,
+    posts: usize,
     heights: Vec<(f64, f64, Option<f64>)>,
 }
 
 #[test]
-fn heights_at_a_thousand_places_of_every_model_are_those_of_rasterio() {
+fn heights_of_every_model_are_those_of_rasterio_between_posts_and_at_posts() {
     let question = Question {
         directory: PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("terrain"),
         raw: shared("dem/jacksboro_344x403_i16le.raw"),
@@ -47,11 +49,23 @@ fn heights_at_a_thousand_places_of_every_model_are_those_of_rasterio() {
             }
         }
         println!(
-            "{}: {} places, {unknown} of them unknown, furthest {furthest:.1e} m",
+            "{}: {} places, {unknown} of them unknown, furthest {furthest:.1e} m, above {}",
             model.name,
-            model.heights.len()
+            model.heights.len(),
+            dem.datum().name()
         );
         assert!(furthest < 1e-3, "{}: {furthest} m", model.name);
-        assert_eq!(*dem.datum(), HeightDatum::NotStated);
+        match dem.datum() {
+            HeightDatum::NotStated => assert_eq!(model.datum, "", "{}", model.name),
+            HeightDatum::Ellipsoid => assert_eq!(model.datum, "WGS 84", "{}", model.name),
+            HeightDatum::MeanSeaLevel(ours) => {
+                assert!(model.datum.starts_with(ours), "{ours}, {}", model.datum);
+            }
+        }
+        if model.posts > 0 {
+            assert!(model.name.ends_with(".hgt") && unknown > 20, "no voids met");
+        }
     }
+    let sizes: Vec<_> = models.iter().map(|m| m.posts).collect();
+    assert!(sizes.contains(&(1201 * 1201)) && sizes.contains(&(3601 * 3601)));
 }

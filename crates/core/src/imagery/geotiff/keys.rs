@@ -21,6 +21,10 @@ const CITATIONS: [u64; 3] = [3073, 1026, 2049];
 const VERTICAL_UNITS: u64 = 4099;
 /// Code of the system of heights.
 const VERTICAL_TYPE: u64 = 4096;
+/// Name of the system of heights.
+const VERTICAL_CITATION: u64 = 4097;
+/// WGS 84 with heights above its ellipsoid, as a code of a geographic system.
+const GEOGRAPHIC_3D: u64 = 4979;
 /// A system that is described, not named.
 const USER_DEFINED: u64 = 32_767;
 
@@ -33,6 +37,8 @@ pub struct GeoKeys {
     pub is_point: bool,
     /// EPSG code of the system of heights, where it is named.
     pub vertical_system: Option<u32>,
+    /// Name of the system of heights, where it has no code.
+    pub vertical_name: Option<String>,
     /// Metres in the unit of heights.
     pub metres_per_height: f64,
 }
@@ -45,6 +51,7 @@ impl GeoKeys {
             system: None,
             is_point: false,
             vertical_system: None,
+            vertical_name: None,
             metres_per_height: 1.0,
         };
         // Header: version, revision, minor revision, number of keys; then four numbers a key.
@@ -57,16 +64,23 @@ impl GeoKeys {
             (entry[1] == 0).then_some(entry[3])
         };
         keys.is_point = number(RASTER_TYPE) == Some(2);
+        let has_heights = number(GEOGRAPHIC_TYPE) == Some(GEOGRAPHIC_3D);
         keys.vertical_system = number(VERTICAL_TYPE)
             .filter(|code| *code != USER_DEFINED)
+            .or(has_heights.then_some(GEOGRAPHIC_3D))
             .map(|code| code as u32);
-        keys.metres_per_height = match number(VERTICAL_UNITS) {
-            Some(9002) => 0.3048,
-            Some(9003) => 1200.0 / 3937.0,
+        if keys.vertical_system.is_none() && number(VERTICAL_TYPE).is_some() {
+            keys.vertical_name = entry(VERTICAL_CITATION).and_then(|e| text(directory, e));
+        }
+        keys.metres_per_height = match (number(VERTICAL_UNITS), keys.vertical_system) {
+            // Heights in feet have codes of their own, with which GDAL writes no unit.
+            (Some(9002), _) | (None, Some(8228)) => 0.3048,
+            (Some(9003), _) | (None, Some(5702 | 6360)) => 1200.0 / 3937.0,
             _ => 1.0,
         };
         let code = match number(MODEL_TYPE) {
             None if entries.is_empty() => return Ok(keys),
+            Some(2) if has_heights => Some(4326),
             Some(2) => number(GEOGRAPHIC_TYPE),
             _ => number(PROJECTED_TYPE).or(number(GEOGRAPHIC_TYPE)),
         };
@@ -76,7 +90,7 @@ impl GeoKeys {
         keys.system = match code {
             Some(code) if code != USER_DEFINED => ReferenceSystem::from_epsg(code as u32),
             _ => number(PROJECTION)
-                .filter(|_| matches!(number(GEOGRAPHIC_TYPE), None | Some(4326)))
+                .filter(|_| matches!(number(GEOGRAPHIC_TYPE), None | Some(4326 | GEOGRAPHIC_3D)))
                 .and_then(utm_projection)
                 .or_else(|| ReferenceSystem::from_name(citation.as_deref()?)),
         };

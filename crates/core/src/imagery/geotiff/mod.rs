@@ -109,6 +109,7 @@ impl GeoTiffFile {
                 system,
                 is_point: false,
                 vertical_system: None,
+                vertical_name: None,
                 metres_per_height: 1.0,
             },
             keys => keys?,
@@ -145,6 +146,7 @@ impl GeoTiffFile {
                 system: None,
                 is_point: false,
                 vertical_system: None,
+                vertical_name: None,
                 metres_per_height: 1.0,
             },
         })

@@ -85,7 +85,7 @@ impl Dem {
         Ok(Self {
             placement: file.placement(&frame)?,
             frame,
-            datum: HeightDatum::from_epsg(file.keys.vertical_system),
+            datum: HeightDatum::of(&file.keys),
             posts: Posts::GeoTiff {
                 metres_per_height: file.keys.metres_per_height,
                 file: file.tiff,

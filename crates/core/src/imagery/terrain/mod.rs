@@ -12,6 +12,7 @@ pub use grid::HeightGrid;
 use serde::{Deserialize, Serialize};
 
 use crate::frames::GroundPoint;
+use crate::imagery::GeoKeys;
 
 /// Height at place (x, y) in posts, bilinear between the four around it, of which none lies beyond the
 /// `last` column and row; `None` where a post that counts is unknown.
@@ -47,19 +48,51 @@ pub enum HeightDatum {
     NotStated,
 }
 
+/// Systems of heights above a geoid or from levelling: EPSG codes and names.
+const LEVELS: [(u32, &str); 22] = [
+    (3855, "EGM2008"),
+    (5773, "EGM96"),
+    (5798, "EGM84"),
+    (5714, "mean sea level"),
+    (5703, "NAVD88"),
+    (6360, "NAVD88"),
+    (8228, "NAVD88"),
+    (5702, "NGVD29"),
+    (6647, "CGVD2013"),
+    (5713, "CGVD28"),
+    (5621, "EVRF2007"),
+    (5730, "EVRF2000"),
+    (9389, "EVRF2019"),
+    (7837, "DHHN2016"),
+    (5783, "DHHN92"),
+    (5728, "LN02"),
+    (5701, "ODN"),
+    (5709, "NAP"),
+    (5720, "NGF-IGN69"),
+    (5613, "RH2000"),
+    (5941, "NN2000"),
+    (5711, "AHD"),
+];
+
+/// Codes of heights above the ellipsoid of WGS 84 or GRS 80, which differ by a tenth of a millimetre.
+const ABOVE_ELLIPSOID: [u32; 6] = [4979, 4326, 5030, 5019, 4937, 7912];
+
 impl HeightDatum {
-    /// The datum with that EPSG code.
-    fn from_epsg(code: Option<u32>) -> Self {
-        match code {
-            Some(5773) => Self::MeanSeaLevel("EGM96".to_owned()),
-            Some(3855) => Self::MeanSeaLevel("EGM2008".to_owned()),
-            Some(5798) => Self::MeanSeaLevel("EGM84".to_owned()),
-            Some(5703) => Self::MeanSeaLevel("NAVD88".to_owned()),
-            Some(5714) => Self::MeanSeaLevel("mean sea level".to_owned()),
-            Some(4979 | 4326 | 5030 | 5019) => Self::Ellipsoid,
-            Some(other) => Self::MeanSeaLevel(format!("EPSG:{other}")),
-            None => Self::NotStated,
+    /// The datum that the keys of a `GeoTIFF` name, by an EPSG code or in words.
+    pub fn of(keys: &GeoKeys) -> Self {
+        let Some(code) = keys.vertical_system else {
+            return match &keys.vertical_name {
+                Some(name) if name.to_lowercase().contains("ellipsoid") => Self::Ellipsoid,
+                Some(name) => Self::MeanSeaLevel(name.clone()),
+                None => Self::NotStated,
+            };
+        };
+        if ABOVE_ELLIPSOID.contains(&code) {
+            return Self::Ellipsoid;
         }
+        let known = LEVELS.iter().find(|(known, _)| *known == code);
+        let name = known.map_or_else(|| format!("EPSG:{code}"), |(_, name)| (*name).to_owned());
+        Self::MeanSeaLevel(name)
     }
 
     /// Name for people, to stand behind "metres above".
