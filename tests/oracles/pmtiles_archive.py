@@ -1,7 +1,9 @@
 """Writes a PMTiles archive by Protomaps' own library and says what is in it.
 
-Question: {"path": where to write}. Answer: {"zooms": [least, most], "tiles": [[z, x, y, id, bytes as
-hex or null], ...]}: a sample of the tiles, some of which the archive leaves out.
+Question: {"path": where to write, "format": "png" or "jpeg"}. Answer: {"zooms": [least, most], "leaves":
+bytes of leaf directories, "corners": [south, west, north, east] in degrees, "attribution": as it stands in
+the archive, "tiles": [[z, x, y, id, bytes as hex or null, pixels as hex or null], ...]}: a sample of the
+tiles, some of which the archive leaves out, as Protomaps' own reader gives them and Pillow decodes them.
 """
 
 import io
@@ -10,20 +12,30 @@ import random
 import sys
 
 from PIL import Image
+from pmtiles.reader import MmapSource, Reader, all_tiles
 from pmtiles.tile import Compression, TileType, zxy_to_tileid
 from pmtiles.writer import write
 
 
-def png(z, x, y):
+ATTRIBUTION = '<a href="https://example.org">&copy; Map makers</a> &amp; others'
+SIDE = 8
+
+
+def picture(kind, z, x, y):
     # A third of the tiles are equal to others: the archive stores those once.
     colour = (z * 9, x % 256 if x % 3 else 0, y % 256 if x % 3 else 0)
     buffer = io.BytesIO()
-    Image.new("RGB", (8, 8), colour).save(buffer, "PNG")
+    image = Image.new("RGB", (SIDE, SIDE), colour)
+    if kind == "png":
+        # Not of one colour, so that a turned or mirrored tile would show.
+        image.putpixel((1, 2), (255, 0, 128))
+    image.save(buffer, kind.upper(), quality=95, subsampling=0)
     return buffer.getvalue()
 
 
 def main():
     question = json.load(sys.stdin)
+    kind = question["format"]
     chance = random.Random(3)
     stored = {}
     for z in range(9):
@@ -33,32 +45,50 @@ def main():
                     stored[zxy_to_tileid(z, x, y)] = (z, x, y)
     with write(question["path"]) as archive:
         for number in sorted(stored):
-            archive.write_tile(number, png(*stored[number]))
+            archive.write_tile(number, picture(kind, *stored[number]))
         archive.finalize(
             {
-                "tile_type": TileType.PNG,
+                "tile_type": TileType.PNG if kind == "png" else TileType.JPEG,
                 "tile_compression": Compression.NONE,
-                "min_lon_e7": -1800000000,
+                "min_lon_e7": -1799000000,
                 "min_lat_e7": -850000000,
-                "max_lon_e7": 1800000000,
-                "max_lat_e7": 850000000,
+                "max_lon_e7": 1798000000,
+                "max_lat_e7": 841234567,
                 "center_zoom": 0,
                 "center_lon_e7": 0,
                 "center_lat_e7": 0,
             },
-            {},
+            {"attribution": ATTRIBUTION, "name": "A map"},
         )
+    file = open(question["path"], "rb")
+    source = MmapSource(file)
+    reader = Reader(source)
+    header = reader.header()
+    # All at once: its reader unpacks the directories anew for every tile.
+    read = dict(all_tiles(source))
+
+    def row(z, x, y):
+        found = read.get((z, x, y))
+        pixels = found and Image.open(io.BytesIO(found)).convert("RGB").tobytes().hex()
+        return [z, x, y, zxy_to_tileid(z, x, y), found and found.hex(), pixels]
+
     tiles = []
     for _ in range(3000):
         z = chance.randint(0, 9)
         x, y = chance.randrange(2**z), chance.randrange(2**z)
-        number = zxy_to_tileid(z, x, y)
-        found = png(z, x, y).hex() if number in stored else None
-        tiles.append([z, x, y, number, found])
+        tiles.append(row(z, x, y))
     for z in range(10, 27):
         x, y = chance.randrange(2**z), chance.randrange(2**z)
-        tiles.append([z, x, y, zxy_to_tileid(z, x, y), None])
-    json.dump({"zooms": [0, 8], "tiles": tiles}, sys.stdout)
+        tiles.append([z, x, y, zxy_to_tileid(z, x, y), None, None])
+    corners = ["min_lat_e7", "min_lon_e7", "max_lat_e7", "max_lon_e7"]
+    answer = {
+        "zooms": [header["min_zoom"], header["max_zoom"]],
+        "leaves": header["leaf_directory_length"],
+        "corners": [header[corner] / 1e7 for corner in corners],
+        "attribution": reader.metadata()["attribution"],
+        "tiles": tiles,
+    }
+    json.dump(answer, sys.stdout)
 
 
 main()

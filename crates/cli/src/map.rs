@@ -59,7 +59,8 @@ enum Job {
 
 #[derive(clap::Args)]
 struct MapArguments {
-    /// `GeoTIFF`, or JPEG or PNG with a world file or a georeference beside it; for info also .hgt.
+    /// `GeoTIFF`, `PMTiles`, or JPEG or PNG with a world file or a georeference beside it; for info also
+    /// .hgt.
     file: PathBuf,
     /// Reference system of the map's coordinates, before what its files say, e.g. EPSG:32617.
     #[arg(long)]
@@ -86,7 +87,17 @@ struct Info {
     #[serde(flatten)]
     pixels: Option<Pixels>,
     #[serde(flatten)]
+    tiles: Option<Tiles>,
+    #[serde(flatten)]
     heights: Option<Heights>,
+}
+
+/// What an archive of tiles tells.
+#[derive(Serialize)]
+struct Tiles {
+    /// Coarsest and deepest.
+    zooms: (u8, u8),
+    attribution: Option<String>,
 }
 
 /// How the pixels of a `GeoTIFF` are stored.
@@ -106,6 +117,9 @@ struct Pixels {
 struct Heights {
     #[serde(rename = "heights_above")]
     above: String,
+    /// Name of the frame that heights are in.
+    #[serde(rename = "height_frame")]
+    frame: &'static str,
     height_in_the_middle_m: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     height_at_place_m: Option<f64>,
@@ -197,6 +211,7 @@ fn elevation(
     let file = geo_tiff(arguments, system).ok();
     let heights = Heights {
         above: dem.datum().name().to_owned(),
+        frame: dem.datum().frame(),
         height_in_the_middle_m: dem.height_at(&dem.placement().ground_at(&middle)),
         height_at_place_m: place.and_then(|_| dem.height_at(&GroundPoint::default())),
     };
@@ -220,6 +235,7 @@ fn elevation(
         height_m: dem.bounds().height(),
         corners_lat_lon: Some(corners(dem.placement(), dem.frame())),
         pixels: file.as_ref().map(pixels),
+        tiles: None,
         heights: Some(heights),
     })
 }
@@ -236,7 +252,29 @@ fn picture(
     let map = open(arguments, system)?;
     let placement = map.placement();
     let (width, height) = placement.map_or((0, 0), Placement::size);
-    let system = file.as_ref().and_then(|f| system_of(&f.georeference));
+    let tiles = match &map {
+        OpenMap::PmTiles(tiles) => Some(Tiles {
+            zooms: tiles.zooms(),
+            attribution: tiles.attribution().map(str::to_owned),
+        }),
+        _ => None,
+    };
+    let corners_of = |rect: &GroundRect, frame: &LocalFrame| {
+        let corners = [
+            (rect.north, rect.west),
+            (rect.north, rect.east),
+            (rect.south, rect.east),
+            (rect.south, rect.west),
+        ];
+        corners.map(|(north, east)| {
+            let place = frame.geodetic_from_ground(&GroundPoint::new(north, east));
+            [place.latitude.to_degrees(), place.longitude.to_degrees()]
+        })
+    };
+    let system = match tiles {
+        Some(_) => ReferenceSystem::from_epsg(3857),
+        None => file.as_ref().and_then(|f| system_of(&f.georeference)),
+    };
     Ok(Info {
         file: arguments.name(),
         kind: match map {
@@ -251,8 +289,12 @@ fn picture(
         gsd_m: map.native_gsd(),
         width_m: map.bounds().width(),
         height_m: map.bounds().height(),
-        corners_lat_lon: placement.and_then(|p| Some(corners(p, p.frame()?))),
+        corners_lat_lon: match (&map, placement) {
+            (OpenMap::PmTiles(tiles), _) => Some(corners_of(&tiles.bounds(), tiles.frame())),
+            (_, placement) => placement.and_then(|p| Some(corners(p, p.frame()?))),
+        },
         pixels: file.as_ref().map(pixels),
+        tiles,
         heights: None,
     })
 }

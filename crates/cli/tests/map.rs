@@ -63,6 +63,40 @@ fn tiff(says_where: bool) -> Vec<u8> {
     file
 }
 
+/// A `PMTiles` archive of the one tile of zoom 0, with who made it.
+fn archive() -> Vec<u8> {
+    let tile = encode_png(&Picture::filled(64, 64, [10, 200, 30])).expect("a picture");
+    let about = br#"{"attribution": "<b>&copy; Whoever</b>"}"#;
+    // One entry: tile 0, a run of 1, its length in two groups of seven bits, the first offset.
+    let length = tile.len();
+    let root = [
+        1,
+        0,
+        1,
+        (length & 0x7f) as u8 | 0x80,
+        (length >> 7) as u8,
+        1,
+    ];
+    let mut file = b"PMTiles\x03".to_vec();
+    let (described, data) = (127 + root.len(), 127 + root.len() + about.len());
+    for (place, size) in [
+        (127, root.len()),
+        (described, about.len()),
+        (data, 0),
+        (data, length),
+    ] {
+        file.extend((place as u64).to_le_bytes());
+        file.extend((size as u64).to_le_bytes());
+    }
+    file.resize(97, 0);
+    file.extend([1, 1, 2, 0, 0]);
+    for degrees in [-92.1, 46.84, -92.06, 46.87] {
+        file.extend(((degrees * 1e7) as i32).to_le_bytes());
+    }
+    file.resize(127, 0);
+    [file, root.to_vec(), about.to_vec(), tile].concat()
+}
+
 struct Folder(PathBuf);
 
 impl Folder {
@@ -122,6 +156,23 @@ fn a_geotiff_tells_its_size_its_system_and_its_corners() {
     let degrees = |i: usize| corner[i].as_f64().expect("degrees");
     assert!((degrees(0) - 46.858).abs() < 5e-3, "{corner}");
     assert!((degrees(1) + 92.081).abs() < 5e-3, "{corner}");
+}
+
+#[test]
+fn an_archive_of_tiles_tells_where_it_lies_its_zooms_and_who_made_it() {
+    let folder = Folder::new("archive");
+    folder.write("area.pmtiles", archive());
+    let info = folder.info(&["area.pmtiles"]);
+    assert_eq!(
+        (&info["kind"], &info["epsg"]),
+        (&"PMTiles".into(), &3857.into())
+    );
+    assert_eq!(info["attribution"], "© Whoever");
+    assert_eq!(info["zooms"], serde_json::json!([0, 0]));
+    let corner = &info["corners_lat_lon"][0];
+    let degrees = |i: usize| corner[i].as_f64().expect("degrees");
+    assert!((degrees(0) - 46.87).abs() < 1e-4, "{corner}");
+    assert!((degrees(1) + 92.1).abs() < 1e-4, "{corner}");
 }
 
 #[test]

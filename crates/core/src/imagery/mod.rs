@@ -135,6 +135,11 @@ pub trait Imagery: Send + Sync {
         (0, 0)
     }
 
+    /// Who made the map, in words that have to be shown with it, if the map says so itself.
+    fn attribution(&self) -> Option<&str> {
+        None
+    }
+
     /// Parts that could not be read and are shown as empty, in words: the first few, each once.
     fn problems(&self) -> Vec<String> {
         Vec::new()
@@ -168,6 +173,10 @@ impl<T: Imagery + ?Sized> Imagery for std::sync::Arc<T> {
 
     fn prepare(&self, pieces: usize) -> (usize, usize) {
         (**self).prepare(pieces)
+    }
+
+    fn attribution(&self) -> Option<&str> {
+        (**self).attribution()
     }
 
     fn problems(&self) -> Vec<String> {

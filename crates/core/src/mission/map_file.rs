@@ -167,6 +167,10 @@ impl Imagery for OpenMap {
         self.imagery().prepare(pieces)
     }
 
+    fn attribution(&self) -> Option<&str> {
+        self.imagery().attribution()
+    }
+
     fn problems(&self) -> Vec<String> {
         self.imagery().problems()
     }

@@ -4,7 +4,7 @@ use pilotage_core::frames::GroundPoint;
 
 use super::App;
 use crate::host::Host;
-use crate::jobs::{BriefOrder, BriefPictures, Job, JobEvent, MapSource};
+use crate::jobs::{BriefOrder, BriefPictures, Job, JobEvent};
 use crate::plan::legs::legs;
 use crate::plan::planner::{self as planning, cruise};
 use crate::plan::route_tab::assumptions;
@@ -141,10 +141,7 @@ impl App {
             assumptions: assumed,
             landmarks: &landmarks,
             more_landmarks,
-            attribution: match &documents.map_source {
-                MapSource::Web(map) => &map.template.attribution,
-                _ => "",
-            },
+            attribution: documents.attribution().unwrap_or_default(),
             area,
             pictures,
             units: self.view.units,

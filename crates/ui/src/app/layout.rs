@@ -11,7 +11,6 @@ use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
 use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
-use crate::jobs::MapSource;
 use crate::map::MapExtra;
 use crate::plan::plan_readouts;
 use crate::shell::{Examined, TopBar, help_sheet, icon_button, icons::Icon, tab, top_bar};
@@ -458,10 +457,7 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                 plan: planning.then_some(planner),
                 frame: scene.documents.world_origin().map(LocalFrame::new),
                 ground: &scene.documents.terrain,
-                attribution: match &scene.documents.map_source {
-                    MapSource::Web(map) => Some(&map.template.attribution),
-                    _ => None,
-                },
+                attribution: scene.documents.attribution(),
             };
             scene.with_context(commands, |context| {
                 if planning || georeferencing {

@@ -7,7 +7,6 @@ use serde_json::{Value, json};
 
 use super::App;
 use crate::context::Drawn;
-use crate::jobs::MapSource;
 use crate::timeline::clock_text;
 
 fn rect_json(rect: Option<Rect>) -> Value {
@@ -187,10 +186,7 @@ impl App {
                 "tiles_wanted": map.tiles.wanted().len(),
                 "known": self.documents.map.is_some(),
                 "whole": map.tiles.is_whole(),
-                "attribution": match &self.documents.map_source {
-                    MapSource::Web(map) => Some(&map.template.attribution),
-                    _ => None,
-                },
+                "attribution": self.documents.attribution(),
                 "name": self.documents.map.as_ref().map(|m| m.name.clone()),
                 "gsd": self.documents.map.as_ref().map(|m| m.native_gsd),
                 "bounds": self.documents.map.as_ref().map(|m| {

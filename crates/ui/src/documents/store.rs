@@ -110,6 +110,14 @@ impl Documents {
         }
     }
 
+    /// Who made the map, to be shown with it; `None` if nobody said.
+    pub fn attribution(&self) -> Option<&str> {
+        match &self.map_source {
+            MapSource::Web(map) => Some(&map.template.attribution),
+            _ => self.map.as_ref()?.attribution.as_deref(),
+        }
+    }
+
     /// Settings of the navigator as they are made for the flight: a scenario's own, else the default.
     pub fn usual_navigator(&self) -> NavigatorSettings {
         let scenario = match &self.flight_source {

@@ -221,6 +221,8 @@ pub struct MapInfo {
     pub is_coarse_cheap: bool,
     /// Origin of the world frame it lies in, if it has a place on the globe.
     pub origin: Option<Geodetic>,
+    /// Who made it, where the map says so itself.
+    pub attribution: Option<String>,
 }
 
 /// How distinct a box of the map is.

@@ -378,6 +378,7 @@ pub fn describe(map: &dyn Imagery) -> MapInfo {
         native_gsd: map.native_gsd(),
         is_coarse_cheap: map.is_coarse_cheap(),
         origin: None,
+        attribution: map.attribution().map(str::to_owned),
     }
 }
 

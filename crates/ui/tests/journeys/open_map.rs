@@ -15,6 +15,7 @@ fn a_map(origin: Option<Geodetic>) -> Opened {
             native_gsd: 0.5,
             is_coarse_cheap: true,
             origin,
+            attribution: None,
         }),
         terrain: None,
         mission: None,

@@ -55,6 +55,7 @@ fn rig_with_a_map() -> Rig {
             native_gsd: 0.5,
             is_coarse_cheap: true,
             origin: Some(Geodetic::from_degrees(46.857, -92.076, 0.0)),
+            attribution: None,
         }),
         ..nothing()
     });

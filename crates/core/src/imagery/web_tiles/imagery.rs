@@ -23,6 +23,11 @@ pub trait TileStore: Send + Sync {
     /// Pixels along the side of a tile.
     fn side(&self) -> usize;
 
+    /// Who made the map, if the store says so.
+    fn attribution(&self) -> Option<&str> {
+        None
+    }
+
     /// The tile, or `None` if it is not there.
     fn tile(&self, tile: &TileNumber) -> Option<Raster<Rgba>>;
 }
@@ -59,6 +64,11 @@ impl WebTiles {
     /// The world frame.
     pub fn frame(&self) -> &LocalFrame {
         &self.frame
+    }
+
+    /// Coarsest and deepest zoom.
+    pub fn zooms(&self) -> (u8, u8) {
+        self.store.zooms()
     }
 
     fn tile(&self, tile: TileNumber) -> Arc<Option<Raster<Rgba>>> {
@@ -134,6 +144,10 @@ impl Imagery for WebTiles {
 
     fn native_gsd(&self) -> f64 {
         self.gsd
+    }
+
+    fn attribution(&self) -> Option<&str> {
+        self.store.attribution()
     }
 
     /// From the coarsest zoom that is fine enough.

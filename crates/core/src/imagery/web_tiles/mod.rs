@@ -1,6 +1,7 @@
 //! Maps that come as square tiles of the web map: from an address template or a `PMTiles` archive.
 
 mod imagery;
+mod metadata;
 mod number;
 mod pmtiles;
 mod template;
@@ -8,6 +9,7 @@ mod template;
 mod tests;
 
 pub use imagery::{TileStore, WebTiles, tiles_for};
+pub use metadata::ArchiveMetadata;
 pub use number::TileNumber;
 pub use pmtiles::{PmTiles, PmTilesError, TileFormat};
 pub use template::{TemplateError, TileTemplate};

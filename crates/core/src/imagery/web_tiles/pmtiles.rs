@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use flate2::read::GzDecoder;
 
+use super::metadata::ArchiveMetadata;
 use super::{TileNumber, TileStore};
 use crate::frames::{Geodetic, GroundRect, LocalFrame};
 use crate::imagery::ByteSource;
@@ -22,6 +23,8 @@ const LARGEST_DIRECTORY: u64 = 64 << 20;
 const LARGEST_TILE: u64 = 16 << 20;
 /// Most steps from directory to directory; the specification makes two.
 const DEEPEST_DIRECTORY: usize = 4;
+/// Most bytes of the description; longer ones are passed over.
+const LONGEST_METADATA: u64 = 1 << 20;
 /// Bytes of leaf directories that are kept.
 const DIRECTORIES: usize = 16 << 20;
 
@@ -85,6 +88,7 @@ pub struct PmTiles {
     side: usize,
     /// South-west and north-east corner.
     corners: (Geodetic, Geodetic),
+    metadata: ArchiveMetadata,
 }
 
 impl PmTiles {
@@ -136,7 +140,9 @@ impl PmTiles {
         let root = unpack(&root, is_packed)
             .and_then(|bytes| entries(&bytes))
             .map_err(|cause| damaged(&file, "root directory", cause))?;
+        let metadata = described(source.as_ref(), word(24), word(32), is_packed);
         let mut archive = Self {
+            metadata,
             source,
             root,
             leaves: Kept::new(DIRECTORIES),
@@ -162,6 +168,11 @@ impl PmTiles {
     /// Format of the tiles.
     pub fn format(&self) -> TileFormat {
         self.format
+    }
+
+    /// What the archive says about itself.
+    pub fn metadata(&self) -> &ArchiveMetadata {
+        &self.metadata
     }
 
     /// South-west and north-east corner of the map.
@@ -267,6 +278,10 @@ impl TileStore for PmTiles {
         self.side
     }
 
+    fn attribution(&self) -> Option<&str> {
+        self.metadata.attribution.as_deref()
+    }
+
     fn tile(&self, tile: &TileNumber) -> Option<Raster<Rgba>> {
         decode_picture_with_coverage(&self.bytes(tile).ok()??).ok()
     }
@@ -278,6 +293,23 @@ fn damaged(file: &str, place: &str, cause: String) -> PmTilesError {
         place: place.to_owned(),
         cause,
     }
+}
+
+/// The description at `offset`; nothing if it cannot be read, for the tiles can be shown without it.
+fn described(
+    source: &dyn ByteSource,
+    offset: u64,
+    length: u64,
+    is_packed: bool,
+) -> ArchiveMetadata {
+    if length > LONGEST_METADATA {
+        return ArchiveMetadata::default();
+    }
+    let bytes = read(source, offset, length, "description").ok();
+    let text = bytes.and_then(|bytes| unpack(&bytes, is_packed).ok());
+    text.map_or_else(ArchiveMetadata::default, |text| {
+        ArchiveMetadata::read(&text)
+    })
 }
 
 fn read(

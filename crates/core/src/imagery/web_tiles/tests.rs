@@ -184,14 +184,19 @@ fn archive() -> Vec<u8> {
     let mut root_entries = head.to_vec();
     root_entries.push((tail[0].0, 0, 0, leaf.len() as u64));
     let root = directory(&root_entries);
+    let mut about = GzEncoder::new(Vec::new(), Compression::fast());
+    about
+        .write_all(br#"{"attribution": "&copy; <a href='https://a.org'>whoever</a>"}"#)
+        .unwrap();
+    let about = about.finish().unwrap();
     let mut out = b"PMTiles\x03".to_vec();
     let places = [
         127,
         127 + root.len(),
-        127 + root.len(),
-        127 + root.len() + leaf.len(),
+        127 + root.len() + about.len(),
+        127 + root.len() + about.len() + leaf.len(),
     ];
-    let lengths = [root.len(), 0, leaf.len(), data.len()];
+    let lengths = [root.len(), about.len(), leaf.len(), data.len()];
     for (place, length) in places.iter().zip(lengths) {
         out.extend((*place as u64).to_le_bytes());
         out.extend((length as u64).to_le_bytes());
@@ -202,7 +207,7 @@ fn archive() -> Vec<u8> {
         out.extend(angle.to_le_bytes());
     }
     out.resize(127, 0);
-    [out, root, leaf, data].concat()
+    [out, root, about, leaf, data].concat()
 }
 
 fn open(bytes: Vec<u8>) -> Result<PmTiles, PmTilesError> {
@@ -214,6 +219,7 @@ fn every_tile_of_an_archive_is_found_also_behind_a_leaf() {
     let archive = open(archive()).unwrap();
     assert_eq!((archive.zooms(), archive.side()), ((1, 2), 16));
     assert_eq!(archive.format(), TileFormat::Png);
+    assert_eq!(TileStore::attribution(&archive), Some("© whoever"));
     for zoom in 1..=2 {
         for x in 0..1 << zoom {
             for y in 0..1 << zoom {

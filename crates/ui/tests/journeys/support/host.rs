@@ -131,6 +131,7 @@ impl ScriptedHost {
                     native_gsd: 0.15,
                     is_coarse_cheap: true,
                     origin: None,
+                    attribution: None,
                 }));
                 say(JobEvent::Finished);
             }
