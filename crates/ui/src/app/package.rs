@@ -14,6 +14,10 @@ impl App {
                 FlightSource::Files(_) | FlightSource::Nothing => None,
             },
             bookmarks: documents.bookmarks.clone(),
+            measured: {
+                let assessments = &self.views.planner.assessments;
+                assessments.to_keep(&documents.mission.landmarks)
+            },
         };
         let order = PackOrder {
             mission: documents.mission.clone(),
@@ -64,5 +68,6 @@ impl App {
             }
         }
         self.documents.bookmarks = beside.bookmarks;
+        self.views.planner.assessments.adopt(beside.measured);
     }
 }

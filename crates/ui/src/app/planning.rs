@@ -285,7 +285,7 @@ impl App {
     pub(super) fn work_on_plan(&mut self, context: &egui::Context, host: &mut dyn Host) {
         let planner = &mut self.views.planner;
         planner.settle(&self.documents.mission);
-        planner.assessments.work(host, &self.documents.map_source);
+        planner.assessments.work(host, &self.documents);
         if self.view.workspace != Workspace::Plan {
             return;
         }

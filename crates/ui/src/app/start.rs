@@ -77,6 +77,7 @@ impl App {
         app.views.map.camera.metres_per_point = 0.7;
         app.views.map.layers.hide_names(&app.view.hidden_layers);
         app.views.planner.preferences = app.view.plan.clone();
+        app.views.planner.assessments.recall(host);
         app
     }
 

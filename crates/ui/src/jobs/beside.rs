@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::SimulationOptions;
+use crate::plan::KeptMeasurement;
 
 /// What is open beside a mission, as its file states it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -12,6 +13,8 @@ pub struct Beside {
     pub simulation: Option<SimulationOptions>,
     /// Bookmarks, seconds in the flight's time base.
     pub bookmarks: Vec<f64>,
+    /// What was measured of the mission's landmarks, for as long as it is true.
+    pub measured: Vec<KeptMeasurement>,
 }
 
 /// Name of the head's member with what is open beside a mission.

@@ -5,7 +5,10 @@ use std::collections::{HashMap, VecDeque};
 use nalgebra::{Matrix4, Vector4};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::plan::{DetectionStatistics, Envelope, ExpectedDetection};
+use serde::{Deserialize, Serialize};
 
+use super::kept::{Basis, KeptMeasurement, MEASURED_KEY, decode, encode, use_what_is_true};
+use crate::documents::Documents;
 use crate::host::Host;
 use crate::jobs::{Assessment, AssessmentOrder, Job, JobEvent, JobId, MapSource};
 
@@ -25,7 +28,7 @@ pub fn assumed() -> ExpectedDetection {
 }
 
 /// What was measured of a landmark.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Measured {
     /// The last measurement.
     pub last: Assessment,
@@ -53,6 +56,12 @@ pub struct Assessments {
     batch: usize,
     /// The map that all of it is about.
     map: Option<MapSource>,
+    /// What the measurements of a landmark depend on.
+    bases: HashMap<u32, Basis>,
+    /// Measurements of an earlier visit or out of a mission file that are not true of what is open.
+    recalled: Vec<KeptMeasurement>,
+    /// Whether there is something new to be stored.
+    changed: bool,
     /// Whether to stop as soon as a host is at hand.
     pub wants_stop: bool,
 }
@@ -152,15 +161,93 @@ impl Assessments {
         self.stop(host);
         self.measured.clear();
         self.envelopes.clear();
+        self.bases.clear();
         self.failed.clear();
     }
 
+    /// Takes what was stored at an earlier visit, for use where it is still true.
+    pub fn recall(&mut self, host: &dyn Host) {
+        self.recalled = host
+            .recall(MEASURED_KEY)
+            .map_or_else(Vec::new, |bytes| decode(&bytes));
+    }
+
+    /// Takes what came in a mission file, for use where it is true.
+    pub fn adopt(&mut self, kept: Vec<KeptMeasurement>) {
+        self.recalled = kept;
+    }
+
+    /// What is known of these landmarks, to be kept.
+    pub fn to_keep(&self, landmarks: &[Landmark]) -> Vec<KeptMeasurement> {
+        let known = landmarks.iter().filter_map(|landmark| {
+            Some(KeptMeasurement {
+                basis: self.bases.get(&landmark.id).cloned()?,
+                landmark: landmark.clone(),
+                measured: self.of(landmark).cloned(),
+                envelope: self.envelope(landmark).map(|(h, e)| (h, e.clone())),
+            })
+        });
+        known
+            .filter(|one| one.measured.is_some() || one.envelope.is_some())
+            .collect()
+    }
+
+    /// Uses what was recalled and is true, and stores what is new.
+    fn remember(&mut self, host: &mut dyn Host, documents: &Documents) {
+        if !self.recalled.is_empty() {
+            let mut recalled = std::mem::take(&mut self.recalled);
+            use_what_is_true(&mut recalled, documents, |one, landmark| {
+                self.take_back(one, landmark);
+            });
+            self.recalled = recalled;
+        }
+        if std::mem::take(&mut self.changed) {
+            host.store(
+                MEASURED_KEY,
+                &encode(&self.to_keep(&documents.mission.landmarks)),
+            );
+        }
+    }
+
+    fn take_back(&mut self, one: KeptMeasurement, landmark: &Landmark) {
+        let id = landmark.id;
+        // What was measured since is newer.
+        if self.of(landmark).is_some() || self.envelope(landmark).is_some() {
+            return;
+        }
+        if let Some(mut measured) = one.measured {
+            measured.last.landmark = landmark.clone();
+            self.measured.insert(id, measured);
+        }
+        if let Some((height, envelope)) = one.envelope {
+            let known = (landmark.clone(), height, envelope);
+            self.envelopes.insert(id, known);
+        }
+        self.bases.insert(id, one.basis);
+        self.changed = true;
+    }
+
+    /// What measurements on `order` depend on is noted; of others nothing stays.
+    fn note_basis(&mut self, documents: &Documents, order: &AssessmentOrder) {
+        let id = order.landmark.id;
+        let basis = Basis::of(documents, order);
+        let before = self.bases.remove(&id);
+        let is_like = |basis: &Basis| before.as_ref().is_some_and(|b| b.is_like(basis));
+        if !basis.as_ref().is_some_and(is_like) {
+            self.measured.remove(&id);
+            self.envelopes.remove(&id);
+        }
+        self.bases.extend(basis.map(|basis| (id, basis)));
+    }
+
     /// Begins the next one.
-    pub fn work(&mut self, host: &mut dyn Host, map: &MapSource) {
+    pub fn work(&mut self, host: &mut dyn Host, documents: &Documents) {
+        let map = &documents.map_source;
         if self.map.as_ref() != Some(map) {
             self.clear(host);
             self.map = Some(map.clone());
         }
+        self.remember(host, documents);
         if std::mem::take(&mut self.wants_stop) {
             self.stop(host);
         }
@@ -170,6 +257,7 @@ impl Assessments {
             }
             self.failed.remove(&order.landmark.id);
             self.survey_progress = 0.0;
+            self.note_basis(documents, &order);
             let id = host.start(Job::Envelope(Box::new(order.clone())));
             self.surveyed = Some((id, order));
         }
@@ -178,6 +266,7 @@ impl Assessments {
         {
             let landmark = order.landmark.id;
             self.progress = (0.0, "Waiting for a worker".to_owned());
+            self.note_basis(documents, &order);
             let id = host.start(Job::Assess(Box::new(order)));
             self.asked = Some((id, landmark));
         }
@@ -219,7 +308,10 @@ impl Assessments {
                 self.failed.insert(landmark.id, (landmark, why.clone()));
                 return;
             }
-            JobEvent::Finished | JobEvent::Cancelled => return,
+            JobEvent::Finished | JobEvent::Cancelled => {
+                self.changed = true;
+                return;
+            }
             _ => {}
         }
         self.surveyed = Some((id, order));
@@ -242,5 +334,6 @@ impl Assessments {
             },
         };
         self.measured.insert(id, measured);
+        self.changed = true;
     }
 }

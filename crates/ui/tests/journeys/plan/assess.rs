@@ -1,5 +1,8 @@
+use egui::Vec2;
 use egui_kittest::kittest::Queryable as _;
+use pilotage_ui::jobs::Job;
 
+use super::super::support::{ScriptedHost, rig_on};
 use super::{draw, number, planning};
 
 #[test]
@@ -47,6 +50,31 @@ fn a_landmark_is_looked_at_from_other_heights_and_with_other_tilts() {
             .query_by_label_contains("Detection envelope")
             .is_none()
     );
+}
+
+#[test]
+fn what_was_measured_is_there_after_a_reload() {
+    let mut rig = planning();
+    rig.open_tab("Landmarks");
+    rig.harness.get_by_label_contains("Chapel: ").click();
+    rig.settle();
+    let measure = "Measure how well it is found";
+    rig.harness.get_by_label(measure).click();
+    rig.settle();
+    rig.harness.get_by_label("From which heights").click();
+    rig.settle();
+    let host = ScriptedHost {
+        stored: rig.host().stored.clone(),
+        ..ScriptedHost::default()
+    };
+    let mut again = rig_on(host, Vec2::new(1440.0, 900.0));
+    again.open_tab("Plan");
+    again.settle();
+    assert_eq!(number(&again, "/measured/0/id"), 2.0);
+    assert_eq!(number(&again, "/envelopes/0/looks"), 12.0);
+    let asked = again.host().jobs.iter();
+    let measuring = asked.filter(|(_, job)| matches!(job, Job::Assess(_) | Job::Envelope(_)));
+    assert_eq!(measuring.count(), 0, "it was measured anew");
 }
 
 #[test]
