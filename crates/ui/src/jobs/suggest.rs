@@ -93,7 +93,10 @@ impl RunningJob for Suggest {
         let more = slice(clock, || proposal.advance());
         let (done, of) = proposal.progress();
         let share = done as f32 / of.max(1) as f32;
-        emit(JobEvent::Progress(share, format!("Place {done} of {of}")));
+        emit(JobEvent::Progress(
+            share,
+            format!("Rehearsing place {done} of {of}"),
+        ));
         if more {
             return Advance::More;
         }

@@ -92,6 +92,7 @@ impl LandmarkTable {
             self.marked = context.selection.into_iter().collect();
         }
         for landmark in rows {
+            let top = ui.cursor().min;
             if row(
                 ui,
                 landmark,
@@ -102,6 +103,10 @@ impl LandmarkTable {
             ) {
                 let keys = click_modifiers(ui);
                 self.click(landmark.id, &ids, keys, context);
+            }
+            if strange && context.selection == Some(landmark.id) {
+                let bottom = egui::pos2(ui.max_rect().right(), ui.cursor().top());
+                ui.scroll_to_rect(egui::Rect::from_min_max(top, bottom), None);
             }
         }
         if ids.is_empty() {

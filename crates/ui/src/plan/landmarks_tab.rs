@@ -18,7 +18,7 @@ use crate::shell::{
 use crate::views::ellipse::largest_sigma;
 
 /// Height of the table before it scrolls, points: what is selected stays in sight below it.
-const TABLE_HEIGHT: f32 = 280.0;
+const TABLE_HEIGHT: f32 = 196.0;
 
 /// Draws the tab.
 pub fn landmarks_tab(
@@ -81,11 +81,12 @@ pub fn landmarks_tab(
         ui.add_space(tokens.space);
     } else if let Some(landmark) = context.selection.and_then(|id| mission.landmark(id)) {
         actions(ui, planner, landmark, context);
+        // What was asked for last stands where it was asked for.
+        card(ui, planner, landmark, context);
+        ui.add_space(tokens.space);
         list.selected(ui, landmark, context, examined);
         ui.add_space(tokens.space);
         planner.editor.one(ui, landmark, context);
-        ui.add_space(tokens.space);
-        card(ui, planner, landmark, context);
     }
 }
 

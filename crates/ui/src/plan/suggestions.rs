@@ -233,7 +233,9 @@ impl Planner {
                     }
                 }
                 let made = if added(suggestion) { "Added: " } else { "" };
-                let text = format!("{number}  {made}{}.", suggestion.reason);
+                // A number and its unit stay on one line.
+                let reason = suggestion.reason.replace(" %", "\u{a0}%");
+                let text = format!("{number}  {made}{reason}.");
                 ui.add(egui::Label::new(muted(tokens, text)).wrap());
             });
             if ui.rect_contains_pointer(row.response.rect) {
