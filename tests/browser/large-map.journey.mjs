@@ -80,16 +80,15 @@ async function look(page, tools, file) {
     `panning at ${near.metres_per_point.toFixed(2)} m per point: ${panned.kept} frames, app time median ${panned.median?.toFixed(1)} ms, 95 % ${panned.p95?.toFixed(1)} ms`,
     `resident memory of the page's process: ${idle.toFixed(0)} MB with the demo, at most ${peak.toFixed(0)} MB with the map; wasm of the page ${((await page.evaluate(() => window.app.memory_bytes())) / 1e6).toFixed(0)} MB`,
   ]) console.log(`        ${line}`);
-  let quickest = opened;
-  if (opened > 1500) {
-    // Something else may have kept the machine busy: once more.
-    const again = Date.now();
-    await page.setInputFiles("#files", file);
-    await tools.waitFor((s) => s.map.tiles > 0 && s.map.whole === false || s.toasts.some((t) => /Opened/.test(t.title)), "the map to open again", 100_000);
-    quickest = Math.min(opened, Date.now() - again);
-  }
+  // Once more: what else keeps the machine busy may have passed, and nothing of the first may stay.
+  const again = Date.now();
+  await page.setInputFiles("#files", file);
+  await tools.waitFor((s) => s.map.tiles > 0 && s.map.metres_per_point > 2 * near.metres_per_point, "the map to open again", 100_000);
+  const quickest = Math.min(opened, Date.now() - again);
+  await tools.waitFor((s) => s.map.whole, "all of it again", 300_000);
+  const twice = memory();
+  console.log(`        opened again: ${twice.toFixed(0)} MB`);
   tools.check(quickest < 2000, `it opened after ${quickest} ms`);
   tools.check(panned.median < 16.7, `${panned.median} ms of app time a frame`);
-  // The bar is 500 MB; measured 549 to 558 beside a finished demo, 468 to 489 before it kept more.
-  tools.check(peak < 600, `${peak.toFixed(0)} MB with the map`);
+  tools.check(Math.max(peak, twice) < 500, `${peak.toFixed(0)} MB with the map, ${twice.toFixed(0)} MB opened again`);
 }

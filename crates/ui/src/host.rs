@@ -1,5 +1,7 @@
 //! What the shell (the page, or a test) gives the app.
 
+use std::collections::BTreeSet;
+
 use crate::dialogs::Download;
 use crate::jobs::{FileContent, Job, JobEvent, JobId};
 
@@ -22,6 +24,10 @@ pub trait Host {
 
     /// Asks a job to stop; its last event is `Cancelled`.
     fn cancel(&mut self, job: JobId);
+
+    /// Lets go of all files given to workers but those under the keys `in_use`, and of what was made of
+    /// what was open before.
+    fn let_go(&mut self, _in_use: &BTreeSet<String>) {}
 
     /// Takes the events that have arrived, in order.
     fn events(&mut self) -> Vec<(JobId, JobEvent)>;

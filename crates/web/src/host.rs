@@ -1,7 +1,7 @@
 //! The page's services for the app.
 
 use std::cell::RefCell;
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::rc::Rc;
 
 use js_sys::Uint8Array;
@@ -209,6 +209,10 @@ impl Host for PageHost {
         } else {
             inner.crew.cancel(job);
         }
+    }
+
+    fn let_go(&mut self, in_use: &BTreeSet<String>) {
+        self.inner.borrow_mut().crew.let_go(in_use);
     }
 
     fn download(&mut self, addresses: Vec<String>) {

@@ -11,11 +11,12 @@ use nalgebra::{Matrix2, Matrix4, Point2, Point3};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
+use serde::{Deserialize, Serialize};
 
 use super::days::OtherDays;
 use super::{DetectionStatistics, ExpectedDetection, Tally};
 use crate::camera::CameraModel;
-use crate::frames::{Attitude, GroundRect, Pose};
+use crate::frames::{Attitude, GroundPoint, GroundRect, Pose};
 use crate::imagery::{CachedImagery, Imagery, InsetImagery};
 use crate::landmark::{
     Detector, FrameView, Landmark, SearchRequest, Sighting, TemplateDetector, TemplateSettings,
@@ -48,6 +49,11 @@ impl Rehearsal {
     /// Standard deviation of the filter's position that is assumed, per axis, metres.
     pub const POSITION: f64 = 5.0;
 
+    /// What to expect after views of those days; `None` without a view.
+    pub fn expected(views: &[View]) -> Option<ExpectedDetection> {
+        expected(views, Self::DAYS)
+    }
+
     /// Those days, drawn by `seed`.
     pub fn days(others: &dyn OtherDays, seed: u64) -> Vec<Arc<dyn Imagery>> {
         others.spread(Self::DAYS, seed)
@@ -74,7 +80,7 @@ pub struct Circumstances {
 }
 
 /// How one view went.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct View {
     /// Which of the days it was on.
     pub day: usize,
@@ -113,7 +119,31 @@ pub struct Assessor {
     parts: Vec<Option<(GroundRect, Arc<dyn Imagery>)>>,
     detector: TemplateDetector,
     random: ChaCha8Rng,
+    /// Looks so far, with those that were passed over.
+    looks: usize,
     views: Vec<View>,
+}
+
+/// A look as it was drawn, before anything is seen.
+struct Look {
+    day: usize,
+    heading: f64,
+    /// Tilt of which the filter does not know, radians.
+    attitude_error: f64,
+    /// Distance of the landmark from the middle of the whole picture, pixels.
+    off_centre: f64,
+    /// The part of the picture in which it is looked for.
+    crop: CameraModel,
+    pose: Pose,
+    assumed: Pose,
+    /// Of the place on the ground under the assumed pose, per axis, square metres.
+    variance: f64,
+    /// How far around the landmark is looked for it, metres.
+    reach: f64,
+    /// Where it appears on the ground under the assumed pose.
+    expected: GroundPoint,
+    /// For the picture.
+    random: ChaCha8Rng,
 }
 
 impl Assessor {
@@ -134,6 +164,7 @@ impl Assessor {
             parts: vec![None; days.len()],
             days: days.to_vec(),
             random: ChaCha8Rng::seed_from_u64(seed),
+            looks: 0,
             views: Vec::new(),
         }
     }
@@ -172,11 +203,23 @@ impl Assessor {
 
     /// The next view; days take turns. `None` if the landmark does not fit into the picture.
     pub fn look(&mut self) -> Option<View> {
-        self.look_on(self.views.len())
+        self.look_on(self.looks)
+    }
+
+    /// Leaves the next view to others: draws what it would draw, so that the one after it is the same
+    /// as if it had been taken. False if the landmark does not fit into the picture.
+    pub fn pass_over(&mut self) -> bool {
+        self.draw_look(self.looks).is_some()
     }
 
     /// A view on a day, counted round. `None` if the landmark does not fit into the picture.
     fn look_on(&mut self, day: usize) -> Option<View> {
+        let look = self.draw_look(day)?;
+        Some(self.see(look))
+    }
+
+    /// A look on a day, counted round, as it is drawn.
+    fn draw_look(&mut self, day: usize) -> Option<Look> {
         let day = day % self.days.len();
         let heading = TAU * self.random.random::<f64>();
         let margin = self.margin(heading)?;
@@ -187,7 +230,7 @@ impl Assessor {
             margin + (w - 2.0 * margin) * self.random.random::<f64>(),
             margin + (h - 2.0 * margin) * self.random.random::<f64>(),
         );
-        self.glance(day, heading, wanted)
+        self.draw_at(day, heading, wanted)
     }
 
     /// A view on a day, counted round, from another height (metres) with another tilt (radians).
@@ -214,7 +257,8 @@ impl Assessor {
         let mut y = margin + step * self.random.random::<f64>();
         let mut views = Vec::new();
         while y <= h - margin {
-            views.extend(self.glance(day, heading, Point2::new(x, y)));
+            let look = self.draw_at(day, heading, Point2::new(x, y));
+            views.extend(look.map(|look| self.see(look)));
             y += step;
         }
         views
@@ -232,8 +276,8 @@ impl Assessor {
         (2.0 * margin < shorter).then_some(margin)
     }
 
-    /// Looks on a day, on a heading, with the middle of the landmark at pixel `wanted`.
-    fn glance(&mut self, day: usize, heading: f64, wanted: Point2<f64>) -> Option<View> {
+    /// A look on a day, on a heading, with the middle of the landmark at pixel `wanted`.
+    fn draw_at(&mut self, day: usize, heading: f64, wanted: Point2<f64>) -> Option<Look> {
         let c = self.circumstances.clone();
         let margin = self.margin(heading)?;
         let (sin, cos) = (TAU * self.random.random::<f64>()).sin_cos();
@@ -275,48 +319,69 @@ impl Assessor {
         let reach = c.detector.search_sigmas * 1.5 * variance.sqrt();
         let per_metre = camera.focal / c.height;
         let crop = crop(camera, &wanted, margin + reach * per_metre + 8.0);
-        let ground = self.part(day, DRAWN * reach);
+        let random = self.random.clone();
+        AerialCamera::pass_over(&mut self.random);
+        let point = self.landmark.reference_in_world(c.ground_down);
+        let true_pixel = crop.project(&pose, &point)?;
+        let expected = crop.ground_at(&assumed, &true_pixel, c.ground_down)?;
+        self.looks += 1;
+        Some(Look {
+            day,
+            heading,
+            attitude_error: unknown[0].hypot(unknown[1]),
+            off_centre: (wanted - camera.principal).norm(),
+            crop,
+            pose,
+            assumed,
+            variance,
+            reach,
+            expected,
+            random,
+        })
+    }
+
+    /// Takes the picture of a look and searches it.
+    fn see(&mut self, mut look: Look) -> View {
+        let ground = self.part(look.day, DRAWN * look.reach);
+        let c = &self.circumstances;
         let aerial = AerialCamera::new(
-            crop.clone(),
+            look.crop.clone(),
             AerialCameraSettings {
                 mount_vibration_sd: 0.0,
                 ..AerialCameraSettings::default()
             },
         );
-        let frame = aerial.take(ground.as_ref(), &pose, c.ground_down, &mut self.random);
+        let frame = aerial.take(ground.as_ref(), &look.pose, c.ground_down, &mut look.random);
         let luminance = Pyramid::new(frame.picture.to_gray(), PYRAMID_LEVELS);
         let view = FrameView {
-            camera: &crop,
-            pose: assumed,
+            camera: &look.crop,
+            pose: look.assumed,
             ground_down: c.ground_down,
             luminance: &luminance,
         };
         let request = SearchRequest {
             landmark: &self.landmark,
-            displacement_covariance: Matrix2::identity() * variance,
+            displacement_covariance: Matrix2::identity() * look.variance,
         };
         let sighting = self.detector.detect(&view, &request);
-        let point = self.landmark.reference_in_world(c.ground_down);
-        let true_pixel = crop.project(&pose, &point)?;
-        let expected = crop.ground_at(&assumed, &true_pixel, c.ground_down)?;
-        let error = sighting.best().map(|d| d.ground.distance(&expected));
-        let pixels = error.map(|e| e * camera.focal / c.height);
+        let error = sighting.best().map(|d| d.ground.distance(&look.expected));
+        let pixels = error.map(|e| e * c.camera.focal / c.height);
         let wrong = matches!(sighting, Sighting::Found(_))
             && error.is_some_and(|e| e > WRONG.0)
             && pixels.is_some_and(|p| p > WRONG.1);
         let view = View {
-            day,
-            heading,
+            day: look.day,
+            heading: look.heading,
             height: c.height,
             tilt: c.tilt,
-            attitude_error: unknown[0].hypot(unknown[1]),
-            off_centre: (wanted - camera.principal).norm(),
+            attitude_error: look.attitude_error,
+            off_centre: look.off_centre,
             sighting,
             error,
             wrong,
         };
         self.views.push(view);
-        Some(view)
+        view
     }
 
     /// The views so far.
@@ -405,12 +470,11 @@ fn expected(views: &[View], days: usize) -> Option<ExpectedDetection> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::frames::GroundPoint;
     use crate::plan::days::SceneryDays;
     use crate::simulate::Scenario;
 
-    /// The landmark of that name, moved by (north, east) metres.
-    fn rate(name: &str, north: f64, east: f64) -> (ExpectedDetection, f64) {
+    /// A rehearsal of the landmark of that name, moved by (north, east) metres.
+    fn assessor(name: &str, north: f64, east: f64) -> Assessor {
         let scenario = Scenario::named("distinct-400ft-calm").unwrap();
         let mission = scenario.mission();
         let landmark = mission.landmarks.iter().find(|l| l.name == name).unwrap();
@@ -435,10 +499,32 @@ mod tests {
             scenery: Scenario::map(),
         };
         let days = days.spread(Rehearsal::DAYS, 11);
-        let mut assessor = Assessor::new(landmark, map, &days, circumstances, 11);
+        Assessor::new(landmark, map, &days, circumstances, 11)
+    }
+
+    fn rate(name: &str, north: f64, east: f64) -> (ExpectedDetection, f64) {
+        let mut assessor = assessor(name, north, east);
         assessor.rehearse();
         assert_eq!(assessor.views().len(), Rehearsal::VIEWS);
         (assessor.expected().unwrap(), assessor.false_matches())
+    }
+
+    #[test]
+    fn views_that_two_share_by_days_are_those_that_one_takes_alone() {
+        let mut alone = assessor("swimming pool", 0.0, 0.0);
+        let mut shares = [0, 1].map(|_| assessor("swimming pool", 0.0, 0.0));
+        for look in 0..4 {
+            alone.look();
+            for (part, share) in shares.iter_mut().enumerate() {
+                if look % 2 == part {
+                    share.look();
+                } else {
+                    assert!(share.pass_over());
+                }
+            }
+        }
+        let [even, odd] = shares.map(|share| share.views().to_vec());
+        assert_eq!(alone.views(), [even[0], odd[0], even[1], odd[1]]);
     }
 
     #[test]

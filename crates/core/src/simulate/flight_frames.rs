@@ -10,8 +10,9 @@ use crate::frames::Pose;
 use crate::imagery::CachedImagery;
 use crate::raster::{Picture, encode_png};
 
-/// Memory for tiles of the scenery.
-const CACHE_MEGABYTES: usize = 96;
+/// Memory for tiles of the scenery: some ten times the ground of a picture, as flights go on and seldom
+/// come back.
+const CACHE_MEGABYTES: usize = 32;
 
 /// A flight that did not happen, and its pictures.
 #[derive(Clone)]

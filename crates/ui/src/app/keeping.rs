@@ -107,10 +107,10 @@ impl Keeping {
     }
 
     /// Forgets every set but these.
-    fn forget_others(&mut self, used: &BTreeSet<&str>) {
+    fn forget_others(&mut self, used: &BTreeSet<String>) {
         let waiting = &mut self.waiting;
         self.sets.retain(|set, it| {
-            let kept = used.contains(set.as_str());
+            let kept = used.contains(set);
             if !kept {
                 waiting.push_back(Deed::Forget(list_key(set)));
                 for key in (0..it.count).map(|n| file_key(set, n)) {
@@ -213,15 +213,34 @@ impl App {
 
     /// Forgets files that neither the document nor a flight about to begin needs.
     pub(super) fn forget_unused_files(&mut self) {
+        if self.desk.opening.is_empty() {
+            let used = self.used_files();
+            self.desk.keeping.forget_others(&used);
+        }
+    }
+
+    /// Has the workers let go of what was open before.
+    pub(super) fn let_go_of_files(&self, host: &mut dyn Host) {
+        let mut used = self.used_files();
+        used.extend(
+            self.desk
+                .opening
+                .values()
+                .map(|opening| opening.key.clone()),
+        );
+        used.extend(self.views.georeferencer.as_ref().map(|g| g.key.clone()));
+        host.let_go(&used);
+    }
+
+    /// Keys of the files that the document and a flight about to begin need.
+    fn used_files(&self) -> BTreeSet<String> {
         let documents = &self.documents;
         let mut used = file_sets(&documents.flight_source, &documents.map_source);
         used.extend(documents.terrain.key());
         if let Some(fly) = &self.desk.fly {
             used.extend(file_sets(&fly.flight, &fly.map));
         }
-        if self.desk.opening.is_empty() {
-            self.desk.keeping.forget_others(&used);
-        }
+        used.into_iter().map(str::to_owned).collect()
     }
 
     /// Gives the workers the files of the earlier visit; the keys of those that are gone.

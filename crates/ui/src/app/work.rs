@@ -109,6 +109,7 @@ impl App {
         self.documents.map = None;
         self.documents.distinctness.clear();
         self.views.map.tiles.clear();
+        self.let_go_of_files(host);
         self.describe_map(host);
     }
 

@@ -6,7 +6,7 @@ use pilotage_core::camera::CameraModel;
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::navigator::NavigatorSettings;
-use pilotage_core::plan::{Assessor, Breakdown, Circumstances, ExpectedDetection, Rehearsal};
+use pilotage_core::plan::{Assessor, Breakdown, Circumstances, ExpectedDetection, Rehearsal, View};
 use serde::{Deserialize, Serialize};
 
 use super::running::SLICE;
@@ -92,18 +92,69 @@ pub struct Assessment {
     pub breakdown: Breakdown,
 }
 
+/// A share of the looks at a landmark: those on every `of`-th day, so that several workers draw the
+/// ground of one day each.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Share {
+    /// Which of them, from 0.
+    pub part: usize,
+    /// How many there are.
+    pub of: usize,
+}
+
+impl Share {
+    /// Everything.
+    pub const WHOLE: Self = Self { part: 0, of: 1 };
+
+    /// Whether a look is of this share.
+    fn has(&self, look: usize) -> bool {
+        look % Rehearsal::DAYS % self.of == self.part
+    }
+
+    /// How many looks there are in it.
+    fn count(&self) -> usize {
+        (0..Rehearsal::VIEWS).filter(|look| self.has(*look)).count()
+    }
+}
+
+/// What views come to, all of them in the order of their looks.
+pub fn sum_up(order: &AssessmentOrder, views: &[View]) -> Result<Assessment, String> {
+    let expected = Rehearsal::expected(views).ok_or("there was nothing to look at")?;
+    let wrong = views.iter().filter(|view| view.wrong).count();
+    let glance = |view: &View| Glance {
+        heading: view.heading,
+        off_centre: view.off_centre,
+        day: view.day,
+        found: view.found(),
+        wrong: view.wrong,
+    };
+    Ok(Assessment {
+        landmark: order.landmark.clone(),
+        height: order.height,
+        expected,
+        false_matches: wrong as f64 / views.len().max(1) as f64,
+        views: views.iter().map(glance).collect(),
+        breakdown: Breakdown::of(views, &order.navigator.sensors, Rehearsal::DAYS),
+    })
+}
+
 /// A landmark being measured.
 pub struct Assess {
     order: AssessmentOrder,
+    share: Share,
     assessor: Option<Assessor>,
+    /// Looks taken and passed over.
+    looks: usize,
 }
 
 impl Assess {
     /// Nothing looked at yet.
-    pub fn new(order: AssessmentOrder) -> Self {
+    pub fn new(order: AssessmentOrder, share: Share) -> Self {
         Self {
             order,
+            share,
             assessor: None,
+            looks: 0,
         }
     }
 
@@ -128,46 +179,39 @@ impl Assess {
             return Ok(Advance::Done);
         };
         let begun = clock();
-        while assessor.views().len() < Rehearsal::VIEWS {
-            let fits = assessor.look().is_some();
+        while self.looks < Rehearsal::VIEWS {
+            let fits = if self.share.has(self.looks) {
+                assessor.look().is_some()
+            } else {
+                assessor.pass_over()
+            };
             if !fits {
                 return Err(format!(
                     "{} does not fit into a picture from {:.0} m; make its box smaller or fly higher",
                     self.order.landmark.name, self.order.height
                 ));
             }
+            self.looks += 1;
             if clock() - begun > SLICE {
                 break;
             }
         }
-        let done = assessor.views().len();
+        let (done, all) = (assessor.views().len(), self.share.count());
         emit(JobEvent::Progress(
-            done as f32 / Rehearsal::VIEWS as f32,
-            format!("View {done} of {}", Rehearsal::VIEWS),
+            done as f32 / all as f32,
+            format!("View {done} of {all}"),
         ));
-        if done < Rehearsal::VIEWS {
+        if self.looks < Rehearsal::VIEWS {
             return Ok(Advance::More);
         }
-        let expected = assessor.expected().ok_or("there was nothing to look at")?;
-        let glance = |view: &pilotage_core::plan::View| Glance {
-            heading: view.heading,
-            off_centre: view.off_centre,
-            day: view.day,
-            found: view.found(),
-            wrong: view.wrong,
-        };
-        emit(JobEvent::Assessment(Box::new(Assessment {
-            landmark: self.order.landmark.clone(),
-            height: self.order.height,
-            expected,
-            false_matches: assessor.false_matches(),
-            views: assessor.views().iter().map(glance).collect(),
-            breakdown: Breakdown::of(
-                assessor.views(),
-                &self.order.navigator.sensors,
-                Rehearsal::DAYS,
-            ),
-        })));
+        if self.share == Share::WHOLE {
+            let found = sum_up(&self.order, assessor.views())?;
+            emit(JobEvent::Assessment(Box::new(found)));
+        } else {
+            let looks = (0..Rehearsal::VIEWS).filter(|look| self.share.has(*look));
+            let views = looks.zip(assessor.views().iter().copied()).collect();
+            emit(JobEvent::Views(views));
+        }
         emit(JobEvent::Finished);
         Ok(Advance::Done)
     }

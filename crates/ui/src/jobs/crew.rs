@@ -2,6 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::predict::COARSE;
+use super::shared::{Follows, SHARES, SharedMeasurement};
 use super::{FileContent, FlightSource, Job, JobEvent, JobId, MapSource, Reply, Request};
 
 /// Time without an answer after which a worker counts as dead, milliseconds. A fault in a worker and
@@ -28,6 +30,8 @@ struct Seat<P> {
     holds: BTreeSet<String>,
     /// When the unanswered ping was sent, and ticks since.
     unanswered: Option<(f64, u32)>,
+    /// Whether it is to end with its last job.
+    is_leaving: bool,
 }
 
 struct Assigned {
@@ -36,13 +40,16 @@ struct Assigned {
     restarts: u8,
 }
 
-/// Shares jobs out among workers: one for flights, one for map tiles, one for questions. Workers
-/// are opened when first needed. Files that jobs name are kept here and given to a worker before
+/// Shares jobs out among workers: one for flights, one for map tiles, one for questions; the first two
+/// share the measurement of a landmark, for which the flight waits and tiles do not. Workers are opened
+/// when first needed. Files that jobs name are kept here and given to a worker before
 /// the first job that names them.
 pub struct Crew<P> {
     open: Box<dyn FnMut(usize) -> P>,
     seats: [Seat<P>; 3],
     jobs: BTreeMap<JobId, Assigned>,
+    /// Measurements that are shared, by the number under which they were asked for.
+    shared: BTreeMap<JobId, SharedMeasurement>,
     files: BTreeMap<String, Vec<(String, FileContent)>>,
     events: Vec<(JobId, JobEvent)>,
     last_job: JobId,
@@ -56,11 +63,13 @@ impl<P: WorkerPort> Crew<P> {
             port: None,
             holds: BTreeSet::new(),
             unanswered: None,
+            is_leaving: false,
         };
         Self {
             open: Box::new(open),
             seats: [seat(), seat(), seat()],
             jobs: BTreeMap::new(),
+            shared: BTreeMap::new(),
             files: BTreeMap::new(),
             events: Vec::new(),
             last_job: 0,
@@ -86,9 +95,24 @@ impl<P: WorkerPort> Crew<P> {
             self.files.insert(key, files);
             self.events.push((id, JobEvent::Finished));
         } else {
-            self.assign(id, job, 0);
+            self.share_out(id, job);
         }
         id
+    }
+
+    /// Gives a job to a worker, or to those that share it.
+    fn share_out(&mut self, id: JobId, job: Job) {
+        let Job::Assess(order) = job else {
+            self.assign(id, job, 0);
+            return;
+        };
+        let mut whole = SharedMeasurement::new(order);
+        for job in whole.jobs() {
+            let part = self.reserve();
+            whole.add(part);
+            self.assign(part, job, 0);
+        }
+        self.shared.insert(id, whole);
     }
 
     /// A number for a job that begins later, by [`Crew::begin`].
@@ -101,10 +125,16 @@ impl<P: WorkerPort> Crew<P> {
     pub fn begin(&mut self, id: JobId, job: Job, tiles: Vec<(String, FileContent)>) {
         let key = super::WEB_TILES.to_owned();
         let files = tiles;
-        let seat = seat_for(&job);
-        self.open_seat(seat)
-            .send(Request::Start(0, Job::Provide { key, files }));
-        self.assign(id, job, 0);
+        let seats = match &job {
+            Job::Assess(_) => 0..SHARES,
+            other => seat_for(other)..seat_for(other) + 1,
+        };
+        for seat in seats {
+            let (key, files) = (key.clone(), files.clone());
+            self.open_seat(seat)
+                .send(Request::Start(0, Job::Provide { key, files }));
+        }
+        self.share_out(id, job);
     }
 
     /// Says something about a job in a worker's place.
@@ -114,6 +144,10 @@ impl<P: WorkerPort> Crew<P> {
 
     /// Asks a job to stop.
     pub fn cancel(&mut self, id: JobId) {
+        let parts = self.shared.get(&id).map(SharedMeasurement::parts);
+        for part in parts.into_iter().flatten() {
+            self.cancel(part);
+        }
         if let Some(assigned) = self.jobs.get(&id)
             && let Some(port) = &mut self.seats[assigned.seat].port
         {
@@ -130,13 +164,72 @@ impl<P: WorkerPort> Crew<P> {
         if !self.jobs.contains_key(&id) {
             return;
         }
-        if matches!(
-            event,
-            JobEvent::Finished | JobEvent::Cancelled | JobEvent::Failed(_)
-        ) {
+        if is_last(&event) {
             self.jobs.remove(&id);
+            if self.seats[seat].is_leaving {
+                self.end_if_idle(seat);
+            }
         }
-        self.events.push((id, event));
+        self.tell(id, event);
+    }
+
+    /// Says what a worker said of a job; of a share, what follows for the whole.
+    fn tell(&mut self, id: JobId, event: JobEvent) {
+        let whole = self.shared.iter_mut().find(|(_, whole)| whole.has(id));
+        let Some((whole_id, whole)) = whole.map(|(whole_id, whole)| (*whole_id, whole)) else {
+            self.events.push((id, event));
+            return;
+        };
+        match whole.take(id, event) {
+            Follows::Wait => {}
+            Follows::Begin(job) => {
+                let part = self.last_job + 1;
+                self.last_job = part;
+                whole.add(part);
+                self.assign(part, *job, 0);
+            }
+            Follows::Say(event) => {
+                if is_last(&event)
+                    && let Some(whole) = self.shared.remove(&whole_id)
+                {
+                    // Of those that go on nothing is heard any more.
+                    for part in whole.parts() {
+                        self.cancel(part);
+                    }
+                }
+                self.events.push((whole_id, event));
+            }
+        }
+    }
+
+    /// Lets go of all files but those under the keys `in_use`, and ends every worker once it has
+    /// nothing to do: what it made for what was open goes with it, because the memory of a program
+    /// never shrinks. It is opened again when needed.
+    pub fn let_go(&mut self, in_use: &BTreeSet<String>) {
+        self.files.retain(|key, _| in_use.contains(key));
+        for seat in 0..self.seats.len() {
+            self.end_if_idle(seat);
+            let it = &mut self.seats[seat];
+            let Some(port) = &mut it.port else { continue };
+            it.is_leaving = true;
+            it.holds.retain(|key| in_use.contains(key));
+            let keys = in_use.iter().cloned().collect();
+            port.send(Request::Start(0, Job::LetGo { keys }));
+        }
+    }
+
+    /// Ends the worker on a seat if it has no job.
+    fn end_if_idle(&mut self, seat: usize) {
+        if self.jobs.values().any(|assigned| assigned.seat == seat) {
+            return;
+        }
+        let it = &mut self.seats[seat];
+        it.is_leaving = false;
+        it.unanswered = None;
+        it.holds.clear();
+        if let Some(mut port) = it.port.take() {
+            port.close();
+        }
     }
 
     /// Called by a timer of the page, about twice a second, with a clock in milliseconds: asks
@@ -171,6 +264,7 @@ impl<P: WorkerPort> Crew<P> {
         port.close();
         self.seats[seat].holds.clear();
         self.seats[seat].unanswered = None;
+        self.seats[seat].is_leaving = false;
         self.lost += 1;
         let interrupted: Vec<_> = self
             .jobs
@@ -184,13 +278,13 @@ impl<P: WorkerPort> Crew<P> {
             };
             if assigned.restarts < RESTARTS {
                 let text = "Begun anew after the worker stopped".to_owned();
-                self.events.push((id, JobEvent::Progress(0.0, text)));
+                self.tell(id, JobEvent::Progress(0.0, text));
                 self.assign(id, assigned.job, assigned.restarts + 1);
             } else {
                 let text = "The work stopped again and again, perhaps for lack of memory. \
                     Your documents are safe; try a smaller map or fewer frames."
                     .to_owned();
-                self.events.push((id, JobEvent::Failed(text)));
+                self.tell(id, JobEvent::Failed(text));
             }
         }
     }
@@ -220,9 +314,20 @@ impl<P: WorkerPort> Crew<P> {
         self.seats[seat].port.get_or_insert_with(|| open(seat))
     }
 
+    /// The seat of a job; a prediction while something is dragged does not wait behind a whole one.
+    fn free_seat_for(&self, job: &Job) -> usize {
+        let seat = seat_for(job);
+        let is_busy = || self.jobs.values().any(|assigned| assigned.seat == seat);
+        match job {
+            Job::Predict(order) if order.worlds <= COARSE && is_busy() => 1,
+            _ => seat,
+        }
+    }
+
     fn assign(&mut self, id: JobId, job: Job, restarts: u8) {
-        let seat = seat_for(&job);
+        let seat = self.free_seat_for(&job);
         self.open_seat(seat);
+        self.seats[seat].is_leaving = false;
         for key in file_keys(&job) {
             if let Some(files) = self.files.get(key)
                 && self.seats[seat].holds.insert(key.to_owned())
@@ -244,11 +349,26 @@ impl<P: WorkerPort> Crew<P> {
     }
 }
 
+/// Whether nothing more comes of a job after this.
+fn is_last(event: &JobEvent) -> bool {
+    matches!(
+        event,
+        JobEvent::Finished | JobEvent::Cancelled | JobEvent::Failed(_)
+    )
+}
+
 fn seat_for(job: &Job) -> usize {
     match job {
-        Job::Fly { .. } | Job::Assess(_) | Job::Envelope(_) | Job::Suggest(_) | Job::Field(_) => 0,
+        Job::AssessShare(_, share) => share.part,
+        Job::Fly { .. }
+        | Job::Assess(_)
+        | Job::SumUp(..)
+        | Job::Envelope(_)
+        | Job::Suggest(_)
+        | Job::Field(_) => 0,
         Job::Tile { .. } | Job::DescribeMap(_) | Job::PrepareMap(_) => 1,
         Job::Provide { .. }
+        | Job::LetGo { .. }
         | Job::Open { .. }
         | Job::ReadPlaces { .. }
         | Job::Distinctness { .. }
@@ -266,10 +386,15 @@ fn seat_for(job: &Job) -> usize {
 fn file_keys(job: &Job) -> Vec<&str> {
     let mut keys = Vec::new();
     let (flight, map) = match job {
-        Job::Provide { .. } | Job::DecodePicture { .. } | Job::Predict(_) | Job::Find(_) => {
-            (None, None)
+        Job::Provide { .. }
+        | Job::LetGo { .. }
+        | Job::DecodePicture { .. }
+        | Job::Predict(_)
+        | Job::SumUp(..)
+        | Job::Find(_) => (None, None),
+        Job::Assess(order) | Job::AssessShare(order, _) | Job::Envelope(order) => {
+            (None, Some(&order.map))
         }
-        Job::Assess(order) | Job::Envelope(order) => (None, Some(&order.map)),
         Job::Suggest(order) => (None, Some(&order.map)),
         Job::Field(order) => (None, Some(&order.map)),
         Job::Brief(order) => (None, Some(&order.map)),

@@ -5,7 +5,10 @@ use std::rc::Rc;
 
 use super::{Crew, WorkerPort};
 use crate::jobs::FlightSource;
-use crate::jobs::{Job, JobEvent, MapSource, Reply, Request, SimulationOptions};
+use crate::jobs::{
+    AssessmentOrder, COARSE, Job, JobEvent, JobId, MapSource, PredictionOrder, Reply, Request,
+    SimulationOptions,
+};
 
 #[derive(Debug, PartialEq)]
 #[expect(clippy::large_enum_variant, reason = "a test keeps a handful of them")]
@@ -176,4 +179,148 @@ fn what_a_worker_says_of_a_job_that_ended_is_not_heard() {
         Reply::Event(id, JobEvent::Progress(0.5, "late".to_owned())),
     );
     assert_eq!(crew.take_events(), [(id, JobEvent::Finished)]);
+}
+
+#[test]
+fn workers_that_have_nothing_to_do_end_with_what_was_open_and_begin_again_when_needed() {
+    let (mut crew, notes) = crew();
+    crew.start(provide());
+    let id = crew.start(describe_files());
+    crew.receive(1, Reply::Event(id, JobEvent::Finished));
+    let flight = crew.start(fly());
+    crew.let_go(&["flight".to_owned()].into());
+    assert!(notes.borrow().contains(&Note::Closed(1)), "it was idle");
+    assert!(!notes.borrow().contains(&Note::Closed(0)), "it flies");
+    crew.receive(0, Reply::Event(flight, JobEvent::Cancelled));
+    assert!(notes.borrow().contains(&Note::Closed(0)), "it has flown");
+    assert_eq!(crew.take_lost(), 0);
+    // The files in use are given to the new one.
+    let again = crew.start(describe_files());
+    let expected = [
+        Request::Start(0, provide()),
+        Request::Start(again, describe_files()),
+    ];
+    assert_eq!(sent_to(&notes, 1)[2..], expected);
+}
+
+#[test]
+fn a_worker_with_a_new_job_stays_without_the_files_that_nobody_needs() {
+    let (mut crew, notes) = crew();
+    crew.start(provide());
+    let id = crew.start(describe_files());
+    crew.let_go(&std::collections::BTreeSet::new());
+    let next = crew.start(Job::DescribeMap(MapSource::Scenery));
+    for id in [id, next] {
+        crew.receive(1, Reply::Event(id, JobEvent::Finished));
+    }
+    assert!(!notes.borrow().contains(&Note::Closed(1)));
+    let told = Request::Start(0, Job::LetGo { keys: Vec::new() });
+    assert!(sent_to(&notes, 1).contains(&told));
+    let sent = sent_to(&notes, 1).len();
+    crew.start(describe_files());
+    assert_eq!(sent_to(&notes, 1).len(), sent + 1, "the files are gone");
+}
+
+/// A landmark to measure, the workers that share it, and the numbers of their shares.
+fn measured() -> (Crew<NotingPort>, Notes, JobId, [JobId; 2]) {
+    let (mut crew, notes) = crew();
+    let id = crew.start(Job::Assess(Box::new(order())));
+    let shares = [0, 1].map(|seat| match sent_to(&notes, seat)[..] {
+        [Request::Start(share, Job::AssessShare(..))] => share,
+        _ => panic!("{:?}", notes.borrow()),
+    });
+    (crew, notes, id, shares)
+}
+
+fn order() -> AssessmentOrder {
+    let scenario = pilotage_core::simulate::Scenario::named("distinct-400ft-calm").unwrap();
+    let mission = scenario.mission();
+    AssessmentOrder {
+        map: MapSource::Scenery,
+        landmark: mission.landmarks[0].clone(),
+        camera: pilotage_core::simulate::Scenario::camera(),
+        height: scenario.height,
+        navigator: mission.navigator,
+        ground_down: 0.0,
+    }
+}
+
+fn progress(event: &JobEvent) -> f32 {
+    match event {
+        JobEvent::Progress(share, _) => *share,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn two_workers_share_a_measurement_and_tell_of_it_as_one() {
+    let (mut crew, notes, id, [even, odd]) = measured();
+    let done = |share| JobEvent::Progress(share, "View".to_owned());
+    crew.receive(0, Reply::Event(even, done(0.5)));
+    crew.receive(1, Reply::Event(odd, done(0.25)));
+    let told = crew.take_events();
+    assert!(told.iter().all(|(of, _)| *of == id), "{told:?}");
+    assert_eq!(progress(&told[0].1), 0.25);
+    assert_eq!(progress(&told[1].1), 0.375);
+    for (seat, share) in [(1, odd), (0, even)] {
+        crew.receive(seat, Reply::Event(share, JobEvent::Views(Vec::new())));
+        crew.receive(seat, Reply::Event(share, JobEvent::Finished));
+    }
+    assert!(crew.take_events().is_empty(), "the result is not there yet");
+    let Some(Request::Start(sum, Job::SumUp(..))) = sent_to(&notes, 0).pop() else {
+        panic!("{:?}", notes.borrow());
+    };
+    crew.receive(0, Reply::Event(sum, JobEvent::Finished));
+    assert_eq!(crew.take_events(), [(id, JobEvent::Finished)]);
+}
+
+#[test]
+fn a_shared_measurement_is_cancelled_as_one_and_fails_as_one() {
+    let (mut crew, notes, id, [even, odd]) = measured();
+    crew.cancel(id);
+    assert!(sent_to(&notes, 0).contains(&Request::Cancel(even)));
+    assert!(sent_to(&notes, 1).contains(&Request::Cancel(odd)));
+    crew.receive(0, Reply::Event(even, JobEvent::Cancelled));
+    assert!(crew.take_events().is_empty());
+    crew.receive(1, Reply::Event(odd, JobEvent::Cancelled));
+    assert_eq!(crew.take_events(), [(id, JobEvent::Cancelled)]);
+
+    let (mut crew, notes, id, [even, odd]) = measured();
+    let failed = || JobEvent::Failed("too large.".to_owned());
+    crew.receive(0, Reply::Event(even, failed()));
+    assert_eq!(crew.take_events(), [(id, failed())]);
+    assert!(sent_to(&notes, 1).contains(&Request::Cancel(odd)));
+}
+
+#[test]
+fn a_coarse_prediction_does_not_wait_behind_a_whole_one() {
+    let predict = |worlds| {
+        let of = order();
+        Job::Predict(Box::new(PredictionOrder {
+            way_points: Vec::new(),
+            height: of.height,
+            targets: Vec::new(),
+            airspeed: None,
+            bank: None,
+            wind: pilotage_core::simulate::Wind::default(),
+            camera: of.camera,
+            ground_down: 0.0,
+            navigator: of.navigator,
+            landmarks: Vec::new(),
+            worlds,
+        }))
+    };
+    let (mut crew, notes) = crew();
+    let coarse = crew.start(predict(COARSE));
+    assert_eq!(sent_to(&notes, 2).len(), 1);
+    crew.receive(2, Reply::Event(coarse, JobEvent::Finished));
+    let fine = crew.start(predict(100));
+    crew.cancel(fine);
+    crew.start(predict(COARSE));
+    assert_eq!(
+        sent_to(&notes, 1).len(),
+        1,
+        "the whole one may not stop yet"
+    );
+    assert_eq!(sent_to(&notes, 2).len(), 3);
 }

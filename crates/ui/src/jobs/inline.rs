@@ -1,7 +1,7 @@
 //! A host without a browser: jobs run on the calling thread, files and storage are plain maps.
 
 use std::cell::Cell;
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::Arc;
 
 use pilotage_core::imagery::ByteSource;
@@ -113,6 +113,11 @@ impl Host for InlineHost {
         let waiting = &mut self.waiting;
         self.runner
             .receive(Request::Cancel(job), &mut |reply| keep(waiting, reply));
+    }
+
+    fn let_go(&mut self, in_use: &BTreeSet<String>) {
+        let keys = in_use.iter().cloned().collect();
+        self.start(Job::LetGo { keys });
     }
 
     fn events(&mut self) -> Vec<(JobId, JobEvent)> {

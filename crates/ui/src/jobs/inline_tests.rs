@@ -95,3 +95,51 @@ fn an_unknown_scenario_is_refused_with_the_names_of_those_there_are() {
     };
     assert!(text.contains("distinct-to-the-moon") && text.contains("distinct-400ft-calm"));
 }
+
+/// What a measurement of a landmark says, as one job or in two shares.
+fn measure(shares: usize) -> crate::jobs::Assessment {
+    use crate::jobs::{AssessmentOrder, Share};
+    use pilotage_core::simulate::Scenario;
+    let scenario = Scenario::named("distinct-400ft-calm").unwrap();
+    let mission = scenario.mission();
+    let order = Box::new(AssessmentOrder {
+        map: MapSource::Scenery,
+        landmark: mission.landmarks[0].clone(),
+        camera: Scenario::camera(),
+        height: scenario.height,
+        navigator: mission.navigator,
+        ground_down: 0.0,
+    });
+    let mut host = InlineHost::new();
+    let run = |host: &mut InlineHost, job| {
+        host.start(job);
+        host.finish_jobs();
+        host.events()
+    };
+    let mut views = Vec::new();
+    let last = if shares == 1 {
+        Job::Assess(order)
+    } else {
+        for part in 0..shares {
+            let job = Job::AssessShare(order.clone(), Share { part, of: shares });
+            for (_, event) in run(&mut host, job) {
+                if let JobEvent::Views(mut some) = event {
+                    views.append(&mut some);
+                }
+            }
+        }
+        views.sort_by_key(|(look, _)| *look);
+        Job::SumUp(order, views.iter().map(|(_, view)| *view).collect())
+    };
+    let events = run(&mut host, last).into_iter();
+    let mut found = events.filter_map(|(_, event)| match event {
+        JobEvent::Assessment(found) => Some(*found),
+        _ => None,
+    });
+    found.next().unwrap()
+}
+
+#[test]
+fn a_measurement_in_two_shares_says_the_very_same() {
+    assert_eq!(measure(2), measure(1));
+}

@@ -28,13 +28,14 @@ mod prepare;
 mod protocol;
 mod runner;
 mod running;
+mod shared;
 mod simulated;
 mod suggest;
 mod web_map;
 mod whole_bytes;
 mod workshop;
 
-pub use assess::{Assessment, AssessmentOrder, Glance};
+pub use assess::{Assessment, AssessmentOrder, Glance, Share};
 pub use beside::{BESIDE, Beside};
 pub use brief::{BriefOrder, BriefPictures, EncodedPicture};
 pub use content::{FileContent, LentFiles, OpenAddress};
@@ -47,7 +48,7 @@ pub use imports::ImportedFile;
 pub use inline::InlineHost;
 pub use messages::{Reply, Request};
 pub use pack::PackOrder;
-pub use predict::PredictionOrder;
+pub use predict::{COARSE, PredictionOrder};
 pub use protocol::{
     Distinctness, FlightSource, Job, JobEvent, JobId, MapInfo, MapSource, MatchPictures, Opened,
     SimulationOptions, Unplaced,

@@ -18,7 +18,7 @@ use super::file_pool::{FilePool, has_ending};
 use super::flights::{KeptFrames, OpenFlight};
 use super::heights::describe_terrain;
 use super::imports::{imports, is_mission};
-use super::workshop::describe;
+use super::workshop::{MAP_MEMORY, describe};
 use super::{MapInfo, Opened, Unplaced};
 use crate::documents::decode_run;
 
@@ -46,6 +46,7 @@ pub fn look_through(
     let options = MapOptions {
         frame,
         near: near.map(|origin| (LocalFrame::new(origin), WORLD_REACH)),
+        memory: MAP_MEMORY,
         ..MapOptions::default()
     };
     let map = map(pool, &options)?;

@@ -38,9 +38,12 @@ pub struct PredictionOrder {
     pub navigator: NavigatorSettings,
     /// The landmarks that are switched on, and what is expected of them.
     pub landmarks: Vec<(Landmark, DetectionStatistics)>,
-    /// Worlds to try: 8 are coarse, 100 are fine.
+    /// Worlds to try: [`COARSE`], or 100 for a fine one.
     pub worlds: usize,
 }
+
+/// Worlds of a coarse prediction.
+pub const COARSE: usize = 8;
 
 /// A prediction as a job.
 pub struct Predict(pub PredictionOrder);

@@ -6,14 +6,14 @@ use pilotage_core::imagery::terrain::HeightGrid;
 use pilotage_core::imagery::{Georeference, Window};
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Run, StepReport};
-use pilotage_core::plan::{Envelope, Localizability, Prediction, Suggestion};
+use pilotage_core::plan::{Envelope, Localizability, Prediction, Suggestion, View};
 use pilotage_core::raster::{Gray, Raster, Rgba};
 use serde::{Deserialize, Serialize};
 
 use super::{
     Assessment, AssessmentOrder, Beside, BriefOrder, BriefPictures, FieldOrder, FileContent,
-    FindOrder, FoundPlan, HeightsOrder, ImportedFile, PackOrder, PredictionOrder, SuggestOrder,
-    TerrainInfo, WebMap, whole_bytes,
+    FindOrder, FoundPlan, HeightsOrder, ImportedFile, PackOrder, PredictionOrder, Share,
+    SuggestOrder, TerrainInfo, WebMap, whole_bytes,
 };
 
 /// Number of a job, unique within a page.
@@ -117,6 +117,11 @@ pub enum Job {
         /// Path and content of each.
         files: Vec<(String, FileContent)>,
     },
+    /// Let go of provided files and what was made of them, once nothing else is to be done.
+    LetGo {
+        /// Keys of the files that stay.
+        keys: Vec<String>,
+    },
     /// Say what provided files are: events `Opened`, or `Failed`.
     Open {
         /// Key of the files.
@@ -185,6 +190,10 @@ pub enum Job {
     Predict(Box<PredictionOrder>),
     /// How well a landmark is found on other days: event `Assessment`.
     Assess(Box<AssessmentOrder>),
+    /// A share of that: event `Views`.
+    AssessShare(Box<AssessmentOrder>, Share),
+    /// What all its views come to: event `Assessment`.
+    SumUp(Box<AssessmentOrder>, Vec<View>),
     /// From which heights and with which tilts a landmark is found: events `Envelope`, each knowing more.
     Envelope(Box<AssessmentOrder>),
     /// Landmarks proposed for a route: event `Suggestions`.
@@ -349,6 +358,8 @@ pub enum JobEvent {
         /// How long the worker computed, milliseconds.
         computed: f64,
     },
+    /// A share of the views of a landmark, each with the number of its look.
+    Views(Vec<(usize, View)>),
     /// How well a landmark is found.
     Assessment(Box<Assessment>),
     /// From which heights and with which tilts a landmark is found, as far as it is known.

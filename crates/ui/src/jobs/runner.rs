@@ -85,15 +85,22 @@ fn urgency(job: &Job) -> u8 {
         | Job::Open { .. }
         | Job::ReadPlaces { .. }
         | Job::DecodePicture { .. } => 1,
-        Job::Distinctness { .. } | Job::ExplainMatch { .. } | Job::Predict(_) | Job::Pack(_) => 2,
         Job::Tile { .. }
-        | Job::TakeHeights(_)
+        | Job::Distinctness { .. }
+        | Job::ExplainMatch { .. }
+        | Job::Predict(_)
+        | Job::SumUp(..)
+        | Job::Pack(_) => 2,
+        Job::TakeHeights(_)
         | Job::Assess(_)
+        | Job::AssessShare(..)
         | Job::Envelope(_)
         | Job::Suggest(_)
         | Job::Find(_)
         | Job::Brief(_) => 3,
         Job::PrepareMap(_) => 5,
         Job::Fly { .. } | Job::Field(_) => 4,
+        // What was asked before may still need them.
+        Job::LetGo { .. } => 6,
     }
 }

@@ -12,7 +12,7 @@ use super::SimulationOptions;
 use super::flights::{KeptFrames, OpenFlight};
 
 /// Memory for tiles of the ground under a flight on the map's own day.
-const CACHE_MEGABYTES: usize = 96;
+const CACHE_MEGABYTES: usize = 32;
 
 /// The scenario of these options.
 fn scenario(options: &SimulationOptions) -> Result<Scenario, String> {

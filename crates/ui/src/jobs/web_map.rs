@@ -123,11 +123,13 @@ pub fn wanted_addresses(job: &Job) -> Vec<String> {
     let around = |bounds: &GroundRect| bounds.grown(AROUND_LANDMARK);
     let (map, reads) = match job {
         Job::Provide { .. }
+        | Job::LetGo { .. }
         | Job::Open { .. }
         | Job::ReadPlaces { .. }
         | Job::DescribeMap(_)
         | Job::PrepareMap(_)
         | Job::TakeHeights(_)
+        | Job::SumUp(..)
         | Job::DecodePicture { .. }
         | Job::Predict(_)
         | Job::Find(_)
@@ -139,7 +141,7 @@ pub fn wanted_addresses(job: &Job) -> Vec<String> {
             bounds,
             radius,
         } => (map, Reads::Areas(vec![bounds.grown(*radius)])),
-        Job::Assess(order) | Job::Envelope(order) => {
+        Job::Assess(order) | Job::AssessShare(order, _) | Job::Envelope(order) => {
             let area = around(&order.landmark.bounds);
             (&order.map, Reads::Areas(vec![area]))
         }

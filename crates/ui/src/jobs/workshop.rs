@@ -1,7 +1,7 @@
 //! What the jobs of one worker share: files, opened maps, flights, rendered frames.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -15,7 +15,7 @@ use pilotage_core::raster::decode_picture;
 use pilotage_core::simulate::Scenario;
 use pilotage_core::simulate::scenery::Scenery;
 
-use super::assess::Assess;
+use super::assess::{Assess, Share, sum_up};
 use super::brief::Brief;
 use super::content::{LentFiles, OpenAddress};
 use super::envelope::SurveyEnvelope;
@@ -43,9 +43,9 @@ type Days = Vec<Arc<dyn Imagery>>;
 /// Seed of the days on which landmarks are rehearsed.
 const REHEARSAL_SEED: u64 = 11;
 /// Most maps that are kept open.
-const MOST_MAPS: usize = 3;
+const MOST_MAPS: usize = 2;
 /// Memory of a map: every worker that reads it takes as much, beside the textures of the page.
-const MAP_MEMORY: MapMemory = MapMemory {
+pub const MAP_MEMORY: MapMemory = MapMemory {
     tiles: 40 << 20,
     coarse: 24 << 20,
 };
@@ -88,6 +88,10 @@ impl Workshop {
                 self.provide(key, &files);
                 once(|_, _| Ok(()))
             }
+            Job::LetGo { keys } => once(move |workshop, _| {
+                workshop.let_go(&keys.into_iter().collect());
+                Ok(())
+            }),
             Job::Open { key, near, origin } => once(move |workshop, emit| {
                 let files = workshop.files(&key)?;
                 let opened = opening::look_through(key, &files, near, origin)?;
@@ -137,7 +141,13 @@ impl Workshop {
             }),
             Job::Predict(order) => Box::new(Predict(*order)),
             Job::Brief(order) => Box::new(Brief::new(order)),
-            Job::Assess(order) => Box::new(Assess::new(*order)),
+            Job::Assess(order) => Box::new(Assess::new(*order, Share::WHOLE)),
+            Job::AssessShare(order, share) => Box::new(Assess::new(*order, share)),
+            Job::SumUp(order, views) => once(move |_, emit| {
+                let found = sum_up(&order, &views)?;
+                emit(JobEvent::Assessment(Box::new(found)));
+                Ok(())
+            }),
             Job::Envelope(order) => Box::new(SurveyEnvelope::new(*order)),
             Job::Suggest(order) => Box::new(Suggest::new(*order)),
             Job::Field(order) => Box::new(ComputeField::new(*order)),
@@ -197,6 +207,17 @@ impl Workshop {
             .remove(&cache_key(&FlightSource::Files(key.clone())));
         let pool = FilePool::new(files, &self.lent).map(Arc::new);
         self.files.insert(key, pool);
+    }
+
+    /// Lets go of all files but those under the keys `in_use`, and of what was made of them.
+    pub fn let_go(&mut self, in_use: &BTreeSet<String>) {
+        let is_used = |source: &MapSource| source.key().is_none_or(|key| in_use.contains(key));
+        self.maps.retain(|kept| is_used(&kept.source));
+        self.files.retain(|key, _| in_use.contains(key));
+        self.days = None;
+        self.rehearsal = None;
+        // A flight that is flown stays with its job.
+        self.flights.clear();
     }
 
     /// The files under a key.

@@ -3,10 +3,8 @@
 use pilotage_core::plan::Prediction;
 
 use crate::host::Host;
-use crate::jobs::{Job, JobEvent, JobId, PredictionOrder};
+use crate::jobs::{COARSE, Job, JobEvent, JobId, PredictionOrder};
 
-/// Worlds of the coarse prediction.
-pub const COARSE: usize = 8;
 /// Worlds of the fine one.
 pub const FINE: usize = 100;
 /// How long a plan must rest before it is predicted finely, milliseconds.

@@ -15,8 +15,11 @@ pub(super) struct Coarse {
     pub level: usize,
     /// Pixels of that level per pixel of the finest copy.
     pub factor: usize,
-    /// The copies, each half of the one before.
-    pub copies: Vec<Raster<Rgba>>,
+    /// The copies, each half of the one before; made room for when the first is needed, so that a map
+    /// of which nothing is drawn takes none.
+    copies: Vec<Raster<Rgba>>,
+    /// Their sizes.
+    sizes: Vec<(usize, usize)>,
     /// Size of a block in pixels of the source.
     block: (usize, usize),
     /// Blocks from left to right.
@@ -53,22 +56,31 @@ impl Coarse {
         );
         let across = layout.width.div_ceil(block.0);
         let down = layout.height.div_ceil(block.1);
-        let mut copies = Vec::new();
+        let mut sizes = Vec::new();
         let mut f = factor;
         // As deep as blocks stay whole pixels; what is coarser yet is averaged from the last.
         while block.0.is_multiple_of(f) && block.1.is_multiple_of(f) && f <= 64 * factor {
-            let size = (layout.width.div_ceil(f), layout.height.div_ceil(f));
-            copies.push(Raster::filled(size.0, size.1, [0; 4]));
+            sizes.push((layout.width.div_ceil(f), layout.height.div_ceil(f)));
             f *= 2;
         }
         Some(Self {
             level,
             factor,
-            copies,
+            copies: Vec::new(),
+            sizes,
             block,
             across,
             done: vec![false; across * down],
         })
+    }
+
+    /// The copies, transparent where they are not made yet.
+    pub fn copies(&mut self) -> &mut [Raster<Rgba>] {
+        if self.copies.is_empty() {
+            let empty = |(width, height): &(usize, usize)| Raster::filled(*width, *height, [0; 4]);
+            self.copies = self.sizes.iter().map(empty).collect();
+        }
+        &mut self.copies
     }
 
     /// Blocks that are made, and all blocks.
@@ -109,7 +121,7 @@ impl Coarse {
             pixels = halved(&pixels);
             f *= 2;
         }
-        for copy in &mut self.copies {
+        for copy in self.copies() {
             let corner = (first.0 / f, first.1 / f);
             for y in 0..pixels.height().min(copy.height() - corner.1) {
                 let width = pixels.width().min(copy.width() - corner.0);

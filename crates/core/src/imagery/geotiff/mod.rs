@@ -249,9 +249,11 @@ impl GeoTiff {
                 coarse.make(&self.tiles, block);
             }
         }
-        let copy = ((ratio * 1.01 / fine).log2() as usize).min(coarse.copies.len() - 1);
-        let factor = (coarse.factor << copy) as f64;
-        let pixels = &coarse.copies[copy];
+        let finest = coarse.factor;
+        let copies = coarse.copies();
+        let copy = ((ratio * 1.01 / fine).log2() as usize).min(copies.len() - 1);
+        let factor = (finest << copy) as f64;
+        let pixels = &copies[copy];
         let part = Part {
             pixels,
             first: (0, 0),

@@ -101,6 +101,19 @@ impl AerialCamera {
         &self.model
     }
 
+    /// How it shakes and how it is exposed, in standard deviations. All numbers are always drawn: one
+    /// fault switched off does not change the others.
+    fn faults(random: &mut ChaCha8Rng) -> (Vector3<f64>, f64) {
+        let shake = Vector3::from_fn(|_, _| StandardNormal.sample(random));
+        (shake, StandardNormal.sample(random))
+    }
+
+    /// Draws from `random` what [`take`](Self::take) would, without a picture.
+    pub fn pass_over(random: &mut ChaCha8Rng) {
+        Self::faults(random);
+        sensor::pass_over(random);
+    }
+
     /// Takes a picture of `imagery`, spread on the plane `ground_down` metres below the world's
     /// origin, from `pose` and the vibration drawn from `random`.
     ///
@@ -114,10 +127,8 @@ impl AerialCamera {
         ground_down: f64,
         random: &mut ChaCha8Rng,
     ) -> AerialFrame {
-        // All numbers are always drawn: one fault switched off does not change the others.
-        let shake = Vector3::<f64>::from_fn(|_, _| StandardNormal.sample(random))
-            * self.settings.mount_vibration_sd;
-        let exposure: f64 = StandardNormal.sample(random);
+        let (shake, exposure) = Self::faults(random);
+        let shake = shake * self.settings.mount_vibration_sd;
         let mut pose = *pose;
         pose.attitude.roll += shake.x;
         pose.attitude.pitch += shake.y;

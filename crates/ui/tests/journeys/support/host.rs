@@ -198,8 +198,8 @@ impl ScriptedHost {
                 say(JobEvent::Finished);
             }
             Job::ExplainMatch { .. } | Job::DecodePicture { .. } => say(JobEvent::Finished),
-            Job::Provide { .. } | Job::Fly { .. } | Job::PrepareMap(_) | Job::ReadPlaces { .. } => {
-            }
+            // Nothing is said of the others.
+            _ => {}
         }
     }
 }
