@@ -96,7 +96,9 @@ mod tests {
             let chosen = attended(&probabilities, 4, frame);
             assert_eq!(chosen.len(), 4);
             assert!(chosen.is_sorted() && chosen.windows(2).all(|w| w[0] != w[1]));
-            chosen.into_iter().for_each(|i| looked[i] += 1);
+            for i in chosen {
+                looked[i] += 1;
+            }
         }
         assert_eq!((looked[7], looked[3], looked[19]), (9, 9, 0));
         let others = (0..19).filter(|i| ![3, 7].contains(i));
