@@ -92,7 +92,7 @@ pub fn envelope(ui: &mut Ui, envelope: &Envelope, height: f64, context: &ViewCon
     let (factor, unit) = context.units.length();
     caption(ui, tokens, "From where it is found");
     let rows = envelope.heights.len();
-    let size = vec2(ui.available_width(), CELL * rows as f32 + 2.0 * LINE + 4.0);
+    let size = vec2(ui.available_width(), CELL * rows as f32 + LINE + 4.0);
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     let looks: usize = envelope.cells.iter().map(|c| c.looks).sum();
     let words = format!(
@@ -124,15 +124,8 @@ pub fn envelope(ui: &mut Ui, envelope: &Envelope, height: f64, context: &ViewCon
         let text = format!("{:.0}°", tilt.to_degrees());
         painter.text(at, Align2::CENTER_TOP, text, tokens.small(), tokens.text);
     }
-    let at = pos2(rect.left() + LEFT, bottom + LINE + 1.0);
-    let text = "Upwards: height above ground, the planned one marked. To the right: tilt.";
-    painter.text(
-        at - vec2(LEFT, 0.0),
-        Align2::LEFT_TOP,
-        text,
-        tokens.small(),
-        tokens.muted,
-    );
+    let words = "Upwards: height above ground, the planned one marked. To the right: tilt.";
+    ui.label(muted(tokens, words));
 }
 
 /// What the cells mean.
@@ -158,7 +151,7 @@ pub fn legend(ui: &mut Ui, tokens: &Tokens) {
     painter.rect_stroke(hollow, 2.0, line, StrokeKind::Inside);
     let x = text(x + 22.0, "no look") + 14.0;
     painter.circle_filled(pos2(x + 3.0, rect.center().y), 3.5, tokens.warning);
-    text(x + 11.0, "a wrong place believed");
+    text(x + 11.0, "wrong place");
 }
 
 /// A cell: its colour is the share that was found; hollow without a look, a dot where wrong places were
