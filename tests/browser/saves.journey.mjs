@@ -49,7 +49,10 @@ export async function run(page, tools) {
   // A crash between writing and renaming: the edit before is there, and the break is told.
   await page.evaluate(() => { FileSystemFileHandle.prototype.move = () => new Promise(() => {}); });
   await addRoute(page, tools, others, 3);
-  await page.waitForTimeout(2500);
+  for (let i = 0; i < 120 && !(await files()).some((f) => f.endsWith(".unfinished")); i += 1) {
+    await page.waitForTimeout(250);
+  }
+  await page.waitForTimeout(1500);
   await page.reload();
   await tools.waitReady();
   const broken = (s) => s.toasts.find((t) => t.trouble && /broken off/.test(t.title));
