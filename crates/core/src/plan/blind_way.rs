@@ -116,6 +116,16 @@ pub(super) struct Ground<'a> {
 }
 
 impl Ground<'_> {
+    /// How long the straight way from `a` to `b` takes, seconds; `None` where the wind does not allow it.
+    pub fn time(&self, a: &GroundPoint, b: &GroundPoint) -> Option<f64> {
+        let way = b.to_vector() - a.to_vector();
+        let length = way.norm();
+        if length < 1e-9 {
+            return Some(0.0);
+        }
+        Some(length / self.pace.over_ground(&way)?)
+    }
+
     /// Follows the straight way from `a` to `b`; `None` where the wind does not allow it.
     pub fn follow(&self, a: &GroundPoint, b: &GroundPoint) -> Option<BlindWay> {
         let way = b.to_vector() - a.to_vector();
@@ -137,7 +147,7 @@ impl Ground<'_> {
                 integral,
             });
         }
-        let time = length / self.pace.over_ground(&way)?;
+        let time = self.time(a, b)?;
         let pieces = (length / (0.25 * self.pass)).ceil().max(1.0);
         let ds = length / pieces;
         let mut lit = false;

@@ -208,10 +208,8 @@ impl RouteQuestion {
             if !self.allows(&leg[0], &leg[1]) {
                 return None;
             }
-            let way = leg[1].to_vector() - leg[0].to_vector();
-            let speed = ground.pace.over_ground(&way);
-            route.length += way.norm();
-            route.time += way.norm() / speed.unwrap_or(f64::INFINITY);
+            route.length += leg[0].distance(&leg[1]);
+            route.time += ground.time(&leg[0], &leg[1])?;
         }
         let mut length = 0.0;
         for piece in flown(way_points, &self.turns).windows(2) {

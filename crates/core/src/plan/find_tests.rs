@@ -47,6 +47,21 @@ fn question(fixes: &[GroundPoint]) -> RouteQuestion {
 }
 
 #[test]
+fn a_line_against_a_wind_that_is_too_strong_is_worth_nothing() {
+    let line = [point(0.0, 0.0), point(3000.0, 0.0)];
+    let judged = |wind: f64| {
+        let windy = RouteQuestion {
+            wind: Vector2::new(wind, 0.0),
+            ..question(&[])
+        };
+        windy.judge(&line).map(|route| route.time)
+    };
+    assert_eq!(judged(0.0), Some(150.0));
+    assert_eq!(judged(-10.0), Some(300.0));
+    assert_eq!(judged(-21.0), None);
+}
+
+#[test]
 fn a_detour_over_fixes_is_taken_while_the_budget_allows_it() {
     let fixes = [point(900.0, 600.0), point(2100.0, 600.0)];
     let found = question(&fixes).find().unwrap();
