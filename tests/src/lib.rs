@@ -3,10 +3,12 @@
 //! - [`data`] finds the recorded flights and other people's test vectors, which lie beside the
 //!   repository and are never part of it;
 //! - [`oracle`] asks another program (FilterPy, OpenCV) for its answer to the same question;
+//! - [`pmtiles`] is a small archive of tiles, for the tests of the other crates, too;
 //! - [`routes`] flies found routes beside straight lines over generated counties;
 //! - [`house`] reads the sources and reports where they break a rule of the house.
 
 pub mod data;
 pub mod house;
 pub mod oracle;
+pub mod pmtiles;
 pub mod routes;

@@ -259,18 +259,6 @@ fn picture(
         }),
         _ => None,
     };
-    let corners_of = |rect: &GroundRect, frame: &LocalFrame| {
-        let corners = [
-            (rect.north, rect.west),
-            (rect.north, rect.east),
-            (rect.south, rect.east),
-            (rect.south, rect.west),
-        ];
-        corners.map(|(north, east)| {
-            let place = frame.geodetic_from_ground(&GroundPoint::new(north, east));
-            [place.latitude.to_degrees(), place.longitude.to_degrees()]
-        })
-    };
     let system = match tiles {
         Some(_) => ReferenceSystem::from_epsg(3857),
         None => file.as_ref().and_then(|f| system_of(&f.georeference)),
@@ -309,11 +297,21 @@ fn system_of(georeference: &Georeference) -> Option<ReferenceSystem> {
 fn corners(placement: &pilotage_core::imagery::Placement, frame: &LocalFrame) -> [[f64; 2]; 4] {
     let (width, height) = placement.size();
     let (w, h) = (width as f64, height as f64);
-    [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)].map(|(x, y)| {
-        let ground = placement.ground_at(&Point2::new(x, y));
-        let place = frame.geodetic_from_ground(&ground);
-        [place.latitude.to_degrees(), place.longitude.to_degrees()]
-    })
+    [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)]
+        .map(|(x, y)| degrees(frame, &placement.ground_at(&Point2::new(x, y))))
+}
+
+/// The corners of `rect` from the north-west one on, as degrees of latitude and longitude.
+fn corners_of(rect: &GroundRect, frame: &LocalFrame) -> [[f64; 2]; 4] {
+    let mut corners = rect.corners();
+    corners.reverse();
+    corners.map(|corner| degrees(frame, &corner))
+}
+
+/// Degrees of latitude and longitude of a place.
+fn degrees(frame: &LocalFrame, place: &GroundPoint) -> [f64; 2] {
+    let place = frame.geodetic_from_ground(place);
+    [place.latitude.to_degrees(), place.longitude.to_degrees()]
 }
 
 fn pixels(file: &GeoTiffFile) -> Pixels {

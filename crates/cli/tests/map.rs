@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::process::{Command, Output};
 
 use pilotage_core::raster::{Picture, decode_picture, encode_jpeg, encode_png};
+use pilotage_tests::pmtiles::archive_of_one_tile;
 use serde_json::Value;
 
 const WORLD_FILE: &str = "0.5\n0\n0\n-0.5\n570000.25\n5189999.75\n";
@@ -61,40 +62,6 @@ fn tiff(says_where: bool) -> Vec<u8> {
     file.extend([0; 4]);
     file.extend(beyond);
     file
-}
-
-/// A `PMTiles` archive of the one tile of zoom 0, with who made it.
-fn archive() -> Vec<u8> {
-    let tile = encode_png(&Picture::filled(64, 64, [10, 200, 30])).expect("a picture");
-    let about = br#"{"attribution": "<b>&copy; Whoever</b>"}"#;
-    // One entry: tile 0, a run of 1, its length in two groups of seven bits, the first offset.
-    let length = tile.len();
-    let root = [
-        1,
-        0,
-        1,
-        (length & 0x7f) as u8 | 0x80,
-        (length >> 7) as u8,
-        1,
-    ];
-    let mut file = b"PMTiles\x03".to_vec();
-    let (described, data) = (127 + root.len(), 127 + root.len() + about.len());
-    for (place, size) in [
-        (127, root.len()),
-        (described, about.len()),
-        (data, 0),
-        (data, length),
-    ] {
-        file.extend((place as u64).to_le_bytes());
-        file.extend((size as u64).to_le_bytes());
-    }
-    file.resize(97, 0);
-    file.extend([1, 1, 2, 0, 0]);
-    for degrees in [-92.1, 46.84, -92.06, 46.87] {
-        file.extend(((degrees * 1e7) as i32).to_le_bytes());
-    }
-    file.resize(127, 0);
-    [file, root.to_vec(), about.to_vec(), tile].concat()
 }
 
 struct Folder(PathBuf);
@@ -161,7 +128,8 @@ fn a_geotiff_tells_its_size_its_system_and_its_corners() {
 #[test]
 fn an_archive_of_tiles_tells_where_it_lies_its_zooms_and_who_made_it() {
     let folder = Folder::new("archive");
-    folder.write("area.pmtiles", archive());
+    let tile = encode_png(&Picture::filled(64, 64, [10, 200, 30])).expect("a picture");
+    folder.write("area.pmtiles", archive_of_one_tile(&tile));
     let info = folder.info(&["area.pmtiles"]);
     assert_eq!(
         (&info["kind"], &info["epsg"]),

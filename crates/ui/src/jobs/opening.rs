@@ -245,6 +245,8 @@ fn unknown(pool: &FilePool) -> String {
 
 #[cfg(test)]
 mod tests {
+    use pilotage_tests::pmtiles::archive_of_one_tile;
+
     use super::super::content::LentFiles;
     use super::*;
 
@@ -272,49 +274,16 @@ mod tests {
         assert!((map.bounds.north - 200.0).abs() < 1e-6, "{:?}", map.bounds);
     }
 
-    /// A `PMTiles` archive of the one tile of zoom 0, with who made it.
-    fn archive() -> Vec<u8> {
-        let tile = picture();
-        let about = br#"{"attribution": "<b>&copy; Whoever</b>"}"#;
-        // One entry: tile 0, a run of 1, its length in two groups of seven bits, the first offset.
-        let length = tile.len();
-        let root = [
-            1,
-            0,
-            1,
-            (length & 0x7f) as u8 | 0x80,
-            (length >> 7) as u8,
-            1,
-        ];
-        let mut file = b"PMTiles\x03".to_vec();
-        let (described, data) = (127 + root.len(), 127 + root.len() + about.len());
-        for (place, size) in [
-            (127, root.len()),
-            (described, about.len()),
-            (data, 0),
-            (data, length),
-        ] {
-            file.extend((place as u64).to_le_bytes());
-            file.extend((size as u64).to_le_bytes());
-        }
-        file.resize(97, 0);
-        file.extend([1, 1, 2, 0, 0]);
-        for degrees in [-92.1, 46.84, -92.06, 46.87] {
-            file.extend(((degrees * 1e7) as i32).to_le_bytes());
-        }
-        file.resize(127, 0);
-        [file, root.to_vec(), about.to_vec(), tile].concat()
-    }
-
     #[test]
     fn an_archive_of_tiles_is_a_map_that_says_where_it_lies_and_who_made_it() {
-        let opened = look(&[("a/area.pmtiles", &archive())]).unwrap();
+        let archive = archive_of_one_tile(&picture());
+        let opened = look(&[("a/area.pmtiles", &archive)]).unwrap();
         let map = opened.map.unwrap();
         assert_eq!(map.attribution.as_deref(), Some("© Whoever"));
         let origin = map.origin.unwrap();
         assert!((origin.latitude.to_degrees() - 46.855).abs() < 1e-6);
         assert!((map.bounds.north - map.bounds.south - 3335.0).abs() < 5.0);
-        let cause = look(&[("area.pmtiles", &archive()[..140])]).unwrap_err();
+        let cause = look(&[("area.pmtiles", &archive[..140])]).unwrap_err();
         assert!(cause.starts_with("area.pmtiles, tile: "), "{cause}");
     }
 
