@@ -94,13 +94,11 @@ impl<'a> Seer<'a> {
             probability_of_view(camera, &r.predicted_pixel, &r.innovation_covariance)
         };
         let in_view: Vec<f64> = found.iter().map(in_view).collect();
-        let mut chosen = attended(&in_view, self.settings.most_landmarks, self.frame).into_iter();
-        let mut next = chosen.next();
-        let mut kept = Vec::new();
+        let chosen = attended(&in_view, self.settings.most_landmarks, self.frame);
+        let mut kept = Vec::with_capacity(chosen.len());
         for (index, (_, landmark, report)) in found.into_iter().enumerate() {
-            if next == Some(index) {
+            if chosen.binary_search(&index).is_ok() {
                 kept.push((landmark, report));
-                next = chosen.next();
             }
         }
         kept

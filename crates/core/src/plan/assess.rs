@@ -54,6 +54,12 @@ impl Rehearsal {
         expected(views, Self::DAYS)
     }
 
+    /// Share of views in which a wrong place was accepted.
+    pub fn false_matches(views: &[View]) -> f64 {
+        let wrong = views.iter().filter(|v| v.wrong).count();
+        wrong as f64 / views.len().max(1) as f64
+    }
+
     /// Those days, drawn by `seed`.
     pub fn days(others: &dyn OtherDays, seed: u64) -> Vec<Arc<dyn Imagery>> {
         others.spread(Self::DAYS, seed)
@@ -407,8 +413,7 @@ impl Assessor {
 
     /// Share of the views in which a wrong place was accepted.
     pub fn false_matches(&self) -> f64 {
-        let wrong = self.views.iter().filter(|v| v.wrong).count();
-        wrong as f64 / self.views.len().max(1) as f64
+        Rehearsal::false_matches(&self.views)
     }
 }
 

@@ -148,9 +148,8 @@ impl Propagation<'_> {
                 scatter.row_mut(i + axis).fill(0.0);
                 scatter.column_mut(i + axis).fill(0.0);
             }
-            for (row, column) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-                scatter[(i + row, i + column)] = wind.covariance[(row, column)];
-            }
+            let mut of_wind = scatter.fixed_view_mut::<2, 2>(i, i);
+            of_wind.copy_from(&wind.covariance);
         }
         World {
             covariance,

@@ -11,6 +11,8 @@ use crate::frames::GroundPoint;
 /// Sharpest turn that is anticipated before a way-point, radians; as in the guidance.
 const SHARPEST: f64 = 2.4;
 
+/// Turn that counts as none, radians.
+const STRAIGHT: f64 = 1e-3;
 /// Longest piece of an arc that is taken for straight, radians.
 const CHORD: f64 = 0.4;
 /// Rounds in which way-points are moved, and the directions that are tried.
@@ -32,16 +34,26 @@ pub struct Turns {
 impl Turns {
     /// Way before and behind a way-point that the turn there needs, metres.
     pub fn lead(&self, before: &GroundPoint, at: &GroundPoint, after: &GroundPoint) -> f64 {
-        let (a, b) = (
-            at.to_vector() - before.to_vector(),
-            after.to_vector() - at.to_vector(),
-        );
-        let turn = a.perp(&b).atan2(a.dot(&b)).abs();
-        if turn < 1e-3 {
+        let turn = turn(before, at, after);
+        if turn.abs() < STRAIGHT {
             return 0.0;
         }
-        self.radius * (0.5 * turn.min(SHARPEST)).tan() + self.roll_in
+        self.radius * half_tangent(turn) + self.roll_in
     }
+}
+
+/// Turn at `at` between two others, radians, positive to the right.
+fn turn(before: &GroundPoint, at: &GroundPoint, after: &GroundPoint) -> f64 {
+    let (a, b) = (
+        at.to_vector() - before.to_vector(),
+        after.to_vector() - at.to_vector(),
+    );
+    a.perp(&b).atan2(a.dot(&b))
+}
+
+/// Distance before a way-point at which the arc of a turn begins, in radii.
+fn half_tangent(turn: f64) -> f64 {
+    (0.5 * turn.abs().min(SHARPEST)).tan()
 }
 
 /// Index of the first leg that is too short for the turns at its ends; `None` if all fit.
@@ -63,15 +75,16 @@ pub(super) fn flown(way_points: &[GroundPoint], turns: &Turns) -> Vec<GroundPoin
     let mut path: Vec<GroundPoint> = way_points.first().copied().into_iter().collect();
     for corner in way_points.windows(3) {
         let at = corner[1].to_vector();
-        let (a, b) = (at - corner[0].to_vector(), corner[2].to_vector() - at);
-        let turn = a.perp(&b).atan2(a.dot(&b));
-        let half = (0.5 * turn.abs().min(SHARPEST)).tan();
-        let lead = (turns.radius * half).min(0.5 * a.norm().min(b.norm()));
-        if turn.abs() < 1e-3 || lead < 1e-3 {
+        let before = at - corner[0].to_vector();
+        let shorter = before.norm().min(corner[1].distance(&corner[2]));
+        let turn = turn(&corner[0], &corner[1], &corner[2]);
+        let half = half_tangent(turn);
+        let lead = (turns.radius * half).min(0.5 * shorter);
+        if turn.abs() < STRAIGHT || lead < 1e-3 {
             path.push(corner[1]);
             continue;
         }
-        let (along, side) = (a.normalize(), turn.signum());
+        let (along, side) = (before.normalize(), turn.signum());
         let inwards = side * Vector2::new(-along.y, along.x);
         let (begin, radius) = (at - lead * along, lead / half);
         let chords = (turn.abs() / CHORD).ceil().max(1.0) as usize;

@@ -129,16 +129,12 @@ impl FlightPlan {
     #[must_use]
     pub fn in_wind_of(&self, seed: u64, deviation: f64) -> Self {
         let mut random = Stream::Wind.random(seed);
-        let mut wind = || {
-            self.wind
-                + Vector2::from_fn(|_, _| {
-                    let z: f64 = StandardNormal.sample(&mut random);
-                    deviation * z
-                })
-        };
-        let drawn = std::iter::repeat_with(&mut wind).take(WINDS_DRAWN);
+        let mut drawn = (0..WINDS_DRAWN).map(|_| {
+            let unit: Vector2<f64> = Vector2::from_fn(|_, _| StandardNormal.sample(&mut random));
+            self.wind + deviation * unit
+        });
         let strongest = STRONGEST_WIND * self.airframe.cruise;
-        let flyable = drawn.into_iter().find(|wind| wind.norm() < strongest);
+        let flyable = drawn.find(|wind| wind.norm() < strongest);
         Self {
             wind: flyable.unwrap_or(self.wind),
             ..self.clone()

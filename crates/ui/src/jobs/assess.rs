@@ -120,7 +120,6 @@ impl Share {
 /// What views come to, all of them in the order of their looks.
 pub fn sum_up(order: &AssessmentOrder, views: &[View]) -> Result<Assessment, String> {
     let expected = Rehearsal::expected(views).ok_or("there was nothing to look at")?;
-    let wrong = views.iter().filter(|view| view.wrong).count();
     let glance = |view: &View| Glance {
         heading: view.heading,
         off_centre: view.off_centre,
@@ -132,7 +131,7 @@ pub fn sum_up(order: &AssessmentOrder, views: &[View]) -> Result<Assessment, Str
         landmark: order.landmark.clone(),
         height: order.height,
         expected,
-        false_matches: wrong as f64 / views.len().max(1) as f64,
+        false_matches: Rehearsal::false_matches(views),
         views: views.iter().map(glance).collect(),
         breakdown: Breakdown::of(views, &order.navigator.sensors, Rehearsal::DAYS),
     })

@@ -183,9 +183,10 @@ impl<P: WorkerPort> Crew<P> {
         match whole.take(id, event) {
             Follows::Wait => {}
             Follows::Begin(job) => {
-                let part = self.last_job + 1;
-                self.last_job = part;
-                whole.add(part);
+                let part = self.reserve();
+                if let Some(whole) = self.shared.get_mut(&whole_id) {
+                    whole.add(part);
+                }
                 self.assign(part, *job, 0);
             }
             Follows::Say(event) => {
