@@ -24,6 +24,7 @@ mod consistency;
 mod correction;
 mod cramer_rao;
 mod error;
+mod fading;
 mod gate;
 mod gaussian;
 mod measurement;
@@ -39,6 +40,7 @@ pub use consistency::{Consistency, ConsistencySummary, chi_square_interval, mean
 pub use correction::Correction;
 pub use cramer_rao::{CramerRao, numerical_jacobian};
 pub use error::FilterError;
+pub use fading::fading_factor;
 pub use gate::{Gate, GateReason, Verdict};
 pub use gaussian::Gaussian;
 pub use measurement::PredictedMeasurement;

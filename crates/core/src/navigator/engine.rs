@@ -49,6 +49,9 @@ pub trait Engine: Send {
 
     fn predict(&mut self, input: &ControlInput, dt: f64) -> Result<PredictedStep, FilterError>;
 
+    /// The same filter with `factor` times its covariance.
+    fn faded(&self, factor: f64) -> Result<Box<dyn Engine>, FilterError>;
+
     /// Moves a state by the process model alone.
     fn dead_reckon(&self, state: &DVector<f64>, input: &ControlInput, dt: f64) -> DVector<f64>;
 
@@ -66,6 +69,7 @@ pub trait Engine: Send {
     ) -> Result<CorrectedStep, FilterError>;
 }
 
+#[derive(Clone)]
 struct UkfEngine<const N: usize, V: VehicleModel<N>> {
     filter: Ukf<N>,
     model: V,
@@ -92,7 +96,7 @@ fn matrix<const N: usize>(points: &SigmaPoints<N>) -> DMatrix<f64> {
     DMatrix::from_columns(&columns)
 }
 
-impl<const N: usize, V: VehicleModel<N> + Send> Engine for UkfEngine<N, V> {
+impl<const N: usize, V: VehicleModel<N> + Clone + Send + 'static> Engine for UkfEngine<N, V> {
     fn state(&self) -> Estimate {
         estimate(&self.filter.state())
     }
@@ -125,6 +129,14 @@ impl<const N: usize, V: VehicleModel<N> + Send> Engine for UkfEngine<N, V> {
             sigma_before: matrix(&step.sigma_points_before),
             sigma_after: matrix(&step.sigma_points_after),
         })
+    }
+
+    fn faded(&self, factor: f64) -> Result<Box<dyn Engine>, FilterError> {
+        let mut faded = self.clone();
+        let mut belief = self.filter.state();
+        belief.covariance *= factor;
+        faded.filter.reset(&belief)?;
+        Ok(Box::new(faded))
     }
 
     fn dead_reckon(&self, state: &DVector<f64>, input: &ControlInput, dt: f64) -> DVector<f64> {

@@ -10,6 +10,7 @@ mod region;
 mod report;
 mod run;
 mod run_file;
+mod second_opinion;
 mod see;
 mod settings;
 mod summary;

@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use nalgebra::{DVector, Matrix2, Vector2};
 
-use super::engine::{Engine, MeasurementModel, engine};
-use super::expected::{Anchor, AppearanceModel};
-use super::see::{Measurement, Seer};
+use super::engine::{Engine, engine};
+use super::expected::AppearanceModel;
+use super::second_opinion::{Opinion, SecondOpinion, reconsider};
+use super::see::{Measurement, Seer, stack};
 use super::{
     CandidateReport, Control, FrameReport, JointReport, NavigatorSettings, Outcome, Run, SigmaSets,
     StepReport, StepTiming,
@@ -61,6 +62,7 @@ pub struct Navigator {
     landmarks: Vec<Landmark>,
     settings: NavigatorSettings,
     engine: Box<dyn Engine>,
+    second: Option<SecondOpinion>,
     detector: Box<dyn Detector>,
     ticks: Vec<Tick>,
     next: usize,
@@ -115,6 +117,7 @@ impl Navigator {
             landmarks: landmarks.to_vec(),
             settings: settings.clone(),
             engine,
+            second: None,
             detector,
             ticks,
             next: 0,
@@ -185,6 +188,7 @@ impl Navigator {
         let dt = time - self.time;
         let (input, control) = self.control(self.time + 0.5 * dt, time);
         let predicted = self.engine.predict(&input, dt)?;
+        self.second = self.second.take().and_then(|s| s.moved(&input, dt));
         self.unaided = self.engine.dead_reckon(&self.unaided, &input, dt);
         self.time = time;
         let mut report = StepReport {
@@ -286,14 +290,7 @@ impl Navigator {
     fn may_see(&self, index: usize, report: &StepReport) -> bool {
         let camera = self.camera_of_frame(index);
         let model = self.appearance_model(&camera, &report.control);
-        let pose = model.pose(report.predicted.position(), self.engine.heading_bias());
-        let seer = Seer {
-            settings: &self.settings,
-            engine: self.engine.as_ref(),
-            model,
-            pose,
-            frame: index,
-        };
+        let seer = Seer::new(&self.settings, self.engine.as_ref(), model, index);
         !seer.candidates(&self.landmarks).is_empty()
     }
 
@@ -321,30 +318,25 @@ impl Navigator {
         let begun = stopwatch();
         let camera = self.camera_of_frame(index);
         let model = self.appearance_model(&camera, &report.control);
-        let pose = model.pose(report.predicted.position(), self.engine.heading_bias());
-        let seer = Seer {
-            settings: &self.settings,
-            engine: self.engine.as_ref(),
-            model,
-            pose,
-            frame: index,
-        };
+        let seer = Seer::new(&self.settings, self.engine.as_ref(), model, index);
+        let pose = seer.pose;
         let candidates = seer.candidates(&self.landmarks);
         let mut reports: Vec<CandidateReport> = Vec::with_capacity(candidates.len());
         let mut measurements: Vec<Measurement<'_>> = Vec::new();
-        let mut doubtful = Vec::new();
+        let (mut doubtful, mut refused) = (Vec::new(), Vec::new());
         let luminance =
             (!candidates.is_empty()).then(|| Pyramid::new(picture.to_gray(), PYRAMID_LEVELS));
         if let Some(luminance) = &luminance {
             for (landmark, mut candidate) in candidates {
                 let place = seer.look(landmark, &mut candidate, luminance, self.detector.as_mut());
                 let is_doubtful = candidate.outcome == Outcome::Refused(Refusal::LookAlike);
+                let number = reports.len();
                 match place {
-                    Some(place) if is_doubtful => doubtful.push((landmark, reports.len(), place)),
-                    Some(place) => {
-                        let found = seer.judge(landmark, &mut candidate, reports.len(), place);
-                        measurements.extend(found);
-                    }
+                    Some(place) if is_doubtful => doubtful.push((landmark, number, place)),
+                    Some(place) => match seer.judge(landmark, &mut candidate, number, place) {
+                        Some(found) => measurements.push(found),
+                        None => refused.push((landmark, number, place)),
+                    },
                     None => {}
                 }
                 reports.push(candidate);
@@ -352,33 +344,42 @@ impl Navigator {
         }
         let seen = stopwatch();
         let agreed = seer.agree(measurements, &mut reports)?;
-        let (agreed, nis, threshold) = seer.confirm(agreed, doubtful, &mut reports)?;
+        let mut agreed = seer.confirm(agreed, doubtful, &mut reports)?;
+        let mut recovered = None;
+        if agreed.0.is_empty() {
+            let second = self.second.take();
+            match reconsider(second, &seer, &refused, &mut reports)? {
+                Opinion::Unsure(second) => self.second = second,
+                Opinion::TakesOver {
+                    engine,
+                    fading,
+                    agreed: others,
+                } => {
+                    self.engine = engine;
+                    report.predicted = self.engine.state();
+                    agreed = others;
+                    recovered = Some(fading);
+                }
+            }
+        } else {
+            self.second = None;
+        }
+        let (agreed, nis, threshold) = agreed;
         let mut joint = None;
         if !agreed.is_empty() {
-            let (stacked, noise) = seer.stack(&agreed);
-            let found: Vec<(u32, Anchor)> =
-                agreed.iter().map(|m| (m.landmark.id, m.anchor)).collect();
-            drop(agreed);
-            let landmarks: Vec<(&Landmark, Anchor)> = found
-                .iter()
-                .filter_map(|(id, anchor)| {
-                    let landmark = self.landmarks.iter().find(|l| l.id == *id)?;
-                    Some((landmark, *anchor))
-                })
-                .collect();
-            let expectation: &MeasurementModel<'_> =
-                &|position, bias| Some(model.appearances(&landmarks, &pose, position, bias));
-            let step = self.engine.correct(expectation, &noise, &stacked)?;
+            let stacked = stack(&self.settings, &agreed);
+            let step = stacked.correct(self.engine.as_mut(), &model, &pose)?;
             report.after = step.after;
             report.sigma.before_correct = Some(step.sigma_before);
             report.sigma.after_correct = Some(step.sigma_after);
             joint = Some(JointReport {
                 nis,
-                degrees_of_freedom: stacked.len(),
+                degrees_of_freedom: stacked.seen.len(),
                 threshold,
                 gain: step.gain,
                 innovation: step.innovation,
                 innovation_covariance: step.innovation_covariance,
+                recovered,
             });
         }
         report.frame = Some(FrameReport {

@@ -126,6 +126,9 @@ pub struct JointReport {
     pub innovation: DVector<f64>,
     /// Innovation covariance, 4m × 4m, pixels and radians.
     pub innovation_covariance: DMatrix<f64>,
+    /// Where landmarks that the filter had refused agreed with each other against it, and it gave way:
+    /// the factor by which its covariance had been too small.
+    pub recovered: Option<f64>,
 }
 
 /// What was seen in a camera frame.

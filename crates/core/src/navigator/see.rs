@@ -1,9 +1,9 @@
 //! See, associate, gate: from a picture to the measurements that may correct the estimate.
 
-use nalgebra::{DMatrix, DVector, Matrix4, Point2, Point3, Vector2, Vector4};
+use nalgebra::{DMatrix, DVector, Matrix4, Point2, Point3, Vector4};
 
 use super::attention::{attended, probability_of_view};
-use super::engine::{Engine, Expectation, MeasurementModel};
+use super::engine::{CorrectedStep, Engine, Expectation, MeasurementModel};
 use super::expected::{Anchor, AppearanceModel};
 use super::geometry::{COMPONENTS, joint_noise, pose_covariance};
 use super::region::{may_be_in_view, reach};
@@ -30,6 +30,35 @@ pub struct Measurement<'a> {
     pub jacobian: Matrix4<f64>,
 }
 
+/// A landmark, the index of its report and where it was found.
+pub type FoundPlace<'l> = (&'l Landmark, usize, Place);
+
+/// What agrees in a frame: measurements, their joint normalized innovation squared and its threshold.
+pub type Agreed<'l> = (Vec<Measurement<'l>>, f64, f64);
+
+/// How far a measurement is from what is expected.
+pub struct Surprise {
+    pub innovation: DVector<f64>,
+    /// Innovation covariance.
+    pub covariance: DMatrix<f64>,
+    /// The part of it that is the measurement's noise.
+    pub noise: DMatrix<f64>,
+}
+
+impl Surprise {
+    /// Normalized innovation squared.
+    pub fn nis(&self) -> Result<f64, FilterError> {
+        let root = self
+            .covariance
+            .clone()
+            .cholesky()
+            .ok_or(FilterError::NotFinite {
+                place: "innovation covariance",
+            })?;
+        Ok(root.solve(&self.innovation).dot(&self.innovation))
+    }
+}
+
 /// Everything that stays the same while a frame is worked on.
 pub struct Seer<'a> {
     pub settings: &'a NavigatorSettings,
@@ -40,9 +69,77 @@ pub struct Seer<'a> {
     pub frame: usize,
 }
 
+/// Several landmarks of a frame as one measurement: 4m components with their joint noise.
+pub struct Stacked<'l> {
+    pub seen: DVector<f64>,
+    pub noise: DMatrix<f64>,
+    landmarks: Vec<(&'l Landmark, Anchor)>,
+}
+
+/// Several landmarks of a frame as one measurement.
+pub fn stack<'l>(settings: &NavigatorSettings, measurements: &[Measurement<'l>]) -> Stacked<'l> {
+    let mut seen = DVector::zeros(COMPONENTS * measurements.len());
+    for (i, m) in measurements.iter().enumerate() {
+        seen.fixed_rows_mut::<COMPONENTS>(COMPONENTS * i)
+            .copy_from(&m.seen);
+    }
+    let own: Vec<_> = measurements.iter().map(|m| m.covariance).collect();
+    let jacobians: Vec<_> = measurements.iter().map(|m| m.jacobian).collect();
+    let landmarks = measurements.iter().map(|m| (m.landmark, m.anchor));
+    Stacked {
+        seen,
+        noise: noise(settings, &own, &jacobians),
+        landmarks: landmarks.collect(),
+    }
+}
+
+fn noise(
+    settings: &NavigatorSettings,
+    own: &[Matrix4<f64>],
+    jacobians: &[Matrix4<f64>],
+) -> DMatrix<f64> {
+    let pose = pose_covariance(&settings.sensors);
+    joint_noise(own, jacobians, &pose, settings.measurement_scale)
+}
+
+impl Stacked<'_> {
+    /// Corrects `engine` by it, as a camera of `model` at the assumed `pose` saw it.
+    pub fn correct(
+        &self,
+        engine: &mut dyn Engine,
+        model: &AppearanceModel<'_>,
+        pose: &Pose,
+    ) -> Result<CorrectedStep, FilterError> {
+        let expected: &MeasurementModel<'_> =
+            &|position, bias| Some(model.appearances(&self.landmarks, pose, position, bias));
+        engine.correct(expected, &self.noise, &self.seen)
+    }
+}
+
 impl<'a> Seer<'a> {
-    fn pose_covariance(&self) -> Matrix4<f64> {
-        pose_covariance(&self.settings.sensors)
+    /// What is expected of frame number `frame` from where `engine` believes to be.
+    pub fn new(
+        settings: &'a NavigatorSettings,
+        engine: &'a dyn Engine,
+        model: AppearanceModel<'a>,
+        frame: usize,
+    ) -> Self {
+        let pose = model.pose(engine.state().position(), engine.heading_bias());
+        Self {
+            settings,
+            engine,
+            model,
+            pose,
+            frame,
+        }
+    }
+
+    /// The same, but judged by what another filter believes.
+    pub fn judged_by<'b>(&self, engine: &'b dyn Engine) -> Seer<'b>
+    where
+        'a: 'b,
+    {
+        Seer { engine, ..*self }
     }
 
     /// Least covariance of what is measured of `landmark`: the pixel floor, and what it means for turn
@@ -55,18 +152,12 @@ impl<'a> Seer<'a> {
         Matrix4::from_diagonal(&Vector4::new(pixel, pixel, angle, angle).map(|sd| sd * sd))
     }
 
-    fn noise(&self, own: &[Matrix4<f64>], jacobians: &[Matrix4<f64>]) -> DMatrix<f64> {
-        joint_noise(
-            own,
-            jacobians,
-            &self.pose_covariance(),
-            self.settings.measurement_scale,
-        )
-    }
-
     /// Landmarks that may be in view, the most central first, with the reports begun; not all of them
     /// if there are too many (see [`attended`]).
-    pub fn candidates(&self, landmarks: &'a [Landmark]) -> Vec<(&'a Landmark, CandidateReport)> {
+    pub fn candidates<'l>(
+        &self,
+        landmarks: &'l [Landmark],
+    ) -> Vec<(&'l Landmark, CandidateReport)> {
         let camera = self.model.camera;
         let mut found: Vec<(f64, &Landmark, CandidateReport)> = Vec::new();
         let spread = self.engine.state().position_covariance();
@@ -110,7 +201,7 @@ impl<'a> Seer<'a> {
         let point = landmark.reference_in_world(model.ground_down);
         let anchor = Anchor::of(model.camera, &self.pose, &point)?;
         let jacobian = anchor.pose_jacobian(model.camera, &self.pose, &point)?;
-        let noise = self.noise(&[self.floor(landmark)], &[jacobian]);
+        let noise = noise(self.settings, &[self.floor(landmark)], &[jacobian]);
         let expected = self.expect(&[(landmark, anchor)], &noise).ok()?;
         let covariance = expected.covariance.fixed_view::<2, 2>(0, 0).into_owned();
         let report = CandidateReport {
@@ -183,7 +274,7 @@ impl<'a> Seer<'a> {
     /// because it may be a look-alike: beside another landmark that can be told (see [`Self::confirm`]).
     pub fn look(
         &self,
-        landmark: &'a Landmark,
+        landmark: &Landmark,
         report: &mut CandidateReport,
         luminance: &'a Pyramid,
         detector: &mut dyn Detector,
@@ -232,35 +323,40 @@ impl<'a> Seer<'a> {
     }
 
     /// Judges a found place by its own innovation.
-    pub fn judge(
+    pub fn judge<'l>(
         &self,
-        landmark: &'a Landmark,
+        landmark: &'l Landmark,
         report: &mut CandidateReport,
         index: usize,
-        (seen, covariance): Place,
-    ) -> Option<Measurement<'a>> {
-        let model = self.model;
-        let point = landmark.reference_in_world(model.ground_down);
-        let pixel = Point2::new(seen.x, seen.y);
-        let anchor = Anchor::at(model.camera, &self.pose, &pixel, model.ground_down)?;
-        let jacobian = anchor.pose_jacobian(model.camera, &self.pose, &point)?;
-        let noise = self.noise(&[covariance], &[jacobian]);
-        let expected = self.expect(&[(landmark, anchor)], &noise).ok()?;
-        let innovation = DVector::from_column_slice(seen.as_slice()) - &expected.mean;
-        let nis = expected
-            .covariance
-            .clone()
-            .cholesky()?
-            .solve(&innovation)
-            .dot(&innovation);
-        report.innovation = Some(Vector2::new(innovation[0], innovation[1]));
-        report.innovation_covariance = expected.covariance.fixed_view::<2, 2>(0, 0).into_owned();
+        place: Place,
+    ) -> Option<Measurement<'l>> {
+        let measurement = self.measurement(landmark, index, place)?;
+        let surprise = self.surprise(std::slice::from_ref(&measurement)).ok()?;
+        let nis = surprise.nis().ok()?;
+        report.innovation = Some(surprise.innovation.fixed_rows::<2>(0).into_owned());
+        let covariance = surprise.covariance.fixed_view::<2, 2>(0, 0);
+        report.innovation_covariance = covariance.into_owned();
         report.nis = Some(nis);
         if nis > report.threshold {
             report.outcome = Outcome::Refused(Refusal::OutsideGate);
             return None;
         }
         report.outcome = Outcome::Accepted;
+        Some(measurement)
+    }
+
+    /// A found place as a measurement, unjudged; `None` where it says nothing about the ground.
+    pub fn measurement<'l>(
+        &self,
+        landmark: &'l Landmark,
+        index: usize,
+        (seen, covariance): Place,
+    ) -> Option<Measurement<'l>> {
+        let model = self.model;
+        let point = landmark.reference_in_world(model.ground_down);
+        let pixel = Point2::new(seen.x, seen.y);
+        let anchor = Anchor::at(model.camera, &self.pose, &pixel, model.ground_down)?;
+        let jacobian = anchor.pose_jacobian(model.camera, &self.pose, &point)?;
         Some(Measurement {
             landmark,
             anchor,
@@ -271,35 +367,15 @@ impl<'a> Seer<'a> {
         })
     }
 
-    /// Stacked measurement with its joint noise.
-    pub fn stack(&self, measurements: &[Measurement<'_>]) -> (DVector<f64>, DMatrix<f64>) {
-        let mut stacked = DVector::zeros(COMPONENTS * measurements.len());
-        for (i, m) in measurements.iter().enumerate() {
-            stacked
-                .fixed_rows_mut::<COMPONENTS>(COMPONENTS * i)
-                .copy_from(&m.seen);
-        }
-        let own: Vec<_> = measurements.iter().map(|m| m.covariance).collect();
-        let jacobians: Vec<_> = measurements.iter().map(|m| m.jacobian).collect();
-        (stacked, self.noise(&own, &jacobians))
-    }
-
-    /// Normalized innovation squared of several landmarks together.
-    fn joint_nis(&self, measurements: &[Measurement<'_>]) -> Result<f64, FilterError> {
-        let landmarks: Vec<_> = measurements
-            .iter()
-            .map(|m| (m.landmark, m.anchor))
-            .collect();
-        let (stacked, noise) = self.stack(measurements);
-        let expected = self.expect(&landmarks, &noise)?;
-        let innovation = stacked - expected.mean;
-        let root = expected
-            .covariance
-            .cholesky()
-            .ok_or(FilterError::NotFinite {
-                place: "joint innovation covariance",
-            })?;
-        Ok(root.solve(&innovation).dot(&innovation))
+    /// How far several landmarks together are from where they are expected.
+    pub fn surprise(&self, measurements: &[Measurement<'_>]) -> Result<Surprise, FilterError> {
+        let stacked = stack(self.settings, measurements);
+        let expected = self.expect(&stacked.landmarks, &stacked.noise)?;
+        Ok(Surprise {
+            innovation: stacked.seen - expected.mean,
+            covariance: expected.covariance,
+            noise: stacked.noise,
+        })
     }
 
     /// Takes out landmarks until the rest agree with each other and with the prediction.
@@ -307,17 +383,17 @@ impl<'a> Seer<'a> {
     /// The errors of position and attitude are common to all landmarks of a frame, so that a wrong one
     /// stands out against two right ones far more than against its own gate. Of two that contradict
     /// each other nobody knows which is wrong: both go.
-    pub fn agree(
+    pub fn agree<'l>(
         &self,
-        mut measurements: Vec<Measurement<'a>>,
+        mut measurements: Vec<Measurement<'l>>,
         reports: &mut [CandidateReport],
-    ) -> Result<(Vec<Measurement<'a>>, f64, f64), FilterError> {
+    ) -> Result<Agreed<'l>, FilterError> {
         let gate = self.gate();
         loop {
             if measurements.is_empty() {
                 return Ok((measurements, 0.0, 0.0));
             }
-            let nis = self.joint_nis(&measurements)?;
+            let nis = self.surprise(&measurements)?.nis()?;
             let threshold = gate.threshold(COMPONENTS * measurements.len());
             if nis <= threshold {
                 return Ok((measurements, nis, threshold));
@@ -328,7 +404,7 @@ impl<'a> Seer<'a> {
                 let mut best: Option<(f64, usize)> = None;
                 for i in 0..measurements.len() {
                     let left_out = measurements.remove(i);
-                    let nis = self.joint_nis(&measurements)?;
+                    let nis = self.surprise(&measurements)?.nis()?;
                     if best.is_none_or(|(least, _)| nis < least) {
                         best = Some((nis, left_out.report));
                     }
@@ -345,12 +421,12 @@ impl<'a> Seer<'a> {
 
     /// Takes in landmarks that may be look-alikes and agree with those that are not; a look-alike would
     /// contradict them. Without such a one nothing can be told.
-    pub fn confirm(
+    pub fn confirm<'l>(
         &self,
-        (mut agreed, mut nis, mut threshold): (Vec<Measurement<'a>>, f64, f64),
-        doubtful: Vec<(&'a Landmark, usize, Place)>,
+        (mut agreed, mut nis, mut threshold): Agreed<'l>,
+        doubtful: Vec<FoundPlace<'l>>,
         reports: &mut [CandidateReport],
-    ) -> Result<(Vec<Measurement<'a>>, f64, f64), FilterError> {
+    ) -> Result<Agreed<'l>, FilterError> {
         if agreed.is_empty() {
             return Ok((agreed, nis, threshold));
         }
@@ -359,7 +435,7 @@ impl<'a> Seer<'a> {
                 continue;
             };
             agreed.push(measurement);
-            let with = self.joint_nis(&agreed)?;
+            let with = self.surprise(&agreed)?.nis()?;
             let most = self.gate().threshold(COMPONENTS * agreed.len());
             if with <= most {
                 (nis, threshold) = (with, most);

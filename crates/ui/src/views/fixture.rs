@@ -512,6 +512,7 @@ impl Flier {
             gain,
             innovation,
             innovation_covariance,
+            recovered: None,
         })
     }
 }

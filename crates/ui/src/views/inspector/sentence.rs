@@ -1,5 +1,7 @@
 //! One sentence in words on what a step did.
 
+use std::fmt::Write;
+
 use nalgebra::Vector2;
 use pilotage_core::flight::Flight;
 use pilotage_core::navigator::{CandidateReport, Estimate, FrameReport, Outcome, Run, StepReport};
@@ -84,6 +86,13 @@ fn correction(
         "{} found {found}{average} from where expected: the estimate {moved} and its 1σ {spread}.",
         listed(&names)
     );
+    if let Some(fading) = frame.joint.as_ref().and_then(|j| j.recovered) {
+        let spread = figures(fading.sqrt());
+        let _ = write!(
+            text,
+            " The filter had refused them: they agree with an earlier refused landmark against it, so it gave way, with a spread {spread} times as large."
+        );
+    }
     if !verdicts.is_empty() {
         text.push(' ');
         text.push_str(&verdicts);
@@ -261,6 +270,16 @@ mod tests {
         assert!(text.contains("found 10.0 m from"), "{text}");
         let feet = sentence(&fixture.run, index, Some(&fixture.flight), Units::Aviation);
         assert!(feet.contains("found 32.8 ft from"), "{feet}");
+    }
+
+    #[test]
+    fn a_recovery_is_told() {
+        let mut fixture = Fixture::lasting(15.0);
+        let index = first_correction(&fixture.run);
+        let frame = fixture.run.steps[index].frame.as_mut().unwrap();
+        frame.joint.as_mut().unwrap().recovered = Some(9.0);
+        let text = of(&fixture, index);
+        assert!(text.contains("it gave way, with a spread 3.0"), "{text}");
     }
 
     #[test]

@@ -232,6 +232,7 @@ fn frame_report(mission: &Mission, time: f64, truth: GroundPoint, heading: f64) 
             gain: DMatrix::zeros(4, 4 * accepted),
             innovation: DVector::zeros(4 * accepted),
             innovation_covariance: DMatrix::identity(4 * accepted, 4 * accepted),
+            recovered: None,
         }),
         candidates,
         trouble: None,

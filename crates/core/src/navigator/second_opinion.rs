@@ -1,0 +1,131 @@
+//! The way back when a belief locks out what is right.
+//!
+//! A wrong correction that passed its gate, a shake of the camera far out in its tail, leaves a belief
+//! that is surer than it may be: the right places of the next landmarks then lie outside their gates,
+//! for good. So a refused place founds a second opinion: the same filter with its covariance faded as
+//! much as that place makes likeliest ([`fading_factor`]). It is moved along, eats nothing but what the
+//! first refuses, and takes over when, in another frame, it believes another landmark's place that the
+//! first refuses too. Once the first believes a landmark again, the second is dropped.
+//!
+//! One wrong place can be wrong again, in the same way, of the same landmark, and two landmarks in one
+//! frame share its shake: neither convinces.
+
+use super::CandidateReport;
+use super::engine::Engine;
+use super::see::{Agreed, FoundPlace, Seer, stack};
+use crate::filter::{FilterError, fading_factor};
+use crate::vehicle::ControlInput;
+
+/// Another belief about the same flight.
+pub struct SecondOpinion {
+    engine: Box<dyn Engine>,
+    /// Landmarks that it believes and the first refused.
+    landmarks: Vec<u32>,
+    /// Factor on the covariance of the first when it was founded.
+    pub fading: f64,
+}
+
+/// What a second opinion says of a frame in which the first believes nothing.
+pub enum Opinion<'l> {
+    /// Nothing that convinces.
+    Unsure(Option<SecondOpinion>),
+    /// The second is right: its filter, before this frame, and what it believes of the frame.
+    TakesOver {
+        /// The filter that goes on.
+        engine: Box<dyn Engine>,
+        /// Factor on the covariance of the first when the second was founded.
+        fading: f64,
+        /// What corrects it.
+        agreed: Agreed<'l>,
+    },
+}
+
+impl SecondOpinion {
+    /// Moves it along as the first; `None` if it cannot be.
+    pub fn moved(mut self, input: &ControlInput, dt: f64) -> Option<Self> {
+        self.engine.predict(input, dt).ok()?;
+        Some(self)
+    }
+}
+
+/// Shows a frame's `refused` places to the second opinion, if there is one, or founds one.
+///
+/// `seer` looks with the first opinion; `reports` change only when the second takes over.
+pub fn reconsider<'l>(
+    second: Option<SecondOpinion>,
+    seer: &Seer<'_>,
+    refused: &[FoundPlace<'l>],
+    reports: &mut Vec<CandidateReport>,
+) -> Result<Opinion<'l>, FilterError> {
+    if refused.is_empty() {
+        return Ok(Opinion::Unsure(second));
+    }
+    let Some(mut second) = second else {
+        return founded(seer, refused, reports).map(Opinion::Unsure);
+    };
+    let mut judged = reports.clone();
+    let agreed = believed(
+        &seer.judged_by(second.engine.as_ref()),
+        refused,
+        &mut judged,
+    )?;
+    let another = |id: u32| second.landmarks.iter().any(|known| *known != id);
+    if agreed.0.iter().any(|m| another(m.landmark.id)) {
+        *reports = judged;
+        return Ok(Opinion::TakesOver {
+            engine: second.engine,
+            fading: second.fading,
+            agreed,
+        });
+    }
+    if agreed.0.is_empty() {
+        return founded(seer, refused, reports).map(Opinion::Unsure);
+    }
+    let stacked = stack(seer.settings, &agreed.0);
+    stacked.correct(second.engine.as_mut(), &seer.model, &seer.pose)?;
+    Ok(Opinion::Unsure(Some(second)))
+}
+
+/// A second opinion that believes the least surprising of the refused places, and those that agree.
+fn founded(
+    seer: &Seer<'_>,
+    refused: &[FoundPlace<'_>],
+    reports: &[CandidateReport],
+) -> Result<Option<SecondOpinion>, FilterError> {
+    let nis = |place: &&FoundPlace<'_>| reports[place.1].nis.unwrap_or(f64::INFINITY);
+    let least = refused.iter().min_by(|a, b| nis(a).total_cmp(&nis(b)));
+    let Some(measurement) = least.and_then(|(l, i, place)| seer.measurement(l, *i, *place)) else {
+        return Ok(None);
+    };
+    let surprise = seer.surprise(&[measurement])?;
+    let Some(fading) = fading_factor(&surprise.innovation, &surprise.covariance, &surprise.noise)
+    else {
+        return Ok(None);
+    };
+    let mut engine = seer.engine.faded(fading)?;
+    let judge = seer.judged_by(engine.as_ref());
+    let (agreed, _, _) = believed(&judge, refused, &mut reports.to_vec())?;
+    if agreed.is_empty() {
+        return Ok(None);
+    }
+    let stacked = stack(seer.settings, &agreed);
+    stacked.correct(engine.as_mut(), &seer.model, &seer.pose)?;
+    Ok(Some(SecondOpinion {
+        engine,
+        landmarks: agreed.iter().map(|m| m.landmark.id).collect(),
+        fading,
+    }))
+}
+
+/// Which of the refused places `judge` believes.
+fn believed<'l>(
+    judge: &Seer<'_>,
+    refused: &[FoundPlace<'l>],
+    reports: &mut [CandidateReport],
+) -> Result<Agreed<'l>, FilterError> {
+    let mut measurements = Vec::new();
+    for (landmark, index, place) in refused {
+        measurements.extend(judge.judge(landmark, &mut reports[*index], *index, *place));
+    }
+    judge.agree(measurements, reports)
+}
