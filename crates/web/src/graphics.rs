@@ -12,7 +12,7 @@ use eframe::egui_glow::CallbackFn;
 use egui::epaint::Mesh;
 use js_sys::{Uint8Array, Uint32Array};
 use pilotage_ui::kept_mesh::{MeshKeeper, PlacedMesh};
-use wasm_bindgen::JsCast as _;
+use wasm_bindgen::{JsCast as _, JsValue};
 use web_sys::{
     HtmlCanvasElement, WebGl2RenderingContext as Gl, WebGlBuffer, WebGlProgram, WebGlShader,
     WebGlUniformLocation, WebGlVertexArrayObject,
@@ -51,6 +51,20 @@ thread_local! {
 pub struct Graphics;
 
 impl Graphics {
+    /// Makes the context of `canvas` as the page needs it; whoever asks for one later gets this one.
+    ///
+    /// Meshes bring their own soft edges, and nothing hides behind something else: four samples per pixel
+    /// and a depth buffer would be memory for nothing, and most of the time of a page without a graphics
+    /// card.
+    pub fn prepare(canvas: &HtmlCanvasElement) -> Result<(), JsValue> {
+        let options = js_sys::Object::new();
+        for name in ["antialias", "depth", "stencil"] {
+            js_sys::Reflect::set(&options, &name.into(), &JsValue::FALSE)?;
+        }
+        canvas.get_context_with_context_options("webgl2", &options)?;
+        Ok(())
+    }
+
     /// The keeper for `canvas`, if its graphics card takes the programs.
     pub fn of(canvas: &HtmlCanvasElement) -> Option<Arc<dyn MeshKeeper>> {
         let gl = canvas.get_context("webgl2").ok()??.dyn_into().ok()?;

@@ -53,6 +53,7 @@ impl WebHandle {
             bytes: self.remembered.take(),
             files: self.remembered_files.take(),
         };
+        Graphics::prepare(&canvas)?;
         let running = self.running.clone();
         let drawn_on = canvas.clone();
         let create: eframe::AppCreator<'static> = Box::new(move |creation| {

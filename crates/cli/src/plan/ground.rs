@@ -68,7 +68,7 @@ impl Ground {
             Box::new(SceneryDays { scenery })
         } else {
             let map = Arc::clone(&map);
-            Box::new(PictureDays { map })
+            Box::new(PictureDays::new(map))
         };
         let of_scenery = opened.is_over_scenery().then(Scenario::camera);
         let mission = opened.package.mission;

@@ -9,7 +9,7 @@ mod georeferenced;
 pub mod georeferencer;
 mod geotiff;
 mod inset;
-mod kept;
+pub(crate) mod kept;
 mod placement;
 mod resample;
 pub mod terrain;

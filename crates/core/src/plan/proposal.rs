@@ -67,15 +67,11 @@ impl Proposal {
         let radius = q.view.searched(q.navigator.detector.search_sigmas, side);
         let region = q.map.bounds();
         let ranking = Ranking::new(Arc::clone(&q.map), &q.days, &region, side, radius);
-        let (height, camera) = (q.view.height, &q.view.camera);
-        let (frames, ranking) = if q.way_points.is_empty() {
-            let step = 0.5 * height * camera.height as f64 / camera.focal;
-            let frames = poses_all_over(q.map.as_ref(), height, step, q.ground_down);
-            (frames, ranking)
+        let frames = q.frames();
+        let ranking = if q.way_points.is_empty() {
+            ranking
         } else {
-            let frames = poses_over(&q.way_points, height, q.speed, q.ground_down);
-            let ranking = ranking.seen_from(camera, &frames, q.ground_down);
-            (frames, ranking)
+            ranking.seen_from(&q.view.camera, &frames, q.ground_down)
         };
         Some(Self {
             question,
@@ -83,6 +79,13 @@ impl Proposal {
             ranking,
             side,
         })
+    }
+
+    /// Only one of `of` parts of the places, to be rehearsed beside the others.
+    #[must_use]
+    pub fn part(mut self, part: usize, of: usize) -> Self {
+        self.ranking = self.ranking.part(part, of);
+        self
     }
 
     /// Side of the boxes, metres.
@@ -105,13 +108,45 @@ impl Proposal {
         self.ranking.ranked()
     }
 
+    /// The places that passed, in the order in which they were rehearsed.
+    pub fn found(self) -> Vec<Candidate> {
+        self.ranking.found()
+    }
+
     /// At most `count` of them that serve the flight best, the one that gains most first.
     pub fn chosen(self, count: usize) -> Vec<Suggestion> {
-        let q = self.question;
-        let mut ranked = self.ranking.ranked();
-        ranked.retain(|c| q.taken.iter().all(|t| !t.overlaps(&c.bounds)));
-        let lasting = fading(&q.navigator);
-        let camera = &q.view.camera;
-        choose_lasting(&ranked, camera, &self.frames, q.ground_down, lasting, count)
+        let ranked = self.ranking.ranked();
+        self.question.choose(&self.frames, ranked, count)
+    }
+}
+
+impl ProposalQuestion {
+    /// Where the camera is on the flight (time in seconds, pose), or all over the map.
+    fn frames(&self) -> Vec<(f64, Pose)> {
+        let (height, camera) = (self.view.height, &self.view.camera);
+        if self.way_points.is_empty() {
+            let step = 0.5 * height * camera.height as f64 / camera.focal;
+            poses_all_over(self.map.as_ref(), height, step, self.ground_down)
+        } else {
+            poses_over(&self.way_points, height, self.speed, self.ground_down)
+        }
+    }
+
+    /// What [`Proposal::chosen`] says of places that were found in parts, one part after the other.
+    pub fn chosen_of(&self, mut found: Vec<Candidate>, count: usize) -> Vec<Suggestion> {
+        found.sort_by(|a, b| b.probability().total_cmp(&a.probability()));
+        self.choose(&self.frames(), found, count)
+    }
+
+    fn choose(
+        &self,
+        frames: &[(f64, Pose)],
+        mut ranked: Vec<Candidate>,
+        count: usize,
+    ) -> Vec<Suggestion> {
+        ranked.retain(|c| self.taken.iter().all(|t| !t.overlaps(&c.bounds)));
+        let lasting = fading(&self.navigator);
+        let camera = &self.view.camera;
+        choose_lasting(&ranked, camera, frames, self.ground_down, lasting, count)
     }
 }

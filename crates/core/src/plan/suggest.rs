@@ -137,11 +137,22 @@ impl Ranking {
         frames: &[(f64, Pose)],
         ground_down: f64,
     ) -> Self {
+        let around = |(_, pose): &(f64, Pose)| surroundings(camera, pose, ground_down);
+        let around: Vec<Option<GroundRect>> = frames.iter().map(around).collect();
         self.places.retain(|bounds| {
-            frames
-                .iter()
-                .any(|(_, pose)| holds(camera, pose, bounds, ground_down))
+            frames.iter().zip(&around).any(|((_, pose), around)| {
+                let is_near = around.is_none_or(|a| a.contains_rect(bounds));
+                is_near && holds(camera, pose, bounds, ground_down)
+            })
         });
+        self
+    }
+
+    /// Only one of `of` parts that lie one below the other, as many places in each.
+    #[must_use]
+    pub fn part(mut self, part: usize, of: usize) -> Self {
+        let end = |part: usize| self.places.len() * part / of;
+        self.places = self.places[end(part)..end(part + 1)].to_vec();
         self
     }
 
@@ -182,11 +193,16 @@ impl Ranking {
         true
     }
 
-    /// The places that passed so far, the most certain first.
-    pub fn ranked(mut self) -> Vec<Candidate> {
+    /// The places that passed so far, in the order in which they were rehearsed.
+    pub fn found(self) -> Vec<Candidate> {
         self.found
-            .sort_by(|a, b| b.probability().total_cmp(&a.probability()));
-        self.found
+    }
+
+    /// The same, the most certain first.
+    pub fn ranked(self) -> Vec<Candidate> {
+        let mut found = self.found;
+        found.sort_by(|a, b| b.probability().total_cmp(&a.probability()));
+        found
     }
 }
 

@@ -17,7 +17,7 @@ mod pyramid;
 mod simd;
 mod warp;
 
-pub use blur::{blur_interleaved, box_blur, gaussian_blur, gaussian_blur_colour};
+pub use blur::{blur_interleaved, box_blur, gaussian_blur, gaussian_blur_colour, wide_blur};
 pub use codec::{
     CodecError, decode_picture, decode_picture_with_coverage, encode_jpeg, encode_png,
     encode_png_with_coverage,

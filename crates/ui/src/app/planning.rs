@@ -304,6 +304,7 @@ impl App {
         finder.work(|| planner.find_order(&self.documents), host);
         planner.finder = finder;
         let mut suggestions = std::mem::take(&mut planner.suggestions);
+        suggestions.keep_to(&self.documents.map_source, host);
         suggestions.work(|| planner.suggest_order(&self.documents), host);
         planner.suggestions = suggestions;
         let order = planner.order(&self.documents);

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::predict::COARSE;
-use super::shared::{Follows, SHARES, SharedMeasurement};
+use super::shared::{Follows, SHARES, SharedJob};
 use super::{FileContent, FlightSource, Job, JobEvent, JobId, MapSource, Reply, Request};
 
 /// Time without an answer after which a worker counts as dead, milliseconds. A fault in a worker and
@@ -41,15 +41,15 @@ struct Assigned {
 }
 
 /// Shares jobs out among workers: one for flights, one for map tiles, one for questions; the first two
-/// share the measurement of a landmark, for which the flight waits and tiles do not. Workers are opened
+/// share the measurement of a landmark and proposals, for which the flight waits and tiles do not. Workers are opened
 /// when first needed. Files that jobs name are kept here and given to a worker before
 /// the first job that names them.
 pub struct Crew<P> {
     open: Box<dyn FnMut(usize) -> P>,
     seats: [Seat<P>; 3],
     jobs: BTreeMap<JobId, Assigned>,
-    /// Measurements that are shared, by the number under which they were asked for.
-    shared: BTreeMap<JobId, SharedMeasurement>,
+    /// Jobs that are shared, by the number under which they were asked for.
+    shared: BTreeMap<JobId, SharedJob>,
     files: BTreeMap<String, Vec<(String, FileContent)>>,
     events: Vec<(JobId, JobEvent)>,
     last_job: JobId,
@@ -102,11 +102,9 @@ impl<P: WorkerPort> Crew<P> {
 
     /// Gives a job to a worker, or to those that share it.
     fn share_out(&mut self, id: JobId, job: Job) {
-        let Job::Assess(order) = job else {
-            self.assign(id, job, 0);
-            return;
+        let Some(mut whole) = SharedJob::new(&job) else {
+            return self.assign(id, job, 0);
         };
-        let mut whole = SharedMeasurement::new(order);
         for job in whole.jobs() {
             let part = self.reserve();
             whole.add(part);
@@ -126,7 +124,7 @@ impl<P: WorkerPort> Crew<P> {
         let key = super::WEB_TILES.to_owned();
         let files = tiles;
         let seats = match &job {
-            Job::Assess(_) => 0..SHARES,
+            shared if SharedJob::is_shared(shared) => 0..SHARES,
             other => seat_for(other)..seat_for(other) + 1,
         };
         for seat in seats {
@@ -144,7 +142,7 @@ impl<P: WorkerPort> Crew<P> {
 
     /// Asks a job to stop.
     pub fn cancel(&mut self, id: JobId) {
-        let parts = self.shared.get(&id).map(SharedMeasurement::parts);
+        let parts = self.shared.get(&id).map(SharedJob::parts);
         for part in parts.into_iter().flatten() {
             self.cancel(part);
         }
@@ -360,12 +358,13 @@ fn is_last(event: &JobEvent) -> bool {
 
 fn seat_for(job: &Job) -> usize {
     match job {
-        Job::AssessShare(_, share) => share.part,
+        Job::AssessShare(_, share) | Job::SuggestShare(_, share) => share.part,
         Job::Fly { .. }
         | Job::Assess(_)
         | Job::SumUp(..)
         | Job::Envelope(_)
         | Job::Suggest(_)
+        | Job::Propose(..)
         | Job::Field(_) => 0,
         Job::Tile { .. } | Job::DescribeMap(_) | Job::PrepareMap(_) => 1,
         Job::Provide { .. }
@@ -396,7 +395,9 @@ fn file_keys(job: &Job) -> Vec<&str> {
         Job::Assess(order) | Job::AssessShare(order, _) | Job::Envelope(order) => {
             (None, Some(&order.map))
         }
-        Job::Suggest(order) => (None, Some(&order.map)),
+        Job::Suggest(order) | Job::SuggestShare(order, _) | Job::Propose(order, _) => {
+            (None, Some(&order.map))
+        }
         Job::Field(order) => (None, Some(&order.map)),
         Job::Brief(order) => (None, Some(&order.map)),
         Job::Pack(order) => (None, Some(&order.map)),

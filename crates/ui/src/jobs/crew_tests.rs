@@ -3,11 +3,13 @@
 use std::cell::RefCell;
 use std::rc::Rc;
 
+use pilotage_core::plan::Candidate;
+
 use super::{Crew, WorkerPort};
 use crate::jobs::FlightSource;
 use crate::jobs::{
     AssessmentOrder, COARSE, Job, JobEvent, JobId, MapSource, PredictionOrder, Reply, Request,
-    SimulationOptions,
+    SimulationOptions, SuggestOrder,
 };
 
 #[derive(Debug, PartialEq)]
@@ -323,4 +325,57 @@ fn a_coarse_prediction_does_not_wait_behind_a_whole_one() {
         "the whole one may not stop yet"
     );
     assert_eq!(sent_to(&notes, 2).len(), 3);
+}
+
+#[test]
+fn two_workers_share_a_proposal_and_a_third_job_chooses() {
+    let of = order();
+    let asked = SuggestOrder {
+        map: MapSource::Scenery,
+        view: pilotage_core::plan::FieldView {
+            camera: of.camera,
+            height: of.height,
+            position: 10.0,
+            tilt: 0.02,
+        },
+        way_points: Vec::new(),
+        speed: 19.0,
+        ground_down: 0.0,
+        navigator: of.navigator,
+        taken: Vec::new(),
+        count: 3,
+    };
+    let (mut crew, notes) = crew();
+    let id = crew.start(Job::Suggest(Box::new(asked)));
+    let shares = [0, 1].map(|seat| match sent_to(&notes, seat)[..] {
+        [Request::Start(share, Job::SuggestShare(..))] => share,
+        _ => panic!("{:?}", notes.borrow()),
+    });
+    let place = |score| Candidate {
+        bounds: of.landmark.bounds,
+        score,
+        rival: 0.0,
+        rival_place: pilotage_core::frames::GroundPoint::default(),
+        margin: 1.0,
+        drift: 0.0,
+        probability: 1.0,
+    };
+    // The second share is done first; its places come last all the same.
+    for seat in [1, 0] {
+        let places = vec![place(seat as f64)];
+        crew.receive(
+            seat,
+            Reply::Event(shares[seat], JobEvent::Candidates(seat, places)),
+        );
+        crew.receive(seat, Reply::Event(shares[seat], JobEvent::Finished));
+    }
+    assert!(crew.take_events().is_empty(), "nothing is chosen yet");
+    let Some(Request::Start(last, Job::Propose(_, found))) = sent_to(&notes, 0).pop() else {
+        panic!("{:?}", notes.borrow());
+    };
+    assert_eq!(found, [place(0.0), place(1.0)]);
+    let chosen = JobEvent::Suggestions(Vec::new());
+    crew.receive(0, Reply::Event(last, chosen.clone()));
+    crew.receive(0, Reply::Event(last, JobEvent::Finished));
+    assert_eq!(crew.take_events(), [(id, chosen), (id, JobEvent::Finished)]);
 }

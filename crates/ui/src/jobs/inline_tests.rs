@@ -143,3 +143,63 @@ fn measure(shares: usize) -> crate::jobs::Assessment {
 fn a_measurement_in_two_shares_says_the_very_same() {
     assert_eq!(measure(2), measure(1));
 }
+
+/// What is proposed for a short leg, as one job or in two shares.
+fn propose(shares: usize) -> Vec<pilotage_core::plan::Suggestion> {
+    use crate::jobs::{Share, SuggestOrder};
+    use pilotage_core::frames::GroundPoint;
+    use pilotage_core::plan::{FieldView, Proposal};
+    use pilotage_core::simulate::Scenario;
+    let scenario = Scenario::named("distinct-400ft-calm").unwrap();
+    let navigator = scenario.navigator();
+    let order = Box::new(SuggestOrder {
+        map: MapSource::Scenery,
+        view: FieldView {
+            camera: Scenario::camera(),
+            height: scenario.height,
+            position: Proposal::POSITION,
+            tilt: 0.02,
+        },
+        way_points: vec![GroundPoint::new(0.0, 0.0), GroundPoint::new(-120.0, 90.0)],
+        speed: 19.0,
+        ground_down: 0.0,
+        navigator,
+        taken: Vec::new(),
+        count: 4,
+    });
+    let mut host = InlineHost::new();
+    let run = |host: &mut InlineHost, job| {
+        host.start(job);
+        host.finish_jobs();
+        host.events()
+    };
+    let last = if shares == 1 {
+        Job::Suggest(order)
+    } else {
+        let mut found = Vec::new();
+        for part in 0..shares {
+            let job = Job::SuggestShare(order.clone(), Share { part, of: shares });
+            for (_, event) in run(&mut host, job) {
+                if let JobEvent::Candidates(of, mut some) = event {
+                    assert_eq!(of, part);
+                    assert!(!some.is_empty(), "nothing passed in share {part}");
+                    found.append(&mut some);
+                }
+            }
+        }
+        Job::Propose(order, found)
+    };
+    let events = run(&mut host, last).into_iter();
+    let mut found = events.filter_map(|(_, event)| match event {
+        JobEvent::Suggestions(found) => Some(found),
+        _ => None,
+    });
+    found.next().unwrap()
+}
+
+#[test]
+fn a_proposal_in_two_shares_says_the_very_same() {
+    let whole = propose(1);
+    assert_eq!(whole.len(), 4);
+    assert_eq!(propose(2), whole);
+}

@@ -6,7 +6,7 @@ use pilotage_core::imagery::terrain::HeightGrid;
 use pilotage_core::imagery::{Georeference, Window};
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Run, StepReport};
-use pilotage_core::plan::{Envelope, Localizability, Prediction, Suggestion, View};
+use pilotage_core::plan::{Candidate, Envelope, Localizability, Prediction, Suggestion, View};
 use pilotage_core::raster::{Gray, Raster, Rgba};
 use serde::{Deserialize, Serialize};
 
@@ -198,6 +198,10 @@ pub enum Job {
     Envelope(Box<AssessmentOrder>),
     /// Landmarks proposed for a route: event `Suggestions`.
     Suggest(Box<SuggestOrder>),
+    /// A share of the places rehearsed for that: event `Candidates`.
+    SuggestShare(Box<SuggestOrder>, Share),
+    /// What is proposed of all that passed: event `Suggestions`.
+    Propose(Box<SuggestOrder>, Vec<Candidate>),
     /// Where a fix would be had: events `Field`, each knowing more.
     Field(Box<FieldOrder>),
     /// A route over ground where fixes are had: event `FoundPlan`.
@@ -364,6 +368,8 @@ pub enum JobEvent {
     Assessment(Box<Assessment>),
     /// From which heights and with which tilts a landmark is found, as far as it is known.
     Envelope(Box<Envelope>),
+    /// Places of a share, by its number, that passed a rehearsal, in its order.
+    Candidates(usize, Vec<Candidate>),
     /// Landmarks that are proposed, the one that gains most first.
     Suggestions(Vec<Suggestion>),
     /// Where a fix would be had, as far as it is known.

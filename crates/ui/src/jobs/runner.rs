@@ -2,10 +2,30 @@
 
 use super::{Advance, Job, JobEvent, JobId, Reply, Request, RunningJob, Workshop};
 
+/// Least time between two words on the progress of a job, milliseconds. The page is painted anew for
+/// each, which takes from the time of the job where no graphics card does it.
+const PROGRESS_EVERY: f64 = 200.0;
+
 struct Entry {
     id: JobId,
     urgency: u8,
     job: Box<dyn RunningJob>,
+    /// When its progress was told last.
+    told: Option<f64>,
+}
+
+impl Entry {
+    /// Whether to tell this event now: progress only now and then.
+    fn is_told(told: &mut Option<f64>, event: &JobEvent, now: f64) -> bool {
+        if !matches!(event, JobEvent::Progress(..)) {
+            return true;
+        }
+        let is_due = told.is_none_or(|told| now - told >= PROGRESS_EVERY);
+        if is_due {
+            *told = Some(now);
+        }
+        is_due
+    }
 }
 
 /// Takes requests and works on the most urgent job, the eldest among equals, a slice at a time.
@@ -38,7 +58,14 @@ impl JobRunner {
                 let urgency = urgency(&job);
                 let job = self.workshop.start(job);
                 let place = self.entries.partition_point(|e| e.urgency <= urgency);
-                self.entries.insert(place, Entry { id, urgency, job });
+                let told = None;
+                let entry = Entry {
+                    id,
+                    urgency,
+                    job,
+                    told,
+                };
+                self.entries.insert(place, entry);
             }
             Request::Cancel(id) => {
                 let before = self.entries.len();
@@ -56,9 +83,11 @@ impl JobRunner {
         let Some(entry) = self.entries.first_mut() else {
             return false;
         };
-        let id = entry.id;
+        let (id, told) = (entry.id, &mut entry.told);
         let advance = entry.job.advance(&mut self.workshop, clock, &mut |event| {
-            emit(Reply::Event(id, as_sentence(event)));
+            if Entry::is_told(told, &event, clock()) {
+                emit(Reply::Event(id, as_sentence(event)));
+            }
         });
         if advance == Advance::Done {
             self.entries.remove(0);
@@ -90,17 +119,36 @@ fn urgency(job: &Job) -> u8 {
         | Job::ExplainMatch { .. }
         | Job::Predict(_)
         | Job::SumUp(..)
+        | Job::Propose(..)
         | Job::Pack(_) => 2,
         Job::TakeHeights(_)
         | Job::Assess(_)
         | Job::AssessShare(..)
         | Job::Envelope(_)
         | Job::Suggest(_)
+        | Job::SuggestShare(..)
         | Job::Find(_)
         | Job::Brief(_) => 3,
         Job::PrepareMap(_) => 5,
         Job::Fly { .. } | Job::Field(_) => 4,
         // What was asked before may still need them.
         Job::LetGo { .. } => 6,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn progress_is_told_now_and_then_and_all_else_at_once() {
+        let mut told = None;
+        let mut at = |event: JobEvent, now| Entry::is_told(&mut told, &event, now);
+        let progress = || JobEvent::Progress(0.5, String::new());
+        assert!(at(progress(), 1000.0), "the first");
+        assert!(!at(progress(), 1030.0));
+        assert!(at(JobEvent::Finished, 1040.0));
+        assert!(!at(progress(), 1199.0));
+        assert!(at(progress(), 1201.0));
     }
 }

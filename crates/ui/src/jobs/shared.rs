@@ -1,22 +1,28 @@
-//! A measurement that several workers share: what each has done, and what it comes to together.
+//! A job that several workers share: what each has done, and what it comes to together.
 
 use std::collections::BTreeMap;
 
-use pilotage_core::plan::{Rehearsal, View};
+use pilotage_core::plan::{Candidate, Rehearsal, View};
 
-use super::assess::Share;
-use super::{AssessmentOrder, Job, JobEvent, JobId};
+use super::{AssessmentOrder, Job, JobEvent, JobId, Share, SuggestOrder};
 
-/// Workers that share a measurement.
+/// Workers that share a job.
 pub const SHARES: usize = 2;
 
-/// The shares of a measurement, under the number of the whole.
-pub struct SharedMeasurement {
-    order: Box<AssessmentOrder>,
+/// The shares of a job, under the number of the whole.
+pub struct SharedJob {
+    whole: Whole,
     /// How far each of the jobs is that are not over.
     parts: BTreeMap<JobId, f32>,
-    views: Vec<(usize, View)>,
     is_summing: bool,
+}
+
+/// What is shared, and what is known so far.
+enum Whole {
+    /// A landmark that is measured, and the views of it, each with the number of its look.
+    Measurement(Box<AssessmentOrder>, Vec<(usize, View)>),
+    /// Landmarks that are proposed, and the places that passed, by the number of the share.
+    Proposal(Box<SuggestOrder>, BTreeMap<usize, Vec<Candidate>>),
 }
 
 /// What follows for the whole from what one of the jobs said.
@@ -30,22 +36,34 @@ pub enum Follows {
     Begin(Box<Job>),
 }
 
-impl SharedMeasurement {
-    /// Nothing done yet.
-    pub fn new(order: Box<AssessmentOrder>) -> Self {
-        Self {
-            order,
+impl SharedJob {
+    /// Nothing done yet of `job`; `None` if it is not one that is shared.
+    pub fn new(job: &Job) -> Option<Self> {
+        let whole = match job {
+            Job::Assess(order) => Whole::Measurement(order.clone(), Vec::new()),
+            Job::Suggest(order) => Whole::Proposal(order.clone(), BTreeMap::new()),
+            _ => return None,
+        };
+        Some(Self {
+            whole,
             parts: BTreeMap::new(),
-            views: Vec::new(),
             is_summing: false,
-        }
+        })
+    }
+
+    /// Whether a job is shared.
+    pub fn is_shared(job: &Job) -> bool {
+        matches!(job, Job::Assess(_) | Job::Suggest(_))
     }
 
     /// The jobs that it is shared out as.
     pub fn jobs(&self) -> [Job; SHARES] {
         std::array::from_fn(|part| {
             let share = Share { part, of: SHARES };
-            Job::AssessShare(self.order.clone(), share)
+            match &self.whole {
+                Whole::Measurement(order, _) => Job::AssessShare(order.clone(), share),
+                Whole::Proposal(order, _) => Job::SuggestShare(order.clone(), share),
+            }
         })
     }
 
@@ -75,12 +93,18 @@ impl SharedMeasurement {
                 }
                 let over = (SHARES - self.parts.len()) as f32;
                 let done = (over + self.parts.values().sum::<f32>()) / SHARES as f32;
-                let all = Rehearsal::VIEWS;
-                let words = format!("View {:.0} of {all}", done * all as f32);
-                Follows::Say(JobEvent::Progress(done, words))
+                Follows::Say(JobEvent::Progress(done, self.words(done)))
             }
-            JobEvent::Views(mut views) => {
-                self.views.append(&mut views);
+            JobEvent::Views(mut some) => {
+                if let Whole::Measurement(_, views) = &mut self.whole {
+                    views.append(&mut some);
+                }
+                Follows::Wait
+            }
+            JobEvent::Candidates(part, some) => {
+                if let Whole::Proposal(_, found) = &mut self.whole {
+                    found.insert(part, some);
+                }
                 Follows::Wait
             }
             JobEvent::Finished if !self.is_summing => {
@@ -89,9 +113,7 @@ impl SharedMeasurement {
                     return Follows::Wait;
                 }
                 self.is_summing = true;
-                self.views.sort_by_key(|(look, _)| *look);
-                let views = self.views.iter().map(|(_, view)| *view).collect();
-                Follows::Begin(Box::new(Job::SumUp(self.order.clone(), views)))
+                Follows::Begin(Box::new(self.last_job()))
             }
             JobEvent::Cancelled => {
                 self.parts.remove(&part);
@@ -102,6 +124,31 @@ impl SharedMeasurement {
                 }
             }
             event => Follows::Say(event),
+        }
+    }
+
+    fn words(&self, done: f32) -> String {
+        match &self.whole {
+            Whole::Measurement(..) => {
+                let all = Rehearsal::VIEWS;
+                format!("View {:.0} of {all}", done * all as f32)
+            }
+            Whole::Proposal(..) => "Rehearsing all places".to_owned(),
+        }
+    }
+
+    /// The job that tells the result of the shares.
+    fn last_job(&mut self) -> Job {
+        match &mut self.whole {
+            Whole::Measurement(order, views) => {
+                views.sort_by_key(|(look, _)| *look);
+                let views = views.iter().map(|(_, view)| *view).collect();
+                Job::SumUp(order.clone(), views)
+            }
+            Whole::Proposal(order, found) => {
+                let found = std::mem::take(found).into_values().flatten().collect();
+                Job::Propose(order.clone(), found)
+            }
         }
     }
 }

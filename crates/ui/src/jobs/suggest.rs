@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use pilotage_core::frames::{GroundPoint, GroundRect};
-use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::imagery::CachedImagery;
 use pilotage_core::navigator::NavigatorSettings;
-use pilotage_core::plan::{FieldView, Proposal, ProposalQuestion};
+use pilotage_core::plan::{Candidate, FieldView, Proposal, ProposalQuestion, Suggestion};
 use serde::{Deserialize, Serialize};
 
 use super::running::slice;
-use super::{Advance, JobEvent, MapSource, RunningJob, Workshop};
+use super::{Advance, JobEvent, MapSource, RunningJob, Share, Workshop};
 
 /// Seed of the days: the same plan always has the same proposals.
 const SEED: u64 = 1;
@@ -39,36 +39,53 @@ pub struct SuggestOrder {
 /// Places being rehearsed.
 pub struct Suggest {
     order: SuggestOrder,
+    share: Share,
     proposal: Option<Proposal>,
 }
 
 impl Suggest {
     /// Nothing rehearsed yet.
-    pub fn new(order: SuggestOrder) -> Self {
+    pub fn new(order: SuggestOrder, share: Share) -> Self {
         Self {
             order,
+            share,
             proposal: None,
         }
     }
 
     fn begin(&self, workshop: &mut Workshop) -> Result<Proposal, String> {
-        let order = self.order.clone();
-        let days = workshop.proposal_days(&order.map, SEED)?;
-        let map = workshop.map(&order.map)?;
-        let map: Arc<dyn Imagery> = Arc::new(CachedImagery::new(map, CACHE_MEGABYTES));
-        Proposal::new(ProposalQuestion {
-            map,
-            days,
-            view: order.view,
-            way_points: order.way_points,
-            speed: order.speed,
-            ground_down: order.ground_down,
-            navigator: order.navigator,
-            side: None,
-            taken: order.taken,
-        })
-        .ok_or_else(|| "the camera does not look down at the ground".to_owned())
+        let mut question = question(workshop, self.order.clone())?;
+        question.days = workshop.proposal_days(&self.order.map, SEED)?;
+        let proposal = Proposal::new(question);
+        let proposal = proposal.ok_or("the camera does not look down at the ground")?;
+        Ok(proposal.part(self.share.part, self.share.of))
     }
+}
+
+/// What is proposed of the places that passed in all shares.
+pub fn choose(
+    workshop: &mut Workshop,
+    order: SuggestOrder,
+    found: Vec<Candidate>,
+) -> Result<Vec<Suggestion>, String> {
+    let count = order.count;
+    Ok(question(workshop, order)?.chosen_of(found, count))
+}
+
+/// What is asked, still without other days.
+fn question(workshop: &mut Workshop, order: SuggestOrder) -> Result<ProposalQuestion, String> {
+    let map = workshop.map(&order.map)?;
+    Ok(ProposalQuestion {
+        map: Arc::new(CachedImagery::new(map, CACHE_MEGABYTES)),
+        days: Vec::new(),
+        view: order.view,
+        way_points: order.way_points,
+        speed: order.speed,
+        ground_down: order.ground_down,
+        navigator: order.navigator,
+        side: None,
+        taken: order.taken,
+    })
 }
 
 impl RunningJob for Suggest {
@@ -101,7 +118,11 @@ impl RunningJob for Suggest {
             return Advance::More;
         }
         if let Some(proposal) = self.proposal.take() {
-            emit(JobEvent::Suggestions(proposal.chosen(self.order.count)));
+            emit(if self.share == Share::WHOLE {
+                JobEvent::Suggestions(proposal.chosen(self.order.count))
+            } else {
+                JobEvent::Candidates(self.share.part, proposal.found())
+            });
         }
         emit(JobEvent::Finished);
         Advance::Done

@@ -130,6 +130,7 @@ pub fn wanted_addresses(job: &Job) -> Vec<String> {
         | Job::PrepareMap(_)
         | Job::TakeHeights(_)
         | Job::SumUp(..)
+        | Job::Propose(..)
         | Job::DecodePicture { .. }
         | Job::Predict(_)
         | Job::Find(_)
@@ -145,7 +146,7 @@ pub fn wanted_addresses(job: &Job) -> Vec<String> {
             let area = around(&order.landmark.bounds);
             (&order.map, Reads::Areas(vec![area]))
         }
-        Job::Suggest(order) => {
+        Job::Suggest(order) | Job::SuggestShare(order, _) => {
             let across = order.view.across().unwrap_or(0.0);
             let along = GroundRect::around(order.way_points.iter().copied());
             let areas = along.map(|area| area.grown(across)).into_iter().collect();

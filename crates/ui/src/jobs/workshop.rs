@@ -30,7 +30,7 @@ use super::pack::pack;
 use super::predict::Predict;
 use super::prepare::PrepareMap;
 use super::running::Once;
-use super::suggest::Suggest;
+use super::suggest::{Suggest, choose};
 use super::web_map::{FetchedTiles, WEB_TILES};
 use super::{
     FileContent, FlightSource, Job, JobEvent, MapInfo, MapSource, RunningJob, distinct, opening,
@@ -149,7 +149,12 @@ impl Workshop {
                 Ok(())
             }),
             Job::Envelope(order) => Box::new(SurveyEnvelope::new(*order)),
-            Job::Suggest(order) => Box::new(Suggest::new(*order)),
+            Job::Suggest(order) => Box::new(Suggest::new(*order, Share::WHOLE)),
+            Job::SuggestShare(order, share) => Box::new(Suggest::new(*order, share)),
+            Job::Propose(order, found) => once(move |workshop, emit| {
+                emit(JobEvent::Suggestions(choose(workshop, *order, found)?));
+                Ok(())
+            }),
             Job::Field(order) => Box::new(ComputeField::new(*order)),
             Job::Find(order) => Box::new(FindRoute::new(*order)),
             Job::ExplainMatch {
@@ -338,9 +343,7 @@ impl Workshop {
             MapSource::Scenery => Box::new(SceneryDays {
                 scenery: self.scenery(),
             }),
-            _ => Box::new(PictureDays {
-                map: self.map(source)?,
-            }),
+            _ => Box::new(PictureDays::new(self.map(source)?)),
         })
     }
 

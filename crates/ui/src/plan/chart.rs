@@ -6,8 +6,8 @@ use egui::{
 use pilotage_core::landmark::Landmark;
 use pilotage_core::plan::{Prediction, PredictionSample};
 
+use super::corridor_paint::kept_color;
 use super::lanes::{Blip, blips};
-use super::paint::kept_color;
 use super::words::{distance_text, long};
 use crate::tokens::Tokens;
 use crate::units::Units;

@@ -6,8 +6,8 @@ use pilotage_core::mission::Mission;
 use pilotage_core::plan::Prediction;
 
 use super::PlanCommand;
+use super::corridor_paint::corridor_band;
 use super::finder::{FindCommand, FindPick};
-use super::paint::corridor_band;
 use super::planner::{PlanTab, Planner};
 use crate::command::Command;
 use crate::context::ViewContext;

@@ -5,6 +5,7 @@ mod assessments;
 mod brief;
 mod chart;
 mod command;
+mod corridor_paint;
 mod find_tool;
 pub mod finder;
 mod forecast;

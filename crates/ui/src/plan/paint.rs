@@ -1,34 +1,17 @@
-//! Routes and the predicted corridor on the map.
+//! Routes on the map, and the place that is pointed at in the chart.
 
-use egui::epaint::{Mesh, Vertex, WHITE_UV};
 use egui::{Align2, Color32, Painter, Pos2, Shape, Stroke, vec2};
-use pilotage_core::frames::GroundPoint;
 use pilotage_core::mission::turn::Turn;
 use pilotage_core::mission::{Mission, Route, WayPointAction};
-use pilotage_core::plan::{Prediction, PredictionSample};
+use pilotage_core::plan::PredictionSample;
 
 use super::aircraft::{radius_at, tight_legs};
 use super::chart::sample_at;
+use super::corridor_paint::paint_corridor;
 use super::planner::Planner;
 use super::tool::{Hit, PlanTool, middles};
 use crate::map::{ScreenFromWorld, ellipse, paint_halo_text};
 use crate::tokens::Tokens;
-
-/// Distance between ellipses along the path, points.
-const ELLIPSE_SPACING: f32 = 96.0;
-
-/// The corridor's colour where the limit is kept.
-pub fn kept_color(tokens: &Tokens) -> Color32 {
-    tokens.observed
-}
-
-/// The two edges of the corridor at a sample.
-fn edges(sample: &PredictionSample) -> [GroundPoint; 2] {
-    let (sin, cos) = sample.course.sin_cos();
-    let half = sample.corridor.across;
-    let p = sample.position;
-    [-half, half].map(|half| GroundPoint::new(p.north - half * sin, p.east + half * cos))
-}
 
 impl Planner {
     /// Draws the predicted corridor, and the place that the pointer is at in the chart.
@@ -67,92 +50,6 @@ impl Planner {
         paint_routes(painter, view, mission, self, tool, tokens);
         if let Some(marking) = &self.marking {
             marking.paint(painter, view, tool.pointer, tokens);
-        }
-    }
-}
-
-/// A band along the flown path, as wide as the 95 % corridor.
-pub(super) fn corridor_band(
-    view: &ScreenFromWorld,
-    prediction: &Prediction,
-    color: Color32,
-) -> Shape {
-    let mut mesh = Mesh::default();
-    for pair in prediction.samples.windows(2) {
-        let [a, b] = [&pair[0], &pair[1]].map(|s| edges(s).map(|p| view.apply(&p)));
-        let first = mesh.vertices.len() as u32;
-        for pos in [a[0], a[1], b[1], b[0]] {
-            let uv = WHITE_UV;
-            mesh.vertices.push(Vertex { pos, uv, color });
-        }
-        mesh.add_triangle(first, first + 1, first + 2);
-        mesh.add_triangle(first, first + 2, first + 3);
-    }
-    Shape::mesh(mesh)
-}
-
-/// Draws the 95 % corridor along the flown path: a band, its edges, and ellipses at intervals.
-fn paint_corridor(
-    painter: &Painter,
-    view: &ScreenFromWorld,
-    prediction: &Prediction,
-    limit: f64,
-    tokens: &Tokens,
-) {
-    let over = |s: &PredictionSample| s.corridor.sigma_major > limit;
-    let color = |over: bool| {
-        if over {
-            tokens.warning
-        } else {
-            kept_color(tokens)
-        }
-    };
-    let samples = &prediction.samples;
-    let sides: Vec<[Pos2; 2]> = samples
-        .iter()
-        .map(|s| edges(s).map(|p| view.apply(&p)))
-        .collect();
-    let mut mesh = Mesh::default();
-    for (pair, of) in sides.windows(2).zip(samples.windows(2)) {
-        let fill = color(over(&of[1])).gamma_multiply(0.26);
-        let first = mesh.vertices.len() as u32;
-        for pos in [pair[0][0], pair[0][1], pair[1][1], pair[1][0]] {
-            mesh.vertices.push(Vertex {
-                pos,
-                uv: WHITE_UV,
-                color: fill,
-            });
-        }
-        mesh.add_triangle(first, first + 1, first + 2);
-        mesh.add_triangle(first, first + 2, first + 3);
-    }
-    painter.add(Shape::mesh(mesh));
-    let mut begin = 0;
-    for run in samples.chunk_by(|a, b| over(a) == over(b)) {
-        let end = (begin + run.len() + 1).min(samples.len());
-        let bad = over(&run[0]);
-        for side in 0..2 {
-            let line: Vec<Pos2> = sides[begin..end].iter().map(|s| s[side]).collect();
-            if bad {
-                let stroke = Stroke::new(2.0, color(bad));
-                painter.extend(Shape::dashed_line(&line, stroke, 6.0, 4.0));
-            } else {
-                painter.add(Shape::line(line, Stroke::new(1.25, color(bad))));
-            }
-        }
-        begin += run.len();
-    }
-    let mut last: Option<Pos2> = None;
-    for sample in samples {
-        let at = view.apply(&sample.position);
-        if last.is_some_and(|last| last.distance(at) < ELLIPSE_SPACING) {
-            continue;
-        }
-        last = Some(at);
-        let c = &sample.corridor;
-        if let Some(points) = ellipse(view, &sample.position, &c.covariance, c.scale) {
-            let stroke = Stroke::new(1.0, color(over(sample)).gamma_multiply(0.8));
-            painter.add(Shape::closed_line(points, stroke));
         }
     }
 }

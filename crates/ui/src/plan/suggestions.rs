@@ -13,7 +13,7 @@ use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::{Added, Documents};
 use crate::host::Host;
-use crate::jobs::{Job, JobEvent, JobId, SuggestOrder};
+use crate::jobs::{Job, JobEvent, JobId, MapSource, SuggestOrder};
 use crate::map::{ScreenFromWorld, paint_halo_text, paint_lifted_line};
 use crate::shell::{caption, icon_button, icons::Icon, muted};
 use crate::tokens::Tokens;
@@ -47,7 +47,17 @@ pub struct Suggestions {
 }
 
 impl Suggestions {
-    /// Starts or stops what is wanted; forgets what is of another map.
+    /// Forgets what is of another map than the one that is open.
+    pub fn keep_to(&mut self, map: &MapSource, host: &mut dyn Host) {
+        if self.found.as_ref().is_some_and(|(of, _)| of.map != *map) {
+            (self.found, self.hovered) = (None, None);
+        }
+        if let Some((id, _)) = self.asked.take_if(|(_, of)| of.map != *map) {
+            host.cancel(id);
+        }
+    }
+
+    /// Starts or stops what is wanted.
     pub fn work(&mut self, order: impl FnOnce() -> Option<SuggestOrder>, host: &mut dyn Host) {
         let Some(start) = self.wants.take() else {
             return;

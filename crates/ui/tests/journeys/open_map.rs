@@ -1,4 +1,5 @@
 use egui::{Modifiers, Vec2};
+use egui_kittest::kittest::Queryable as _;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
 use pilotage_ui::host::OpenedFile;
 use pilotage_ui::jobs::{Job, MapInfo, MapSource, Opened};
@@ -58,6 +59,27 @@ fn a_map_far_away_begins_a_plan_of_its_own_and_undo_brings_the_mission_back() {
     let latitude = placed.map(|origin| origin.latitude.to_degrees());
     let wanted = before["origin"][0].as_f64();
     assert!((latitude.unwrap_or(0.0) - wanted.unwrap_or(1.0)).abs() < 1e-9);
+}
+
+#[test]
+fn proposals_for_one_map_are_gone_when_another_is_open() {
+    let mut rig = rig();
+    rig.key_with(Modifiers::SHIFT, egui::Key::P);
+    rig.settle();
+    rig.open_tab("Landmarks");
+    rig.harness.get_by_label_contains(" landmarks for ").click();
+    rig.settle();
+    let count = |rig: &Rig| {
+        rig.state()["plan"]["suggested"]["list"]
+            .as_array()
+            .map(Vec::len)
+    };
+    assert_eq!(count(&rig), Some(2));
+    drop(
+        &mut rig,
+        a_map(Some(Geodetic::from_degrees(46.86, -92.08, 0.0))),
+    );
+    assert_eq!(count(&rig), Some(0));
 }
 
 #[test]
