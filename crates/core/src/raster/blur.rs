@@ -18,8 +18,8 @@ pub fn gaussian_blur(picture: &Gray, sigma: f64) -> Gray {
 }
 
 /// [`gaussian_blur`] in a time that does not grow with `sigma`: wide ones are made on means over blocks of
-/// pixels from the upper left corner and interpolated. They differ from it by some thousandths of the
-/// contrast.
+/// pixels from the upper left corner, which are continued beyond the edges, and interpolated. Away from
+/// the edges they differ from it by two thousandths of the contrast.
 pub fn wide_blur(picture: &Gray, sigma: f64) -> Gray {
     let octaves = (sigma / LEAST_ON_BLOCKS).log2().floor();
     if !(octaves >= 1.0 && octaves.is_finite()) || picture.is_empty() {
@@ -167,12 +167,14 @@ mod tests {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             (state >> 24) as f32
         });
-        // Noise of 74 grey levels: a blur by 9 leaves 2.3 of it, by 40 half of one.
-        for (sigma, most) in [(2.0, 0.0), (9.0, 0.35), (17.0, 0.2), (40.0, 0.1)] {
+        // Noise of 74 grey levels: a blur by 9 leaves 2.3 of it, by 17 1.2. Beyond the edges it is not the
+        // same noise that is continued.
+        for (sigma, most) in [(2.0, 0.0), (9.0, 0.2), (17.0, 0.15)] {
             let (slow, fast) = (gaussian_blur(&picture, sigma), wide_blur(&picture, sigma));
-            let off = slow.pixels().iter().zip(fast.pixels());
-            let off = off.map(|(a, b)| (a - b).powi(2)).sum::<f32>();
-            let off = (off / (301.0 * 233.0)).sqrt();
+            let edge = (3.0 * sigma) as usize;
+            let inner = (edge..301 - edge).flat_map(|x| (edge..233 - edge).map(move |y| (x, y)));
+            let squares = inner.map(|(x, y)| (slow.get(x, y) - fast.get(x, y)).powi(2));
+            let off = (squares.sum::<f32>() / ((301 - 2 * edge) * (233 - 2 * edge)) as f32).sqrt();
             assert!(off <= most, "{sigma}: {off}");
         }
     }

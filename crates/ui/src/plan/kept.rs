@@ -20,7 +20,7 @@ pub const MEASURED_KEY: &str = "measured landmarks";
 const FORM: u8 = 1;
 /// How landmarks are measured: raised whenever detector, camera simulator or rehearsal change so that
 /// what was measured before is no longer true.
-const METHOD: u32 = 1;
+const METHOD: u32 = 2;
 /// Lengths that differ by less are equal, metres: a mission file keeps places as angles.
 const SAME_PLACE: f64 = 2e-3;
 /// The same for the corners of a map, whose frame may be laid through another origin.
