@@ -96,6 +96,13 @@ fn an_unknown_scenario_is_refused_with_the_names_of_those_there_are() {
     assert!(text.contains("distinct-to-the-moon") && text.contains("distinct-400ft-calm"));
 }
 
+/// What is said of a job until it is over.
+fn run(host: &mut InlineHost, job: Job) -> Vec<JobEvent> {
+    host.start(job);
+    host.finish_jobs();
+    host.events().into_iter().map(|(_, event)| event).collect()
+}
+
 /// What a measurement of a landmark says, as one job or in two shares.
 fn measure(shares: usize) -> crate::jobs::Assessment {
     use crate::jobs::{AssessmentOrder, Share};
@@ -111,18 +118,13 @@ fn measure(shares: usize) -> crate::jobs::Assessment {
         ground_down: 0.0,
     });
     let mut host = InlineHost::new();
-    let run = |host: &mut InlineHost, job| {
-        host.start(job);
-        host.finish_jobs();
-        host.events()
-    };
     let mut views = Vec::new();
     let last = if shares == 1 {
         Job::Assess(order)
     } else {
         for part in 0..shares {
             let job = Job::AssessShare(order.clone(), Share { part, of: shares });
-            for (_, event) in run(&mut host, job) {
+            for event in run(&mut host, job) {
                 if let JobEvent::Views(mut some) = event {
                     views.append(&mut some);
                 }
@@ -132,7 +134,7 @@ fn measure(shares: usize) -> crate::jobs::Assessment {
         Job::SumUp(order, views.iter().map(|(_, view)| *view).collect())
     };
     let events = run(&mut host, last).into_iter();
-    let mut found = events.filter_map(|(_, event)| match event {
+    let mut found = events.filter_map(|event| match event {
         JobEvent::Assessment(found) => Some(*found),
         _ => None,
     });
@@ -168,18 +170,13 @@ fn propose(shares: usize) -> Vec<pilotage_core::plan::Suggestion> {
         count: 4,
     });
     let mut host = InlineHost::new();
-    let run = |host: &mut InlineHost, job| {
-        host.start(job);
-        host.finish_jobs();
-        host.events()
-    };
     let last = if shares == 1 {
         Job::Suggest(order)
     } else {
         let mut found = Vec::new();
         for part in 0..shares {
             let job = Job::SuggestShare(order.clone(), Share { part, of: shares });
-            for (_, event) in run(&mut host, job) {
+            for event in run(&mut host, job) {
                 if let JobEvent::Candidates(of, mut some) = event {
                     assert_eq!(of, part);
                     assert!(!some.is_empty(), "nothing passed in share {part}");
@@ -190,7 +187,7 @@ fn propose(shares: usize) -> Vec<pilotage_core::plan::Suggestion> {
         Job::Propose(order, found)
     };
     let events = run(&mut host, last).into_iter();
-    let mut found = events.filter_map(|(_, event)| match event {
+    let mut found = events.filter_map(|event| match event {
         JobEvent::Suggestions(found) => Some(found),
         _ => None,
     });
