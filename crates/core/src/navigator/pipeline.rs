@@ -348,7 +348,7 @@ impl Navigator {
         let mut recovered = None;
         if agreed.0.is_empty() {
             let second = self.second.take();
-            match reconsider(second, &seer, &refused, &mut reports)? {
+            match reconsider(second, &seer, &refused, &mut reports) {
                 Opinion::Unsure(second) => self.second = second,
                 Opinion::TakesOver {
                     engine,

@@ -22,7 +22,7 @@ pub struct SecondOpinion {
     /// Landmarks that it believes and the first refused.
     landmarks: Vec<u32>,
     /// Factor on the covariance of the first when it was founded.
-    pub fading: f64,
+    fading: f64,
 }
 
 /// What a second opinion says of a frame in which the first believes nothing.
@@ -50,8 +50,18 @@ impl SecondOpinion {
 
 /// Shows a frame's `refused` places to the second opinion, if there is one, or founds one.
 ///
-/// `seer` looks with the first opinion; `reports` change only when the second takes over.
+/// `seer` looks with the first opinion; `reports` change only when the second takes over. A second opinion
+/// whose filter cannot go on is dropped.
 pub fn reconsider<'l>(
+    second: Option<SecondOpinion>,
+    seer: &Seer<'_>,
+    refused: &[FoundPlace<'l>],
+    reports: &mut Vec<CandidateReport>,
+) -> Opinion<'l> {
+    weigh(second, seer, refused, reports).unwrap_or(Opinion::Unsure(None))
+}
+
+fn weigh<'l>(
     second: Option<SecondOpinion>,
     seer: &Seer<'_>,
     refused: &[FoundPlace<'l>],
