@@ -1,13 +1,14 @@
-// Tiles of the web and a GeoTIFF at an address, from a server of this journey's own.
+// Tiles of the web, a GeoTIFF and an archive of tiles at addresses, from a server of this journey's own.
 import { createServer } from "node:http";
 import { country, geotiff } from "./geotiff.mjs";
+import { pmtiles } from "./pmtiles.mjs";
 import { png } from "./png.mjs";
 
-export const name = "tiles of the web are shown with their attribution, downloaded for an area, and there when the server is gone; a GeoTIFF is read by ranges";
+export const name = "tiles of the web are shown with their attribution, downloaded for an area, and there when the server is gone; a GeoTIFF and a PMTiles archive are read by ranges";
 
 const shade = (zoom, x, y) => [40 + ((x * 37) % 5) * 40, 60 + ((y * 53) % 5) * 35, (zoom * 29) % 256];
 
-function serve(map) {
+function serve(files) {
   const counts = { tiles: 0, ranges: 0, bytes: 0, asked: new Map() };
   let refuses = false;
   let passes = Infinity; // so many tiles are sent, the others wait until they are let through
@@ -27,7 +28,8 @@ function serve(map) {
       passes -= 1;
       return passes >= 0 ? response.end(body) : held.push(() => response.end(body));
     }
-    if (request.url === "/far.tif") {
+    const map = files[request.url];
+    if (map) {
       response.setHeader("Accept-Ranges", "bytes");
       const range = request.headers.range?.match(/bytes=(\d+)-(\d+)/);
       if (!range) return response.setHeader("Content-Length", map.length).end(request.method === "HEAD" ? undefined : map);
@@ -62,7 +64,10 @@ async function fill(page, tools, label, text) {
 
 export async function run(page, tools) {
   const side = 1200;
-  const server = await serve(geotiff({ width: side, height: side, gsd: 0.5, east: 570_000, north: 5_190_000, pixel: country(side, side) }));
+  const server = await serve({
+    "/far.tif": geotiff({ width: side, height: side, gsd: 0.5, east: 570_000, north: 5_190_000, pixel: country(side, side) }),
+    "/far.pmtiles": pmtiles(png(256, 256, country(256, 256))),
+  });
   tools.expectRequest(/^http:\/\/127\.0\.0\.1:/);
   tools.expectMessage(/503|Failed to load resource/);
   try {
@@ -135,6 +140,17 @@ export async function run(page, tools) {
     console.log(`        ${server.counts.ranges} ranges, ${(server.counts.bytes / 1e6).toFixed(1)} MB`);
     tools.check(server.counts.ranges > 1 && Math.abs(far.map.gsd - 0.5) < 1e-3, "the file was not read by ranges");
     await tools.screenshot("web-map-file");
+
+    const ranges = server.counts.ranges;
+    await command(page, tools, "map from the web");
+    await tools.waitFor((s) => s.dialogs.web_map, "the dialog");
+    await fill(page, tools, "Address", `${server.address}/far.pmtiles`);
+    await page.waitForTimeout(1500);
+    await tools.click(await tools.find("Button", "Open the map"));
+    const archive = await tools.waitFor((s) => s.map.name?.endsWith("/far.pmtiles") && s.map.tiles > 0 && s.map.whole, "the archive", 60_000);
+    tools.check(server.counts.ranges > ranges, "the archive was not read by ranges");
+    tools.check(archive.map.attribution === "© Whoever", `the attribution is ${archive.map.attribution}`);
+    await tools.screenshot("web-map-archive");
   } finally {
     server.close();
   }
