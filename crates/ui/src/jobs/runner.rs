@@ -4,7 +4,7 @@ use super::{Advance, Job, JobEvent, JobId, Reply, Request, RunningJob, Workshop}
 
 /// Least time between two words on the progress of a job, milliseconds. The page is painted anew for
 /// each, which takes from the time of the job where no graphics card does it.
-const PROGRESS_EVERY: f64 = 200.0;
+const PROGRESS_EVERY: f64 = 500.0;
 
 struct Entry {
     id: JobId,
@@ -148,7 +148,7 @@ mod tests {
         assert!(at(progress(), 1000.0), "the first");
         assert!(!at(progress(), 1030.0));
         assert!(at(JobEvent::Finished, 1040.0));
-        assert!(!at(progress(), 1199.0));
-        assert!(at(progress(), 1201.0));
+        assert!(!at(progress(), 1499.0));
+        assert!(at(progress(), 1501.0));
     }
 }
