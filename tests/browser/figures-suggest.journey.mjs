@@ -46,7 +46,7 @@ export async function run(page, tools) {
   const routes = before.plan.routes.length;
   await tools.waitFor((s) => s.workspace === "Plan" && s.plan.routes.length > routes, "the route over a square mile", 60_000);
   await landmarks(tools);
-  await page.waitForTimeout(4000);
+  await page.waitForTimeout(25000);
   await tools.click(await tools.find("Button", /^Suggest \d+ landmarks for this route$/));
   const begun = Date.now();
   const found = await tools.waitFor((s) => s.plan.suggested.list.length > 0 || s.plan.suggested.trouble, "suggestions", 300_000);

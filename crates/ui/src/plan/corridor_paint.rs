@@ -12,7 +12,7 @@ use crate::tokens::Tokens;
 const ELLIPSE_SPACING: f32 = 96.0;
 /// Greatest half width that is drawn, points. A corridor of kilometres would cover the map with one leg
 /// over the other and say no more; where it is wider it has no edge.
-const WIDEST: f32 = 90.0;
+const WIDEST: f32 = 140.0;
 
 /// The corridor's colour where the limit is kept.
 pub fn kept_color(tokens: &Tokens) -> Color32 {
