@@ -103,6 +103,6 @@ impl App {
         host.store(SESSION_KEY, &session.encode());
         host.forget(BEFORE_LINK_KEY);
         let session = self.documents.session();
-        self.fly_new(host, session.flight, session.map, session.mission);
+        self.fly_open(host, session);
     }
 }

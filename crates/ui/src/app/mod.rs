@@ -119,7 +119,7 @@ impl App {
         }
         self.work(ui.ctx(), host);
         self.tend_files(ui.ctx(), host);
-        self.remember(host);
+        self.remember(ui.ctx(), host);
         if self.playback.playing && self.documents.run.is_some() {
             ui.ctx().request_repaint();
         }

@@ -113,11 +113,11 @@ impl App {
             self.describe_map(host);
         }
         let session = self.documents.session();
-        self.fly_new(host, session.flight, session.map, session.mission);
+        self.fly_open(host, session);
     }
 
     /// Stores the document and the view a moment after they changed.
-    pub(super) fn remember(&mut self, host: &mut dyn Host) {
+    pub(super) fn remember(&mut self, context: &egui::Context, host: &mut dyn Host) {
         self.view.speed = self.playback.speed;
         self.view.looping = self.playback.looping;
         self.view.plan = self.views.planner.preferences.clone();
@@ -130,7 +130,9 @@ impl App {
         }
         let now = host.now();
         let since = *self.dirty_since.get_or_insert(now);
-        if now - since < STORE_AFTER {
+        let left = since + STORE_AFTER - now;
+        if left > 0.0 {
+            context.request_repaint_after(std::time::Duration::from_secs_f64(1e-3 * left));
             return;
         }
         self.dirty_since = None;

@@ -7,7 +7,7 @@ use pilotage_core::mission::Mission;
 
 use super::App;
 use super::desk::FlyJob;
-use crate::documents::Staged;
+use crate::documents::{Session, Staged};
 use crate::host::Host;
 use crate::jobs::{Distinctness, FlightSource, Job, MapSource};
 
@@ -36,6 +36,18 @@ impl App {
             mission: mission.clone(),
         };
         self.begin(host, flight, map, mission, staged, false);
+    }
+
+    /// Flies what a session names with the mission that is open, which stays: it may be edited before
+    /// the run begins.
+    pub(super) fn fly_open(&mut self, host: &mut dyn Host, session: Session) {
+        let Session {
+            flight,
+            map,
+            mission,
+            ..
+        } = session;
+        self.begin(host, flight, map, mission, Staged::default(), false);
     }
 
     /// Flies the same flight again with the mission as it is now.

@@ -162,7 +162,6 @@ impl Documents {
             }
         } else {
             self.ghost = None;
-            self.history.clear();
             self.distinctness.clear();
             self.pictures.clear();
         }
@@ -170,6 +169,7 @@ impl Documents {
             self.flight = Some(flight);
         }
         if let Some(mission) = staged.mission {
+            self.history.clear();
             self.mission = mission;
             self.mission_edited = false;
         }

@@ -1,6 +1,6 @@
 use egui::{Key, Modifiers, Vec2};
 
-use super::support::{ScriptedHost, rig, rig_on};
+use super::support::{Rig, ScriptedHost, rig, rig_on};
 
 #[test]
 fn a_landmark_survives_a_reload_and_an_undone_one_does_not() {
@@ -50,4 +50,39 @@ fn the_view_is_as_it_was_left() {
     let state = again.state();
     assert_eq!(state["units"], "Aviation");
     assert_eq!(state["speed"], 8.0);
+}
+
+#[test]
+fn what_is_edited_while_the_flight_of_the_last_visit_starts_stays() {
+    let mut rig = rig();
+    rig.key(Key::N);
+    let middle = rig.rect("/map/rect").center();
+    rig.drag(middle, middle + Vec2::new(60.0, 44.0));
+    rig.key(Key::Enter);
+    rig.settle();
+    let stored = rig.host().stored.clone();
+    let host = ScriptedHost {
+        stored,
+        silent_flights: true,
+        ..ScriptedHost::default()
+    };
+    let mut again = rig_on(host, Vec2::new(1440.0, 900.0));
+    assert_eq!(again.state()["run_steps"], 0);
+    let landmarks = |rig: &Rig| rig.state()["landmarks"].as_array().map(Vec::len);
+    assert_eq!(landmarks(&again), Some(5));
+    again.key(Key::N);
+    again.drag(
+        middle - Vec2::new(160.0, 120.0),
+        middle - Vec2::new(90.0, 70.0),
+    );
+    again.key(Key::Enter);
+    assert_eq!(landmarks(&again), Some(6));
+    // The flight begins with the five that it was given.
+    again.host().begin_flights();
+    again.frames(3);
+    assert_eq!(landmarks(&again), Some(6));
+    again.settle();
+    assert_eq!(again.state()["run_landmarks"], 6);
+    again.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(landmarks(&again), Some(5));
 }

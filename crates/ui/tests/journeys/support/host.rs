@@ -88,6 +88,16 @@ impl ScriptedHost {
             .find(|(_, j)| matches!(j, Job::Fly { .. }))
     }
 
+    /// Answers the flights that were left without an answer, and those to come.
+    pub fn begin_flights(&mut self) {
+        self.silent_flights = false;
+        for (id, job) in self.jobs.clone() {
+            if matches!(job, Job::Fly { .. }) {
+                self.answer(id, &job);
+            }
+        }
+    }
+
     /// Does what a worker would do.
     fn carry_out(&mut self, id: JobId, job: &Job) {
         let mut runner = JobRunner::new();
