@@ -34,7 +34,7 @@ export async function run(page, tools) {
   }
 
   // One landmark measured, with the ground of other days still to be laid out, then two more.
-  await tools.click((await tools.findAll(null, "Landmarks")).toSorted((a, b) => b.rect[0] - a.rect[0])[0]);
+  await tools.showLandmarks();
   await tools.click(await tools.find(null, /^dairy barn: /));
   await page.waitForTimeout(2000);
   for (const [key, wanted] of [["d", 1], ["Shift+D", 3]]) {

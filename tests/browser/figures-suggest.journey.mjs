@@ -45,7 +45,7 @@ export async function run(page, tools) {
   await page.setInputFiles("#files", [{ name: "mile.plan", mimeType: "application/json", buffer }]);
   const routes = before.plan.routes.length;
   await tools.waitFor((s) => s.workspace === "Plan" && s.plan.routes.length > routes, "the route over a square mile", 60_000);
-  await landmarks(tools);
+  await tools.showLandmarks();
   await page.waitForTimeout(25000);
   await tools.click(await tools.find("Button", /^Suggest \d+ landmarks for this route$/));
   const begun = Date.now();
@@ -59,7 +59,7 @@ export async function run(page, tools) {
   await page.setInputFiles("#files", files);
   await tools.waitFor((s) => s.map.name === "ortho.jpg" && s.map.tiles > 0 && s.landmarks.length === 10, "the orthophoto", 100_000);
   await tools.waitFor((s) => s.plan.suggested.list.length === 0, "the proposals for the other map gone");
-  await landmarks(tools);
+  await tools.showLandmarks();
   for (const [i, landmark] of (await tools.state()).landmarks.slice(0, 3).entries()) {
     const row = (await tools.findAll(null, new RegExp(`^${landmark.name}: `)))[0];
     await tools.click(row);
@@ -70,9 +70,4 @@ export async function run(page, tools) {
     console.log(`        ${landmark.name} of the orthophoto measured in ${seconds(measuring)} s`);
   }
   await tools.screenshot("figures-measured");
-}
-
-/** Shows the landmarks of the plan. */
-async function landmarks(tools) {
-  await tools.click((await tools.findAll(null, "Landmarks")).toSorted((a, b) => b.rect[0] - a.rect[0])[0]);
 }

@@ -10,7 +10,7 @@ export async function run(page, tools) {
   await page.keyboard.press("Shift+P");
   const first = await tools.waitFor((s) => s.workspace === "Plan" && s.plan.prediction, "the prediction", 90_000);
   const before = first.landmarks.length;
-  await tools.click((await tools.findAll(null, "Landmarks")).toSorted((a, b) => b.rect[0] - a.rect[0])[0]);
+  await tools.showLandmarks();
 
   /** A button, once it does not move any more. */
   const resting = async (label) => {

@@ -81,6 +81,12 @@ export function makeTools({ page, address, pictures, watched, atEnd }) {
     /** The middle of a node in CSS pixels. */
     middle: ({ rect: [left, top, right, bottom] }) => ({ x: (left + right) / 2, y: (top + bottom) / 2 }),
 
+    /** Shows the landmarks in the column of the plan: the tab is the rightmost of what is called so. */
+    async showLandmarks() {
+      const called = await tools.findAll(null, "Landmarks");
+      await tools.click(called.toSorted((a, b) => b.rect[0] - a.rect[0])[0]);
+    },
+
     /** Clicks the middle of a node. */
     async click(node) {
       const { x, y } = tools.middle(node);

@@ -62,6 +62,17 @@ async function fill(page, tools, label, text) {
   await page.keyboard.type(text);
 }
 
+/** Opens a file at an address; what is there when all of it is shown. */
+async function openFile(page, tools, address) {
+  await command(page, tools, "map from the web");
+  await tools.waitFor((s) => s.dialogs.web_map, "the dialog");
+  await fill(page, tools, "Address", address);
+  await page.waitForTimeout(1500); // the dialog is lower without the fields for tiles
+  await tools.click(await tools.find("Button", "Open the map"));
+  const file = address.slice(address.lastIndexOf("/"));
+  return tools.waitFor((s) => s.map.name?.endsWith(file) && s.map.tiles > 0 && s.map.whole, address, 60_000);
+}
+
 export async function run(page, tools) {
   const side = 1200;
   const server = await serve({
@@ -131,23 +142,13 @@ export async function run(page, tools) {
     await tools.waitFor((s) => s.map.name?.startsWith("127.0.0.1") && s.map.tiles > 3, "the tiles without the server", 60_000);
     console.log(`        ${server.counts.tiles - before} requests after the reload`);
 
-    await command(page, tools, "map from the web");
-    await tools.waitFor((s) => s.dialogs.web_map, "the dialog");
-    await fill(page, tools, "Address", `${server.address}/far.tif`);
-    await page.waitForTimeout(1500); // the dialog is lower without the fields for tiles
-    await tools.click(await tools.find("Button", "Open the map"));
-    const far = await tools.waitFor((s) => s.map.name?.endsWith("/far.tif") && s.map.tiles > 0 && s.map.whole, "the GeoTIFF", 60_000);
+    const far = await openFile(page, tools, `${server.address}/far.tif`);
     console.log(`        ${server.counts.ranges} ranges, ${(server.counts.bytes / 1e6).toFixed(1)} MB`);
     tools.check(server.counts.ranges > 1 && Math.abs(far.map.gsd - 0.5) < 1e-3, "the file was not read by ranges");
     await tools.screenshot("web-map-file");
 
     const ranges = server.counts.ranges;
-    await command(page, tools, "map from the web");
-    await tools.waitFor((s) => s.dialogs.web_map, "the dialog");
-    await fill(page, tools, "Address", `${server.address}/far.pmtiles`);
-    await page.waitForTimeout(1500);
-    await tools.click(await tools.find("Button", "Open the map"));
-    const archive = await tools.waitFor((s) => s.map.name?.endsWith("/far.pmtiles") && s.map.tiles > 0 && s.map.whole, "the archive", 60_000);
+    const archive = await openFile(page, tools, `${server.address}/far.pmtiles`);
     tools.check(server.counts.ranges > ranges, "the archive was not read by ranges");
     tools.check(archive.map.attribution === "© Whoever", `the attribution is ${archive.map.attribution}`);
     await tools.screenshot("web-map-archive");

@@ -132,7 +132,7 @@ fn caliterra_is_navigated_by_twenty_four_landmarks() {
 /// are about as good falls.
 #[test]
 fn brighton_beach_is_navigated_by_ten_boxes_that_the_planner_proposes() {
-    for (seed, least) in [(1, 18), (2, 16)] {
+    for (seed, least) in [(1, 18), (2, 17)] {
         let Some(summary) = proposed("brighton", "brighton_beach/ortho.jpg", (10, 9.0), seed)
         else {
             return;

@@ -39,14 +39,16 @@ pub fn fading_factor(
         pairs.iter().map(term).sum()
     };
     // Beyond this no term is positive.
-    let most = |(lambda, square): &(f64, f64)| (square - 1.0) / lambda.max(f64::MIN_POSITIVE);
     let beyond = pairs
         .iter()
         .filter(|(lambda, _)| *lambda > 1e-9)
-        .map(most)
+        .map(|(lambda, square)| (square - 1.0) / lambda)
         .fold(1.0, f64::max);
-    if !beyond.is_finite() || slope(1.0) <= 0.0 {
-        return beyond.is_finite().then_some(1.0);
+    if !beyond.is_finite() {
+        return None;
+    }
+    if slope(1.0) <= 0.0 {
+        return Some(1.0);
     }
     let (mut low, mut high) = (1.0, beyond);
     for _ in 0..HALVINGS {

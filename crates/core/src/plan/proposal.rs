@@ -6,7 +6,8 @@ use std::sync::Arc;
 use super::days::OtherDays;
 use super::field::FieldView;
 use super::suggest::{
-    Candidate, Ranking, Suggestion, choose_lasting, fading, poses_all_over, poses_over,
+    Candidate, Ranking, Suggestion, choose_lasting, fading, most_certain_first, poses_all_over,
+    poses_over,
 };
 use crate::frames::{GroundPoint, GroundRect, Pose};
 use crate::imagery::{CachedImagery, Imagery};
@@ -115,8 +116,8 @@ impl Proposal {
 
     /// At most `count` of them that serve the flight best, the one that gains most first.
     pub fn chosen(self, count: usize) -> Vec<Suggestion> {
-        let ranked = self.ranking.ranked();
-        self.question.choose(&self.frames, ranked, count)
+        let found = self.ranking.found();
+        self.question.choose(&self.frames, found, count)
     }
 }
 
@@ -133,17 +134,17 @@ impl ProposalQuestion {
     }
 
     /// What [`Proposal::chosen`] says of places that were found in parts, one part after the other.
-    pub fn chosen_of(&self, mut found: Vec<Candidate>, count: usize) -> Vec<Suggestion> {
-        found.sort_by(|a, b| b.probability().total_cmp(&a.probability()));
+    pub fn chosen_of(&self, found: Vec<Candidate>, count: usize) -> Vec<Suggestion> {
         self.choose(&self.frames(), found, count)
     }
 
     fn choose(
         &self,
         frames: &[(f64, Pose)],
-        mut ranked: Vec<Candidate>,
+        found: Vec<Candidate>,
         count: usize,
     ) -> Vec<Suggestion> {
+        let mut ranked = most_certain_first(found);
         ranked.retain(|c| self.taken.iter().all(|t| !t.overlaps(&c.bounds)));
         let lasting = fading(&self.navigator);
         let camera = &self.view.camera;

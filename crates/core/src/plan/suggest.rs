@@ -137,14 +137,9 @@ impl Ranking {
         frames: &[(f64, Pose)],
         ground_down: f64,
     ) -> Self {
-        let around = |(_, pose): &(f64, Pose)| surroundings(camera, pose, ground_down);
-        let around: Vec<Option<GroundRect>> = frames.iter().map(around).collect();
-        self.places.retain(|bounds| {
-            frames.iter().zip(&around).any(|((_, pose), around)| {
-                let is_near = around.is_none_or(|a| a.contains_rect(bounds));
-                is_near && holds(camera, pose, bounds, ground_down)
-            })
-        });
+        let footprints = Footprints::new(camera, frames, ground_down);
+        self.places
+            .retain(|bounds| (0..frames.len()).any(|f| footprints.hold(f, bounds)));
         self
     }
 
@@ -200,10 +195,14 @@ impl Ranking {
 
     /// The same, the most certain first.
     pub fn ranked(self) -> Vec<Candidate> {
-        let mut found = self.found;
-        found.sort_by(|a, b| b.probability().total_cmp(&a.probability()));
-        found
+        most_certain_first(self.found)
     }
+}
+
+/// Places by their probability; those of the same one stay in their order.
+pub fn most_certain_first(mut found: Vec<Candidate>) -> Vec<Candidate> {
+    found.sort_by(|a, b| b.probability().total_cmp(&a.probability()));
+    found
 }
 
 /// A proposed landmark and why.
@@ -349,10 +348,7 @@ impl Cover {
                 .copied()
                 .or((!frames.is_empty()).then_some(1.0)),
         );
-        let around: Vec<Option<GroundRect>> = frames
-            .iter()
-            .map(|(_, pose)| surroundings(camera, pose, ground_down))
-            .collect();
+        let footprints = Footprints::new(camera, frames, ground_down);
         let mut cover = Self {
             lasting,
             worth: Vec::new(),
@@ -361,9 +357,8 @@ impl Cover {
         for candidate in candidates {
             let mut last: Option<f64> = None;
             let (mut worth, mut in_view) = (Vec::new(), 0.0);
-            for (f, ((time, pose), around)) in frames.iter().zip(&around).enumerate() {
-                let near = around.is_none_or(|a| a.overlaps(&candidate.bounds));
-                if near && holds(camera, pose, &candidate.bounds, ground_down) {
+            for (f, (time, _)) in frames.iter().enumerate() {
+                if footprints.hold(f, &candidate.bounds) {
                     last = Some(*time);
                     in_view += cover.lasting[f];
                 }
@@ -405,6 +400,33 @@ impl Cover {
             (measure(before * (1.0 - w)) - measure(before)) * self.lasting[*f]
         });
         gains.sum()
+    }
+}
+
+/// Which boxes lie whole in which pictures of a flight.
+struct Footprints<'a> {
+    camera: &'a CameraModel,
+    frames: &'a [(f64, Pose)],
+    ground_down: f64,
+    /// For each frame a box around the ground in its picture: what does not touch it is not looked at.
+    around: Vec<Option<GroundRect>>,
+}
+
+impl<'a> Footprints<'a> {
+    fn new(camera: &'a CameraModel, frames: &'a [(f64, Pose)], ground_down: f64) -> Self {
+        let around = |(_, pose): &(f64, Pose)| surroundings(camera, pose, ground_down);
+        Self {
+            camera,
+            frames,
+            ground_down,
+            around: frames.iter().map(around).collect(),
+        }
+    }
+
+    /// Whether the picture of frame `f` holds all of a box.
+    fn hold(&self, f: usize, bounds: &GroundRect) -> bool {
+        self.around[f].is_none_or(|around| around.overlaps(bounds))
+            && holds(self.camera, &self.frames[f].1, bounds, self.ground_down)
     }
 }
 

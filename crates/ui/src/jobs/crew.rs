@@ -41,8 +41,8 @@ struct Assigned {
 }
 
 /// Shares jobs out among workers: one for flights, one for map tiles, one for questions; the first two
-/// share the measurement of a landmark and proposals, for which the flight waits and tiles do not. Workers are opened
-/// when first needed. Files that jobs name are kept here and given to a worker before
+/// share the measurement of a landmark and proposals, for which the flight waits and tiles do not.
+/// Workers are opened when first needed. Files that jobs name are kept here and given to a worker before
 /// the first job that names them.
 pub struct Crew<P> {
     open: Box<dyn FnMut(usize) -> P>,
@@ -123,9 +123,10 @@ impl<P: WorkerPort> Crew<P> {
     pub fn begin(&mut self, id: JobId, job: Job, tiles: Vec<(String, FileContent)>) {
         let key = super::WEB_TILES.to_owned();
         let files = tiles;
-        let seats = match &job {
-            shared if SharedJob::is_shared(shared) => 0..SHARES,
-            other => seat_for(other)..seat_for(other) + 1,
+        let seats = if SharedJob::new(&job).is_some() {
+            0..SHARES
+        } else {
+            seat_for(&job)..seat_for(&job) + 1
         };
         for seat in seats {
             let (key, files) = (key.clone(), files.clone());

@@ -58,12 +58,11 @@ impl JobRunner {
                 let urgency = urgency(&job);
                 let job = self.workshop.start(job);
                 let place = self.entries.partition_point(|e| e.urgency <= urgency);
-                let told = None;
                 let entry = Entry {
                     id,
                     urgency,
                     job,
-                    told,
+                    told: None,
                 };
                 self.entries.insert(place, entry);
             }

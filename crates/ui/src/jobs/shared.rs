@@ -51,11 +51,6 @@ impl SharedJob {
         })
     }
 
-    /// Whether a job is shared.
-    pub fn is_shared(job: &Job) -> bool {
-        matches!(job, Job::Assess(_) | Job::Suggest(_))
-    }
-
     /// The jobs that it is shared out as.
     pub fn jobs(&self) -> [Job; SHARES] {
         std::array::from_fn(|part| {

@@ -41,21 +41,22 @@ impl Across {
     }
 }
 
-/// A band along the flown path as wide as the 95 % corridor, its pieces coloured by the sample at their end.
-fn band(
-    view: &ScreenFromWorld,
-    samples: &[PredictionSample],
-    color: impl Fn(&PredictionSample) -> Color32,
-) -> Shape {
+/// Pieces across the whole corridor.
+fn across(view: &ScreenFromWorld, samples: &[PredictionSample]) -> Vec<Across> {
+    samples.iter().map(|s| Across::at(view, s)).collect()
+}
+
+/// A band over the pieces, each part coloured as the piece at its end.
+fn band(pieces: &[Across], color: impl Fn(usize) -> Color32) -> Shape {
     let mut mesh = Mesh::default();
-    for pair in samples.windows(2) {
-        let [a, b] = [&pair[0], &pair[1]].map(|s| Across::at(view, s).sides);
+    for (end, pair) in (1..).zip(pieces.windows(2)) {
+        let [a, b] = [pair[0].sides, pair[1].sides];
         let first = mesh.vertices.len() as u32;
         for pos in [a[0], a[1], b[1], b[0]] {
             mesh.vertices.push(Vertex {
                 pos,
                 uv: WHITE_UV,
-                color: color(&pair[1]),
+                color: color(end),
             });
         }
         mesh.add_triangle(first, first + 1, first + 2);
@@ -70,7 +71,7 @@ pub(super) fn corridor_band(
     prediction: &Prediction,
     color: Color32,
 ) -> Shape {
-    band(view, &prediction.samples, |_| color)
+    band(&across(view, &prediction.samples), |_| color)
 }
 
 /// Draws the 95 % corridor along the flown path: a band, its edges, and ellipses at intervals.
@@ -90,8 +91,10 @@ pub(super) fn paint_corridor(
         }
     };
     let samples = &prediction.samples;
-    painter.add(band(view, samples, |s| color(over(s)).gamma_multiply(0.26)));
-    let pieces: Vec<Across> = samples.iter().map(|s| Across::at(view, s)).collect();
+    let pieces = across(view, samples);
+    painter.add(band(&pieces, |i| {
+        color(over(&samples[i])).gamma_multiply(0.26)
+    }));
     let mut begin = 0;
     let alike = |a: usize, b: usize| {
         over(&samples[a]) == over(&samples[b]) && pieces[a].is_cut == pieces[b].is_cut
