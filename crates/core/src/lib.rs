@@ -1,5 +1,5 @@
 //! The method of Pilotage without a screen: frames, pictures, cameras, filter, vehicles, imagery,
-//! landmarks, flights, the navigator, and a world to try it in.
+//! landmarks, flights, the navigator, a world to try it in, and detectors trained in it.
 //!
 //! Modules are listed from the bottom up; a lower one never imports a higher one, and none of them
 //! reaches a screen, a clock, a file system or a thread. `cargo xtask test` checks both.
@@ -16,4 +16,5 @@ pub mod navigator;
 pub mod plan;
 pub mod raster;
 pub mod simulate;
+pub mod training;
 pub mod vehicle;

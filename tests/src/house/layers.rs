@@ -7,7 +7,7 @@ use super::{
 };
 
 /// The folders of `crates/core/src` from the bottom up.
-pub const ORDER: [&str; 14] = [
+pub const ORDER: [&str; 15] = [
     "frames",
     "raster",
     "camera",
@@ -21,6 +21,7 @@ pub const ORDER: [&str; 14] = [
     "exchange",
     "simulate",
     "plan",
+    "training",
     "study",
 ];
 

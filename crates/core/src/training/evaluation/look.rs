@@ -1,0 +1,55 @@
+//! What an evaluation is made of: pictures in which one landmark was searched.
+
+use serde::{Deserialize, Serialize};
+
+/// One picture in which one landmark was searched.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct EvaluatedLook {
+    /// The day it shows. Looks of one day have light, season and weather in common and are not
+    /// independent: the intervals draw whole days.
+    pub day: usize,
+    /// Height of the camera above the ground, metres.
+    pub height: f64,
+    /// Angle between the optical axis and straight down, radians.
+    pub tilt: f64,
+    /// Assumed heading less the true one, radians.
+    pub heading_error: f64,
+    /// A real frame, not a render.
+    pub real: bool,
+    /// Whether the landmark is whole in the searched picture. Where it is not, every mark is a
+    /// false alarm.
+    pub present: bool,
+    /// Everything the detector marked, with scores down to far below any threshold of use.
+    pub marks: Vec<EvaluatedMark>,
+}
+
+/// One place that the detector marked in a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct EvaluatedMark {
+    /// The detector's score: the higher, the surer. Its unit is the detector's own.
+    pub score: f64,
+    /// From the landmark to the mark on the ground under the assumed pose: north, east, metres.
+    pub offset: [f64; 2],
+    /// Whether it is the landmark.
+    pub right: bool,
+}
+
+impl EvaluatedLook {
+    /// The highest score of a right mark, `None` where the landmark was not marked.
+    pub fn found_at(&self) -> Option<f64> {
+        highest(self.marks.iter().filter(|mark| self.present && mark.right))
+    }
+
+    /// The highest score of a wrong mark, `None` where there is none.
+    pub fn deceived_at(&self) -> Option<f64> {
+        highest(
+            self.marks
+                .iter()
+                .filter(|mark| !(self.present && mark.right)),
+        )
+    }
+}
+
+fn highest<'a>(marks: impl Iterator<Item = &'a EvaluatedMark>) -> Option<f64> {
+    marks.map(|mark| mark.score).max_by(f64::total_cmp)
+}

@@ -1,0 +1,3 @@
+//! Detectors trained from the map, and how well they do where they were not trained.
+
+pub mod evaluation;
