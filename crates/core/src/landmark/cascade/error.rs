@@ -25,4 +25,12 @@ pub enum CascadeError {
         /// What is wrong.
         cause: String,
     },
+    /// Parts that make no cascade.
+    #[error("{place}: {cause}")]
+    Parts {
+        /// Which part.
+        place: String,
+        /// What is wrong.
+        cause: String,
+    },
 }

@@ -6,8 +6,6 @@ use crate::raster::Raster;
 /// than the picture. They may overflow: differences of them do not.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Integral {
-    /// Numbers in a row of each table.
-    pub stride: usize,
     /// Sums of the pixels.
     pub sum: Vec<i32>,
     /// Sums of their squares.
@@ -48,7 +46,6 @@ impl Integral {
             Vec::new()
         };
         Self {
-            stride,
             sum,
             squares,
             tilted,
@@ -119,7 +116,7 @@ mod tests {
                         }
                     }
                 }
-                let at = y as usize * integral.stride + x as usize;
+                let at = y as usize * 10 + x as usize;
                 assert_eq!(integral.sum[at], sum);
                 assert_eq!(integral.squares[at], squares);
                 assert_eq!(integral.tilted[at], tilted, "{x} {y}");

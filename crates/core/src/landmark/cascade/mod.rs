@@ -4,16 +4,27 @@
 //! pass or ends it, and nearly all end in the first ones. DeAngelo 2016, section 3.3, finds his
 //! landmarks with them.
 
+mod build;
+mod check;
 mod error;
 mod group;
+mod histograms;
 mod integral;
+mod layout;
 mod model;
+mod patch;
 mod read;
+mod responses;
 mod scale;
 mod scan;
+#[cfg(test)]
+mod tests;
 mod xml;
 
+pub use build::{Split, TrainedNode, TrainedStage, TrainedTree};
 pub use error::CascadeError;
 pub use group::{Group, group};
-pub use model::{Cascade, Feature, HaarFeature, Stage};
+pub use model::{Area, Cascade, Feature, HaarFeature, Kind, Stage};
+pub use patch::{Evaluator, Patch, feature_codes, feature_values};
+pub use responses::{Responses, responses};
 pub use scan::{Rectangle, ScanSettings, Scanned, scan};

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 /// A rectangle of the window: left, top, width, height, pixels.
-pub(super) type Area = [i32; 4];
+pub type Area = [i32; 4];
 
 /// What a cascade looks at.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,6 +12,40 @@ pub enum Feature {
     Haar(HaarFeature),
     /// Nine blocks, each compared with the middle one; the first of them: left, top, width, height.
     Lbp(Area),
+    /// Share of one direction of the edges in one of four cells of a block (Dalal and Triggs 2005, as
+    /// the cascades of OpenCV 2.4 and of MATLAB's `trainCascadeObjectDetector` use it).
+    Hog {
+        /// The upper left cell; the other three, of the same size, lie right of it, below it, and both.
+        cell: Area,
+        /// Nine times the cell (upper left, upper right, lower left, lower right) plus the direction:
+        /// of nine, 20° wide; the first holds gradients of 10° to 30° from x towards y, or opposite.
+        component: u8,
+    },
+}
+
+/// Numbers that a HOG block has: four cells of nine directions.
+pub(super) const COMPONENTS: u8 = 36;
+
+/// Which features a cascade has; all of them are of one kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// [`Feature::Haar`].
+    Haar,
+    /// [`Feature::Lbp`].
+    Lbp,
+    /// [`Feature::Hog`].
+    Hog,
+}
+
+impl Feature {
+    /// Its kind.
+    pub fn kind(&self) -> Kind {
+        match self {
+            Feature::Haar(_) => Kind::Haar,
+            Feature::Lbp(_) => Kind::Lbp,
+            Feature::Hog { .. } => Kind::Hog,
+        }
+    }
 }
 
 /// Sums of pixels in up to three rectangles, each with a weight.
@@ -32,7 +66,7 @@ pub(super) struct Node {
     pub left: i32,
     /// See `left`.
     pub right: i32,
-    /// What a Haar feature is compared with.
+    /// What a Haar or HOG feature is compared with; less goes left.
     pub threshold: f32,
 }
 
@@ -78,14 +112,19 @@ pub struct Cascade {
 }
 
 impl Cascade {
-    /// Whether it looks at local binary patterns.
-    pub fn is_lbp(&self) -> bool {
-        matches!(self.features.first(), Some(Feature::Lbp(_)))
+    /// What it looks at.
+    pub fn kind(&self) -> Kind {
+        kind(&self.features)
     }
+}
 
-    /// Whether any of its features is turned by 45°.
-    pub fn is_tilted(&self) -> bool {
-        let tilted = |f: &Feature| matches!(f, Feature::Haar(h) if h.tilted);
-        self.features.iter().any(tilted)
-    }
+/// The kind of the features, that of the first; none at all count as Haar.
+pub(super) fn kind(features: &[Feature]) -> Kind {
+    features.first().map_or(Kind::Haar, Feature::kind)
+}
+
+/// Whether any of the features is turned by 45°.
+pub(super) fn any_tilted(features: &[Feature]) -> bool {
+    let tilted = |f: &Feature| matches!(f, Feature::Haar(h) if h.tilted);
+    features.iter().any(tilted)
 }

@@ -4,13 +4,12 @@
 use std::str::FromStr;
 
 use super::CascadeError;
-use super::model::{Area, Cascade, Feature, HaarFeature, Node, Stage, Tree};
+use super::check::{NO_AREA, empty};
+use super::model::{Area, Cascade, Feature, HaarFeature, Kind, Node};
 use super::xml::{self, Element};
 
 /// What OpenCV takes from each stage's threshold, against rounding.
-const THRESHOLD_SLACK: f32 = 1e-5;
-/// Longest side of a window that is read, pixels.
-const LONGEST: usize = 2048;
+pub(super) const THRESHOLD_SLACK: f32 = 1e-5;
 
 /// An element on the way down and what it is called in complaints.
 struct Place<'a> {
@@ -26,6 +25,10 @@ impl<'a> Place<'a> {
             place: self.path.clone(),
             cause: cause.into(),
         })
+    }
+
+    fn checked<T>(&self, result: Result<T, String>) -> Result<T, CascadeError> {
+        result.or_else(|cause| self.fail(cause))
     }
 
     fn below(&self, name: &str, element: &'a Element) -> Self {
@@ -61,28 +64,6 @@ impl<'a> Place<'a> {
     }
 }
 
-/// An empty cascade for a window of that size.
-fn empty(place: &Place<'_>, width: i64, height: i64) -> Result<Cascade, CascadeError> {
-    let side = |v: i64| {
-        usize::try_from(v)
-            .ok()
-            .filter(|v| (3..=LONGEST).contains(v))
-    };
-    let (Some(width), Some(height)) = (side(width), side(height)) else {
-        return place.fail(format!("a window of {width} × {height} pixels"));
-    };
-    Ok(Cascade {
-        width,
-        height,
-        features: Vec::new(),
-        stages: Vec::new(),
-        trees: Vec::new(),
-        nodes: Vec::new(),
-        leaves: Vec::new(),
-        subsets: Vec::new(),
-    })
-}
-
 impl Cascade {
     /// Reads the file `name` with the content `text`.
     ///
@@ -107,153 +88,84 @@ impl Cascade {
         }
     }
 
-    fn check(self, place: &Place<'_>) -> Result<Self, CascadeError> {
-        if self.stages.is_empty() {
-            return place.fail("no stage in it");
-        }
-        let features = self.features.len() as u32;
-        if let Some(node) = self.nodes.iter().find(|n| n.feature >= features) {
-            return place.fail(format!(
-                "feature {} of {features} is asked for",
-                node.feature
-            ));
-        }
-        Ok(self)
-    }
-
-    /// Appends a tree. A next node lies behind its own, so that every walk ends.
-    fn grow(
-        &mut self,
-        place: &Place<'_>,
-        nodes: &[Node],
-        leaves: &[f32],
-    ) -> Result<(), CascadeError> {
-        if nodes.is_empty() || leaves.len() != nodes.len() + 1 {
-            return place.fail(format!(
-                "{} nodes with {} leaves",
-                nodes.len(),
-                leaves.len()
-            ));
-        }
-        for (i, node) in nodes.iter().enumerate() {
-            for next in [node.left, node.right] {
-                let is_node = next > 0 && (next as usize) < nodes.len() && next as usize > i;
-                let is_leaf = next <= 0 && (next.unsigned_abs() as usize) < leaves.len();
-                if !is_node && !is_leaf {
-                    return place.fail(format!("node {i} leads to {next}"));
-                }
-            }
-        }
-        let first = self.nodes.len();
-        self.trees.push(Tree {
-            nodes: first..first + nodes.len(),
-            first_leaf: self.leaves.len(),
-        });
-        self.nodes.extend(nodes);
-        self.leaves.extend(leaves);
-        Ok(())
-    }
-
-    fn end_stage(&mut self, first_tree: usize, threshold: f32) {
-        self.stages.push(Stage {
-            trees: first_tree..self.trees.len(),
-            threshold: threshold - THRESHOLD_SLACK,
-        });
-    }
-
-    fn area(&self, place: &Place<'_>, numbers: &[f64], grown: i32) -> Result<Area, CascadeError> {
-        let whole = |i: usize| {
-            let v = numbers[i];
-            (v.fract() == 0.0 && v.abs() < 1e6).then_some(v as i32)
-        };
-        let area = [whole(0), whole(1), whole(2), whole(3)];
-        let [Some(x), Some(y), Some(w), Some(h)] = area else {
-            return place.fail("a rectangle of broken pixels");
-        };
-        let (width, height) = (self.width as i32, self.height as i32);
-        let inside = x >= 0 && y >= 0 && w > 0 && h > 0;
-        if !inside || x + grown * w > width || y + grown * h > height {
-            return place.fail(format!("the rectangle {x} {y} {w} {h} leaves the window"));
-        }
-        Ok([x, y, w, h])
-    }
-
-    fn haar(&self, place: &Place<'_>) -> Result<Feature, CascadeError> {
+    fn haar(&mut self, place: &Place<'_>) -> Result<(), CascadeError> {
         let tilted = match place.element.child("tilted") {
             Some(_) => place.child("tilted")?.number::<i32>()? != 0,
             None => false,
         };
-        let mut areas = [([1, 0, 1, 1], 0.0); 3];
+        let mut areas = [NO_AREA; 3];
         let rects = place.child("rects")?;
         for (i, item) in rects.items("rectangle").enumerate() {
             let numbers = item.numbers::<f64>(5)?;
             let Some(area) = areas.get_mut(i) else {
                 return item.fail("over three rectangles");
             };
-            *area = if tilted {
-                (self.tilted_area(&item, &numbers)?, numbers[4] as f32)
-            } else {
-                (self.area(&item, &numbers, 1)?, numbers[4] as f32)
-            };
+            *area = (whole(&item, &numbers)?, numbers[4] as f32);
         }
-        if areas[0].1 == 0.0 {
-            return rects.fail("no rectangle with a weight");
-        }
-        Ok(Feature::Haar(HaarFeature { areas, tilted }))
+        let feature = Feature::Haar(HaarFeature { areas, tilted });
+        rects.checked(self.add_feature(feature))
     }
+}
 
-    /// A turned rectangle goes from its uppermost corner `w` pixels down to the right and `h` down to
-    /// the left.
-    fn tilted_area(&self, place: &Place<'_>, numbers: &[f64]) -> Result<Area, CascadeError> {
-        let [x, y, w, h] = [0, 1, 2, 3].map(|i| numbers[i] as i32);
-        let inside = (0..=LONGEST as i32).contains(&x)
-            && y >= 0
-            && (1..=LONGEST as i32).contains(&w)
-            && (1..=LONGEST as i32).contains(&h);
-        if !inside
-            || x - h < 0
-            || x + w > self.width as i32
-            || y.saturating_add(w + h) > self.height as i32
-        {
-            return place.fail(format!(
-                "the turned rectangle {x} {y} {w} {h} leaves the window"
-            ));
-        }
-        Ok([x, y, w, h])
+/// Four numbers that are whole.
+fn whole(place: &Place<'_>, numbers: &[f64]) -> Result<Area, CascadeError> {
+    if numbers[..4]
+        .iter()
+        .all(|v| v.fract() == 0.0 && v.abs() < 1e6)
+    {
+        Ok(std::array::from_fn(|i| numbers[i] as i32))
+    } else {
+        place.fail("a rectangle of broken pixels")
     }
 }
 
 /// The present layout.
 fn present(place: &Place<'_>) -> Result<Cascade, CascadeError> {
     let size = |name| place.child(name)?.number::<i64>();
-    let mut cascade = empty(place, size("width")?, size("height")?)?;
+    let mut cascade = place.checked(empty(size("width")?, size("height")?))?;
     let kind = place.child("featureType")?;
-    let kind_name = kind.element.text.trim();
-    let lbp = match kind_name {
-        "HAAR" => false,
-        "LBP" => true,
+    let kind = match kind.element.text.trim() {
+        "HAAR" => Kind::Haar,
+        "LBP" => Kind::Lbp,
+        "HOG" => Kind::Hog,
         other => return kind.fail(format!("features of the kind {other} are not known")),
     };
     for item in place.child("features")?.items("feature") {
-        let feature = if lbp {
-            let rect = item.child("rect")?;
-            Feature::Lbp(cascade.area(&rect, &rect.numbers::<f64>(4)?, 3)?)
+        if kind == Kind::Haar {
+            cascade.haar(&item)?;
+            continue;
+        }
+        let rect = item.child("rect")?;
+        let numbers = rect.numbers::<f64>(if kind == Kind::Hog { 5 } else { 4 })?;
+        let area = whole(&rect, &numbers)?;
+        let feature = if kind == Kind::Lbp {
+            Feature::Lbp(area)
         } else {
-            cascade.haar(&item)?
+            if numbers[4].fract() != 0.0 || !(0.0..256.0).contains(&numbers[4]) {
+                return rect.fail(format!("component {}", numbers[4]));
+            }
+            Feature::Hog {
+                cell: area,
+                component: numbers[4] as u8,
+            }
         };
-        cascade.features.push(feature);
+        rect.checked(cascade.add_feature(feature))?;
     }
     for stage in place.child("stages")?.items("stage") {
         let first_tree = cascade.trees.len();
         for tree in stage.child("weakClassifiers")?.items("tree") {
-            let nodes = nodes(&mut cascade, &tree.child("internalNodes")?, lbp)?;
+            let nodes = nodes(
+                &mut cascade,
+                &tree.child("internalNodes")?,
+                kind == Kind::Lbp,
+            )?;
             let leaves = tree.child("leafValues")?.numbers::<f32>(2)?;
-            cascade.grow(&tree, &nodes, &leaves)?;
+            tree.checked(cascade.grow(&nodes, &leaves))?;
         }
         let threshold = stage.child("stageThreshold")?.number::<f32>()?;
-        cascade.end_stage(first_tree, threshold);
+        stage.checked(cascade.end_stage(first_tree, threshold - THRESHOLD_SLACK))?;
     }
-    cascade.check(place)
+    place.checked(cascade.check())
 }
 
 /// Rows of left, right, feature, threshold, or in place of the threshold eight words of codes.
@@ -285,14 +197,13 @@ fn nodes(cascade: &mut Cascade, place: &Place<'_>, lbp: bool) -> Result<Vec<Node
 /// The layout of before 2010, Haar only: features stand in the nodes.
 fn former(place: &Place<'_>) -> Result<Cascade, CascadeError> {
     let size = place.child("size")?.numbers::<i64>(2)?;
-    let mut cascade = empty(place, size[0], size[1])?;
+    let mut cascade = place.checked(empty(size[0], size[1]))?;
     for stage in place.child("stages")?.items("stage") {
         let first_tree = cascade.trees.len();
         for tree in stage.child("trees")?.items("tree") {
             let (mut nodes, mut leaves) = (Vec::new(), Vec::new());
             for node in tree.items("node") {
-                let feature = cascade.haar(&node.child("feature")?)?;
-                cascade.features.push(feature);
+                cascade.haar(&node.child("feature")?)?;
                 let mut next = |side: &str| -> Result<i32, CascadeError> {
                     if let Ok(value) = node.child(&format!("{side}_val")) {
                         leaves.push(value.number::<f32>()?);
@@ -307,10 +218,10 @@ fn former(place: &Place<'_>) -> Result<Cascade, CascadeError> {
                     threshold: node.child("threshold")?.number()?,
                 });
             }
-            cascade.grow(&tree, &nodes, &leaves)?;
+            tree.checked(cascade.grow(&nodes, &leaves))?;
         }
         let threshold = stage.child("stage_threshold")?.number::<f32>()?;
-        cascade.end_stage(first_tree, threshold);
+        stage.checked(cascade.end_stage(first_tree, threshold - THRESHOLD_SLACK))?;
     }
-    cascade.check(place)
+    place.checked(cascade.check())
 }

@@ -1,7 +1,7 @@
 //! A cascade shown every window of a picture at every scale.
 
-use super::integral::Integral;
-use super::model::{Area, Cascade, Feature};
+use super::layout::{Layout, Tables};
+use super::model::{Cascade, Tree};
 use super::scale::resized;
 use crate::raster::Raster;
 
@@ -67,7 +67,7 @@ pub struct Scanned {
 pub fn scan(cascade: &Cascade, picture: &Raster<u8>, settings: &ScanSettings) -> Vec<Scanned> {
     let mut found = Vec::new();
     for scale in scales(cascade, picture, settings) {
-        Level::new(cascade, picture, scale).scan(&mut found);
+        scan_level(cascade, picture, scale, &mut found);
     }
     found
 }
@@ -109,200 +109,113 @@ fn scales(cascade: &Cascade, picture: &Raster<u8>, settings: &ScanSettings) -> V
     scales
 }
 
-/// A corner-wise sum: four places of a table relative to the window's first.
-type Corners = [usize; 4];
-
-fn sum(table: &[i32], at: usize, corners: &Corners) -> i32 {
-    let [a, b, c, d] = corners.map(|offset| table[at + offset]);
-    a.wrapping_sub(b).wrapping_sub(c).wrapping_add(d)
-}
-
-fn upright([x, y, w, h]: Area, stride: usize) -> Corners {
-    let at = |x: i32, y: i32| y as usize * stride + x as usize;
-    [at(x, y), at(x + w, y), at(x, y + h), at(x + w, y + h)]
-}
-
-fn turned([x, y, w, h]: Area, stride: usize) -> Corners {
-    let at = |x: i32, y: i32| y as usize * stride + x as usize;
-    [
-        at(x, y),
-        at(x - h, y + h),
-        at(x + w, y + w),
-        at(x + w - h, y + w + h),
-    ]
-}
-
-/// A feature laid out for one level's tables.
-enum Laid {
-    Haar {
-        areas: [(Corners, f32); 3],
-        tilted: bool,
-    },
-    /// Corners of the four by four lattice of the nine blocks.
-    Lbp([usize; 16]),
-}
-
-/// A smaller copy of the picture, its tables, and the cascade laid out for them.
-struct Level<'a> {
+/// A picture seen through a cascade.
+pub(super) struct Sight<'a> {
     cascade: &'a Cascade,
-    scale: f32,
-    columns: usize,
-    rows: usize,
-    step: usize,
-    integral: Integral,
-    laid: Vec<Laid>,
-    norm: Corners,
-    norm_area: f64,
-}
-
-impl<'a> Level<'a> {
-    fn new(cascade: &'a Cascade, picture: &Raster<u8>, scale: f32) -> Self {
-        let side = |s: usize| f64::from(s as f32 / scale).round_ties_even() as usize;
-        let (width, height) = (side(picture.width()), side(picture.height()));
-        let copy = resized(picture, width, height);
-        let integral = Integral::of(&copy, !cascade.is_lbp(), cascade.is_tilted());
-        let stride = integral.stride;
-        let (w, h) = (cascade.width as i32, cascade.height as i32);
-        let laid = cascade.features.iter().map(|feature| match feature {
-            Feature::Haar(haar) => Laid::Haar {
-                areas: haar.areas.map(|(area, weight)| {
-                    let lay = if haar.tilted { turned } else { upright };
-                    (lay(area, stride), weight)
-                }),
-                tilted: haar.tilted,
-            },
-            Feature::Lbp([x, y, w, h]) => Laid::Lbp(std::array::from_fn(|i| {
-                let (column, row) = ((i % 4) as i32, (i / 4) as i32);
-                (y + row * h) as usize * stride + (x + column * w) as usize
-            })),
-        });
-        Self {
-            cascade,
-            scale,
-            columns: (width + 1).saturating_sub(cascade.width),
-            rows: (height + 1).saturating_sub(cascade.height),
-            // Large windows are shown at every pixel of their small copy.
-            step: if scale >= 2.0 { 1 } else { 2 },
-            laid: laid.collect(),
-            norm: upright([1, 1, w - 2, h - 2], stride),
-            norm_area: f64::from((w - 2) * (h - 2)),
-            integral,
-        }
-    }
-
-    fn scan(&self, found: &mut Vec<Scanned>) {
-        let round = |v: f32| v.round_ties_even() as i32;
-        let width = round(self.cascade.width as f32 * self.scale);
-        let height = round(self.cascade.height as f32 * self.scale);
-        for y in (0..self.rows).step_by(self.step) {
-            let mut x = 0;
-            while x < self.columns {
-                match self.verdict(x, y) {
-                    Verdict::Passed(score) => found.push(Scanned {
-                        rectangle: Rectangle {
-                            x: round(x as f32 * self.scale),
-                            y: round(y as f32 * self.scale),
-                            width,
-                            height,
-                        },
-                        score,
-                    }),
-                    // What the very first stage refuses has no better neighbour.
-                    Verdict::Refused(0) => x += self.step,
-                    Verdict::Refused(_) | Verdict::Flat => {}
-                }
-                x += self.step;
-            }
-        }
-    }
-
-    fn verdict(&self, x: usize, y: usize) -> Verdict {
-        let at = y * self.integral.stride + x;
-        let factor = if self.cascade.is_lbp() {
-            1.0
-        } else {
-            match self.one_over_deviation(at) {
-                Some(factor) => factor,
-                None => return Verdict::Flat,
-            }
-        };
-        let mut votes = 0.0;
-        for (number, stage) in self.cascade.stages.iter().enumerate() {
-            votes = 0.0;
-            for tree in &self.cascade.trees[stage.trees.clone()] {
-                let mut next = 0;
-                loop {
-                    let index = tree.nodes.start + next as usize;
-                    let node = &self.cascade.nodes[index];
-                    let left = match &self.laid[node.feature as usize] {
-                        Laid::Haar { areas, tilted } => {
-                            self.haar(at, areas, *tilted) * factor < node.threshold
-                        }
-                        Laid::Lbp(lattice) => {
-                            let code = self.code(at, lattice);
-                            let subset = &self.cascade.subsets[index];
-                            subset[code >> 5] >> (code & 31) & 1 == 1
-                        }
-                    };
-                    next = if left { node.left } else { node.right };
-                    if next <= 0 {
-                        break;
-                    }
-                }
-                let leaf = tree.first_leaf + next.unsigned_abs() as usize;
-                votes += f64::from(self.cascade.leaves[leaf]);
-            }
-            if votes < f64::from(stage.threshold) {
-                return Verdict::Refused(number);
-            }
-        }
-        Verdict::Passed(votes)
-    }
-
-    /// One over the standard deviation of the window times its area, `None` if it is flat.
-    fn one_over_deviation(&self, at: usize) -> Option<f32> {
-        let sum_of = f64::from(sum(&self.integral.sum, at, &self.norm));
-        let squares = f64::from(sum(&self.integral.squares, at, &self.norm) as u32);
-        let spread = self.norm_area * squares - sum_of * sum_of;
-        if spread <= 0.0 {
-            return None;
-        }
-        let factor = (1.0 / spread.sqrt()) as f32;
-        (self.norm_area * f64::from(factor) < 0.1).then_some(factor)
-    }
-
-    fn haar(&self, at: usize, areas: &[(Corners, f32); 3], tilted: bool) -> f32 {
-        let table = if tilted {
-            &self.integral.tilted
-        } else {
-            &self.integral.sum
-        };
-        let part = |i: usize| areas[i].1 * sum(table, at, &areas[i].0) as f32;
-        let value = part(0) + part(1);
-        if areas[2].1 == 0.0 {
-            value
-        } else {
-            value + part(2)
-        }
-    }
-
-    fn code(&self, at: usize, lattice: &[usize; 16]) -> usize {
-        let table = &self.integral.sum;
-        let block = |i: usize| {
-            let corners = [lattice[i], lattice[i + 1], lattice[i + 4], lattice[i + 5]];
-            sum(table, at, &corners)
-        };
-        let middle = block(5);
-        // Clockwise from the upper left one, the first in the highest bit.
-        [0, 1, 2, 6, 10, 9, 8, 4]
-            .into_iter()
-            .fold(0, |code, i| code << 1 | usize::from(block(i) >= middle))
-    }
+    layout: Layout,
+    tables: Tables,
 }
 
 /// What a cascade says of a window.
-enum Verdict {
-    Passed(f64),
-    Refused(usize),
-    Flat,
+pub(super) struct Seen {
+    /// Stages passed.
+    pub passed: usize,
+    /// Whether the window was so flat that no stage was asked.
+    pub flat: bool,
+    /// Votes of the last stage met.
+    pub votes: f64,
+    /// Sum over the stages met of votes less threshold; minus infinity where none was.
+    pub margin: f64,
+}
+
+impl<'a> Sight<'a> {
+    pub fn new(cascade: &'a Cascade, layout: Layout, picture: &Raster<u8>) -> Self {
+        Self {
+            cascade,
+            tables: layout.tables(picture),
+            layout,
+        }
+    }
+
+    /// Shows the window whose upper left pixel is (x, y).
+    pub fn look(&self, x: usize, y: usize) -> Seen {
+        let at = y * self.layout.stride + x;
+        let mut seen = Seen {
+            passed: 0,
+            flat: false,
+            votes: 0.0,
+            margin: 0.0,
+        };
+        let Some(factor) = self.layout.factor(&self.tables, at) else {
+            seen.flat = true;
+            seen.margin = f64::NEG_INFINITY;
+            return seen;
+        };
+        for stage in &self.cascade.stages {
+            let trees = self.cascade.trees[stage.trees.clone()].iter();
+            seen.votes = trees.fold(0.0, |sum, tree| sum + self.vote(tree, at, factor));
+            let margin = seen.votes - f64::from(stage.threshold);
+            seen.margin += margin;
+            if margin < 0.0 {
+                break;
+            }
+            seen.passed += 1;
+        }
+        seen
+    }
+
+    fn vote(&self, tree: &Tree, at: usize, factor: f32) -> f64 {
+        let mut next = 0;
+        loop {
+            let index = tree.nodes.start + next as usize;
+            let node = &self.cascade.nodes[index];
+            let feature = node.feature as usize;
+            let left = if let Some(subset) = self.cascade.subsets.get(index) {
+                let code = self.layout.code(&self.tables, feature, at);
+                subset[code >> 5] >> (code & 31) & 1 == 1
+            } else {
+                self.layout.value(&self.tables, feature, at, factor) < node.threshold
+            };
+            next = if left { node.left } else { node.right };
+            if next <= 0 {
+                let leaf = tree.first_leaf + next.unsigned_abs() as usize;
+                return f64::from(self.cascade.leaves[leaf]);
+            }
+        }
+    }
+}
+
+/// Shows every window of a smaller copy of `picture`.
+fn scan_level(cascade: &Cascade, picture: &Raster<u8>, scale: f32, found: &mut Vec<Scanned>) {
+    let side = |s: usize| f64::from(s as f32 / scale).round_ties_even() as usize;
+    let (width, height) = (side(picture.width()), side(picture.height()));
+    let copy = resized(picture, width, height);
+    let layout = Layout::new(&cascade.features, cascade.width, cascade.height, width + 1);
+    let sight = Sight::new(cascade, layout, &copy);
+    let columns = (width + 1).saturating_sub(cascade.width);
+    let rows = (height + 1).saturating_sub(cascade.height);
+    // Large windows are shown at every pixel of their small copy.
+    let step = if scale >= 2.0 { 1 } else { 2 };
+    let round = |v: f32| v.round_ties_even() as i32;
+    for y in (0..rows).step_by(step) {
+        let mut x = 0;
+        while x < columns {
+            let seen = sight.look(x, y);
+            if seen.passed == cascade.stages.len() {
+                found.push(Scanned {
+                    rectangle: Rectangle {
+                        x: round(x as f32 * scale),
+                        y: round(y as f32 * scale),
+                        width: round(cascade.width as f32 * scale),
+                        height: round(cascade.height as f32 * scale),
+                    },
+                    score: seen.votes,
+                });
+            } else if seen.passed == 0 && !seen.flat {
+                // What the very first stage refuses has no better neighbour.
+                x += step;
+            }
+            x += step;
+        }
+    }
 }

@@ -1,0 +1,211 @@
+//! The features of a cascade over the tables of a picture.
+
+use super::histograms::{DIRECTIONS, Histograms, unit};
+use super::integral::Integral;
+use super::model::{Area, Feature, Kind, any_tilted, kind};
+use crate::raster::Raster;
+
+/// A corner-wise sum: four places of a table relative to the window's first.
+type Corners = [usize; 4];
+
+/// Least sum over a cell of which OpenCV's HOG says more than zero, and what it adds to that of the
+/// block against division by zero, grey levels.
+const LEAST_EDGE: f32 = 0.001;
+
+fn sum(table: &[i32], at: usize, corners: &Corners) -> i32 {
+    let [a, b, c, d] = corners.map(|offset| table[at + offset]);
+    a.wrapping_sub(b).wrapping_sub(c).wrapping_add(d)
+}
+
+fn upright([x, y, w, h]: Area, stride: usize) -> Corners {
+    let at = |x: i32, y: i32| y as usize * stride + x as usize;
+    [at(x, y), at(x + w, y), at(x, y + h), at(x + w, y + h)]
+}
+
+fn turned([x, y, w, h]: Area, stride: usize) -> Corners {
+    let at = |x: i32, y: i32| y as usize * stride + x as usize;
+    [
+        at(x, y),
+        at(x - h, y + h),
+        at(x + w, y + w),
+        at(x + w - h, y + w + h),
+    ]
+}
+
+/// A feature laid out for tables of one stride.
+#[derive(Clone, Debug)]
+enum Laid {
+    Haar {
+        areas: [(Corners, f32); 3],
+        tilted: bool,
+    },
+    /// Corners of the four by four lattice of the nine blocks.
+    Lbp([usize; 16]),
+    Hog {
+        cell: Corners,
+        block: Corners,
+        direction: usize,
+    },
+}
+
+impl Laid {
+    fn new(feature: &Feature, stride: usize) -> Self {
+        match feature {
+            Feature::Haar(haar) => Laid::Haar {
+                areas: haar.areas.map(|(area, weight)| {
+                    let lay = if haar.tilted { turned } else { upright };
+                    (lay(area, stride), weight)
+                }),
+                tilted: haar.tilted,
+            },
+            Feature::Lbp([x, y, w, h]) => Laid::Lbp(std::array::from_fn(|i| {
+                let (column, row) = ((i % 4) as i32, (i / 4) as i32);
+                (y + row * h) as usize * stride + (x + column * w) as usize
+            })),
+            Feature::Hog {
+                cell: [x, y, w, h],
+                component,
+            } => {
+                let number = usize::from(*component) / DIRECTIONS;
+                let (column, row) = ((number % 2) as i32, (number / 2) as i32);
+                Laid::Hog {
+                    cell: upright([x + column * w, y + row * h, *w, *h], stride),
+                    block: upright([*x, *y, 2 * w, 2 * h], stride),
+                    direction: usize::from(*component) % DIRECTIONS,
+                }
+            }
+        }
+    }
+}
+
+/// What features of one kind are computed from.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Tables {
+    pub integral: Integral,
+    histograms: Histograms,
+}
+
+/// Features laid out for tables of one stride.
+#[derive(Clone, Debug)]
+pub(super) struct Layout {
+    pub stride: usize,
+    kind: Kind,
+    with_tilted: bool,
+    laid: Vec<Laid>,
+    norm: Corners,
+    norm_area: f64,
+    /// Grey levels of a one in the histograms.
+    unit: f32,
+}
+
+impl Layout {
+    /// For windows of `width` × `height` pixels in pictures `stride - 1` pixels wide.
+    pub fn new(features: &[Feature], width: usize, height: usize, stride: usize) -> Self {
+        let (w, h) = (width as i32, height as i32);
+        Self {
+            stride,
+            kind: kind(features),
+            with_tilted: any_tilted(features),
+            laid: features.iter().map(|f| Laid::new(f, stride)).collect(),
+            norm: upright([1, 1, w - 2, h - 2], stride),
+            norm_area: f64::from((w - 2) * (h - 2)),
+            unit: unit(width * height),
+        }
+    }
+
+    /// How many features there are.
+    pub fn len(&self) -> usize {
+        self.laid.len()
+    }
+
+    /// The tables of a picture.
+    pub fn tables(&self, picture: &Raster<u8>) -> Tables {
+        match self.kind {
+            Kind::Haar => Tables {
+                integral: Integral::of(picture, true, self.with_tilted),
+                ..Tables::default()
+            },
+            Kind::Lbp => Tables {
+                integral: Integral::of(picture, false, false),
+                ..Tables::default()
+            },
+            Kind::Hog => Tables {
+                histograms: Histograms::of(picture, self.unit),
+                ..Tables::default()
+            },
+        }
+    }
+
+    /// What the values of Haar features are multiplied by in a window: one over its standard deviation
+    /// times its area. `None` if the window is flat; one for other features.
+    pub fn factor(&self, tables: &Tables, at: usize) -> Option<f32> {
+        if self.kind != Kind::Haar {
+            return Some(1.0);
+        }
+        let integral = &tables.integral;
+        let sum_of = f64::from(sum(&integral.sum, at, &self.norm));
+        let squares = f64::from(sum(&integral.squares, at, &self.norm) as u32);
+        let spread = self.norm_area * squares - sum_of * sum_of;
+        if spread <= 0.0 {
+            return None;
+        }
+        let factor = (1.0 / spread.sqrt()) as f32;
+        (self.norm_area * f64::from(factor) < 0.1).then_some(factor)
+    }
+
+    /// Value of a Haar feature times `factor`, or of a HOG feature; an LBP code as a number.
+    #[inline]
+    pub fn value(&self, tables: &Tables, feature: usize, at: usize, factor: f32) -> f32 {
+        match &self.laid[feature] {
+            Laid::Haar { areas, tilted } => {
+                let integral = &tables.integral;
+                let table = if *tilted {
+                    &integral.tilted
+                } else {
+                    &integral.sum
+                };
+                let part = |i: usize| areas[i].1 * sum(table, at, &areas[i].0) as f32;
+                let value = part(0) + part(1);
+                let value = if areas[2].1 == 0.0 {
+                    value
+                } else {
+                    value + part(2)
+                };
+                value * factor
+            }
+            Laid::Lbp(_) => self.code(tables, feature, at) as f32,
+            Laid::Hog {
+                cell,
+                block,
+                direction,
+            } => {
+                let histograms = &tables.histograms;
+                let edges = |table, corners| sum(table, at, corners) as f32 * self.unit;
+                let own = edges(&histograms.directions[*direction], cell);
+                if own > LEAST_EDGE {
+                    own / (edges(&histograms.all, block) + LEAST_EDGE)
+                } else {
+                    0.0
+                }
+            }
+        }
+    }
+
+    /// Code of an LBP feature, 0 to 255; zero for others.
+    #[inline]
+    pub fn code(&self, tables: &Tables, feature: usize, at: usize) -> usize {
+        let Laid::Lbp(lattice) = &self.laid[feature] else {
+            return 0;
+        };
+        let table = &tables.integral.sum;
+        let block = |i: usize| {
+            let corners = [lattice[i], lattice[i + 1], lattice[i + 4], lattice[i + 5]];
+            sum(table, at, &corners)
+        };
+        let middle = block(5);
+        // Clockwise from the upper left one, the first in the highest bit.
+        [0, 1, 2, 6, 10, 9, 8, 4]
+            .into_iter()
+            .fold(0, |code, i| code << 1 | usize::from(block(i) >= middle))
+    }
+}
