@@ -22,11 +22,11 @@ const SHAPE: &str = "shape";
 const POINT: &str = "point";
 
 impl Landmark {
-    fn noted<T: serde::de::DeserializeOwned>(&self, name: &str) -> Option<T> {
+    pub(super) fn noted<T: serde::de::DeserializeOwned>(&self, name: &str) -> Option<T> {
         serde_json::from_str(self.properties.get(name)?).ok()
     }
 
-    fn note(&mut self, name: &str, value: Option<Value>) {
+    pub(super) fn note(&mut self, name: &str, value: Option<Value>) {
         match value {
             Some(value) => {
                 self.properties.insert(name.to_owned(), value.to_string());

@@ -91,11 +91,13 @@ pub enum Refusal {
     Contradicted,
     /// It may be the look-alike of a landmark that is out of the picture.
     LookAlike,
+    /// No detector was trained for it.
+    Untrained,
 }
 
 impl Refusal {
     /// Every refusal, in the order in which people read them.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Flat,
         Self::LowScore,
         Self::Ambiguous,
@@ -104,6 +106,7 @@ impl Refusal {
         Self::OutOfPicture,
         Self::OutsideGate,
         Self::Contradicted,
+        Self::Untrained,
     ];
 
     /// Short name in files and tables.
@@ -117,6 +120,7 @@ impl Refusal {
             Self::OutsideGate => "outside_gate",
             Self::Contradicted => "contradicted",
             Self::LookAlike => "look_alike",
+            Self::Untrained => "untrained",
         }
     }
 
@@ -133,6 +137,7 @@ impl Refusal {
             Self::LookAlike => {
                 "it may be a look-alike of the landmark, which may be out of the picture"
             }
+            Self::Untrained => "no detector was trained for it",
         }
     }
 }

@@ -3,6 +3,8 @@
 mod alignment;
 pub mod annotations;
 pub mod cascade;
+mod choice;
+mod chosen;
 mod detector;
 mod distinct;
 mod distinctness;
@@ -14,10 +16,14 @@ mod rectify;
 mod rehearsal;
 mod settings;
 mod template;
+pub mod trained;
 
+pub use choice::DetectorChoice;
+pub use chosen::ChosenDetector;
 pub use detector::{Detection, Detector, FrameView, Refusal, SearchRequest, Sighting};
 pub use distinct::Landmark;
 pub use distinctness::{PatchDistinctness, distinctness};
+pub(crate) use rectify::{GroundView, rectify};
 pub use rehearsal::{Rehearsal, rehearse};
 pub use settings::TemplateSettings;
 pub use template::{MatchEvidence, TemplateDetector};

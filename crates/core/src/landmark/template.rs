@@ -451,7 +451,7 @@ fn unaligned(similarity: Similarity, size: (usize, usize)) -> Alignment {
 }
 
 /// What of `window` can lie in the picture, cut at its pixels; `None` if nothing of it can.
-fn in_picture(window: &Window, view: &FrameView<'_>) -> Option<Window> {
+pub(super) fn in_picture(window: &Window, view: &FrameView<'_>) -> Option<Window> {
     let footprint = view.camera.footprint(&view.pose, view.ground_down);
     let seen = GroundRect::around(footprint)?;
     window.touching(&seen).map(|(part, _)| part)

@@ -13,11 +13,12 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use serde::{Deserialize, Serialize};
 
+use super::day_ground::{DayGround, crop};
 use super::days::OtherDays;
 use super::{DetectionStatistics, ExpectedDetection, Tally};
 use crate::camera::CameraModel;
-use crate::frames::{Attitude, GroundPoint, GroundRect, Pose};
-use crate::imagery::{CachedImagery, Imagery, InsetImagery};
+use crate::frames::{Attitude, GroundPoint, Pose};
+use crate::imagery::Imagery;
 use crate::landmark::{
     Detector, FrameView, Landmark, SearchRequest, Sighting, TemplateDetector, TemplateSettings,
 };
@@ -27,8 +28,6 @@ use crate::simulate::{AerialCamera, AerialCameraSettings};
 
 /// Levels of the picture pyramid, as in the navigator.
 const PYRAMID_LEVELS: usize = 6;
-/// Memory for the ground around a landmark on a day, megabytes.
-const CACHE_MEGABYTES: usize = 24;
 /// How much of what may be searched is drawn as on the day: all but the outermost that a search comes
 /// to if the filter is off by half a standard deviation of its search window and more.
 const DRAWN: f64 = 0.8;
@@ -119,10 +118,7 @@ impl View {
 pub struct Assessor {
     landmark: Landmark,
     circumstances: Circumstances,
-    map: Arc<dyn Imagery>,
-    days: Vec<Arc<dyn Imagery>>,
-    /// What of each day is drawn, and that part.
-    parts: Vec<Option<(GroundRect, Arc<dyn Imagery>)>>,
+    ground: DayGround,
     detector: TemplateDetector,
     random: ChaCha8Rng,
     /// Looks so far, with those that were passed over.
@@ -164,30 +160,12 @@ impl Assessor {
     ) -> Self {
         Self {
             detector: TemplateDetector::new(Arc::clone(&map), circumstances.detector),
-            map,
+            ground: DayGround::new(map, days),
             landmark: landmark.clone(),
             circumstances,
-            parts: vec![None; days.len()],
-            days: days.to_vec(),
             random: ChaCha8Rng::seed_from_u64(seed),
             looks: 0,
             views: Vec::new(),
-        }
-    }
-
-    /// The ground around the landmark on a day, out to `reach` metres beyond its box; further out the
-    /// map does.
-    fn part(&mut self, day: usize, reach: f64) -> Arc<dyn Imagery> {
-        let needed = self.landmark.bounds.grown(reach);
-        match &self.parts[day] {
-            Some((rect, part)) if rect.contains_rect(&needed) => Arc::clone(part),
-            _ => {
-                let (shown, map) = (Arc::clone(&self.days[day]), Arc::clone(&self.map));
-                let inset = Arc::new(InsetImagery::new(shown, needed, map));
-                let part = Arc::new(CachedImagery::new(inset, CACHE_MEGABYTES));
-                self.parts[day] = Some((needed, part.clone()));
-                part
-            }
         }
     }
 
@@ -226,7 +204,7 @@ impl Assessor {
 
     /// A look on a day, counted round, as it is drawn.
     fn draw_look(&mut self, day: usize) -> Option<Look> {
-        let day = day % self.days.len();
+        let day = day % self.ground.days();
         let heading = TAU * self.random.random::<f64>();
         let margin = self.margin(heading)?;
         let camera = &self.circumstances.camera;
@@ -251,7 +229,7 @@ impl Assessor {
     /// Flies over the landmark once, at `speed` m/s with a picture every `period` seconds: on any of the
     /// days, on any heading, to one side of it or the other. The views in which it lies whole.
     pub fn pass(&mut self, speed: f64, period: f64) -> Vec<View> {
-        let day = self.random.random_range(0..self.days.len());
+        let day = self.random.random_range(0..self.ground.days());
         let heading = TAU * self.random.random::<f64>();
         let Some(margin) = self.margin(heading) else {
             return Vec::new();
@@ -348,7 +326,9 @@ impl Assessor {
 
     /// Takes the picture of a look and searches it.
     fn see(&mut self, mut look: Look) -> View {
-        let ground = self.part(look.day, DRAWN * look.reach);
+        let reach = DRAWN * look.reach;
+        let around = self.landmark.bounds.grown(reach);
+        let ground = self.ground.part(look.day, &around);
         let c = &self.circumstances;
         let aerial = AerialCamera::new(
             look.crop.clone(),
@@ -397,7 +377,7 @@ impl Assessor {
 
     /// What follows from them; `None` without a view.
     pub fn expected(&self) -> Option<ExpectedDetection> {
-        expected(&self.views, self.days.len())
+        expected(&self.views, self.ground.days())
     }
 
     /// What follows from them for a prediction; nothing is expected without a view.
@@ -406,7 +386,7 @@ impl Assessor {
             return DetectionStatistics::default();
         };
         DetectionStatistics {
-            by_day: Tally::by_day(&self.views, self.days.len()),
+            by_day: Tally::by_day(&self.views, self.ground.days()),
             ..DetectionStatistics::everywhere(expected)
         }
     }
@@ -414,23 +394,6 @@ impl Assessor {
     /// Share of the views in which a wrong place was accepted.
     pub fn false_matches(&self) -> f64 {
         Rehearsal::false_matches(&self.views)
-    }
-}
-
-/// The part of the picture within `half` pixels of `middle`, as a camera of its own.
-fn crop(camera: &CameraModel, middle: &Point2<f64>, half: f64) -> CameraModel {
-    let span = |middle: f64, size: usize| {
-        let low = (middle - half).floor().max(0.0);
-        let high = (middle + half).ceil().min(size as f64);
-        (low, high - low)
-    };
-    let (left, width) = span(middle.x, camera.width);
-    let (top, height) = span(middle.y, camera.height);
-    CameraModel {
-        width: width as usize,
-        height: height as usize,
-        principal: Point2::new(camera.principal.x - left, camera.principal.y - top),
-        ..camera.clone()
     }
 }
 
@@ -475,6 +438,8 @@ fn expected(views: &[View], days: usize) -> Option<ExpectedDetection> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::frames::GroundRect;
+    use crate::imagery::CachedImagery;
     use crate::plan::days::SceneryDays;
     use crate::simulate::Scenario;
 

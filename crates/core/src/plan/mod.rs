@@ -7,6 +7,7 @@ mod calibration;
 mod changed_picture;
 mod corridor;
 mod day_factor;
+pub(crate) mod day_ground;
 mod days;
 mod detection;
 mod envelope;

@@ -1,3 +1,14 @@
 //! Detectors trained from the map, and how well they do where they were not trained.
 
+mod envelope;
 pub mod evaluation;
+mod photo;
+mod plan;
+mod sample;
+mod trainer;
+
+pub use envelope::FlightEnvelope;
+pub use photo::{Assumed, Photo, Photographer};
+pub use plan::TrainingPlan;
+pub use sample::Sample;
+pub use trainer::{DetectorTraining, StageReport, TrainingError, TrainingPhase, TrainingProgress};

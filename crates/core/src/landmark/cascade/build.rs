@@ -1,12 +1,14 @@
 //! Cascades from what a trainer found.
 
+use serde::{Deserialize, Serialize};
+
 use super::CascadeError;
 use super::check::empty;
 use super::model::{Cascade, Feature, Kind, Node, kind};
 use super::read::THRESHOLD_SLACK;
 
 /// How a node of a tree decides.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Split {
     /// Left is what is less (Haar and HOG).
     Threshold(f32),
@@ -15,7 +17,7 @@ pub enum Split {
 }
 
 /// A node of a tree.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TrainedNode {
     /// Index of its feature.
     pub feature: usize,
@@ -29,7 +31,7 @@ pub struct TrainedNode {
 }
 
 /// A tree.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TrainedTree {
     /// Its nodes, the root first.
     pub nodes: Vec<TrainedNode>,
@@ -54,7 +56,7 @@ impl TrainedTree {
 }
 
 /// A stage.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TrainedStage {
     /// Its trees.
     pub trees: Vec<TrainedTree>,

@@ -19,6 +19,7 @@ mod scale;
 mod scan;
 #[cfg(test)]
 mod tests;
+pub mod train;
 mod xml;
 
 pub use build::{Split, TrainedNode, TrainedStage, TrainedTree};

@@ -1,0 +1,77 @@
+//! By which detector a landmark is looked for, and what was trained for it.
+
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+use super::Landmark;
+use super::trained::TrainedDetector;
+
+/// Property that names the detector.
+pub const DETECTOR: &str = "detector";
+/// Property with the trained detector.
+pub const TRAINED: &str = "trained_detector";
+
+/// By which detector a landmark is looked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DetectorChoice {
+    /// By its map patch.
+    #[default]
+    Template,
+    /// By a cascade that was trained for it.
+    Cascade,
+    /// By both, what they say weighed together.
+    Both,
+}
+
+impl DetectorChoice {
+    /// Every choice, in the order in which people read them.
+    pub const ALL: [Self; 3] = [Self::Template, Self::Cascade, Self::Both];
+
+    /// Name in files and on the command line.
+    pub fn key(self) -> &'static str {
+        match self {
+            Self::Template => "template",
+            Self::Cascade => "cascade",
+            Self::Both => "both",
+        }
+    }
+
+    /// The choice of that name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|choice| choice.key() == name)
+    }
+}
+
+impl Landmark {
+    /// By which detector it shall be looked for.
+    pub fn detector_choice(&self) -> DetectorChoice {
+        let name: Option<String> = self.noted(DETECTOR);
+        name.and_then(|n| DetectorChoice::named(&n))
+            .unwrap_or_default()
+    }
+
+    /// Says by which detector it shall be looked for.
+    pub fn choose_detector(&mut self, choice: DetectorChoice) {
+        let is_usual = choice == DetectorChoice::default();
+        self.note(DETECTOR, (!is_usual).then(|| Value::from(choice.key())));
+    }
+
+    /// The detector that was trained for it; none if it was trained for another box.
+    pub fn trained_detector(&self) -> Option<TrainedDetector> {
+        let trained: TrainedDetector = self.noted(TRAINED)?;
+        let (a, b) = (trained.bounds, self.bounds);
+        let near = |a: f64, b: f64| (a - b).abs() < 0.01;
+        let same = near(a.north, b.north)
+            && near(a.south, b.south)
+            && near(a.west, b.west)
+            && near(a.east, b.east);
+        same.then_some(trained)
+    }
+
+    /// Keeps what was trained for it, or throws it away.
+    pub fn keep_trained(&mut self, trained: Option<&TrainedDetector>) {
+        let value = trained.and_then(|t| serde_json::to_value(t).ok());
+        self.note(TRAINED, value);
+    }
+}

@@ -1,0 +1,16 @@
+//! Cascades that were trained for one landmark each, at work on rectified pictures.
+//!
+//! The picture is turned north up and put to the map's scale first (DeAngelo 2016, section 3.3: the
+//! detectors are sensitive to rotation), so that a window of one size is shown every place of the search
+//! region once.
+
+mod detector;
+mod likelihood;
+mod model;
+mod search;
+
+pub use detector::CascadeDetector;
+pub use likelihood::Likelihood;
+pub use model::{DetectorWindow, TrainedDetector};
+pub(crate) use search::to_bytes;
+pub use search::{Mark, Marks, Preparation, search};

@@ -1,0 +1,202 @@
+//! Where a cascade finds its landmark in a picture.
+
+use std::cmp::Ordering;
+
+use super::DetectorWindow;
+use crate::frames::GroundPoint;
+use crate::imagery::Window;
+use crate::landmark::cascade::{Cascade, Responses, responses};
+use crate::landmark::patch::window_around;
+use crate::landmark::template::in_picture;
+use crate::landmark::{FrameView, GroundView, Refusal, rectify};
+use crate::raster::{IntegralImage, Raster};
+
+/// Share of the window that the camera must have seen.
+const LEAST_COVERAGE: f64 = 0.995;
+/// Marks of one search that are kept.
+const MOST_MARKS: usize = 8;
+/// Pixels around a mark whose responses say where its middle is.
+const AROUND: i64 = 3;
+
+/// How a picture is prepared before the cascade sees it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Preparation {
+    /// Turned north up, tilt taken out, at the scale of the window.
+    #[default]
+    Rectified,
+    /// At the scale of the window only, as if the camera looked straight down with its upper edge north:
+    /// for comparison.
+    Plain,
+}
+
+/// A place at which a cascade finds its landmark.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mark {
+    /// Middle of the window on the ground under the assumed pose.
+    pub ground: GroundPoint,
+    /// How well it fits: for a window that passed every stage the sum of what it passed them by, at
+    /// least zero; below, a whole number less for each stage that it did not come to.
+    pub score: f64,
+    /// Stages passed.
+    pub stages: usize,
+    /// Whether the window is one of the outermost that were looked at.
+    pub at_edge: bool,
+}
+
+/// What a search came to, the best mark first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Marks {
+    /// Places, apart from each other, the best first.
+    pub list: Vec<Mark>,
+    /// The ground that was searched.
+    pub window: Window,
+}
+
+/// A score that orders windows by the stages passed and then by what they passed them by.
+fn score_of(stages: usize, margin: f64, all: usize) -> f64 {
+    if stages >= all {
+        margin
+    } else {
+        // Between -k - 1 and -k for a window that lacks k stages.
+        let bounded = 0.5 * (margin / (1.0 + margin.abs()) - 1.0);
+        -((all - stages) as f64) + bounded
+    }
+}
+
+/// Shows `cascade` every window within `reach` metres (north, east) of where `expected` is the middle.
+///
+/// # Errors
+/// [`Refusal::OutOfPicture`] if no window lies whole in the picture.
+pub fn search(
+    cascade: &Cascade,
+    shown: &DetectorWindow,
+    view: &FrameView<'_>,
+    expected: GroundPoint,
+    reach: (f64, f64),
+) -> Result<Marks, Refusal> {
+    let pixels = |metres: f64| (metres / shown.gsd).ceil().max(0.0) as usize + 1;
+    let size = (shown.width, shown.height);
+    let wide = window_around(
+        expected,
+        shown.gsd,
+        size,
+        (pixels(reach.1), pixels(reach.0)),
+    );
+    let window = in_picture(&wide, view).ok_or(Refusal::OutOfPicture)?;
+    if window.width < size.0 || window.height < size.1 {
+        return Err(Refusal::OutOfPicture);
+    }
+    let ground = rectify(view, &window);
+    let said = responses(cascade, &to_bytes(&ground));
+    let scores = scores(cascade, &said, &ground, size);
+    let list = peaks(&scores, size)
+        .into_iter()
+        .map(|(column, row)| {
+            let (x, y) = middle(&scores, column, row);
+            Mark {
+                ground: window.ground_at(x + 0.5 * size.0 as f64, y + 0.5 * size.1 as f64),
+                score: scores.get(column, row),
+                stages: usize::from(said.stages.get(column, row)),
+                at_edge: column == 0
+                    || row == 0
+                    || column + 1 == scores.width()
+                    || row + 1 == scores.height(),
+            }
+        })
+        .collect::<Vec<_>>();
+    if list.is_empty() {
+        return Err(Refusal::OutOfPicture);
+    }
+    Ok(Marks { list, window })
+}
+
+/// Grey levels as whole numbers, which cascades are made for.
+pub fn to_bytes(ground: &GroundView) -> Raster<u8> {
+    ground.luminance.map(|v| v.round().clamp(0.0, 255.0) as u8)
+}
+
+/// Scores of all windows, minus infinity where the camera did not see all of one.
+fn scores(
+    cascade: &Cascade,
+    said: &Responses,
+    ground: &GroundView,
+    size: (usize, usize),
+) -> Raster<f64> {
+    let table = (!ground.complete).then(|| IntegralImage::new(&ground.seen));
+    let least = LEAST_COVERAGE * (size.0 * size.1) as f64;
+    Raster::from_fn(said.score.width(), said.score.height(), |x, y| {
+        let seen = table
+            .as_ref()
+            .is_none_or(|t| t.sum(x, y, size.0, size.1) >= least);
+        if !seen {
+            return f64::NEG_INFINITY;
+        }
+        let margin = f64::from(said.score.get(x, y));
+        let margin = if margin.is_finite() { margin } else { -1e6 };
+        score_of(
+            usize::from(said.stages.get(x, y)),
+            margin,
+            cascade.stages.len(),
+        )
+    })
+}
+
+/// The best windows of their surroundings, of a third of the window around, the best first.
+fn peaks(scores: &Raster<f64>, size: (usize, usize)) -> Vec<(usize, usize)> {
+    let apart = ((size.0 / 3) as i64, (size.1 / 3) as i64);
+    let mut places: Vec<(usize, usize)> = (0..scores.height())
+        .flat_map(|row| (0..scores.width()).map(move |column| (column, row)))
+        .filter(|(c, r)| scores.get(*c, *r) > f64::NEG_INFINITY)
+        .collect();
+    let best_first = |a: &(usize, usize), b: &(usize, usize)| -> Ordering {
+        scores
+            .get(b.0, b.1)
+            .total_cmp(&scores.get(a.0, a.1))
+            .then(a.cmp(b))
+    };
+    let mut list: Vec<(usize, usize)> = Vec::new();
+    while list.len() < MOST_MARKS {
+        let Some(best) = places.iter().min_by(|a, b| best_first(a, b)).copied() else {
+            break;
+        };
+        list.push(best);
+        let far = |(c, r): &(usize, usize)| {
+            (*c as i64 - best.0 as i64).abs() > apart.0
+                || (*r as i64 - best.1 as i64).abs() > apart.1
+        };
+        places.retain(far);
+    }
+    list
+}
+
+/// The mean place of the windows around one, each weighing as much as it passes the stages by: of a
+/// cascade's response not the peak, which is rough, but the whole hill lies over the landmark.
+fn middle(scores: &Raster<f64>, column: usize, row: usize) -> (f64, f64) {
+    let top = scores.get(column, row);
+    let (mut sum, mut x, mut y) = (0.0, 0.0, 0.0);
+    for dy in -AROUND..=AROUND {
+        for dx in -AROUND..=AROUND {
+            let (c, r) = (column as i64 + dx, row as i64 + dy);
+            let inside =
+                c >= 0 && r >= 0 && (c as usize) < scores.width() && (r as usize) < scores.height();
+            if !inside {
+                continue;
+            }
+            let score = scores.get(c as usize, r as usize);
+            // From half of the top on.
+            let weight = if top > 0.0 {
+                (score - 0.3 * top).max(0.0)
+            } else {
+                0.0
+            };
+            sum += weight;
+            x += weight * dx as f64;
+            y += weight * dy as f64;
+        }
+    }
+    if sum > 0.0 {
+        (column as f64 + x / sum, row as f64 + y / sum)
+    } else {
+        (column as f64, row as f64)
+    }
+}

@@ -1,0 +1,46 @@
+//! Under which circumstances a landmark shall be found.
+
+use serde::{Deserialize, Serialize};
+
+use crate::camera::CameraModel;
+use crate::navigator::SensorNoise;
+
+/// What the flights may be like on which a landmark shall be found: pictures are drawn from all over it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FlightEnvelope {
+    /// The camera of the flights.
+    pub camera: CameraModel,
+    /// Least and greatest height of the camera above ground, metres.
+    pub height: [f64; 2],
+    /// Greatest tilt of the camera, in any direction, of which the filter knows: a bank angle, radians.
+    pub tilt: f64,
+    /// Greatest error of the heading on either side, radians.
+    pub heading_error: f64,
+    /// Errors of the camera's pose of which the filter does not know, vibration of the mount included.
+    pub sensors: SensorNoise,
+    /// Standard deviation of the filter's position per axis, metres.
+    pub position: f64,
+    /// Least and greatest blur of the optics and of motion, standard deviation in pixels.
+    pub blur: [f64; 2],
+    /// Least and greatest noise of the sensor, grey levels of 255.
+    pub noise: [f64; 2],
+    /// Down coordinate of the ground plane, metres.
+    pub ground_down: f64,
+}
+
+impl FlightEnvelope {
+    /// Around flights at `height` metres above ground with that camera and those sensors.
+    pub fn around(camera: &CameraModel, height: f64, sensors: SensorNoise) -> Self {
+        Self {
+            camera: camera.clone(),
+            height: [0.85 * height, 1.2 * height],
+            tilt: 15_f64.to_radians(),
+            heading_error: 5_f64.to_radians(),
+            sensors,
+            position: 5.0,
+            blur: [0.3, 1.0],
+            noise: [1.0, 4.0],
+            ground_down: 0.0,
+        }
+    }
+}

@@ -1,0 +1,246 @@
+//! Photographs of a landmark from all over the envelope, and what the filter would think of them.
+
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+use nalgebra::{Matrix2, Point2, Point3, Vector3};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+
+use super::envelope::FlightEnvelope;
+use crate::camera::CameraModel;
+use crate::frames::{Attitude, GroundPoint, GroundRect, Pose};
+use crate::imagery::Imagery;
+use crate::landmark::{FrameView, Landmark};
+use crate::plan::day_ground::{DayGround, crop};
+use crate::raster::{Picture, Pyramid};
+use crate::simulate::{AerialCamera, AerialCameraSettings};
+
+/// Levels of the picture pyramid, as in the navigator.
+const PYRAMID_LEVELS: usize = 6;
+/// Standard deviations of the search region that the detector is given.
+const SEARCH_SIGMAS: f64 = 3.5;
+/// Tries to place a landmark in a picture before it is said not to fit.
+const TRIES: usize = 1000;
+
+/// The part of a picture around one place.
+pub struct Photo {
+    /// The camera of that part.
+    pub camera: CameraModel,
+    /// Where the camera was.
+    pub pose: Pose,
+    /// What it sees.
+    pub picture: Picture,
+    /// The luminance of that.
+    pub luminance: Pyramid,
+    /// Which of the days it is on.
+    pub day: usize,
+    /// Height of the camera above ground, metres.
+    pub height: f64,
+    /// Tilt of which the filter knows, roll and pitch, radians.
+    pub known_tilt: [f64; 2],
+    /// The box that it is around: the landmark's, or one like it elsewhere.
+    pub around: GroundRect,
+    /// Whether that is the landmark's.
+    pub present: bool,
+}
+
+/// What the filter thinks of a photo.
+#[derive(Clone, Copy, Debug)]
+pub struct Assumed {
+    /// Where it thinks the camera was.
+    pub pose: Pose,
+    /// Error of its heading, radians.
+    pub heading_error: f64,
+    /// Where the middle of the photo's box appears on the ground under that pose.
+    pub appears: GroundPoint,
+    /// Covariance of the search (north, east), m².
+    pub covariance: Matrix2<f64>,
+}
+
+impl Photo {
+    /// What a detector is given.
+    pub fn view(&self, assumed: &Assumed, ground_down: f64) -> FrameView<'_> {
+        FrameView {
+            camera: &self.camera,
+            pose: assumed.pose,
+            ground_down,
+            luminance: &self.luminance,
+        }
+    }
+}
+
+/// Takes photos of a landmark.
+pub struct Photographer {
+    landmark: Landmark,
+    envelope: FlightEnvelope,
+    ground: DayGround,
+    random: ChaCha8Rng,
+    taken: usize,
+}
+
+impl Photographer {
+    /// Of `landmark` of `map` on `days`; everything is drawn by `seed`.
+    pub fn new(
+        landmark: &Landmark,
+        map: Arc<dyn Imagery>,
+        days: &[Arc<dyn Imagery>],
+        envelope: FlightEnvelope,
+        seed: u64,
+    ) -> Self {
+        Self {
+            landmark: landmark.clone(),
+            envelope,
+            ground: DayGround::new(map, days),
+            random: ChaCha8Rng::seed_from_u64(seed),
+            taken: 0,
+        }
+    }
+
+    /// The envelope.
+    pub fn envelope(&self) -> &FlightEnvelope {
+        &self.envelope
+    }
+
+    fn between(&mut self, [low, high]: [f64; 2]) -> f64 {
+        low + (high - low) * self.random.random::<f64>()
+    }
+
+    fn normal(&mut self) -> f64 {
+        StandardNormal.sample(&mut self.random)
+    }
+
+    /// Errors that the search must expect of a place on the ground, per axis, square metres.
+    fn variance(&self, height: f64) -> f64 {
+        let lever = height * self.envelope.sensors.roll.max(self.envelope.sensors.pitch);
+        self.envelope.position.powi(2) + lever.powi(2)
+    }
+
+    /// How far from a place it is searched for, metres.
+    pub fn reach(&self) -> f64 {
+        SEARCH_SIGMAS * self.variance(self.envelope.height[1]).sqrt()
+    }
+
+    /// The next photo of the landmark; days take turns. `None` if it does not fit into the picture.
+    pub fn take(&mut self) -> Option<Photo> {
+        let bounds = self.landmark.bounds;
+        self.take_of(bounds, true)
+    }
+
+    /// The next photo around another place, as large as the landmark.
+    pub fn take_elsewhere(&mut self, place: GroundPoint) -> Option<Photo> {
+        let b = self.landmark.bounds;
+        let there = GroundRect::centered(place, b.width(), b.height());
+        self.take_of(there, false)
+    }
+
+    fn take_of(&mut self, around: GroundRect, present: bool) -> Option<Photo> {
+        for _ in 0..TRIES {
+            if let Some(photo) = self.try_to_take(around, present) {
+                self.taken += 1;
+                return Some(photo);
+            }
+        }
+        None
+    }
+
+    fn try_to_take(&mut self, around: GroundRect, present: bool) -> Option<Photo> {
+        let day = self.taken % self.ground.days();
+        let height = self.between(self.envelope.height);
+        let heading = TAU * self.random.random::<f64>();
+        let direction = TAU * self.random.random::<f64>();
+        // Over the disk of tilts, more of which are small.
+        let tilt = self.between([0.0, self.envelope.tilt]);
+        let known_tilt = [tilt * direction.cos(), tilt * direction.sin()];
+        let sensors = self.envelope.sensors;
+        let attitude = Attitude {
+            roll: known_tilt[0] + self.normal() * sensors.roll,
+            pitch: known_tilt[1] + self.normal() * sensors.pitch,
+            yaw: heading,
+        };
+        let (camera, ground_down) = (self.envelope.camera.clone(), self.envelope.ground_down);
+        let (w, h) = (camera.width as f64, camera.height as f64);
+        let wanted = Point2::new(
+            w * self.random.random::<f64>(),
+            h * self.random.random::<f64>(),
+        );
+        let over = |north: f64, east: f64| Pose {
+            position_in_world: Point3::new(north, east, ground_down - height),
+            attitude,
+        };
+        let seen = camera.ground_at(&over(0.0, 0.0), &wanted, ground_down)?;
+        let middle = around.center();
+        let pose = over(middle.north - seen.north, middle.east - seen.east);
+        // All of the box must lie in the picture, however it is tilted.
+        let mut half = 0.0_f64;
+        for corner in around.corners() {
+            let in_world = Point3::new(corner.north, corner.east, ground_down);
+            let pixel = camera.project(&pose, &in_world)?;
+            let inside = pixel.x > 2.0 && pixel.x < w - 2.0 && pixel.y > 2.0 && pixel.y < h - 2.0;
+            if !inside {
+                return None;
+            }
+            half = half
+                .max((pixel.x - wanted.x).abs())
+                .max((pixel.y - wanted.y).abs());
+        }
+        let reach = self.reach();
+        let part = crop(
+            &camera,
+            &wanted,
+            half + 1.5 * reach * camera.focal / height + 8.0,
+        );
+        let ground = self.ground.part(day, &around.grown(1.6 * reach));
+        let faults = AerialCameraSettings {
+            mount_vibration_sd: 0.0,
+            blur_sigma: self.between(self.envelope.blur),
+            noise_sd: self.between(self.envelope.noise),
+            ..AerialCameraSettings::default()
+        };
+        let aerial = AerialCamera::new(part.clone(), faults);
+        let frame = aerial.take(ground.as_ref(), &pose, ground_down, &mut self.random);
+        Some(Photo {
+            camera: part,
+            pose,
+            luminance: Pyramid::new(frame.picture.to_gray(), PYRAMID_LEVELS),
+            picture: frame.picture,
+            day,
+            height,
+            known_tilt,
+            around,
+            present,
+        })
+    }
+
+    /// What the filter may think of a photo, drawn anew at each call.
+    pub fn assume(&mut self, photo: &Photo) -> Option<Assumed> {
+        let position = self.envelope.position;
+        let off = Vector3::new(
+            self.normal() * position,
+            self.normal() * position,
+            self.normal() * self.envelope.sensors.height,
+        );
+        let heading_error =
+            self.between([-self.envelope.heading_error, self.envelope.heading_error]);
+        let pose = Pose {
+            position_in_world: photo.pose.position_in_world + off,
+            attitude: Attitude {
+                roll: photo.known_tilt[0],
+                pitch: photo.known_tilt[1],
+                yaw: photo.pose.attitude.yaw + heading_error,
+            },
+        };
+        let ground_down = self.envelope.ground_down;
+        let middle = photo.around.center();
+        let in_world = Point3::new(middle.north, middle.east, ground_down);
+        let pixel = photo.camera.project(&photo.pose, &in_world)?;
+        let appears = photo.camera.ground_at(&pose, &pixel, ground_down)?;
+        Some(Assumed {
+            pose,
+            heading_error,
+            appears,
+            covariance: Matrix2::identity() * self.variance(photo.height),
+        })
+    }
+}

@@ -1,0 +1,77 @@
+//! Windows of ground cut from photos for training: one that is the landmark, and many that are not.
+
+use super::envelope::FlightEnvelope;
+use super::photo::{Assumed, Photo};
+use crate::frames::GroundPoint;
+use crate::imagery::Window;
+use crate::landmark::cascade::Patch;
+use crate::landmark::rectify;
+use crate::landmark::trained::{DetectorWindow, to_bytes};
+use crate::raster::{IntegralImage, Raster};
+
+/// Share of the window's sides next to the landmark where a window is neither it nor something else.
+const DOUBTFUL: f64 = 0.12;
+
+/// The ground around a place as a detector is shown it.
+pub struct Sample {
+    /// Grey levels.
+    pub picture: Raster<u8>,
+    /// Upper left corner of the window that is the landmark, if it is there.
+    pub landmark: Option<(usize, usize)>,
+    /// One for each window by its upper left corner that is something else, zero for the others.
+    pub others: Raster<u8>,
+    size: (usize, usize),
+}
+
+impl Sample {
+    /// Of a photo, within `reach` metres of the place where the box appears; `phase` says by which
+    /// parts of a pixel (east, south), -0.5 to 0.5, the windows miss it.
+    pub fn of(
+        photo: &Photo,
+        assumed: &Assumed,
+        envelope: &FlightEnvelope,
+        shown: &DetectorWindow,
+        reach: f64,
+        phase: (f64, f64),
+    ) -> Self {
+        let around = (reach / shown.gsd).ceil() as usize;
+        let size = (shown.width, shown.height);
+        let half = |side: usize| (0.5 * side as f64 + around as f64) * shown.gsd;
+        let middle = GroundPoint::new(
+            assumed.appears.north + phase.1 * shown.gsd,
+            assumed.appears.east - phase.0 * shown.gsd,
+        );
+        let window = Window {
+            north_edge: middle.north + half(size.1),
+            west_edge: middle.east - half(size.0),
+            gsd: shown.gsd,
+            width: size.0 + 2 * around,
+            height: size.1 + 2 * around,
+        };
+        let ground = rectify(&photo.view(assumed, envelope.ground_down), &window);
+        let seen = (!ground.complete).then(|| IntegralImage::new(&ground.seen));
+        let whole = (size.0 * size.1) as f64 - 0.5;
+        let is_seen = |x: usize, y: usize| {
+            seen.as_ref()
+                .is_none_or(|s| s.sum(x, y, size.0, size.1) >= whole)
+        };
+        let near = (DOUBTFUL * size.0 as f64, DOUBTFUL * size.1 as f64);
+        let others = Raster::from_fn(2 * around + 1, 2 * around + 1, |x, y| {
+            let (dx, dy) = (x.abs_diff(around) as f64, y.abs_diff(around) as f64);
+            let is_landmark = photo.present && dx <= near.0 && dy <= near.1;
+            u8::from(is_seen(x, y) && !is_landmark)
+        });
+        let whole_in_picture = is_seen(around, around);
+        Self {
+            picture: to_bytes(&ground),
+            landmark: (photo.present && whole_in_picture).then_some((around, around)),
+            others,
+            size,
+        }
+    }
+
+    /// The window with that upper left corner.
+    pub fn patch(&self, (column, row): (usize, usize)) -> Option<Patch> {
+        Patch::cut(&self.picture, column, row, self.size.0, self.size.1)
+    }
+}
