@@ -40,6 +40,7 @@ impl Cascade {
                 for area in haar.areas.iter_mut().filter(|(_, weight)| *weight == 0.0) {
                     *area = NO_AREA;
                 }
+                haar.areas.sort_by_key(|(_, weight)| *weight == 0.0);
                 self.check_haar(haar)?;
             }
             Feature::Lbp(area) => self.check_area(*area, 3)?,

@@ -33,4 +33,12 @@ pub enum CascadeError {
         /// What is wrong.
         cause: String,
     },
+    /// Bytes that are no cascade in the compact form.
+    #[error("byte {offset}: {cause}")]
+    Bytes {
+        /// How far it could be read.
+        offset: usize,
+        /// What is wrong.
+        cause: String,
+    },
 }

@@ -4,6 +4,7 @@
 //! pass or ends it, and nearly all end in the first ones. DeAngelo 2016, section 3.3, finds his
 //! landmarks with them.
 
+mod binary;
 mod build;
 mod check;
 mod error;
@@ -20,6 +21,7 @@ mod scan;
 #[cfg(test)]
 mod tests;
 pub mod train;
+mod write;
 mod xml;
 
 pub use build::{Split, TrainedNode, TrainedStage, TrainedTree};

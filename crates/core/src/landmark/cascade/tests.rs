@@ -235,3 +235,54 @@ fn hog_cascades_are_read_from_opencvs_layout() {
     let complaint = Cascade::read("edge.xml", &broken).unwrap_err().to_string();
     assert!(complaint.contains("feature 0 / rect") && complaint.contains("component 36"));
 }
+
+#[test]
+fn what_is_written_reads_as_the_same_cascade() {
+    for features in [hog_features(), haar_features()] {
+        let values: Vec<f32> = (0..features.len())
+            .map(|i| 1.0 / (i as f32 + 3.0))
+            .collect();
+        let mut stages = exact_stages(&values);
+        stages[0].trees.push(TrainedTree {
+            nodes: [(2, 1), (0, -1), (-2, -3)]
+                .map(|(left, right)| TrainedNode {
+                    feature: 1,
+                    split: Split::Threshold(0.125),
+                    left,
+                    right,
+                })
+                .to_vec(),
+            leaves: vec![0.1, -0.2, 0.3, -0.4],
+        });
+        let cascade = Cascade::from_parts(16, 16, features, &stages).unwrap();
+        assert_eq!(
+            Cascade::read("written", &cascade.to_xml()).unwrap(),
+            cascade
+        );
+        assert_eq!(Cascade::from_bytes(&cascade.to_bytes()).unwrap(), cascade);
+    }
+}
+
+#[test]
+fn what_the_former_layout_cannot_say_is_refused() {
+    let said = upright_edge().to_former_xml().unwrap_err().to_string();
+    assert!(said.contains("Haar features only"), "{said}");
+    let node = |left, right| TrainedNode {
+        feature: 0,
+        split: Split::Threshold(0.0),
+        left,
+        right,
+    };
+    let tree = TrainedTree {
+        nodes: vec![node(1, 1), node(0, -1)],
+        leaves: vec![0.0; 3],
+    };
+    let trees = vec![tree];
+    let stages = [TrainedStage {
+        trees,
+        threshold: 0.0,
+    }];
+    let cascade = Cascade::from_parts(16, 16, haar_features(), &stages).unwrap();
+    let said = cascade.to_former_xml().unwrap_err().to_string();
+    assert!(said.contains("stage 0, tree 0"), "{said}");
+}
