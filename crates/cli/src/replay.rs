@@ -24,8 +24,8 @@ const MAP_CACHE: usize = 128;
 /// What to replay.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// A built-in scenario.
-    #[arg(long, conflicts_with_all = ["mission", "flight", "map"])]
+    /// A built-in scenario; by the landmarks of another mission over the same ground, if one is given.
+    #[arg(long, conflicts_with_all = ["flight", "map"])]
     scenario: Option<String>,
     /// Seed of the scenario.
     #[arg(long, default_value_t = 1)]
@@ -38,7 +38,7 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value_t = Day::Other)]
     day: Day,
     /// Mission file (GeoJSON).
-    #[arg(long, requires = "flight")]
+    #[arg(long)]
     mission: Option<PathBuf>,
     /// Flight folder, or its flight.json.
     #[arg(long, requires_all = ["mission", "map"])]
@@ -119,6 +119,7 @@ fn navigate(
 struct Ground {
     map: Arc<dyn Imagery>,
     seen: Arc<CachedImagery>,
+    mission: Mission,
 }
 
 fn replay_scenario(scenario: &Scenario, arguments: &Arguments) -> Outcome {
@@ -127,21 +128,25 @@ fn replay_scenario(scenario: &Scenario, arguments: &Arguments) -> Outcome {
         ..Overrides::default()
     };
     let map = Arc::new(CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE));
+    let mission = match &arguments.mission {
+        Some(path) => OpenMission::read(path)?.package.mission,
+        None => scenario.mission(),
+    };
     let ground = Ground {
+        mission,
         map,
         seen: scenario.simulate(0, &overrides).frames.imagery(),
     };
     // Of many flights nobody looks at the pictures in which there is nothing to find.
     let sparing = arguments.seeds.is_some();
     let one = |seed: u64| -> Result<(Flight, Run, Summary), String> {
-        let mission = scenario.mission();
-        let mut settings = mission.navigator.clone();
+        let mut settings = ground.mission.navigator.clone();
         crate::filter_options::apply(&mut settings, &arguments.filter)?;
         let flown = scenario.simulate(seed, &overrides);
         let mut frames = flown.frames.over(Arc::clone(&ground.seen));
         let flight = Arc::new(flown.flight);
         let map = Arc::clone(&ground.map);
-        let run = navigate(&flight, &mission, map, &settings, &mut frames, sparing)
+        let run = navigate(&flight, &ground.mission, map, &settings, &mut frames, sparing)
             .map_err(|e| format!("seed {seed}: {e}"))?;
         let summary = summarize(&flight, &run, Some(&scenario.navigator()));
         Ok((Arc::unwrap_or_clone(flight), run, summary))

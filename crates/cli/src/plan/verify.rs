@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use pilotage_core::flight::{Flight, FrameSource};
 use pilotage_core::imagery::CachedImagery;
-use pilotage_core::landmark::{Detector, TemplateDetector};
+use pilotage_core::landmark::{ChosenDetector, Detector};
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Navigator, Run};
 use pilotage_core::plan::{
@@ -104,7 +104,7 @@ fn fly(
             let frames = SimulatedFrames::new(&flight, FlightDay::Other, seed);
             let map = Arc::clone(&ground.map);
             (
-                Box::new(TemplateDetector::new(map, settings.detector)),
+                Box::new(ChosenDetector::new(map, settings.detector, landmarks)),
                 Box::new(frames.over(day)),
             )
         }

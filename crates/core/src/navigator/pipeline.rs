@@ -17,7 +17,9 @@ use crate::filter::FilterError;
 use crate::flight::{ChannelName, Flight, FrameSource};
 use crate::frames::{Attitude, GroundPoint};
 use crate::imagery::Imagery;
-use crate::landmark::{Detector, Landmark, Refusal, SearchRequest, TemplateDetector};
+use crate::landmark::{
+    ChosenDetector, Detector, Landmark, Refusal, SearchRequest, TemplateDetector,
+};
 use crate::raster::{Picture, Pyramid};
 use crate::vehicle::ControlInput;
 
@@ -72,14 +74,15 @@ pub struct Navigator {
 }
 
 impl Navigator {
-    /// Prepares to navigate `flight` by `landmarks`, whose patches are cut from `map`.
+    /// Prepares to navigate `flight` by `landmarks` of `map`, each found by the detector that was chosen
+    /// for it.
     pub fn new(
         flight: Arc<Flight>,
         landmarks: &[Landmark],
         map: Arc<dyn Imagery>,
         settings: &NavigatorSettings,
     ) -> Result<Self, NavigatorError> {
-        let detector = Box::new(TemplateDetector::new(map, settings.detector));
+        let detector = Box::new(ChosenDetector::new(map, settings.detector, landmarks));
         Self::with_detector(flight, landmarks, detector, settings)
     }
 

@@ -20,7 +20,7 @@ use crate::camera::CameraModel;
 use crate::frames::{Attitude, GroundPoint, Pose};
 use crate::imagery::Imagery;
 use crate::landmark::{
-    Detector, FrameView, Landmark, SearchRequest, Sighting, TemplateDetector, TemplateSettings,
+    ChosenDetector, Detector, FrameView, Landmark, SearchRequest, Sighting, TemplateSettings,
 };
 use crate::navigator::SensorNoise;
 use crate::raster::Pyramid;
@@ -119,7 +119,7 @@ pub struct Assessor {
     landmark: Landmark,
     circumstances: Circumstances,
     ground: DayGround,
-    detector: TemplateDetector,
+    detector: ChosenDetector,
     random: ChaCha8Rng,
     /// Looks so far, with those that were passed over.
     looks: usize,
@@ -159,7 +159,7 @@ impl Assessor {
         seed: u64,
     ) -> Self {
         Self {
-            detector: TemplateDetector::new(Arc::clone(&map), circumstances.detector),
+            detector: ChosenDetector::new(Arc::clone(&map), circumstances.detector, std::slice::from_ref(landmark)),
             ground: DayGround::new(map, days),
             landmark: landmark.clone(),
             circumstances,

@@ -64,15 +64,21 @@ impl TrainedDetector {
     }
 }
 
+/// A cascade as base64 of its compact form.
 mod as_text {
-    use super::Cascade;
-    use serde::{Deserializer, Serializer, de, ser};
+    use base64::Engine as _;
+    use base64::engine::general_purpose::STANDARD;
+    use serde::{Deserialize as _, Deserializer, Serializer, de};
 
-    pub fn serialize<S: Serializer>(_: &Cascade, _: S) -> Result<S::Ok, S::Error> {
-        Err(ser::Error::custom("not yet"))
+    use super::Cascade;
+
+    pub fn serialize<S: Serializer>(cascade: &Cascade, out: S) -> Result<S::Ok, S::Error> {
+        out.serialize_str(&STANDARD.encode(cascade.to_bytes()))
     }
 
-    pub fn deserialize<'de, D: Deserializer<'de>>(_: D) -> Result<Cascade, D::Error> {
-        Err(de::Error::custom("not yet"))
+    pub fn deserialize<'de, D: Deserializer<'de>>(source: D) -> Result<Cascade, D::Error> {
+        let text = String::deserialize(source)?;
+        let bytes = STANDARD.decode(text).map_err(de::Error::custom)?;
+        Cascade::from_bytes(&bytes).map_err(de::Error::custom)
     }
 }
