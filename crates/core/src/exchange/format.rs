@@ -1,7 +1,9 @@
 //! The formats and how a file is told to be in one of them.
 
+use serde::{Deserialize, Serialize};
+
 /// A format of files with routes or landmarks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Format {
     /// `QGroundControl`'s plan, JSON.
     Plan,

@@ -50,6 +50,19 @@ pub struct Opening {
     pub files: Vec<OpenedFile>,
 }
 
+/// A file for another program that is being made.
+#[derive(Debug)]
+pub struct Exporting {
+    /// The job.
+    pub id: JobId,
+    /// What is in it, for people.
+    pub what: &'static str,
+    /// Name of its format.
+    pub format: &'static str,
+    /// Its name.
+    pub name: String,
+}
+
 /// Everything that is being computed.
 #[derive(Debug, Default)]
 #[expect(
@@ -93,8 +106,8 @@ pub struct Desk {
     pub examine_at: Option<f64>,
     /// The match being explained: job, time, landmark.
     pub explain: Option<(JobId, f64, u32)>,
-    /// The camera picture being decoded: job, frame, encoded picture.
-    pub decoding: Option<(JobId, usize, Arc<[u8]>)>,
+    /// The camera pictures being decoded: job, frame, encoded picture.
+    pub decoding: Vec<(JobId, usize, Arc<[u8]>)>,
     /// The landmark that could not be examined, and why.
     pub examined_in_vain: Option<(u32, String)>,
     /// Files being looked at.
@@ -116,6 +129,8 @@ pub struct Desk {
     pub before_link: Option<Session>,
     /// The mission file being made, and its name.
     pub packing: Option<(JobId, String)>,
+    /// Files for other programs that are being made.
+    pub exporting: Vec<Exporting>,
     /// Matches that could not be explained; not asked again.
     pub unexplained: Option<(f64, u32)>,
 }

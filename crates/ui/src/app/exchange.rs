@@ -2,13 +2,11 @@
 
 use std::fmt::Write as _;
 
-use pilotage_core::exchange::{ExchangeError, Written, write_landmarks, write_route};
-use pilotage_core::frames::LocalFrame;
-
 use super::App;
+use super::desk::Exporting;
 use crate::command::{Command, Workspace};
 use crate::host::Host;
-use crate::jobs::ImportedFile;
+use crate::jobs::{ExportOrder, ImportedFile, Job, JobEvent, JobId};
 use crate::plan::PlanTab;
 
 /// Most notes that are shown of a file; the others are counted.
@@ -94,13 +92,11 @@ impl App {
         self.toasts.note(now, title, sentences(&notes));
     }
 
-    /// Offers the selected route, or the landmarks, as a file of another program.
+    /// Has the selected route, or the landmarks, made into a file of another program.
     pub(super) fn export(&mut self, command: &Command, host: &mut dyn Host) {
         let now = host.now();
         let mission = &self.documents.mission;
-        let frame = LocalFrame::new(mission.origin);
-        let (format, what, name, written): (_, _, _, Result<Written, ExchangeError>) = match command
-        {
+        let (format, what, name, routes, landmarks) = match command {
             Command::ExportRoute(format) => {
                 let Some(route) = self.views.planner.selected(mission) else {
                     let text = "Draw one in the Plan workspace, or open a file with one.";
@@ -108,7 +104,7 @@ impl App {
                     return;
                 };
                 let name = format!("{}.{}", stem(&route.name), format.extensions()[0]);
-                (*format, "Route", name, write_route(*format, route, &frame))
+                (*format, "Route", name, vec![route.clone()], Vec::new())
             }
             Command::ExportLandmarks(format) => {
                 if mission.landmarks.is_empty() {
@@ -118,22 +114,50 @@ impl App {
                 }
                 let extension = format.extensions()[0];
                 let name = format!("{}-landmarks.{extension}", self.file_stem());
-                let written = write_landmarks(*format, &mission.landmarks, &frame);
-                (*format, "Landmarks", name, written)
+                let landmarks = mission.landmarks.clone();
+                (*format, "Landmarks", name, Vec::new(), landmarks)
             }
             _ => return,
         };
-        match written {
-            Ok(written) => {
-                host.save_file(&name, &written.bytes);
-                let title = format!("{what} exported as {}: {name}", format.name());
-                self.toasts.note(now, title, sentences(&written.notes));
+        let order = ExportOrder::Places {
+            format,
+            routes,
+            landmarks,
+            origin: mission.origin,
+        };
+        self.desk.exporting.push(Exporting {
+            id: host.start(Job::Export(Box::new(order))),
+            what,
+            format: format.name(),
+            name,
+        });
+    }
+
+    /// Takes what the worker says of a file of another program.
+    pub(super) fn export_event(&mut self, host: &mut dyn Host, id: JobId, event: JobEvent) {
+        let exporting = &mut self.desk.exporting;
+        let Some(place) = exporting.iter().position(|e| e.id == id) else {
+            return;
+        };
+        let now = host.now();
+        let Exporting {
+            what, format, name, ..
+        } = &exporting[place];
+        match event {
+            JobEvent::Exported { bytes, notes } => {
+                host.save_file(name, &bytes);
+                let title = format!("{what} exported as {format}: {name}");
+                self.toasts.note(now, title, sentences(&notes));
             }
-            Err(error) => {
-                let title = format!("{what} not exported as {}", format.name());
-                self.toasts
-                    .trouble(now, title, sentences(&[error.to_string()]));
+            JobEvent::Failed(why) => {
+                let title = format!("{what} not exported as {format}");
+                self.toasts.trouble(now, title, sentences(&[why]));
+                exporting.remove(place);
             }
+            JobEvent::Finished | JobEvent::Cancelled => {
+                exporting.remove(place);
+            }
+            _ => {}
         }
     }
 }

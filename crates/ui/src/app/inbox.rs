@@ -99,12 +99,14 @@ impl App {
                 JobEvent::Finished | JobEvent::Cancelled => self.desk.explain = None,
                 _ => {}
             }
-        } else if self.desk.decoding.as_ref().is_some_and(|d| d.0 == id) {
-            self.picture_event(event);
+        } else if self.desk.decoding.iter().any(|d| d.0 == id) {
+            self.picture_event(id, event);
         } else if self.desk.brief.as_ref().is_some_and(|b| b.0 == id) {
             self.brief_event(host, event);
         } else if self.desk.packing.as_ref().is_some_and(|p| p.0 == id) {
             self.pack_event(host, event);
+        } else if self.desk.exporting.iter().any(|e| e.id == id) {
+            self.export_event(host, id, event);
         } else if self.desk.opening.contains_key(&id) {
             self.open_event(host, id, event);
         } else if let JobEvent::Remark(text) = event {
@@ -113,16 +115,22 @@ impl App {
         }
     }
 
-    fn picture_event(&mut self, event: JobEvent) {
+    fn picture_event(&mut self, id: JobId, event: JobEvent) {
+        let decoding = &mut self.desk.decoding;
+        let Some(place) = decoding.iter().position(|d| d.0 == id) else {
+            return;
+        };
+        let (_, frame, encoded) = &decoding[place];
         match event {
             JobEvent::Picture { width, pixels } => {
-                if let Some((_, frame, encoded)) = &self.desk.decoding {
-                    self.views.camera.prepare(*frame, encoded, width, &pixels);
-                }
+                self.views.camera.prepare(*frame, encoded, width, &pixels);
             }
-            // A picture that cannot be read is told by the view that shows it.
-            JobEvent::Finished | JobEvent::Cancelled | JobEvent::Failed(_) => {
-                self.desk.decoding = None;
+            JobEvent::Failed(why) => {
+                self.views.camera.refuse(*frame, encoded, &why);
+                decoding.remove(place);
+            }
+            JobEvent::Finished | JobEvent::Cancelled => {
+                decoding.remove(place);
             }
             _ => {}
         }
@@ -151,6 +159,7 @@ impl App {
                     self.documents.mission_edited = true;
                 }
                 if !again {
+                    self.views.camera.clear();
                     if self.documents.flight_source != flight {
                         self.documents.bookmarks.clear();
                     }

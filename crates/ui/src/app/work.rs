@@ -17,8 +17,8 @@ const FLY_AGAIN_AFTER: f64 = 350.0;
 const EXAMINE_AFTER: f64 = 120.0;
 /// Change of the distance within which look-alikes count that is worth another look, metres.
 const OTHER_RADIUS: f64 = 0.5;
-/// Camera pictures decoded before their time has come.
-const DECODED_AHEAD: usize = 2;
+/// Most camera pictures decoded at a time: while one is scrubbed over, the next does not wait.
+const DECODED_AT_A_TIME: usize = 2;
 /// Most tiles asked for at a time.
 pub(super) const TILES_AT_A_TIME: usize = 4;
 
@@ -156,7 +156,7 @@ impl App {
         self.ask_for_tiles(host);
         self.ask_for_picture_tiles(host);
         self.watch_download(context, host);
-        self.decode_ahead(host);
+        self.decode_pictures(host);
         self.work_on_plan(context, host);
         let waiting = self.desk.fly_again_at.is_some() && flies_now
             || self.desk.examine_at.is_some()
@@ -248,26 +248,44 @@ impl App {
         }
     }
 
-    /// Has the camera pictures decoded that playback is about to show.
-    fn decode_ahead(&mut self, host: &mut dyn Host) {
-        if !self.playback.playing || self.desk.decoding.is_some() {
-            return;
-        }
-        let Some(flight) = &self.documents.flight else {
-            return;
+    /// Has the camera picture decoded that is looked at, then those that are likely to be next.
+    fn decode_pictures(&mut self, host: &mut dyn Host) {
+        let decoding = &self.desk.decoding;
+        let is_idle = |encoded: &Arc<[u8]>| {
+            let is_under_way = decoding.iter().any(|d| Arc::ptr_eq(&d.2, encoded));
+            !is_under_way && !self.views.camera.is_prepared(encoded)
         };
-        let now = self.playback.time;
-        let next = flight.frames.partition_point(|f| f.time <= now + 1e-9);
-        let wanted = (next..next + DECODED_AHEAD).find_map(|frame| {
-            let encoded = self.documents.pictures.get(&frame)?;
-            (!self.views.camera.is_prepared(frame, encoded)).then(|| (frame, Arc::clone(encoded)))
-        });
-        if let Some((frame, encoded)) = wanted {
+        let wanted = self.views.camera.wanted();
+        let wanted = wanted.filter(|(_, encoded)| is_idle(encoded));
+        let next = match wanted {
+            Some((frame, encoded)) if decoding.len() < DECODED_AT_A_TIME => {
+                Some((frame, Arc::clone(encoded)))
+            }
+            None if decoding.is_empty() => self.decoded_ahead().find(|(_, e)| is_idle(e)),
+            _ => None,
+        };
+        if let Some((frame, encoded)) = next {
             let id = host.start(Job::DecodePicture {
-                encoded: encoded.to_vec(),
+                encoded: Arc::clone(&encoded),
             });
-            self.desk.decoding = Some((id, frame, encoded));
+            self.desk.decoding.push((id, frame, encoded));
         }
+    }
+
+    /// Frames and pictures that are about to be shown: in playback the next ones, else those to
+    /// which one step leads.
+    fn decoded_ahead(&self) -> impl Iterator<Item = (usize, Arc<[u8]>)> {
+        let now = self.playback.time;
+        let frames = self.documents.flight.as_ref().map(|f| &f.frames);
+        let next = frames.map_or(0, |f| f.partition_point(|f| f.time <= now + 1e-9));
+        let likely = if self.playback.playing {
+            [Some(next), Some(next + 1)]
+        } else {
+            [Some(next), next.checked_sub(2)]
+        };
+        let pictures = &self.documents.pictures;
+        let known = |frame| Some((frame, Arc::clone(pictures.get(&frame)?)));
+        likely.into_iter().flatten().filter_map(known)
     }
 
     /// Asks for the pictures of a match, once.

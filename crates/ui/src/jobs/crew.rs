@@ -314,12 +314,18 @@ impl<P: WorkerPort> Crew<P> {
         self.seats[seat].port.get_or_insert_with(|| open(seat))
     }
 
-    /// The seat of a job; a prediction while something is dragged does not wait behind a whole one.
+    /// The seat of a job; a prediction while something is dragged does not wait behind a whole one,
+    /// nor a picture that is looked at behind anything, if a worker has less to do.
     fn free_seat_for(&self, job: &Job) -> usize {
         let seat = seat_for(job);
-        let is_busy = || self.jobs.values().any(|assigned| assigned.seat == seat);
+        let jobs = |seat: usize| self.jobs.values().filter(|a| a.seat == seat).count();
         match job {
-            Job::Predict(order) if order.worlds <= COARSE && is_busy() => 1,
+            Job::Predict(order) if order.worlds <= COARSE && jobs(seat) > 0 => 1,
+            Job::DecodePicture { .. } => {
+                let open = |seat: &usize| self.seats[*seat].port.is_some();
+                let seats = [seat, 1, 0].into_iter().filter(open);
+                seats.min_by_key(|seat| jobs(*seat)).unwrap_or(seat)
+            }
             _ => seat,
         }
     }
@@ -379,7 +385,8 @@ fn seat_for(job: &Job) -> usize {
         | Job::TakeHeights(_)
         | Job::Predict(_)
         | Job::Brief(_)
-        | Job::Pack(_) => 2,
+        | Job::Pack(_)
+        | Job::Export(_) => 2,
     }
 }
 
@@ -392,7 +399,8 @@ fn file_keys(job: &Job) -> Vec<&str> {
         | Job::DecodePicture { .. }
         | Job::Predict(_)
         | Job::SumUp(..)
-        | Job::Find(_) => (None, None),
+        | Job::Find(_)
+        | Job::Export(_) => (None, None),
         Job::Assess(order) | Job::AssessShare(order, _) | Job::Envelope(order) => {
             (None, Some(&order.map))
         }

@@ -81,6 +81,18 @@ fn sent_to(notes: &Notes, seat: usize) -> Vec<Request> {
 }
 
 #[test]
+fn a_picture_is_decoded_where_least_waits() {
+    let (mut crew, notes) = crew();
+    crew.warm_up();
+    let decode = || Job::DecodePicture {
+        encoded: vec![1, 2, 3].into(),
+    };
+    let (first, second) = (crew.start(decode()), crew.start(decode()));
+    assert_eq!(sent_to(&notes, 2), [Request::Start(first, decode())]);
+    assert_eq!(sent_to(&notes, 1), [Request::Start(second, decode())]);
+}
+
+#[test]
 fn a_question_does_not_wait_behind_a_flight() {
     let (mut crew, notes) = crew();
     let flight = crew.start(fly());

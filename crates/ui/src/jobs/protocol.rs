@@ -1,5 +1,7 @@
 //! The messages between page and worker; both ends are this program, encoded with postcard.
 
+use std::sync::Arc;
+
 use pilotage_core::flight::Flight;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
 use pilotage_core::imagery::terrain::HeightGrid;
@@ -11,9 +13,9 @@ use pilotage_core::raster::{Gray, Raster, Rgba};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Assessment, AssessmentOrder, Beside, BriefOrder, BriefPictures, FieldOrder, FileContent,
-    FindOrder, FoundPlan, HeightsOrder, ImportedFile, PackOrder, PredictionOrder, Share,
-    SuggestOrder, TerrainInfo, WebMap, whole_bytes,
+    Assessment, AssessmentOrder, Beside, BriefOrder, BriefPictures, ExportOrder, FieldOrder,
+    FileContent, FindOrder, FoundPlan, HeightsOrder, ImportedFile, PackOrder, PredictionOrder,
+    Share, SuggestOrder, TerrainInfo, WebMap, whole_bytes,
 };
 
 /// Number of a job, unique within a page.
@@ -184,7 +186,7 @@ pub enum Job {
     DecodePicture {
         /// JPEG or PNG bytes.
         #[serde(with = "whole_bytes")]
-        encoded: Vec<u8>,
+        encoded: Arc<[u8]>,
     },
     /// The uncertainty along a planned route: event `Prediction`.
     Predict(Box<PredictionOrder>),
@@ -210,6 +212,8 @@ pub enum Job {
     Brief(BriefOrder),
     /// A mission file: event `Packed`.
     Pack(Box<PackOrder>),
+    /// Routes or landmarks as a file of another program: event `Exported`.
+    Export(Box<ExportOrder>),
 }
 
 /// A picture that does not say where it lies.
@@ -385,6 +389,14 @@ pub enum JobEvent {
         bytes: Vec<u8>,
         /// What of its map is not in it and where to have it, in words.
         lacks: Option<String>,
+    },
+    /// A file of another program.
+    Exported {
+        /// The file.
+        #[serde(with = "whole_bytes")]
+        bytes: Vec<u8>,
+        /// What was assumed or left out, in sentences.
+        notes: Vec<String>,
     },
     /// What provided files are.
     Opened(Box<Opened>),

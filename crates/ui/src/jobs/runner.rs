@@ -119,7 +119,8 @@ fn urgency(job: &Job) -> u8 {
         | Job::Predict(_)
         | Job::SumUp(..)
         | Job::Propose(..)
-        | Job::Pack(_) => 2,
+        | Job::Pack(_)
+        | Job::Export(_) => 2,
         Job::TakeHeights(_)
         | Job::Assess(_)
         | Job::AssessShare(..)

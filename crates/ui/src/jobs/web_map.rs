@@ -134,7 +134,8 @@ pub fn wanted_addresses(job: &Job) -> Vec<String> {
         | Job::DecodePicture { .. }
         | Job::Predict(_)
         | Job::Find(_)
-        | Job::Pack(_) => return Vec::new(),
+        | Job::Pack(_)
+        | Job::Export(_) => return Vec::new(),
         Job::Tile { map, window } => (map, Reads::Windows(vec![*window])),
         Job::Brief(order) => (&order.map, Reads::Windows(order.windows())),
         Job::Distinctness {

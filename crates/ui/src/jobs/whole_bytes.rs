@@ -42,7 +42,7 @@ mod tests {
         let sent = postcard::to_stdvec(&event).unwrap();
         assert_eq!(postcard::from_bytes::<JobEvent>(&sent).unwrap(), event);
         let job = Job::DecodePicture {
-            encoded: vec![1, 2, 3],
+            encoded: vec![1, 2, 3].into(),
         };
         let sent = postcard::to_stdvec(&job).unwrap();
         assert_eq!(postcard::from_bytes::<Job>(&sent).unwrap(), job);

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use std::sync::Arc;
 
+use pilotage_core::exchange::Written;
 use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::{ByteSource, Imagery, MapMemory};
 use pilotage_core::mission::{MapOptions, open_map_with};
@@ -173,15 +174,12 @@ impl Workshop {
                 emit(JobEvent::Packed { bytes, lacks });
                 Ok(())
             }),
-            Job::DecodePicture { encoded } => once(move |_, emit| {
-                let picture = decode_picture(&encoded).map_err(|cause| cause.to_string())?;
-                let opaque = |[r, g, b]: &[u8; 3]| [*r, *g, *b, u8::MAX];
-                emit(JobEvent::Picture {
-                    width: picture.width(),
-                    pixels: picture.pixels().iter().flat_map(opaque).collect(),
-                });
+            Job::Export(order) => once(move |_, emit| {
+                let Written { bytes, notes } = order.write()?;
+                emit(JobEvent::Exported { bytes, notes });
                 Ok(())
             }),
+            Job::DecodePicture { encoded } => once(move |_, emit| decode(&encoded, emit)),
         }
     }
 
@@ -392,6 +390,17 @@ where
     F: FnOnce(&mut Workshop, &mut dyn FnMut(JobEvent)) -> Result<(), String> + 'static,
 {
     Box::new(Once(Some(work)))
+}
+
+/// Says the pixels of an encoded picture.
+fn decode(encoded: &[u8], emit: &mut dyn FnMut(JobEvent)) -> Result<(), String> {
+    let picture = decode_picture(encoded).map_err(|cause| cause.to_string())?;
+    let opaque = |[r, g, b]: &[u8; 3]| [*r, *g, *b, u8::MAX];
+    emit(JobEvent::Picture {
+        width: picture.width(),
+        pixels: picture.pixels().iter().flat_map(opaque).collect(),
+    });
+    Ok(())
 }
 
 /// What is known of a map.

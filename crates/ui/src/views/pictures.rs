@@ -12,6 +12,7 @@ use pilotage_core::flight::{Flight, FrameSource as _};
 use pilotage_core::imagery::Imagery;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Navigator, Run, StepReport, explain};
+use pilotage_core::raster::decode_picture;
 use pilotage_core::simulate::{Overrides, Scenario};
 
 use super::fixture::{Fixture, match_pictures};
@@ -191,13 +192,7 @@ impl Scene {
     /// Draws every view, the camera, match and inspector at `time`.
     fn write_all(&self, name: &str, time: f64) {
         let named = |view: &str| format!("{name}-{view}");
-        self.both(
-            &named("camera"),
-            [420.0, 320.0],
-            time,
-            None,
-            CameraView::show,
-        );
+        self.both(&named("camera"), [420.0, 320.0], time, None, show_decoded);
         self.both(&named("match"), [360.0, 480.0], time, None, MatchView::show);
         self.both(&named("plots"), [480.0, 460.0], time, None, PlotsView::show);
         self.both(
@@ -223,6 +218,18 @@ impl Scene {
                 tour.show(ui, context);
             });
         }
+    }
+}
+
+/// Draws the camera view; what has to be decoded for it is there a frame later.
+fn show_decoded(view: &mut CameraView, ui: &mut Ui, context: &mut ViewContext<'_>) {
+    view.show(ui, context);
+    let wanted = view.wanted().map(|(frame, bytes)| (frame, bytes.clone()));
+    if let Some((frame, bytes)) = wanted {
+        let picture = decode_picture(&bytes).expect("the fixture's pictures are whole");
+        let opaque = |[r, g, b]: &[u8; 3]| [*r, *g, *b, u8::MAX];
+        let pixels: Vec<u8> = picture.pixels().iter().flat_map(opaque).collect();
+        view.prepare(frame, &bytes, picture.width(), &pixels);
     }
 }
 

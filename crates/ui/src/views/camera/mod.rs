@@ -4,6 +4,8 @@ mod attitude;
 mod overlay;
 mod picture;
 
+use std::sync::Arc;
+
 use egui::{Rect, Sense, Ui, Vec2, pos2, vec2};
 use nalgebra::Point2;
 use pilotage_core::navigator::{FrameReport, Run};
@@ -59,14 +61,29 @@ impl CameraView {
         self.drawn
     }
 
-    /// Takes the pixels of a frame that is shown soon: red, green, blue and opacity of each.
-    pub fn prepare(&mut self, frame: usize, encoded: &[u8], width: usize, pixels: &[u8]) {
+    /// Takes the pixels of a frame that is shown now or soon: red, green, blue and opacity of each.
+    pub fn prepare(&mut self, frame: usize, encoded: &Arc<[u8]>, width: usize, pixels: &[u8]) {
         self.cache.prepare(frame, encoded, width, pixels);
     }
 
-    /// Whether the pixels of that frame are here already.
-    pub fn is_prepared(&self, frame: usize, encoded: &[u8]) -> bool {
-        self.cache.is_prepared(frame, encoded)
+    /// Takes why the picture of a frame cannot be decoded.
+    pub fn refuse(&mut self, frame: usize, encoded: &Arc<[u8]>, why: &str) {
+        self.cache.refuse(frame, encoded, why);
+    }
+
+    /// Whether the pixels of an encoded picture are here already.
+    pub fn is_prepared(&self, encoded: &Arc<[u8]>) -> bool {
+        self.cache.is_prepared(encoded)
+    }
+
+    /// The frame that is to be shown and whose picture has to be decoded for it, with that picture.
+    pub fn wanted(&self) -> Option<(usize, &Arc<[u8]>)> {
+        self.cache.wanted()
+    }
+
+    /// Shows nothing until there is something of another flight.
+    pub fn clear(&mut self) {
+        self.cache.clear();
     }
 
     /// Draws the view into the space that `ui` has left.
@@ -94,12 +111,21 @@ impl CameraView {
             );
             return;
         };
+        // While a picture is decoded the one before it stays, with what was seen in that.
+        let current = index;
+        let shown = self
+            .cache
+            .update(ui.ctx(), index, (context.pictures)(index));
+        let index = shown.filter(|i| *i < flight.frames.len()).unwrap_or(index);
+        let time = if index == current {
+            context.time
+        } else {
+            flight.frames[index].time
+        };
         let report = context
             .run
-            .and_then(|run| Some((run, picking::frame_at(run, context.time)?.1)))
+            .and_then(|run| Some((run, picking::frame_at(run, time)?.1)))
             .filter(|(_, report)| report.index == index);
-        let bytes = (context.pictures)(index);
-        self.cache.update(ui.ctx(), index, bytes.as_deref());
 
         let outer = ui.available_rect_before_wrap();
         let response = ui.allocate_rect(outer, Sense::click_and_drag());
@@ -115,7 +141,9 @@ impl CameraView {
         if let Some(texture) = self.cache.texture() {
             let uv = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
             painter.image(texture, placement.rect, uv, egui::Color32::WHITE);
-            self.drawn = context.drawn(flight.frames[index].time);
+            if index == current {
+                self.drawn = context.drawn(flight.frames[index].time);
+            }
         } else {
             painter.rect_filled(placement.rect, 0.0, tokens.raised);
             painter.text(

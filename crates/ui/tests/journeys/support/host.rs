@@ -202,12 +202,14 @@ impl ScriptedHost {
                     say(JobEvent::Finished);
                 }
             }
-            Job::Find(_) | Job::Pack(_) => self.carry_out(id, job),
+            Job::Find(_) | Job::Pack(_) | Job::Export(_) | Job::DecodePicture { .. } => {
+                self.carry_out(id, job);
+            }
             Job::Brief(_) => {
                 say(JobEvent::BriefPictures(Box::default()));
                 say(JobEvent::Finished);
             }
-            Job::ExplainMatch { .. } | Job::DecodePicture { .. } => say(JobEvent::Finished),
+            Job::ExplainMatch { .. } => say(JobEvent::Finished),
             // Nothing is said of the others.
             _ => {}
         }
