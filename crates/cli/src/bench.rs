@@ -1,12 +1,13 @@
 //! `pilotage bench`: our kernels beside OpenCV's and FilterPy's, in one run.
 
+use std::path::PathBuf;
 use std::process::Command;
 use std::time::Instant;
 
 use pilotage_core::filter::{UnscentedSettings, reference_flight, reference_loop};
 use pilotage_core::raster::{Gray, Template};
 
-use crate::Outcome;
+use crate::{Outcome, cascade_bench};
 
 /// How to time.
 #[derive(clap::Args)]
@@ -14,6 +15,12 @@ pub struct Arguments {
     /// Python with OpenCV and FilterPy; without it only our own times are printed.
     #[arg(long, env = "PILOTAGE_PYTHON")]
     python: Option<String>,
+    /// Instead: every cascade (.xml) in the folders below this one, over the picture.
+    #[arg(long, requires = "picture")]
+    cascades: Option<PathBuf>,
+    /// Picture that the cascades are shown.
+    #[arg(long)]
+    picture: Option<PathBuf>,
 }
 
 /// (search side, template side), pixels, as the navigator uses them.
@@ -77,6 +84,9 @@ except ImportError: pass
 
 /// Prints the table.
 pub fn run(arguments: &Arguments) -> Outcome {
+    if let (Some(folder), Some(picture)) = (&arguments.cascades, &arguments.picture) {
+        return cascade_bench::run(folder, picture, arguments.python.as_deref());
+    }
     let mut theirs: Vec<(String, f64)> = Vec::new();
     if let Some(python) = &arguments.python {
         let sizes: Vec<String> = SIZES.iter().map(|(n, m)| format!("{n}x{m}")).collect();

@@ -1,5 +1,6 @@
 //! Sums over rectangles of the strength of a picture's edges, by their direction.
 
+use super::grid::Grid;
 use crate::raster::Raster;
 
 /// Directions that are told apart, over half a turn.
@@ -56,36 +57,44 @@ pub(super) fn direction(dx: i32, dy: i32) -> usize {
 }
 
 impl Histograms {
-    /// Of a picture, in multiples of `unit`.
-    pub fn of(picture: &Raster<u8>, unit: f32) -> Self {
+    /// Fills the tables for a picture, in multiples of `unit`.
+    pub fn fill(&mut self, picture: &Raster<u8>, grid: Grid, unit: f32) {
         let (width, height) = (picture.width(), picture.height());
-        let stride = width + 1;
-        let mut directions: [Vec<i32>; DIRECTIONS] =
-            std::array::from_fn(|_| vec![0; stride * (height + 1)]);
-        let mut all = vec![0_i32; stride * (height + 1)];
+        for table in self.directions.iter_mut().chain([&mut self.all]) {
+            grid.prepare(height, table);
+        }
+        let mut lines = vec![[0_i32; DIRECTIONS + 1]; width + 1];
+        let mut line = vec![0_i32; width + 1];
         for y in 0..height {
             let own = picture.row(y);
             let above = picture.row(y.saturating_sub(1));
             let below = picture.row((y + 1).min(height - 1));
-            let mut running = [0_i32; DIRECTIONS];
-            let mut running_all = 0_i32;
-            let at = (y + 1) * stride + 1;
+            let mut running = [0_i32; DIRECTIONS + 1];
             for x in 0..width {
                 let pixel = |row: &[u8], x: usize| i32::from(row[x]);
                 let dx = pixel(own, (x + 1).min(width - 1)) - pixel(own, x.saturating_sub(1));
                 let dy = pixel(below, x) - pixel(above, x);
                 let length = f64::from(dx * dx + dy * dy).sqrt() / f64::from(unit);
                 let length = length.round_ties_even() as i32;
-                let direction = direction(dx, dy);
-                running[direction] = running[direction].wrapping_add(length);
-                running_all = running_all.wrapping_add(length);
-                for (table, sum) in directions.iter_mut().zip(running) {
-                    table[at + x] = table[at + x - stride].wrapping_add(sum);
+                for bin in [direction(dx, dy), DIRECTIONS] {
+                    running[bin] = running[bin].wrapping_add(length);
                 }
-                all[at + x] = all[at + x - stride].wrapping_add(running_all);
+                for (sum, running) in lines[x + 1].iter_mut().zip(running) {
+                    *sum = sum.wrapping_add(running);
+                }
+            }
+            for (bin, table) in self
+                .directions
+                .iter_mut()
+                .chain([&mut self.all])
+                .enumerate()
+            {
+                for (out, sums) in line.iter_mut().zip(&lines) {
+                    *out = sums[bin];
+                }
+                grid.store(&line, y + 1, table);
             }
         }
-        Self { directions, all }
     }
 }
 

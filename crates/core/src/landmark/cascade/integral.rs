@@ -1,5 +1,6 @@
 //! Sums over rectangles of a picture.
 
+use super::grid::Grid;
 use crate::raster::Raster;
 
 /// Sums of all pixels above and to the left of each corner, in a table of one column and one row more
@@ -16,77 +17,64 @@ pub(super) struct Integral {
 }
 
 impl Integral {
-    /// Of a picture.
-    pub fn of(picture: &Raster<u8>, with_squares: bool, with_tilted: bool) -> Self {
-        let (width, height) = (picture.width(), picture.height());
-        let stride = width + 1;
-        let mut sum = vec![0_i32; stride * (height + 1)];
-        let mut squares = vec![0_i32; if with_squares { sum.len() } else { 0 }];
-        for y in 0..height {
-            let (above, own) = sum.split_at_mut((y + 1) * stride);
-            let above = &above[y * stride..];
-            let mut running = 0_i32;
-            for (x, &pixel) in picture.row(y).iter().enumerate() {
-                running = running.wrapping_add(i32::from(pixel));
-                own[x + 1] = above[x + 1].wrapping_add(running);
-            }
-            if with_squares {
-                let (above, own) = squares.split_at_mut((y + 1) * stride);
-                let above = &above[y * stride..];
-                let mut running = 0_i32;
-                for (x, &pixel) in picture.row(y).iter().enumerate() {
-                    running = running.wrapping_add(i32::from(pixel) * i32::from(pixel));
-                    own[x + 1] = above[x + 1].wrapping_add(running);
-                }
-            }
+    /// Fills the tables for a picture.
+    pub fn fill(
+        &mut self,
+        picture: &Raster<u8>,
+        grid: Grid,
+        with_squares: bool,
+        with_tilted: bool,
+    ) {
+        sums(picture, grid, i32::from, &mut self.sum);
+        if with_squares {
+            let square = |v| i32::from(v) * i32::from(v);
+            sums(picture, grid, square, &mut self.squares);
         }
-        let tilted = if with_tilted {
-            tilted(picture)
-        } else {
-            Vec::new()
-        };
-        Self {
-            sum,
-            squares,
-            tilted,
+        if with_tilted {
+            tilted(picture, grid, &mut self.tilted);
         }
     }
 }
 
-/// Entry (x, y): the sum of the pixels (i, j) with j < y and |i - x + 1| ≤ y - j - 1 (Lienhart 2002).
-fn tilted(picture: &Raster<u8>) -> Vec<i32> {
-    let (width, height) = (picture.width(), picture.height());
-    let stride = width + 1;
-    let mut table = vec![0_i32; stride * (height + 1)];
-    let pixel = |x: isize, y: isize| {
-        let inside = x >= 0 && y >= 0 && (x as usize) < width && (y as usize) < height;
-        if inside {
-            i32::from(picture.row(y as usize)[x as usize])
-        } else {
-            0
+fn sums(picture: &Raster<u8>, grid: Grid, of: impl Fn(u8) -> i32, table: &mut Vec<i32>) {
+    grid.prepare(picture.height(), table);
+    let mut line = vec![0_i32; picture.width() + 1];
+    for y in 0..picture.height() {
+        let mut running = 0_i32;
+        for (sum, &pixel) in line[1..].iter_mut().zip(picture.row(y)) {
+            running = running.wrapping_add(of(pixel));
+            *sum = sum.wrapping_add(running);
         }
-    };
-    // T(x, y) = T(x-1, y-1) + T(x+1, y-1) - T(x, y-2) + I(x-1, y-1) + I(x-1, y-2); beyond the right
-    // edge the triangles are kept in one more column per side.
-    let margin = height + 2;
-    let wide = width + 1 + 2 * margin;
-    let mut before = vec![0_i32; wide];
-    let mut last = vec![0_i32; wide];
-    for y in 1..=height as isize {
-        let mut next = vec![0_i32; wide];
-        for i in 1..wide - 1 {
-            let x = i as isize - margin as isize;
-            next[i] = last[i - 1]
-                .wrapping_add(last[i + 1])
-                .wrapping_sub(before[i])
-                .wrapping_add(pixel(x - 1, y - 1))
-                .wrapping_add(pixel(x - 1, y - 2));
-        }
-        table[y as usize * stride..][..stride].copy_from_slice(&next[margin..][..stride]);
-        before = last;
-        last = next;
+        grid.store(&line, y + 1, table);
     }
-    table
+}
+
+/// Entry (x, y): the sum of the pixels (i, j) with j < y and |i - x + 1| ≤ y - j - 1 (Lienhart 2002).
+fn tilted(picture: &Raster<u8>, grid: Grid, table: &mut Vec<i32>) {
+    let (width, height) = (picture.width(), picture.height());
+    grid.prepare(height, table);
+    // T(x, y) = T(x-1, y-1) + T(x+1, y-1) - T(x, y-2) + I(x-1, y-1) + I(x-1, y-2). What of T(-1, y-1)
+    // lies in the picture is T(0, y-2), and what of T(width+1, y-1) does is T(width, y-2).
+    let mut before = vec![0_i32; width + 1];
+    let mut last = vec![0_i32; width + 1];
+    let mut next = vec![0_i32; width + 1];
+    let nothing = vec![0_u8; width];
+    for y in 1..=height {
+        let own = picture.row(y - 1);
+        let above = if y > 1 { picture.row(y - 2) } else { &nothing };
+        next[0] = last[1];
+        for x in 1..width {
+            next[x] = last[x - 1]
+                .wrapping_add(last[x + 1])
+                .wrapping_sub(before[x])
+                .wrapping_add(i32::from(own[x - 1]) + i32::from(above[x - 1]));
+        }
+        next[width] =
+            last[width - 1].wrapping_add(i32::from(own[width - 1]) + i32::from(above[width - 1]));
+        grid.store(&next, y, table);
+        std::mem::swap(&mut before, &mut last);
+        std::mem::swap(&mut last, &mut next);
+    }
 }
 
 #[cfg(test)]
@@ -100,7 +88,14 @@ mod tests {
     #[test]
     fn the_tables_are_the_sums_that_they_are_said_to_be() {
         let picture = picture();
-        let integral = Integral::of(&picture, true, true);
+        for step in [1, 2] {
+            check(&picture, Grid::new(9, step));
+        }
+    }
+
+    fn check(picture: &Raster<u8>, grid: Grid) {
+        let mut integral = Integral::default();
+        integral.fill(picture, grid, true, true);
         for y in 0..=7_i32 {
             for x in 0..=9_i32 {
                 let (mut sum, mut squares, mut tilted) = (0, 0, 0);
@@ -116,7 +111,7 @@ mod tests {
                         }
                     }
                 }
-                let at = y as usize * 10 + x as usize;
+                let at = grid.place(x as usize, y as usize);
                 assert_eq!(integral.sum[at], sum);
                 assert_eq!(integral.squares[at], squares);
                 assert_eq!(integral.tilted[at], tilted, "{x} {y}");

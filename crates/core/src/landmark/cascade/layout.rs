@@ -1,29 +1,30 @@
 //! The features of a cascade over the tables of a picture.
 
+use super::grid::Grid;
 use super::histograms::{DIRECTIONS, Histograms, unit};
 use super::integral::Integral;
 use super::model::{Area, Feature, Kind, any_tilted, kind};
 use crate::raster::Raster;
 
 /// A corner-wise sum: four places of a table relative to the window's first.
-type Corners = [usize; 4];
+pub(super) type Corners = [usize; 4];
 
 /// Least sum over a cell of which OpenCV's HOG says more than zero, and what it adds to that of the
 /// block against division by zero, grey levels.
-const LEAST_EDGE: f32 = 0.001;
+pub(super) const LEAST_EDGE: f32 = 0.001;
 
 fn sum(table: &[i32], at: usize, corners: &Corners) -> i32 {
     let [a, b, c, d] = corners.map(|offset| table[at + offset]);
     a.wrapping_sub(b).wrapping_sub(c).wrapping_add(d)
 }
 
-fn upright([x, y, w, h]: Area, stride: usize) -> Corners {
-    let at = |x: i32, y: i32| y as usize * stride + x as usize;
+fn upright([x, y, w, h]: Area, grid: Grid) -> Corners {
+    let at = |x: i32, y: i32| grid.place(x as usize, y as usize);
     [at(x, y), at(x + w, y), at(x, y + h), at(x + w, y + h)]
 }
 
-fn turned([x, y, w, h]: Area, stride: usize) -> Corners {
-    let at = |x: i32, y: i32| y as usize * stride + x as usize;
+fn turned([x, y, w, h]: Area, grid: Grid) -> Corners {
+    let at = |x: i32, y: i32| grid.place(x as usize, y as usize);
     [
         at(x, y),
         at(x - h, y + h),
@@ -32,9 +33,9 @@ fn turned([x, y, w, h]: Area, stride: usize) -> Corners {
     ]
 }
 
-/// A feature laid out for tables of one stride.
+/// A feature laid out for tables laid out in one way.
 #[derive(Clone, Debug)]
-enum Laid {
+pub(super) enum Laid {
     Haar {
         areas: [(Corners, f32); 3],
         tilted: bool,
@@ -49,18 +50,28 @@ enum Laid {
 }
 
 impl Laid {
-    fn new(feature: &Feature, stride: usize) -> Self {
+    /// Furthest place from the window's own that it asks for.
+    pub fn reach(&self) -> usize {
+        let furthest = |corners: &[usize]| corners.iter().copied().fold(0, usize::max);
+        match self {
+            Laid::Haar { areas, .. } => areas.iter().fold(0, |far, a| far.max(furthest(&a.0))),
+            Laid::Lbp(lattice) => furthest(lattice),
+            Laid::Hog { cell, block, .. } => furthest(cell).max(furthest(block)),
+        }
+    }
+
+    pub fn new(feature: &Feature, grid: Grid) -> Self {
         match feature {
             Feature::Haar(haar) => Laid::Haar {
                 areas: haar.areas.map(|(area, weight)| {
                     let lay = if haar.tilted { turned } else { upright };
-                    (lay(area, stride), weight)
+                    (lay(area, grid), weight)
                 }),
                 tilted: haar.tilted,
             },
             Feature::Lbp([x, y, w, h]) => Laid::Lbp(std::array::from_fn(|i| {
                 let (column, row) = ((i % 4) as i32, (i / 4) as i32);
-                (y + row * h) as usize * stride + (x + column * w) as usize
+                grid.place((x + column * w) as usize, (y + row * h) as usize)
             })),
             Feature::Hog {
                 cell: [x, y, w, h],
@@ -69,8 +80,8 @@ impl Laid {
                 let number = usize::from(*component) / DIRECTIONS;
                 let (column, row) = ((number % 2) as i32, (number / 2) as i32);
                 Laid::Hog {
-                    cell: upright([x + column * w, y + row * h, *w, *h], stride),
-                    block: upright([*x, *y, 2 * w, 2 * h], stride),
+                    cell: upright([x + column * w, y + row * h, *w, *h], grid),
+                    block: upright([*x, *y, 2 * w, 2 * h], grid),
                     direction: usize::from(*component) % DIRECTIONS,
                 }
             }
@@ -82,32 +93,42 @@ impl Laid {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Tables {
     pub integral: Integral,
-    histograms: Histograms,
+    pub histograms: Histograms,
 }
 
-/// Features laid out for tables of one stride.
+/// Features laid out for tables laid out in one way.
 #[derive(Clone, Debug)]
 pub(super) struct Layout {
-    pub stride: usize,
-    kind: Kind,
+    pub grid: Grid,
+    pub kind: Kind,
     with_tilted: bool,
-    laid: Vec<Laid>,
-    norm: Corners,
-    norm_area: f64,
+    pub laid: Vec<Laid>,
+    /// Corners of what a window's deviation is taken of.
+    pub norm: Corners,
+    /// Its area, pixels.
+    pub norm_area: f64,
     /// Grey levels of a one in the histograms.
-    unit: f32,
+    pub unit: f32,
 }
 
 impl Layout {
-    /// For windows of `width` × `height` pixels in pictures `stride - 1` pixels wide.
-    pub fn new(features: &[Feature], width: usize, height: usize, stride: usize) -> Self {
+    /// For windows of `width` × `height` pixels in pictures whose tables lie so.
+    pub fn new(features: &[Feature], width: usize, height: usize, grid: Grid) -> Self {
+        Self {
+            laid: features.iter().map(|f| Laid::new(f, grid)).collect(),
+            ..Self::of_windows(features, width, height, grid)
+        }
+    }
+
+    /// What tables such features need and how windows are normalized, without the features.
+    pub fn of_windows(features: &[Feature], width: usize, height: usize, grid: Grid) -> Self {
         let (w, h) = (width as i32, height as i32);
         Self {
-            stride,
+            grid,
             kind: kind(features),
             with_tilted: any_tilted(features),
-            laid: features.iter().map(|f| Laid::new(f, stride)).collect(),
-            norm: upright([1, 1, w - 2, h - 2], stride),
+            laid: Vec::new(),
+            norm: upright([1, 1, w - 2, h - 2], grid),
             norm_area: f64::from((w - 2) * (h - 2)),
             unit: unit(width * height),
         }
@@ -120,19 +141,19 @@ impl Layout {
 
     /// The tables of a picture.
     pub fn tables(&self, picture: &Raster<u8>) -> Tables {
-        match self.kind {
-            Kind::Haar => Tables {
-                integral: Integral::of(picture, true, self.with_tilted),
-                ..Tables::default()
-            },
-            Kind::Lbp => Tables {
-                integral: Integral::of(picture, false, false),
-                ..Tables::default()
-            },
-            Kind::Hog => Tables {
-                histograms: Histograms::of(picture, self.unit),
-                ..Tables::default()
-            },
+        let mut tables = Tables::default();
+        self.fill(&mut tables, picture);
+        tables
+    }
+
+    /// The tables of a picture, in the memory of others.
+    pub fn fill(&self, tables: &mut Tables, picture: &Raster<u8>) {
+        if self.kind == Kind::Hog {
+            tables.histograms.fill(picture, self.grid, self.unit);
+        } else {
+            let with_squares = self.kind == Kind::Haar;
+            let integral = &mut tables.integral;
+            integral.fill(picture, self.grid, with_squares, self.with_tilted);
         }
     }
 

@@ -8,6 +8,7 @@ mod binary;
 mod build;
 mod check;
 mod error;
+mod grid;
 mod group;
 mod histograms;
 mod integral;
@@ -16,11 +17,15 @@ mod model;
 mod patch;
 mod read;
 mod responses;
+mod rows;
 mod scale;
 mod scan;
+mod simd;
 #[cfg(test)]
 mod tests;
 pub mod train;
+#[cfg(test)]
+mod twin;
 mod write;
 mod xml;
 

@@ -1,5 +1,6 @@
 //! The features of one window, for those who train.
 
+use super::grid::Grid;
 use super::layout::Layout;
 use super::model::{Feature, Kind, kind};
 use crate::raster::Raster;
@@ -69,7 +70,7 @@ impl Evaluator {
     /// Evaluation panics if a feature does not lie in such a window.
     pub fn new(features: &[Feature], width: usize, height: usize) -> Self {
         Self {
-            layout: Layout::new(features, width, height, width + 3),
+            layout: Layout::new(features, width, height, Grid::new(width + 2, 1)),
             width,
             height,
         }
@@ -83,7 +84,7 @@ impl Evaluator {
     pub fn values(&self, patch: &Patch, out: &mut [f32]) -> bool {
         self.check(patch, out.len());
         let tables = self.layout.tables(&patch.pixels);
-        let at = self.layout.stride + 1;
+        let at = self.layout.grid.place(1, 1);
         let factor = self.layout.factor(&tables, at);
         for (i, out) in out.iter_mut().enumerate() {
             *out = factor.map_or(0.0, |f| self.layout.value(&tables, i, at, f));
@@ -98,7 +99,7 @@ impl Evaluator {
     pub fn codes(&self, patch: &Patch, out: &mut [u8]) {
         self.check(patch, out.len());
         let tables = self.layout.tables(&patch.pixels);
-        let at = self.layout.stride + 1;
+        let at = self.layout.grid.place(1, 1);
         for (i, out) in out.iter_mut().enumerate() {
             *out = self.layout.code(&tables, i, at) as u8;
         }

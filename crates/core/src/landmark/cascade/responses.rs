@@ -1,8 +1,7 @@
 //! What a cascade says of every window of a picture.
 
-use super::layout::Layout;
 use super::model::Cascade;
-use super::scan::Sight;
+use super::rows::{BATCH, Rows, Scratch};
 use crate::raster::Raster;
 
 /// What a cascade says of every window, by the window's upper left pixel; narrower and lower than the
@@ -19,20 +18,32 @@ pub struct Responses {
 
 /// Shows `cascade` every window of `picture` at scale one, none left out.
 pub fn responses(cascade: &Cascade, picture: &Raster<u8>) -> Responses {
-    let layout = Layout::new(
-        &cascade.features,
-        cascade.width,
-        cascade.height,
-        picture.width() + 1,
-    );
-    let sight = Sight::new(cascade, layout, picture);
     let columns = (picture.width() + 1).saturating_sub(cascade.width);
     let rows = (picture.height() + 1).saturating_sub(cascade.height);
-    let mut stages = Raster::filled(columns, rows, 0);
-    let score = Raster::from_fn(columns, rows, |x, y| {
-        let seen = sight.look(x, y);
-        stages.set(x, y, seen.passed.min(255) as u8);
-        seen.margin as f32
-    });
-    Responses { stages, score }
+    if columns == 0 || rows == 0 || cascade.stages.is_empty() {
+        return Responses {
+            stages: Raster::filled(0, 0, 0),
+            score: Raster::filled(0, 0, 0.0),
+        };
+    }
+    let mut scratch = Scratch::default();
+    let shown = Rows::new(cascade, picture, 1, &mut scratch);
+    let mut stages = Raster::filled(columns, rows, 0_u8);
+    let mut margins = Raster::filled(columns, rows, f64::NEG_INFINITY);
+    for y in (0..rows).step_by(BATCH) {
+        let ys = (y..rows).take(BATCH);
+        shown.show(ys, false, &mut scratch, |stage, place, votes| {
+            let (x, y) = shown.position(place);
+            let margin = votes - f64::from(cascade.stages[stage].threshold);
+            let before = if stage == 0 { 0.0 } else { margins.get(x, y) };
+            margins.set(x, y, before + margin);
+            if margin >= 0.0 {
+                stages.set(x, y, (stage + 1).min(255) as u8);
+            }
+        });
+    }
+    Responses {
+        stages,
+        score: margins.map(|margin| margin as f32),
+    }
 }

@@ -3,7 +3,8 @@
 
 use crate::raster::Raster;
 
-/// For each pixel of the copy, the first of two source pixels and the weight of the second, of 256.
+/// For each pixel of the copy, the first of two source pixels and the weight of the second, of 256;
+/// that is zero where there is no second.
 fn weights(from: usize, to: usize) -> Vec<(usize, u32)> {
     let scale = from as f64 / to as f64;
     (0..to)
@@ -29,28 +30,38 @@ pub(super) fn resized(picture: &Raster<u8>, width: usize, height: usize) -> Rast
     }
     let across = weights(picture.width(), width);
     let down = weights(picture.height(), height);
-    let line = |y: usize, out: &mut Vec<u32>| {
-        let row = picture.row(y);
-        out.clear();
-        out.extend(across.iter().map(|&(x, weight)| {
-            let second = u32::from(row[(x + 1).min(row.len() - 1)]);
-            (256 - weight) * u32::from(row[x]) + weight * second
-        }));
-    };
-    let mut pixels = Vec::with_capacity(width * height);
-    let (mut upper, mut lower) = (Vec::new(), Vec::new());
-    let mut held = None;
-    for &(y, weight) in &down {
-        let below = (y + 1).min(picture.height() - 1);
-        if held != Some(y) {
-            line(y, &mut upper);
-            line(below, &mut lower);
-            held = Some(y);
+    let mut padded = Vec::new();
+    let mut line = |y: usize, out: &mut [u16]| {
+        padded.clear();
+        padded.extend_from_slice(picture.row(y));
+        padded.push(0);
+        for (out, &(x, weight)) in out.iter_mut().zip(&across) {
+            let (first, second) = (u32::from(padded[x]), u32::from(padded[x + 1]));
+            *out = ((256 - weight) * first + weight * second) as u16;
         }
-        pixels.extend(upper.iter().zip(&lower).map(|(a, b)| {
-            let value = (256 - weight) * a + weight * b;
-            ((value + (1 << 15)) >> 16) as u8
-        }));
+    };
+    let mut copy = Raster::filled(width, height, 0);
+    let (mut upper, mut lower) = (vec![0; width], vec![0; width]);
+    let (mut in_upper, mut in_lower) = (usize::MAX, usize::MAX);
+    for (row, &(y, weight)) in down.iter().enumerate() {
+        let below = (y + 1).min(picture.height() - 1);
+        if in_upper != y {
+            std::mem::swap(&mut upper, &mut lower);
+            std::mem::swap(&mut in_upper, &mut in_lower);
+        }
+        if in_upper != y {
+            line(y, &mut upper);
+            in_upper = y;
+        }
+        if in_lower != below {
+            line(below, &mut lower);
+            in_lower = below;
+        }
+        let lines = upper.iter().zip(&lower);
+        for (out, (&a, &b)) in copy.row_mut(row).iter_mut().zip(lines) {
+            let value = (256 - weight) * u32::from(a) + weight * u32::from(b);
+            *out = ((value + (1 << 15)) >> 16) as u8;
+        }
     }
-    Raster::from_pixels(width, height, pixels).unwrap_or_else(|| Raster::filled(0, 0, 0))
+    copy
 }

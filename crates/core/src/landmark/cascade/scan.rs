@@ -1,7 +1,7 @@
 //! A cascade shown every window of a picture at every scale.
 
-use super::layout::{Layout, Tables};
-use super::model::{Cascade, Tree};
+use super::model::Cascade;
+use super::rows::{BATCH, Rows, Scratch};
 use super::scale::resized;
 use crate::raster::Raster;
 
@@ -66,8 +66,9 @@ pub struct Scanned {
 /// `detectMultiScale` finds before it groups them.
 pub fn scan(cascade: &Cascade, picture: &Raster<u8>, settings: &ScanSettings) -> Vec<Scanned> {
     let mut found = Vec::new();
+    let mut scratch = Scratch::default();
     for scale in scales(cascade, picture, settings) {
-        scan_level(cascade, picture, scale, &mut found);
+        scan_level(cascade, picture, scale, &mut scratch, &mut found);
     }
     found
 }
@@ -109,113 +110,40 @@ fn scales(cascade: &Cascade, picture: &Raster<u8>, settings: &ScanSettings) -> V
     scales
 }
 
-/// A picture seen through a cascade.
-pub(super) struct Sight<'a> {
-    cascade: &'a Cascade,
-    layout: Layout,
-    tables: Tables,
-}
-
-/// What a cascade says of a window.
-pub(super) struct Seen {
-    /// Stages passed.
-    pub passed: usize,
-    /// Whether the window was so flat that no stage was asked.
-    pub flat: bool,
-    /// Votes of the last stage met.
-    pub votes: f64,
-    /// Sum over the stages met of votes less threshold; minus infinity where none was.
-    pub margin: f64,
-}
-
-impl<'a> Sight<'a> {
-    pub fn new(cascade: &'a Cascade, layout: Layout, picture: &Raster<u8>) -> Self {
-        Self {
-            cascade,
-            tables: layout.tables(picture),
-            layout,
-        }
-    }
-
-    /// Shows the window whose upper left pixel is (x, y).
-    pub fn look(&self, x: usize, y: usize) -> Seen {
-        let at = y * self.layout.stride + x;
-        let mut seen = Seen {
-            passed: 0,
-            flat: false,
-            votes: 0.0,
-            margin: 0.0,
-        };
-        let Some(factor) = self.layout.factor(&self.tables, at) else {
-            seen.flat = true;
-            seen.margin = f64::NEG_INFINITY;
-            return seen;
-        };
-        for stage in &self.cascade.stages {
-            let trees = self.cascade.trees[stage.trees.clone()].iter();
-            seen.votes = trees.fold(0.0, |sum, tree| sum + self.vote(tree, at, factor));
-            let margin = seen.votes - f64::from(stage.threshold);
-            seen.margin += margin;
-            if margin < 0.0 {
-                break;
-            }
-            seen.passed += 1;
-        }
-        seen
-    }
-
-    fn vote(&self, tree: &Tree, at: usize, factor: f32) -> f64 {
-        let mut next = 0;
-        loop {
-            let index = tree.nodes.start + next as usize;
-            let node = &self.cascade.nodes[index];
-            let feature = node.feature as usize;
-            let left = if let Some(subset) = self.cascade.subsets.get(index) {
-                let code = self.layout.code(&self.tables, feature, at);
-                subset[code >> 5] >> (code & 31) & 1 == 1
-            } else {
-                self.layout.value(&self.tables, feature, at, factor) < node.threshold
-            };
-            next = if left { node.left } else { node.right };
-            if next <= 0 {
-                let leaf = tree.first_leaf + next.unsigned_abs() as usize;
-                return f64::from(self.cascade.leaves[leaf]);
-            }
-        }
-    }
-}
-
 /// Shows every window of a smaller copy of `picture`.
-fn scan_level(cascade: &Cascade, picture: &Raster<u8>, scale: f32, found: &mut Vec<Scanned>) {
+fn scan_level(
+    cascade: &Cascade,
+    picture: &Raster<u8>,
+    scale: f32,
+    scratch: &mut Scratch,
+    found: &mut Vec<Scanned>,
+) {
     let side = |s: usize| f64::from(s as f32 / scale).round_ties_even() as usize;
-    let (width, height) = (side(picture.width()), side(picture.height()));
-    let copy = resized(picture, width, height);
-    let layout = Layout::new(&cascade.features, cascade.width, cascade.height, width + 1);
-    let sight = Sight::new(cascade, layout, &copy);
-    let columns = (width + 1).saturating_sub(cascade.width);
-    let rows = (height + 1).saturating_sub(cascade.height);
+    let copy = resized(picture, side(picture.width()), side(picture.height()));
     // Large windows are shown at every pixel of their small copy.
     let step = if scale >= 2.0 { 1 } else { 2 };
+    let rows = Rows::new(cascade, &copy, step, scratch);
     let round = |v: f32| v.round_ties_even() as i32;
-    for y in (0..rows).step_by(step) {
-        let mut x = 0;
-        while x < columns {
-            let seen = sight.look(x, y);
-            if seen.passed == cascade.stages.len() {
+    let Some((end, before)) = cascade.stages.split_last() else {
+        return;
+    };
+    let (last, least) = (before.len(), f64::from(end.threshold));
+    for y in (0..rows.height).step_by(step * BATCH) {
+        let ys = (y..rows.height).step_by(step).take(BATCH);
+        rows.show(ys, true, scratch, |stage, place, votes| {
+            if stage == last && votes >= least {
+                let (number, y) = rows.position(place);
                 found.push(Scanned {
                     rectangle: Rectangle {
-                        x: round(x as f32 * scale),
+                        x: round((number * step) as f32 * scale),
                         y: round(y as f32 * scale),
                         width: round(cascade.width as f32 * scale),
                         height: round(cascade.height as f32 * scale),
                     },
-                    score: seen.votes,
+                    score: votes,
                 });
-            } else if seen.passed == 0 && !seen.flat {
-                // What the very first stage refuses has no better neighbour.
-                x += step;
             }
-            x += step;
-        }
+        });
     }
+    rows.end(scratch);
 }

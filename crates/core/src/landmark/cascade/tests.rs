@@ -286,3 +286,93 @@ fn what_the_former_layout_cannot_say_is_refused() {
     let said = cascade.to_former_xml().unwrap_err().to_string();
     assert!(said.contains("stage 0, tree 0"), "{said}");
 }
+
+/// Trees of three nodes over features and thresholds that part the windows of a picture.
+fn forest(features: &[Feature], picture: &Raster<u8>) -> Vec<TrainedStage> {
+    let lbp = matches!(features[0], Feature::Lbp(_));
+    let evaluator = Evaluator::new(features, 16, 16);
+    let typical = Patch::cut(picture, 11, 9, 16, 16).unwrap();
+    let mut values = vec![0.0; features.len()];
+    evaluator.values(&typical, &mut values);
+    let split = |feature: usize, salt: u32| {
+        if lbp {
+            let word = |i: u32| (i + salt).wrapping_mul(2_654_435_761) ^ 0x5a5a_f00f;
+            Split::Codes(std::array::from_fn(|i| word(i as u32)))
+        } else {
+            Split::Threshold(values[feature] * 1.01)
+        }
+    };
+    let stage = |number: usize| {
+        let trees = (0..5).map(|t| {
+            let feature = |n: usize| (number * 7 + t * 3 + n) % features.len();
+            let node = |n: usize, left, right| TrainedNode {
+                feature: feature(n),
+                split: split(feature(n), (t + n) as u32),
+                left,
+                right,
+            };
+            if t % 2 == 0 {
+                return TrainedTree::stump(feature(0), split(feature(0), 3), -0.31, 0.47);
+            }
+            TrainedTree {
+                nodes: vec![node(0, 1, 2), node(1, 0, -1), node(2, -2, -3)],
+                leaves: vec![0.7, -0.3, 0.11, -0.9],
+            }
+        });
+        TrainedStage {
+            trees: trees.collect(),
+            threshold: -0.4,
+        }
+    };
+    (0..4).map(stage).collect()
+}
+
+#[test]
+fn many_windows_at_once_are_judged_to_the_bit_as_one_after_the_other() {
+    let picture = picture(83, 61);
+    let mut passed = 0;
+    for features in [hog_features(), haar_features(), lbp_features()] {
+        let stages = forest(&features, &picture);
+        let cascade = Cascade::from_parts(16, 16, features, &stages).unwrap();
+        let found = responses(&cascade, &picture);
+        let twin = twin::Sight::new(&cascade, &picture);
+        let mut by_stage = [0; 5];
+        for y in 0..found.stages.height() {
+            for x in 0..found.stages.width() {
+                let seen = twin.look(x, y);
+                assert_eq!(usize::from(found.stages.get(x, y)), seen.passed, "{x} {y}");
+                let (ours, theirs) = (found.score.get(x, y), seen.margin as f32);
+                assert_eq!(ours.to_bits(), theirs.to_bits(), "{x} {y}");
+                by_stage[seen.passed] += 1;
+            }
+        }
+        assert!(
+            by_stage.iter().filter(|n| **n > 20).count() >= 3,
+            "{by_stage:?}"
+        );
+
+        // The scan at scale one sees every other window, and skips behind those refused at once.
+        let settings = ScanSettings {
+            greatest: (16, 16),
+            ..ScanSettings::default()
+        };
+        let mut wanted = Vec::new();
+        for y in (0..found.stages.height()).step_by(2) {
+            let mut x = 0;
+            while x < found.stages.width() {
+                let seen = twin.look(x, y);
+                if seen.passed == 4 {
+                    wanted.push((x as i32, y as i32, seen.votes.to_bits()));
+                } else if seen.passed == 0 && !seen.flat {
+                    x += 2;
+                }
+                x += 2;
+            }
+        }
+        let scanned = scan(&cascade, &picture, &settings);
+        let of = |s: &Scanned| (s.rectangle.x, s.rectangle.y, s.score.to_bits());
+        assert_eq!(scanned.iter().map(of).collect::<Vec<_>>(), wanted);
+        passed += wanted.len();
+    }
+    assert!(passed > 20, "{passed}");
+}

@@ -1,0 +1,103 @@
+//! Cascades over a picture beside OpenCV's, in one run.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::Instant;
+
+use pilotage_core::landmark::cascade::{Cascade, ScanSettings, scan};
+use pilotage_core::raster::{decode_picture, luminance};
+
+use crate::Outcome;
+
+/// Runs of which the best counts.
+const RUNS: usize = 7;
+
+const SCRIPT: &str = r"
+import sys, time, cv2
+cv2.setNumThreads(1)
+g = cv2.imread(sys.argv[1], cv2.IMREAD_GRAYSCALE)
+for p in sys.argv[3:]:
+    c = cv2.CascadeClassifier(p); best = float('inf')
+    for _ in range(int(sys.argv[2])):
+        s = time.perf_counter(); r = c.detectMultiScale(g, 1.1, 0)
+        best = min(best, time.perf_counter() - s)
+    print(best * 1e3, len(r))
+";
+
+/// All cascades (`.xml`) in the folders below `folder`, by name.
+fn files(folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+    let mut files = Vec::new();
+    for below in fs::read_dir(folder)? {
+        let below = below?.path();
+        if below.is_dir() {
+            for entry in fs::read_dir(below)? {
+                files.push(entry?.path());
+            }
+        }
+    }
+    files.retain(|path| path.extension().is_some_and(|e| e == "xml"));
+    files.sort();
+    Ok(files)
+}
+
+/// Milliseconds and windows found of each file by OpenCV.
+fn theirs(
+    python: &str,
+    picture: &Path,
+    files: &[PathBuf],
+) -> Result<Vec<(f64, usize)>, Box<dyn std::error::Error>> {
+    let out = Command::new(python)
+        .args(["-c", SCRIPT])
+        .arg(picture)
+        .arg(RUNS.to_string())
+        .args(files)
+        .output()?;
+    if !out.status.success() {
+        return Err(String::from_utf8_lossy(&out.stderr).into_owned().into());
+    }
+    let mut rows = Vec::new();
+    for line in String::from_utf8_lossy(&out.stdout).lines() {
+        if let Some((time, count)) = line.split_once(' ') {
+            rows.push((time.parse()?, count.parse()?));
+        }
+    }
+    Ok(rows)
+}
+
+/// Prints a row for each cascade below `folder` over `picture`.
+pub fn run(folder: &Path, picture: &Path, python: Option<&str>) -> Outcome {
+    let files = files(folder)?;
+    let gray = decode_picture(&fs::read(picture)?)?.map(|colour| luminance(colour).round() as u8);
+    let theirs = match python {
+        Some(python) => theirs(python, picture, &files)?,
+        None => Vec::new(),
+    };
+    println!(
+        "{:44} {:>11} {:>11} {:>8}",
+        "cascade, every scale by 1.1", "ours, ms", "theirs, ms", "ratio"
+    );
+    for (i, path) in files.iter().enumerate() {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        let cascade = Cascade::read(&name, &fs::read_to_string(path)?)?;
+        let (mut best, mut found) = (f64::INFINITY, 0);
+        for _ in 0..RUNS {
+            let start = Instant::now();
+            found = scan(&cascade, &gray, &ScanSettings::default()).len();
+            best = best.min(start.elapsed().as_secs_f64() * 1e3);
+        }
+        match theirs.get(i) {
+            Some((time, count)) => {
+                let note = if *count == found {
+                    ""
+                } else {
+                    "  finds others"
+                };
+                let ratio = time / best;
+                println!("{name:44} {best:11.1} {time:11.1} {ratio:8.2}{note}");
+            }
+            None => println!("{name:44} {best:11.1} {:>11} {:>8}", "–", "–"),
+        }
+    }
+    Ok(())
+}

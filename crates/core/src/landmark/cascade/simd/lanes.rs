@@ -1,0 +1,204 @@
+//! The loops.
+
+use std::ops::Range;
+
+use super::Windows;
+use super::looks::Look;
+use super::program::{Branch, Branches, Program};
+use crate::landmark::cascade::grid::SLACK;
+use crate::landmark::cascade::layout::{Corners, Layout, Tables};
+
+/// Windows that one step works on.
+pub(super) const LANES: usize = 8;
+/// A number for each of them.
+pub(super) type Lanes<T> = [T; LANES];
+/// Windows of a row of [`LANES`] that make it worth while to work on all of it.
+const WORTH: usize = 3;
+
+const _: () = assert!(LANES <= SLACK, "tables are longer by a vector");
+
+/// Where windows lie in the tables.
+pub(super) trait Places {
+    /// Sums over a rectangle, given by its corners relative to each window, below the reach of the
+    /// program.
+    fn sums(&self, table: &[i32], corners: &Corners) -> Lanes<i32>;
+}
+
+/// Windows side by side, from this place on.
+struct SideBySide(usize);
+
+impl Places for SideBySide {
+    #[inline(always)]
+    fn sums(&self, table: &[i32], corners: &Corners) -> Lanes<i32> {
+        // SAFETY: `vote` asserted that this place plus reach plus lanes lies in the table.
+        let [a, b, c, d] = corners
+            .map(|corner| unsafe { table.get_unchecked(self.0 + corner..self.0 + corner + LANES) });
+        let mut sums = [0; LANES];
+        for i in 0..LANES {
+            sums[i] = a[i]
+                .wrapping_sub(b[i])
+                .wrapping_sub(c[i])
+                .wrapping_add(d[i]);
+        }
+        sums
+    }
+}
+
+/// Windows anywhere.
+struct Scattered(Lanes<usize>);
+
+impl Places for Scattered {
+    #[inline(always)]
+    fn sums(&self, table: &[i32], corners: &Corners) -> Lanes<i32> {
+        let mut sums = [0; LANES];
+        for i in 0..LANES {
+            // SAFETY: `vote` asserted that the last place plus reach lies in the table.
+            let [a, b, c, d] =
+                corners.map(|corner| unsafe { *table.get_unchecked(self.0[i] + corner) });
+            sums[i] = a.wrapping_sub(b).wrapping_sub(c).wrapping_add(d);
+        }
+        sums
+    }
+}
+
+#[inline(always)]
+pub(super) fn factors(layout: &Layout, tables: &Tables, at: usize, out: &mut [f32]) {
+    let length = out.len();
+    let (sum, squares) = (&tables.integral.sum, &tables.integral.squares);
+    let [a, b, c, d] = layout.norm.map(|corner| &sum[at + corner..][..length]);
+    let [e, f, g, h] = layout.norm.map(|corner| &squares[at + corner..][..length]);
+    let area = layout.norm_area;
+    for i in 0..length {
+        let sum = f64::from(
+            a[i].wrapping_sub(b[i])
+                .wrapping_sub(c[i])
+                .wrapping_add(d[i]),
+        );
+        let squares = e[i]
+            .wrapping_sub(f[i])
+            .wrapping_sub(g[i])
+            .wrapping_add(h[i]);
+        let spread = area * f64::from(squares.cast_unsigned()) - sum * sum;
+        let factor = (1.0 / spread.sqrt()) as f32;
+        let usable = spread > 0.0 && area * f64::from(factor) < 0.1;
+        out[i] = if usable { factor } else { f32::NAN };
+    }
+}
+
+#[inline(always)]
+pub(super) fn vote(program: &Program, stage: usize, tables: &Tables, windows: &mut Windows) {
+    match &program.branches {
+        Branches::Haar(branches) => vote_with(program, branches, stage, tables, windows),
+        Branches::Lbp(branches) => vote_with(program, branches, stage, tables, windows),
+        Branches::Hog(branches) => vote_with(program, branches, stage, tables, windows),
+    }
+}
+
+#[inline(always)]
+fn vote_with<L: Look>(
+    program: &Program,
+    branches: &[Branch<L>],
+    stage: usize,
+    tables: &Tables,
+    windows: &mut Windows,
+) {
+    let count = windows.at.len();
+    let Some(&last) = windows.at.iter().max() else {
+        return;
+    };
+    assert!(last + program.reach + LANES <= program.shortest(tables));
+    assert!(windows.factor.len() == count && windows.votes.len() == count);
+    let job = Job {
+        program,
+        branches,
+        stage: program.stages[stage].clone(),
+        tables,
+    };
+    let mut reached = vec![[0; LANES]; program.largest];
+    let mut done = 0;
+    while done < count {
+        let at = &windows.at[done..];
+        let near = at
+            .iter()
+            .take(LANES)
+            .filter(|a| **a - at[0] < LANES)
+            .count();
+        let mut factors = [1.0; LANES];
+        let mut sums = [0.0; LANES];
+        if near >= WORTH.min(at.len()) {
+            let lane = |i: usize| at[i] - at[0];
+            for i in 0..near {
+                factors[lane(i)] = windows.factor[done + i];
+            }
+            job.sum(&SideBySide(at[0]), &factors, &mut sums, &mut reached);
+            for i in 0..near {
+                windows.votes[done + i] = sums[lane(i)];
+            }
+            done += near;
+        } else {
+            let some = at.len().min(LANES);
+            let mut places = [at[0]; LANES];
+            places[..some].copy_from_slice(&at[..some]);
+            factors[..some].copy_from_slice(&windows.factor[done..][..some]);
+            job.sum(&Scattered(places), &factors, &mut sums, &mut reached);
+            windows.votes[done..][..some].copy_from_slice(&sums[..some]);
+            done += some;
+        }
+    }
+}
+
+/// A stage and what it looks at.
+struct Job<'a, L> {
+    program: &'a Program,
+    branches: &'a [Branch<L>],
+    stage: Range<usize>,
+    tables: &'a Tables,
+}
+
+impl<L: Look> Job<'_, L> {
+    /// Adds the votes of all trees, one after the other.
+    #[inline(always)]
+    fn sum(
+        &self,
+        places: &impl Places,
+        factors: &Lanes<f32>,
+        sums: &mut Lanes<f64>,
+        reached: &mut [Lanes<u32>],
+    ) {
+        for tree in &self.program.trees[self.stage.clone()] {
+            let leaves = &self.program.leaves[tree.first_leaf..];
+            let leaf = |next: i32| leaves[next.unsigned_abs() as usize];
+            let branches = &self.branches[tree.nodes.clone()];
+            if let [stump] = branches {
+                let (left, right) = (f64::from(leaf(stump.left)), f64::from(leaf(stump.right)));
+                let goes_left = stump.look.left(self.tables, places, factors);
+                for i in 0..LANES {
+                    sums[i] += if goes_left[i] == 0 { right } else { left };
+                }
+                continue;
+            }
+            // A window reaches exactly one leaf: the bits of all others stay away.
+            let mut votes = [0; LANES];
+            reached[0] = [!0; LANES];
+            reached[1..].fill([0; LANES]);
+            for (n, branch) in branches.iter().enumerate() {
+                let goes_left = branch.look.left(self.tables, places, factors);
+                let here = reached[n];
+                for (next, flip) in [(branch.left, 0), (branch.right, !0)] {
+                    let out = if next > 0 {
+                        &mut reached[next as usize]
+                    } else {
+                        &mut votes
+                    };
+                    let bits = if next > 0 { !0 } else { leaf(next).to_bits() };
+                    for i in 0..LANES {
+                        out[i] |= here[i] & (goes_left[i] ^ flip) & bits;
+                    }
+                }
+            }
+            for i in 0..LANES {
+                sums[i] += f64::from(f32::from_bits(votes[i]));
+            }
+        }
+    }
+}
