@@ -16,13 +16,16 @@ mod layout;
 mod model;
 mod patch;
 mod read;
+mod refine;
 mod responses;
 mod rows;
 mod scale;
 mod scan;
 mod simd;
+mod suppress;
 #[cfg(test)]
 mod tests;
+mod trace;
 pub mod train;
 #[cfg(test)]
 mod twin;
@@ -34,5 +37,8 @@ pub use error::CascadeError;
 pub use group::{Group, group};
 pub use model::{Area, Cascade, Feature, HaarFeature, Kind, Stage};
 pub use patch::{Evaluator, Patch, feature_codes, feature_values};
+pub use refine::{Refined, refined};
 pub use responses::{Responses, responses};
 pub use scan::{Rectangle, ScanSettings, Scanned, scan};
+pub use suppress::{Suppressed, soft_suppressed};
+pub use trace::{HogPicture, ShownFeature, Trace, edge_angle, hog_picture, stage_features, trace};

@@ -29,21 +29,16 @@ pub fn responses(cascade: &Cascade, picture: &Raster<u8>) -> Responses {
     let mut scratch = Scratch::default();
     let shown = Rows::new(cascade, picture, 1, &mut scratch);
     let mut stages = Raster::filled(columns, rows, 0_u8);
-    let mut margins = Raster::filled(columns, rows, f64::NEG_INFINITY);
+    let mut score = Raster::filled(columns, rows, f32::NEG_INFINITY);
     for y in (0..rows).step_by(BATCH) {
         let ys = (y..rows).take(BATCH);
-        shown.show(ys, false, &mut scratch, |stage, place, votes| {
-            let (x, y) = shown.position(place);
-            let margin = votes - f64::from(cascade.stages[stage].threshold);
-            let before = if stage == 0 { 0.0 } else { margins.get(x, y) };
-            margins.set(x, y, before + margin);
-            if margin >= 0.0 {
-                stages.set(x, y, (stage + 1).min(255) as u8);
+        shown.show(ys, Some(1), &mut scratch, |seen| {
+            let (x, y) = shown.position(seen.place);
+            score.set(x, y, seen.margin as f32);
+            if seen.passed {
+                stages.set(x, y, (seen.stage + 1).min(255) as u8);
             }
         });
     }
-    Responses {
-        stages,
-        score: margins.map(|margin| margin as f32),
-    }
+    Responses { stages, score }
 }

@@ -21,6 +21,21 @@ pub(super) struct Rows<'a> {
     pub height: usize,
 }
 
+/// What a stage says of a window.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Judged {
+    /// Number of the stage.
+    pub stage: usize,
+    /// Place of the window in the tables.
+    pub place: usize,
+    /// Sum of the votes.
+    pub votes: f64,
+    /// Sum over the stages met so far of votes less threshold.
+    pub margin: f64,
+    /// Whether it passes.
+    pub passed: bool,
+}
+
 /// Memory that is used again from level to level.
 #[derive(Default)]
 pub(super) struct Scratch {
@@ -65,15 +80,14 @@ impl<'a> Rows<'a> {
     }
 
     /// Shows the windows of the rows that begin at pixel rows `ys`, at most [`BATCH`] of them, stage
-    /// after stage: to each stage those that passed the one before. If `skips`, a window is left out
-    /// whose left neighbour was refused by the first stage. After each stage `judged` gets the
-    /// stage's number, each window's place and its votes; of flat windows nothing.
+    /// after stage: to each stage those that passed the one before; of each row every `every`th, or
+    /// if that is `None` all but those whose left neighbour was refused by the first stage.
     pub fn show(
         &self,
         ys: impl Iterator<Item = usize>,
-        skips: bool,
+        every: Option<usize>,
         scratch: &mut Scratch,
-        mut judged: impl FnMut(usize, usize, f64),
+        mut judged: impl FnMut(Judged),
     ) {
         let Scratch {
             factors,
@@ -94,34 +108,45 @@ impl<'a> Rows<'a> {
                 simd::factors(&self.layout, &self.tables, first, factors);
             }
             row.clear();
-            for (number, &factor) in factors.iter().enumerate() {
-                if !factor.is_nan() {
-                    row.push(first + number, factor);
-                }
+            let windows = factors.iter().enumerate().step_by(every.unwrap_or(1));
+            for (number, &factor) in windows.filter(|(_, factor)| !factor.is_nan()) {
+                row.push(first + number, factor, 0.0);
             }
             simd::vote(&self.program, 0, &self.tables, row);
-            let least = f64::from(stages[0].threshold);
             let mut skipped = usize::MAX;
             for (i, &place) in row.at.iter().enumerate() {
                 if place == skipped {
                     continue;
                 }
-                judged(0, place, row.votes[i]);
-                if row.votes[i] >= least {
-                    batch.push(place, row.factor[i]);
-                } else if skips {
+                let seen = self.judge(0, place, row.votes[i], 0.0);
+                judged(seen);
+                if seen.passed {
+                    batch.push(place, row.factor[i], seen.margin);
+                } else if every.is_none() {
                     // What the very first stage refuses has no better neighbour.
                     skipped = place + 1;
                 }
             }
         }
-        for (number, stage) in stages.iter().enumerate().skip(1) {
-            simd::vote(&self.program, number, &self.tables, batch);
-            let least = f64::from(stage.threshold);
-            batch.retain(|place, votes| {
-                judged(number, place, votes);
-                votes >= least
+        for stage in 1..stages.len() {
+            simd::vote(&self.program, stage, &self.tables, batch);
+            batch.retain(|place, votes, margin| {
+                let seen = self.judge(stage, place, votes, *margin);
+                judged(seen);
+                *margin = seen.margin;
+                seen.passed
             });
+        }
+    }
+
+    fn judge(&self, stage: usize, place: usize, votes: f64, margin: f64) -> Judged {
+        let excess = votes - f64::from(self.cascade.stages[stage].threshold);
+        Judged {
+            stage,
+            place,
+            votes,
+            margin: margin + excess,
+            passed: excess >= 0.0,
         }
     }
 }

@@ -14,6 +14,13 @@ pub struct ScanSettings {
     pub least: (usize, usize),
     /// Largest window, width and height, pixels; zero is no limit.
     pub greatest: (usize, usize),
+    /// Part of the picture to search, as if there were no more of it.
+    pub region: Option<Rectangle>,
+    /// Pixels, of the copy of each scale, from one window to the next; zero for OpenCV's ways: two
+    /// below scale two and one from there on, and none behind one that the first stage refuses.
+    pub stride: usize,
+    /// How many of the last stages may refuse a window that is still told of.
+    pub spare: usize,
 }
 
 impl Default for ScanSettings {
@@ -22,6 +29,9 @@ impl Default for ScanSettings {
             scale_step: 1.1,
             least: (0, 0),
             greatest: (0, 0),
+            region: None,
+            stride: 0,
+            spare: 0,
         }
     }
 }
@@ -53,22 +63,52 @@ impl Rectangle {
     }
 }
 
-/// A window that passed every stage.
+/// A window that passed every stage, or nearly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scanned {
     /// The window in the picture.
     pub rectangle: Rectangle,
-    /// Sum of the votes of the last stage.
+    /// Sum of the votes of the last stage that it met.
     pub score: f64,
+    /// Stages that it passed.
+    pub stages: usize,
+    /// Sum over the stages that it met of votes less threshold: how well it did, among windows that
+    /// met as many.
+    pub margin: f64,
 }
 
-/// Every window of `picture` that passes, scale by scale, row by row: those that OpenCV's
-/// `detectMultiScale` finds before it groups them.
+/// Every window of `picture` that passes, scale by scale, row by row: with the default settings those
+/// that OpenCV's `detectMultiScale` finds before it groups them.
 pub fn scan(cascade: &Cascade, picture: &Raster<u8>, settings: &ScanSettings) -> Vec<Scanned> {
     let mut found = Vec::new();
+    if let Some(region) = settings.region {
+        let region = region.within(picture.width(), picture.height());
+        let size = [region.width, region.height].map(|side| side.max(0) as usize);
+        if size[0] == 0 || size[1] == 0 {
+            return found;
+        }
+        let part = picture.crop(region.x as usize, region.y as usize, size[0], size[1]);
+        let settings = ScanSettings {
+            region: None,
+            ..*settings
+        };
+        found = part.map_or_else(Vec::new, |part| scan(cascade, &part, &settings));
+        for window in &mut found {
+            window.rectangle.x += region.x;
+            window.rectangle.y += region.y;
+        }
+        return found;
+    }
     let mut scratch = Scratch::default();
     for scale in scales(cascade, picture, settings) {
-        scan_level(cascade, picture, scale, &mut scratch, &mut found);
+        let stride = settings.stride;
+        let level = Level {
+            cascade,
+            scale,
+            stride,
+            spare: settings.spare,
+        };
+        level.scan(picture, &mut scratch, &mut found);
     }
     found
 }
@@ -110,29 +150,44 @@ fn scales(cascade: &Cascade, picture: &Raster<u8>, settings: &ScanSettings) -> V
     scales
 }
 
-/// Shows every window of a smaller copy of `picture`.
-fn scan_level(
-    cascade: &Cascade,
-    picture: &Raster<u8>,
+/// A scale, and which windows of it are looked at.
+struct Level<'a> {
+    cascade: &'a Cascade,
     scale: f32,
-    scratch: &mut Scratch,
-    found: &mut Vec<Scanned>,
-) {
-    let side = |s: usize| f64::from(s as f32 / scale).round_ties_even() as usize;
-    let copy = resized(picture, side(picture.width()), side(picture.height()));
-    // Large windows are shown at every pixel of their small copy.
-    let step = if scale >= 2.0 { 1 } else { 2 };
-    let rows = Rows::new(cascade, &copy, step, scratch);
-    let round = |v: f32| v.round_ties_even() as i32;
-    let Some((end, before)) = cascade.stages.split_last() else {
-        return;
-    };
-    let (last, least) = (before.len(), f64::from(end.threshold));
-    for y in (0..rows.height).step_by(step * BATCH) {
-        let ys = (y..rows.height).step_by(step).take(BATCH);
-        rows.show(ys, true, scratch, |stage, place, votes| {
-            if stage == last && votes >= least {
-                let (number, y) = rows.position(place);
+    stride: usize,
+    spare: usize,
+}
+
+impl Level<'_> {
+    /// Shows every window of a smaller copy of `picture`.
+    fn scan(&self, picture: &Raster<u8>, scratch: &mut Scratch, found: &mut Vec<Scanned>) {
+        let (cascade, scale) = (self.cascade, self.scale);
+        let side = |s: usize| f64::from(s as f32 / scale).round_ties_even() as usize;
+        let copy = resized(picture, side(picture.width()), side(picture.height()));
+        // Large windows are shown at every pixel of their small copy.
+        let stride = match self.stride {
+            0 if scale >= 2.0 => 1,
+            0 => 2,
+            stride => stride,
+        };
+        let step = if stride % 2 == 0 { 2 } else { 1 };
+        let every = (self.stride > 0).then_some(stride / step);
+        let rows = Rows::new(cascade, &copy, step, scratch);
+        let round = |v: f32| v.round_ties_even() as i32;
+        let enough = cascade.stages.len().saturating_sub(self.spare);
+        let mut ends = Vec::new();
+        for y in (0..rows.height).step_by(stride * BATCH) {
+            let ys = (y..rows.height).step_by(stride).take(BATCH);
+            ends.clear();
+            rows.show(ys, every, scratch, |seen| {
+                let stages = seen.stage + usize::from(seen.passed);
+                if stages >= enough && (!seen.passed || stages == cascade.stages.len()) {
+                    ends.push((seen, stages));
+                }
+            });
+            ends.sort_by_key(|(seen, _)| seen.place);
+            for (seen, stages) in &ends {
+                let (number, y) = rows.position(seen.place);
                 found.push(Scanned {
                     rectangle: Rectangle {
                         x: round((number * step) as f32 * scale),
@@ -140,10 +195,12 @@ fn scan_level(
                         width: round(cascade.width as f32 * scale),
                         height: round(cascade.height as f32 * scale),
                     },
-                    score: votes,
+                    score: seen.votes,
+                    stages: *stages,
+                    margin: seen.margin,
                 });
             }
-        });
+        }
+        rows.end(scratch);
     }
-    rows.end(scratch);
 }

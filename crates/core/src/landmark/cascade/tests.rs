@@ -376,3 +376,62 @@ fn many_windows_at_once_are_judged_to_the_bit_as_one_after_the_other() {
     }
     assert!(passed > 20, "{passed}");
 }
+
+#[test]
+fn a_scan_of_a_region_finds_what_lies_in_it_and_a_stride_of_one_misses_nothing() {
+    let picture = picture(83, 61);
+    let features = haar_features();
+    let stages = forest(&features, &picture);
+    let cascade = Cascade::from_parts(16, 16, features, &stages).unwrap();
+    let everywhere = ScanSettings {
+        greatest: (16, 16),
+        stride: 1,
+        ..ScanSettings::default()
+    };
+    let all = scan(&cascade, &picture, &everywhere);
+    let dense = responses(&cascade, &picture);
+    let passed = dense
+        .stages
+        .pixels()
+        .iter()
+        .filter(|s| usize::from(**s) == 4)
+        .count();
+    assert_eq!(all.len(), passed);
+    for window in &all {
+        let r = window.rectangle;
+        let margin = dense.score.get(r.x as usize, r.y as usize);
+        assert_eq!(window.margin as f32, margin);
+    }
+    let region = Rectangle {
+        x: 10,
+        y: 7,
+        width: 50,
+        height: 40,
+    };
+    let settings = ScanSettings {
+        region: Some(region),
+        ..everywhere
+    };
+    let inside = |w: &&Scanned| {
+        let r = w.rectangle;
+        r.x >= 10 && r.y >= 7 && r.x + r.width <= 60 && r.y + r.height <= 47
+    };
+    let wanted: Vec<_> = all.iter().filter(inside).copied().collect();
+    assert!(!wanted.is_empty() && wanted.len() < all.len());
+    assert_eq!(scan(&cascade, &picture, &settings), wanted);
+    let settings = ScanSettings {
+        stride: 3,
+        ..everywhere
+    };
+    let third = |w: &&Scanned| w.rectangle.x % 3 == 0 && w.rectangle.y % 3 == 0;
+    let wanted: Vec<_> = all.iter().filter(third).copied().collect();
+    assert_eq!(scan(&cascade, &picture, &settings), wanted);
+    let settings = ScanSettings {
+        spare: 3,
+        ..everywhere
+    };
+    let nearly = scan(&cascade, &picture, &settings);
+    let once = dense.stages.pixels().iter().filter(|s| **s >= 1).count();
+    assert_eq!(nearly.len(), once);
+    assert!(nearly.iter().all(|w| w.stages >= 1) && once > passed);
+}

@@ -31,6 +31,8 @@ pub(super) struct Windows {
     pub factor: Vec<f32>,
     /// Sum of the votes of the last stage.
     pub votes: Vec<f64>,
+    /// Sum over the stages met so far of votes less threshold.
+    pub margin: Vec<f64>,
 }
 
 impl Windows {
@@ -39,28 +41,32 @@ impl Windows {
         self.at.clear();
         self.factor.clear();
         self.votes.clear();
+        self.margin.clear();
     }
 
     /// One more.
-    pub fn push(&mut self, at: usize, factor: f32) {
+    pub fn push(&mut self, at: usize, factor: f32, margin: f64) {
         self.at.push(at);
         self.factor.push(factor);
         self.votes.push(0.0);
+        self.margin.push(margin);
     }
 
-    /// Leaves only those of whose place and votes `keep` says so.
-    pub fn retain(&mut self, mut keep: impl FnMut(usize, f64) -> bool) {
+    /// Leaves only those of whose place, votes and margin `keep` says so.
+    pub fn retain(&mut self, mut keep: impl FnMut(usize, f64, &mut f64) -> bool) {
         let mut kept = 0;
         for i in 0..self.at.len() {
-            if keep(self.at[i], self.votes[i]) {
+            if keep(self.at[i], self.votes[i], &mut self.margin[i]) {
                 self.at[kept] = self.at[i];
                 self.factor[kept] = self.factor[i];
+                self.margin[kept] = self.margin[i];
                 kept += 1;
             }
         }
         self.at.truncate(kept);
         self.factor.truncate(kept);
         self.votes.truncate(kept);
+        self.margin.truncate(kept);
     }
 }
 
@@ -128,7 +134,7 @@ mod tests {
             let mut windows = Windows::default();
             // Some side by side, some far apart.
             for number in [0, 1, 2, 5, 9, 10, 11, 12, 13, 20, 29] {
-                windows.push(grid.place(0, 7) + number, 1.0);
+                windows.push(grid.place(0, 7) + number, 1.0, 0.0);
             }
             let mut plain = windows.clone();
             vote(&program, 0, &tables, &mut windows);
