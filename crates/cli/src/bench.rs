@@ -1,5 +1,7 @@
 //! `pilotage bench`: our kernels beside OpenCV's and FilterPy's, in one run.
 
+mod cascades;
+
 use std::path::PathBuf;
 use std::process::Command;
 use std::time::Instant;
@@ -7,7 +9,7 @@ use std::time::Instant;
 use pilotage_core::filter::{UnscentedSettings, reference_flight, reference_loop};
 use pilotage_core::raster::{Gray, Template};
 
-use crate::{Outcome, cascade_bench};
+use crate::Outcome;
 
 /// How to time.
 #[derive(clap::Args)]
@@ -85,7 +87,7 @@ except ImportError: pass
 /// Prints the table.
 pub fn run(arguments: &Arguments) -> Outcome {
     if let (Some(folder), Some(picture)) = (&arguments.cascades, &arguments.picture) {
-        return cascade_bench::run(folder, picture, arguments.python.as_deref());
+        return cascades::run(folder, picture, arguments.python.as_deref());
     }
     let mut theirs: Vec<(String, f64)> = Vec::new();
     if let Some(python) = &arguments.python {

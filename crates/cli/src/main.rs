@@ -1,7 +1,6 @@
 //! `pilotage`: the jobs of the app without a screen.
 
 mod bench;
-mod cascade_bench;
 mod convert;
 mod files;
 mod filter_options;
