@@ -131,7 +131,7 @@ impl Photographer {
     /// The next photo around another place, as large as the landmark.
     pub fn take_elsewhere(&mut self, place: GroundPoint) -> Option<Photo> {
         let b = self.landmark.bounds;
-        let there = GroundRect::centered(place, b.width(), b.height());
+        let there = GroundRect::centered(place, b.height(), b.width());
         self.take_of(there, false)
     }
 

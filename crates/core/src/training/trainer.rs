@@ -27,6 +27,11 @@ const FEWEST_FALSE: usize = 40;
 /// A mark this far off is wrong if it is off by as many pixels of the camera, too: metres and pixels.
 const WRONG: (f64, f64) = (2.0, 5.0);
 
+/// How far off a right mark may be where a pixel of the camera covers that many metres, metres.
+pub(in crate::training) fn tolerance(pixel: f64) -> f64 {
+    WRONG.0.max(WRONG.1 * pixel)
+}
+
 /// Why a detector cannot be trained.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TrainingError {
@@ -403,8 +408,7 @@ impl DetectorTraining {
                         m.ground.north - assumed.appears.north,
                         m.ground.east - assumed.appears.east,
                     ],
-                    right: photo.present
-                        && m.ground.distance(&assumed.appears) <= WRONG.0.max(WRONG.1 * pixel),
+                    right: photo.present && m.ground.distance(&assumed.appears) <= tolerance(pixel),
                 };
                 marks.list.iter().map(of).collect()
             },

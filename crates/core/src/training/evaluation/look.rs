@@ -35,21 +35,28 @@ pub struct EvaluatedMark {
 }
 
 impl EvaluatedLook {
+    /// The right mark with the highest score.
+    pub fn best_right(&self) -> Option<&EvaluatedMark> {
+        best(self.marks.iter().filter(|mark| self.present && mark.right))
+    }
+
     /// The highest score of a right mark, `None` where the landmark was not marked.
     pub fn found_at(&self) -> Option<f64> {
-        highest(self.marks.iter().filter(|mark| self.present && mark.right))
+        self.best_right().map(|mark| mark.score)
     }
 
     /// The highest score of a wrong mark, `None` where there is none.
     pub fn deceived_at(&self) -> Option<f64> {
-        highest(
-            self.marks
-                .iter()
-                .filter(|mark| !(self.present && mark.right)),
-        )
+        best(self.wrong_marks()).map(|mark| mark.score)
+    }
+
+    /// Everything marked that is not the landmark.
+    pub fn wrong_marks(&self) -> impl Iterator<Item = &EvaluatedMark> {
+        let right = |mark: &EvaluatedMark| self.present && mark.right;
+        self.marks.iter().filter(move |mark| !right(mark))
     }
 }
 
-fn highest<'a>(marks: impl Iterator<Item = &'a EvaluatedMark>) -> Option<f64> {
-    marks.map(|mark| mark.score).max_by(f64::total_cmp)
+fn best<'a>(marks: impl Iterator<Item = &'a EvaluatedMark>) -> Option<&'a EvaluatedMark> {
+    marks.max_by(|a, b| a.score.total_cmp(&b.score))
 }

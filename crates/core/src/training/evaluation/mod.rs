@@ -1,5 +1,37 @@
 //! How well a detector does on pictures it was not trained on, with what is not known about it.
 
+mod breakdown;
+mod calibration;
+mod covariance;
+mod curve;
+mod draws;
+mod error;
+mod events;
+mod isotonic;
+mod judge;
 mod look;
+mod operating;
+mod plot;
+mod rate;
+mod real_frames;
+mod robust;
+#[cfg(test)]
+mod sample;
+mod summary;
+mod svg;
+mod table;
 
+pub use breakdown::{Bin, Breakdown, By};
+pub use calibration::{Judged, Probability, ScoreBin, ScoreCalibration, brier_score, log_loss};
+pub use covariance::{MarkCovariance, ScoreScale};
+pub use curve::{Curve, CurveKind, CurvePoint, average_precision, trace};
+pub use error::EvaluationError;
+pub use isotonic::Isotonic;
+pub use judge::{DetectorJudge, JudgingPlan};
 pub use look::{EvaluatedLook, EvaluatedMark};
+pub use operating::{AtThreshold, OperatingPoint};
+pub use plot::{Plot, PlotAxis, PlotPoint, Series, SeriesStyle};
+pub use rate::{Estimate, Rate, correlation_within, wilson};
+pub use real_frames::FrameJudge;
+pub use robust::RobustFit;
+pub use summary::{Evaluation, EvaluationSettings};

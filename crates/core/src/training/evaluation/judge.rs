@@ -1,0 +1,159 @@
+//! A trained detector judged on photos that neither it nor its threshold has seen.
+
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use super::{EvaluatedLook, EvaluatedMark};
+use crate::frames::{GroundPoint, GroundRect};
+use crate::imagery::Imagery;
+use crate::landmark::Landmark;
+use crate::landmark::trained::{TrainedDetector, search};
+use crate::plan::OtherDays;
+use crate::training::trainer::tolerance;
+use crate::training::{FlightEnvelope, Photo, Photographer, TrainingError};
+
+/// One photo in so many is of a place without the landmark.
+const ELSEWHERE_EVERY: usize = 5;
+/// Tries to find such a place on the map.
+const TRIES: usize = 50;
+/// Parts the days of judging from those of a training with the same seed.
+const DAYS: u64 = 0x7a1_0e03;
+
+/// How much is looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct JudgingPlan {
+    /// Photos.
+    pub photos: usize,
+    /// Days on which they are taken.
+    pub days: usize,
+    /// Draws everything.
+    pub seed: u64,
+}
+
+impl Default for JudgingPlan {
+    fn default() -> Self {
+        Self {
+            photos: 200,
+            days: 20,
+            seed: 1,
+        }
+    }
+}
+
+/// Judges a detector, a photo in every call.
+pub struct DetectorJudge {
+    trained: TrainedDetector,
+    landmark: Landmark,
+    photographer: Photographer,
+    ground: GroundRect,
+    plan: JudgingPlan,
+    random: ChaCha8Rng,
+    next: usize,
+    looks: Vec<EvaluatedLook>,
+}
+
+impl DetectorJudge {
+    /// Judges what was `trained` for `landmark` of `map` from all over `envelope`, on days that `others`
+    /// draws for judging.
+    pub fn new(
+        landmark: &Landmark,
+        trained: TrainedDetector,
+        map: &Arc<dyn Imagery>,
+        others: &dyn OtherDays,
+        envelope: &FlightEnvelope,
+        plan: JudgingPlan,
+    ) -> Self {
+        let seed = plan.seed ^ DAYS;
+        let days = others.spread(plan.days.max(1), seed);
+        let envelope = envelope.clone();
+        Self {
+            trained,
+            landmark: landmark.clone(),
+            photographer: Photographer::new(landmark, Arc::clone(map), &days, envelope, seed),
+            ground: map.bounds(),
+            plan,
+            random: ChaCha8Rng::seed_from_u64(seed),
+            next: 0,
+            looks: Vec::new(),
+        }
+    }
+
+    /// Photos looked at, and photos in all.
+    pub fn progress(&self) -> (usize, usize) {
+        (self.next, self.plan.photos)
+    }
+
+    /// What was marked so far.
+    pub fn looks(&self) -> &[EvaluatedLook] {
+        &self.looks
+    }
+
+    /// Looks at the next photo; false once all are seen.
+    ///
+    /// # Errors
+    /// If the landmark does not fit into the pictures.
+    pub fn advance(&mut self) -> Result<bool, TrainingError> {
+        if self.next >= self.plan.photos {
+            return Ok(false);
+        }
+        let turn = self.next % ELSEWHERE_EVERY == ELSEWHERE_EVERY - 1;
+        self.next += 1;
+        let elsewhere = if turn { self.place_without() } else { None };
+        let photo = match elsewhere {
+            Some(place) => self.photographer.take_elsewhere(place),
+            None => self.photographer.take(),
+        };
+        let photo = photo.ok_or_else(|| TrainingError::TooLarge(self.landmark.name.clone()))?;
+        let look = self.look(&photo);
+        self.looks.extend(look);
+        Ok(true)
+    }
+
+    /// A place on the map from which the search does not reach the landmark.
+    fn place_without(&mut self) -> Option<GroundPoint> {
+        let bounds = self.landmark.bounds;
+        let size = bounds.width().hypot(bounds.height());
+        let near = 2.0 * self.photographer.reach() + size;
+        let center = bounds.center();
+        let within = self.ground.grown(-near);
+        (0..TRIES).find_map(|_| {
+            let distance = near * (1.0 + 4.0 * self.random.random::<f64>());
+            let (sin, cos) = (TAU * self.random.random::<f64>()).sin_cos();
+            let place =
+                GroundPoint::new(center.north + distance * cos, center.east + distance * sin);
+            within.contains(&place).then_some(place)
+        })
+    }
+
+    fn look(&mut self, photo: &Photo) -> Option<EvaluatedLook> {
+        let assumed = self.photographer.assume(photo)?;
+        let envelope = self.photographer.envelope();
+        let reach = self.photographer.reach();
+        let view = photo.view(&assumed, envelope.ground_down);
+        let (cascade, window) = (&self.trained.cascade, &self.trained.window);
+        let middle = photo.around.center();
+        let found = search(cascade, window, &view, middle, (reach, reach));
+        let near = tolerance(photo.height / envelope.camera.focal);
+        let marks = found.map_or_else(|_| Vec::new(), |marks| marks.list);
+        let mark = |m: &crate::landmark::trained::Mark| EvaluatedMark {
+            score: m.score,
+            offset: [
+                m.ground.north - assumed.appears.north,
+                m.ground.east - assumed.appears.east,
+            ],
+            right: photo.present && m.ground.distance(&assumed.appears) <= near,
+        };
+        Some(EvaluatedLook {
+            day: photo.day,
+            height: photo.height,
+            tilt: photo.known_tilt[0].hypot(photo.known_tilt[1]),
+            heading_error: assumed.heading_error,
+            real: false,
+            present: photo.present,
+            marks: marks.iter().map(mark).collect(),
+        })
+    }
+}

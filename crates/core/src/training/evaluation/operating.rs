@@ -1,0 +1,203 @@
+//! The threshold for a stated number of false alarms, and what is found there.
+
+use serde::{Deserialize, Serialize};
+
+use super::draws::{Draws, by_day};
+use super::events::{Counts, Events};
+use super::rate::correlation_within;
+use super::{Estimate, EvaluatedLook, Rate};
+
+/// What happens at one threshold.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct AtThreshold {
+    /// Looks with the landmark in which it was found.
+    pub found: Rate,
+    /// Looks with a false alarm.
+    pub deceived: Rate,
+    /// False alarms per look.
+    pub false_alarms: f64,
+}
+
+/// The threshold at which a detector is used.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct OperatingPoint {
+    /// False alarms per look that were allowed.
+    pub allowed: f64,
+    /// Marks of at least this score are accepted.
+    pub threshold: f64,
+    /// Share of the looks with the landmark in which it is found, over other days, where the threshold
+    /// would have been chosen otherwise.
+    pub detection: Estimate,
+    /// What happens at the threshold in the looks from which it was chosen.
+    pub here: AtThreshold,
+    /// What happens on each day at the threshold that was chosen from the others; `None` with one day.
+    pub held_out: Option<AtThreshold>,
+}
+
+impl OperatingPoint {
+    pub(super) fn of(
+        looks: &[EvaluatedLook],
+        events: &Events,
+        allowed: f64,
+        draws: &mut Draws,
+        replicates: usize,
+    ) -> Self {
+        let weights = events.equal_weights();
+        let (threshold, counts) = choose(events, &weights, allowed);
+        let share =
+            |counts: &Counts, weights: &[f64]| counts.found / events.totals(weights).present;
+        let mut drawn = Vec::new();
+        for _ in 0..replicates {
+            let weights = draws.next_weights();
+            let (_, counts) = choose(events, &weights, allowed);
+            drawn.push(share(&counts, &weights));
+        }
+        // Without the landmark in any of its looks a draw says nothing.
+        drawn.retain(|share| share.is_finite());
+        let value = share(&counts, &weights);
+        let tries = events.totals(&weights).present;
+        let (low, high) = draws.interval(&mut drawn, value, tries);
+        let days = by_day(looks);
+        Self {
+            allowed,
+            threshold,
+            detection: Estimate { value, low, high },
+            here: AtThreshold::over(looks, threshold),
+            held_out: (days.len() > 1).then(|| {
+                let elsewhere = days.iter().map(|(_, day)| {
+                    let mut weights = weights.clone();
+                    for &look in day {
+                        weights[look] = 0.0;
+                    }
+                    (day.as_slice(), choose(events, &weights, allowed).0)
+                });
+                AtThreshold::of(looks, elsewhere)
+            }),
+        }
+    }
+}
+
+impl AtThreshold {
+    /// What happens in `looks` at a threshold that was not chosen from them.
+    pub fn over(looks: &[EvaluatedLook], threshold: f64) -> Self {
+        let days = by_day(looks);
+        Self::of(
+            looks,
+            days.iter().map(|(_, day)| (day.as_slice(), threshold)),
+        )
+    }
+
+    /// Of looks by day, each day with its threshold.
+    fn of<'a>(looks: &[EvaluatedLook], days: impl Iterator<Item = (&'a [usize], f64)>) -> Self {
+        let (mut found, mut deceived) = (Vec::new(), Vec::new());
+        let mut wrong = 0;
+        for (day, threshold) in days {
+            let looks = || day.iter().map(|&look| &looks[look]);
+            let enters = |score: Option<f64>| score.is_some_and(|s| s >= threshold);
+            found.push((
+                looks().filter(|l| enters(l.found_at())).count(),
+                looks().filter(|l| l.present).count(),
+            ));
+            deceived.push((
+                looks().filter(|l| enters(l.deceived_at())).count(),
+                day.len(),
+            ));
+            let marks = looks().flat_map(EvaluatedLook::wrong_marks);
+            wrong += marks.filter(|m| m.score >= threshold).count();
+        }
+        let rate = |days: &[(usize, usize)]| Rate::clustered(days, correlation_within(days));
+        Self {
+            found: rate(&found),
+            deceived: rate(&deceived),
+            false_alarms: wrong as f64 / looks.len().max(1) as f64,
+        }
+    }
+}
+
+/// The lowest threshold that lets no more false alarms in than `allowed` per look, halfway to the score
+/// that would, and what it lets in.
+fn choose(events: &Events, weights: &[f64], allowed: f64) -> (f64, Counts) {
+    let most = allowed * events.totals(weights).looks + 1e-9;
+    let mut last: Option<(f64, Counts)> = None;
+    let mut refused = None;
+    events.sweep(weights, |score, counts| {
+        if refused.is_none() {
+            if counts.wrong <= most {
+                last = Some((score, *counts));
+            } else {
+                refused = Some(score);
+            }
+        }
+    });
+    match (last, refused) {
+        (Some((score, counts)), Some(refused)) => {
+            // Halfway between neighbouring numbers can be the lower one.
+            let middle = 0.5 * (score + refused);
+            (if middle > refused { middle } else { score }, counts)
+        }
+        (Some((score, counts)), None) => (score, counts),
+        (None, Some(refused)) => (refused.next_up(), Counts::default()),
+        (None, None) => (0.0, Counts::default()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::sample::{Detector, look, mark};
+    use super::*;
+
+    fn point(looks: &[EvaluatedLook], allowed: f64) -> OperatingPoint {
+        let events = Events::of(looks);
+        OperatingPoint::of(looks, &events, allowed, &mut Draws::new(looks, 2), 200)
+    }
+
+    #[test]
+    fn one_false_alarm_in_ten_looks_is_let_in_and_the_second_is_not() {
+        let mut looks: Vec<_> = (0..10).map(|d| look(d, &[mark(0.6, true)])).collect();
+        looks[0].marks.push(mark(0.9, false));
+        looks[1].marks.push(mark(0.4, false));
+        let point = point(&looks, 0.1);
+        assert_eq!(point.threshold, 0.5);
+        assert_eq!((point.here.found.happened, point.here.found.of), (10, 10));
+        assert_eq!(point.here.deceived.happened, 1);
+        assert!((point.here.false_alarms - 0.1).abs() < 1e-12);
+    }
+
+    #[test]
+    fn where_the_best_mark_is_wrong_and_none_is_allowed_nothing_is_found() {
+        let looks = [look(0, &[mark(0.9, false), mark(0.8, true)])];
+        let point = point(&looks, 0.0);
+        assert!(point.threshold > 0.9 && point.detection.value == 0.0);
+        assert_eq!(point.here.deceived.happened, 0);
+        assert!(point.held_out.is_none());
+    }
+
+    #[test]
+    fn held_out_days_get_about_the_false_alarms_that_were_allowed() {
+        let looks = Detector::USUAL.looks(40, 50, 9);
+        let point = point(&looks, 0.05);
+        let held_out = point.held_out.unwrap();
+        assert!((point.here.false_alarms - 0.05).abs() < 0.002);
+        assert!((held_out.false_alarms - 0.05).abs() < 0.01);
+        let share = held_out.found.share().unwrap();
+        assert!((point.detection.low..=point.detection.high).contains(&share));
+    }
+
+    #[test]
+    fn intervals_from_twelve_days_hold_the_rate_of_all_days_in_about_nine_of_ten_studies() {
+        let detector = Detector {
+            wrong: 1,
+            ..Detector::USUAL
+        };
+        let truth = point(&detector.looks(3000, 20, 1), 0.05).detection.value;
+        let studies = 200;
+        let holds = |study: &u64| {
+            let looks = detector.looks(12, 20, 100 + study);
+            let rate = point(&looks, 0.05).detection;
+            (rate.low..=rate.high).contains(&truth)
+        };
+        let held = (0..studies).filter(holds).count();
+        println!("{held} of {studies} intervals hold {truth:.3}");
+        assert!((172..=199).contains(&held), "{held} of {studies}");
+    }
+}

@@ -1,0 +1,150 @@
+//! Shares with their uncertainty.
+
+use serde::{Deserialize, Serialize};
+
+/// Standard deviations within which 95 % of a normal variable lie.
+pub(super) const NORMAL_95: f64 = 1.959_963_984_540_054;
+
+/// A figure with its two-sided 95 % interval.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Estimate {
+    /// The figure.
+    pub value: f64,
+    /// Lower end of the interval.
+    pub low: f64,
+    /// Upper end of the interval.
+    pub high: f64,
+}
+
+/// How often something happened, with the two-sided 95 % interval of the share behind it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Rate {
+    /// How often it happened.
+    pub happened: usize,
+    /// How often it could have happened.
+    pub of: usize,
+    /// Lower end of the interval of the share.
+    pub low: f64,
+    /// Upper end of the interval of the share.
+    pub high: f64,
+}
+
+impl Rate {
+    /// Of tries that know nothing of each other.
+    pub fn independent(happened: usize, of: usize) -> Self {
+        Self::with_effect(happened, of, 1.0)
+    }
+
+    /// Of tries that come in clusters: counts (happened, of) by cluster, which go together as
+    /// `correlation` within a cluster says.
+    ///
+    /// The interval is that of as many independent tries as are worth the same: n over the design
+    /// effect 1 + (m - 1) ρ, m the mean size of the cluster that a try lies in (Kish 1965, 8.2).
+    pub fn clustered(clusters: &[(usize, usize)], correlation: f64) -> Self {
+        let (happened, of) = totals(clusters);
+        let squares: f64 = clusters.iter().map(|c| (c.1 as f64).powi(2)).sum();
+        let mean_size = squares / (of as f64).max(1.0);
+        let effect = 1.0 + (mean_size - 1.0).max(0.0) * correlation;
+        Self::with_effect(happened, of, effect)
+    }
+
+    fn with_effect(happened: usize, of: usize, effect: f64) -> Self {
+        let worth = of as f64 / effect.max(1.0);
+        let share = happened as f64 / (of as f64).max(1.0);
+        let (low, high) = wilson(share * worth, worth);
+        Self {
+            happened,
+            of,
+            low,
+            high,
+        }
+    }
+
+    /// The share, `None` where nothing could have happened.
+    pub fn share(&self) -> Option<f64> {
+        (self.of > 0).then(|| self.happened as f64 / self.of as f64)
+    }
+}
+
+/// Wilson's 95 % interval (Wilson 1927) of a share, after `happened` of `of` tries; neither need be
+/// whole. From 0 to 1 without tries.
+pub fn wilson(happened: f64, of: f64) -> (f64, f64) {
+    if of <= 0.0 {
+        return (0.0, 1.0);
+    }
+    let z2 = NORMAL_95 * NORMAL_95;
+    let share = happened / of;
+    let middle = (share + 0.5 * z2 / of) / (1.0 + z2 / of);
+    let half =
+        NORMAL_95 / (1.0 + z2 / of) * (share * (1.0 - share) / of + z2 / (4.0 * of * of)).sqrt();
+    // At both ends the interval touches them; rounding must not leave a gap.
+    let low = if happened <= 0.0 { 0.0 } else { middle - half };
+    let high = if happened >= of { 1.0 } else { middle + half };
+    (low.max(0.0), high.min(1.0))
+}
+
+/// How alike tries of one cluster are, 0 (as any two) to 1 (all the same), from counts (happened, of)
+/// by cluster: the analysis-of-variance estimate (Ridout, Demétrio and Firth 1999, eq. 2).
+pub fn correlation_within(clusters: &[(usize, usize)]) -> f64 {
+    let filled: Vec<_> = clusters.iter().filter(|c| c.1 > 0).collect();
+    let k = filled.len() as f64;
+    let (happened, of) = totals(clusters);
+    let (happened, n) = (happened as f64, of as f64);
+    if k < 2.0 || n <= k {
+        return 0.0;
+    }
+    let by_cluster: f64 = (filled.iter().map(|c| (c.0 as f64).powi(2) / c.1 as f64)).sum();
+    let squares: f64 = filled.iter().map(|c| (c.1 as f64).powi(2)).sum();
+    let between = (by_cluster - happened * happened / n) / (k - 1.0);
+    let within = (happened - by_cluster) / (n - k);
+    let size = (n - squares / n) / (k - 1.0);
+    let correlation = (between - within) / (between + (size - 1.0) * within);
+    if correlation.is_finite() {
+        correlation.clamp(0.0, 1.0)
+    } else {
+        0.0
+    }
+}
+
+fn totals(clusters: &[(usize, usize)]) -> (usize, usize) {
+    let add = |sum: (usize, usize), c: &(usize, usize)| (sum.0 + c.0, sum.1 + c.1);
+    clusters.iter().fold((0, 0), add)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_interval_solves_wilsons_equation() {
+        // The ends p are where (share - p)² = z² p (1 - p) / n.
+        let (low, high) = wilson(45.0, 50.0);
+        for p in [low, high] {
+            let distance = (0.9_f64 - p).powi(2);
+            let allowed = NORMAL_95.powi(2) * p * (1.0 - p) / 50.0;
+            assert!((distance - allowed).abs() < 1e-12, "{p}");
+        }
+        assert_eq!(wilson(0.0, 20.0).0, 0.0);
+        assert_eq!(wilson(20.0, 20.0).1, 1.0);
+        assert_eq!(wilson(0.0, 0.0), (0.0, 1.0));
+    }
+
+    #[test]
+    fn tries_that_all_go_as_their_day_goes_are_worth_one_a_day() {
+        let days: Vec<_> = (0..20).map(|d| (if d < 16 { 30 } else { 0 }, 30)).collect();
+        let correlation = correlation_within(&days);
+        assert!(correlation > 0.99, "{correlation}");
+        let rate = Rate::clustered(&days, correlation);
+        let (low, high) = wilson(16.0, 20.0);
+        assert!((rate.low - low).abs() < 0.01 && (rate.high - high).abs() < 0.01);
+        assert_eq!(rate.share(), Some(0.8));
+    }
+
+    #[test]
+    fn days_that_differ_no_more_than_chance_cost_nothing() {
+        let days = [(27, 30), (28, 30), (26, 30), (27, 30), (27, 30)];
+        assert_eq!(correlation_within(&days), 0.0);
+        let rate = Rate::clustered(&days, 0.0);
+        assert_eq!(rate, Rate::independent(135, 150));
+    }
+}

@@ -1,0 +1,262 @@
+//! Real frames, whose flight is known, as looks of an evaluation.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{Point3, Vector3};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rand_distr::StandardNormal;
+
+use super::{EvaluatedLook, EvaluatedMark};
+use crate::camera::CameraModel;
+use crate::flight::Flight;
+use crate::frames::{GroundPoint, GroundRect, Pose};
+use crate::landmark::trained::{TrainedDetector, search};
+use crate::landmark::{FrameView, Landmark};
+use crate::raster::{Picture, Pyramid};
+use crate::training::FlightEnvelope;
+use crate::training::trainer::tolerance;
+
+/// Levels of the picture pyramid, as in the navigator.
+const PYRAMID_LEVELS: usize = 6;
+/// Tries to find a place in the picture that is far enough from the landmark.
+const TRIES: usize = 50;
+
+/// Looks for a landmark in the frames of a flight, from poses as wrong as the filter's may be.
+pub struct FrameJudge<'a> {
+    /// The flight, with its truth.
+    pub flight: &'a Flight,
+    /// How wrong poses are.
+    pub envelope: &'a FlightEnvelope,
+    /// Number of the flight's day among those of the evaluation.
+    pub day: usize,
+    /// Draws errors and places.
+    pub seed: u64,
+}
+
+/// A frame of which the pose is known.
+struct KnownFrame {
+    pose: Pose,
+    camera: CameraModel,
+    luminance: Pyramid,
+}
+
+impl FrameJudge<'_> {
+    /// A look for the landmark if the frame holds it whole, and one where it is not, if the frame has
+    /// room. Nothing where the truth of the frame is not known.
+    ///
+    /// The true attitude of a real frame is only measured: a mark is right within three standard
+    /// deviations of that, and offsets hold its error, too.
+    pub fn looks(
+        &self,
+        landmark: &Landmark,
+        trained: &TrainedDetector,
+        index: usize,
+        picture: &Picture,
+    ) -> Vec<EvaluatedLook> {
+        let Some(pose) = self.pose(index) else {
+            return Vec::new();
+        };
+        let frame = KnownFrame {
+            pose,
+            camera: self.camera(index),
+            luminance: Pyramid::new(picture.to_gray(), PYRAMID_LEVELS),
+        };
+        let mut random = ChaCha8Rng::seed_from_u64(self.seed ^ (index as u64) << 16);
+        let mut looks = Vec::new();
+        let whole = self.sees(&landmark.bounds, &pose, index);
+        if whole {
+            let bounds = landmark.bounds;
+            looks.extend(self.look(trained, &frame, &bounds, true, &mut random));
+        }
+        if let Some(other) = self.elsewhere(landmark, &pose, index, &mut random) {
+            looks.extend(self.look(trained, &frame, &other, false, &mut random));
+        }
+        looks
+    }
+
+    /// Where the camera was, as far as it is known.
+    fn pose(&self, index: usize) -> Option<Pose> {
+        let truth = self.flight.truth.as_ref()?;
+        let of_frame = truth.frames.get(index);
+        if let Some(pose) = of_frame.and_then(crate::flight::FrameTruth::pose) {
+            return Some(pose);
+        }
+        let time = self.flight.frames.get(index)?.time;
+        Some(Pose {
+            position_in_world: of_frame
+                .map(|frame| frame.position)
+                .or_else(|| truth.position(time))?,
+            attitude: self.flight.attitude(time)?,
+        })
+    }
+
+    fn camera(&self, index: usize) -> CameraModel {
+        let mut camera = self.flight.camera.clone();
+        let turn = self.flight.frames.get(index).map_or(0.0, |f| f.stored_turn);
+        camera.mount.yaw += turn;
+        camera
+    }
+
+    fn sees(&self, bounds: &GroundRect, pose: &Pose, index: usize) -> bool {
+        let camera = self.camera(index);
+        let (w, h) = (camera.width as f64, camera.height as f64);
+        bounds.corners().iter().all(|corner| {
+            let in_world = Point3::new(corner.north, corner.east, self.flight.ground_down);
+            camera
+                .project(pose, &in_world)
+                .is_some_and(|pixel| pixel.x > 0.0 && pixel.x < w && pixel.y > 0.0 && pixel.y < h)
+        })
+    }
+
+    fn height(&self, pose: &Pose) -> f64 {
+        self.flight.ground_down - pose.position_in_world.z
+    }
+
+    /// Standard deviation of a place on the ground by the errors of roll and pitch, metres.
+    fn lever(&self, pose: &Pose) -> f64 {
+        let sensors = &self.envelope.sensors;
+        self.height(pose) * sensors.roll.max(sensors.pitch)
+    }
+
+    /// How far from a place it is searched for, metres.
+    fn reach(&self, pose: &Pose) -> f64 {
+        3.5 * self.envelope.position.hypot(self.lever(pose))
+    }
+
+    /// A box as large as the landmark's that the frame holds whole, out of reach of the landmark.
+    fn elsewhere(
+        &self,
+        landmark: &Landmark,
+        pose: &Pose,
+        index: usize,
+        random: &mut ChaCha8Rng,
+    ) -> Option<GroundRect> {
+        let bounds = landmark.bounds;
+        let near = 2.0 * self.reach(pose) + bounds.width().hypot(bounds.height());
+        let below = GroundPoint::new(pose.position_in_world.x, pose.position_in_world.y);
+        (0..TRIES).find_map(|_| {
+            let distance = 1.5 * self.height(pose) * random.random::<f64>();
+            let (sin, cos) = (TAU * random.random::<f64>()).sin_cos();
+            let place = GroundPoint::new(below.north + distance * cos, below.east + distance * sin);
+            let there = GroundRect::centered(place, bounds.height(), bounds.width());
+            let apart = place.distance(&bounds.center()) > near;
+            (apart && self.sees(&there, pose, index)).then_some(there)
+        })
+    }
+
+    fn look(
+        &self,
+        trained: &TrainedDetector,
+        frame: &KnownFrame,
+        around: &GroundRect,
+        present: bool,
+        random: &mut ChaCha8Rng,
+    ) -> Option<EvaluatedLook> {
+        let (camera, pose) = (&frame.camera, &frame.pose);
+        let ground_down = self.flight.ground_down;
+        let mut normal = |sd: f64| sd * random.sample::<f64, _>(StandardNormal);
+        let position = self.envelope.position;
+        let off = Vector3::new(normal(position), normal(position), 0.0);
+        let heading_error = self.envelope.heading_error * (2.0 * random.random::<f64>() - 1.0);
+        let mut assumed = *pose;
+        assumed.position_in_world += off;
+        assumed.attitude.yaw += heading_error;
+        let center = around.center();
+        let in_world = Point3::new(center.north, center.east, ground_down);
+        let appears = camera.ground_at(&assumed, &camera.project(pose, &in_world)?, ground_down)?;
+        let view = FrameView {
+            camera,
+            pose: assumed,
+            ground_down,
+            luminance: &frame.luminance,
+        };
+        let reach = self.reach(pose);
+        let found = search(
+            &trained.cascade,
+            &trained.window,
+            &view,
+            center,
+            (reach, reach),
+        );
+        let pixel = self.height(pose) / camera.focal;
+        let near = tolerance(pixel).max(3.0 * self.lever(pose));
+        let marks = found.map_or_else(|_| Vec::new(), |marks| marks.list);
+        let mark = |m: &crate::landmark::trained::Mark| EvaluatedMark {
+            score: m.score,
+            offset: [m.ground.north - appears.north, m.ground.east - appears.east],
+            right: present && m.ground.distance(&appears) <= near,
+        };
+        Some(EvaluatedLook {
+            day: self.day,
+            height: self.height(pose),
+            tilt: pose.attitude.roll.hypot(pose.attitude.pitch),
+            heading_error,
+            real: true,
+            present,
+            marks: marks.iter().map(mark).collect(),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simulate::{Overrides, Scenario};
+
+    #[test]
+    fn a_landmark_under_the_camera_is_whole_in_the_frame_and_other_places_are_out_of_its_reach() {
+        let scenario = Scenario::named("distinct-400ft-calm").unwrap();
+        let mission = scenario.mission();
+        let flight = scenario.simulate(3, &Overrides::default()).flight;
+        let sensors = mission.navigator.sensors;
+        let envelope = FlightEnvelope::around(&flight.camera, scenario.height, sensors);
+        let judge = FrameJudge {
+            flight: &flight,
+            envelope: &envelope,
+            day: 0,
+            seed: 1,
+        };
+        let mut random = ChaCha8Rng::seed_from_u64(4);
+        let (mut whole, mut elsewhere) = (0, 0);
+        for index in 0..flight.frames.len() {
+            let pose = judge.pose(index).unwrap();
+            let truth = flight.truth.as_ref().unwrap().frames[index];
+            assert_eq!(Some(pose), truth.pose());
+            for landmark in &mission.landmarks {
+                let seen = judge.sees(&landmark.bounds, &pose, index);
+                let beside = landmark.bounds.center().distance(&GroundPoint::new(
+                    pose.position_in_world.x,
+                    pose.position_in_world.y,
+                ));
+                assert!(!seen || beside < 2.0 * scenario.height);
+                whole += usize::from(seen);
+            }
+            let landmark = &mission.landmarks[0];
+            if let Some(place) = judge.elsewhere(landmark, &pose, index, &mut random) {
+                let apart = place.center().distance(&landmark.bounds.center());
+                assert!(apart > 2.0 * judge.reach(&pose));
+                assert!((place.width() - landmark.bounds.width()).abs() < 1e-9);
+                assert!(judge.sees(&place, &pose, index));
+                elsewhere += 1;
+            }
+        }
+        assert!(whole > 20 && elsewhere > 20, "{whole} {elsewhere}");
+    }
+
+    #[test]
+    fn without_a_truth_there_is_nothing_to_judge() {
+        let scenario = Scenario::named("distinct-400ft-calm").unwrap();
+        let mut flight = scenario.simulate(3, &Overrides::default()).flight;
+        flight.truth = None;
+        let sensors = scenario.mission().navigator.sensors;
+        let envelope = FlightEnvelope::around(&flight.camera, scenario.height, sensors);
+        let judge = FrameJudge {
+            flight: &flight,
+            envelope: &envelope,
+            day: 0,
+            seed: 1,
+        };
+        assert!(judge.pose(0).is_none());
+    }
+}
