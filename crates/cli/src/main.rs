@@ -12,6 +12,7 @@ mod plan;
 mod replay;
 mod simulate;
 mod statistics;
+mod train;
 
 use std::process::ExitCode;
 
@@ -35,6 +36,8 @@ enum Job {
     Replay(replay::Arguments),
     /// Suggest landmarks, predict the uncertainty along a route.
     Plan(Box<plan::Arguments>),
+    /// Train a detector for each landmark from the map alone.
+    Train(train::Arguments),
     /// Convert routes and landmarks between file formats.
     Convert(convert::Arguments),
     /// Say what a file or folder is.
@@ -57,6 +60,7 @@ fn main() -> ExitCode {
         Job::Simulate(arguments) => simulate::run(&arguments),
         Job::Replay(arguments) => replay::run(&arguments),
         Job::Plan(arguments) => plan::run(&arguments),
+        Job::Train(arguments) => train::run(&arguments),
         Job::Convert(arguments) => convert::run(&arguments),
         Job::Inspect(arguments) => inspect::run(&arguments),
         Job::Map(arguments) => map::run(&arguments),

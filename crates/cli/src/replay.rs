@@ -146,8 +146,15 @@ fn replay_scenario(scenario: &Scenario, arguments: &Arguments) -> Outcome {
         let mut frames = flown.frames.over(Arc::clone(&ground.seen));
         let flight = Arc::new(flown.flight);
         let map = Arc::clone(&ground.map);
-        let run = navigate(&flight, &ground.mission, map, &settings, &mut frames, sparing)
-            .map_err(|e| format!("seed {seed}: {e}"))?;
+        let run = navigate(
+            &flight,
+            &ground.mission,
+            map,
+            &settings,
+            &mut frames,
+            sparing,
+        )
+        .map_err(|e| format!("seed {seed}: {e}"))?;
         let summary = summarize(&flight, &run, Some(&scenario.navigator()));
         Ok((Arc::unwrap_or_clone(flight), run, summary))
     };

@@ -1,5 +1,6 @@
 //! What is planned over: a map, a mission on it, an aircraft.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use pilotage_core::camera::CameraModel;
@@ -17,6 +18,26 @@ use crate::mission_file::OpenMission;
 /// Memory for tiles of the map, megabytes.
 const MAP_CACHE: usize = 128;
 
+/// Where the map, the mission on it and the camera come from.
+#[derive(clap::Args)]
+pub struct Source {
+    /// A built-in scenario: its map, aircraft, camera and route.
+    #[arg(long, conflicts_with_all = ["mission", "map"])]
+    pub scenario: Option<String>,
+    /// A mission file (zip or GeoJSON); its first route is flown.
+    #[arg(long)]
+    pub mission: Option<PathBuf>,
+    /// The map of the mission, if the file does not hold it.
+    #[arg(long, requires = "mission")]
+    pub map: Option<PathBuf>,
+    /// A flight folder whose camera is flown, if the mission states none.
+    #[arg(long)]
+    pub flight: Option<PathBuf>,
+    /// Height above ground, metres, where neither route nor scenario states one.
+    #[arg(long)]
+    pub height: Option<f64>,
+}
+
 /// The map, the mission on it and how it is flown.
 pub struct Ground {
     pub map: Arc<dyn Imagery>,
@@ -28,8 +49,27 @@ pub struct Ground {
 }
 
 impl Ground {
-    /// What the arguments name.
+    /// What the arguments of a plan name.
     pub fn of(arguments: &Arguments) -> Result<Self, Box<dyn std::error::Error>> {
+        let mut ground = Self::at(&arguments.source)?;
+        if let Some(plan) = ground
+            .plan
+            .as_mut()
+            .filter(|_| arguments.source.scenario.is_some())
+        {
+            if let Some(text) = &arguments.route {
+                plan.way_points = way_points(text)?;
+            }
+            if let Some(seed) = arguments.random_route {
+                plan.way_points = random_route(seed);
+                plan.wind = nalgebra::Vector2::zeros();
+            }
+        }
+        Ok(ground)
+    }
+
+    /// What a source names.
+    pub fn at(arguments: &Source) -> Result<Self, Box<dyn std::error::Error>> {
         if let Some(name) = &arguments.scenario {
             let scenario = Scenario::named(name).ok_or_else(|| {
                 format!("there is no scenario \"{name}\"; see pilotage scenarios")
@@ -38,14 +78,7 @@ impl Ground {
                 height: arguments.height,
                 ..Overrides::default()
             };
-            let mut plan = scenario.plan(&overrides);
-            if let Some(text) = &arguments.route {
-                plan.way_points = way_points(text)?;
-            }
-            if let Some(seed) = arguments.random_route {
-                plan.way_points = random_route(seed);
-                plan.wind = nalgebra::Vector2::zeros();
-            }
+            let plan = scenario.plan(&overrides);
             return Ok(Self {
                 map: Arc::new(CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE)),
                 days: Box::new(SceneryDays {
@@ -110,7 +143,7 @@ impl Ground {
 }
 
 /// How each way-point is flown over, above level ground: as the route states, or all at `--height`.
-fn targets(route: &Route, mission: &Mission, arguments: &Arguments) -> Vec<Target> {
+fn targets(route: &Route, mission: &Mission, arguments: &Source) -> Vec<Target> {
     let level = mission.level_ground();
     let height = |w: &WayPoint| {
         let counted = w.altitude.counted_from(AltitudeFrame::AboveGround, &level);

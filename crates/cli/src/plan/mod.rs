@@ -19,7 +19,8 @@ use pilotage_core::plan::{
 };
 use serde::Serialize;
 
-use ground::{Ground, way_points};
+use ground::way_points;
+pub use ground::{Ground, Source};
 
 use crate::Outcome;
 use crate::files::write_whole;
@@ -27,18 +28,8 @@ use crate::files::write_whole;
 /// What to plan.
 #[derive(Args)]
 pub struct Arguments {
-    /// A built-in scenario: its map, aircraft, camera and route.
-    #[arg(long, conflicts_with_all = ["mission", "map"])]
-    scenario: Option<String>,
-    /// A mission file (zip or GeoJSON); its first route is planned.
-    #[arg(long)]
-    mission: Option<PathBuf>,
-    /// The map of the mission, if the file does not hold it.
-    #[arg(long, requires = "mission")]
-    map: Option<PathBuf>,
-    /// A flight folder whose camera is flown, if the mission states none.
-    #[arg(long)]
-    flight: Option<PathBuf>,
+    #[command(flatten)]
+    source: Source,
     /// Propose that many landmarks from the map alone.
     #[arg(long, value_name = "N")]
     suggest: Option<usize>,
@@ -53,9 +44,6 @@ pub struct Arguments {
     /// Predict the uncertainty along the route.
     #[arg(long)]
     predict: bool,
-    /// Height above ground, metres, where neither route nor scenario states one.
-    #[arg(long)]
-    height: Option<f64>,
     /// Way-points instead of the scenario's: metres north and east, "0,0;400,300".
     #[arg(long, requires = "scenario", allow_hyphen_values = true)]
     route: Option<String>,

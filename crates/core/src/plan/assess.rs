@@ -159,7 +159,11 @@ impl Assessor {
         seed: u64,
     ) -> Self {
         Self {
-            detector: ChosenDetector::new(Arc::clone(&map), circumstances.detector, std::slice::from_ref(landmark)),
+            detector: ChosenDetector::new(
+                Arc::clone(&map),
+                circumstances.detector,
+                std::slice::from_ref(landmark),
+            ),
             ground: DayGround::new(map, days),
             landmark: landmark.clone(),
             circumstances,

@@ -5,6 +5,8 @@ pub mod evaluation;
 mod photo;
 mod plan;
 mod sample;
+#[cfg(test)]
+mod tests;
 mod trainer;
 
 pub use envelope::FlightEnvelope;

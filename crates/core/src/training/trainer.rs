@@ -84,7 +84,14 @@ pub struct TrainingProgress {
     pub stages: Vec<TrainedStage>,
     /// How they went.
     pub reports: Vec<StageReport>,
+    /// Windows of something else that they learned from: the number of the photo, column, row.
+    pub learned_from: Vec<Place>,
+    /// Whether the last stage is among them, so that only the judging is left.
+    pub complete: bool,
 }
+
+/// A window: the number of its photo, and its upper left corner.
+type Place = (usize, (usize, usize));
 
 /// A detector in the making; [`Self::advance`] does a little.
 pub struct DetectorTraining {
@@ -100,10 +107,10 @@ pub struct DetectorTraining {
     cascade: Option<CascadeTraining>,
     current: Option<Cascade>,
     passed_before: f64,
-    mined: Vec<(usize, (usize, usize))>,
-    /// Windows that earlier stages learned from.
-    learned_from: Vec<(usize, (usize, usize))>,
+    mined: Vec<Place>,
     last: bool,
+    /// How many of the windows kept belong to whole stages.
+    learned: usize,
     windows: usize,
     next: usize,
     looks: Vec<EvaluatedLook>,
@@ -139,8 +146,8 @@ impl DetectorTraining {
             current: None,
             passed_before: 1.0,
             mined: Vec::new(),
-            learned_from: Vec::new(),
             last: false,
+            learned: 0,
             windows: 0,
             next: 0,
             looks: Vec::new(),
@@ -151,6 +158,7 @@ impl DetectorTraining {
     /// Goes on where the same training was left.
     #[must_use]
     pub fn resumed(mut self, progress: TrainingProgress) -> Self {
+        self.learned = progress.learned_from.len();
         self.kept = progress;
         self
     }
@@ -161,6 +169,8 @@ impl DetectorTraining {
         TrainingProgress {
             stages: stages.unwrap_or_else(|| self.kept.stages.clone()),
             reports: self.kept.reports.clone(),
+            learned_from: self.kept.learned_from[..self.learned].to_vec(),
+            complete: self.kept.complete,
         }
     }
 
@@ -250,7 +260,7 @@ impl DetectorTraining {
         }
         self.next += 1;
         if self.next >= self.plan.photos {
-            self.begin_cascade();
+            return self.begin_cascade();
         }
         Ok(())
     }
@@ -262,7 +272,7 @@ impl DetectorTraining {
         (turn && !places.is_empty()).then(|| places[number / LOOK_ALIKE_EVERY % places.len()])
     }
 
-    fn begin_cascade(&mut self) {
+    fn begin_cascade(&mut self) -> Result<(), TrainingError> {
         let positives = std::mem::take(&mut self.positives);
         let settings = TrainingSettings {
             kind: self.plan.kind,
@@ -273,6 +283,10 @@ impl DetectorTraining {
         let training = CascadeTraining::new(settings, positives);
         self.cascade = Some(training.resumed(self.kept.stages.clone()));
         self.begin_mining();
+        if self.kept.complete {
+            return self.begin_judging();
+        }
+        Ok(())
     }
 
     fn begin_mining(&mut self) {
@@ -315,14 +329,15 @@ impl DetectorTraining {
         let mut random = ChaCha8Rng::seed_from_u64(self.plan.seed ^ (stages as u64) << 32);
         let count = self.plan.negatives.min(self.mined.len());
         let chosen = index::sample(&mut random, self.mined.len(), count);
-        self.learned_from
+        self.kept
+            .learned_from
             .extend(chosen.iter().map(|i| self.mined[i]));
         let from = if self.last {
             0
         } else {
-            self.learned_from.len() - count
+            self.kept.learned_from.len() - count
         };
-        let negatives: Vec<(Patch, usize)> = self.learned_from[from..]
+        let negatives: Vec<(Patch, usize)> = self.kept.learned_from[from..]
             .iter()
             .filter_map(|(sample, place)| {
                 let (sample, day) = &self.samples[*sample];
@@ -360,8 +375,10 @@ impl DetectorTraining {
             row,
             passed_before: self.passed_before,
         });
+        self.learned = self.kept.learned_from.len();
         self.begin_mining();
         if self.last {
+            self.kept.complete = true;
             return self.begin_judging();
         }
         Ok(())

@@ -94,7 +94,7 @@ mod tests {
             .map(|i| if i % 2 == 0 { 1 } else { -1 })
             .collect();
         let table = Table::of_numbers(count, 2, |i, row| {
-            row.copy_from_slice(&values[2 * i..2 * i + 2])
+            row.copy_from_slice(&values[2 * i..2 * i + 2]);
         });
         let fitted: Vec<bool> = (0..count).map(|i| i < 180).collect();
         let mut boosting = Boosting::new(table, targets, fitted, 1);
