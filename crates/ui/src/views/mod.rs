@@ -7,6 +7,7 @@ mod canvas;
 pub(crate) mod chart;
 pub(crate) mod color_map;
 pub(crate) mod ellipse;
+mod evaluation;
 #[cfg(test)]
 mod fixture;
 mod inspector;
@@ -19,6 +20,7 @@ mod plots;
 mod tour;
 
 pub use camera::CameraView;
+pub use evaluation::{EvaluationFile, EvaluationScene, EvaluationView};
 pub use inspector::InspectorView;
 pub use matching::MatchView;
 pub use plots::PlotsView;

@@ -1,0 +1,232 @@
+//! How well a detector does where it was not trained: curves, circumstances, probabilities.
+
+mod plot;
+#[cfg(test)]
+mod tests;
+
+use egui::Ui;
+use pilotage_core::training::evaluation::{Evaluation, Plot};
+
+use crate::shell::{chip, muted, text_button};
+use crate::tokens::Tokens;
+use crate::views::parts;
+
+/// Least width of a plot, points.
+const LEAST_WIDTH: f32 = 300.0;
+/// Least and greatest height of a plot, points.
+const HEIGHTS: [f32; 2] = [190.0, 300.0];
+
+/// A file that was asked for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct EvaluationFile {
+    /// Its name.
+    pub name: String,
+    /// Its content.
+    pub text: String,
+}
+
+/// What the view shows.
+pub struct EvaluationScene<'a> {
+    /// What was evaluated, e.g. the landmark's name.
+    pub name: &'a str,
+    /// What came of it; `None` before.
+    pub evaluation: Option<&'a Evaluation>,
+    /// The look.
+    pub tokens: &'a Tokens,
+}
+
+/// The view's own state: which plot stands in each of the places that hold several.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct EvaluationView {
+    chosen: [usize; 4],
+}
+
+/// Plots that share a place: what the place is called and the keys of its plots with their short names.
+type Place = (&'static str, &'static [(&'static str, &'static str)]);
+
+const PLACES: [Place; 4] = [
+    ("False alarms", &[("false_alarms", "ROC and FROC")]),
+    ("Precision", &[("precision_recall", "Precision")]),
+    (
+        "Found by",
+        &[
+            ("height_m", "Height"),
+            ("tilt_deg", "Tilt"),
+            ("heading_error_deg", "Heading error"),
+            ("day", "Day"),
+            ("real_frame", "Source"),
+        ],
+    ),
+    (
+        "Probability",
+        &[("reliability", "Reliability"), ("score", "Score")],
+    ),
+];
+
+impl EvaluationView {
+    /// Draws the view; the file that was asked for, if any.
+    pub fn show(&mut self, ui: &mut Ui, scene: &EvaluationScene<'_>) -> Option<EvaluationFile> {
+        let tokens = scene.tokens;
+        let Some(evaluation) = scene.evaluation else {
+            parts::empty(
+                ui,
+                tokens,
+                "Not evaluated yet",
+                "Evaluate the detector on days that it was not trained on.",
+            );
+            return None;
+        };
+        let mut file = None;
+        ui.horizontal_wrapped(|ui| {
+            for words in figures(evaluation) {
+                chip(ui, tokens, &words, tokens.text);
+            }
+            if text_button(ui, tokens, None, "Save CSV", false).clicked() {
+                file = Some(EvaluationFile {
+                    name: format!("{}.evaluation.csv", file_name(scene.name)),
+                    text: evaluation.csv(),
+                });
+            }
+        });
+        ui.label(muted(tokens, basis(evaluation)));
+        let plots = evaluation.plots();
+        let columns = if ui.available_width() >= 2.0 * LEAST_WIDTH {
+            2
+        } else {
+            1
+        };
+        let rows = PLACES.len().div_ceil(columns) as f32;
+        let gap = tokens.space;
+        let height = (ui.available_height() / rows - gap).clamp(HEIGHTS[0], HEIGHTS[1]);
+        let width = (ui.available_width() - gap * (columns - 1) as f32) / columns as f32;
+        for places in (0..PLACES.len()).collect::<Vec<_>>().chunks(columns) {
+            ui.horizontal(|ui| {
+                ui.spacing_mut().item_spacing.x = gap;
+                for &place in places {
+                    ui.allocate_ui(egui::vec2(width, height), |ui| {
+                        ui.set_min_size(egui::vec2(width, height));
+                        ui.vertical(|ui| {
+                            if let Some(asked) = self.place(ui, place, &plots, scene) {
+                                file = Some(asked);
+                            }
+                        });
+                    });
+                }
+            });
+        }
+        file
+    }
+
+    /// One place: the choice of its plot and the plot.
+    fn place(
+        &mut self,
+        ui: &mut Ui,
+        place: usize,
+        plots: &[Plot],
+        scene: &EvaluationScene<'_>,
+    ) -> Option<EvaluationFile> {
+        let tokens = scene.tokens;
+        let (name, choices) = PLACES[place];
+        let found = |key: &str| plots.iter().find(|plot| plot.key == key);
+        let there: Vec<_> = (choices.iter())
+            .filter_map(|(key, short)| Some((found(key)?, *short)))
+            .collect();
+        let chosen = self.chosen[place].min(there.len().saturating_sub(1));
+        let Some((plot, _)) = there.get(chosen) else {
+            ui.label(muted(tokens, format!("{name}: {}", absent(place))));
+            return None;
+        };
+        let mut asked = None;
+        ui.horizontal(|ui| {
+            if there.len() > 1 {
+                for (index, (_, short)) in there.iter().enumerate() {
+                    if ui.selectable_label(index == chosen, *short).clicked() {
+                        self.chosen[place] = index;
+                    }
+                }
+            } else {
+                ui.label(muted(tokens, plot.title.as_str()));
+            }
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                let save = ui.small_button("SVG");
+                let hint = format!("Save \"{}\" as SVG", plot.title);
+                save.widget_info(|| {
+                    egui::WidgetInfo::labeled(egui::Role::Button, true, hint.clone())
+                });
+                if save.on_hover_text(&hint).clicked() {
+                    asked = Some(EvaluationFile {
+                        name: format!("{}.{}.svg", file_name(scene.name), plot.key),
+                        text: plot.svg(),
+                    });
+                }
+            });
+        });
+        plot::paint(ui, plot, tokens);
+        asked
+    }
+}
+
+/// The figures that matter most.
+fn figures(evaluation: &Evaluation) -> Vec<String> {
+    let percent = |share: f64| format!("{:.1}", 100.0 * share);
+    let operating = &evaluation.operating;
+    let found = operating.detection;
+    let mut figures = vec![format!(
+        "found {} % ({} to {} %) at {} false alarms per picture",
+        percent(found.value),
+        percent(found.low),
+        percent(found.high),
+        operating.allowed
+    )];
+    if let Some(held_out) = operating.held_out
+        && let Some(share) = held_out.found.share()
+    {
+        figures.push(format!(
+            "on days left out {} % at {:.3} false alarms",
+            percent(share),
+            held_out.false_alarms
+        ));
+    }
+    let precision = evaluation.average_precision;
+    figures.push(format!(
+        "average precision {:.3} ({:.3} to {:.3})",
+        precision.value, precision.low, precision.high
+    ));
+    if let Some(covariance) = &evaluation.covariance {
+        let [longer, shorter, _] = covariance.axes();
+        figures.push(format!("place σ {longer:.2} × {shorter:.2} m"));
+    }
+    figures
+}
+
+/// What the figures rest on.
+fn basis(evaluation: &Evaluation) -> String {
+    let days = match evaluation.days {
+        1 => "1 day".to_owned(),
+        days => format!("{days} days"),
+    };
+    let over = if evaluation.draws_whole_days {
+        "bands, bars and brackets: 95 % over other days"
+    } else {
+        "bands, bars and brackets: 95 % over other pictures; too few days to tell of other days"
+    };
+    format!(
+        "{} pictures of {days}, {} with the landmark, {} real; {over}",
+        evaluation.looks, evaluation.present, evaluation.real
+    )
+}
+
+/// Why a place is empty.
+fn absent(place: usize) -> &'static str {
+    if place == 2 {
+        "every picture was taken under the same circumstances"
+    } else {
+        "there are no right or no wrong marks to learn from"
+    }
+}
+
+/// A name without what files must not have in theirs.
+fn file_name(name: &str) -> String {
+    let fit = |c: char| if c.is_alphanumeric() { c } else { '-' };
+    name.chars().map(fit).collect()
+}
