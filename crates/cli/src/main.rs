@@ -2,6 +2,8 @@
 
 mod bench;
 mod convert;
+mod detect;
+mod evaluate;
 mod files;
 mod filter_options;
 mod georef;
@@ -38,6 +40,10 @@ enum Job {
     Plan(Box<plan::Arguments>),
     /// Train a detector for each landmark from the map alone.
     Train(train::Arguments),
+    /// Judge trained detectors on pictures that they were not trained on.
+    Evaluate(Box<evaluate::Arguments>),
+    /// Run a cascade over pictures.
+    Detect(detect::Arguments),
     /// Convert routes and landmarks between file formats.
     Convert(convert::Arguments),
     /// Say what a file or folder is.
@@ -61,6 +67,8 @@ fn main() -> ExitCode {
         Job::Replay(arguments) => replay::run(&arguments),
         Job::Plan(arguments) => plan::run(&arguments),
         Job::Train(arguments) => train::run(&arguments),
+        Job::Evaluate(arguments) => evaluate::run(&arguments),
+        Job::Detect(arguments) => detect::run(&arguments),
         Job::Convert(arguments) => convert::run(&arguments),
         Job::Inspect(arguments) => inspect::run(&arguments),
         Job::Map(arguments) => map::run(&arguments),

@@ -1,0 +1,298 @@
+//! `pilotage evaluate`: trained detectors on pictures that they were not trained on.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use pilotage_core::flight::{FlightFolder, FrameSource as _, read_flight};
+use pilotage_core::landmark::Landmark;
+use pilotage_core::training::FlightEnvelope;
+use pilotage_core::training::evaluation::{
+    AtThreshold, DetectorJudge, EvaluatedLook, Evaluation, EvaluationSettings, FrameJudge,
+    JudgingPlan, Rate,
+};
+use serde::Serialize;
+
+use crate::Outcome;
+use crate::files::{Directory, write_whole};
+use crate::plan::{Ground, Source};
+
+/// What to evaluate.
+#[derive(clap::Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    source: Source,
+    /// Landmark whose detector is evaluated, by its name or its id; may be said again. Every landmark with
+    /// a detector if absent.
+    #[arg(long, value_name = "NAME")]
+    landmark: Vec<String>,
+    /// A flight folder with its truth: its frames are looked at as well.
+    #[arg(long, value_name = "FLIGHT_FOLDER")]
+    frames: Option<PathBuf>,
+    /// Photos of each landmark.
+    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u32).range(10..))]
+    photos: u32,
+    /// Days on which they are taken.
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
+    days: u32,
+    /// False alarms per photo at which detections are told.
+    #[arg(long, value_name = "RATE", default_value_t = 0.01)]
+    false_alarms: f64,
+    /// Seed of photos and days; never those of a training.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Write every figure as one table.
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Folder for the plots.
+    #[arg(long, value_name = "FOLDER")]
+    svg: Option<PathBuf>,
+    /// Write everything as JSON.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+}
+
+/// What was found of one landmark.
+#[derive(Serialize)]
+struct Evaluated {
+    landmark: String,
+    /// The detector's own threshold, and what happens there.
+    threshold: f64,
+    in_use: AtThreshold,
+    /// The same in the real frames alone.
+    in_real_frames: Option<AtThreshold>,
+    evaluation: Evaluation,
+    looks: Vec<EvaluatedLook>,
+}
+
+/// Evaluates the landmarks one after the other.
+pub fn run(arguments: &Arguments) -> Outcome {
+    if !(arguments.false_alarms >= 0.0 && arguments.false_alarms.is_finite()) {
+        let stated = arguments.false_alarms;
+        return Err(format!("--false-alarms: {stated} is no rate").into());
+    }
+    let ground = Ground::at(&arguments.source)?;
+    let landmarks = with_detector(&ground.mission.landmarks, &arguments.landmark)?;
+    let mut folder = match &arguments.frames {
+        Some(path) => Some(read_flight(Arc::new(Directory::open(path)?))?),
+        None => None,
+    };
+    if let Some(folder) = folder.as_ref().filter(|f| f.flight.truth.is_none()) {
+        return Err(format!(
+            "--frames: nothing says where \"{}\" really flew, so that no mark can be judged",
+            folder.flight.name
+        )
+        .into());
+    }
+    let mut all = Vec::new();
+    for landmark in &landmarks {
+        let evaluated = evaluate(arguments, &ground, landmark, folder.as_mut())?;
+        tell(&evaluated);
+        all.push(evaluated);
+    }
+    if let Some(path) = &arguments.csv {
+        write_whole(path, table(&all))?;
+    }
+    if let Some(folder) = &arguments.svg {
+        std::fs::create_dir_all(folder).map_err(|e| format!("{}: {e}", folder.display()))?;
+        for evaluated in &all {
+            let name = file_name(&evaluated.landmark);
+            for plot in evaluated.evaluation.plots() {
+                write_whole(&folder.join(format!("{name}.{}.svg", plot.key)), plot.svg())?;
+            }
+        }
+    }
+    if let Some(path) = &arguments.json {
+        write_whole(path, serde_json::to_string_pretty(&all)?)?;
+    }
+    Ok(())
+}
+
+/// Those of the chosen landmarks for which a detector was trained.
+fn with_detector(landmarks: &[Landmark], wanted: &[String]) -> Result<Vec<Landmark>, String> {
+    let mut chosen = chosen(landmarks, wanted)?;
+    let without = chosen.iter().find(|l| l.trained_detector().is_none());
+    if let Some(landmark) = without.filter(|_| !wanted.is_empty()) {
+        return Err(format!(
+            "landmark \"{}\" has no detector that was trained for its box; see pilotage train",
+            landmark.name
+        ));
+    }
+    chosen.retain(|l| l.trained_detector().is_some());
+    if chosen.is_empty() {
+        return Err(
+            "no landmark has a detector; pilotage train --write-mission trains them".to_owned(),
+        );
+    }
+    Ok(chosen)
+}
+
+fn evaluate(
+    arguments: &Arguments,
+    ground: &Ground,
+    landmark: &Landmark,
+    folder: Option<&mut FlightFolder>,
+) -> Result<Evaluated, Box<dyn std::error::Error>> {
+    let trained = landmark
+        .trained_detector()
+        .ok_or("the landmark has no detector")?;
+    let sensors = ground.mission.navigator.sensors;
+    let envelope = FlightEnvelope::around(&ground.camera, ground.height, sensors);
+    let plan = JudgingPlan {
+        photos: arguments.photos as usize,
+        days: arguments.days as usize,
+        seed: arguments.seed,
+    };
+    let threshold = trained.least_score;
+    let days = ground.days.as_ref();
+    let mut judge = DetectorJudge::new(
+        landmark,
+        trained.clone(),
+        &ground.map,
+        days,
+        &envelope,
+        plan,
+    );
+    while judge.advance()? {
+        let (done, all) = judge.progress();
+        if done % 50 == 0 {
+            eprintln!("{}: {done} of {all} photos", landmark.name);
+        }
+    }
+    let mut looks = judge.looks().to_vec();
+    let mut in_real_frames = None;
+    if let Some(folder) = folder {
+        let frames = FrameJudge {
+            flight: &folder.flight,
+            envelope: &envelope,
+            day: plan.days,
+            seed: plan.seed,
+        };
+        let mut real = Vec::new();
+        for index in 0..folder.flight.frames.len() {
+            let picture = folder.frames.picture(index)?;
+            real.extend(frames.looks(landmark, &trained, index, &picture));
+        }
+        in_real_frames = Some(AtThreshold::over(&real, threshold));
+        looks.extend(real);
+    }
+    let settings = EvaluationSettings {
+        false_alarms: arguments.false_alarms,
+        seed: arguments.seed,
+        ..EvaluationSettings::default()
+    };
+    let evaluation = Evaluation::of(&looks, &settings)
+        .map_err(|e| format!("landmark \"{}\": {e}", landmark.name))?;
+    Ok(Evaluated {
+        landmark: landmark.name.clone(),
+        threshold,
+        in_use: AtThreshold::over(&looks, threshold),
+        in_real_frames,
+        evaluation,
+        looks,
+    })
+}
+
+fn tell(evaluated: &Evaluated) {
+    let evaluation = &evaluated.evaluation;
+    let rate = |rate: &Rate| {
+        format!(
+            "{} of {} ({:.1} to {:.1} %)",
+            rate.happened,
+            rate.of,
+            100.0 * rate.low,
+            100.0 * rate.high
+        )
+    };
+    println!(
+        "{}: {} photos of {} days",
+        evaluated.landmark, evaluation.looks, evaluation.days
+    );
+    println!(
+        "    at its own threshold {:.3}: found in {}, false alarms in {}",
+        evaluated.threshold,
+        rate(&evaluated.in_use.found),
+        rate(&evaluated.in_use.deceived)
+    );
+    if let Some(real) = &evaluated.in_real_frames {
+        println!(
+            "    of these real frames: found in {}, false alarms in {}",
+            rate(&real.found),
+            rate(&real.deceived)
+        );
+    }
+    let operating = &evaluation.operating;
+    println!(
+        "    at {} false alarms a photo: found in {:.1} % ({:.1} to {:.1} %)",
+        operating.allowed,
+        100.0 * operating.detection.value,
+        100.0 * operating.detection.low,
+        100.0 * operating.detection.high
+    );
+    let precision = &evaluation.average_precision;
+    println!(
+        "    average precision {:.3} ({:.3} to {:.3})",
+        precision.value, precision.low, precision.high
+    );
+    if let Some(covariance) = &evaluation.covariance {
+        let [longer, shorter, heading] = covariance.axes();
+        println!(
+            "    place: σ {longer:.2} m along {:.0}°, {shorter:.2} m across; bias {:.2} m north, {:.2} m east",
+            heading.to_degrees(),
+            covariance.bias[0],
+            covariance.bias[1]
+        );
+    }
+    if let Some(calibration) = &evaluation.calibration {
+        println!(
+            "    probability of a score: Brier {:.4}, {:.4} were it a constant",
+            calibration.brier, calibration.brier_of_share
+        );
+    }
+}
+
+/// All tables below each other, with the landmark's name in front.
+fn table(all: &[Evaluated]) -> String {
+    let mut rows = Vec::new();
+    for evaluated in all {
+        let csv = evaluated.evaluation.csv();
+        let quoted = format!("\"{}\"", evaluated.landmark.replace('"', "\"\""));
+        let mut lines = csv.lines();
+        let head = lines.next().unwrap_or_default();
+        if rows.is_empty() {
+            rows.push(format!("landmark,{head}\n"));
+        }
+        rows.extend(lines.map(|line| format!("{quoted},{line}\n")));
+    }
+    rows.concat()
+}
+
+/// The landmarks of those names or ids, or else all that are switched on.
+fn chosen(landmarks: &[Landmark], wanted: &[String]) -> Result<Vec<Landmark>, String> {
+    let one = |wanted: &String| {
+        let by_name = landmarks.iter().find(|l| l.name == *wanted);
+        let by_id = || landmarks.iter().find(|l| l.id.to_string() == *wanted);
+        by_name.or_else(by_id).cloned().ok_or_else(|| {
+            let names: Vec<_> = landmarks.iter().map(|l| l.name.as_str()).collect();
+            let names = names.join(", ");
+            format!("--landmark: there is no \"{wanted}\"; there are: {names}")
+        })
+    };
+    let chosen: Vec<Landmark> = if wanted.is_empty() {
+        landmarks.iter().filter(|l| l.enabled).cloned().collect()
+    } else {
+        wanted.iter().map(one).collect::<Result<_, _>>()?
+    };
+    if chosen.is_empty() {
+        return Err("the mission has no landmark that is switched on".to_owned());
+    }
+    Ok(chosen)
+}
+
+/// A name without what files must not have in theirs.
+fn file_name(name: &str) -> String {
+    let fit = |c: char| {
+        let plain = c.is_alphanumeric() || matches!(c, '-' | '_' | '.');
+        if plain { c } else { '-' }
+    };
+    name.chars().map(fit).collect()
+}
