@@ -81,6 +81,7 @@ fn mission() -> Mission {
             ..Route::default()
         }],
         no_fly: Vec::new(),
+        labels: Vec::new(),
         camera: Some(CameraModel::pinhole(320, 240, 0.8)),
         navigator: NavigatorSettings::default(),
         properties: std::collections::BTreeMap::new(),

@@ -16,6 +16,7 @@ mod item;
 mod item_route;
 mod kml_read;
 mod kml_write;
+pub mod labels;
 mod plan;
 #[cfg(test)]
 mod plan_schema;

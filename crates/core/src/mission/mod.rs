@@ -5,6 +5,7 @@
 mod error;
 pub(crate) mod found;
 pub(crate) mod globe;
+mod labels;
 mod map_file;
 mod no_fly;
 pub mod package;
@@ -22,6 +23,7 @@ pub(crate) mod way_point_file;
 mod write;
 
 pub use error::MissionError;
+pub use labels::{FrameLabels, LabelBox};
 pub use map_file::{MapError, MapOptions, OpenMap, open_map, open_map_with};
 pub use no_fly::NoFlyZone;
 pub use place_file::{belongs_to, place_files};
@@ -39,6 +41,9 @@ const VERSION: &str = "1";
 /// Key in [`Mission::properties`] under which features that are no landmarks are kept, as the text
 /// of a JSON array; no unknown member can have this name.
 pub const OTHER_FEATURES: &str = "features";
+
+/// Member of the file with the labels. Programs that do not know it keep it as it stands.
+const LABELS: &str = "labels";
 
 /// Prefix of keys in a landmark's properties that stand for unknown members of the feature itself,
 /// beside its properties.

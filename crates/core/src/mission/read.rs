@@ -8,7 +8,7 @@ use super::found::{self, FoundLandmark, FoundNoFly, FoundRoute};
 use super::read_feature::{Feature, feature};
 use super::text::{Members, Text};
 use super::way_point_file::kept;
-use super::{MapReference, Mission, MissionError, OTHER_FEATURES, VERSION};
+use super::{LABELS, MapReference, Mission, MissionError, OTHER_FEATURES, VERSION};
 use crate::flight::{CameraFile, OriginFile};
 use crate::frames::{Geodetic, LocalFrame};
 use crate::navigator::NavigatorSettings;
@@ -43,6 +43,7 @@ pub fn read_mission(bytes: &[u8]) -> Result<Mission, MissionError> {
         landmarks: found::landmarks(found.landmarks, &frame),
         routes: found::routes(found.routes, &frame),
         no_fly: found::no_fly(found.no_fly, &frame),
+        labels: text.take(&mut members, LABELS)?.unwrap_or_default(),
         camera,
         navigator: navigator(&text, &mut members)?,
         properties: kept(members),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::{NoFlyZone, Route};
+use super::{FrameLabels, NoFlyZone, Route};
 use crate::camera::CameraModel;
 use crate::frames::{AltitudeReference, Geodetic};
 use crate::landmark::Landmark;
@@ -39,6 +39,9 @@ pub struct Mission {
     /// Areas that must not be flown over.
     #[serde(default)]
     pub no_fly: Vec<NoFlyZone>,
+    /// What people marked in the pictures of flights, in the order of the pictures' names.
+    #[serde(default)]
+    pub labels: Vec<FrameLabels>,
     /// Camera, where the mission states one (otherwise the flight's).
     pub camera: Option<CameraModel>,
     /// How to navigate.

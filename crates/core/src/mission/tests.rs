@@ -38,6 +38,15 @@ fn mission() -> Mission {
                 .to_vec(),
             properties: [("floor_m".to_owned(), "120".to_owned())].into(),
         }],
+        labels: vec![FrameLabels {
+            frame: "00007.jpg".to_owned(),
+            size: (640, 480),
+            boxes: LabelBox::new(2, "pool", [[10.25, 20.0], [70.5, 90.125]], (640, 480))
+                .into_iter()
+                .collect(),
+            absent: vec![1],
+            ..FrameLabels::default()
+        }],
         landmarks: vec![
             barn,
             Landmark::new(

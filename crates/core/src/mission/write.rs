@@ -8,8 +8,8 @@ use serde_json::{Value, json};
 use super::globe;
 use super::way_point_file::write_way_point;
 use super::{
-    FEATURE_MEMBER, MapReference, Mission, NO_FLY_MARK, NoFlyZone, OTHER_FEATURES, ROUTE_MARK,
-    Route, VERSION,
+    FEATURE_MEMBER, LABELS, MapReference, Mission, NO_FLY_MARK, NoFlyZone, OTHER_FEATURES,
+    ROUTE_MARK, Route, VERSION,
 };
 use crate::flight::{CameraFile, OriginFile};
 use crate::frames::{GroundPoint, LocalFrame};
@@ -40,6 +40,9 @@ pub fn write_mission(mission: &Mission) -> String {
         member("camera", &of(&CameraFile::of(camera)));
     }
     member("navigator", &of(&mission.navigator));
+    if !mission.labels.is_empty() {
+        member(LABELS, &of(&mission.labels));
+    }
     for (name, value) in &mission.properties {
         if name != OTHER_FEATURES {
             member(name, value);

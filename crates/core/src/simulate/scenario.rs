@@ -245,6 +245,7 @@ impl Scenario {
             landmarks,
             routes: Vec::new(),
             no_fly: Vec::new(),
+            labels: Vec::new(),
             camera: Some(Self::camera()),
             navigator: self.navigator(),
             properties: BTreeMap::new(),

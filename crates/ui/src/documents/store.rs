@@ -71,6 +71,7 @@ impl Documents {
             landmarks: Vec::new(),
             routes: Vec::new(),
             no_fly: Vec::new(),
+            labels: Vec::new(),
             camera: None,
             navigator: NavigatorSettings::default(),
             properties: BTreeMap::new(),

@@ -100,6 +100,7 @@ fn bare_mission(flight: &Flight) -> Mission {
         landmarks: Vec::new(),
         routes: Vec::new(),
         no_fly: Vec::new(),
+        labels: Vec::new(),
         camera: None,
         navigator,
         properties: std::collections::BTreeMap::new(),

@@ -138,6 +138,7 @@ impl Fixture {
             landmarks: landmarks(),
             routes: Vec::new(),
             no_fly: Vec::new(),
+            labels: Vec::new(),
             camera: None,
             navigator: settings,
             properties: BTreeMap::new(),

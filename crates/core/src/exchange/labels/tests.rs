@@ -1,0 +1,145 @@
+//! Labels written and read again, other people's files, broken ones.
+
+use super::*;
+use crate::flight::files::{FileSet as _, ZipFiles};
+use crate::frames::{GroundPoint, GroundRect};
+
+const SIZE: (u32, u32) = (1000, 750);
+
+fn landmarks() -> Vec<Landmark> {
+    let bounds = GroundRect::centered(GroundPoint::new(0.0, 0.0), 20.0, 20.0);
+    [(3, "Church & <yard>"), (7, "Pool")]
+        .map(|(id, name)| Landmark::new(id, name, bounds))
+        .to_vec()
+}
+
+fn labels() -> Vec<FrameLabels> {
+    let label = |id, name: &str, a: [f64; 2], b: [f64; 2]| {
+        LabelBox::new(id, name, [a, b], SIZE).expect("a box")
+    };
+    let mut hard = label(7, "Pool", [0.0, 700.5], [33.125, 760.0]);
+    hard.difficult = true;
+    vec![
+        FrameLabels {
+            frame: "00001.jpg".to_owned(),
+            size: SIZE,
+            boxes: vec![
+                label(3, "Church & <yard>", [10.25, 20.5], [110.75, 99.0]),
+                hard,
+            ],
+            ..FrameLabels::default()
+        },
+        FrameLabels {
+            frame: "00002.jpg".to_owned(),
+            size: SIZE,
+            absent: vec![7],
+            ..FrameLabels::default()
+        },
+    ]
+}
+
+fn read_back(format: LabelFormat, bytes: &[u8]) -> FoundLabels {
+    if format == LabelFormat::Coco {
+        return read_labels("labels.json", bytes).unwrap();
+    }
+    let zip = ZipFiles::open(bytes).unwrap();
+    let mut all = FoundLabels::default();
+    let mut names = zip.names();
+    names.sort();
+    for name in names {
+        let one = read_labels(&name, &zip.read(&name).unwrap()).unwrap();
+        all.add(one);
+    }
+    all
+}
+
+#[test]
+fn labels_come_back_from_both_formats_as_they_were() {
+    for format in [LabelFormat::Voc, LabelFormat::Coco] {
+        let written = write_labels(format, &labels(), &landmarks()).unwrap();
+        let (frames, notes) = read_back(format, &written.bytes).placed(&landmarks());
+        assert_eq!(frames, labels(), "{format:?}");
+        assert!(notes.is_empty(), "{notes:?}");
+    }
+}
+
+#[test]
+fn what_other_programs_write_beside_boxes_is_written_again() {
+    let voc = "<annotation><folder>a &amp; b</folder><filename>x.png</filename>\
+        <size><width>64</width><height>48</height><depth>3</depth></size><segmented>0</segmented>\
+        <object><name>pool</name><pose>Left</pose><bndbox><xmax>20</xmax><xmin>11</xmin>\
+        <ymin>1</ymin><ymax>9.5</ymax></bndbox></object></annotation>";
+    let (frames, _) = read_labels("x.xml", voc.as_bytes())
+        .unwrap()
+        .placed(&landmarks());
+    assert_eq!(frames[0].boxes[0].min, [10.0, 0.0], "pixel 11 begins at 10");
+    assert_eq!(frames[0].boxes[0].max, [20.0, 9.5]);
+    let bytes = write_labels(LabelFormat::Voc, &frames, &landmarks())
+        .unwrap()
+        .bytes;
+    let zip = ZipFiles::open(&bytes).unwrap();
+    let text = String::from_utf8(zip.read("Annotations/x.xml").unwrap()).unwrap();
+    for kept in [
+        "<folder>a &amp; b</folder>",
+        "<segmented>0</segmented>",
+        "<pose>Left</pose>",
+    ] {
+        assert!(text.contains(kept), "{kept} in {text}");
+    }
+
+    let coco = r#"{ "info": { "year": 2020 }, "licenses": [],
+        "images": [{ "id": 5, "file_name": "x.png", "width": 64, "height": 48, "license": 2 }],
+        "categories": [{ "id": 9, "name": "Pool" }, { "id": 1, "name": "car" }],
+        "annotations": [
+          { "id": 1, "image_id": 5, "category_id": 9, "bbox": [10, 0, 10, 9.5], "score": 0.5 },
+          { "id": 2, "image_id": 5, "category_id": 1, "bbox": [1, 1, 10, 10] }] }"#;
+    let (frames, notes) = read_labels("c.json", coco.as_bytes())
+        .unwrap()
+        .placed(&landmarks());
+    assert_eq!(frames[0].boxes.len(), 1);
+    assert_eq!(frames[0].boxes[0].landmark, 7);
+    assert!(notes.iter().any(|n| n.contains("`info`")), "{notes:?}");
+    assert!(notes.iter().any(|n| n.contains("“car”")), "{notes:?}");
+    let bytes = write_labels(LabelFormat::Coco, &frames, &landmarks())
+        .unwrap()
+        .bytes;
+    let again: serde_json::Value = serde_json::from_slice(&bytes).unwrap();
+    assert_eq!(again["images"][0]["license"], 2);
+    assert_eq!(again["annotations"][0]["score"], 0.5);
+}
+
+#[test]
+fn broken_files_are_named_with_the_place_and_never_panic() {
+    let cause =
+        |name: &str, text: &str| read_labels(name, text.as_bytes()).unwrap_err().to_string();
+    let voc = "<annotation>\n<filename>x</filename>\n<size><width>64</width>\
+        <height>48</height></size>\n<object><name>a</name>\n<bndbox><xmin>q</xmin></bndbox></object></annotation>";
+    let told = cause("x.xml", voc);
+    assert!(
+        told.starts_with("x.xml, line 5") && told.contains("xmin"),
+        "{told}"
+    );
+    let coco = "{ \"images\": [],\n \"categories\": [],\n \"annotations\": [\n{ \"image_id\": 1, \"category_id\": 2, \"bbox\": [0,0,1,1] }] }";
+    let told = cause("c.json", coco);
+    assert!(
+        told.starts_with("c.json, line 4") && told.contains("no image 1"),
+        "{told}"
+    );
+    assert!(cause("n.txt", "dear").contains("neither"));
+    for format in [LabelFormat::Voc, LabelFormat::Coco] {
+        let written = write_labels(format, &labels(), &landmarks()).unwrap().bytes;
+        let text = match format {
+            LabelFormat::Coco => written,
+            LabelFormat::Voc => {
+                let zip = ZipFiles::open(&written).unwrap();
+                zip.read("Annotations/00001.xml").unwrap()
+            }
+        };
+        for place in 0..text.len() {
+            let _ = read_labels("cut", &text[..place]);
+            let mut flipped = text.clone();
+            flipped[place] ^= 0x15;
+            let _ = read_labels("flipped", &flipped);
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! Pascal VOC: one XML file for a picture.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use super::{ExchangeError, FoundLabels, stated_box};
+use crate::exchange::xml::{Element, Source, escape};
+use crate::mission::FrameLabels;
+
+/// Element that holds what only we know: ids, and landmarks that are not in the picture.
+const OWN: &str = "pilotage";
+/// Prefix of properties that are elements, as they stand.
+const ELEMENT: &str = "voc:";
+/// What is read of a picture; other elements are kept.
+const OF_PICTURE: [&str; 4] = ["filename", "size", "object", OWN];
+/// What is read of an object.
+const OF_OBJECT: [&str; 5] = ["name", "bndbox", "difficult", "truncated", OWN];
+
+/// Reads the annotation of one picture.
+pub(super) fn read(file: &str, text: &str) -> Result<FoundLabels, ExchangeError> {
+    let source = Source { file, text };
+    let root = source.root()?;
+    if root.name != "annotation" {
+        let cause = format!("<{}> is no <annotation> of Pascal VOC", root.name);
+        return Err(source.error(root.begin, cause));
+    }
+    let lacking = |of: &Element, name: &str| source.error(of.begin, format!("<{name}> is missing"));
+    let frame = root
+        .child_text("filename")
+        .ok_or_else(|| lacking(&root, "filename"))?;
+    let stated = root.child("size").ok_or_else(|| lacking(&root, "size"))?;
+    let side = |name: &str| {
+        let value = number(&source, stated, name)?;
+        let is_side = (1.0..=65_535.0).contains(&value);
+        is_side.then_some(value as u32).ok_or_else(|| {
+            source.error(
+                stated.begin,
+                format!("<{name}> {value} is no side of a picture"),
+            )
+        })
+    };
+    let size = (side("width")?, side("height")?);
+    let mut found = FoundLabels::default();
+    let mut labels = FrameLabels {
+        frame: frame.to_owned(),
+        size,
+        properties: kept(&source, &root, &OF_PICTURE),
+        ..FrameLabels::default()
+    };
+    for object in root.all("object") {
+        let name = object
+            .child_text("name")
+            .ok_or_else(|| lacking(object, "name"))?;
+        let edges = object
+            .child("bndbox")
+            .ok_or_else(|| lacking(object, "bndbox"))?;
+        let edge = |name: &str| number(&source, edges, name);
+        let low = [edge("xmin")? - 1.0, edge("ymin")? - 1.0];
+        let high = [edge("xmax")?, edge("ymax")?];
+        let id = object.child(OWN).map_or(0, id_of);
+        let mut label = stated_box(id, name, [low, high], size)
+            .map_err(|cause| source.error(edges.begin, cause))?;
+        label.difficult = object.child_text("difficult") == Some("1");
+        label.truncated = object.child_text("truncated") == Some("1");
+        label.properties = kept(&source, object, &OF_OBJECT);
+        if object.child("part").is_some() {
+            found
+                .notes
+                .push(format!("{file}: parts of “{name}” are kept as they stand"));
+        }
+        labels.boxes.push(label);
+    }
+    for absent in root.child(OWN).iter().flat_map(|own| own.all("absent")) {
+        let id = id_of(absent);
+        found.names.insert(id, absent.text.clone());
+        labels.absent.push(id);
+    }
+    found.frames.push(labels);
+    Ok(found)
+}
+
+fn id_of(element: &Element) -> u32 {
+    let id = element.attribute("landmark").map(str::parse);
+    id.and_then(Result::ok).unwrap_or(0)
+}
+
+fn number(source: &Source<'_>, of: &Element, name: &str) -> Result<f64, ExchangeError> {
+    let Some(element) = of.child(name) else {
+        return Err(source.error(of.begin, format!("<{name}> is missing")));
+    };
+    let value = element.text.parse().ok().filter(|v: &f64| v.is_finite());
+    value.ok_or_else(|| {
+        let text: String = element.text.chars().take(20).collect();
+        source.error(element.begin, format!("<{name}> “{text}” is no number"))
+    })
+}
+
+/// Elements that are not read, as they stand; those of one name stand together.
+fn kept(source: &Source<'_>, of: &Element, read: &[&str]) -> BTreeMap<String, String> {
+    let mut kept: BTreeMap<String, String> = BTreeMap::new();
+    for child in &of.children {
+        if !read.contains(&child.name.as_str())
+            && let Some(raw) = source.text.get(child.begin..child.end)
+        {
+            kept.entry(format!("{ELEMENT}{}", child.name))
+                .or_default()
+                .push_str(raw);
+        }
+    }
+    kept
+}
+
+/// Name of the annotation of a picture.
+pub(super) fn file_name(frame: &str) -> String {
+    let own = frame.rsplit(['/', '\\']).next().unwrap_or(frame);
+    let stem = own.rsplit_once('.').map_or(own, |(stem, _)| stem);
+    format!("Annotations/{stem}.xml")
+}
+
+/// The annotation of one picture.
+pub(super) fn write(frame: &FrameLabels, names: &BTreeMap<u32, String>) -> String {
+    let mut text = String::from("<annotation>\n");
+    // Writing into a string cannot fail.
+    let raw = |text: &mut String, properties: &BTreeMap<String, String>, indent: &str| {
+        for (name, raw) in properties {
+            if name.starts_with(ELEMENT) {
+                let _ = writeln!(text, "{indent}{raw}");
+            }
+        }
+    };
+    let _ = writeln!(text, "\t<filename>{}</filename>", escape(&frame.frame));
+    let (width, height) = frame.size;
+    let _ = writeln!(
+        text,
+        "\t<size><width>{width}</width><height>{height}</height><depth>3</depth></size>"
+    );
+    raw(&mut text, &frame.properties, "\t");
+    for label in &frame.boxes {
+        let name = names.get(&label.landmark).unwrap_or(&label.name);
+        let _ = writeln!(text, "\t<object>\n\t\t<name>{}</name>", escape(name));
+        raw(&mut text, &label.properties, "\t\t");
+        let flag = |on: bool| u8::from(on);
+        let _ = writeln!(
+            text,
+            "\t\t<truncated>{}</truncated>\n\t\t<difficult>{}</difficult>\n\t\t<bndbox>\
+             <xmin>{}</xmin><ymin>{}</ymin><xmax>{}</xmax><ymax>{}</ymax></bndbox>\n\
+             \t\t<{OWN} landmark=\"{}\"/>\n\t</object>",
+            flag(label.truncated),
+            flag(label.difficult),
+            label.min[0] + 1.0,
+            label.min[1] + 1.0,
+            label.max[0],
+            label.max[1],
+            label.landmark,
+        );
+    }
+    if !frame.absent.is_empty() {
+        let _ = writeln!(text, "\t<{OWN}>");
+        for id in &frame.absent {
+            let name = names.get(id).map_or("", String::as_str);
+            let _ = writeln!(
+                text,
+                "\t\t<absent landmark=\"{id}\">{}</absent>",
+                escape(name)
+            );
+        }
+        let _ = writeln!(text, "\t</{OWN}>");
+    }
+    text.push_str("</annotation>\n");
+    text
+}

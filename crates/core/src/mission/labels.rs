@@ -1,0 +1,253 @@
+//! Boxes that people put around landmarks in the pictures of a flight.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::Mission;
+
+/// Steps per pixel in which corners are kept: fine enough for a hand, and exact in every format.
+const STEPS: f64 = 256.0;
+/// Least side of a box, pixels.
+const LEAST_SIDE: f64 = 2.0;
+
+/// Where a landmark is in one picture.
+///
+/// Pixels with x right and y down, origin at the outer corner of the top left pixel; fractions count.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LabelBox {
+    /// Id of the landmark.
+    pub landmark: u32,
+    /// Its name when the label was made.
+    pub name: String,
+    /// Left and top edge.
+    pub min: [f64; 2],
+    /// Right and bottom edge.
+    pub max: [f64; 2],
+    /// Whether it is hard to see: trainers may leave it out.
+    #[serde(default)]
+    pub difficult: bool,
+    /// Whether the picture ends before the landmark does.
+    #[serde(default)]
+    pub truncated: bool,
+    /// What its file said beside that, by name, as it stood there.
+    #[serde(default)]
+    pub properties: BTreeMap<String, String>,
+}
+
+impl LabelBox {
+    /// A box between two corners in a picture of `size` (width, height), cut at its edges; `None` if
+    /// too little of it lies in the picture.
+    pub fn new(
+        landmark: u32,
+        name: &str,
+        corners: [[f64; 2]; 2],
+        size: (u32, u32),
+    ) -> Option<Self> {
+        let limits = [f64::from(size.0), f64::from(size.1)];
+        let [a, b] = corners;
+        let (mut min, mut max, mut truncated) = ([0.0; 2], [0.0; 2], false);
+        for axis in 0..2 {
+            let (low, high) = (a[axis].min(b[axis]), a[axis].max(b[axis]));
+            if !(low.is_finite() && high.is_finite()) {
+                return None;
+            }
+            let kept = |v: f64| (v.clamp(0.0, limits[axis]) * STEPS).round() / STEPS;
+            (min[axis], max[axis]) = (kept(low), kept(high));
+            truncated |= low <= 0.0 || high >= limits[axis];
+        }
+        let is_seen = (0..2).all(|axis| max[axis] - min[axis] >= LEAST_SIDE);
+        is_seen.then(|| Self {
+            landmark,
+            name: name.to_owned(),
+            min,
+            max,
+            difficult: false,
+            truncated,
+            properties: BTreeMap::new(),
+        })
+    }
+
+    /// Width and height, pixels.
+    pub fn size(&self) -> [f64; 2] {
+        [self.max[0] - self.min[0], self.max[1] - self.min[1]]
+    }
+}
+
+/// What people said of one picture. A landmark has one place in the world, so at most one box.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct FrameLabels {
+    /// File name of the picture, as the flight has it.
+    pub frame: String,
+    /// Width and height of the picture, pixels.
+    pub size: (u32, u32),
+    /// The boxes.
+    #[serde(default)]
+    pub boxes: Vec<LabelBox>,
+    /// Ids of landmarks that are certainly not in the picture: views for a trainer to learn from.
+    #[serde(default)]
+    pub absent: Vec<u32>,
+    /// What its file said beside that, by name, as it stood there.
+    #[serde(default)]
+    pub properties: BTreeMap<String, String>,
+}
+
+impl FrameLabels {
+    /// The box of a landmark.
+    pub fn of(&self, landmark: u32) -> Option<&LabelBox> {
+        self.boxes.iter().find(|b| b.landmark == landmark)
+    }
+
+    /// Whether a landmark is marked as not in the picture.
+    pub fn lacks(&self, landmark: u32) -> bool {
+        self.absent.contains(&landmark)
+    }
+
+    fn forget(&mut self, landmark: u32) {
+        self.boxes.retain(|b| b.landmark != landmark);
+        self.absent.retain(|id| *id != landmark);
+    }
+}
+
+impl Mission {
+    /// What was said of a picture.
+    pub fn labels_of(&self, frame: &str) -> Option<&FrameLabels> {
+        self.labels.iter().find(|l| l.frame == frame)
+    }
+
+    /// Pictures with a box of a landmark, and pictures that are marked as without it.
+    pub fn label_counts(&self, landmark: u32) -> (usize, usize) {
+        let count =
+            |of: &dyn Fn(&FrameLabels) -> bool| self.labels.iter().filter(|l| of(l)).count();
+        (
+            count(&|l| l.of(landmark).is_some()),
+            count(&|l| l.lacks(landmark)),
+        )
+    }
+
+    /// Puts a box into a picture of `size`, in place of an earlier one of the same landmark.
+    pub fn set_label(&mut self, frame: &str, size: (u32, u32), label: LabelBox) {
+        let labels = self.labels_entry(frame, size);
+        let place = labels
+            .boxes
+            .iter()
+            .position(|b| b.landmark == label.landmark);
+        labels.absent.retain(|id| *id != label.landmark);
+        match place {
+            Some(place) => labels.boxes[place] = label,
+            None => labels.boxes.push(label),
+        }
+    }
+
+    /// Marks a landmark as not in a picture of `size`; a box of it goes.
+    pub fn mark_absent(&mut self, frame: &str, size: (u32, u32), landmark: u32) {
+        let labels = self.labels_entry(frame, size);
+        labels.forget(landmark);
+        labels.absent.push(landmark);
+    }
+
+    /// Takes away what was said of a landmark in a picture; false if that was nothing.
+    pub fn clear_label(&mut self, frame: &str, landmark: u32) -> bool {
+        let known = |l: &FrameLabels| l.of(landmark).is_some() || l.lacks(landmark);
+        let Some(place) = self
+            .labels
+            .iter()
+            .position(|l| l.frame == frame && known(l))
+        else {
+            return false;
+        };
+        let labels = &mut self.labels[place];
+        labels.forget(landmark);
+        if labels.boxes.is_empty() && labels.absent.is_empty() && labels.properties.is_empty() {
+            self.labels.remove(place);
+        }
+        true
+    }
+
+    /// Adds labels; where a landmark is labelled in the same picture already, the new one counts.
+    pub fn add_labels(&mut self, frames: Vec<FrameLabels>) {
+        for frame in frames {
+            let FrameLabels {
+                frame: name,
+                size,
+                boxes,
+                absent,
+                properties,
+            } = frame;
+            self.labels_entry(&name, size).properties.extend(properties);
+            for id in absent {
+                self.mark_absent(&name, size, id);
+            }
+            for label in boxes {
+                self.set_label(&name, size, label);
+            }
+        }
+    }
+
+    fn labels_entry(&mut self, frame: &str, size: (u32, u32)) -> &mut FrameLabels {
+        let known = self.labels.iter().position(|l| l.frame == frame);
+        let place = known.unwrap_or_else(|| {
+            let place = self.labels.partition_point(|l| l.frame.as_str() < frame);
+            let new = FrameLabels {
+                frame: frame.to_owned(),
+                ..FrameLabels::default()
+            };
+            self.labels.insert(place, new);
+            place
+        });
+        let labels = &mut self.labels[place];
+        labels.size = size;
+        labels
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mission::read_mission;
+
+    const SIZE: (u32, u32) = (640, 480);
+
+    fn mission() -> Mission {
+        let text = r#"{ "type": "FeatureCollection", "features": [] }"#;
+        read_mission(text.as_bytes()).unwrap()
+    }
+
+    fn label(landmark: u32, left: f64) -> LabelBox {
+        LabelBox::new(landmark, "Barn", [[left, 10.0], [left + 30.5, 42.25]], SIZE).unwrap()
+    }
+
+    #[test]
+    fn a_landmark_has_one_box_in_a_picture_and_is_in_it_or_not() {
+        let mut mission = mission();
+        mission.set_label("00002.jpg", SIZE, label(1, 5.0));
+        mission.set_label("00001.jpg", SIZE, label(1, 5.0));
+        mission.set_label("00002.jpg", SIZE, label(1, 90.0));
+        mission.set_label("00002.jpg", SIZE, label(2, 7.0));
+        assert_eq!(mission.labels_of("00002.jpg").unwrap().boxes.len(), 2);
+        assert_eq!(
+            mission.labels_of("00002.jpg").unwrap().of(1).unwrap().min[0],
+            90.0
+        );
+        assert_eq!(
+            mission.labels[0].frame, "00001.jpg",
+            "in the order of names"
+        );
+        mission.mark_absent("00002.jpg", SIZE, 1);
+        assert_eq!(mission.label_counts(1), (1, 1));
+        mission.set_label("00002.jpg", SIZE, label(1, 4.0));
+        assert_eq!(mission.label_counts(1), (2, 0));
+        assert!(mission.clear_label("00001.jpg", 1) && !mission.clear_label("00001.jpg", 1));
+        assert_eq!(mission.labels.len(), 1, "nothing is left of the first");
+    }
+
+    #[test]
+    fn a_box_is_cut_at_the_edges_and_says_so() {
+        let cut = LabelBox::new(1, "", [[-20.0, 30.0], [15.5, 12.0]], SIZE).unwrap();
+        assert_eq!((cut.min, cut.max), ([0.0, 12.0], [15.5, 30.0]));
+        assert!(cut.truncated && !label(1, 5.0).truncated);
+        assert_eq!(cut.size(), [15.5, 18.0]);
+        assert!(LabelBox::new(1, "", [[-20.0, 3.0], [1.0, 12.0]], SIZE).is_none());
+        assert!(LabelBox::new(1, "", [[f64::NAN, 3.0], [9.0, 12.0]], SIZE).is_none());
+    }
+}
