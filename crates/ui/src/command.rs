@@ -7,6 +7,7 @@ use pilotage_core::navigator::NavigatorSettings;
 use crate::dialogs::WebMapCommand;
 use crate::georeference::GeoreferenceCommand;
 use crate::jobs::SimulationOptions;
+use crate::labelling::LabelCommand;
 use crate::plan::PlanCommand;
 use serde::{Deserialize, Serialize};
 
@@ -137,6 +138,8 @@ pub enum Command {
     WebMap(WebMapCommand),
     /// Something about the picture that is put on the ground.
     Georeference(GeoreferenceCommand),
+    /// Something about labels.
+    Label(LabelCommand),
     /// Something about the plan.
     Plan(PlanCommand),
 }

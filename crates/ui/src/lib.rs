@@ -9,6 +9,7 @@ pub mod georeference;
 pub mod host;
 pub mod jobs;
 pub mod kept_mesh;
+pub mod labelling;
 pub mod map;
 pub mod plan;
 pub mod shell;

@@ -21,7 +21,7 @@ fn counted(count: usize, one: &str) -> Option<String> {
 }
 
 /// Notes as sentences.
-fn sentences(notes: &[String]) -> String {
+pub(super) fn sentences(notes: &[String]) -> String {
     let mut text = String::new();
     for note in notes.iter().take(MOST_NOTES) {
         let mut letters = note.trim_end_matches('.').chars();

@@ -22,6 +22,7 @@ impl App {
         }
         match command {
             Command::Plan(command) => self.plan(command, now),
+            Command::Label(command) => self.label(command, host),
             Command::WebMap(command) => self.web_map(command, host),
             Command::Georeference(command) => self.georeference(&command, host),
             Command::Undo | Command::Redo if self.views.georeferencer.is_some() => {

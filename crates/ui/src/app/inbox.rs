@@ -296,6 +296,7 @@ impl App {
             run,
             unplaced,
             imports,
+            labels,
             beside,
             remarks,
         } = opened;
@@ -353,8 +354,11 @@ impl App {
                 self.documents.run_complete = true;
             }
         }
-        let adds = !imports.is_empty();
+        let adds = !imports.is_empty() || labels.is_some();
         self.add_imports(now, imports);
+        if let Some(labels) = labels {
+            self.add_labels(now, &opening.name, labels);
+        }
         if parts.is_empty() && adds {
             // What was added is told already.
         } else if parts.is_empty() {

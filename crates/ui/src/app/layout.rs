@@ -11,6 +11,7 @@ use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
 use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
+use crate::labelling::LabelCommand;
 use crate::map::MapExtra;
 use crate::plan::plan_readouts;
 use crate::shell::{Examined, TopBar, help_sheet, icon_button, icons::Icon, tab, top_bar};
@@ -104,6 +105,7 @@ impl App {
             examined_in_vain: desk.examined_in_vain.as_ref(),
         };
         let planning = scene.view.workspace == Workspace::Plan;
+        let labelling = scene.view.workspace == Workspace::Replay && views.labeller.is_some();
         if views.georeferencer.is_some() {
             georeferencing(ui, &mut scene, views, commands);
             self.overlays(ui, &tokens, now, commands, narrow);
@@ -115,6 +117,11 @@ impl App {
             }
         } else {
             timeline(ui, &scene, views, commands);
+        }
+        if labelling {
+            label_pictures(ui, &mut scene, views, commands, narrow);
+            self.overlays(ui, &tokens, now, commands, narrow);
+            return;
         }
         if scene.view.side_open || *scene.settings {
             if narrow {
@@ -150,6 +157,41 @@ impl App {
         let bottom = if narrow { 112.0 } else { 80.0 };
         self.toasts.show(ui, tokens, now, bottom);
     }
+}
+
+/// The picture that is labelled, large, and the landmarks beside it or below.
+fn label_pictures(
+    ui: &mut Ui,
+    scene: &mut Scene<'_>,
+    views: &mut Views,
+    commands: &mut Vec<Command>,
+    narrow: bool,
+) {
+    let tokens = scene.tokens;
+    let Views {
+        labeller, camera, ..
+    } = views;
+    let Some(labeller) = labeller else { return };
+    let (past, future) = scene.documents.history.depth();
+    let panel = if narrow {
+        let height = ui.ctx().content_rect().height();
+        Panel::bottom("labels below").exact_size(0.4 * height)
+    } else {
+        Panel::right("labels").exact_size(344.0)
+    };
+    let frame = plain_frame(tokens, Margin::symmetric(12, 8));
+    panel.frame(frame).show(ui, |ui| {
+        let width = ui.available_width();
+        egui::ScrollArea::vertical()
+            .auto_shrink(false)
+            .show(ui, |ui| {
+                ui.set_max_width(width);
+                scene.with_context(commands, |context| {
+                    labeller.panel(ui, context, (past > 0, future > 0));
+                });
+            });
+    });
+    scene.with_context(commands, |context| labeller.show(ui, context, camera));
 }
 
 /// The picture that is put on the ground, the map beside it, and the points.
@@ -338,6 +380,21 @@ fn camera(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<
     let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(rect).id_salt("camera"));
     inside.set_clip_rect(rect.intersect(ui.clip_rect()));
     scene.with_context(commands, |context| views.camera.show(&mut inside, context));
+    if scene.view.workspace == Workspace::Replay && scene.documents.flight.is_some() {
+        let side = 4.0 * scene.tokens.space;
+        let corner = egui::Rect::from_min_size(rect.left_top(), vec2(side, side));
+        let mut corner = ui.new_child(egui::UiBuilder::new().max_rect(corner));
+        let painter = corner.painter();
+        painter.rect_filled(
+            corner.max_rect(),
+            scene.tokens.radius,
+            scene.tokens.over_map(),
+        );
+        let label = "Label landmarks in the pictures (K)";
+        if icon_button(&mut corner, scene.tokens, Icon::Pick, label).clicked() {
+            commands.push(Command::Label(LabelCommand::Toggle));
+        }
+    }
 }
 
 fn tabbed(

@@ -7,6 +7,7 @@ mod execute;
 mod georeferencing;
 mod inbox;
 mod keeping;
+mod labelling;
 mod layout;
 mod link;
 mod maps;
@@ -23,6 +24,7 @@ use crate::dialogs::{SimulateDialog, WebMapDialog};
 use crate::documents::{Documents, ViewState};
 use crate::georeference::Georeferencer;
 use crate::host::Host;
+use crate::labelling::Labeller;
 use crate::map::MapView;
 use crate::plan::Planner;
 use crate::shell::keys::ShortcutListener;
@@ -72,6 +74,7 @@ struct Views {
     landmarks: LandmarkList,
     planner: Planner,
     georeferencer: Option<Georeferencer>,
+    labeller: Option<Labeller>,
 }
 
 /// The app.

@@ -84,6 +84,15 @@ impl App {
                     "epsg": it.system.map(|s| s.epsg()),
                 })
             }),
+            "labelling": self.views.labeller.as_ref().map(|it| json!({
+                "picture": rect_json(it.picture_rect()),
+                "proposal": it.proposal().map(|(_, label)| [label.min, label.max]),
+            })),
+            "labels": documents.mission.labels.iter().map(|l| json!({
+                "frame": l.frame,
+                "boxes": l.boxes.iter().map(|b| json!([b.name, b.min, b.max])).collect::<Vec<_>>(),
+                "absent": l.absent,
+            })).collect::<Vec<_>>(),
             "terrain": documents.terrain.heights().map(|grid| {
                 let center = grid.height_at(&self.views.map.camera.center);
                 json!({

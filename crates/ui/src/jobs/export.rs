@@ -1,9 +1,10 @@
 //! Files for other programs, as a job: the page needs no writer of theirs.
 
+use pilotage_core::exchange::labels::{LabelFormat, write_labels};
 use pilotage_core::exchange::{Format, Written, write_routes_and_landmarks};
 use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::Route;
+use pilotage_core::mission::{FrameLabels, Route};
 use serde::{Deserialize, Serialize};
 
 /// What is written, and how.
@@ -19,6 +20,15 @@ pub enum ExportOrder {
         landmarks: Vec<Landmark>,
         /// Origin of the world in which they lie.
         origin: Geodetic,
+    },
+    /// Labels of pictures.
+    Labels {
+        /// The format.
+        format: LabelFormat,
+        /// What was said of each picture.
+        frames: Vec<FrameLabels>,
+        /// The landmarks, whose names are written.
+        landmarks: Vec<Landmark>,
     },
 }
 
@@ -36,6 +46,11 @@ impl ExportOrder {
                 write_routes_and_landmarks(*format, routes, landmarks, &frame)
                     .map_err(|cause| cause.to_string())
             }
+            Self::Labels {
+                format,
+                frames,
+                landmarks,
+            } => write_labels(*format, frames, landmarks).map_err(|cause| cause.to_string()),
         }
     }
 }

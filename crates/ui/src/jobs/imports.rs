@@ -1,5 +1,6 @@
 //! Routes and landmarks of other programs among dropped files.
 
+use pilotage_core::exchange::labels::{FoundLabels, LabelFormat, read_labels};
 use pilotage_core::exchange::{Format, Imported, read_any};
 use pilotage_core::flight::files::FileSet as _;
 use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame};
@@ -59,6 +60,21 @@ pub fn imports(
         found.push(placed(name, imported)?);
     }
     Ok(found)
+}
+
+/// Reads every file of labels, in either format.
+pub fn labels(pool: &FilePool) -> Result<Option<FoundLabels>, String> {
+    let mut names = pool.ending_in(&["xml", "json"]);
+    names.sort();
+    let mut all: Option<FoundLabels> = None;
+    for name in names {
+        let bytes = pool.read(&name).unwrap_or_default();
+        if LabelFormat::of(&bytes).is_some() {
+            let found = read_labels(&name, &bytes).map_err(|cause| cause.to_string())?;
+            all.get_or_insert_default().add(found);
+        }
+    }
+    Ok(all)
 }
 
 /// Whether plain text or JSON, which may be anything, is what its name leaves open.

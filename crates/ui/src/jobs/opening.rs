@@ -17,7 +17,7 @@ use super::beside::BESIDE;
 use super::file_pool::{FilePool, has_ending};
 use super::flights::{KeptFrames, OpenFlight};
 use super::heights::describe_terrain;
-use super::imports::{imports, is_mission};
+use super::imports::{imports, is_mission, labels};
 use super::workshop::{MAP_MEMORY, describe};
 use super::{MapInfo, Opened, Unplaced};
 use crate::documents::decode_run;
@@ -54,11 +54,13 @@ pub fn look_through(
     let mission = mission(pool, flight.is_some())?;
     let run = run(pool)?;
     let imports = imports(pool, origin, flight.is_some())?;
+    let labels = labels(pool)?;
     let mut remarks = Vec::new();
     let nothing = flight.is_none()
         && map.is_none()
         && mission.is_none()
         && run.is_none()
+        && labels.is_none()
         && imports.is_empty();
     let unplaced = if nothing && terrain.is_none() {
         Some(unplaced(pool).ok_or_else(|| unknown(pool))?)
@@ -86,6 +88,7 @@ pub fn look_through(
         run,
         unplaced,
         imports,
+        labels,
         beside,
         remarks,
     })

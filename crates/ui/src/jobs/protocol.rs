@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use pilotage_core::exchange::labels::FoundLabels;
 use pilotage_core::flight::Flight;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
 use pilotage_core::imagery::terrain::HeightGrid;
@@ -303,6 +304,8 @@ pub struct Opened {
     pub unplaced: Option<Unplaced>,
     /// Routes and landmarks of other programs, to be added to the mission.
     pub imports: Vec<ImportedFile>,
+    /// Labels of pictures, to be added to the mission.
+    pub labels: Option<FoundLabels>,
     /// What was open beside the mission when it was saved.
     pub beside: Option<Beside>,
     /// What was skipped, in words.

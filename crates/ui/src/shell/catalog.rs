@@ -3,9 +3,11 @@
 
 use egui::{Key, KeyboardShortcut, Modifiers};
 use pilotage_core::exchange::Format;
+use pilotage_core::exchange::labels::LabelFormat;
 
 use crate::command::{Command, Workspace};
 use crate::dialogs::WebMapCommand;
+use crate::labelling::LabelCommand;
 use crate::plan::{FindCommand, FindPick, HeatCommand, PlanCommand, Purpose};
 
 /// Where a command stands in the help sheet and the palette.
@@ -121,6 +123,7 @@ pub fn catalog() -> Vec<Entry> {
     entries.extend(edit());
     entries.extend(plan());
     entries.extend(ground());
+    entries.extend(labels());
     entries.extend(document());
     entries
 }
@@ -410,6 +413,48 @@ fn ground() -> Vec<Entry> {
             "Draw a no-fly area",
             vec![shift(Key::A)],
             PlanCommand::Find(FindCommand::Pick(FindPick::Area)),
+        ),
+    ]
+}
+
+fn labels() -> Vec<Entry> {
+    let of =
+        |label, shortcuts, command| entry(Group::Edit, label, shortcuts, Command::Label(command));
+    vec![
+        of(
+            "Label landmarks in the pictures",
+            vec![plain(Key::K)],
+            LabelCommand::Toggle,
+        ),
+        of(
+            "Propose the label of the landmark",
+            vec![plain(Key::Q)],
+            LabelCommand::Propose,
+        ),
+        of(
+            "The landmark is not in the picture",
+            vec![plain(Key::O)],
+            LabelCommand::MarkAbsent,
+        ),
+        of(
+            "The landmark is hard to see in the picture",
+            vec![plain(Key::Y)],
+            LabelCommand::ToggleDifficult,
+        ),
+        of(
+            "Delete the label of the landmark",
+            vec![],
+            LabelCommand::Delete,
+        ),
+        of(
+            "Export the labels as COCO",
+            vec![],
+            LabelCommand::Export(LabelFormat::Coco),
+        ),
+        of(
+            "Export the labels as Pascal VOC",
+            vec![],
+            LabelCommand::Export(LabelFormat::Voc),
         ),
     ]
 }

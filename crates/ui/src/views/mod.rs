@@ -12,7 +12,7 @@ mod evaluation;
 mod fixture;
 mod inspector;
 mod matching;
-mod parts;
+pub(crate) mod parts;
 mod picking;
 #[cfg(test)]
 mod pictures;

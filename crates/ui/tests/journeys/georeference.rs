@@ -21,6 +21,7 @@ fn rig_with_a_picture() -> Rig {
             points: None,
         }),
         imports: Vec::new(),
+        labels: None,
         beside: None,
         remarks: Vec::new(),
     });

@@ -10,6 +10,7 @@ mod first_screen;
 mod fly_again;
 mod georeference;
 mod keyboard_landmark;
+mod labels;
 mod link;
 mod lost_worker;
 mod names;

@@ -39,6 +39,7 @@ fn nothing() -> Opened {
         mission: None,
         run: None,
         imports: Vec::new(),
+        labels: None,
         beside: None,
         remarks: Vec::new(),
     }

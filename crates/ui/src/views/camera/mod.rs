@@ -86,6 +86,23 @@ impl CameraView {
         self.cache.clear();
     }
 
+    /// The texture of the picture of frame `index`, or of the one before it until that is decoded, and
+    /// the frame that it is of; for views that draw the picture themselves.
+    pub fn picture_at(
+        &mut self,
+        egui: &egui::Context,
+        context: &ViewContext<'_>,
+        index: usize,
+    ) -> Option<(egui::TextureId, usize)> {
+        let shown = self.cache.update(egui, index, (context.pictures)(index))?;
+        Some((self.cache.texture()?, shown))
+    }
+
+    /// What is wrong with the picture at the cursor, in words.
+    pub fn trouble(&self) -> Option<&str> {
+        self.cache.trouble()
+    }
+
     /// Draws the view into the space that `ui` has left.
     pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
         let tokens = context.tokens;

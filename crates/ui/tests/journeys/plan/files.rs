@@ -19,6 +19,7 @@ fn opened(rig: &mut Rig, file: ImportedFile) {
         run: None,
         unplaced: None,
         imports: vec![file],
+        labels: None,
         beside: None,
         remarks: Vec::new(),
     });

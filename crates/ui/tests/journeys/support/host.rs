@@ -52,6 +52,8 @@ pub struct ScriptedHost {
     pub opening_fails: Option<String>,
     /// What opened files turn out to be.
     pub opens: Option<Opened>,
+    /// Look at opened files as a worker does.
+    pub really_open: bool,
     /// Height of the ground in the elevation model that is opened, metres.
     pub heights: Option<fn(&GroundPoint) -> f64>,
 }
@@ -154,6 +156,7 @@ impl ScriptedHost {
                 say(JobEvent::Distinctness(Box::new(found)));
                 say(JobEvent::Finished);
             }
+            Job::Open { .. } if self.really_open => self.carry_out(id, job),
             Job::Open { key, .. } => {
                 if let Some(mut opened) = self.opens.clone() {
                     opened.key.clone_from(key);

@@ -1,0 +1,48 @@
+//! Where a landmark must be in a picture, by the pose from which that was taken.
+
+use nalgebra::Point3;
+use pilotage_core::flight::FrameTruth;
+use pilotage_core::frames::Pose;
+use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::LabelBox;
+
+use crate::context::ViewContext;
+
+/// The box around a landmark's map box as the frame's pose sees it: the true pose where it is known,
+/// else the one that the navigator assumed. `None` if no pose is known or too little is in the picture.
+pub(super) fn proposed(
+    context: &ViewContext<'_>,
+    frame: usize,
+    landmark: &Landmark,
+) -> Option<LabelBox> {
+    let flight = context.flight?;
+    let truth = flight.truth.as_ref().and_then(|t| t.frames.get(frame));
+    let pose = truth
+        .and_then(FrameTruth::pose)
+        .or_else(|| assumed(context, frame))?;
+    let mut camera = flight.camera.clone();
+    camera.mount.yaw += flight.frames.get(frame)?.stored_turn;
+    let bounds = landmark.bounds;
+    let corners = [
+        (bounds.north, bounds.west),
+        (bounds.north, bounds.east),
+        (bounds.south, bounds.east),
+        (bounds.south, bounds.west),
+    ];
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for (north, east) in corners {
+        let pixel = camera.project(&pose, &Point3::new(north, east, flight.ground_down))?;
+        for (axis, value) in [pixel.x, pixel.y].into_iter().enumerate() {
+            low[axis] = low[axis].min(value);
+            high[axis] = high[axis].max(value);
+        }
+    }
+    let size = (camera.width as u32, camera.height as u32);
+    LabelBox::new(landmark.id, &landmark.name, [low, high], size)
+}
+
+fn assumed(context: &ViewContext<'_>, frame: usize) -> Option<Pose> {
+    let reports = context.run?.steps.iter().filter_map(|s| s.frame.as_ref());
+    let report = reports.into_iter().find(|r| r.index == frame);
+    report.map(|r| r.assumed_pose)
+}
