@@ -55,6 +55,7 @@ export async function run(page, tools) {
     await inPicture(pixel);
     await tools.waitFor((s) => s.georeferencer.pending[0], "the point in the picture");
     await tools.click(await tools.find("TextInput", "Coordinates of the place"));
+    await tools.drawn(); // or the first letters are for nobody
     await page.keyboard.type(placeOf(pixel).join(" "));
     await page.keyboard.press("Enter");
     await count(4 + i);

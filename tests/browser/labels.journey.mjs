@@ -34,10 +34,10 @@ export async function run(page, tools) {
 
   // A proposal where the true pose sees a landmark, in some picture of the flight.
   let proposed = null;
-  for (let tried = 0; tried < 40 && !proposed; tried += 1) {
+  for (let tried = 0; tried < 180 && !proposed; tried += 1) {
     await page.keyboard.press("ArrowDown");
     await page.keyboard.press("q");
-    await page.waitForTimeout(60);
+    await tools.drawn();
     proposed = (await tools.state()).labelling.proposal;
     if (!proposed && tried % 12 === 11) {
       for (let up = 0; up < 12; up += 1) await page.keyboard.press("ArrowUp");

@@ -87,6 +87,9 @@ export function makeTools({ page, address, pictures, watched, atEnd }) {
       await tools.click(called.toSorted((a, b) => b.rect[0] - a.rect[0])[0]);
     },
 
+    /** Waits until what was done is drawn: one frame takes it in, the next shows it. */
+    drawn: () => page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); })),
+
     /** Clicks the middle of a node. */
     async click(node) {
       const { x, y } = tools.middle(node);

@@ -14,10 +14,13 @@ struct Files {
     voc: String,
 }
 
+/// Picture, name, left, top, right, bottom, whether it is hard to see, whether it is cut off.
+type VocBox = (String, String, f64, f64, f64, f64, u8, u8);
+
 #[derive(Deserialize)]
 struct Read {
     coco: Vec<(String, String, f64, f64, f64, f64, f64)>,
-    voc: Vec<(String, String, f64, f64, f64, f64, u8, u8)>,
+    voc: Vec<VocBox>,
 }
 
 #[test]
