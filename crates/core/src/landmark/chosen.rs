@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::Matrix2;
 
 use super::choice::DetectorChoice;
-use super::trained::CascadeDetector;
+use super::trained::{BELIEVED, CascadeDetector};
 use super::{
     Detection, Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting, TemplateDetector,
     TemplateSettings,
@@ -68,16 +68,12 @@ impl ChosenDetector {
         });
         if square <= SAME_PLACE {
             // Two that know nothing of each other name one place: the finer of them says where.
-            let says = trained
-                .patch_likelihood
-                .map_or(0.0, |l| l.log_odds(patch.score));
-            let odds = logit(cascade.score) + says;
             let detection = Detection {
-                score: 1.0 / (1.0 + (-odds).exp()),
+                score: cascade.score,
                 second_score: cascade.second_score,
                 ..*patch
             };
-            return if odds >= logit(trained.believed()) {
+            return if detection.score >= BELIEVED {
                 Sighting::Found(detection)
             } else {
                 Sighting::Refused(Refusal::LowScore, Some(detection))
@@ -92,11 +88,6 @@ impl ChosenDetector {
             _ => by_patch,
         }
     }
-}
-
-fn logit(p: f64) -> f64 {
-    let p = p.clamp(1e-9, 1.0 - 1e-9);
-    (p / (1.0 - p)).ln()
 }
 
 impl Detector for ChosenDetector {

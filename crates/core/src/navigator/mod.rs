@@ -18,6 +18,7 @@ mod summary;
 pub use crate::landmark::Refusal;
 pub use bound::position_bound;
 pub(crate) use engine::vehicle;
+pub(crate) use pipeline::PYRAMID_LEVELS;
 pub use pipeline::{Navigator, NavigatorError, explain};
 pub use report::{
     CandidateReport, Control, Estimate, FrameReport, JointReport, Outcome, SigmaSets, StepReport,

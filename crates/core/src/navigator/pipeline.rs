@@ -26,7 +26,7 @@ use crate::vehicle::ControlInput;
 /// Times closer than this are one step, seconds.
 const SAME_TIME: f64 = 1e-6;
 /// Levels of the picture pyramid.
-const PYRAMID_LEVELS: usize = 6;
+pub(crate) const PYRAMID_LEVELS: usize = 6;
 
 /// Why navigation cannot begin or go on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

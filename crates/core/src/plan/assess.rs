@@ -22,17 +22,20 @@ use crate::imagery::Imagery;
 use crate::landmark::{
     ChosenDetector, Detector, FrameView, Landmark, SearchRequest, Sighting, TemplateSettings,
 };
-use crate::navigator::SensorNoise;
+use crate::navigator::{PYRAMID_LEVELS, SensorNoise};
 use crate::raster::Pyramid;
 use crate::simulate::{AerialCamera, AerialCameraSettings};
 
-/// Levels of the picture pyramid, as in the navigator.
-const PYRAMID_LEVELS: usize = 6;
 /// How much of what may be searched is drawn as on the day: all but the outermost that a search comes
 /// to if the filter is off by half a standard deviation of its search window and more.
 const DRAWN: f64 = 0.8;
 /// A place this far off is wrong if it is off by as many pixels, too: metres and pixels.
 const WRONG: (f64, f64) = (2.0, 5.0);
+
+/// How far off a right place may be where a pixel of the camera covers that many metres, metres.
+pub(crate) fn tolerance(pixel: f64) -> f64 {
+    WRONG.0.max(WRONG.1 * pixel)
+}
 
 /// How often a landmark is looked at before the flight.
 ///
@@ -355,10 +358,8 @@ impl Assessor {
         };
         let sighting = self.detector.detect(&view, &request);
         let error = sighting.best().map(|d| d.ground.distance(&look.expected));
-        let pixels = error.map(|e| e * c.camera.focal / c.height);
-        let wrong = matches!(sighting, Sighting::Found(_))
-            && error.is_some_and(|e| e > WRONG.0)
-            && pixels.is_some_and(|p| p > WRONG.1);
+        let near = tolerance(c.height / c.camera.focal);
+        let wrong = matches!(sighting, Sighting::Found(_)) && error.is_some_and(|e| e > near);
         let view = View {
             day: look.day,
             heading: look.heading,

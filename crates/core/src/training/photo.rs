@@ -13,12 +13,11 @@ use crate::camera::CameraModel;
 use crate::frames::{Attitude, GroundPoint, GroundRect, Pose};
 use crate::imagery::Imagery;
 use crate::landmark::{FrameView, Landmark};
+use crate::navigator::PYRAMID_LEVELS;
 use crate::plan::day_ground::{DayGround, crop};
 use crate::raster::{Picture, Pyramid};
 use crate::simulate::{AerialCamera, AerialCameraSettings};
 
-/// Levels of the picture pyramid, as in the navigator.
-const PYRAMID_LEVELS: usize = 6;
 /// Standard deviations of the search region that the detector is given.
 const SEARCH_SIGMAS: f64 = 3.5;
 /// Tries to place a landmark in a picture before it is said not to fit.

@@ -9,7 +9,7 @@ use rand_chacha::ChaCha8Rng;
 use serde::{Deserialize, Serialize};
 
 use super::envelope::FlightEnvelope;
-use super::evaluation::{EvaluatedLook, EvaluatedMark};
+use super::evaluation::{EvaluatedLook, EvaluatedMark, look};
 use super::photo::Photographer;
 use super::plan::TrainingPlan;
 use super::sample::Sample;
@@ -17,20 +17,13 @@ use crate::imagery::Imagery;
 use crate::landmark::Landmark;
 use crate::landmark::cascade::train::{CascadeTraining, StageGoal, StageRow, TrainingSettings};
 use crate::landmark::cascade::{Cascade, CascadeError, Patch, TrainedStage, responses};
-use crate::landmark::trained::{DetectorWindow, Likelihood, TrainedDetector, search};
+use crate::landmark::trained::{DetectorWindow, Likelihood, TrainedDetector};
 use crate::plan::OtherDays;
 
 /// Of the photos, one in so many is of a look-alike, if there are any.
 const LOOK_ALIKE_EVERY: usize = 4;
 /// With fewer windows than this that pass though they should not, there is nothing left to learn from.
 const FEWEST_FALSE: usize = 40;
-/// A mark this far off is wrong if it is off by as many pixels of the camera, too: metres and pixels.
-const WRONG: (f64, f64) = (2.0, 5.0);
-
-/// How far off a right mark may be where a pixel of the camera covers that many metres, metres.
-pub(in crate::training) fn tolerance(pixel: f64) -> f64 {
-    WRONG.0.max(WRONG.1 * pixel)
-}
 
 /// Why a detector cannot be trained.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -406,39 +399,10 @@ impl DetectorTraining {
         };
         self.next += 1;
         let photo = photo.ok_or_else(|| self.too_large())?;
-        let (Some(assumed), Some(cascade)) = (self.judge.assume(&photo), &self.current) else {
-            return Ok(());
-        };
-        let envelope = self.judge.envelope();
-        let reach = self.judge.reach();
-        let view = photo.view(&assumed, envelope.ground_down);
-        // Where the filter expects it: its map place, which appears elsewhere by the pose's error.
-        let middle = photo.around.center();
-        let found = search(cascade, &self.window, &view, middle, (reach, reach));
-        let pixel = photo.height / envelope.camera.focal;
-        let marks = found.map_or_else(
-            |_| Vec::new(),
-            |marks| {
-                let of = |m: &crate::landmark::trained::Mark| EvaluatedMark {
-                    score: m.score,
-                    offset: [
-                        m.ground.north - assumed.appears.north,
-                        m.ground.east - assumed.appears.east,
-                    ],
-                    right: photo.present && m.ground.distance(&assumed.appears) <= tolerance(pixel),
-                };
-                marks.list.iter().map(of).collect()
-            },
-        );
-        self.looks.push(EvaluatedLook {
-            day: photo.day,
-            height: photo.height,
-            tilt: photo.known_tilt[0].hypot(photo.known_tilt[1]),
-            heading_error: assumed.heading_error,
-            real: false,
-            present: photo.present,
-            marks,
-        });
+        if let Some(cascade) = &self.current {
+            let look = look(&mut self.judge, &photo, cascade, &self.window);
+            self.looks.extend(look);
+        }
         Ok(())
     }
 
@@ -466,7 +430,6 @@ impl DetectorTraining {
             window: self.window,
             bounds: self.landmark.bounds,
             least_score,
-            patch_likelihood: None,
             likelihood: Likelihood::fit(&judged),
             // A pixel's worth of knowledge from before, so that few marks do not pretend to know.
             covariance: (sum + Matrix2::identity() * (0.5 * pixel).powi(2)) / (count + 1.0),

@@ -11,8 +11,8 @@ use crate::landmark::{Detection, Detector, FrameView, Refusal, SearchRequest, Si
 const TURN: f64 = 0.5;
 /// The same of the logarithm of the scale.
 const LOG_SCALE: f64 = 0.3;
-/// Probability from which on the best of several marks is believed.
-const BELIEVED: f64 = 0.9;
+/// Probability from which on a place is believed.
+pub(in crate::landmark) const BELIEVED: f64 = 0.9;
 
 /// Finds landmarks by cascades that were trained for them.
 pub struct CascadeDetector {
@@ -58,7 +58,7 @@ impl Detector for CascadeDetector {
         let reach = request.half_extents(self.search_sigmas);
         let center = landmark.bounds.center();
         let marks = match search(&trained.cascade, &trained.window, view, center, reach) {
-            Ok(marks) => marks.list,
+            Ok(marks) => marks,
             Err(refusal) => return Sighting::Refused(refusal, None),
         };
         let likely = probabilities(trained, &marks);

@@ -9,8 +9,9 @@ mod likelihood;
 mod model;
 mod search;
 
+pub(super) use detector::BELIEVED;
 pub use detector::CascadeDetector;
 pub use likelihood::Likelihood;
 pub use model::{DetectorWindow, TrainedDetector};
 pub(crate) use search::to_bytes;
-pub use search::{Mark, Marks, Preparation, search};
+pub use search::{Mark, search};

@@ -51,17 +51,8 @@ pub struct TrainedDetector {
     pub least_score: f64,
     /// How likely a mark is right, by its score.
     pub likelihood: Likelihood,
-    /// By how much the score of the map patch changes the log odds of a place.
-    pub patch_likelihood: Option<Likelihood>,
     /// Covariance of the places of right marks (north, east) on held-out pictures, m².
     pub covariance: Matrix2<f64>,
-}
-
-impl TrainedDetector {
-    /// Probability from which on a place is believed.
-    pub fn believed(&self) -> f64 {
-        0.9
-    }
 }
 
 /// A cascade as base64 of its compact form.

@@ -4,7 +4,6 @@ use std::cmp::Ordering;
 
 use super::DetectorWindow;
 use crate::frames::GroundPoint;
-use crate::imagery::Window;
 use crate::landmark::cascade::{Cascade, Responses, responses};
 use crate::landmark::patch::window_around;
 use crate::landmark::template::in_picture;
@@ -17,17 +16,6 @@ const LEAST_COVERAGE: f64 = 0.995;
 const MOST_MARKS: usize = 8;
 /// Pixels around a mark whose responses say where its middle is.
 const AROUND: i64 = 3;
-
-/// How a picture is prepared before the cascade sees it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Preparation {
-    /// Turned north up, tilt taken out, at the scale of the window.
-    #[default]
-    Rectified,
-    /// At the scale of the window only, as if the camera looked straight down with its upper edge north:
-    /// for comparison.
-    Plain,
-}
 
 /// A place at which a cascade finds its landmark.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,15 +31,6 @@ pub struct Mark {
     pub at_edge: bool,
 }
 
-/// What a search came to, the best mark first.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Marks {
-    /// Places, apart from each other, the best first.
-    pub list: Vec<Mark>,
-    /// The ground that was searched.
-    pub window: Window,
-}
-
 /// A score that orders windows by the stages passed and then by what they passed them by.
 fn score_of(stages: usize, margin: f64, all: usize) -> f64 {
     if stages >= all {
@@ -63,7 +42,7 @@ fn score_of(stages: usize, margin: f64, all: usize) -> f64 {
     }
 }
 
-/// Shows `cascade` every window within `reach` metres (north, east) of where `expected` is the middle.
+/// The best windows, apart from each other, the best first: shows `cascade` every window within `reach` metres (north, east) of where `expected` is the middle.
 ///
 /// # Errors
 /// [`Refusal::OutOfPicture`] if no window lies whole in the picture.
@@ -73,7 +52,7 @@ pub fn search(
     view: &FrameView<'_>,
     expected: GroundPoint,
     reach: (f64, f64),
-) -> Result<Marks, Refusal> {
+) -> Result<Vec<Mark>, Refusal> {
     let pixels = |metres: f64| (metres / shown.gsd).ceil().max(0.0) as usize + 1;
     let size = (shown.width, shown.height);
     let wide = window_around(
@@ -107,7 +86,7 @@ pub fn search(
     if list.is_empty() {
         return Err(Refusal::OutOfPicture);
     }
-    Ok(Marks { list, window })
+    Ok(list)
 }
 
 /// Grey levels as whole numbers, which cascades are made for.

@@ -10,9 +10,9 @@ use super::{EvaluatedLook, EvaluatedMark};
 use crate::frames::{GroundPoint, GroundRect};
 use crate::imagery::Imagery;
 use crate::landmark::Landmark;
-use crate::landmark::trained::{TrainedDetector, search};
-use crate::plan::OtherDays;
-use crate::training::trainer::tolerance;
+use crate::landmark::cascade::Cascade;
+use crate::landmark::trained::{DetectorWindow, Mark, TrainedDetector, search};
+use crate::plan::{OtherDays, tolerance};
 use crate::training::{FlightEnvelope, Photo, Photographer, TrainingError};
 
 /// One photo in so many is of a place without the landmark.
@@ -107,7 +107,10 @@ impl DetectorJudge {
             None => self.photographer.take(),
         };
         let photo = photo.ok_or_else(|| TrainingError::TooLarge(self.landmark.name.clone()))?;
-        let look = self.look(&photo);
+        let TrainedDetector {
+            cascade, window, ..
+        } = &self.trained;
+        let look = look(&mut self.photographer, &photo, cascade, window);
         self.looks.extend(look);
         Ok(true)
     }
@@ -127,33 +130,34 @@ impl DetectorJudge {
             within.contains(&place).then_some(place)
         })
     }
+}
 
-    fn look(&mut self, photo: &Photo) -> Option<EvaluatedLook> {
-        let assumed = self.photographer.assume(photo)?;
-        let envelope = self.photographer.envelope();
-        let reach = self.photographer.reach();
-        let view = photo.view(&assumed, envelope.ground_down);
-        let (cascade, window) = (&self.trained.cascade, &self.trained.window);
-        let middle = photo.around.center();
-        let found = search(cascade, window, &view, middle, (reach, reach));
-        let near = tolerance(photo.height / envelope.camera.focal);
-        let marks = found.map_or_else(|_| Vec::new(), |marks| marks.list);
-        let mark = |m: &crate::landmark::trained::Mark| EvaluatedMark {
-            score: m.score,
-            offset: [
-                m.ground.north - assumed.appears.north,
-                m.ground.east - assumed.appears.east,
-            ],
-            right: photo.present && m.ground.distance(&assumed.appears) <= near,
-        };
-        Some(EvaluatedLook {
-            day: photo.day,
-            height: photo.height,
-            tilt: photo.known_tilt[0].hypot(photo.known_tilt[1]),
-            heading_error: assumed.heading_error,
-            real: false,
-            present: photo.present,
-            marks: marks.iter().map(mark).collect(),
-        })
-    }
+/// Looks in a photo for what `cascade` finds in windows like `window`, from where the filter may think that it
+/// was taken; `None` if the photo's place does not appear on the ground from there.
+pub(in crate::training) fn look(
+    photographer: &mut Photographer,
+    photo: &Photo,
+    cascade: &Cascade,
+    window: &DetectorWindow,
+) -> Option<EvaluatedLook> {
+    let assumed = photographer.assume(photo)?;
+    let envelope = photographer.envelope();
+    let reach = photographer.reach();
+    let view = photo.view(&assumed, envelope.ground_down);
+    // Where the filter expects it: its map place, which appears elsewhere by the pose's error.
+    let middle = photo.around.center();
+    let marks = search(cascade, window, &view, middle, (reach, reach)).unwrap_or_default();
+    let near = photo
+        .present
+        .then(|| tolerance(photo.height / envelope.camera.focal));
+    let mark = |m: &Mark| EvaluatedMark::of(m, &assumed.appears, near);
+    Some(EvaluatedLook {
+        day: photo.day,
+        height: photo.height,
+        tilt: photo.known_tilt[0].hypot(photo.known_tilt[1]),
+        heading_error: assumed.heading_error,
+        real: false,
+        present: photo.present,
+        marks: marks.iter().map(mark).collect(),
+    })
 }

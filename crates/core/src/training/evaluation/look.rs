@@ -2,6 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::frames::GroundPoint;
+use crate::landmark::trained::Mark;
+
 /// One picture in which one landmark was searched.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EvaluatedLook {
@@ -32,6 +35,20 @@ pub struct EvaluatedMark {
     pub offset: [f64; 2],
     /// Whether it is the landmark.
     pub right: bool,
+}
+
+impl EvaluatedMark {
+    /// A mark where the landmark `appears`; it is right within `near` metres, and never without.
+    pub(super) fn of(mark: &Mark, appears: &GroundPoint, near: Option<f64>) -> Self {
+        Self {
+            score: mark.score,
+            offset: [
+                mark.ground.north - appears.north,
+                mark.ground.east - appears.east,
+            ],
+            right: near.is_some_and(|near| mark.ground.distance(appears) <= near),
+        }
+    }
 }
 
 impl EvaluatedLook {

@@ -27,6 +27,7 @@ pub use covariance::{MarkCovariance, ScoreScale};
 pub use curve::{Curve, CurveKind, CurvePoint, average_precision, trace};
 pub use error::EvaluationError;
 pub use isotonic::Isotonic;
+pub(super) use judge::look;
 pub use judge::{DetectorJudge, JudgingPlan};
 pub use look::{EvaluatedLook, EvaluatedMark};
 pub use operating::{AtThreshold, OperatingPoint};

@@ -11,14 +11,13 @@ use super::{EvaluatedLook, EvaluatedMark};
 use crate::camera::CameraModel;
 use crate::flight::Flight;
 use crate::frames::{GroundPoint, GroundRect, Pose};
-use crate::landmark::trained::{TrainedDetector, search};
+use crate::landmark::trained::{Mark, TrainedDetector, search};
 use crate::landmark::{FrameView, Landmark};
+use crate::navigator::PYRAMID_LEVELS;
+use crate::plan::tolerance;
 use crate::raster::{Picture, Pyramid};
 use crate::training::FlightEnvelope;
-use crate::training::trainer::tolerance;
 
-/// Levels of the picture pyramid, as in the navigator.
-const PYRAMID_LEVELS: usize = 6;
 /// Tries to find a place in the picture that is far enough from the landmark.
 const TRIES: usize = 50;
 
@@ -180,13 +179,9 @@ impl FrameJudge<'_> {
             (reach, reach),
         );
         let pixel = self.height(pose) / camera.focal;
-        let near = tolerance(pixel).max(3.0 * self.lever(pose));
-        let marks = found.map_or_else(|_| Vec::new(), |marks| marks.list);
-        let mark = |m: &crate::landmark::trained::Mark| EvaluatedMark {
-            score: m.score,
-            offset: [m.ground.north - appears.north, m.ground.east - appears.east],
-            right: present && m.ground.distance(&appears) <= near,
-        };
+        let near = present.then(|| tolerance(pixel).max(3.0 * self.lever(pose)));
+        let marks = found.unwrap_or_default();
+        let mark = |m: &Mark| EvaluatedMark::of(m, &appears, near);
         Some(EvaluatedLook {
             day: self.day,
             height: self.height(pose),
