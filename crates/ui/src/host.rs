@@ -25,6 +25,9 @@ pub trait Host {
     /// Asks a job to stop; its last event is `Cancelled`.
     fn cancel(&mut self, job: JobId);
 
+    /// Lets a job keep its place without working, or work on.
+    fn hold(&mut self, job: JobId, is_held: bool);
+
     /// Lets go of all files given to workers but those under the keys `in_use`, and of what was made of
     /// what was open before.
     fn let_go(&mut self, _in_use: &BTreeSet<String>) {}

@@ -211,6 +211,10 @@ impl Host for PageHost {
         }
     }
 
+    fn hold(&mut self, job: JobId, is_held: bool) {
+        self.inner.borrow_mut().crew.hold(job, is_held);
+    }
+
     fn let_go(&mut self, in_use: &BTreeSet<String>) {
         self.inner.borrow_mut().crew.let_go(in_use);
     }

@@ -5,6 +5,7 @@ use serde_json::Value;
 
 use super::Landmark;
 use super::trained::TrainedDetector;
+use crate::frames::GroundRect;
 
 /// Property that names the detector.
 pub const DETECTOR: &str = "detector";
@@ -60,13 +61,17 @@ impl Landmark {
     /// The detector that was trained for it; none if it was trained for another box.
     pub fn trained_detector(&self) -> Option<TrainedDetector> {
         let trained: TrainedDetector = self.noted(TRAINED)?;
-        let (a, b) = (trained.bounds, self.bounds);
-        let near = |a: f64, b: f64| (a - b).abs() < 0.01;
-        let same = near(a.north, b.north)
-            && near(a.south, b.south)
-            && near(a.west, b.west)
-            && near(a.east, b.east);
-        same.then_some(trained)
+        is_same(&trained.bounds, &self.bounds).then_some(trained)
+    }
+
+    /// Whether a detector was trained for it as it is.
+    pub fn is_trained(&self) -> bool {
+        #[derive(Deserialize)]
+        struct TrainedFor {
+            bounds: GroundRect,
+        }
+        let trained: Option<TrainedFor> = self.noted(TRAINED);
+        trained.is_some_and(|t| is_same(&t.bounds, &self.bounds))
     }
 
     /// Keeps what was trained for it, or throws it away.
@@ -74,4 +79,31 @@ impl Landmark {
         let value = trained.and_then(|t| serde_json::to_value(t).ok());
         self.note(TRAINED, value);
     }
+
+    /// What was trained for it, for whichever box, as files have it: JSON.
+    pub fn trained_text(&self) -> Option<&str> {
+        self.properties.get(TRAINED).map(String::as_str)
+    }
+
+    /// Keeps what was trained for it as [`Self::trained_text`] says it, or throws it away.
+    pub fn keep_trained_text(&mut self, text: Option<&str>) {
+        match text {
+            Some(text) => self.properties.insert(TRAINED.to_owned(), text.to_owned()),
+            None => self.properties.remove(TRAINED),
+        };
+    }
+
+    /// The choice and what was trained, if more than its map patch is looked for: landmarks with the same
+    /// box of which this is equal are found alike.
+    pub fn detector_in_use(&self) -> Option<(DetectorChoice, &str)> {
+        let text = self.trained_text()?;
+        let choice = self.detector_choice();
+        (choice != DetectorChoice::Template).then_some((choice, text))
+    }
+}
+
+/// Whether two boxes are one but for what is lost when numbers are written down.
+fn is_same(a: &GroundRect, b: &GroundRect) -> bool {
+    let near = |a: f64, b: f64| (a - b).abs() < 0.01;
+    near(a.north, b.north) && near(a.south, b.south) && near(a.west, b.west) && near(a.east, b.east)
 }

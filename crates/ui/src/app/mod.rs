@@ -16,6 +16,7 @@ mod package;
 mod planning;
 mod report;
 mod start;
+mod training;
 mod web_maps;
 mod work;
 

@@ -89,6 +89,7 @@ impl App {
             | PlanCommand::SurveyEnvelope
             | PlanCommand::AssessAll
             | PlanCommand::StopAssessing => self.assess(&command),
+            PlanCommand::Train(command) => self.train(command),
             PlanCommand::Heat(command) => {
                 if command == HeatCommand::ToggleBlind || command == HeatCommand::Toggle {
                     self.views.planner.tab = PlanTab::Ground;
@@ -276,6 +277,7 @@ impl App {
             || planner.heat.receive(id, event)
             || planner.finder.receive(id, event)
             || planner.suggestions.receive(id, event)
+            || planner.trainings.receive(id, event)
             || planner
                 .assessments
                 .receive(id, event, &self.documents.mission.landmarks)
@@ -286,6 +288,9 @@ impl App {
         let planner = &mut self.views.planner;
         planner.settle(&self.documents.mission);
         planner.assessments.work(host, &self.documents);
+        planner.trainings.work(host, &self.documents);
+        self.keep_detectors(host.now());
+        let planner = &mut self.views.planner;
         if self.view.workspace != Workspace::Plan {
             return;
         }
@@ -411,6 +416,7 @@ impl App {
                 Some(json!({"id": l.id, "height": height, "looks": looks}))
             }).collect::<Vec<_>>(),
             "surveying": planner.assessments.surveyed(),
+            "trainings": planner.trainings.json(&self.documents),
             "measuring": planner.assessments.under_way().map(|(id, fraction, words)| {
                 json!({"id": id, "progress": fraction, "words": words})
             }),

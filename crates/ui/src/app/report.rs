@@ -46,6 +46,8 @@ impl App {
                     "name": l.name,
                     "enabled": l.enabled,
                     "category": l.category(),
+                    "detector": l.detector_choice().key(),
+                    "trained": l.is_trained(),
                     "notes": l.notes(),
                     "height": l.height,
                     "orientation": l.orientation().map(f64::to_degrees),

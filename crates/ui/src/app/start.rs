@@ -99,6 +99,7 @@ impl App {
                 until a version can read it; meanwhile, this is the demo.";
             self.toasts.trouble(host.now(), title, text);
         }
+        self.recall_trainings(host);
         self.follow_link(host);
         if host.interrupted_saves() > 0 {
             self.toasts.trouble(

@@ -104,7 +104,7 @@ impl Documents {
             || self.mission.landmarks.len() != mission.landmarks.len()
             || std::iter::zip(&self.mission.landmarks, &mission.landmarks).any(|(a, b)| {
                 let of = |l: &Landmark| (l.id, l.bounds, l.enabled, l.reference, l.height);
-                of(a) != of(b)
+                of(a) != of(b) || a.detector_in_use() != b.detector_in_use()
             });
         self.mission = mission;
         self.mission_edited = true;

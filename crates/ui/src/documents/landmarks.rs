@@ -1,7 +1,7 @@
 //! Edits of several landmarks at once, each one undo step; a drag is one.
 
 use pilotage_core::frames::GroundPoint;
-use pilotage_core::landmark::Landmark;
+use pilotage_core::landmark::{DetectorChoice, Landmark};
 
 use super::Documents;
 
@@ -25,14 +25,22 @@ pub enum LandmarkChange {
     Outline(Vec<GroundPoint>),
     /// Whether the navigator looks for them.
     Enabled(bool),
+    /// By which detector it looks for them.
+    Detector(DetectorChoice),
+    /// What was trained for one of them, as [`Landmark::trained_text`] says it.
+    Trained(String),
 }
 
 impl LandmarkChange {
-    /// Whether the navigator would see another landmark.
+    /// Whether the navigator would see another landmark, by whichever detector.
     fn affects_run(&self) -> bool {
         !matches!(
             self,
-            Self::Category(_) | Self::Notes(_) | Self::Orientation(_)
+            Self::Category(_)
+                | Self::Notes(_)
+                | Self::Orientation(_)
+                | Self::Detector(_)
+                | Self::Trained(_)
         )
     }
 
@@ -45,6 +53,8 @@ impl LandmarkChange {
             Self::Reference(place) => landmark.set_reference(*place),
             Self::Outline(corners) => landmark.set_outline(corners),
             Self::Enabled(enabled) => landmark.enabled = *enabled,
+            Self::Detector(choice) => landmark.choose_detector(*choice),
+            Self::Trained(text) => landmark.keep_trained_text(Some(text)),
         }
     }
 }
@@ -67,6 +77,8 @@ impl Documents {
             change.apply(landmark);
         }
         let changes = landmarks != self.mission.landmarks;
+        let pairs = || std::iter::zip(&landmarks, &self.mission.landmarks);
+        let other_detector = pairs().any(|(a, b)| a.detector_in_use() != b.detector_in_use());
         if changes {
             self.history.begin_drag(&self.mission);
             self.mission.landmarks = landmarks;
@@ -75,7 +87,7 @@ impl Documents {
         if finished {
             self.history.finish_drag(&self.mission);
         }
-        finished && change.affects_run()
+        finished && (other_detector || change.affects_run())
     }
 
     /// Adds a landmark that is no box; its id.
@@ -194,6 +206,31 @@ mod tests {
         assert!(documents.edit_landmarks(&[outline], &change, true));
         assert_eq!(documents.undo(), Some(true), "the box is another one");
         assert_eq!(documents.mission, before);
+    }
+
+    #[test]
+    fn a_detector_affects_the_run_where_it_is_looked_by_it() {
+        let (mut documents, ids) = documents();
+        let one = [ids[0]];
+        let trained = |text: &str| LandmarkChange::Trained(text.into());
+        let cascade = LandmarkChange::Detector(DetectorChoice::Cascade);
+        assert!(
+            !documents.edit_landmarks(&one, &trained("1"), true),
+            "map patch"
+        );
+        assert!(documents.edit_landmarks(&ids, &cascade, true));
+        let choice = |d: &Documents, i: usize| d.mission.landmarks[i].detector_choice();
+        assert_eq!(choice(&documents, 1), DetectorChoice::Cascade);
+        assert!(documents.edit_landmarks(&one, &trained("2"), true));
+        let of_no_use = LandmarkChange::Detector(DetectorChoice::Both);
+        let untrained = [ids[1]];
+        assert!(!documents.edit_landmarks(&untrained, &of_no_use, true));
+        assert_eq!(documents.undo(), Some(false));
+        assert_eq!(documents.undo(), Some(true), "the other detector is back");
+        assert_eq!(documents.undo(), Some(true), "the map patch");
+        assert_eq!(choice(&documents, 0), DetectorChoice::Template);
+        assert_eq!(documents.undo(), Some(false));
+        assert_eq!(documents.mission.landmarks[0].trained_text(), None);
     }
 
     #[test]

@@ -41,7 +41,8 @@ struct Assigned {
 }
 
 /// Shares jobs out among workers: one for flights, one for map tiles, one for questions; the first two
-/// share the measurement of a landmark and proposals, for which the flight waits and tiles do not.
+/// share the measurement of a landmark and proposals, for which the flight waits and tiles do not, and
+/// train detectors, for which nothing waits.
 /// Workers are opened when first needed. Files that jobs name are kept here and given to a worker before
 /// the first job that names them.
 pub struct Crew<P> {
@@ -50,6 +51,8 @@ pub struct Crew<P> {
     jobs: BTreeMap<JobId, Assigned>,
     /// Jobs that are shared, by the number under which they were asked for.
     shared: BTreeMap<JobId, SharedJob>,
+    /// Jobs that keep their place without working.
+    held: BTreeSet<JobId>,
     files: BTreeMap<String, Vec<(String, FileContent)>>,
     events: Vec<(JobId, JobEvent)>,
     last_job: JobId,
@@ -70,6 +73,7 @@ impl<P: WorkerPort> Crew<P> {
             seats: [seat(), seat(), seat()],
             jobs: BTreeMap::new(),
             shared: BTreeMap::new(),
+            held: BTreeSet::new(),
             files: BTreeMap::new(),
             events: Vec::new(),
             last_job: 0,
@@ -123,7 +127,7 @@ impl<P: WorkerPort> Crew<P> {
     pub fn begin(&mut self, id: JobId, job: Job, tiles: Vec<(String, FileContent)>) {
         let key = super::WEB_TILES.to_owned();
         let files = tiles;
-        let seats = if SharedJob::new(&job).is_some() {
+        let seats = if SharedJob::new(&job).is_some() || matches!(job, Job::Train(_)) {
             0..SHARES
         } else {
             seat_for(&job)..seat_for(&job) + 1
@@ -154,17 +158,38 @@ impl<P: WorkerPort> Crew<P> {
         }
     }
 
+    /// Lets a job keep its place without working, or work on, also if it begins later.
+    pub fn hold(&mut self, id: JobId, is_held: bool) {
+        if is_held {
+            self.held.insert(id);
+        } else {
+            self.held.remove(&id);
+        }
+        if let Some(assigned) = self.jobs.get(&id)
+            && let Some(port) = &mut self.seats[assigned.seat].port
+        {
+            port.send(Request::Hold(id, is_held));
+        }
+    }
+
     /// Takes what the worker on a seat said.
     pub fn receive(&mut self, seat: usize, reply: Reply) {
         self.seats[seat].unanswered = None;
         let Reply::Event(id, event) = reply else {
             return;
         };
-        if !self.jobs.contains_key(&id) {
+        let Some(assigned) = self.jobs.get_mut(&id) else {
             return;
+        };
+        if let (Job::Train(order), JobEvent::Training(report)) = (&mut assigned.job, &event)
+            && report.left.is_some()
+        {
+            // Another worker would go on from there.
+            order.left.clone_from(&report.left);
         }
         if is_last(&event) {
             self.jobs.remove(&id);
+            self.held.remove(&id);
             if self.seats[seat].is_leaving {
                 self.end_if_idle(seat);
             }
@@ -315,12 +340,25 @@ impl<P: WorkerPort> Crew<P> {
     }
 
     /// The seat of a job; a prediction while something is dragged does not wait behind a whole one,
-    /// nor a picture that is looked at behind anything, if a worker has less to do.
+    /// nor a picture that is looked at behind anything, if a worker has less to do. Trainings go on side
+    /// by side.
     fn free_seat_for(&self, job: &Job) -> usize {
         let seat = seat_for(job);
         let jobs = |seat: usize| self.jobs.values().filter(|a| a.seat == seat).count();
         match job {
             Job::Predict(order) if order.worlds <= COARSE && jobs(seat) > 0 => 1,
+            Job::Train(_) => {
+                let is_at_work = |id: &JobId, a: &Assigned, seat: usize| {
+                    a.seat == seat && matches!(a.job, Job::Train(_)) && !self.held.contains(id)
+                };
+                let trained = |seat: usize| {
+                    let jobs = self.jobs.iter();
+                    jobs.filter(|(id, a)| is_at_work(id, a, seat)).count()
+                };
+                let seats = 0..SHARES;
+                let least = seats.min_by_key(|seat| (trained(*seat), jobs(*seat)));
+                least.unwrap_or(seat)
+            }
             Job::DecodePicture { .. } => {
                 let open = |seat: &usize| self.seats[*seat].port.is_some();
                 let seats = [seat, 1, 0].into_iter().filter(open);
@@ -346,6 +384,9 @@ impl<P: WorkerPort> Crew<P> {
             }
         }
         self.open_seat(seat).send(Request::Start(id, job.clone()));
+        if self.held.contains(&id) {
+            self.open_seat(seat).send(Request::Hold(id, true));
+        }
         let assigned = Assigned {
             seat,
             job,
@@ -372,7 +413,8 @@ fn seat_for(job: &Job) -> usize {
         | Job::Envelope(_)
         | Job::Suggest(_)
         | Job::Propose(..)
-        | Job::Field(_) => 0,
+        | Job::Field(_)
+        | Job::Train(_) => 0,
         Job::Tile { .. } | Job::DescribeMap(_) | Job::PrepareMap(_) => 1,
         Job::Provide { .. }
         | Job::LetGo { .. }
@@ -408,6 +450,7 @@ fn file_keys(job: &Job) -> Vec<&str> {
             (None, Some(&order.map))
         }
         Job::Field(order) => (None, Some(&order.map)),
+        Job::Train(order) => (None, Some(&order.map)),
         Job::Brief(order) => (None, Some(&order.map)),
         Job::Pack(order) => (None, Some(&order.map)),
         Job::Open { key, .. } | Job::ReadPlaces { key } => {

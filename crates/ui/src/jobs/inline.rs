@@ -115,6 +115,13 @@ impl Host for InlineHost {
             .receive(Request::Cancel(job), &mut |reply| keep(waiting, reply));
     }
 
+    fn hold(&mut self, job: JobId, is_held: bool) {
+        let waiting = &mut self.waiting;
+        let request = Request::Hold(job, is_held);
+        self.runner
+            .receive(request, &mut |reply| keep(waiting, reply));
+    }
+
     fn let_go(&mut self, in_use: &BTreeSet<String>) {
         let keys = in_use.iter().cloned().collect();
         self.start(Job::LetGo { keys });

@@ -15,6 +15,8 @@ pub enum Request {
     Start(JobId, Job),
     /// Stop a job; its last event is `Cancelled`.
     Cancel(JobId),
+    /// Let a job keep its place without working, or work on.
+    Hold(JobId, bool),
     /// Answer with [`Reply::Alive`].
     Ping,
 }

@@ -16,7 +16,8 @@ use serde::{Deserialize, Serialize};
 use super::{
     Assessment, AssessmentOrder, Beside, BriefOrder, BriefPictures, ExportOrder, FieldOrder,
     FileContent, FindOrder, FoundPlan, HeightsOrder, ImportedFile, PackOrder, PredictionOrder,
-    Share, SuggestOrder, TerrainInfo, WebMap, whole_bytes,
+    Share, SuggestOrder, TerrainInfo, TrainOrder, TrainingOutcome, TrainingReport, WebMap,
+    whole_bytes,
 };
 
 /// Number of a job, unique within a page.
@@ -199,6 +200,8 @@ pub enum Job {
     SumUp(Box<AssessmentOrder>, Vec<View>),
     /// From which heights and with which tilts a landmark is found: events `Envelope`, each knowing more.
     Envelope(Box<AssessmentOrder>),
+    /// A detector trained for a landmark: events `Training`, at the end `Trained`.
+    Train(Box<TrainOrder>),
     /// Landmarks proposed for a route: event `Suggestions`.
     Suggest(Box<SuggestOrder>),
     /// A share of the places rehearsed for that: event `Candidates`.
@@ -375,6 +378,10 @@ pub enum JobEvent {
     Assessment(Box<Assessment>),
     /// From which heights and with which tilts a landmark is found, as far as it is known.
     Envelope(Box<Envelope>),
+    /// Where the training of a detector stands.
+    Training(Box<TrainingReport>),
+    /// A detector is trained.
+    Trained(Box<TrainingOutcome>),
     /// Places of a share, by its number, that passed a rehearsal, in its order.
     Candidates(usize, Vec<Candidate>),
     /// Landmarks that are proposed, the one that gains most first.

@@ -12,6 +12,8 @@ struct Entry {
     job: Box<dyn RunningJob>,
     /// When its progress was told last.
     told: Option<f64>,
+    /// Whether it keeps its place without working.
+    is_held: bool,
 }
 
 impl Entry {
@@ -28,7 +30,8 @@ impl Entry {
     }
 }
 
-/// Takes requests and works on the most urgent job, the eldest among equals, a slice at a time.
+/// Takes requests and works on the most urgent job that is not held, the eldest among equals, a slice
+/// at a time.
 #[derive(Default)]
 pub struct JobRunner {
     workshop: Workshop,
@@ -48,7 +51,7 @@ impl JobRunner {
 
     /// Whether a slice would do anything.
     pub fn busy(&self) -> bool {
-        !self.entries.is_empty()
+        self.entries.iter().any(|e| !e.is_held)
     }
 
     /// Takes a request; what it answers at once is emitted.
@@ -63,6 +66,7 @@ impl JobRunner {
                     urgency,
                     job,
                     told: None,
+                    is_held: false,
                 };
                 self.entries.insert(place, entry);
             }
@@ -73,15 +77,21 @@ impl JobRunner {
                     emit(Reply::Event(id, JobEvent::Cancelled));
                 }
             }
+            Request::Hold(id, is_held) => {
+                for entry in self.entries.iter_mut().filter(|e| e.id == id) {
+                    entry.is_held = is_held;
+                }
+            }
             Request::Ping => emit(Reply::Alive),
         }
     }
 
     /// Works for one slice; false once there is nothing to do.
     pub fn turn(&mut self, clock: &dyn Fn() -> f64, emit: &mut dyn FnMut(Reply)) -> bool {
-        let Some(entry) = self.entries.first_mut() else {
+        let Some(place) = self.entries.iter().position(|e| !e.is_held) else {
             return false;
         };
+        let entry = &mut self.entries[place];
         let (id, told) = (entry.id, &mut entry.told);
         let advance = entry.job.advance(&mut self.workshop, clock, &mut |event| {
             if Entry::is_told(told, &event, clock()) {
@@ -89,7 +99,7 @@ impl JobRunner {
             }
         });
         if advance == Advance::Done {
-            self.entries.remove(0);
+            self.entries.remove(place);
         }
         self.busy()
     }
@@ -131,8 +141,10 @@ fn urgency(job: &Job) -> u8 {
         | Job::Brief(_) => 3,
         Job::PrepareMap(_) => 5,
         Job::Fly { .. } | Job::Field(_) => 4,
+        // Takes a minute of which nobody waits for a second.
+        Job::Train(_) => 6,
         // What was asked before may still need them.
-        Job::LetGo { .. } => 6,
+        Job::LetGo { .. } => 7,
     }
 }
 

@@ -147,6 +147,16 @@ pub fn wanted_addresses(job: &Job) -> Vec<String> {
             let area = around(&order.landmark.bounds);
             (&order.map, Reads::Areas(vec![area]))
         }
+        Job::Train(order) => {
+            let alike = order.plan.look_alikes.iter();
+            let b = order.landmark.bounds;
+            let alike = alike.map(|place| GroundRect::centered(*place, b.height(), b.width()));
+            let boxes = std::iter::once(b).chain(alike);
+            (
+                &order.map,
+                Reads::Areas(boxes.map(|b| around(&b)).collect()),
+            )
+        }
         Job::Suggest(order) | Job::SuggestShare(order, _) => {
             let across = order.view.across().unwrap_or(0.0);
             let along = GroundRect::around(order.way_points.iter().copied());

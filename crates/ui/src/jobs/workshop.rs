@@ -32,6 +32,7 @@ use super::predict::Predict;
 use super::prepare::PrepareMap;
 use super::running::Once;
 use super::suggest::{Suggest, choose};
+use super::train::Train;
 use super::web_map::{FetchedTiles, WEB_TILES};
 use super::{
     FileContent, FlightSource, Job, JobEvent, MapInfo, MapSource, RunningJob, distinct, opening,
@@ -150,6 +151,7 @@ impl Workshop {
                 Ok(())
             }),
             Job::Envelope(order) => Box::new(SurveyEnvelope::new(*order)),
+            Job::Train(order) => Box::new(Train::new(*order)),
             Job::Suggest(order) => Box::new(Suggest::new(*order, Share::WHOLE)),
             Job::SuggestShare(order, share) => Box::new(Suggest::new(*order, share)),
             Job::Propose(order, found) => once(move |workshop, emit| {
@@ -336,7 +338,8 @@ impl Workshop {
         Ok(Proposal::days(self.others(source)?.as_ref(), seed))
     }
 
-    fn others(&mut self, source: &MapSource) -> Result<Box<dyn OtherDays>, String> {
+    /// How a map looks on other days.
+    pub(super) fn others(&mut self, source: &MapSource) -> Result<Box<dyn OtherDays>, String> {
         Ok(match source {
             MapSource::Scenery => Box::new(SceneryDays {
                 scenery: self.scenery(),

@@ -10,6 +10,7 @@ use super::marking::Purpose;
 use super::patterns::Pattern;
 use super::planner::PlanTab;
 use super::suggestions::SuggestCommand;
+use super::trainings::TrainCommand;
 use crate::documents::landmarks::LandmarkChange;
 
 /// A change of a no-fly area.
@@ -138,6 +139,8 @@ pub enum PlanCommand {
     Suggest(SuggestCommand),
     /// Stop measuring.
     StopAssessing,
+    /// Something about detectors that are trained.
+    Train(TrainCommand),
     /// A second landmark like the selected one, or like each of the marked ones, beside it.
     DuplicateLandmark,
     /// Something about where fixes would be had.

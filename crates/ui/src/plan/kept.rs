@@ -1,7 +1,8 @@
 //! What was measured of landmarks, kept with the mission for as long as it is true.
 //!
-//! A measurement depends on the landmark, the map, the camera, how the filter is told to look, and on
-//! this program. Kept beside each is all of that, and what differs from the state of things is not used.
+//! A measurement depends on the landmark and its detector, the map, the camera, how the filter is told to
+//! look, and on this program. Kept beside each is all of that, and what differs from the state of things is
+//! not used.
 
 use pilotage_core::camera::CameraModel;
 use pilotage_core::landmark::{Landmark, TemplateSettings};
@@ -152,6 +153,7 @@ impl KeptMeasurement {
         };
         let (ours, theirs) = (numbers(&self.landmark), numbers(landmark));
         self.landmark.id == landmark.id
+            && self.landmark.detector_in_use() == landmark.detector_in_use()
             && (ours.iter().zip(theirs)).all(|(a, b)| (a - b).abs() < SAME_PLACE)
     }
 }
@@ -190,6 +192,7 @@ pub fn use_what_is_true(
 #[cfg(test)]
 mod tests {
     use pilotage_core::frames::{GroundPoint, GroundRect};
+    use pilotage_core::landmark::DetectorChoice;
     use pilotage_core::plan::{Breakdown, DetectionStatistics, Tally};
 
     use super::super::assessments::assumed;
@@ -272,6 +275,12 @@ mod tests {
             |d| d.mission.landmarks[0].bounds.north += 0.1
         ));
         assert!(!is_used_after(|d| d.mission.landmarks[0].height = 3.0));
+        let trained = |d: &mut Documents| d.mission.landmarks[0].keep_trained_text(Some("1"));
+        assert!(is_used_after(trained), "it is looked for by its map patch");
+        assert!(!is_used_after(|d| {
+            trained(d);
+            d.mission.landmarks[0].choose_detector(DetectorChoice::Both);
+        }));
         assert!(!is_used_after(|d| d.mission.navigator.sensors.roll *= 1.1));
         assert!(!is_used_after(|d| d
             .mission

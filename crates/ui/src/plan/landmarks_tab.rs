@@ -9,6 +9,7 @@ use super::marking::Purpose;
 use super::panel::button;
 use super::planner::Planner;
 use super::tallies;
+use super::trainings::TrainCommand;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
@@ -24,7 +25,7 @@ const TABLE_HEIGHT: f32 = 196.0;
 pub fn landmarks_tab(
     ui: &mut Ui,
     planner: &mut Planner,
-    _documents: &Documents,
+    documents: &Documents,
     context: &mut ViewContext<'_>,
     list: &mut LandmarkList,
     examined: Examined<'_>,
@@ -54,8 +55,11 @@ pub fn landmarks_tab(
                 false,
                 PlanCommand::AssessAll,
             );
+            let all = PlanCommand::Train(TrainCommand::All);
+            button(ui, context, None, "Train all", false, all);
         }
     });
+    planner.trainings_card(ui, documents, context);
     planner.suggestions_card(ui, context);
     if mission.landmarks.is_empty() {
         ui.label(muted(
@@ -79,9 +83,12 @@ pub fn landmarks_tab(
     if marked.len() > 1 {
         planner.editor.several(ui, &marked, context);
         ui.add_space(tokens.space);
+        planner.detectors(ui, &marked, context);
+        ui.add_space(tokens.space);
     } else if let Some(landmark) = context.selection.and_then(|id| mission.landmark(id)) {
         actions(ui, planner, landmark, context);
-        // What was asked for last stands where it was asked for.
+        planner.detectors(ui, &[landmark.id], context);
+        ui.add_space(tokens.space);
         card(ui, planner, landmark, context);
         ui.add_space(tokens.space);
         list.selected(ui, landmark, context, examined);

@@ -32,6 +32,8 @@ pub mod routes;
 mod suggestions;
 mod tallies;
 mod tool;
+mod training_card;
+mod trainings;
 mod way_points;
 mod words;
 
@@ -52,4 +54,5 @@ pub use planner::{PlanPreferences, PlanTab, Planner};
 pub use readouts::plan_readouts;
 pub use suggestions::{SuggestCommand, Suggestions};
 pub use tool::PlanTool;
+pub use trainings::{TRAININGS_KEY, TrainCommand, Training, TrainingState, Trainings};
 pub use words::Outlook;

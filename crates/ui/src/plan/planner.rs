@@ -5,6 +5,7 @@ use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint, GroundRect, Lo
 use pilotage_core::mission::turn::turn_radius;
 use pilotage_core::mission::{Mission, Route, WayPoint};
 use pilotage_core::simulate::{Airframe, Scenario, Target, Wind};
+use pilotage_core::training::TrainingPlan;
 use serde::{Deserialize, Serialize};
 
 use super::assessments::Assessments;
@@ -20,6 +21,7 @@ use super::profile::{Sample, on_leg, profile};
 use super::remedy::Remedies;
 use super::routes::route_of;
 use super::suggestions::Suggestions;
+use super::trainings::Trainings;
 use crate::documents::Documents;
 use crate::jobs::{FlightSource, PredictionOrder, scenario_wind};
 
@@ -47,6 +49,8 @@ pub struct PlanPreferences {
     pub find: FindPreferences,
     /// How many landmarks are proposed.
     pub suggest: usize,
+    /// How many photos a detector learns from.
+    pub photos: usize,
     /// Bank limit, radians.
     pub bank: f64,
     /// Power in cruise, watts, if the user states it.
@@ -65,6 +69,7 @@ impl Default for PlanPreferences {
             heat: HeatPreferences::default(),
             find: FindPreferences::default(),
             suggest: 6,
+            photos: TrainingPlan::default().photos,
             bank: Airframe::sig_kadet_senior().bank_limit,
             power: None,
             energy: None,
@@ -108,6 +113,8 @@ pub struct Planner {
     pub remedies: Remedies,
     /// How well landmarks are found.
     pub assessments: Assessments,
+    /// Detectors that are trained.
+    pub trainings: Trainings,
     /// Landmarks that are proposed.
     pub suggestions: Suggestions,
     /// Where fixes would be had.

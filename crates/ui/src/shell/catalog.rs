@@ -8,7 +8,7 @@ use pilotage_core::exchange::labels::LabelFormat;
 use crate::command::{Command, Workspace};
 use crate::dialogs::WebMapCommand;
 use crate::labelling::LabelCommand;
-use crate::plan::{FindCommand, FindPick, HeatCommand, PlanCommand, Purpose};
+use crate::plan::{FindCommand, FindPick, HeatCommand, PlanCommand, Purpose, TrainCommand};
 
 /// Where a command stands in the help sheet and the palette.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -122,6 +122,7 @@ pub fn catalog() -> Vec<Entry> {
     entries.extend(view());
     entries.extend(edit());
     entries.extend(plan());
+    entries.extend(trainings());
     entries.extend(ground());
     entries.extend(labels());
     entries.extend(document());
@@ -381,6 +382,40 @@ fn plan() -> Vec<Entry> {
             "Duplicate the landmark",
             vec![control(Key::D)],
             PlanCommand::DuplicateLandmark,
+        ),
+    ]
+}
+
+fn trainings() -> Vec<Entry> {
+    let of = |label, shortcuts, command| {
+        let command = Command::Plan(PlanCommand::Train(command));
+        entry(Group::Plan, label, shortcuts, command)
+    };
+    vec![
+        of(
+            "Train a detector for the landmark",
+            vec![plain(Key::J)],
+            TrainCommand::Selected,
+        ),
+        of(
+            "Train detectors for all landmarks",
+            vec![shift(Key::J)],
+            TrainCommand::All,
+        ),
+        of(
+            "Pause all trainings of detectors",
+            vec![],
+            TrainCommand::Pause(None),
+        ),
+        of(
+            "Resume all trainings of detectors",
+            vec![],
+            TrainCommand::Resume(None),
+        ),
+        of(
+            "Cancel all trainings of detectors",
+            vec![],
+            TrainCommand::Cancel(None),
         ),
     ]
 }

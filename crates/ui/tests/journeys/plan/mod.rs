@@ -16,6 +16,7 @@ mod patterns;
 mod remedy;
 mod route_tab;
 mod suggest;
+mod training;
 mod undo;
 mod workspace;
 

@@ -26,6 +26,8 @@ pub struct ScriptedHost {
     pub jobs: Vec<(JobId, Job)>,
     /// Jobs cancelled.
     pub cancelled: Vec<JobId>,
+    /// Jobs told to keep their place, or to go on.
+    pub held: Vec<(JobId, bool)>,
     /// Events to hand over.
     pub events: Vec<(JobId, JobEvent)>,
     /// Files to hand over.
@@ -356,6 +358,10 @@ impl Host for ScriptedHost {
     fn cancel(&mut self, job: JobId) {
         self.cancelled.push(job);
         self.events.push((job, JobEvent::Cancelled));
+    }
+
+    fn hold(&mut self, job: JobId, is_held: bool) {
+        self.held.push((job, is_held));
     }
 
     fn events(&mut self) -> Vec<(JobId, JobEvent)> {

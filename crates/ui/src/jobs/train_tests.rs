@@ -1,0 +1,200 @@
+//! Trainings from beginning to end on the calling thread, with few photos.
+
+use std::cell::Cell;
+
+use pilotage_core::simulate::Scenario;
+
+use super::*;
+use crate::jobs::{Job, JobId, JobRunner, Reply, Request};
+
+fn order() -> TrainOrder {
+    let scenario = Scenario::named("distinct-400ft-calm").unwrap();
+    let mission = scenario.mission();
+    TrainOrder {
+        map: MapSource::Scenery,
+        landmark: mission.landmarks[0].clone(),
+        camera: Scenario::camera(),
+        height: scenario.height,
+        sensors: mission.navigator.sensors,
+        ground_down: 0.0,
+        plan: TrainingPlan {
+            photos: 12,
+            days: 6,
+            negatives: 300,
+            held_out: 6,
+            last_votes: 15,
+            ..TrainingPlan::default()
+        },
+        left: None,
+    }
+}
+
+/// A worker and what it said.
+#[derive(Default)]
+struct Bench {
+    runner: JobRunner,
+    said: Vec<(JobId, JobEvent)>,
+    time: Cell<f64>,
+}
+
+impl Bench {
+    fn ask(&mut self, request: Request) {
+        let said = &mut self.said;
+        self.runner.receive(request, &mut |reply| {
+            if let Reply::Event(id, event) = reply {
+                said.push((id, event));
+            }
+        });
+    }
+
+    fn start(&mut self, id: JobId, order: TrainOrder) {
+        self.ask(Request::Start(id, Job::Train(Box::new(order))));
+    }
+
+    /// A slice on a clock of which every look takes so many milliseconds.
+    fn turn(&mut self, tick: f64) -> bool {
+        let clock = || {
+            self.time.set(self.time.get() + tick);
+            self.time.get()
+        };
+        let said = &mut self.said;
+        self.runner.turn(&clock, &mut |reply| {
+            if let Reply::Event(id, event) = reply {
+                said.push((id, event));
+            }
+        })
+    }
+
+    fn reports(&self) -> Vec<&TrainingReport> {
+        self.said
+            .iter()
+            .filter_map(|(_, event)| match event {
+                JobEvent::Training(report) => Some(report.as_ref()),
+                _ => None,
+            })
+            .collect()
+    }
+
+    fn outcome(&self) -> Option<&TrainingOutcome> {
+        self.said.iter().find_map(|(_, event)| match event {
+            JobEvent::Trained(outcome) => Some(outcome.as_ref()),
+            _ => None,
+        })
+    }
+}
+
+#[test]
+fn the_table_of_stages_grows_and_at_the_end_there_is_a_detector() {
+    let mut bench = Bench::default();
+    bench.start(1, order());
+    // Every vote takes longer than the time between two words.
+    while bench.turn(500.0) {}
+    let outcome = bench.outcome().unwrap();
+    assert!(outcome.judged == 6 && outcome.found >= 3, "{outcome:?}");
+    assert!(outcome.sigmas.iter().all(|s| *s > 0.0 && *s < 5.0));
+    let mut landmark = order().landmark;
+    assert!(!landmark.is_trained());
+    landmark.keep_trained_text(Some(&outcome.detector));
+    assert!(landmark.is_trained() && landmark.trained_detector().is_some());
+
+    let reports = bench.reports();
+    let whole: Vec<usize> = reports.iter().map(|r| r.stages.len()).collect();
+    assert!(whole.is_sorted() && whole[0] == 0, "{whole:?}");
+    assert_eq!(whole.last(), Some(&outcome.stages.len()));
+    assert!(outcome.stages.len() >= 2);
+    let votes = |r: &&TrainingReport| r.growing.map(|row| (r.stages.len(), row.votes));
+    let votes: Vec<_> = reports.iter().filter_map(votes).collect();
+    assert!(votes.len() > 3 && votes.is_sorted(), "{votes:?}");
+    let phases = [
+        TrainingPhase::Photos,
+        TrainingPhase::Mining,
+        TrainingPhase::Voting,
+        TrainingPhase::Judging,
+    ];
+    for phase in phases {
+        assert!(reports.iter().any(|r| r.phase == phase), "{phase:?}");
+    }
+    assert!(reports.iter().map(|r| r.fraction).is_sorted());
+    assert!(reports.iter().map(|r| r.seconds).is_sorted());
+    // What can be gone on from is told once for every stage.
+    let left = reports.iter().filter_map(|r| r.left.as_ref());
+    let left: Vec<usize> = left.map(|l| l.stages.len()).collect();
+    assert_eq!(left, (1..=outcome.stages.len()).collect::<Vec<_>>());
+    assert_eq!(bench.said.last(), Some(&(1, JobEvent::Finished)));
+}
+
+#[test]
+fn a_training_that_was_broken_off_goes_on_to_the_very_same_detector() {
+    let mut whole = Bench::default();
+    whole.start(1, order());
+    while whole.turn(1.0) {}
+
+    let mut first = Bench::default();
+    first.start(1, order());
+    let left = |bench: &Bench| bench.reports().iter().find_map(|r| r.left.clone());
+    while left(&first).is_none() {
+        assert!(first.turn(1.0));
+    }
+    first.ask(Request::Cancel(1));
+    assert_eq!(first.said.last(), Some(&(1, JobEvent::Cancelled)));
+    assert!(!first.runner.busy() && first.outcome().is_none());
+
+    let mut second = Bench::default();
+    let left = left(&first).unwrap();
+    assert_eq!(left.stages.len(), 1);
+    let before = left.seconds;
+    second.start(
+        2,
+        TrainOrder {
+            left: Some(left),
+            ..order()
+        },
+    );
+    while second.turn(1.0) {}
+    let (expected, found) = (whole.outcome().unwrap(), second.outcome().unwrap());
+    assert_eq!(found.detector, expected.detector);
+    assert_eq!(found.stages, expected.stages);
+    assert!(found.seconds > before, "its time counts on");
+    let told = second.reports();
+    let told = told.iter().filter(|r| r.left.is_some()).count();
+    assert_eq!(told, expected.stages.len() - 1, "the first stage was whole");
+}
+
+#[test]
+fn a_training_that_is_held_keeps_its_place_and_lets_others_work() {
+    let mut bench = Bench::default();
+    bench.start(1, order());
+    while bench.reports().is_empty() {
+        assert!(bench.turn(100.0));
+    }
+    bench.ask(Request::Hold(1, true));
+    assert!(!bench.runner.busy(), "nothing is to be done");
+    let before = bench.said.len();
+    assert!(!bench.turn(100.0));
+    assert_eq!(bench.said.len(), before);
+    bench.start(2, order());
+    bench.turn(500.0);
+    assert!(bench.said[before..].iter().all(|(id, _)| *id == 2));
+    bench.ask(Request::Cancel(2));
+    bench.ask(Request::Hold(1, false));
+    assert!(bench.turn(500.0));
+    assert!(matches!(
+        bench.said.last(),
+        Some((1, JobEvent::Training(report))) if report.fraction > 0.0
+    ));
+}
+
+#[test]
+fn a_landmark_that_fits_into_no_picture_is_refused_in_words() {
+    let mut order = order();
+    let middle = order.landmark.bounds.center();
+    let bounds = pilotage_core::frames::GroundRect::centered(middle, 900.0, 900.0);
+    order.landmark.reshape(bounds);
+    let mut bench = Bench::default();
+    bench.start(1, order);
+    while bench.turn(1.0) {}
+    let Some((1, JobEvent::Failed(why))) = bench.said.last() else {
+        panic!("{:?}", bench.said);
+    };
+    assert!(why.contains("smaller box") && why.ends_with('.'), "{why}");
+}

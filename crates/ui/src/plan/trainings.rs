@@ -1,0 +1,417 @@
+//! Detectors being trained: which, how far, and what is kept so that they can go on after a reload.
+
+use pilotage_core::landmark::Landmark;
+use pilotage_core::training::TrainingPlan;
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+use super::planner::{Planner, camera, ground_down};
+use crate::documents::Documents;
+use crate::host::Host;
+use crate::jobs::{
+    Job, JobEvent, JobId, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport,
+};
+
+/// Key in the browser's storage.
+pub const TRAININGS_KEY: &str = "trainings";
+/// First byte of what is stored: the form of the bytes.
+const FORM: u8 = 1;
+/// Trainings that are worked on at a time; the others wait.
+const AT_A_TIME: usize = 2;
+/// Most trainings that are kept, the latest.
+const MOST_KEPT: usize = 40;
+
+/// What people can ask of trainings.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TrainCommand {
+    /// Train detectors for these landmarks.
+    Start(Vec<u32>),
+    /// For those that are marked.
+    Selected,
+    /// For every landmark that is switched on and has none yet; for all of them if none is left.
+    All,
+    /// How many photos each learns from.
+    Photos(usize),
+    /// Let the training of a landmark, or every one, keep its place.
+    Pause(Option<u32>),
+    /// Go on.
+    Resume(Option<u32>),
+    /// Stop for good and forget what was done.
+    Cancel(Option<u32>),
+}
+
+/// Where a training stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TrainingState {
+    /// For a worker.
+    Waiting,
+    /// At work.
+    Working,
+    /// It keeps its place.
+    Paused,
+    /// Over.
+    Done,
+    /// It came to nothing.
+    Failed,
+}
+
+/// The training of one landmark.
+#[derive(Debug)]
+pub struct Training {
+    /// What was asked for, and where it can go on.
+    pub order: TrainOrder,
+    /// Whether it shall be worked on.
+    wanted: bool,
+    job: Option<JobId>,
+    /// Whether the job keeps its place without working.
+    is_held: bool,
+    /// What was said last.
+    pub report: Option<TrainingReport>,
+    /// What is done before the first report.
+    pub words: String,
+    /// What came of it.
+    pub outcome: Option<TrainingOutcome>,
+    /// Why nothing came of it.
+    pub trouble: Option<String>,
+}
+
+impl Training {
+    fn new(order: TrainOrder, wanted: bool) -> Self {
+        Self {
+            order,
+            wanted,
+            job: None,
+            is_held: false,
+            report: None,
+            words: String::new(),
+            outcome: None,
+            trouble: None,
+        }
+    }
+
+    /// Where it stands.
+    pub fn state(&self) -> TrainingState {
+        match (&self.outcome, &self.trouble) {
+            (Some(_), _) => TrainingState::Done,
+            (_, Some(_)) => TrainingState::Failed,
+            _ if !self.wanted => TrainingState::Paused,
+            _ if self.job.is_some() && !self.is_held => TrainingState::Working,
+            _ => TrainingState::Waiting,
+        }
+    }
+
+    fn is_over(&self) -> bool {
+        matches!(self.state(), TrainingState::Done | TrainingState::Failed)
+    }
+
+    /// How the whole stages went.
+    pub fn stages(&self) -> &[pilotage_core::training::StageReport] {
+        let left = || self.order.left.as_ref().map(|l| l.stages.as_slice());
+        let told = self.report.as_ref().map(|r| r.stages.as_slice());
+        let ended = self.outcome.as_ref().map(|o| o.stages.as_slice());
+        ended.or(told).or_else(left).unwrap_or_default()
+    }
+
+    /// Work so far, seconds.
+    pub fn seconds(&self) -> f64 {
+        let left = || self.order.left.as_ref().map(|l| l.seconds);
+        let told = self.report.as_ref().map(|r| r.seconds);
+        let ended = self.outcome.as_ref().map(|o| o.seconds);
+        ended.or(told).or_else(left).unwrap_or(0.0)
+    }
+
+    /// Whether it is of the landmark as that is now.
+    fn is_of(&self, landmark: &Landmark) -> bool {
+        let of = &self.order.landmark;
+        (of.id, of.bounds) == (landmark.id, landmark.bounds)
+    }
+}
+
+/// What is kept of a training between visits.
+#[derive(Debug, Serialize, Deserialize)]
+struct Kept {
+    /// The version of the program, which alone goes on to the same detector.
+    program: String,
+    order: TrainOrder,
+    outcome: Option<TrainingOutcome>,
+}
+
+/// All trainings.
+#[derive(Debug, Default)]
+pub struct Trainings {
+    list: Vec<Training>,
+    /// Jobs to be stopped.
+    unwanted: Vec<JobId>,
+    /// Detectors to be kept with their landmarks.
+    ready: Vec<(Landmark, TrainingOutcome)>,
+    /// Whether there is something new to be stored.
+    changed: bool,
+}
+
+impl Trainings {
+    /// The training of a landmark as it is now.
+    pub fn of(&self, landmark: &Landmark) -> Option<&Training> {
+        self.list.iter().find(|t| t.is_of(landmark))
+    }
+
+    /// What came of the training that made the detector which a landmark has.
+    pub fn outcome(&self, landmark: &Landmark) -> Option<&TrainingOutcome> {
+        let outcome = self.of(landmark)?.outcome.as_ref()?;
+        (landmark.trained_text() == Some(&outcome.detector)).then_some(outcome)
+    }
+
+    /// Trainings of the landmarks of a mission over the map that is open that are not done.
+    pub fn unfinished<'a>(
+        &'a self,
+        documents: &'a Documents,
+    ) -> impl Iterator<Item = &'a Training> {
+        let here = |t: &&Training| is_here(t, documents) && t.outcome.is_none();
+        self.list.iter().filter(here)
+    }
+
+    /// Trains these; one that was left goes on.
+    pub fn ask(&mut self, orders: Vec<TrainOrder>) {
+        for order in orders {
+            let known = |t: &&mut Training| t.order.landmark.id == order.landmark.id;
+            match self.list.iter_mut().find(known) {
+                Some(t) if !t.is_over() && t.order.landmark.bounds == order.landmark.bounds => {
+                    t.wanted = true;
+                }
+                Some(t) => {
+                    self.unwanted.extend(t.job.take());
+                    *t = Training::new(order, true);
+                }
+                None => self.list.push(Training::new(order, true)),
+            }
+        }
+    }
+
+    /// Lets trainings keep their place, or go on: of one landmark, or all that are not over.
+    pub fn pause(&mut self, which: Option<u32>, pause: bool) {
+        for t in &mut self.list {
+            if which.is_none_or(|id| t.order.landmark.id == id) && !t.is_over() {
+                t.wanted = !pause;
+            }
+        }
+    }
+
+    /// Forgets the training of one landmark, or all that are not done.
+    pub fn cancel(&mut self, which: Option<u32>) {
+        let unwanted = &mut self.unwanted;
+        self.list.retain_mut(|t| {
+            let stays = t.outcome.is_some() || which.is_some_and(|id| t.order.landmark.id != id);
+            if !stays {
+                unwanted.extend(t.job.take());
+            }
+            stays
+        });
+        self.changed = true;
+    }
+
+    /// Takes what was stored at an earlier visit; it waits to be resumed.
+    pub fn recall(&mut self, host: &dyn Host) {
+        let bytes = host.recall(TRAININGS_KEY).unwrap_or_default();
+        let body = bytes.strip_prefix(&[FORM]).unwrap_or_default();
+        let kept: Vec<Kept> = postcard::from_bytes(body).unwrap_or_default();
+        let kept = kept.into_iter().filter(|k| k.program == program());
+        self.list = kept
+            .map(|kept| Training {
+                outcome: kept.outcome,
+                ..Training::new(kept.order, false)
+            })
+            .collect();
+    }
+
+    /// Names of the landmarks of which a training is not over.
+    pub fn left(&self) -> Vec<&str> {
+        let left = self.list.iter().filter(|t| !t.is_over());
+        left.map(|t| t.order.landmark.name.as_str()).collect()
+    }
+
+    /// What is to be kept.
+    fn encode(&self) -> Vec<u8> {
+        let kept = self.list.iter().filter(|t| t.trouble.is_none());
+        let kept: Vec<Kept> = kept
+            .map(|t| Kept {
+                program: program(),
+                order: t.order.clone(),
+                outcome: t.outcome.clone(),
+            })
+            .collect();
+        let late = kept.len().saturating_sub(MOST_KEPT);
+        postcard::to_extend(&kept[late..], vec![FORM]).unwrap_or_default()
+    }
+
+    /// Begins, holds and stops what is due.
+    pub fn work(&mut self, host: &mut dyn Host, documents: &Documents) {
+        for id in self.unwanted.drain(..) {
+            host.cancel(id);
+        }
+        for t in &mut self.list {
+            // Of another map, or of a box that was changed, nothing is worked on.
+            if t.job.is_some() && !is_here(t, documents) {
+                t.wanted = false;
+                if let Some(id) = t.job.take() {
+                    host.cancel(id);
+                }
+            }
+            if let Some(id) = t.job.filter(|_| !t.wanted && !t.is_held) {
+                t.is_held = true;
+                host.hold(id, true);
+            }
+        }
+        let at_work = |t: &&Training| t.state() == TrainingState::Working;
+        let mut room = AT_A_TIME.saturating_sub(self.list.iter().filter(at_work).count());
+        for t in &mut self.list {
+            if room == 0 {
+                break;
+            }
+            if t.state() != TrainingState::Waiting || !is_here(t, documents) {
+                continue;
+            }
+            room -= 1;
+            t.is_held = false;
+            if let Some(id) = t.job {
+                host.hold(id, false);
+            } else {
+                "Waiting for a worker".clone_into(&mut t.words);
+                t.report = None;
+                t.job = Some(host.start(Job::Train(Box::new(t.order.clone()))));
+                // What was only asked for is kept, too.
+                self.changed = true;
+            }
+        }
+        if std::mem::take(&mut self.changed) {
+            host.store(TRAININGS_KEY, &self.encode());
+        }
+    }
+
+    /// Takes what a worker says; false if it is about something else.
+    pub fn receive(&mut self, id: JobId, event: &JobEvent) -> bool {
+        let Some(at) = self.list.iter().position(|t| t.job == Some(id)) else {
+            return false;
+        };
+        let t = &mut self.list[at];
+        match event {
+            JobEvent::Progress(_, words) => t.words.clone_from(words),
+            JobEvent::Training(report) => {
+                if let Some(left) = &report.left {
+                    t.order.left = Some(left.clone());
+                    self.changed = true;
+                }
+                t.report = Some(report.as_ref().clone());
+            }
+            JobEvent::Trained(outcome) => {
+                t.outcome = Some(outcome.as_ref().clone());
+                t.order.left = None;
+                let landmark = t.order.landmark.clone();
+                self.ready.push((landmark, outcome.as_ref().clone()));
+                self.changed = true;
+            }
+            JobEvent::Failed(why) => {
+                t.trouble = Some(why.clone());
+                t.job = None;
+                self.changed = true;
+            }
+            JobEvent::Finished | JobEvent::Cancelled => t.job = None,
+            _ => {}
+        }
+        true
+    }
+
+    /// Outcomes that nobody has taken yet, each with the landmark as it was trained for.
+    pub fn take_ready(&mut self) -> Vec<(Landmark, TrainingOutcome)> {
+        std::mem::take(&mut self.ready)
+    }
+
+    /// Trainings for journeys.
+    pub fn json(&self, documents: &Documents) -> Value {
+        let here = self.list.iter().filter(|t| is_here(t, documents));
+        let all = here.map(|t| {
+            let report = t.report.as_ref();
+            json!({
+                "id": t.order.landmark.id,
+                "name": t.order.landmark.name,
+                "state": format!("{:?}", t.state()),
+                "phase": report.map(|r| format!("{:?}", r.phase)),
+                "fraction": report.map(|r| r.fraction),
+                "stages": t.stages().len(),
+                "growing": report.and_then(|r| r.growing).map(|row| row.votes),
+                "seconds": t.seconds(),
+                "photos": t.order.plan.photos,
+                "trouble": t.trouble,
+                "outcome": t.outcome.as_ref().map(|o| json!({
+                    "judged": o.judged,
+                    "found": o.found,
+                    "false_alarms": o.false_alarms,
+                    "least_score": o.least_score,
+                })),
+            })
+        });
+        all.collect()
+    }
+}
+
+fn program() -> String {
+    env!("CARGO_PKG_VERSION").to_owned()
+}
+
+/// Whether a training is of a landmark as it is now, on the map that is open.
+fn is_here(t: &Training, documents: &Documents) -> bool {
+    let landmark = documents.mission.landmark(t.order.landmark.id);
+    t.order.map == documents.map_source && landmark.is_some_and(|l| t.is_of(l))
+}
+
+/// Where a training that was left stands, in words.
+pub fn left_words(left: Option<&TrainingLeft>) -> String {
+    match left {
+        Some(left) => format!("Paused at stage {}", left.stages.len() + 1),
+        None => "Paused".to_owned(),
+    }
+}
+
+impl Planner {
+    /// What is to be trained for landmarks.
+    pub fn train_orders(&self, ids: &[u32], documents: &Documents) -> Vec<TrainOrder> {
+        let mission = &documents.mission;
+        let height = self.flown_height(documents);
+        let landmarks = ids.iter().filter_map(|id| mission.landmark(*id));
+        let order = |landmark: &Landmark| {
+            let mut landmark = landmark.clone();
+            landmark.keep_trained_text(None);
+            let look_alike = documents
+                .distinctness_of(landmark.id)
+                .and_then(|d| d.look_alike);
+            let usual = TrainingPlan::default();
+            let photos = self.preferences.photos;
+            TrainOrder {
+                map: documents.map_source.clone(),
+                camera: camera(documents),
+                height,
+                sensors: mission.navigator.sensors,
+                ground_down: ground_down(documents),
+                plan: TrainingPlan {
+                    photos,
+                    days: usual.days.min(photos),
+                    held_out: usual.held_out.min(photos),
+                    look_alikes: look_alike.into_iter().map(|(place, _)| place).collect(),
+                    ..usual
+                },
+                left: None,
+                landmark,
+            }
+        };
+        landmarks.map(order).collect()
+    }
+
+    /// Landmarks that "train all" is about: those that are switched on and have no detector yet.
+    pub fn untrained(documents: &Documents) -> Vec<u32> {
+        let on = || documents.mission.landmarks.iter().filter(|l| l.enabled);
+        let without: Vec<u32> = on().filter(|l| !l.is_trained()).map(|l| l.id).collect();
+        if without.is_empty() {
+            on().map(|l| l.id).collect()
+        } else {
+            without
+        }
+    }
+}
