@@ -4,6 +4,7 @@ mod attention;
 mod bound;
 mod engine;
 mod expected;
+mod explain;
 pub(crate) mod geometry;
 mod pipeline;
 mod region;
@@ -18,8 +19,9 @@ mod summary;
 pub use crate::landmark::Refusal;
 pub use bound::position_bound;
 pub(crate) use engine::vehicle;
+pub use explain::{explain, explain_cascade};
 pub(crate) use pipeline::PYRAMID_LEVELS;
-pub use pipeline::{Navigator, NavigatorError, explain};
+pub use pipeline::{Navigator, NavigatorError};
 pub use report::{
     CandidateReport, Control, Estimate, FrameReport, JointReport, Outcome, SigmaSets, StepReport,
     StepTiming,

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::{DVector, Matrix2, Vector2};
+use nalgebra::DVector;
 
 use super::engine::{Engine, engine};
 use super::expected::AppearanceModel;
@@ -17,9 +17,7 @@ use crate::filter::FilterError;
 use crate::flight::{ChannelName, Flight, FrameSource};
 use crate::frames::{Attitude, GroundPoint};
 use crate::imagery::Imagery;
-use crate::landmark::{
-    ChosenDetector, Detector, Landmark, Refusal, SearchRequest, TemplateDetector,
-};
+use crate::landmark::{ChosenDetector, Detector, Landmark, Refusal};
 use crate::raster::{Picture, Pyramid};
 use crate::vehicle::ControlInput;
 
@@ -397,43 +395,6 @@ impl Navigator {
         report.timing.update = stopwatch() - seen;
         Ok(())
     }
-}
-
-/// Looks at a past step again for people: the pictures that explain what the detector did.
-///
-/// `None` if the landmark is unknown or was not looked for in that step.
-pub fn explain(
-    flight: &Flight,
-    map: Arc<dyn Imagery>,
-    run_settings: &NavigatorSettings,
-    landmark: &Landmark,
-    step: &StepReport,
-    picture: &Picture,
-) -> Option<Result<crate::landmark::MatchEvidence, crate::landmark::Refusal>> {
-    let frame = step.frame.as_ref()?;
-    let candidate = frame
-        .candidates
-        .iter()
-        .find(|c| c.landmark == landmark.id)?;
-    let mut camera = flight.camera.clone();
-    camera.mount.yaw += flight.frames.get(frame.index)?.stored_turn;
-    let pose = frame.assumed_pose;
-    // What was searched says how uncertain the place was.
-    let (region, bounds) = (candidate.search_region, landmark.bounds);
-    let sigmas = run_settings.detector.search_sigmas.max(1e-9);
-    let deviations = Vector2::new(region.north - bounds.north, region.east - bounds.east) / sigmas;
-    let luminance = Pyramid::new(picture.to_gray(), PYRAMID_LEVELS);
-    let view = crate::landmark::FrameView {
-        camera: &camera,
-        pose,
-        ground_down: flight.ground_down,
-        luminance: &luminance,
-    };
-    let request = SearchRequest {
-        landmark,
-        displacement_covariance: Matrix2::from_diagonal(&deviations.map(|sd| sd * sd)),
-    };
-    Some(TemplateDetector::new(map, run_settings.detector).explain(&view, &request))
 }
 
 /// Every time at which a measurement or a frame arrives after the start.

@@ -4,6 +4,7 @@
 //! pass or ends it, and nearly all end in the first ones. DeAngelo 2016, section 3.3, finds his
 //! landmarks with them.
 
+mod answers;
 mod binary;
 mod build;
 mod check;
@@ -32,6 +33,7 @@ mod twin;
 mod write;
 mod xml;
 
+pub use answers::{Answer, stage_answers};
 pub use build::{Split, TrainedNode, TrainedStage, TrainedTree};
 pub use error::CascadeError;
 pub use group::{Group, group};

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use serde::{Deserialize, Serialize};
+
 /// A rectangle of the window: left, top, width, height, pixels.
 pub type Area = [i32; 4];
 
@@ -27,7 +29,7 @@ pub enum Feature {
 pub(super) const COMPONENTS: u8 = 36;
 
 /// Which features a cascade has; all of them are of one kind.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Kind {
     /// [`Feature::Haar`].
     Haar,

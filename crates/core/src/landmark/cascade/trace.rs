@@ -1,5 +1,7 @@
 //! What happens in a cascade, for those who want to understand it.
 
+use serde::{Deserialize, Serialize};
+
 use super::grid::Grid;
 use super::histograms::{DIRECTIONS, Histograms, unit};
 use super::model::{Area, Cascade, Feature};
@@ -37,7 +39,7 @@ pub fn trace(cascade: &Cascade, picture: &Raster<u8>, scale: f64) -> Trace {
 }
 
 /// How strong the edges of each direction are in each cell of a patch.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HogPicture {
     /// Width and height of a cell, pixels of the patch.
     pub cell: usize,
@@ -79,7 +81,7 @@ pub fn hog_picture(patch: &Patch, cell: usize) -> HogPicture {
 }
 
 /// A feature as it is drawn over the window.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ShownFeature {
     /// Which tree of the stage asks for it.
     pub tree: usize,

@@ -95,7 +95,7 @@ pub fn to_bytes(ground: &GroundView) -> Raster<u8> {
 }
 
 /// Scores of all windows, minus infinity where the camera did not see all of one.
-fn scores(
+pub(crate) fn scores(
     cascade: &Cascade,
     said: &Responses,
     ground: &GroundView,

@@ -1,0 +1,109 @@
+//! A past step looked at again, for people.
+
+use std::sync::Arc;
+
+use nalgebra::{Matrix2, Vector2};
+
+use super::pipeline::PYRAMID_LEVELS;
+use super::{NavigatorSettings, StepReport};
+use crate::camera::CameraModel;
+use crate::flight::Flight;
+use crate::frames::Pose;
+use crate::imagery::Imagery;
+use crate::landmark::{
+    CascadeEvidence, FrameView, Landmark, MatchEvidence, Refusal, SearchRequest, TemplateDetector,
+};
+use crate::raster::{Picture, Pyramid};
+
+/// The pictures that explain what the template detector did.
+///
+/// `None` if the landmark is unknown or was not looked for in that step.
+pub fn explain(
+    flight: &Flight,
+    map: Arc<dyn Imagery>,
+    run_settings: &NavigatorSettings,
+    landmark: &Landmark,
+    step: &StepReport,
+    picture: &Picture,
+) -> Option<Result<MatchEvidence, Refusal>> {
+    let look = Look::again(flight, run_settings, landmark, step, picture)?;
+    let mut detector = TemplateDetector::new(map, run_settings.detector);
+    Some(detector.explain(&look.view(), &look.request(landmark)))
+}
+
+/// What the landmark's trained detector saw and did, whichever detector was chosen.
+///
+/// `None` if the landmark is unknown or was not looked for in that step.
+pub fn explain_cascade(
+    flight: &Flight,
+    map: &dyn Imagery,
+    run_settings: &NavigatorSettings,
+    landmark: &Landmark,
+    step: &StepReport,
+    picture: &Picture,
+) -> Option<Result<CascadeEvidence, Refusal>> {
+    let look = Look::again(flight, run_settings, landmark, step, picture)?;
+    let sigmas = run_settings.detector.search_sigmas;
+    Some(CascadeEvidence::new(
+        map,
+        &look.view(),
+        &look.request(landmark),
+        sigmas,
+    ))
+}
+
+/// What a detector was given.
+struct Look {
+    camera: CameraModel,
+    pose: Pose,
+    ground_down: f64,
+    luminance: Pyramid,
+    /// Standard deviations (north, east) of where the landmark would appear, metres.
+    deviations: Vector2<f64>,
+}
+
+impl Look {
+    fn again(
+        flight: &Flight,
+        run_settings: &NavigatorSettings,
+        landmark: &Landmark,
+        step: &StepReport,
+        picture: &Picture,
+    ) -> Option<Self> {
+        let frame = step.frame.as_ref()?;
+        let candidate = frame
+            .candidates
+            .iter()
+            .find(|c| c.landmark == landmark.id)?;
+        let mut camera = flight.camera.clone();
+        camera.mount.yaw += flight.frames.get(frame.index)?.stored_turn;
+        // What was searched says how uncertain the place was.
+        let (region, bounds) = (candidate.search_region, landmark.bounds);
+        let sigmas = run_settings.detector.search_sigmas.max(1e-9);
+        let wider = Vector2::new(region.north - bounds.north, region.east - bounds.east);
+        Some(Self {
+            camera,
+            pose: frame.assumed_pose,
+            ground_down: flight.ground_down,
+            luminance: Pyramid::new(picture.to_gray(), PYRAMID_LEVELS),
+            deviations: wider / sigmas,
+        })
+    }
+
+    fn view(&self) -> FrameView<'_> {
+        FrameView {
+            camera: &self.camera,
+            pose: self.pose,
+            ground_down: self.ground_down,
+            luminance: &self.luminance,
+        }
+    }
+
+    fn request<'l>(&self, landmark: &'l Landmark) -> SearchRequest<'l> {
+        let variances = self.deviations.map(|sd| sd * sd);
+        SearchRequest {
+            landmark,
+            displacement_covariance: Matrix2::from_diagonal(&variances),
+        }
+    }
+}
