@@ -9,6 +9,7 @@ use crate::georeference::GeoreferenceCommand;
 use crate::jobs::SimulationOptions;
 use crate::labelling::LabelCommand;
 use crate::plan::PlanCommand;
+use crate::views::DetectorCommand;
 use serde::{Deserialize, Serialize};
 
 /// Something to do, sent by a view and carried out by the app at the end of the frame.
@@ -74,6 +75,8 @@ pub enum Command {
         /// Landmark id.
         landmark: u32,
     },
+    /// Something about what a trained detector saw and did.
+    Detector(DetectorCommand),
     /// Simulate a flight and navigate it.
     Simulate(Box<SimulationOptions>),
     /// Navigate with other settings; the run recomputes.

@@ -107,12 +107,3 @@ fn is_same(a: &GroundRect, b: &GroundRect) -> bool {
     let near = |a: f64, b: f64| (a - b).abs() < 0.01;
     near(a.north, b.north) && near(a.south, b.south) && near(a.west, b.west) && near(a.east, b.east)
 }
-
-/// Whether two boxes are one but for what is lost when numbers are written down.
-fn is_same(a: &GroundRect, b: &GroundRect) -> bool {
-    let near = |a: f64, b: f64| (a - b).abs() < 0.01;
-    near(a.north, b.north)
-        && near(a.south, b.south)
-        && near(a.west, b.west)
-        && near(a.east, b.east)
-}

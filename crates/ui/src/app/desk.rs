@@ -106,6 +106,8 @@ pub struct Desk {
     pub examine_at: Option<f64>,
     /// The match being explained: job, time, landmark.
     pub explain: Option<(JobId, f64, u32)>,
+    /// The search of a trained detector being looked at again: job, time, landmark.
+    pub detector: Option<(JobId, f64, u32)>,
     /// The camera pictures being decoded: job, frame, encoded picture.
     pub decoding: Vec<(JobId, usize, Arc<[u8]>)>,
     /// The landmark that could not be examined, and why.

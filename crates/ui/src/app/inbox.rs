@@ -99,6 +99,8 @@ impl App {
                 JobEvent::Finished | JobEvent::Cancelled => self.desk.explain = None,
                 _ => {}
             }
+        } else if self.desk.detector.is_some_and(|d| d.0 == id) {
+            self.detector_event(event);
         } else if self.desk.decoding.iter().any(|d| d.0 == id) {
             self.picture_event(id, event);
         } else if self.desk.brief.as_ref().is_some_and(|b| b.0 == id) {

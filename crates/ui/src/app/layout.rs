@@ -296,7 +296,12 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
                 Workspace::Replay => {
                     camera(ui, scene, views, commands);
                     inner.show(ui, |ui| {
-                        let tabs = [SideTab::Match, SideTab::Filter, SideTab::Landmarks];
+                        let tabs = [
+                            SideTab::Match,
+                            SideTab::Detector,
+                            SideTab::Filter,
+                            SideTab::Landmarks,
+                        ];
                         tabbed(ui, scene, views, commands, &tabs);
                     });
                 }
@@ -343,6 +348,7 @@ fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
                         let tabs = [
                             SideTab::Camera,
                             SideTab::Match,
+                            SideTab::Detector,
                             SideTab::Filter,
                             SideTab::Plots,
                             SideTab::Landmarks,
@@ -413,6 +419,7 @@ fn tabbed(
         for choice in tabs {
             let label = match choice {
                 SideTab::Match => "Match",
+                SideTab::Detector => "Detector",
                 SideTab::Filter => "Filter",
                 SideTab::Landmarks => "Landmarks",
                 SideTab::Camera => "Camera",
@@ -428,6 +435,10 @@ fn tabbed(
     ui.painter().hline(line, y, Stroke::new(1.0, tokens.line));
     match *scene.side_tab {
         SideTab::Match => scene.with_context(commands, |c| views.matching.show(ui, c)),
+        SideTab::Detector => {
+            let search = scene.documents.detector_search.as_ref();
+            scene.with_context(commands, |c| views.detector.show(ui, c, search));
+        }
         SideTab::Filter => scene.with_context(commands, |c| views.inspector.show(ui, c)),
         SideTab::Landmarks => landmarks(ui, scene, views, commands),
         SideTab::Camera => scene.with_context(commands, |c| views.camera.show(ui, c)),

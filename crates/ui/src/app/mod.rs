@@ -2,6 +2,7 @@
 
 mod brief;
 mod desk;
+mod detector;
 mod exchange;
 mod execute;
 mod georeferencing;
@@ -32,7 +33,7 @@ use crate::shell::keys::ShortcutListener;
 use crate::shell::{LandmarkList, Palette, Toasts, apply_theme};
 use crate::timeline::{Playback, Timeline};
 use crate::tokens::Tokens;
-use crate::views::{CameraView, InspectorView, MatchView, PlotsView, Tour};
+use crate::views::{CameraView, DetectorView, InspectorView, MatchView, PlotsView, Tour};
 
 use desk::Desk;
 
@@ -41,6 +42,8 @@ use desk::Desk;
 pub enum SideTab {
     /// How a landmark was matched.
     Match,
+    /// What a trained detector saw and did.
+    Detector,
     /// What the filter did.
     Filter,
     /// The list of landmarks.
@@ -69,6 +72,7 @@ struct Views {
     timeline: Timeline,
     camera: CameraView,
     matching: MatchView,
+    detector: DetectorView,
     plots: PlotsView,
     inspector: InspectorView,
     tour: Tour,

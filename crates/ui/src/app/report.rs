@@ -172,6 +172,7 @@ impl App {
             "tour_stop": self.learning().then(|| self.views.tour.number()),
             "tour_title": self.learning().then(|| self.views.tour.title()),
             "side_tab": format!("{:?}", self.side_tab),
+            "detector": self.detector_json(),
             "dark": self.view.dark,
             "units": format!("{:?}", self.view.units),
             "download": self.desk.download.map(|d| {

@@ -9,7 +9,7 @@ use super::App;
 use super::desk::FlyJob;
 use crate::documents::{Session, Staged};
 use crate::host::Host;
-use crate::jobs::{Distinctness, FlightSource, Job, MapSource};
+use crate::jobs::{Distinctness, ExplainedBy, FlightSource, Job, MapSource};
 
 /// How long changes may follow each other before the run is computed again, milliseconds.
 const FLY_AGAIN_AFTER: f64 = 350.0;
@@ -309,6 +309,7 @@ impl App {
             return;
         };
         let job = Job::ExplainMatch {
+            by: ExplainedBy::Template,
             flight: self.documents.flight_source.clone(),
             map: self.documents.map_source.clone(),
             mission: self.documents.mission.clone(),

@@ -10,7 +10,7 @@ use pilotage_core::navigator::{NavigatorSettings, Run};
 use pilotage_core::simulate::Scenario;
 
 use super::{Ground, History, Session};
-use crate::jobs::{Distinctness, FlightSource, MapInfo, MapSource, MatchPictures};
+use crate::jobs::{DetectorSearch, Distinctness, FlightSource, MapInfo, MapSource, MatchPictures};
 
 /// What a new flight brings before its run begins; swapped in at once, so that a flight that fails
 /// early leaves everything as it was.
@@ -57,6 +57,8 @@ pub struct Documents {
     pub distinctness: HashMap<u32, Distinctness>,
     /// The pictures of the match asked for last.
     pub match_pictures: Option<MatchPictures>,
+    /// What the trained detector asked for last saw and did.
+    pub detector_search: Option<DetectorSearch>,
     /// Bookmarks in time order, seconds in the flight's time base.
     pub bookmarks: Vec<f64>,
 }
@@ -97,6 +99,7 @@ impl Documents {
             terrain: Ground::default(),
             distinctness: HashMap::new(),
             match_pictures: None,
+            detector_search: None,
             bookmarks: session.bookmarks.clone(),
         }
     }
@@ -175,6 +178,7 @@ impl Documents {
             self.mission_edited = false;
         }
         self.match_pictures = None;
+        self.detector_search = None;
         self.run = Some(head);
         self.run_complete = false;
         self.run_generation += 1;
@@ -208,6 +212,7 @@ impl Documents {
         self.bookmarks.clear();
         self.distinctness.clear();
         self.match_pictures = None;
+        self.detector_search = None;
     }
 
     /// First and last time of the flight, or of the run if there is no flight.

@@ -1,45 +1,85 @@
-//! The pictures that explain a match.
+//! Past steps looked at again: what explains what a detector did.
 
-use pilotage_core::flight::FrameSource as _;
+use std::sync::Arc;
+
+use pilotage_core::flight::{Flight, FrameSource as _};
+use pilotage_core::imagery::Imagery;
+use pilotage_core::landmark::{Landmark, Refusal};
 use pilotage_core::mission::Mission;
-use pilotage_core::navigator::{StepReport, explain};
+use pilotage_core::navigator::{StepReport, explain, explain_cascade};
+use pilotage_core::raster::Picture;
 
-use super::{FlightSource, MapSource, MatchPictures, Workshop};
+use super::{DetectorSearch, FlightSource, MapSource, MatchPictures, Workshop};
 
-/// Looks at a past step again.
-pub fn match_pictures(
-    workshop: &mut Workshop,
-    flight: &FlightSource,
-    map: &MapSource,
-    mission: &Mission,
-    step: &StepReport,
-    landmark: u32,
-) -> Result<MatchPictures, String> {
-    let map = workshop.map(map)?;
-    let open = workshop.flight(flight)?;
-    let mut open = open.borrow_mut();
-    let index = step
-        .frame
-        .as_ref()
-        .ok_or("this step has no camera picture")?
-        .index;
-    let picture = open.frames.picture(index).map_err(|e| e.to_string())?;
-    let marked = mission
-        .landmark(landmark)
-        .ok_or("the landmark is no longer in the mission")?;
-    let settings = &mission.navigator;
-    let evidence = explain(&open.flight, map, settings, marked, step, &picture)
-        .ok_or("the landmark was not looked for in this picture")?
-        .map_err(|refusal| format!("{}: {}", marked.name, refusal.reason()))?;
-    let mut peaks = evidence.peaks.into_iter();
-    Ok(MatchPictures {
-        time: step.time,
-        landmark,
-        patch: evidence.patch,
-        rectified: evidence.rectified,
-        surface: evidence.surface,
-        peak: peaks.next(),
-        second: peaks.next(),
-        gsd: evidence.gsd,
-    })
+/// Which step is looked at again, and for which landmark.
+pub struct PastLook<'a> {
+    /// The flight.
+    pub flight: &'a FlightSource,
+    /// The map.
+    pub map: &'a MapSource,
+    /// The mission.
+    pub mission: &'a Mission,
+    /// The step.
+    pub step: &'a StepReport,
+    /// The landmark.
+    pub landmark: u32,
+}
+
+impl PastLook<'_> {
+    /// What `look` says of the step's picture.
+    fn again<R>(
+        &self,
+        workshop: &mut Workshop,
+        look: impl FnOnce(&Flight, Arc<dyn Imagery>, &Landmark, &Picture) -> Option<Result<R, Refusal>>,
+    ) -> Result<R, String> {
+        let map = workshop.map(self.map)?;
+        let open = workshop.flight(self.flight)?;
+        let mut open = open.borrow_mut();
+        let index = self
+            .step
+            .frame
+            .as_ref()
+            .ok_or("this step has no camera picture")?
+            .index;
+        let picture = open.frames.picture(index).map_err(|e| e.to_string())?;
+        let marked = self
+            .mission
+            .landmark(self.landmark)
+            .ok_or("the landmark is no longer in the mission")?;
+        look(&open.flight, map, marked, &picture)
+            .ok_or("the landmark was not looked for in this picture")?
+            .map_err(|refusal| format!("{}: {}", marked.name, refusal.reason()))
+    }
+
+    /// The pictures that explain what the template detector did.
+    pub fn match_pictures(&self, workshop: &mut Workshop) -> Result<MatchPictures, String> {
+        let settings = &self.mission.navigator;
+        let evidence = self.again(workshop, |flight, map, marked, picture| {
+            explain(flight, map, settings, marked, self.step, picture)
+        })?;
+        let mut peaks = evidence.peaks.into_iter();
+        Ok(MatchPictures {
+            time: self.step.time,
+            landmark: self.landmark,
+            patch: evidence.patch,
+            rectified: evidence.rectified,
+            surface: evidence.surface,
+            peak: peaks.next(),
+            second: peaks.next(),
+            gsd: evidence.gsd,
+        })
+    }
+
+    /// What the landmark's trained detector saw and did.
+    pub fn detector_search(&self, workshop: &mut Workshop) -> DetectorSearch {
+        let settings = &self.mission.navigator;
+        let found = self.again(workshop, |flight, map, marked, picture| {
+            explain_cascade(flight, map.as_ref(), settings, marked, self.step, picture)
+        });
+        DetectorSearch {
+            time: self.step.time,
+            landmark: self.landmark,
+            found,
+        }
+    }
 }

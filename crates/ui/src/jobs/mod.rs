@@ -53,7 +53,7 @@ pub use messages::{Reply, Request};
 pub use pack::PackOrder;
 pub use predict::{COARSE, PredictionOrder};
 pub use protocol::{
-    Distinctness, FlightSource, Job, JobEvent, JobId, MapInfo, MapSource, MatchPictures, Opened,
+    DetectorSearch, Distinctness, ExplainedBy, FlightSource, Job, JobEvent, JobId, MapInfo, MapSource, MatchPictures, Opened,
     SimulationOptions, Unplaced,
 };
 pub use runner::JobRunner;

@@ -7,6 +7,7 @@ use pilotage_core::flight::Flight;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
 use pilotage_core::imagery::terrain::HeightGrid;
 use pilotage_core::imagery::{Georeference, Window};
+use pilotage_core::landmark::CascadeEvidence;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Run, StepReport};
 use pilotage_core::plan::{Candidate, Envelope, Localizability, Prediction, Suggestion, View};
@@ -171,8 +172,10 @@ pub enum Job {
         /// How far around it to look for look-alikes, metres.
         radius: f64,
     },
-    /// Pictures that explain a match: event `Match`.
+    /// Pictures that explain a match: event `Match`, or `Detector` of one by a trained detector.
     ExplainMatch {
+        /// By what the landmark is looked for.
+        by: ExplainedBy,
         /// The flight.
         flight: FlightSource,
         /// The map.
@@ -288,6 +291,26 @@ pub struct MatchPictures {
     pub gsd: f64,
 }
 
+/// By what a landmark is looked for when a match is explained.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum ExplainedBy {
+    /// By its map patch.
+    Template,
+    /// By the detector that was trained for it.
+    Cascade,
+}
+
+/// What a trained detector saw and did in a past step.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct DetectorSearch {
+    /// Time of the step, seconds in the flight's time base.
+    pub time: f64,
+    /// The landmark.
+    pub landmark: u32,
+    /// What it saw and did, or why that cannot be told.
+    pub found: Result<CascadeEvidence, String>,
+}
+
 /// What provided files turned out to be.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Opened {
@@ -365,6 +388,8 @@ pub enum JobEvent {
     Distinctness(Box<Distinctness>),
     /// Pictures that explain a match.
     Match(Box<MatchPictures>),
+    /// What a trained detector saw and did.
+    Detector(Box<DetectorSearch>),
     /// The uncertainty along a planned route.
     Prediction {
         /// The prediction.

@@ -9,6 +9,7 @@ use crate::command::{Command, Workspace};
 use crate::dialogs::WebMapCommand;
 use crate::labelling::LabelCommand;
 use crate::plan::{FindCommand, FindPick, HeatCommand, PlanCommand, Purpose, TrainCommand};
+use crate::views::DetectorCommand;
 
 /// Where a command stands in the help sheet and the palette.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,6 +83,8 @@ pub fn describe(shortcut: &KeyboardShortcut) -> String {
         Key::OpenBracket => "[",
         Key::CloseBracket => "]",
         Key::Questionmark => "?",
+        Key::Comma => ",",
+        Key::Period => ".",
         Key::Plus => "+",
         Key::Minus => "-",
         other => other.name(),
@@ -258,6 +261,26 @@ fn view() -> Vec<Entry> {
             "Show how a landmark was matched",
             vec![],
             Command::ShowMatch,
+        ),
+        of(
+            "Show what a trained detector saw",
+            vec![plain(Key::Z)],
+            Command::Detector(DetectorCommand::Show),
+        ),
+        of(
+            "Detector: one stage back",
+            vec![plain(Key::Comma)],
+            Command::Detector(DetectorCommand::Stages(-1)),
+        ),
+        of(
+            "Detector: one stage on",
+            vec![plain(Key::Period)],
+            Command::Detector(DetectorCommand::Stages(1)),
+        ),
+        of(
+            "Detector: let the stages pass",
+            vec![shift(Key::Z)],
+            Command::Detector(DetectorCommand::Play),
         ),
         of("Show Learn: the guided tour", vec![], Command::ToggleTour),
         of("Dark or light", vec![], Command::ToggleTheme),

@@ -7,6 +7,7 @@ mod canvas;
 pub(crate) mod chart;
 pub(crate) mod color_map;
 pub(crate) mod ellipse;
+mod detector;
 mod evaluation;
 #[cfg(test)]
 mod fixture;
@@ -17,9 +18,11 @@ mod picking;
 #[cfg(test)]
 mod pictures;
 mod plots;
+mod sights;
 mod tour;
 
 pub use camera::CameraView;
+pub use detector::{DetectorCommand, DetectorView};
 pub use evaluation::{EvaluationFile, EvaluationScene, EvaluationView};
 pub use inspector::InspectorView;
 pub use matching::MatchView;

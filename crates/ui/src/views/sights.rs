@@ -47,7 +47,7 @@ impl Sights {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::fixture::Fixture;
+    use super::super::fixture::Fixture;
     use super::*;
 
     #[test]

@@ -6,6 +6,7 @@ mod add_landmark;
 mod autosave;
 mod bookmarks;
 mod broken_file;
+mod detector;
 mod first_screen;
 mod fly_again;
 mod georeference;

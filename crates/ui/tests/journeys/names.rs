@@ -31,7 +31,7 @@ fn everything_is_named(rig: &Rig, place: &str) {
 #[test]
 fn every_widget_has_a_name_for_screen_readers() {
     let mut rig = rig();
-    for tab in ["Match", "Filter", "Landmarks"] {
+    for tab in ["Match", "Detector", "Filter", "Landmarks"] {
         rig.open_tab(tab);
         everything_is_named(&rig, tab);
     }

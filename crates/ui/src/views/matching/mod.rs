@@ -2,18 +2,17 @@
 
 mod numbers;
 mod pictures;
-mod sights;
 
 use egui::{RichText, ScrollArea, Ui};
 use pilotage_core::navigator::{CandidateReport, Outcome, Refusal, Run, StepReport};
 
+use super::sights::Sights;
 use super::{parts, picking};
 use crate::command::Command;
 use crate::context::{Drawn, ViewContext};
 use crate::jobs::MatchPictures;
 use crate::timeline::clock_text;
 use pictures::MatchTextures;
-use sights::Sights;
 
 /// Explains the match of one landmark: in the frame at the cursor or, where none was looked for in
 /// it, in the last one before.

@@ -11,8 +11,8 @@ use pilotage_core::plan::{
 use pilotage_core::raster::Raster;
 use pilotage_ui::host::{Host, OpenedFile};
 use pilotage_ui::jobs::{
-    Assessment, AssessmentOrder, Distinctness, FieldOrder, Glance, HeightsOrder, Job, JobEvent,
-    JobId, JobRunner, MapInfo, Opened, Reply, Request, SuggestOrder,
+    Assessment, AssessmentOrder, DetectorSearch, Distinctness, ExplainedBy, FieldOrder, Glance,
+    HeightsOrder, Job, JobEvent, JobId, JobRunner, MapInfo, Opened, Reply, Request, SuggestOrder,
 };
 
 use super::flight::{flight, mission, run, run_head};
@@ -212,6 +212,19 @@ impl ScriptedHost {
             }
             Job::Brief(_) => {
                 say(JobEvent::BriefPictures(Box::default()));
+                say(JobEvent::Finished);
+            }
+            Job::ExplainMatch {
+                by: ExplainedBy::Cascade,
+                step,
+                landmark,
+                ..
+            } => {
+                say(JobEvent::Detector(Box::new(DetectorSearch {
+                    time: step.time,
+                    landmark: *landmark,
+                    found: Err("the picture is gone".to_owned()),
+                })));
                 say(JobEvent::Finished);
             }
             Job::ExplainMatch { .. } => say(JobEvent::Finished),
