@@ -355,8 +355,14 @@ impl<P: WorkerPort> Crew<P> {
                     let jobs = self.jobs.iter();
                     jobs.filter(|(id, a)| is_at_work(id, a, seat)).count()
                 };
+                // Tiles come and go; a flight stays.
+                let is_long = |a: &&Assigned| !matches!(a.job, Job::Tile { .. });
+                let long = |seat: usize| {
+                    let jobs = self.jobs.values().filter(is_long);
+                    jobs.filter(|a| a.seat == seat).count()
+                };
                 let seats = 0..SHARES;
-                let least = seats.min_by_key(|seat| (trained(*seat), jobs(*seat)));
+                let least = seats.min_by_key(|seat| (trained(*seat), long(*seat)));
                 least.unwrap_or(seat)
             }
             Job::DecodePicture { .. } => {

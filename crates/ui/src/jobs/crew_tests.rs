@@ -428,6 +428,22 @@ fn trainings_go_on_side_by_side_and_one_that_is_held_makes_room() {
 }
 
 #[test]
+fn a_training_does_not_wait_behind_a_flight_because_tiles_are_drawn_elsewhere() {
+    use pilotage_core::frames::{GroundPoint, GroundRect};
+    let (mut crew, notes) = crew();
+    crew.start(fly());
+    let area = GroundRect::centered(GroundPoint::new(0.0, 0.0), 50.0, 50.0);
+    let window = pilotage_core::imagery::Window::covering(&area, 1.0);
+    for _ in 0..4 {
+        let map = MapSource::Scenery;
+        crew.start(Job::Tile { map, window });
+    }
+    let training = crew.start(train(None));
+    let last = sent_to(&notes, 1).pop();
+    assert_eq!(last, Some(Request::Start(training, train(None))));
+}
+
+#[test]
 fn a_training_whose_worker_dies_goes_on_behind_its_last_whole_stage_and_stays_held() {
     use crate::jobs::{TrainingLeft, TrainingReport};
     let (mut crew, notes) = crew();

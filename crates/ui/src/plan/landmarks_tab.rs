@@ -87,6 +87,7 @@ pub fn landmarks_tab(
         ui.add_space(tokens.space);
     } else if let Some(landmark) = context.selection.and_then(|id| mission.landmark(id)) {
         actions(ui, planner, landmark, context);
+        ui.add_space(tokens.space);
         planner.detectors(ui, &[landmark.id], context);
         ui.add_space(tokens.space);
         card(ui, planner, landmark, context);
