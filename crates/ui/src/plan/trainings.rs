@@ -379,9 +379,6 @@ impl Planner {
         let order = |landmark: &Landmark| {
             let mut landmark = landmark.clone();
             landmark.keep_trained_text(None);
-            let look_alike = documents
-                .distinctness_of(landmark.id)
-                .and_then(|d| d.look_alike);
             let usual = TrainingPlan::default();
             let photos = self.preferences.photos;
             TrainOrder {
@@ -390,11 +387,12 @@ impl Planner {
                 height,
                 sensors: mission.navigator.sensors,
                 ground_down: ground_down(documents),
+                // What looks like it within the search is in its own photos. As a place of its own it would
+                // have the landmark in its photos, which would count as a false alarm there.
                 plan: TrainingPlan {
                     photos,
                     days: usual.days.min(photos),
                     held_out: usual.held_out.min(photos),
-                    look_alikes: look_alike.into_iter().map(|(place, _)| place).collect(),
                     ..usual
                 },
                 left: None,
