@@ -53,8 +53,8 @@ pub use messages::{Reply, Request};
 pub use pack::PackOrder;
 pub use predict::{COARSE, PredictionOrder};
 pub use protocol::{
-    DetectorSearch, Distinctness, ExplainedBy, FlightSource, Job, JobEvent, JobId, MapInfo, MapSource, MatchPictures, Opened,
-    SimulationOptions, Unplaced,
+    DetectorSearch, Distinctness, ExplainedBy, FlightSource, Job, JobEvent, JobId, MapInfo,
+    MapSource, MatchPictures, Opened, SimulationOptions, Unplaced,
 };
 pub use runner::JobRunner;
 pub use running::{Advance, RunningJob};

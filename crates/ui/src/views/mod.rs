@@ -6,8 +6,8 @@ mod camera;
 mod canvas;
 pub(crate) mod chart;
 pub(crate) mod color_map;
-pub(crate) mod ellipse;
 mod detector;
+pub(crate) mod ellipse;
 mod evaluation;
 #[cfg(test)]
 mod fixture;

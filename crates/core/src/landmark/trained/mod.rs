@@ -13,5 +13,5 @@ pub(super) use detector::BELIEVED;
 pub use detector::CascadeDetector;
 pub use likelihood::Likelihood;
 pub use model::{DetectorWindow, TrainedDetector};
-pub(crate) use search::{scores, to_bytes};
 pub use search::{Mark, search};
+pub(crate) use search::{scores, to_bytes};
