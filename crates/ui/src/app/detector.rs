@@ -9,17 +9,17 @@ use crate::jobs::{DetectorSearch, ExplainedBy, Job, JobEvent};
 use crate::views::DetectorCommand;
 
 impl App {
-    pub(super) fn detector(&mut self, command: DetectorCommand, host: &mut dyn Host) {
+    pub(super) fn detector(&mut self, command: &DetectorCommand, host: &mut dyn Host) {
         match command {
             DetectorCommand::Explain { time, landmark } => {
-                self.explain_detector(host, time, landmark);
+                self.explain_detector(host, *time, *landmark);
             }
             DetectorCommand::Show => self.show_detector(),
             DetectorCommand::Stages(_) | DetectorCommand::Play => {
                 if self.side_tab != SideTab::Detector {
                     self.show_detector();
                 }
-                self.views.detector.act(&command);
+                self.views.detector.act(command);
             }
         }
     }
@@ -91,7 +91,7 @@ impl App {
                     (0..=found.stages.len()).map(|stage| found.left_after(stage)).collect()
                 }),
                 "mean_votes": found.map_or(0.0, |found| found.mean_votes),
-                "all_votes": found.map_or(0, |found| found.all_votes()),
+                "all_votes": found.map_or(0, pilotage_core::landmark::CascadeEvidence::all_votes),
             })
         });
         json!({

@@ -55,7 +55,7 @@ impl App {
             | Command::Undo
             | Command::Redo => self.edit(command, now),
             Command::ExplainMatch { time, landmark } => self.explain(host, time, landmark),
-            Command::Detector(command) => self.detector(command, host),
+            Command::Detector(command) => self.detector(&command, host),
             Command::SetNavigator(settings) => {
                 let continues = context.input(|i| i.pointer.any_down());
                 if self.documents.set_navigator(&settings, continues) {

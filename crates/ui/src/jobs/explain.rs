@@ -9,20 +9,43 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{StepReport, explain, explain_cascade};
 use pilotage_core::raster::Picture;
 
-use super::{DetectorSearch, FlightSource, MapSource, MatchPictures, Workshop};
+use super::{
+    DetectorSearch, ExplainedBy, FlightSource, Job, JobEvent, MapSource, MatchPictures, Workshop,
+};
+
+/// What a job that explains a match tells.
+pub fn explained(workshop: &mut Workshop, job: &Job) -> Result<JobEvent, String> {
+    let Job::ExplainMatch {
+        by,
+        flight,
+        map,
+        mission,
+        step,
+        landmark,
+    } = job
+    else {
+        return Err("this is no question about a match".to_owned());
+    };
+    let look = PastLook {
+        flight,
+        map,
+        mission,
+        step,
+        landmark: *landmark,
+    };
+    Ok(match by {
+        ExplainedBy::Template => JobEvent::Match(Box::new(look.match_pictures(workshop)?)),
+        ExplainedBy::Cascade => JobEvent::Detector(Box::new(look.detector_search(workshop))),
+    })
+}
 
 /// Which step is looked at again, and for which landmark.
-pub struct PastLook<'a> {
-    /// The flight.
-    pub flight: &'a FlightSource,
-    /// The map.
-    pub map: &'a MapSource,
-    /// The mission.
-    pub mission: &'a Mission,
-    /// The step.
-    pub step: &'a StepReport,
-    /// The landmark.
-    pub landmark: u32,
+struct PastLook<'a> {
+    flight: &'a FlightSource,
+    map: &'a MapSource,
+    mission: &'a Mission,
+    step: &'a StepReport,
+    landmark: u32,
 }
 
 impl PastLook<'_> {
@@ -52,7 +75,7 @@ impl PastLook<'_> {
     }
 
     /// The pictures that explain what the template detector did.
-    pub fn match_pictures(&self, workshop: &mut Workshop) -> Result<MatchPictures, String> {
+    fn match_pictures(&self, workshop: &mut Workshop) -> Result<MatchPictures, String> {
         let settings = &self.mission.navigator;
         let evidence = self.again(workshop, |flight, map, marked, picture| {
             explain(flight, map, settings, marked, self.step, picture)
@@ -71,7 +94,7 @@ impl PastLook<'_> {
     }
 
     /// What the landmark's trained detector saw and did.
-    pub fn detector_search(&self, workshop: &mut Workshop) -> DetectorSearch {
+    fn detector_search(&self, workshop: &mut Workshop) -> DetectorSearch {
         let settings = &self.mission.navigator;
         let found = self.again(workshop, |flight, map, marked, picture| {
             explain_cascade(flight, map.as_ref(), settings, marked, self.step, picture)

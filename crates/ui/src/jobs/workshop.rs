@@ -20,7 +20,7 @@ use super::assess::{Assess, Share, sum_up};
 use super::brief::Brief;
 use super::content::{LentFiles, OpenAddress};
 use super::envelope::SurveyEnvelope;
-use super::explain::PastLook;
+use super::explain::explained;
 use super::field::ComputeField;
 use super::file_pool::FilePool;
 use super::find::FindRoute;
@@ -35,8 +35,8 @@ use super::suggest::{Suggest, choose};
 use super::train::Train;
 use super::web_map::{FetchedTiles, WEB_TILES};
 use super::{
-    ExplainedBy, FileContent, FlightSource, Job, JobEvent, MapInfo, MapSource, RunningJob,
-    distinct, opening, simulated,
+    FileContent, FlightSource, Job, JobEvent, MapInfo, MapSource, RunningJob, distinct, opening,
+    simulated,
 };
 
 /// The same ground on several days.
@@ -160,29 +160,8 @@ impl Workshop {
             }),
             Job::Field(order) => Box::new(ComputeField::new(*order)),
             Job::Find(order) => Box::new(FindRoute::new(*order)),
-            Job::ExplainMatch {
-                by,
-                flight,
-                map,
-                mission,
-                step,
-                landmark,
-            } => once(move |workshop, emit| {
-                let look = PastLook {
-                    flight: &flight,
-                    map: &map,
-                    mission: &mission,
-                    step: &step,
-                    landmark,
-                };
-                emit(match by {
-                    ExplainedBy::Template => {
-                        JobEvent::Match(Box::new(look.match_pictures(workshop)?))
-                    }
-                    ExplainedBy::Cascade => {
-                        JobEvent::Detector(Box::new(look.detector_search(workshop)))
-                    }
-                });
+            Job::ExplainMatch { .. } => once(move |workshop, emit| {
+                emit(explained(workshop, &job)?);
                 Ok(())
             }),
             Job::Pack(order) => once(move |workshop, emit| {

@@ -66,7 +66,7 @@ impl PatchState {
             format!("Patch with a feature of the stage. {words}"),
         );
         let painter = ui.painter_at(area);
-        let metres = size.x as f64 * evidence.window.gsd;
+        let metres = f64::from(size.x) * evidence.window.gsd;
         let captions = [
             format!("Stage {}, {metres:.1} m wide", stage + 1),
             format!(

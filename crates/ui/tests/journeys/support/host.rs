@@ -60,6 +60,26 @@ pub struct ScriptedHost {
     pub heights: Option<fn(&GroundPoint) -> f64>,
 }
 
+/// What is said of a match that is to be explained: something only of a trained detector's.
+fn explained(job: &Job) -> Vec<JobEvent> {
+    let mut events = vec![JobEvent::Finished];
+    if let Job::ExplainMatch {
+        by: ExplainedBy::Cascade,
+        step,
+        landmark,
+        ..
+    } = job
+    {
+        let search = DetectorSearch {
+            time: step.time,
+            landmark: *landmark,
+            found: Err("the picture is gone".to_owned()),
+        };
+        events.insert(0, JobEvent::Detector(Box::new(search)));
+    }
+    events
+}
+
 /// Ground of a shape.
 struct Shaped(fn(&GroundPoint) -> f64, HeightDatum);
 
@@ -214,20 +234,7 @@ impl ScriptedHost {
                 say(JobEvent::BriefPictures(Box::default()));
                 say(JobEvent::Finished);
             }
-            Job::ExplainMatch {
-                by: ExplainedBy::Cascade,
-                step,
-                landmark,
-                ..
-            } => {
-                say(JobEvent::Detector(Box::new(DetectorSearch {
-                    time: step.time,
-                    landmark: *landmark,
-                    found: Err("the picture is gone".to_owned()),
-                })));
-                say(JobEvent::Finished);
-            }
-            Job::ExplainMatch { .. } => say(JobEvent::Finished),
+            Job::ExplainMatch { .. } => explained(job).into_iter().for_each(&mut say),
             // Nothing is said of the others.
             _ => {}
         }
