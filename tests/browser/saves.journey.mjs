@@ -1,7 +1,7 @@
 // The autosave: a write that fails is told and tried again; one that breaks off loses the last edit at most.
 export const name = "a full disk or a crash in the middle of a save loses at most the last edit, and says so";
 
-const idle = (page) => page.waitForFunction(() => window.page.storage.pending === 0, null, { timeout: 30_000 });
+const idle = (page) => page.waitForFunction(() => window.page.storage.pending === 0, null, { timeout: 90_000 });
 
 /** Opens the `count`-th route beside the `others` of the demo, so that there is an edit to save. */
 async function addRoute(page, tools, others, count) {
@@ -18,7 +18,7 @@ export async function run(page, tools) {
   await tools.waitFor((s) => s.run_steps > 0, "the demo", 150_000);
   const others = (await tools.state()).plan.routes.length;
   await addRoute(page, tools, others, 1);
-  await page.waitForFunction(() => window.page.storage.written > 0, null, { timeout: 30_000 });
+  await page.waitForFunction(() => window.page.storage.written > 0, null, { timeout: 90_000 });
   await idle(page);
   const files = () => page.evaluate(async () => {
     const root = await navigator.storage.getDirectory();
@@ -36,12 +36,12 @@ export async function run(page, tools) {
   });
   await addRoute(page, tools, others, 2);
   const refused = (s) => s.toasts.find((t) => t.trouble && /could not keep everything/.test(t.title));
-  console.log(`        ${refused(await tools.waitFor(refused, "a word that it could not be stored", 30_000)).text}`);
+  console.log(`        ${refused(await tools.waitFor(refused, "a word that it could not be stored", 90_000)).text}`);
   await tools.screenshot("save-refused");
   tools.check(!(await files()).some((f) => f.endsWith(".unfinished")), "half a file was left behind");
   const { written } = await page.evaluate(() => ({ written: window.page.storage.written }));
   await page.evaluate(() => { FileSystemWritableFileStream.prototype.close = window.closeFile; });
-  await page.waitForFunction((before) => window.page.storage.written > before && window.page.storage.pending === 0, written, { timeout: 40_000 });
+  await page.waitForFunction((before) => window.page.storage.written > before && window.page.storage.pending === 0, written, { timeout: 90_000 });
   await page.reload();
   await tools.waitReady();
   await tools.waitFor((s) => s.plan.routes.length === others + 2, "both routes after the reload", 150_000);
@@ -49,9 +49,9 @@ export async function run(page, tools) {
   // A crash between writing and renaming: the edit before is there, and the break is told.
   await page.evaluate(() => { FileSystemFileHandle.prototype.move = () => new Promise(() => {}); });
   await addRoute(page, tools, others, 3);
-  for (let i = 0; i < 120 && !(await files()).some((f) => f.endsWith(".unfinished")); i += 1) {
-    await page.waitForTimeout(250);
-  }
+  const begun = async () => (await files()).some((f) => f.endsWith(".unfinished"));
+  for (let i = 0; i < 480 && !(await begun()); i += 1) await page.waitForTimeout(250);
+  tools.check(await begun(), "the save that shall break off did not begin");
   await page.waitForTimeout(1500);
   await page.reload();
   await tools.waitReady();

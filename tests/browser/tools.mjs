@@ -4,7 +4,7 @@
 import { join } from "node:path";
 import { startServer } from "./server.mjs";
 
-const patience = 15_000; // milliseconds for anything but the start
+const patience = 45_000; // milliseconds for anything but the start, on a machine that does other work, too
 const patienceForStart = 120_000; // a busy machine without a graphics card is slow
 const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, milliseconds));
 const matches = (wanted, text) => text != null

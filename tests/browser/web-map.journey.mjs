@@ -66,11 +66,21 @@ async function fill(page, tools, label, text) {
 async function openFile(page, tools, address) {
   await command(page, tools, "map from the web");
   await tools.waitFor((s) => s.dialogs.web_map, "the dialog");
+  await tools.drawn();
   await fill(page, tools, "Address", address);
-  await page.waitForTimeout(1500); // the dialog is lower without the fields for tiles
-  await tools.click(await tools.find("Button", "Open the map"));
+  await tools.find("TextInput", address);
+  // The dialog is lower without the fields for tiles: its button stays where it is from then on.
+  let place = null;
+  for (let i = 0; i < 100; i += 1) {
+    await tools.drawn();
+    const button = tools.middle(await tools.find("Button", "Open the map"));
+    if (place && place.x === button.x && place.y === button.y) break;
+    place = button;
+    await page.waitForTimeout(300);
+  }
+  await page.mouse.click(place.x, place.y);
   const file = address.slice(address.lastIndexOf("/"));
-  return tools.waitFor((s) => s.map.name?.endsWith(file) && s.map.tiles > 0 && s.map.whole, address, 60_000);
+  return tools.waitFor((s) => s.map.name?.endsWith(file) && s.map.tiles > 0 && s.map.whole, address, 120_000);
 }
 
 export async function run(page, tools) {

@@ -86,6 +86,8 @@ fn looks(random: &mut Random) -> Vec<EvaluatedLook> {
         score: (score * 100.0).round() / 100.0,
         offset: [0.0, 0.0],
         right,
+        rotation: 0.0,
+        log_scale: 0.0,
     };
     (0..400)
         .map(|i| {
@@ -100,6 +102,7 @@ fn looks(random: &mut Random) -> Vec<EvaluatedLook> {
                 height: 100.0,
                 tilt: 0.0,
                 heading_error: 0.0,
+                log_scale: 0.0,
                 real: false,
                 present,
                 marks,

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use pilotage_core::landmark::cascade::train::FeatureKind;
-use pilotage_core::landmark::trained::TrainedDetector;
+use pilotage_core::landmark::trained::{Preparation, TrainedDetector};
 use pilotage_core::landmark::{DetectorChoice, Landmark};
 use pilotage_core::mission::write_mission;
 use pilotage_core::training::{DetectorTraining, FlightEnvelope, StageReport, TrainingPlan};
@@ -34,9 +34,13 @@ pub struct Arguments {
     /// Photos on other days that each is judged by.
     #[arg(long, default_value_t = TrainingPlan::default().held_out)]
     held_out: usize,
-    /// Greatest error of the heading on either side, degrees.
-    #[arg(long, default_value_t = 5.0)]
-    heading_error: f64,
+    /// Greatest error of the heading on either side, degrees; 5 or what the mission's sensors make of it
+    /// if not said.
+    #[arg(long)]
+    heading_error: Option<f64>,
+    /// Show the pictures as they are, neither rectified nor turned, to compare with.
+    #[arg(long)]
+    plain: bool,
     /// Greatest bank or pitch angle, degrees.
     #[arg(long, default_value_t = 15.0)]
     tilt: f64,
@@ -106,16 +110,24 @@ pub fn run(arguments: &Arguments) -> Outcome {
         .cloned()
         .collect();
     let sensors = ground.mission.navigator.sensors;
+    let usual = FlightEnvelope::around(&ground.camera, ground.height, sensors);
+    let heading_error = arguments.heading_error.map(f64::to_radians);
     let envelope = FlightEnvelope {
-        heading_error: arguments.heading_error.to_radians(),
+        heading_error: heading_error.unwrap_or(usual.heading_error),
         tilt: arguments.tilt.to_radians(),
-        ..FlightEnvelope::around(&ground.camera, ground.height, sensors)
+        ..usual
     };
     let plan = TrainingPlan {
         kind,
         photos: arguments.positives,
         negatives: arguments.negatives,
         held_out: arguments.held_out,
+        template: ground.mission.navigator.detector,
+        preparation: if arguments.plain {
+            Preparation::Plain
+        } else {
+            Preparation::Rectified
+        },
         seed: arguments.seed,
         ..TrainingPlan::default()
     };
@@ -205,8 +217,8 @@ fn train(
         judged: looks.iter().filter(|l| l.present).count(),
         found: looks.iter().filter(|l| passing(l.found_at())).count(),
         false_alarms: looks.iter().filter(|l| passing(l.deceived_at())).count(),
-        sigma_north_m: trained.covariance[(0, 0)].sqrt(),
-        sigma_east_m: trained.covariance[(1, 1)].sqrt(),
+        sigma_north_m: trained.precision.covariance[(0, 0)].sqrt(),
+        sigma_east_m: trained.precision.covariance[(1, 1)].sqrt(),
     };
     Ok((row, trained))
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::Matrix2;
 
 use super::choice::DetectorChoice;
-use super::trained::{BELIEVED, CascadeDetector};
+use super::trained::{BELIEVED, CascadeDetector, TemplateLikelihood};
 use super::{
     Detection, Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting, TemplateDetector,
     TemplateSettings,
@@ -62,14 +62,20 @@ impl ChosenDetector {
         let between =
             |d: &Detection| -> Matrix2<f64> { d.covariance.fixed_view::<2, 2>(0, 0).into() };
         let apart = patch.ground.to_vector() - cascade.ground.to_vector();
-        let spread = between(patch) + between(cascade) + trained.covariance;
+        let spread = between(patch) + between(cascade) + trained.precision.covariance;
         let square = spread.try_inverse().map_or(f64::INFINITY, |inverse| {
             (apart.transpose() * inverse * apart)[0]
         });
+        let odds_of_cascade = (cascade.score / (1.0 - cascade.score).max(1e-12))
+            .max(1e-12)
+            .ln();
+        let said = |t: &TemplateLikelihood| t.log_ratio(patch.score);
         if square <= SAME_PLACE {
-            // Two that know nothing of each other name one place: the finer of them says where.
+            // Two that err independently name one place: what they say adds up, and the finer of them says
+            // where.
+            let odds = odds_of_cascade + trained.template.as_ref().map_or(0.0, said);
             let detection = Detection {
-                score: cascade.score,
+                score: probability(odds),
                 second_score: cascade.second_score,
                 ..*patch
             };
@@ -79,15 +85,36 @@ impl ChosenDetector {
                 Sighting::Refused(Refusal::LowScore, Some(detection))
             };
         }
-        match (&by_patch, &by_cascade) {
-            // Each is sure of another place: neither is believed.
-            (Sighting::Found(_), Sighting::Found(_)) => {
-                Sighting::Refused(Refusal::Ambiguous, Some(*cascade))
+        let Some(template) = &trained.template else {
+            return match (&by_patch, &by_cascade) {
+                // Each is sure of another place: neither is believed.
+                (Sighting::Found(_), Sighting::Found(_)) => {
+                    Sighting::Refused(Refusal::Ambiguous, Some(*cascade))
+                }
+                (_, Sighting::Found(_)) => by_cascade,
+                _ => by_patch,
+            };
+        };
+        // It is at one of the two places or at none.
+        let odds = [odds_of_cascade, template.likelihood.log_odds(patch.score)].map(f64::exp);
+        let all = 1.0 + odds[0] + odds[1];
+        let by_both = |sighting: Sighting, share: f64| match sighting {
+            Sighting::Found(detection) if share < BELIEVED => {
+                Sighting::Refused(Refusal::Ambiguous, Some(detection))
             }
-            (_, Sighting::Found(_)) => by_cascade,
-            _ => by_patch,
+            sighting => sighting,
+        };
+        if odds[0] >= odds[1] {
+            by_both(by_cascade, odds[0] / all)
+        } else {
+            by_both(by_patch, odds[1] / all)
         }
     }
+}
+
+/// Probability of log odds.
+fn probability(log_odds: f64) -> f64 {
+    1.0 / (1.0 + (-log_odds).exp())
 }
 
 impl Detector for ChosenDetector {

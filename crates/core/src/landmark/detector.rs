@@ -8,6 +8,20 @@ use crate::camera::CameraModel;
 use crate::frames::{GroundPoint, GroundRect, Pose};
 use crate::raster::Pyramid;
 
+/// Standard deviation of a turn that a detector does not measure, radians.
+pub const UNKNOWN_TURN: f64 = 0.5;
+/// The same of the logarithm of a size.
+pub const UNKNOWN_LOG_SCALE: f64 = 0.3;
+
+/// How much a detector measured, from its covariance of two of place, turn (radians) and logarithm of the
+/// size: the place, and what of the other two it did not leave open. So many degrees of freedom has the
+/// normalized innovation squared, to which what is left open adds nothing.
+pub fn measured(covariance: &Matrix4<f64>) -> usize {
+    let turn = covariance[(2, 2)] < UNKNOWN_TURN.powi(2);
+    let size = covariance[(3, 3)] < UNKNOWN_LOG_SCALE.powi(2);
+    2 + usize::from(turn) + usize::from(size)
+}
+
 /// A camera picture and the pose that is assumed for it.
 #[derive(Clone, Copy, Debug)]
 pub struct FrameView<'a> {

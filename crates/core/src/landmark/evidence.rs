@@ -8,7 +8,7 @@ use super::cascade::{
 };
 use super::patch::window_around;
 use super::template::in_picture;
-use super::trained::{TrainedDetector, scores, search, to_bytes};
+use super::trained::{TrainedDetector, carried, scores, search, to_bytes};
 use super::{FrameView, Refusal, SearchRequest, rectify};
 use crate::frames::GroundPoint;
 use crate::imagery::{Imagery, Window};
@@ -120,6 +120,18 @@ impl CascadeEvidence {
         let reach = request.half_extents(sigmas);
         let expected = request.landmark.bounds.center();
         let marks = search(cascade, &trained.window, view, expected, reach)?;
+        // Shown is the variant in which the best mark was found: places are carried into it by their pixels.
+        let (assumed, best) = (view.pose, marks.first().ok_or(Refusal::OutOfPicture)?);
+        let variant = trained
+            .window
+            .variants
+            .nearest(best.rotation, best.log_scale);
+        let view = &FrameView {
+            pose: variant.pose(&assumed, view.ground_down),
+            ..*view
+        };
+        let there = |place| carried(view, &assumed, &view.pose, place);
+        let expected = there(expected).ok_or(Refusal::OutOfPicture)?;
         let pixels = |metres: f64| (metres / gsd).ceil().max(0.0) as usize + 1;
         let wide = window_around(expected, gsd, size, (pixels(reach.1), pixels(reach.0)));
         let window = in_picture(&wide, view).ok_or(Refusal::OutOfPicture)?;
@@ -129,11 +141,14 @@ impl CascadeEvidence {
         let scores = scores(cascade, &said, &seen, size).map(|score| score as f32);
         let marks: Vec<MarkedPlace> = marks
             .iter()
-            .map(|mark| MarkedPlace {
-                pixel: window.pixel_at(&mark.ground),
-                ground: mark.ground,
-                score: mark.score,
-                probability: trained.likelihood.probability(mark.score),
+            .filter_map(|mark| {
+                let ground = there(mark.ground)?;
+                Some(MarkedPlace {
+                    pixel: window.pixel_at(&ground),
+                    ground,
+                    score: mark.score,
+                    probability: trained.likelihood.probability(mark.score),
+                })
             })
             .collect();
         // Of windows that were looked at: stages passed, and whether any stage was asked.
@@ -156,7 +171,8 @@ impl CascadeEvidence {
             stages: stages(cascade, &looks),
             marks,
             least_score: trained.least_score,
-            on_map: map_patch(map, expected, gsd, size).map(|p| PatchLook::of(cascade, &p)),
+            on_map: map_patch(map, request.landmark.bounds.center(), gsd, size)
+                .map(|p| PatchLook::of(cascade, &p)),
             in_picture: best.map(|p| PatchLook::of(cascade, &p)),
             ground,
             scores,
@@ -245,7 +261,7 @@ mod tests {
     use crate::frames::{Attitude, GroundRect, Pose};
     use crate::landmark::Landmark;
     use crate::landmark::cascade::{Feature, Split, TrainedStage, TrainedTree};
-    use crate::landmark::trained::{DetectorWindow, Likelihood};
+    use crate::landmark::trained::{ByScore, DetectorWindow, Likelihood, MarkPrecision, Variants};
     use crate::raster::{Pyramid, Rgba};
 
     const GSD: f64 = 0.5;
@@ -296,6 +312,7 @@ mod tests {
                 gsd: GSD,
                 width: 24,
                 height: 24,
+                variants: Variants::default(),
             },
             bounds: landmark().bounds,
             least_score: 0.0,
@@ -303,7 +320,14 @@ mod tests {
                 offset: 0.0,
                 slope: 1.0,
             },
-            covariance: Matrix2::identity(),
+            precision: MarkPrecision {
+                bias: nalgebra::Vector2::zeros(),
+                covariance: Matrix2::identity(),
+                by_score: ByScore::default(),
+                turn: None,
+                log_scale: None,
+            },
+            template: None,
         }
     }
 

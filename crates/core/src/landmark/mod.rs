@@ -21,6 +21,7 @@ pub mod trained;
 
 pub use choice::DetectorChoice;
 pub use chosen::ChosenDetector;
+pub(crate) use detector::measured;
 pub use detector::{Detection, Detector, FrameView, Refusal, SearchRequest, Sighting};
 pub use distinct::Landmark;
 pub use distinctness::{PatchDistinctness, distinctness};

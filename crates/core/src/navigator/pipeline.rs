@@ -7,7 +7,7 @@ use nalgebra::DVector;
 use super::engine::{Engine, engine};
 use super::expected::AppearanceModel;
 use super::second_opinion::{Opinion, SecondOpinion, reconsider};
-use super::see::{Measurement, Seer, stack};
+use super::see::{Measurement, Seer, degrees, stack};
 use super::{
     CandidateReport, Control, FrameReport, JointReport, NavigatorSettings, Outcome, Run, SigmaSets,
     StepReport, StepTiming,
@@ -375,7 +375,7 @@ impl Navigator {
             report.sigma.after_correct = Some(step.sigma_after);
             joint = Some(JointReport {
                 nis,
-                degrees_of_freedom: stacked.seen.len(),
+                degrees_of_freedom: degrees(&agreed),
                 threshold,
                 gain: step.gain,
                 innovation: step.innovation,

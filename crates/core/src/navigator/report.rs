@@ -105,7 +105,7 @@ pub struct CandidateReport {
     pub innovation: Option<Vector2<f64>>,
     /// Normalized innovation squared of this landmark alone, over pixel, rotation and log scale.
     pub nis: Option<f64>,
-    /// Threshold of the gate for its four degrees of freedom.
+    /// Threshold of the gate for its degrees of freedom: four, less what the detector left open.
     pub threshold: f64,
     /// What became of it.
     pub outcome: Outcome,
@@ -116,7 +116,7 @@ pub struct CandidateReport {
 pub struct JointReport {
     /// Normalized innovation squared of the stacked innovation.
     pub nis: f64,
-    /// Its degrees of freedom, four times the number m of landmarks.
+    /// Its degrees of freedom: four for each of m landmarks, less what their detectors left open.
     pub degrees_of_freedom: usize,
     /// Threshold of the gate.
     pub threshold: f64,

@@ -10,7 +10,7 @@ use super::region::{may_be_in_view, reach};
 use super::{CandidateReport, NavigatorSettings, Outcome};
 use crate::filter::{FilterError, Gate};
 use crate::frames::{GroundPoint, Pose};
-use crate::landmark::{Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting};
+use crate::landmark::{Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting, measured};
 use crate::raster::Pyramid;
 
 /// Where and how a landmark was seen: pixel, rotation and log scale, and their covariance without the
@@ -28,6 +28,18 @@ pub struct Measurement<'a> {
     pub seen: Vector4<f64>,
     pub covariance: Matrix4<f64>,
     pub jacobian: Matrix4<f64>,
+}
+
+impl Measurement<'_> {
+    /// Degrees of freedom of its normalized innovation squared.
+    fn degrees(&self) -> usize {
+        measured(&self.covariance)
+    }
+}
+
+/// Degrees of freedom of the joint normalized innovation squared of several.
+pub fn degrees(measurements: &[Measurement<'_>]) -> usize {
+    measurements.iter().map(Measurement::degrees).sum()
 }
 
 /// A landmark, the index of its report and where it was found.
@@ -337,6 +349,7 @@ impl<'a> Seer<'a> {
         let covariance = surprise.covariance.fixed_view::<2, 2>(0, 0);
         report.innovation_covariance = covariance.into_owned();
         report.nis = Some(nis);
+        report.threshold = self.gate().threshold(measurement.degrees());
         if nis > report.threshold {
             report.outcome = Outcome::Refused(Refusal::OutsideGate);
             return None;
@@ -394,7 +407,7 @@ impl<'a> Seer<'a> {
                 return Ok((measurements, 0.0, 0.0));
             }
             let nis = self.surprise(&measurements)?.nis()?;
-            let threshold = gate.threshold(COMPONENTS * measurements.len());
+            let threshold = gate.threshold(degrees(&measurements));
             if nis <= threshold {
                 return Ok((measurements, nis, threshold));
             }
@@ -436,7 +449,7 @@ impl<'a> Seer<'a> {
             };
             agreed.push(measurement);
             let with = self.surprise(&agreed)?.nis()?;
-            let most = self.gate().threshold(COMPONENTS * agreed.len());
+            let most = self.gate().threshold(degrees(&agreed));
             if with <= most {
                 (nis, threshold) = (with, most);
             } else {

@@ -8,7 +8,7 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::days::OtherDays;
-use crate::frames::GroundRect;
+use crate::frames::{GroundPoint, GroundRect};
 use crate::imagery::kept::Kept;
 use crate::imagery::{Imagery, Window};
 use crate::raster::{Gray, Raster, Rgba, gaussian_blur, luminance, wide_blur};
@@ -20,13 +20,21 @@ const FIELD: f64 = 25.0;
 /// Width below which texture is taken to be leaves and grass, metres.
 const TEXTURE: f64 = 0.5;
 /// Share of that texture that is the same on another day.
-const TEXTURE_KEPT: f64 = 0.5;
+const TEXTURE_KEPT: f32 = 0.5;
+/// The least of it in a photograph.
+const LEAST_TEXTURE: f32 = 0.2;
+/// By how much the light changes over the fields.
+const LIGHT: f32 = 0.25;
 /// Furthest that shadows move, metres.
 const SHADOW_SHIFT: f64 = 3.0;
 /// Size of what stands up, metres.
 const CROWN: f64 = 4.0;
 /// How far the ground leans at most where nothing is known to stand on it, metres.
 const LEAN: f64 = 0.5;
+/// The same in a photograph that was laid on the map with care.
+const PHOTOGRAPHED_LEAN: f64 = 0.15;
+/// How far a canopy leans at most there, metres: what leans further is not where the map has it.
+const PHOTOGRAPHED_CANOPY_LEAN: f64 = 1.0;
 /// How far a canopy leans at most, metres: a tree of 10 m seen 20° off.
 const CANOPY_LEAN: f64 = 3.5;
 /// Width over which a canopy is green and rough, metres: what is smaller is not high.
@@ -64,8 +72,31 @@ impl OtherDays for PictureDays {
         Arc::new(ChangedPicture {
             ground: Arc::clone(&self.ground),
             seed,
+            leaning: Leaning::AnyWay,
         })
     }
+
+    fn photographed(&self, count: usize, seed: u64) -> Vec<Arc<dyn Imagery>> {
+        let seeds = (0..count as u64).map(|i| seed.wrapping_mul(0x9e37_79b9).wrapping_add(i));
+        let day = |seed| {
+            let picture: Arc<dyn Imagery> = Arc::new(ChangedPicture {
+                ground: Arc::clone(&self.ground),
+                seed,
+                leaning: Leaning::OneWay,
+            });
+            picture
+        };
+        seeds.map(day).collect()
+    }
+}
+
+/// How what stands up leans.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Leaning {
+    /// Every crown another way: none of it can be relied upon.
+    AnyWay,
+    /// All of it away from one camera, the higher the further.
+    OneWay,
 }
 
 /// A picture made to look as on another day and from another place, as far as that can be done without
@@ -73,9 +104,11 @@ impl OtherDays for PictureDays {
 /// the field, and what stands up leans another way. Leaning is what tells woods from roads: every few
 /// metres the ground moves, by half a metre anywhere and by metres where it is green and rough over
 /// several metres, which is what a canopy looks like from above. A lawn is not rough, a bush not wide.
+/// In a photograph, all of it leans one way.
 struct ChangedPicture {
     ground: Arc<StudiedGround>,
     seed: u64,
+    leaning: Leaning,
 }
 
 /// What is the same on every day, found out once for all of them.
@@ -196,6 +229,12 @@ struct Changes {
     /// How far shadows move, pixels to the east and down.
     shadows: [f64; 2],
     contrast: f32,
+    /// Where the highest lean, metres to the east and down.
+    lean: [f64; 2],
+    /// Share of the texture that is the same.
+    texture_kept: f32,
+    /// By how much the light changes over the fields, at most.
+    light: f32,
 }
 
 impl Imagery for ChangedPicture {
@@ -218,6 +257,23 @@ impl Imagery for ChangedPicture {
         let changes = Changes {
             shadows: [shift * bearing.sin(), -shift * bearing.cos()],
             contrast: (0.8 + 0.35 * random.random::<f64>()) as f32,
+            lean: {
+                let (sin, cos) = (TAU * random.random::<f64>()).sin_cos();
+                let metres = PHOTOGRAPHED_CANOPY_LEAN * random.random::<f64>();
+                [metres * sin, -metres * cos]
+            },
+            texture_kept: TEXTURE_KEPT,
+            light: LIGHT,
+        };
+        let changes = match self.leaning {
+            Leaning::AnyWay => changes,
+            // Of photographs, some are of the map's own day and some of one far from it.
+            Leaning::OneWay => Changes {
+                texture_kept: 1.0 - (1.0 - LEAST_TEXTURE) * random.random::<f32>(),
+                light: LIGHT * random.random::<f32>(),
+                contrast: 0.6 + 0.7 * random.random::<f32>(),
+                ..changes
+            },
         };
         let mut out = Raster::filled(window.width, window.height, [0; 4]);
         for (study, [left, top, right, bottom]) in self.ground.studies(window) {
@@ -241,14 +297,11 @@ impl ChangedPicture {
         let (window, margin) = (&study.window, study.margin);
         let place = window.ground_at(column as f64 + 0.5, row as f64 + 0.5);
         let grown_over = f64::from(study.canopy.get(column, row));
-        let most = LEAN + (CANOPY_LEAN - LEAN) * grown_over;
-        let lean = |layer| {
-            let metres = most * self.noise(place.north / CROWN, place.east / CROWN, layer);
-            (metres / window.gsd).round() as isize
-        };
+        let [x, y] = self.lean(changes, &place, grown_over);
+        let pixels = |metres: f64| (metres / window.gsd).round() as isize;
         let (c, r) = (
-            (column + margin).saturating_add_signed(lean(3)),
-            (row + margin).saturating_add_signed(lean(4)),
+            (column + margin).saturating_add_signed(pixels(x)),
+            (row + margin).saturating_add_signed(pixels(y)),
         );
         let pixel = study.picture.get(c, r);
         let bright = luminance([pixel[0], pixel[1], pixel[2]]);
@@ -266,13 +319,34 @@ impl ChangedPicture {
         let smooth = study.smooth.get(c, r);
         let texture = bright - smooth;
         let strength = texture.abs().min(30.0);
-        let grown = TEXTURE_KEPT as f32 * texture
-            + (1.0 - TEXTURE_KEPT) as f32 * strength * 2.0 * leaf as f32;
+        let kept = changes.texture_kept;
+        let grown = kept * texture + (1.0 - kept) * strength * 2.0 * leaf as f32;
         let lit = smooth / study.lit.get(c, r) * shaded + grown;
-        let after = (128.0 + changes.contrast * (lit - 128.0)) * (1.0 + 0.25 * field as f32);
+        let after =
+            (128.0 + changes.contrast * (lit - 128.0)) * (1.0 + changes.light * field as f32);
         let gain = after.max(0.0) / bright.max(1.0);
         let scale = |v: u8| (f32::from(v) * gain).clamp(0.0, 255.0) as u8;
         [scale(pixel[0]), scale(pixel[1]), scale(pixel[2]), pixel[3]]
+    }
+
+    /// From how far beside a place its picture comes, metres to the east and down.
+    fn lean(&self, changes: &Changes, place: &GroundPoint, grown_over: f64) -> [f64; 2] {
+        let noise = |layer| self.noise(place.north / CROWN, place.east / CROWN, layer);
+        match self.leaning {
+            Leaning::AnyWay => {
+                let most = LEAN + (CANOPY_LEAN - LEAN) * grown_over;
+                [most * noise(3), most * noise(4)]
+            }
+            Leaning::OneWay => {
+                // Crowns are half as high as the highest, or more.
+                let height = grown_over * (0.75 + 0.25 * noise(5));
+                let [x, y] = changes.lean;
+                [
+                    height * x + PHOTOGRAPHED_LEAN * noise(3),
+                    height * y + PHOTOGRAPHED_LEAN * noise(4),
+                ]
+            }
+        }
     }
 
     /// Smooth noise of unit cells, -1 to 1.
@@ -352,5 +426,59 @@ mod tests {
         assert!(lawn < 0.05, "{lawn}");
         let stones = canopy_of(18.0, gravel);
         assert!(stones < 0.05, "{stones}");
+    }
+
+    /// A grey ground with a field of stripes, without anything green.
+    struct Stripes;
+
+    impl Imagery for Stripes {
+        fn name(&self) -> &'static str {
+            "stripes"
+        }
+        fn bounds(&self) -> GroundRect {
+            GroundRect::centered(GroundPoint::default(), 200.0, 200.0)
+        }
+        fn native_gsd(&self) -> f64 {
+            0.1
+        }
+        fn window(&self, window: &Window) -> Raster<Rgba> {
+            Raster::from_fn(window.width, window.height, |column, row| {
+                let p = window.ground_at(column as f64 + 0.5, row as f64 + 0.5);
+                let grey = if (p.north / 5.0).floor() as i64 % 2 == 0 {
+                    105
+                } else {
+                    150
+                };
+                [grey, grey, grey, 255]
+            })
+        }
+    }
+
+    #[test]
+    fn in_a_photograph_the_ground_stays_where_the_map_has_it() {
+        let days = PictureDays::new(Arc::new(Stripes));
+        let window = Window {
+            north_edge: 10.0,
+            west_edge: -10.0,
+            gsd: 0.1,
+            width: 200,
+            height: 200,
+        };
+        // How far the edge between stripes at 5 m north lies off, metres, in the mean of all columns.
+        let off = |day: &Arc<dyn Imagery>| {
+            let grey = day.window(&window).to_gray();
+            let edge = |column: usize| {
+                let step = |row: &usize| (grey.get(column, row + 1) - grey.get(column, *row)).abs();
+                let row = (30..70)
+                    .max_by(|a, b| step(a).total_cmp(&step(b)))
+                    .unwrap_or(0);
+                (10.0 - 0.1 * (row as f64 + 1.0) - 5.0).abs()
+            };
+            (0..200).map(edge).sum::<f64>() / 200.0
+        };
+        let still = days.photographed(6, 3).iter().map(off).fold(0.0, f64::max);
+        let moving = days.spread(6, 3).iter().map(off).fold(0.0, f64::max);
+        assert!(still < PHOTOGRAPHED_LEAN, "{still} m");
+        assert!(moving > 1.3 * still, "{moving} m beside {still} m");
     }
 }

@@ -23,6 +23,12 @@ pub trait OtherDays: Send + Sync {
         seeds.map(|seed| self.drawn(seed)).collect()
     }
 
+    /// The same as photographs of a landmark show them, from which its looks are learned: what stands up
+    /// leans one way in each of them.
+    fn photographed(&self, count: usize, seed: u64) -> Vec<Arc<dyn Imagery>> {
+        self.spread(count, seed)
+    }
+
     /// The ground on a day drawn by `seed`, kept where it was looked at.
     fn day(&self, seed: u64) -> Arc<dyn Imagery> {
         Arc::new(CachedImagery::new(self.drawn(seed), CACHE_MEGABYTES))

@@ -3,7 +3,13 @@
 use serde::{Deserialize, Serialize};
 
 use crate::camera::CameraModel;
+use crate::landmark::trained::Variants;
 use crate::navigator::SensorNoise;
+
+/// Standard deviations of an error that a search must hold.
+const HELD: f64 = 2.5;
+/// Error of the heading that does no harm, on either side, radians: the ±5° of the thesis.
+const HEADING: f64 = 5.0 * std::f64::consts::PI / 180.0;
 
 /// What the flights may be like on which a landmark shall be found: pictures are drawn from all over it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -35,12 +41,18 @@ impl FlightEnvelope {
             camera: camera.clone(),
             height: [0.85 * height, 1.2 * height],
             tilt: 15_f64.to_radians(),
-            heading_error: 5_f64.to_radians(),
+            heading_error: HEADING.max(HELD * sensors.yaw),
             sensors,
             position: 5.0,
             blur: [0.3, 1.0],
             noise: [1.0, 4.0],
             ground_down: 0.0,
         }
+    }
+    /// The turns and sizes that the ground may have next to what the filter thinks.
+    pub fn variants(&self) -> Variants {
+        let height = 0.5 * (self.height[0] + self.height[1]);
+        let log_scale = (HELD * self.sensors.height / height).ln_1p();
+        Variants::covering(self.heading_error, log_scale)
     }
 }

@@ -2,14 +2,17 @@
 
 mod envelope;
 pub mod evaluation;
+mod labelled;
 mod photo;
 mod plan;
+mod precision;
 mod sample;
 #[cfg(test)]
 mod tests;
 mod trainer;
 
 pub use envelope::FlightEnvelope;
+pub use labelled::labelled_photos;
 pub use photo::{Assumed, Photo, Photographer};
 pub use plan::TrainingPlan;
 pub use sample::Sample;

@@ -52,6 +52,8 @@ pub struct Assumed {
     pub pose: Pose,
     /// Error of its heading, radians.
     pub heading_error: f64,
+    /// Logarithm of the size in which the ground appears from there.
+    pub log_scale: f64,
     /// Where the middle of the photo's box appears on the ground under that pose.
     pub appears: GroundPoint,
     /// Covariance of the search (north, east), m².
@@ -67,6 +69,22 @@ impl Photo {
             ground_down,
             luminance: &self.luminance,
         }
+    }
+
+    /// Where the middle of its box appears on the ground to somebody who thinks that the camera was at
+    /// `pose`.
+    pub fn appears(&self, pose: &Pose, ground_down: f64) -> Option<GroundPoint> {
+        let middle = self.around.center();
+        let in_world = Point3::new(middle.north, middle.east, ground_down);
+        let pixel = self.camera.project(&self.pose, &in_world)?;
+        self.camera.ground_at(pose, &pixel, ground_down)
+    }
+}
+
+impl Assumed {
+    /// Turn in which the ground appears from there, radians clockwise.
+    pub fn rotation(&self) -> f64 {
+        -self.heading_error
     }
 }
 
@@ -231,13 +249,12 @@ impl Photographer {
             },
         };
         let ground_down = self.envelope.ground_down;
-        let middle = photo.around.center();
-        let in_world = Point3::new(middle.north, middle.east, ground_down);
-        let pixel = photo.camera.project(&photo.pose, &in_world)?;
-        let appears = photo.camera.ground_at(&pose, &pixel, ground_down)?;
+        let appears = photo.appears(&pose, ground_down)?;
+        let assumed_height = ground_down - pose.position_in_world.z;
         Some(Assumed {
             pose,
             heading_error,
+            log_scale: (assumed_height / photo.height).ln(),
             appears,
             covariance: Matrix2::identity() * self.variance(photo.height),
         })

@@ -3,7 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use crate::frames::GroundPoint;
+use crate::landmark::TemplateSettings;
 use crate::landmark::cascade::train::{FeatureKind, StageGoal};
+use crate::landmark::trained::Preparation;
 
 /// How a detector is trained.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -32,6 +34,13 @@ pub struct TrainingPlan {
     pub false_alarms: f64,
     /// Places that look like the landmark.
     pub look_alikes: Vec<GroundPoint>,
+    /// How map patches are looked for on the held-out photos, so that what they say can be weighed against
+    /// what the cascade says.
+    #[serde(default)]
+    pub template: TemplateSettings,
+    /// What is done with the pictures before they are shown.
+    #[serde(default)]
+    pub preparation: Preparation,
     /// Draws everything.
     pub seed: u64,
 }
@@ -50,6 +59,8 @@ impl Default for TrainingPlan {
             held_out: 100,
             false_alarms: 0.01,
             look_alikes: Vec::new(),
+            template: TemplateSettings::default(),
+            preparation: Preparation::Rectified,
             seed: 1,
         }
     }

@@ -5,12 +5,12 @@ use super::photo::{Assumed, Photo};
 use crate::frames::GroundPoint;
 use crate::imagery::Window;
 use crate::landmark::cascade::Patch;
-use crate::landmark::rectify;
-use crate::landmark::trained::{DetectorWindow, to_bytes};
+use crate::landmark::trained::{DetectorWindow, Variant, to_bytes};
+use crate::landmark::{FrameView, rectify};
 use crate::raster::{IntegralImage, Raster};
 
 /// Share of the window's sides next to the landmark where a window is neither it nor something else.
-const DOUBTFUL: f64 = 0.12;
+const DOUBTFUL: f64 = 0.33;
 
 /// The ground around a place as a detector is shown it.
 pub struct Sample {
@@ -24,22 +24,34 @@ pub struct Sample {
 }
 
 impl Sample {
-    /// Of a photo, within `reach` metres of the place where the box appears; `phase` says by which
-    /// parts of a pixel (east, south), -0.5 to 0.5, the windows miss it.
+    /// Of a photo in a variant, within `reach` metres of the place where the box appears; `phase` says by
+    /// which parts of a pixel (east, south), -0.5 to 0.5, the windows miss it. In another variant than
+    /// that which fits best there is no landmark, but what is around it is something else all the same.
+    /// `None` where the box does not appear on the ground.
     pub fn of(
         photo: &Photo,
         assumed: &Assumed,
         envelope: &FlightEnvelope,
         shown: &DetectorWindow,
+        variant: &Variant,
         reach: f64,
         phase: (f64, f64),
-    ) -> Self {
+    ) -> Option<Self> {
+        let ground_down = envelope.ground_down;
+        let view = FrameView {
+            pose: variant.pose(&assumed.pose, ground_down),
+            ..photo.view(assumed, ground_down)
+        };
+        let appears = photo.appears(&view.pose, ground_down)?;
+        let best = shown
+            .variants
+            .nearest(assumed.rotation(), assumed.log_scale);
         let around = (reach / shown.gsd).ceil() as usize;
         let size = (shown.width, shown.height);
         let half = |side: usize| (0.5 * side as f64 + around as f64) * shown.gsd;
         let middle = GroundPoint::new(
-            assumed.appears.north + phase.1 * shown.gsd,
-            assumed.appears.east - phase.0 * shown.gsd,
+            appears.north + phase.1 * shown.gsd,
+            appears.east - phase.0 * shown.gsd,
         );
         let window = Window {
             north_edge: middle.north + half(size.1),
@@ -48,7 +60,7 @@ impl Sample {
             width: size.0 + 2 * around,
             height: size.1 + 2 * around,
         };
-        let ground = rectify(&photo.view(assumed, envelope.ground_down), &window);
+        let ground = rectify(&view, &window);
         let seen = (!ground.complete).then(|| IntegralImage::new(&ground.seen));
         let whole = (size.0 * size.1) as f64 - 0.5;
         let is_seen = |x: usize, y: usize| {
@@ -62,12 +74,13 @@ impl Sample {
             u8::from(is_seen(x, y) && !is_landmark)
         });
         let whole_in_picture = is_seen(around, around);
-        Self {
+        let shows = photo.present && whole_in_picture && *variant == best;
+        Some(Self {
             picture: to_bytes(&ground),
-            landmark: (photo.present && whole_in_picture).then_some((around, around)),
+            landmark: shows.then_some((around, around)),
             others,
             size,
-        }
+        })
     }
 
     /// The window with that upper left corner.

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use nalgebra::Matrix2;
 use rand::seq::index;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -10,18 +9,24 @@ use serde::{Deserialize, Serialize};
 
 use super::envelope::FlightEnvelope;
 use super::evaluation::{EvaluatedLook, EvaluatedMark, look};
-use super::photo::Photographer;
+use super::photo::{Photo, Photographer};
 use super::plan::TrainingPlan;
+use super::precision;
 use super::sample::Sample;
+use crate::frames::GroundPoint;
 use crate::imagery::Imagery;
-use crate::landmark::Landmark;
 use crate::landmark::cascade::train::{CascadeTraining, StageGoal, StageRow, TrainingSettings};
 use crate::landmark::cascade::{Cascade, CascadeError, Patch, TrainedStage, responses};
-use crate::landmark::trained::{DetectorWindow, Likelihood, TrainedDetector};
-use crate::plan::OtherDays;
+use crate::landmark::trained::{
+    DetectorWindow, Likelihood, TemplateLikelihood, TrainedDetector, Variants,
+};
+use crate::landmark::{Detector, Landmark, SearchRequest, TemplateDetector};
+use crate::plan::{OtherDays, tolerance};
 
 /// Of the photos, one in so many is of a look-alike, if there are any.
 const LOOK_ALIKE_EVERY: usize = 4;
+/// Of the held-out photos, one in so many is also looked at for the landmark's map patch.
+const TEMPLATE_EVERY: usize = 3;
 /// With fewer windows than this that pass though they should not, there is nothing left to learn from.
 const FEWEST_FALSE: usize = 40;
 
@@ -93,6 +98,8 @@ pub struct DetectorTraining {
     window: DetectorWindow,
     photographer: Photographer,
     judge: Photographer,
+    /// Real frames to learn from, too.
+    labelled: Vec<Photo>,
     positives: Vec<(Patch, usize)>,
     /// Searched pictures and their days.
     samples: Vec<(Sample, usize)>,
@@ -107,6 +114,9 @@ pub struct DetectorTraining {
     windows: usize,
     next: usize,
     looks: Vec<EvaluatedLook>,
+    /// The landmark by its map patch, and scores of places by it with whether they were right.
+    template: TemplateDetector,
+    by_patch: Vec<(f64, bool)>,
     phase: TrainingPhase,
 }
 
@@ -120,18 +130,25 @@ impl DetectorTraining {
         plan: TrainingPlan,
     ) -> Self {
         let height = 0.5 * (envelope.height[0] + envelope.height[1]);
-        let window = DetectorWindow::around(&landmark.bounds, height / envelope.camera.focal);
+        let variants = Variants {
+            preparation: plan.preparation,
+            ..envelope.variants()
+        };
+        let gsd = height / envelope.camera.focal;
+        let window = DetectorWindow::around(&landmark.bounds, gsd, variants);
         let with = |days: usize, salt: u64| {
             let seed = plan.seed ^ salt;
-            let days = others.spread(days.max(1), seed);
+            let days = others.photographed(days.max(1), seed);
             Photographer::new(landmark, Arc::clone(map), &days, envelope.clone(), seed)
         };
         Self {
             photographer: with(plan.days, 0x7a1_0001),
             judge: with(plan.days, 0x7a1_0002),
+            template: TemplateDetector::new(Arc::clone(map), plan.template),
             plan,
             landmark: landmark.clone(),
             window,
+            labelled: Vec::new(),
             positives: Vec::new(),
             samples: Vec::new(),
             kept: TrainingProgress::default(),
@@ -144,6 +161,7 @@ impl DetectorTraining {
             windows: 0,
             next: 0,
             looks: Vec::new(),
+            by_patch: Vec::new(),
             phase: TrainingPhase::Photos,
         }
     }
@@ -154,6 +172,19 @@ impl DetectorTraining {
         self.learned = progress.learned_from.len();
         self.kept = progress;
         self
+    }
+
+    /// Learns from real frames, too (see [`super::labelled_photos`]); to be said before anything else, and
+    /// the same again when a training is resumed.
+    #[must_use]
+    pub fn with_labelled(mut self, photos: Vec<Photo>) -> Self {
+        self.labelled = photos;
+        self
+    }
+
+    /// Photos that it learns from, real frames among them.
+    pub(super) fn all_photos(&self) -> usize {
+        self.plan.photos + self.labelled.len()
     }
 
     /// What to keep of it.
@@ -186,7 +217,7 @@ impl DetectorTraining {
     pub fn fraction(&self) -> f64 {
         let share = |next: usize, all: usize| next as f64 / all.max(1) as f64;
         match self.phase {
-            TrainingPhase::Photos => 0.4 * share(self.next, self.plan.photos),
+            TrainingPhase::Photos => 0.4 * share(self.next, self.all_photos()),
             TrainingPhase::Mining | TrainingPhase::Voting => {
                 let stage = self.kept.reports.len() as f64;
                 // Stages grow rarer; about six are usual.
@@ -229,40 +260,75 @@ impl DetectorTraining {
     }
 
     fn take_photo(&mut self) -> Result<(), TrainingError> {
-        let photo = match self.look_alike(self.next) {
-            Some(place) => self.photographer.take_elsewhere(place),
-            None => self.photographer.take(),
+        let taken = if self.next >= self.plan.photos {
+            None
+        } else {
+            let taken = match self.look_alike(self.next) {
+                Some(place) => self.photographer.take_elsewhere(place),
+                None => self.photographer.take(),
+            };
+            Some(taken.ok_or_else(|| self.too_large())?)
         };
-        let photo = photo.ok_or_else(|| self.too_large())?;
+        let real = self.next.checked_sub(self.plan.photos);
+        let Some(photo) = taken.as_ref().or_else(|| self.labelled.get(real?)) else {
+            return self.begin_cascade();
+        };
         let mut random = ChaCha8Rng::seed_from_u64(self.plan.seed ^ (self.next as u64) << 8);
         let reach = self.photographer.reach();
         for _ in 0..self.plan.shown {
-            let Some(assumed) = self.photographer.assume(&photo) else {
+            let Some(assumed) = self.photographer.assume(photo) else {
                 continue;
             };
             let phase = (random.random::<f64>() - 0.5, random.random::<f64>() - 0.5);
+            let variants = &self.window.variants;
+            let best = variants.nearest(assumed.rotation(), assumed.log_scale);
+            // What is searched may be in any variant, and once is enough to search.
+            let is_searched = self.samples.len() <= self.next;
+            let mut variant = best;
+            if is_searched && variants.count() > 1 {
+                variant = variants.at(random.random_range(0..variants.count()));
+            }
             let envelope = self.photographer.envelope();
-            let sample = Sample::of(&photo, &assumed, envelope, &self.window, reach, phase);
-            if let Some(patch) = sample.landmark.and_then(|place| sample.patch(place)) {
+            let of = |variant| {
+                Sample::of(
+                    photo,
+                    &assumed,
+                    envelope,
+                    &self.window,
+                    variant,
+                    reach,
+                    phase,
+                )
+            };
+            let mut sample = of(&best);
+            if let Some(found) = &sample
+                && let Some(patch) = found.landmark.and_then(|place| found.patch(place))
+            {
                 self.positives.push((patch, photo.day));
             }
-            // Once is enough to search.
-            if self.samples.len() <= self.next {
+            if variant != best {
+                sample = of(&variant);
+            }
+            if let Some(sample) = sample.filter(|_| is_searched) {
                 self.samples.push((sample, photo.day));
             }
         }
         self.next += 1;
-        if self.next >= self.plan.photos {
+        if self.next >= self.all_photos() {
             return self.begin_cascade();
         }
         Ok(())
     }
 
     /// The look-alike that photo `number` is of.
-    fn look_alike(&self, number: usize) -> Option<crate::frames::GroundPoint> {
-        let places = &self.plan.look_alikes;
+    fn look_alike(&self, number: usize) -> Option<GroundPoint> {
+        // Of those so near that the landmark itself may be found beside them its own photos tell.
+        let bounds = self.landmark.bounds;
+        let near = 2.0 * self.photographer.reach() + bounds.width().hypot(bounds.height());
+        let is_apart = |place: &&GroundPoint| place.distance(&bounds.center()) > near;
+        let places: Vec<&GroundPoint> = self.plan.look_alikes.iter().filter(is_apart).collect();
         let turn = number % LOOK_ALIKE_EVERY == LOOK_ALIKE_EVERY - 1;
-        (turn && !places.is_empty()).then(|| places[number / LOOK_ALIKE_EVERY % places.len()])
+        (turn && !places.is_empty()).then(|| *places[number / LOOK_ALIKE_EVERY % places.len()])
     }
 
     fn begin_cascade(&mut self) -> Result<(), TrainingError> {
@@ -318,7 +384,11 @@ impl DetectorTraining {
         }
         let stages = self.cascade.as_ref().map_or(0, |c| c.stages().len());
         self.passed_before = self.mined.len() as f64 / self.windows.max(1) as f64;
-        self.last = self.mined.len() < FEWEST_FALSE || stages >= self.plan.most_stages;
+        // After a stage that missed its goal, only one that weighs everything can do better.
+        let missed = |r: &StageReport| r.row.false_alarm_rate > self.plan.goal.false_alarm_rate;
+        self.last = self.mined.len() < FEWEST_FALSE
+            || stages >= self.plan.most_stages
+            || self.kept.reports.last().is_some_and(missed);
         let mut random = ChaCha8Rng::seed_from_u64(self.plan.seed ^ (stages as u64) << 32);
         let count = self.plan.negatives.min(self.mined.len());
         let chosen = index::sample(&mut random, self.mined.len(), count);
@@ -341,6 +411,7 @@ impl DetectorTraining {
             StageGoal {
                 false_alarm_rate: -1.0,
                 most_votes: self.plan.last_votes,
+                ..self.plan.goal
             }
         } else {
             self.plan.goal
@@ -403,7 +474,33 @@ impl DetectorTraining {
             let look = look(&mut self.judge, &photo, cascade, &self.window);
             self.looks.extend(look);
         }
+        if self.next % TEMPLATE_EVERY == 0 {
+            let places = self.look_by_patch(&photo);
+            self.by_patch.extend(places);
+        }
         Ok(())
+    }
+
+    /// Scores of the landmark's map patch in a photo, and whether they are those of the right place.
+    fn look_by_patch(&mut self, photo: &Photo) -> Vec<(f64, bool)> {
+        let Some(assumed) = self.judge.assume(photo) else {
+            return Vec::new();
+        };
+        let envelope = self.judge.envelope();
+        let request = SearchRequest {
+            landmark: &self.landmark,
+            displacement_covariance: assumed.covariance,
+        };
+        let view = photo.view(&assumed, envelope.ground_down);
+        let sighting = self.template.detect(&view, &request);
+        let near = tolerance(photo.height / envelope.camera.focal);
+        sighting.best().map_or_else(Vec::new, |best| {
+            let is_near = best.ground.distance(&assumed.appears) <= near;
+            vec![
+                (best.score, photo.present && is_near),
+                (best.second_score, false),
+            ]
+        })
     }
 
     /// The detector, once it is done.
@@ -419,20 +516,16 @@ impl DetectorTraining {
         let allowed = (self.plan.false_alarms * self.looks.len() as f64).floor() as usize;
         // Just above the first false alarm too many; what did not pass every stage never counts.
         let least_score = wrong.get(allowed).map_or(0.0, |s| s.next_up().max(0.0));
-        let right = marks.iter().filter(|m| m.right && m.score >= least_score);
-        let (count, sum) = right.fold((0.0, Matrix2::zeros()), |(count, sum), m| {
-            let v = nalgebra::Vector2::from(m.offset);
-            (count + 1.0, sum + v * v.transpose())
-        });
-        let pixel = self.window.gsd;
+        let likelihood = Likelihood::fit(&judged);
+        let precision = precision::learned(&self.looks, least_score, self.window.gsd);
         Some(TrainedDetector {
             cascade,
             window: self.window,
             bounds: self.landmark.bounds,
             least_score,
-            likelihood: Likelihood::fit(&judged),
-            // A pixel's worth of knowledge from before, so that few marks do not pretend to know.
-            covariance: (sum + Matrix2::identity() * (0.5 * pixel).powi(2)) / (count + 1.0),
+            likelihood,
+            precision,
+            template: TemplateLikelihood::learned(&self.by_patch),
         })
     }
 }

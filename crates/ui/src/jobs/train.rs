@@ -182,7 +182,7 @@ impl Train {
             found: looks.iter().filter(|l| passes(l.found_at())).count(),
             false_alarms: looks.iter().filter(|l| passes(l.deceived_at())).count(),
             least_score: trained.least_score,
-            sigmas: [0, 1].map(|axis| trained.covariance[(axis, axis)].sqrt()),
+            sigmas: [0, 1].map(|axis| trained.precision.covariance[(axis, axis)].sqrt()),
             seconds: self.seconds(),
         })
     }

@@ -1,16 +1,13 @@
 //! The cascade detector of the navigator.
 
 use std::collections::HashMap;
+use std::f64::consts::TAU;
 
-use nalgebra::{Matrix4, Vector2};
+use nalgebra::Vector2;
 
 use super::{Mark, TrainedDetector, search};
 use crate::landmark::{Detection, Detector, FrameView, Refusal, SearchRequest, Sighting};
 
-/// Standard deviation of the turn that a cascade, which measures none, leaves open, radians.
-const TURN: f64 = 0.5;
-/// The same of the logarithm of the scale.
-const LOG_SCALE: f64 = 0.3;
 /// Probability from which on a place is believed.
 pub(in crate::landmark) const BELIEVED: f64 = 0.9;
 
@@ -36,17 +33,30 @@ impl CascadeDetector {
     }
 }
 
-/// Probabilities that each mark is the landmark, which can be but one of them or none.
-pub fn probabilities(trained: &TrainedDetector, marks: &[Mark]) -> Vec<f64> {
-    let odds = |m: &Mark| {
-        trained
-            .likelihood
-            .log_odds(m.score)
-            .clamp(-40.0, 40.0)
-            .exp()
-    };
-    let all: f64 = 1.0 + marks.iter().map(odds).sum::<f64>();
-    marks.iter().map(|m| odds(m) / all).collect()
+/// Log odds that a mark is the landmark, by its score and by how far from the expected place it lies:
+/// right marks lie there by the covariance of the search, wrong ones anywhere in its region.
+fn log_odds(
+    trained: &TrainedDetector,
+    mark: &Mark,
+    request: &SearchRequest<'_>,
+    (north, east): (f64, f64),
+) -> f64 {
+    let spread = &request.displacement_covariance;
+    let off = mark.ground.to_vector()
+        - trained.precision.bias
+        - request.landmark.bounds.center().to_vector();
+    let nearness = spread.try_inverse().map_or(0.0, |inverse| {
+        let density = -0.5 * off.dot(&(inverse * off)) - (TAU * spread.determinant().sqrt()).ln();
+        density + (4.0 * north * east).ln()
+    });
+    trained.likelihood.log_odds(mark.score) + nearness
+}
+
+/// Probabilities that each mark is the landmark, which can be but one of them or none, by their log odds.
+fn probabilities(log_odds: &[f64]) -> Vec<f64> {
+    let odds = |z: &f64| z.clamp(-40.0, 40.0).exp();
+    let all: f64 = 1.0 + log_odds.iter().map(odds).sum::<f64>();
+    log_odds.iter().map(|z| odds(z) / all).collect()
 }
 
 impl Detector for CascadeDetector {
@@ -61,29 +71,31 @@ impl Detector for CascadeDetector {
             Ok(marks) => marks,
             Err(refusal) => return Sighting::Refused(refusal, None),
         };
-        let likely = probabilities(trained, &marks);
-        let Some(best) = marks.first() else {
+        // By score and place together another mark than that of the best score may be the likeliest.
+        let mut judged: Vec<(f64, &Mark)> = (marks.iter())
+            .map(|mark| (log_odds(trained, mark, request, reach), mark))
+            .collect();
+        judged.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let odds: Vec<f64> = judged.iter().map(|(odds, _)| *odds).collect();
+        let likely = probabilities(&odds);
+        let Some((_, best)) = judged.first() else {
             return Sighting::Refused(Refusal::OutOfPicture, None);
         };
+        let ([rotation, log_scale], covariance) = trained.precision.of(best);
         let arm: Vector2<f64> = landmark.reference.to_vector() - center.to_vector();
-        let mut covariance = Matrix4::from_diagonal(&nalgebra::Vector4::new(
-            0.0,
-            0.0,
-            TURN * TURN,
-            LOG_SCALE * LOG_SCALE,
-        ));
-        covariance
-            .fixed_view_mut::<2, 2>(0, 0)
-            .copy_from(&trained.covariance);
+        let arm = nalgebra::Rotation2::new(rotation) * arm * log_scale.exp();
         let detection = Detection {
-            ground: (best.ground.to_vector() + arm).into(),
+            ground: (best.ground.to_vector() - trained.precision.bias + arm).into(),
             covariance,
             score: likely.first().copied().unwrap_or_default(),
             second_score: likely.get(1).copied().unwrap_or_default(),
-            rotation: 0.0,
-            scale: 1.0,
+            rotation,
+            scale: log_scale.exp(),
         };
-        let refusal = if best.score < trained.least_score {
+        let least = trained.likelihood.log_odds(trained.least_score);
+        // A window that did not pass every stage was not weighed by the last of them.
+        let is_whole = best.stages >= trained.cascade.stages.len();
+        let refusal = if !is_whole || odds.first().is_none_or(|best| *best < least) {
             Some(Refusal::LowScore)
         } else if detection.score < BELIEVED {
             Some(Refusal::Ambiguous)

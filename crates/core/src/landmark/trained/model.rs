@@ -1,9 +1,8 @@
 //! A trained detector as data.
 
-use nalgebra::Matrix2;
 use serde::{Deserialize, Serialize};
 
-use super::Likelihood;
+use super::{Likelihood, MarkPrecision, Variants};
 use crate::frames::GroundRect;
 use crate::landmark::cascade::Cascade;
 
@@ -21,11 +20,14 @@ pub struct DetectorWindow {
     pub width: usize,
     /// Height, pixels.
     pub height: usize,
+    /// The turns and sizes in which the ground is shown in it.
+    #[serde(default)]
+    pub variants: Variants,
 }
 
 impl DetectorWindow {
     /// For a box on the ground that is seen from where a pixel of the camera covers `camera_gsd` metres.
-    pub fn around(bounds: &GroundRect, camera_gsd: f64) -> Self {
+    pub fn around(bounds: &GroundRect, camera_gsd: f64, variants: Variants) -> Self {
         let longer = bounds.width().max(bounds.height());
         let gsd = (longer / LONGER).max(camera_gsd);
         let pixels = |metres: f64| ((metres / gsd).round() as usize).max(SHORTEST);
@@ -33,6 +35,7 @@ impl DetectorWindow {
             gsd,
             width: pixels(bounds.width()),
             height: pixels(bounds.height()),
+            variants,
         }
     }
 }
@@ -51,8 +54,38 @@ pub struct TrainedDetector {
     pub least_score: f64,
     /// How likely a mark is right, by its score.
     pub likelihood: Likelihood,
-    /// Covariance of the places of right marks (north, east) on held-out pictures, m².
-    pub covariance: Matrix2<f64>,
+    /// How precisely right marks tell place, turn and size.
+    pub precision: MarkPrecision,
+    /// What the score of the landmark's map patch says, on the same held-out pictures; nothing where it was
+    /// not looked for.
+    #[serde(default)]
+    pub template: Option<TemplateLikelihood>,
+}
+
+/// What the score of a landmark's map patch says.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TemplateLikelihood {
+    /// Log odds of being right, by the score.
+    pub likelihood: Likelihood,
+    /// Log odds of being right of all places that it was learned from.
+    pub before: f64,
+}
+
+impl TemplateLikelihood {
+    /// Learned from scores and whether they were right.
+    pub fn learned(places: &[(f64, bool)]) -> Option<Self> {
+        let right = places.iter().filter(|p| p.1).count() as f64;
+        let wrong = places.len() as f64 - right;
+        (!places.is_empty()).then(|| Self {
+            likelihood: Likelihood::fit(places),
+            before: ((right + 1.0) / (wrong + 1.0)).ln(),
+        })
+    }
+
+    /// Log of how much likelier the score is of the landmark than of something else.
+    pub fn log_ratio(&self, score: f64) -> f64 {
+        self.likelihood.log_odds(score) - self.before
+    }
 }
 
 /// A cascade as base64 of its compact form.

@@ -2,8 +2,10 @@
 
 use std::cmp::Ordering;
 
-use super::DetectorWindow;
-use crate::frames::GroundPoint;
+use nalgebra::Point3;
+
+use super::{DetectorWindow, Variant};
+use crate::frames::{GroundPoint, Pose};
 use crate::landmark::cascade::{Cascade, Responses, responses};
 use crate::landmark::patch::window_around;
 use crate::landmark::template::in_picture;
@@ -16,6 +18,8 @@ const LEAST_COVERAGE: f64 = 0.995;
 const MOST_MARKS: usize = 8;
 /// Pixels around a mark whose responses say where its middle is.
 const AROUND: i64 = 3;
+/// Share of the best score below which a neighbour says nothing of the place.
+const SHARE: f64 = 0.3;
 
 /// A place at which a cascade finds its landmark.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,6 +33,10 @@ pub struct Mark {
     pub stages: usize,
     /// Whether the window is one of the outermost that were looked at.
     pub at_edge: bool,
+    /// Turn in which it was found, radians clockwise.
+    pub rotation: f64,
+    /// Logarithm of the size in which it was found.
+    pub log_scale: f64,
 }
 
 /// A score that orders windows by the stages passed and then by what they passed them by.
@@ -42,7 +50,7 @@ fn score_of(stages: usize, margin: f64, all: usize) -> f64 {
     }
 }
 
-/// The best windows, apart from each other, the best first: shows `cascade` every window within `reach` metres (north, east) of where `expected` is the middle.
+/// The best windows, apart from each other, the best first: shows `cascade` every window within `reach` metres (north, east) of where `expected` is the middle, in every variant of the window.
 ///
 /// # Errors
 /// [`Refusal::OutOfPicture`] if no window lies whole in the picture.
@@ -53,6 +61,36 @@ pub fn search(
     expected: GroundPoint,
     reach: (f64, f64),
 ) -> Result<Vec<Mark>, Refusal> {
+    let mut all: Vec<Mark> = Vec::new();
+    for variant in shown.variants.all() {
+        all.extend(search_variant(
+            cascade, shown, view, expected, reach, &variant,
+        ));
+    }
+    if all.is_empty() {
+        return Err(Refusal::OutOfPicture);
+    }
+    all.sort_by(|a, b| b.score.total_cmp(&a.score));
+    Ok(merged(&all, shown))
+}
+
+/// The same in one variant; nothing where no window lies whole in the picture.
+fn search_variant(
+    cascade: &Cascade,
+    shown: &DetectorWindow,
+    view: &FrameView<'_>,
+    expected: GroundPoint,
+    reach: (f64, f64),
+    variant: &Variant,
+) -> Vec<Mark> {
+    let assumed = view.pose;
+    let view = FrameView {
+        pose: variant.pose(&assumed, view.ground_down),
+        ..*view
+    };
+    let Some(expected) = carried(&view, &assumed, &view.pose, expected) else {
+        return Vec::new();
+    };
     let pixels = |metres: f64| (metres / shown.gsd).ceil().max(0.0) as usize + 1;
     let size = (shown.width, shown.height);
     let wide = window_around(
@@ -61,32 +99,107 @@ pub fn search(
         size,
         (pixels(reach.1), pixels(reach.0)),
     );
-    let window = in_picture(&wide, view).ok_or(Refusal::OutOfPicture)?;
+    let Some(window) = in_picture(&wide, &view) else {
+        return Vec::new();
+    };
     if window.width < size.0 || window.height < size.1 {
-        return Err(Refusal::OutOfPicture);
+        return Vec::new();
     }
-    let ground = rectify(view, &window);
+    let ground = rectify(&view, &window);
     let said = responses(cascade, &to_bytes(&ground));
     let scores = scores(cascade, &said, &ground, size);
-    let list = peaks(&scores, size)
-        .into_iter()
-        .map(|(column, row)| {
-            let (x, y) = middle(&scores, column, row);
-            Mark {
-                ground: window.ground_at(x + 0.5 * size.0 as f64, y + 0.5 * size.1 as f64),
-                score: scores.get(column, row),
-                stages: usize::from(said.stages.get(column, row)),
-                at_edge: column == 0
-                    || row == 0
-                    || column + 1 == scores.width()
-                    || row + 1 == scores.height(),
-            }
+    let mark = |(column, row): (usize, usize)| {
+        let (x, y) = middle(&scores, column, row);
+        let place = window.ground_at(x + 0.5 * size.0 as f64, y + 0.5 * size.1 as f64);
+        Some(Mark {
+            ground: carried(&view, &view.pose, &assumed, place)?,
+            score: scores.get(column, row),
+            stages: usize::from(said.stages.get(column, row)),
+            at_edge: column == 0
+                || row == 0
+                || column + 1 == scores.width()
+                || row + 1 == scores.height(),
+            rotation: variant.rotation,
+            log_scale: variant.log_scale,
         })
-        .collect::<Vec<_>>();
-    if list.is_empty() {
-        return Err(Refusal::OutOfPicture);
+    };
+    peaks(&scores, size).into_iter().filter_map(mark).collect()
+}
+/// Where the ground at `place` under the pose `from` lies under the pose `to`: at the same pixel.
+fn carried(
+    view: &FrameView<'_>,
+    from: &Pose,
+    to: &Pose,
+    place: GroundPoint,
+) -> Option<GroundPoint> {
+    if from == to {
+        return Some(place);
     }
-    Ok(list)
+    let in_world = Point3::new(place.north, place.east, view.ground_down);
+    let pixel = view.camera.project(from, &in_world)?;
+    view.camera.ground_at(to, &pixel, view.ground_down)
+}
+
+/// The best marks, apart from each other, of the marks of all variants from the best to the worst. Where
+/// several variants mark one place, it, its turn and its size lie between theirs.
+fn merged(all: &[Mark], shown: &DetectorWindow) -> Vec<Mark> {
+    let near = |side: usize| (side as f64 / 3.0).floor() * shown.gsd;
+    let (north, east) = (near(shown.height), near(shown.width));
+    let mut groups: Vec<Vec<&Mark>> = Vec::new();
+    for mark in all {
+        let same = |group: &&mut Vec<&Mark>| {
+            group.first().is_some_and(|best| {
+                (best.ground.north - mark.ground.north).abs() <= north
+                    && (best.ground.east - mark.ground.east).abs() <= east
+            })
+        };
+        match groups.iter_mut().find(same) {
+            Some(group) => group.push(mark),
+            None => groups.push(vec![mark]),
+        }
+    }
+    groups.truncate(MOST_MARKS);
+    groups.iter().filter_map(|group| between(group)).collect()
+}
+
+/// One mark of those that variants made of one place, the best first.
+fn between(group: &[&Mark]) -> Option<Mark> {
+    let best = **group.first()?;
+    // The place lies amid all of them; turn and size are those of the few that fit nearly as well as the
+    // best, for far ones are on both sides as often as not.
+    let (mut place, mut variant) = ([0.0; 3], [0.0; 3]);
+    for mark in group {
+        let weight = weight(mark.score, best.score);
+        let sharp = (weight / best.score).powi(4);
+        let of = [1.0, mark.ground.north, mark.ground.east];
+        for (sum, value) in place.iter_mut().zip(of) {
+            *sum += weight * value;
+        }
+        let of = [1.0, mark.rotation, mark.log_scale];
+        for (sum, value) in variant.iter_mut().zip(of) {
+            *sum += sharp * value;
+        }
+    }
+    if group.len() < 2 || place[0] <= 0.0 {
+        return Some(best);
+    }
+    let mean = |sum: [f64; 3]| [sum[1] / sum[0], sum[2] / sum[0]];
+    let ([north, east], [rotation, log_scale]) = (mean(place), mean(variant));
+    Some(Mark {
+        ground: GroundPoint::new(north, east),
+        rotation,
+        log_scale,
+        ..best
+    })
+}
+
+/// How much a mark counts beside the best of its place.
+fn weight(score: f64, top: f64) -> f64 {
+    if top > 0.0 {
+        (score - SHARE * top).max(0.0)
+    } else {
+        0.0
+    }
 }
 
 /// Grey levels as whole numbers, which cascades are made for.
@@ -162,12 +275,7 @@ fn middle(scores: &Raster<f64>, column: usize, row: usize) -> (f64, f64) {
                 continue;
             }
             let score = scores.get(c as usize, r as usize);
-            // From half of the top on.
-            let weight = if top > 0.0 {
-                (score - 0.3 * top).max(0.0)
-            } else {
-                0.0
-            };
+            let weight = weight(score, top);
             sum += weight;
             x += weight * dx as f64;
             y += weight * dy as f64;

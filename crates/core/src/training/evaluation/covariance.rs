@@ -7,6 +7,7 @@ use super::EvaluatedLook;
 use super::isotonic::Isotonic;
 use super::robust::RobustFit;
 use crate::filter::chi_square_quantile;
+use crate::landmark::trained::{ByScore, ScoreScale};
 
 /// Fewest marks of a group by score.
 const FEWEST: usize = 25;
@@ -14,17 +15,6 @@ const FEWEST: usize = 25;
 const MOST_GROUPS: usize = 5;
 /// How many of its standard deviations a rank correlation has to be below zero.
 const SIGNIFICANT: f64 = 2.33;
-
-/// Covariance of the right marks of about one score.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ScoreScale {
-    /// Median score.
-    pub score: f64,
-    /// Marks of about this score.
-    pub marks: usize,
-    /// Their covariance is this many times that of all.
-    pub scale: f64,
-}
 
 /// The measurement covariance that a detector's right marks have.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -43,7 +33,7 @@ pub struct MarkCovariance {
     /// nearer.
     pub rank_correlation: f64,
     /// By ascending score, where better scores lie nearer by more than chance; otherwise empty.
-    pub by_score: Vec<ScoreScale>,
+    pub by_score: ByScore,
 }
 
 impl MarkCovariance {
@@ -73,19 +63,13 @@ impl MarkCovariance {
             covariance: fit.covariance,
             inside_95: inside as f64 / marks.len() as f64,
             rank_correlation,
-            by_score: if certain { scales(&scored) } else { Vec::new() },
+            by_score: ByScore(if certain { scales(&scored) } else { Vec::new() }),
         })
     }
 
     /// Covariance (north, east) of a mark of that score, square metres.
     pub fn at(&self, score: f64) -> Matrix2<f64> {
-        if self.by_score.is_empty() {
-            return self.covariance;
-        }
-        // Straight between the groups: what is pooled already never falls.
-        let falling = self.by_score.iter().map(|s| [s.score, -s.scale, 1.0]);
-        let falling = Isotonic::rising(&falling.collect::<Vec<_>>());
-        self.covariance * -falling.at(score)
+        self.covariance * self.by_score.at(score)
     }
 
     /// Standard deviations along the longer and the shorter axis, metres, and the heading of the longer
@@ -177,6 +161,8 @@ mod tests {
                         score,
                         offset,
                         right: true,
+                        rotation: 0.0,
+                        log_scale: 0.0,
                     }],
                 )
             })
@@ -194,7 +180,7 @@ mod tests {
         let [longer, shorter, heading] = learned.axes();
         assert!(longer > shorter && heading.sin().abs() < 0.1);
         // There the score says nothing of the distance.
-        assert!(learned.by_score.is_empty(), "{learned:?}");
+        assert!(learned.by_score.0.is_empty(), "{learned:?}");
         assert_eq!(learned.at(0.2), learned.covariance);
     }
 
@@ -203,7 +189,7 @@ mod tests {
         let looks = looks(1000, |score| 1.5 - score);
         let learned = MarkCovariance::of(&looks, 0.0, 1).unwrap();
         assert!(learned.rank_correlation < -0.3);
-        assert_eq!(learned.by_score.len(), 5);
+        assert_eq!(learned.by_score.0.len(), 5);
         for score in [0.1, 0.5, 0.9] {
             let deviation = learned.at(score)[(0, 0)].sqrt();
             assert!(

@@ -67,7 +67,7 @@ impl DetectorJudge {
         plan: JudgingPlan,
     ) -> Self {
         let seed = plan.seed ^ DAYS;
-        let days = others.spread(plan.days.max(1), seed);
+        let days = others.photographed(plan.days.max(1), seed);
         let envelope = envelope.clone();
         Self {
             trained,
@@ -156,6 +156,7 @@ pub(in crate::training) fn look(
         height: photo.height,
         tilt: photo.known_tilt[0].hypot(photo.known_tilt[1]),
         heading_error: assumed.heading_error,
+        log_scale: assumed.log_scale,
         real: false,
         present: photo.present,
         marks: marks.iter().map(mark).collect(),

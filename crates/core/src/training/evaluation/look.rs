@@ -17,6 +17,10 @@ pub struct EvaluatedLook {
     pub tilt: f64,
     /// Assumed heading less the true one, radians.
     pub heading_error: f64,
+    /// Logarithm of the size in which the ground appears under the assumed pose: assumed height over
+    /// the true one.
+    #[serde(default)]
+    pub log_scale: f64,
     /// A real frame, not a render.
     pub real: bool,
     /// Whether the landmark is whole in the searched picture. Where it is not, every mark is a
@@ -35,6 +39,12 @@ pub struct EvaluatedMark {
     pub offset: [f64; 2],
     /// Whether it is the landmark.
     pub right: bool,
+    /// Turn in which it was found, radians clockwise.
+    #[serde(default)]
+    pub rotation: f64,
+    /// Logarithm of the size in which it was found.
+    #[serde(default)]
+    pub log_scale: f64,
 }
 
 impl EvaluatedMark {
@@ -47,11 +57,18 @@ impl EvaluatedMark {
                 mark.ground.east - appears.east,
             ],
             right: near.is_some_and(|near| mark.ground.distance(appears) <= near),
+            rotation: mark.rotation,
+            log_scale: mark.log_scale,
         }
     }
 }
 
 impl EvaluatedLook {
+    /// Turn in which the ground appears under the assumed pose, radians clockwise.
+    pub fn rotation(&self) -> f64 {
+        -self.heading_error
+    }
+
     /// The right mark with the highest score.
     pub fn best_right(&self) -> Option<&EvaluatedMark> {
         best(self.marks.iter().filter(|mark| self.present && mark.right))

@@ -23,7 +23,7 @@ mod table;
 
 pub use breakdown::{Bin, Breakdown, By};
 pub use calibration::{Judged, Probability, ScoreBin, ScoreCalibration, brier_score, log_loss};
-pub use covariance::{MarkCovariance, ScoreScale};
+pub use covariance::MarkCovariance;
 pub use curve::{Curve, CurveKind, CurvePoint, average_precision, trace};
 pub use error::EvaluationError;
 pub use isotonic::Isotonic;

@@ -187,6 +187,7 @@ impl FrameJudge<'_> {
             height: self.height(pose),
             tilt: pose.attitude.roll.hypot(pose.attitude.pitch),
             heading_error,
+            log_scale: 0.0,
             real: true,
             present,
             marks: marks.iter().map(mark).collect(),

@@ -11,6 +11,8 @@ pub fn mark(score: f64, right: bool) -> EvaluatedMark {
         score,
         offset: [0.0, 0.0],
         right,
+        rotation: 0.0,
+        log_scale: 0.0,
     }
 }
 
@@ -20,6 +22,7 @@ pub fn look(day: usize, marks: &[EvaluatedMark]) -> EvaluatedLook {
         height: 100.0,
         tilt: 0.1,
         heading_error: 0.0,
+        log_scale: 0.0,
         real: false,
         present: true,
         marks: marks.to_vec(),
@@ -67,6 +70,8 @@ impl Detector {
                         score,
                         offset,
                         right: true,
+                        rotation: 0.0,
+                        log_scale: 0.0,
                     });
                 }
                 looks.push(EvaluatedLook {
@@ -74,6 +79,7 @@ impl Detector {
                     height: random.random_range(60.0..180.0),
                     tilt: random.random_range(0.0..0.4),
                     heading_error: random.random_range(-0.1..0.1),
+                    log_scale: 0.0,
                     real: i % 2 == 1,
                     present,
                     marks,

@@ -105,7 +105,7 @@ impl Evaluation {
             for (name, value) in figures {
                 table.row(name, None, whole(value), Some(threshold));
             }
-            for group in &covariance.by_score {
+            for group in &covariance.by_score.0 {
                 table.row(
                     "covariance_scale_by_score",
                     Some(group.score),

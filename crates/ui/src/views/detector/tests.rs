@@ -8,7 +8,9 @@ use pilotage_core::landmark::Landmark;
 use pilotage_core::landmark::cascade::{
     Cascade, Feature, HaarFeature, Split, TrainedStage, TrainedTree,
 };
-use pilotage_core::landmark::trained::{DetectorWindow, Likelihood, TrainedDetector};
+use pilotage_core::landmark::trained::{
+    ByScore, DetectorWindow, Likelihood, MarkPrecision, TrainedDetector, Variants,
+};
 use pilotage_core::navigator::explain_cascade;
 use pilotage_core::raster::{Raster, Rgba, decode_picture};
 
@@ -85,6 +87,7 @@ fn detector(bounds: GroundRect, look: Look) -> TrainedDetector {
             gsd: 1.25,
             width: 24,
             height: 24,
+            variants: Variants::default(),
         },
         bounds,
         least_score: 0.4,
@@ -92,7 +95,14 @@ fn detector(bounds: GroundRect, look: Look) -> TrainedDetector {
             offset: -2.0,
             slope: 1.5,
         },
-        covariance: Matrix2::identity(),
+        precision: MarkPrecision {
+            bias: nalgebra::Vector2::zeros(),
+            covariance: Matrix2::identity(),
+            by_score: ByScore::default(),
+            turn: None,
+            log_scale: None,
+        },
+        template: None,
     }
 }
 

@@ -21,12 +21,15 @@ fn evaluation() -> Evaluation {
                 score: middle + 0.35 * (random() + random() - 1.0),
                 offset: [metres * (random() - 0.5), metres * (random() - 0.5)],
                 right,
+                rotation: 0.0,
+                log_scale: 0.0,
             };
             EvaluatedLook {
                 day: i / 60,
                 height: 60.0 + (i * 7 % 120) as f64,
                 tilt: (i * 3 % 40) as f64 / 100.0,
                 heading_error: (i * 11 % 20) as f64 / 100.0 - 0.1,
+                log_scale: 0.0,
                 real: false,
                 present: i % 6 != 0,
                 marks: vec![mark(0.8, 2.0, true), mark(0.2, 40.0, false)],

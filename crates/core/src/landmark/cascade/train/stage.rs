@@ -5,17 +5,18 @@ use serde::{Deserialize, Serialize};
 use super::boost::Boosting;
 use super::stump::Stump;
 use super::table::Table;
+use crate::filter::chi_square_quantile;
 
 /// One group of samples in so many is only judged: a stage that knew them all would think too well of
 /// itself.
 const JUDGED: usize = 5;
-/// How many standard deviations below the mean of what is looked for a stage still lets pass: one in a
-/// thousand of a normal distribution lies lower. The lowest that was seen says little about what will be.
-const TAIL: f64 = 3.1;
 
 /// What a stage shall come to.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StageGoal {
+    /// Least share of what is looked for that passes, below one: of what was seen and, by the tail of a normal
+    /// distribution, of what was not.
+    pub hit_rate: f64,
     /// Greatest share of everything else that passes.
     pub false_alarm_rate: f64,
     /// Most votes.
@@ -25,6 +26,7 @@ pub struct StageGoal {
 impl Default for StageGoal {
     fn default() -> Self {
         Self {
+            hit_rate: 0.999,
             false_alarm_rate: 0.4,
             most_votes: 60,
         }
@@ -50,6 +52,8 @@ pub struct StageRow {
 pub(super) struct Growing {
     boosting: Boosting,
     goal: StageGoal,
+    /// Standard deviations below the mean above which the share of the goal lies.
+    deviations: f64,
     pub votes: Vec<Stump>,
     /// Least sum that passes, as it is now.
     pub threshold: f64,
@@ -71,6 +75,12 @@ impl Growing {
         Self {
             boosting: Boosting::new(table, targets.collect(), fitted.collect(), seed),
             goal,
+            // Of a normal distribution, by the square of it.
+            deviations: chi_square_quantile(
+                (2.0 * goal.hit_rate - 1.0).clamp(0.0, 1.0 - 1e-9),
+                1.0,
+            )
+            .sqrt(),
             votes: Vec::new(),
             threshold: f64::NEG_INFINITY,
             row: StageRow {
@@ -100,9 +110,12 @@ impl Growing {
             let own = all.filter(move |((_, t), f)| **t == kind && !(judged_only && **f));
             own.map(|((sum, _), _)| *sum)
         };
-        // Low enough for all that was seen, and for what was not by the tail of those that no vote was
-        // fitted to.
-        let least = of(1, false).fold(f64::INFINITY, f64::min);
+        // Low enough for nearly all that was seen, and for what was not by the tail of those that no vote
+        // was fitted to: the lowest that was seen says little about what will be.
+        let mut seen: Vec<f64> = of(1, false).collect();
+        seen.sort_unstable_by(f64::total_cmp);
+        let missed = ((1.0 - self.goal.hit_rate) * seen.len() as f64).floor() as usize;
+        let least = seen.get(missed).copied().unwrap_or(f64::INFINITY);
         let (mut count, mut sum, mut squares) = (0.0, 0.0, 0.0);
         for value in of(1, true) {
             count += 1.0;
@@ -110,7 +123,7 @@ impl Growing {
             squares += value * value;
         }
         let mean = sum / count;
-        let tail = mean - TAIL * (squares / count - mean * mean).max(0.0).sqrt();
+        let tail = mean - self.deviations * (squares / count - mean * mean).max(0.0).sqrt();
         // Sums of the scan are of single votes in another order of rounding.
         self.threshold = if count > 1.0 { least.min(tail) } else { least } - 1e-4;
         let share = |kind: i8, judged_only: bool| {
@@ -126,5 +139,43 @@ impl Growing {
         self.row.false_alarm_rate = share(-1, true);
         self.row.false_alarm_rate <= self.goal.false_alarm_rate
             || self.votes.len() >= self.goal.most_votes
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A stage that parts two kinds of one number each, of which one in twenty of the first kind looks
+    /// like the second.
+    fn grown(hit_rate: f64) -> StageRow {
+        let count = 400;
+        let value = |i: usize| {
+            let is_first = i < count / 2;
+            let is_odd = i.is_multiple_of(20);
+            let middle = if is_first && !is_odd { 1.0 } else { -1.0 };
+            middle + 0.3 * ((i as f32 * 0.618).fract() - 0.5)
+        };
+        let table = Table::of_numbers(count, 1, |i, row| row[0] = value(i));
+        let groups: Vec<usize> = (0..count).map(|i| i % 25).collect();
+        let goal = StageGoal {
+            hit_rate,
+            ..StageGoal::default()
+        };
+        let mut stage = Growing::new(table, count / 2, &groups, goal, 1);
+        while !stage.grow() {}
+        stage.row
+    }
+
+    #[test]
+    fn a_stage_lets_as_many_pass_as_its_goal_says_and_stops_the_more_the_fewer_must() {
+        let all = grown(0.999);
+        assert!(
+            all.hit_rate >= 0.999 && all.false_alarm_rate > 0.9,
+            "{all:?}"
+        );
+        let most = grown(0.9);
+        assert!(most.hit_rate >= 0.9 && most.hit_rate < 1.0, "{most:?}");
+        assert!(most.false_alarm_rate <= 0.4, "{most:?}");
     }
 }

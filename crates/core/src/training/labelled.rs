@@ -1,0 +1,100 @@
+//! Frames of real flights in which people showed where a landmark is, to learn from.
+
+use nalgebra::{Point2, Point3};
+
+use super::photo::Photo;
+use crate::camera::CameraModel;
+use crate::flight::{ChannelName, Flight, FrameError};
+use crate::frames::{GroundRect, Pose};
+use crate::landmark::Landmark;
+use crate::mission::FrameLabels;
+use crate::navigator::PYRAMID_LEVELS;
+use crate::raster::{Picture, Pyramid};
+
+/// Number of the first day of real frames; those of drawn days are below.
+const FIRST_DAY: usize = 1000;
+
+/// The frames of `flight` in which `landmark` is labelled, and those labelled as without it, as photos to
+/// learn from; `picture` gives the frame with a number. Boxes that are cut or hard to see are left out.
+///
+/// A label says where in the picture the landmark is. Turn, tilt and size are those of the measured
+/// heading, attitude and height, and as uncertain as they are: where the aircraft was does not matter.
+///
+/// # Errors
+/// The first frame that cannot be read.
+pub fn labelled_photos(
+    flight: &Flight,
+    labels: &[FrameLabels],
+    landmark: &Landmark,
+    mut picture: impl FnMut(usize) -> Result<Picture, FrameError>,
+) -> Result<Vec<Photo>, FrameError> {
+    let mut photos = Vec::new();
+    for (index, frame) in flight.frames.iter().enumerate() {
+        let Some(said) = labels.iter().find(|l| l.frame == frame.name) else {
+            continue;
+        };
+        let mut camera = flight.camera.clone();
+        camera.mount.yaw += frame.stored_turn;
+        let label = said.boxes.iter().find(|b| b.landmark == landmark.id);
+        let label = label.filter(|b| !b.truncated && !b.difficult);
+        let is_absent = said.absent.contains(&landmark.id);
+        // Labels may be of a picture of another size than the camera's.
+        let scale = camera.width as f64 / f64::from(said.size.0.max(1));
+        let middle = match label {
+            Some(label) => Point2::new(
+                0.5 * scale * (label.min[0] + label.max[0]),
+                0.5 * scale * (label.min[1] + label.max[1]),
+            ),
+            None if is_absent => camera.principal,
+            None => continue,
+        };
+        let Some(pose) = pose(flight, frame.time) else {
+            continue;
+        };
+        let size = (landmark.bounds.height(), landmark.bounds.width());
+        let Some(place) = camera.ground_at(&pose, &middle, flight.ground_down) else {
+            continue;
+        };
+        photos.push(photo(
+            camera,
+            pose,
+            picture(index)?,
+            FIRST_DAY + index,
+            GroundRect::centered(place, size.0, size.1),
+            label.is_some(),
+            flight.ground_down,
+        ));
+    }
+    Ok(photos)
+}
+
+/// Where the camera was but for its place: over the origin, as high as measured.
+fn pose(flight: &Flight, time: f64) -> Option<Pose> {
+    let height = flight.value(ChannelName::HeightAboveGround, time)?;
+    Some(Pose {
+        position_in_world: Point3::new(0.0, 0.0, flight.ground_down - height),
+        attitude: flight.attitude(time)?,
+    })
+}
+
+fn photo(
+    camera: CameraModel,
+    pose: Pose,
+    picture: Picture,
+    day: usize,
+    around: GroundRect,
+    present: bool,
+    ground_down: f64,
+) -> Photo {
+    Photo {
+        camera,
+        pose,
+        luminance: Pyramid::new(picture.to_gray(), PYRAMID_LEVELS),
+        picture,
+        day,
+        height: ground_down - pose.position_in_world.z,
+        known_tilt: [pose.attitude.roll, pose.attitude.pitch],
+        around,
+        present,
+    }
+}

@@ -1,0 +1,49 @@
+//! How precisely a detector's right marks tell place, turn and size, learned on photos it was not trained on.
+
+use nalgebra::{Matrix2, Vector2};
+
+use super::evaluation::{EvaluatedLook, EvaluatedMark, MarkCovariance};
+use crate::landmark::trained::{ByScore, MarkPrecision, Reading};
+
+/// Draws the starts of the robust fit.
+const SEED: u64 = 5;
+
+/// Learned from the best right marks with at least `least_score`; a pixel covers `gsd` metres.
+pub fn learned(looks: &[EvaluatedLook], least_score: f64, gsd: f64) -> MarkPrecision {
+    let best: Vec<(&EvaluatedLook, &EvaluatedMark)> = looks
+        .iter()
+        .filter_map(|look| Some((look, look.best_right()?)))
+        .filter(|(_, mark)| mark.score >= least_score)
+        .collect();
+    let turns: Vec<_> = (best.iter())
+        .map(|(look, mark)| (look.rotation(), mark.rotation))
+        .collect();
+    let log_scales: Vec<_> = (best.iter())
+        .map(|(look, mark)| (look.log_scale, mark.log_scale))
+        .collect();
+    // Half a pixel's worth of knowledge from before, so that few marks do not pretend to know.
+    let before = Matrix2::identity() * (0.5 * gsd).powi(2);
+    let count = best.len() as f64;
+    let (bias, covariance, by_score) = match MarkCovariance::of(looks, least_score, SEED) {
+        Some(fit) => (
+            fit.bias.into(),
+            (fit.covariance * count + before) / (count + 1.0),
+            fit.by_score,
+        ),
+        None => {
+            let squares = best.iter().map(|(_, mark)| {
+                let offset = Vector2::from(mark.offset);
+                offset * offset.transpose()
+            });
+            let sum = squares.fold(before, |sum, square| sum + square);
+            (Vector2::zeros(), sum / (count + 1.0), ByScore::default())
+        }
+    };
+    MarkPrecision {
+        bias,
+        covariance,
+        by_score,
+        turn: Reading::learned(&turns),
+        log_scale: Reading::learned(&log_scales),
+    }
+}
