@@ -125,8 +125,9 @@ fn search_variant(
     };
     peaks(&scores, size).into_iter().filter_map(mark).collect()
 }
+
 /// Where the ground at `place` under the pose `from` lies under the pose `to`: at the same pixel.
-fn carried(
+pub(crate) fn carried(
     view: &FrameView<'_>,
     from: &Pose,
     to: &Pose,
