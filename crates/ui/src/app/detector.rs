@@ -15,6 +15,10 @@ impl App {
                 self.explain_detector(host, *time, *landmark);
             }
             DetectorCommand::Show => self.show_detector(),
+            DetectorCommand::Evaluate => self.evaluate(host),
+            DetectorCommand::StopEvaluating => self.stop_evaluating(host),
+            DetectorCommand::SaveEvaluation(file) => self.save_evaluation(&file, host),
+            DetectorCommand::CloseEvaluation => self.close_evaluation(),
             DetectorCommand::Stages(_) | DetectorCommand::Play => {
                 if self.side_tab != SideTab::Detector {
                     self.show_detector();
@@ -94,7 +98,15 @@ impl App {
                 "all_votes": found.map_or(0, pilotage_core::landmark::CascadeEvidence::all_votes),
             })
         });
+        let (is_open, is_whole) = self.evaluating.state();
+        let judged = self.evaluating.progress();
         json!({
+            "evaluation": {
+                "open": is_open,
+                "whole": is_whole,
+                "figures": self.evaluating.figures(),
+                "progress": judged.map(|(part, words)| json!({"part": part, "words": words})),
+            },
             "wanted": view.wanted().map(|(time, landmark)| json!([time, landmark])),
             "passed": passed,
             "stages": stages,

@@ -66,7 +66,7 @@ impl App {
     }
 
     fn event(&mut self, context: &egui::Context, host: &mut dyn Host, id: JobId, event: JobEvent) {
-        if self.plan_event(id, &event, host.now()) {
+        if self.plan_event(id, &event, host.now()) || self.evaluating.receive(id, &event) {
         } else if self.desk.fly.as_ref().is_some_and(|f| f.id == id) {
             self.fly_event(host, event);
         } else if self.desk.tiles.contains_key(&id) {

@@ -3,6 +3,7 @@
 mod brief;
 mod desk;
 mod detector;
+mod evaluating;
 mod exchange;
 mod execute;
 mod georeferencing;
@@ -94,6 +95,7 @@ pub struct App {
     toasts: Toasts,
     views: Views,
     desk: Desk,
+    evaluating: evaluating::Evaluating,
     commands: Vec<Command>,
     started: bool,
     /// What was stored at an earlier visit and could not be read.

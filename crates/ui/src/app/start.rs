@@ -64,6 +64,7 @@ impl App {
             toasts: Toasts::default(),
             views: super::Views::default(),
             desk: Desk::default(),
+            evaluating: super::evaluating::Evaluating::default(),
             commands: Vec::new(),
             started: false,
             aside,

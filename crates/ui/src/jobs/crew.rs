@@ -419,6 +419,7 @@ fn seat_for(job: &Job) -> usize {
         | Job::Envelope(_)
         | Job::Suggest(_)
         | Job::Propose(..)
+        | Job::Evaluate(_)
         | Job::Field(_)
         | Job::Train(_) => 0,
         Job::Tile { .. } | Job::DescribeMap(_) | Job::PrepareMap(_) => 1,
@@ -455,6 +456,7 @@ fn file_keys(job: &Job) -> Vec<&str> {
         Job::Suggest(order) | Job::SuggestShare(order, _) | Job::Propose(order, _) => {
             (None, Some(&order.map))
         }
+        Job::Evaluate(order) => (order.flight.as_ref(), Some(&order.about.map)),
         Job::Field(order) => (None, Some(&order.map)),
         Job::Train(order) => (None, Some(&order.map)),
         Job::Brief(order) => (None, Some(&order.map)),

@@ -15,10 +15,10 @@ use pilotage_core::raster::{Gray, Raster, Rgba};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Assessment, AssessmentOrder, Beside, BriefOrder, BriefPictures, ExportOrder, FieldOrder,
-    FileContent, FindOrder, FoundPlan, HeightsOrder, ImportedFile, PackOrder, PredictionOrder,
-    Share, SuggestOrder, TerrainInfo, TrainOrder, TrainingOutcome, TrainingReport, WebMap,
-    whole_bytes,
+    Assessment, AssessmentOrder, Beside, BriefOrder, BriefPictures, EvaluationOrder,
+    EvaluationReport, ExportOrder, FieldOrder, FileContent, FindOrder, FoundPlan, HeightsOrder,
+    ImportedFile, PackOrder, PredictionOrder, Share, SuggestOrder, TerrainInfo, TrainOrder,
+    TrainingOutcome, TrainingReport, WebMap, whole_bytes,
 };
 
 /// Number of a job, unique within a page.
@@ -187,6 +187,8 @@ pub enum Job {
         /// The landmark.
         landmark: u32,
     },
+    /// How well a trained detector does where it was not trained: events `Evaluation`, each knowing more.
+    Evaluate(Box<EvaluationOrder>),
     /// The pixels of a camera picture: event `Picture`.
     DecodePicture {
         /// JPEG or PNG bytes.
@@ -388,6 +390,8 @@ pub enum JobEvent {
     Distinctness(Box<Distinctness>),
     /// Pictures that explain a match.
     Match(Box<MatchPictures>),
+    /// How well a trained detector does, as far as it is known.
+    Evaluation(Box<EvaluationReport>),
     /// What a trained detector saw and did.
     Detector(Box<DetectorSearch>),
     /// The uncertainty along a planned route.

@@ -139,7 +139,7 @@ fn urgency(job: &Job) -> u8 {
         | Job::SuggestShare(..)
         | Job::Find(_)
         | Job::Brief(_) => 3,
-        Job::PrepareMap(_) => 5,
+        Job::PrepareMap(_) | Job::Evaluate(_) => 5,
         Job::Fly { .. } | Job::Field(_) => 4,
         // Takes a minute of which nobody waits for a second.
         Job::Train(_) => 6,

@@ -157,6 +157,10 @@ pub fn wanted_addresses(job: &Job) -> Vec<String> {
                 Reads::Areas(boxes.map(|b| around(&b)).collect()),
             )
         }
+        Job::Evaluate(order) => {
+            let area = around(&order.about.landmark.bounds);
+            (&order.about.map, Reads::Areas(vec![area]))
+        }
         Job::Suggest(order) | Job::SuggestShare(order, _) => {
             let across = order.view.across().unwrap_or(0.0);
             let along = GroundRect::around(order.way_points.iter().copied());

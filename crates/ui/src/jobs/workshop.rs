@@ -20,6 +20,7 @@ use super::assess::{Assess, Share, sum_up};
 use super::brief::Brief;
 use super::content::{LentFiles, OpenAddress};
 use super::envelope::SurveyEnvelope;
+use super::evaluate::Evaluate;
 use super::explain::explained;
 use super::field::ComputeField;
 use super::file_pool::FilePool;
@@ -158,6 +159,7 @@ impl Workshop {
                 emit(JobEvent::Suggestions(choose(workshop, *order, found)?));
                 Ok(())
             }),
+            Job::Evaluate(order) => Box::new(Evaluate::new(*order)),
             Job::Field(order) => Box::new(ComputeField::new(*order)),
             Job::Find(order) => Box::new(FindRoute::new(*order)),
             Job::ExplainMatch { .. } => once(move |workshop, emit| {

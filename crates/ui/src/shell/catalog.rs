@@ -278,6 +278,11 @@ fn view() -> Vec<Entry> {
             Command::Detector(DetectorCommand::Stages(1)),
         ),
         of(
+            "Detector: evaluate on days it has not seen",
+            vec![],
+            Command::Detector(DetectorCommand::Evaluate),
+        ),
+        of(
             "Detector: let the stages pass",
             vec![shift(Key::Z)],
             Command::Detector(DetectorCommand::Play),

@@ -1,12 +1,14 @@
 //! The plots of an evaluation, for whoever draws them.
 
+use serde::{Deserialize, Serialize};
+
 use super::{By, Evaluation, Rate};
 
 /// Scores at which the probability is drawn.
 const SCORES: usize = 81;
 
 /// An axis of a plot.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PlotAxis {
     /// What it is, with the unit.
     pub label: String,
@@ -21,7 +23,7 @@ pub struct PlotAxis {
 }
 
 /// How a series is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum SeriesStyle {
     /// A line with its interval as a band.
     Line,
@@ -32,7 +34,7 @@ pub enum SeriesStyle {
 }
 
 /// A point with its interval.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PlotPoint {
     /// Along the x axis.
     pub x: f64,
@@ -45,7 +47,7 @@ pub struct PlotPoint {
 }
 
 /// Points that belong together.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Series {
     /// What they are.
     pub name: String,
@@ -56,10 +58,10 @@ pub struct Series {
 }
 
 /// One plot.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Plot {
     /// Name in files.
-    pub key: &'static str,
+    pub key: String,
     /// What it shows.
     pub title: String,
     /// The axis to the right.
@@ -177,7 +179,7 @@ impl Evaluation {
         let least = (1.0 / self.looks as f64).min(0.1 * self.operating.allowed.max(1e-6));
         let most = self.froc.points.last().map_or(1.0, |p| p.x.max(1.0));
         Plot {
-            key: "false_alarms",
+            key: "false_alarms".to_owned(),
             title: "Detections against false alarms".to_owned(),
             x: PlotAxis {
                 logarithmic: true,
@@ -207,7 +209,7 @@ impl Evaluation {
                 .collect(),
         }];
         Plot {
-            key: "precision_recall",
+            key: "precision_recall".to_owned(),
             title: "Precision against recall".to_owned(),
             x: PlotAxis::new(DETECTION, 0.0, 100.0),
             y: from_below("right, % of marks", &series),
@@ -249,7 +251,7 @@ impl Evaluation {
             _ => Vec::new(),
         };
         Some(Plot {
-            key: by.key(),
+            key: by.key().to_owned(),
             title: format!(
                 "Detections by {} at {} false alarms per picture",
                 by.name(),
@@ -278,7 +280,7 @@ impl Evaluation {
             ))
         });
         Some(Plot {
-            key: "reliability",
+            key: "reliability".to_owned(),
             title: "Probabilities on days left out".to_owned(),
             x: PlotAxis::new("stated probability of being right, %", 0.0, 100.0),
             y: PlotAxis::new("right, % of marks", 0.0, 100.0),
@@ -304,7 +306,7 @@ impl Evaluation {
             percent(score, p, p, p)
         });
         Some(Plot {
-            key: "score",
+            key: "score".to_owned(),
             title: "What a score means".to_owned(),
             x: PlotAxis::new("score", first, last),
             y: PlotAxis::new("probability of being right, %", 0.0, 100.0),
@@ -378,7 +380,7 @@ mod tests {
             ..EvaluationSettings::default()
         };
         let plots = Evaluation::of(&looks, &settings).unwrap().plots();
-        let keys: Vec<_> = plots.iter().map(|p| p.key).collect();
+        let keys: Vec<_> = plots.iter().map(|p| p.key.as_str()).collect();
         assert_eq!(keys.len(), 9, "{keys:?}");
         for plot in &plots {
             assert!(plot.x.ticks(6).len() >= 2 && plot.y.ticks(6).len() >= 2);

@@ -14,6 +14,7 @@ use egui::{RichText, ScrollArea, TextureHandle, TextureOptions, Ui};
 use pilotage_core::landmark::CascadeEvidence;
 use pilotage_core::navigator::{FrameReport, Run};
 
+use super::evaluation::EvaluationFile;
 use super::sights::Sights;
 use super::{color_map, parts, picking};
 use crate::command::Command;
@@ -40,6 +41,14 @@ pub enum DetectorCommand {
     Stages(i32),
     /// Let one stage after the other reject its windows, or stop.
     Play,
+    /// Show how well the detector does where it was not trained.
+    Evaluate,
+    /// Stop judging it.
+    StopEvaluating,
+    /// Save a table or a plot of it.
+    SaveEvaluation(EvaluationFile),
+    /// Close what shows it.
+    CloseEvaluation,
 }
 
 /// Textures of one search.
@@ -98,7 +107,7 @@ impl DetectorView {
                     self.is_to_play = true;
                 }
             }
-            DetectorCommand::Show | DetectorCommand::Explain { .. } => {}
+            _ => {}
         }
     }
 
@@ -181,6 +190,12 @@ impl DetectorView {
                 .size(tokens.text_sizes[1])
                 .color(tokens.text),
         );
+        let words = "Evaluate on days it has not seen";
+        if parts::chip(ui, tokens, false, words, words).clicked() {
+            context
+                .commands
+                .push(Command::Detector(DetectorCommand::Evaluate));
+        }
         parts::section(ui, tokens, "Windows that each stage rejects", true, |ui| {
             let texture = self.rejected(ui, tokens, evidence, passed);
             if let Some(textures) = &self.textures {

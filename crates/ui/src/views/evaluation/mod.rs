@@ -4,12 +4,11 @@ mod plot;
 #[cfg(test)]
 mod tests;
 
-use egui::Ui;
-use pilotage_core::training::evaluation::{Evaluation, Plot};
-
+use crate::jobs::EvaluationReport;
 use crate::shell::{chip, muted, text_button};
 use crate::tokens::Tokens;
 use crate::views::parts;
+use egui::Ui;
 
 /// Least width of a plot, points.
 const LEAST_WIDTH: f32 = 300.0;
@@ -27,10 +26,8 @@ pub struct EvaluationFile {
 
 /// What the view shows.
 pub struct EvaluationScene<'a> {
-    /// What was evaluated, e.g. the landmark's name.
-    pub name: &'a str,
     /// What came of it; `None` before.
-    pub evaluation: Option<&'a Evaluation>,
+    pub report: Option<&'a EvaluationReport>,
     /// The look.
     pub tokens: &'a Tokens,
 }
@@ -67,7 +64,7 @@ impl EvaluationView {
     /// Draws the view; the file that was asked for, if any.
     pub fn show(&mut self, ui: &mut Ui, scene: &EvaluationScene<'_>) -> Option<EvaluationFile> {
         let tokens = scene.tokens;
-        let Some(evaluation) = scene.evaluation else {
+        let Some(report) = scene.report else {
             parts::empty(
                 ui,
                 tokens,
@@ -78,18 +75,17 @@ impl EvaluationView {
         };
         let mut file = None;
         ui.horizontal_wrapped(|ui| {
-            for words in figures(evaluation) {
-                chip(ui, tokens, &words, tokens.text);
+            for words in &report.figures {
+                chip(ui, tokens, words, tokens.text);
             }
             if text_button(ui, tokens, None, "Save CSV", false).clicked() {
                 file = Some(EvaluationFile {
-                    name: format!("{}.evaluation.csv", file_name(scene.name)),
-                    text: evaluation.csv(),
+                    name: format!("{}.evaluation.csv", file_name(&report.name)),
+                    text: report.csv.clone(),
                 });
             }
         });
-        ui.label(muted(tokens, basis(evaluation)));
-        let plots = evaluation.plots();
+        ui.label(muted(tokens, report.basis.as_str()));
         let columns = if ui.available_width() >= 2.0 * LEAST_WIDTH {
             2
         } else {
@@ -106,7 +102,7 @@ impl EvaluationView {
                     ui.allocate_ui(egui::vec2(width, height), |ui| {
                         ui.set_min_size(egui::vec2(width, height));
                         ui.vertical(|ui| {
-                            if let Some(asked) = self.place(ui, place, &plots, scene) {
+                            if let Some(asked) = self.place(ui, place, report, tokens) {
                                 file = Some(asked);
                             }
                         });
@@ -122,17 +118,16 @@ impl EvaluationView {
         &mut self,
         ui: &mut Ui,
         place: usize,
-        plots: &[Plot],
-        scene: &EvaluationScene<'_>,
+        report: &EvaluationReport,
+        tokens: &Tokens,
     ) -> Option<EvaluationFile> {
-        let tokens = scene.tokens;
         let (name, choices) = PLACES[place];
-        let found = |key: &str| plots.iter().find(|plot| plot.key == key);
+        let found = |key: &str| report.plots.iter().find(|(plot, _)| plot.key == key);
         let there: Vec<_> = (choices.iter())
             .filter_map(|(key, short)| Some((found(key)?, *short)))
             .collect();
         let chosen = self.chosen[place].min(there.len().saturating_sub(1));
-        let Some((plot, _)) = there.get(chosen) else {
+        let Some(((plot, svg), _)) = there.get(chosen) else {
             ui.label(muted(tokens, format!("{name}: {}", absent(place))));
             return None;
         };
@@ -155,8 +150,8 @@ impl EvaluationView {
                 });
                 if save.on_hover_text(&hint).clicked() {
                     asked = Some(EvaluationFile {
-                        name: format!("{}.{}.svg", file_name(scene.name), plot.key),
-                        text: plot.svg(),
+                        name: format!("{}.{}.svg", file_name(&report.name), plot.key),
+                        text: svg.clone(),
                     });
                 }
             });
@@ -164,56 +159,6 @@ impl EvaluationView {
         plot::paint(ui, plot, tokens);
         asked
     }
-}
-
-/// The figures that matter most.
-fn figures(evaluation: &Evaluation) -> Vec<String> {
-    let percent = |share: f64| format!("{:.1}", 100.0 * share);
-    let operating = &evaluation.operating;
-    let found = operating.detection;
-    let mut figures = vec![format!(
-        "found {} % ({} to {} %) at {} false alarms per picture",
-        percent(found.value),
-        percent(found.low),
-        percent(found.high),
-        operating.allowed
-    )];
-    if let Some(held_out) = operating.held_out
-        && let Some(share) = held_out.found.share()
-    {
-        figures.push(format!(
-            "on days left out {} % at {:.3} false alarms",
-            percent(share),
-            held_out.false_alarms
-        ));
-    }
-    let precision = evaluation.average_precision;
-    figures.push(format!(
-        "average precision {:.3} ({:.3} to {:.3})",
-        precision.value, precision.low, precision.high
-    ));
-    if let Some(covariance) = &evaluation.covariance {
-        let [longer, shorter, _] = covariance.axes();
-        figures.push(format!("place σ {longer:.2} × {shorter:.2} m"));
-    }
-    figures
-}
-
-/// What the figures rest on.
-fn basis(evaluation: &Evaluation) -> String {
-    let days = match evaluation.days {
-        1 => "1 day".to_owned(),
-        days => format!("{days} days"),
-    };
-    let over = if evaluation.draws_whole_days {
-        "bands, bars and brackets: 95 % over other days"
-    } else {
-        "bands, bars and brackets: 95 % over other pictures; too few days to tell of other days"
-    };
-    format!(
-        "{} pictures of {days}, {} with the landmark, {} real; {over}",
-        evaluation.looks, evaluation.present, evaluation.real
-    )
 }
 
 /// Why a place is empty.

@@ -1,13 +1,11 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
-use pilotage_core::training::evaluation::{
-    EvaluatedLook, EvaluatedMark, Evaluation, EvaluationSettings,
-};
+use pilotage_core::training::evaluation::{EvaluatedLook, EvaluatedMark, EvaluationSettings};
 
 use super::*;
 
 /// Six days of a detector whose right marks score about 0.8 and whose wrong ones about 0.2.
-fn evaluation() -> Evaluation {
+fn evaluation() -> EvaluationReport {
     let mut state = 5_u64;
     let mut random = || {
         state = state
@@ -40,16 +38,16 @@ fn evaluation() -> Evaluation {
         replicates: 200,
         ..EvaluationSettings::default()
     };
-    Evaluation::of(&looks, &settings).unwrap()
+    EvaluationReport::of((3, "Pool 1/2"), &looks, 0.5, &settings).unwrap()
 }
 
 struct State {
-    evaluation: Option<Evaluation>,
+    evaluation: Option<EvaluationReport>,
     view: EvaluationView,
     file: Option<EvaluationFile>,
 }
 
-fn harness(evaluation: Option<Evaluation>, size: [f32; 2]) -> Harness<'static, State> {
+fn harness(evaluation: Option<EvaluationReport>, size: [f32; 2]) -> Harness<'static, State> {
     let state = State {
         evaluation,
         view: EvaluationView::default(),
@@ -58,8 +56,7 @@ fn harness(evaluation: Option<Evaluation>, size: [f32; 2]) -> Harness<'static, S
     Harness::builder().with_size(size).build_ui_state(
         |ui, state| {
             let scene = EvaluationScene {
-                name: "Pool 1/2",
-                evaluation: state.evaluation.as_ref(),
+                report: state.evaluation.as_ref(),
                 tokens: &Tokens::dark(),
             };
             if let Some(file) = state.view.show(ui, &scene) {
@@ -154,8 +151,7 @@ fn the_view_can_be_written_for_people_to_look_at() {
                     .inner_margin(8.0)
                     .show(ui, |ui| {
                         let scene = EvaluationScene {
-                            name: "Pool",
-                            evaluation: Some(&evaluation),
+                            report: Some(&evaluation),
                             tokens: &tokens,
                         };
                         view.show(ui, &scene);

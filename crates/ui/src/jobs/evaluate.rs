@@ -1,0 +1,491 @@
+//! A trained detector judged where it was not trained: on photos of other days and on real frames.
+//!
+//! What the page draws and saves passes it ready made: only workers hold the programs that judge.
+
+use std::cell::RefCell;
+use std::rc::Rc;
+use std::sync::Arc;
+
+use pilotage_core::flight::FrameSource as _;
+use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::landmark::trained::TrainedDetector;
+use pilotage_core::training::FlightEnvelope;
+use pilotage_core::training::evaluation::{
+    AtThreshold, DetectorJudge, EvaluatedLook, Evaluation, EvaluationSettings, FrameJudge,
+    JudgingPlan, Plot, Rate,
+};
+use serde::{Deserialize, Serialize};
+
+use super::flights::OpenFlight;
+use super::running::SLICE;
+use super::{Advance, AssessmentOrder, FlightSource, JobEvent, RunningJob, Workshop};
+
+const CACHE_MEGABYTES: usize = 48;
+/// Most real frames that are looked at, evenly spread over the flight.
+const MOST_FRAMES: usize = 200;
+/// Photos between two evaluations of what has been seen so far.
+const TOLD_EVERY: usize = 50;
+/// Samples of days for these, which are soon replaced.
+const FEW_REPLICATES: usize = 100;
+
+/// Which detector to judge, and by which real frames.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct EvaluationOrder {
+    /// The landmark with its detector, and the flights for which it is judged.
+    pub about: AssessmentOrder,
+    /// A recorded flight; its frames are looked at if the truth of it is known.
+    pub flight: Option<FlightSource>,
+    /// Photos to take.
+    pub photos: usize,
+    /// Days on which they are taken.
+    pub days: usize,
+}
+
+/// What came of an evaluation, ready to be shown and saved.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct EvaluationReport {
+    /// The landmark.
+    pub landmark: u32,
+    /// Its name.
+    pub name: String,
+    /// The figures that matter most.
+    pub figures: Vec<String>,
+    /// What they rest on.
+    pub basis: String,
+    /// The plots, each with itself as SVG.
+    pub plots: Vec<(Plot, String)>,
+    /// Every figure as one table.
+    pub csv: String,
+    /// Whether there is more to be looked at.
+    pub is_partial: bool,
+}
+
+impl EvaluationReport {
+    /// What is told of `looks` for the detector whose own threshold is `least_score`.
+    ///
+    /// # Errors
+    /// If they tell nothing, in words.
+    pub fn of(
+        (landmark, name): (u32, &str),
+        looks: &[EvaluatedLook],
+        least_score: f64,
+        settings: &EvaluationSettings,
+    ) -> Result<Self, String> {
+        let evaluation =
+            Evaluation::of(looks, settings).map_err(|why| format!("\"{name}\": {why}"))?;
+        let mut figures = in_use(looks, least_score);
+        figures.extend(figures_of(&evaluation));
+        let plots = evaluation.plots().into_iter();
+        Ok(Self {
+            landmark,
+            name: name.to_owned(),
+            figures,
+            basis: basis(&evaluation),
+            plots: plots.map(with_svg).collect(),
+            csv: evaluation.csv(),
+            is_partial: false,
+        })
+    }
+}
+
+fn with_svg(plot: Plot) -> (Plot, String) {
+    let svg = plot.svg();
+    (plot, svg)
+}
+
+fn percent(share: f64) -> String {
+    format!("{:.1}", 100.0 * share)
+}
+
+/// What happens at the threshold that the navigator uses, in all looks and in real frames alone.
+fn in_use(looks: &[EvaluatedLook], least_score: f64) -> Vec<String> {
+    let rate = |rate: &Rate| {
+        let (low, high) = (percent(rate.low), percent(rate.high));
+        format!("{} of {} ({low} to {high} %)", rate.happened, rate.of)
+    };
+    let told = |name: &str, looks: &[EvaluatedLook]| {
+        let at = AtThreshold::over(looks, least_score);
+        format!(
+            "{name}found {}, false alarms in {}",
+            rate(&at.found),
+            rate(&at.deceived)
+        )
+    };
+    let mut words = vec![told("as flown: ", looks)];
+    let real: Vec<_> = looks.iter().filter(|look| look.real).cloned().collect();
+    if !real.is_empty() {
+        words.push(told("as flown in real frames: ", &real));
+    }
+    words
+}
+
+fn figures_of(evaluation: &Evaluation) -> Vec<String> {
+    let operating = &evaluation.operating;
+    let found = operating.detection;
+    let mut figures = vec![format!(
+        "found {} % ({} to {} %) at {} false alarms per picture",
+        percent(found.value),
+        percent(found.low),
+        percent(found.high),
+        operating.allowed
+    )];
+    if let Some(held_out) = operating.held_out
+        && let Some(share) = held_out.found.share()
+    {
+        figures.push(format!(
+            "on days left out {} % at {:.3} false alarms",
+            percent(share),
+            held_out.false_alarms
+        ));
+    }
+    let precision = evaluation.average_precision;
+    figures.push(format!(
+        "average precision {:.3} ({:.3} to {:.3})",
+        precision.value, precision.low, precision.high
+    ));
+    if let Some(covariance) = &evaluation.covariance {
+        let [longer, shorter, _] = covariance.axes();
+        figures.push(format!("place σ {longer:.2} × {shorter:.2} m"));
+    }
+    figures
+}
+
+fn basis(evaluation: &Evaluation) -> String {
+    let days = match evaluation.days {
+        1 => "1 day".to_owned(),
+        days => format!("{days} days"),
+    };
+    let over = if evaluation.draws_whole_days {
+        "bands, bars and brackets: 95 % over other days"
+    } else {
+        "bands, bars and brackets: 95 % over other pictures; too few days to tell of other days"
+    };
+    format!(
+        "{} pictures of {days}, {} with the landmark, {} real; {over}",
+        evaluation.looks, evaluation.present, evaluation.real
+    )
+}
+
+/// Real frames to be looked at.
+struct RealFrames {
+    flight: Rc<RefCell<OpenFlight>>,
+    /// Their numbers, the next one last.
+    left: Vec<usize>,
+    all: usize,
+}
+
+impl RealFrames {
+    /// Of a flight whose truth is known.
+    fn of(workshop: &mut Workshop, source: &FlightSource) -> Result<Option<Self>, String> {
+        let flight = workshop.flight(source)?;
+        let frames = {
+            let open = flight.borrow();
+            let frames = open.flight.truth.as_ref().map(|_| open.flight.frames.len());
+            frames.unwrap_or_default()
+        };
+        let count = frames.min(MOST_FRAMES);
+        let left: Vec<_> = (0..count).rev().map(|i| i * frames / count).collect();
+        Ok((count > 0).then_some(Self {
+            flight,
+            all: count,
+            left,
+        }))
+    }
+}
+
+/// Everything that is needed once the judging has begun.
+struct Work {
+    judge: DetectorJudge,
+    trained: TrainedDetector,
+    envelope: FlightEnvelope,
+    real: Option<RealFrames>,
+    looks: Vec<EvaluatedLook>,
+}
+
+/// A detector being judged.
+pub struct Evaluate {
+    order: EvaluationOrder,
+    work: Option<Work>,
+    told: usize,
+}
+
+impl Evaluate {
+    /// Nothing looked at yet.
+    pub fn new(order: EvaluationOrder) -> Self {
+        Self {
+            order,
+            work: None,
+            told: 0,
+        }
+    }
+
+    fn plan(&self) -> JudgingPlan {
+        JudgingPlan {
+            photos: self.order.photos,
+            days: self.order.days,
+            ..JudgingPlan::default()
+        }
+    }
+
+    fn begin(&self, workshop: &mut Workshop) -> Result<Work, String> {
+        let about = &self.order.about;
+        let landmark = &about.landmark;
+        let trained = landmark.trained_detector();
+        let trained = trained.ok_or_else(|| {
+            format!(
+                "\"{}\" has no detector that was trained for its box",
+                landmark.name
+            )
+        })?;
+        let map = workshop.map(&about.map)?;
+        let map: Arc<dyn Imagery> = Arc::new(CachedImagery::new(map, CACHE_MEGABYTES));
+        let others = workshop.others(&about.map)?;
+        let sensors = about.navigator.sensors;
+        let envelope = FlightEnvelope {
+            ground_down: about.ground_down,
+            ..FlightEnvelope::around(&about.camera, about.height, sensors)
+        };
+        let judge = DetectorJudge::new(
+            landmark,
+            trained.clone(),
+            &map,
+            others.as_ref(),
+            &envelope,
+            self.plan(),
+        );
+        let real = match &self.order.flight {
+            Some(source) => RealFrames::of(workshop, source)?,
+            None => None,
+        };
+        Ok(Work {
+            judge,
+            trained,
+            envelope,
+            real,
+            looks: Vec::new(),
+        })
+    }
+
+    /// Looks at pictures for a slice of time; whether there are more.
+    fn look(&mut self, clock: &dyn Fn() -> f64) -> Result<bool, String> {
+        let (plan, begun) = (self.plan(), clock());
+        let Some(work) = &mut self.work else {
+            return Ok(true);
+        };
+        while clock() - begun < SLICE {
+            if work.judge.advance().map_err(|why| why.to_string())? {
+                continue;
+            }
+            if work.looks.is_empty() {
+                work.looks = work.judge.looks().to_vec();
+            }
+            let next = work.real.as_mut().and_then(|real| {
+                let index = real.left.pop()?;
+                Some((Rc::clone(&real.flight), index))
+            });
+            let Some((flight, index)) = next else {
+                return Ok(false);
+            };
+            let mut open = flight.borrow_mut();
+            let picture = open.frames.picture(index).map_err(|e| e.to_string())?;
+            let frames = FrameJudge {
+                flight: &open.flight,
+                envelope: &work.envelope,
+                day: plan.days,
+                seed: plan.seed,
+            };
+            let landmark = &self.order.about.landmark;
+            let looks = frames.looks(landmark, &work.trained, index, &picture);
+            work.looks.extend(looks);
+        }
+        Ok(true)
+    }
+
+    /// Pictures looked at, those in all, and what is being done.
+    fn progress(&self) -> (usize, usize, &'static str) {
+        let Some(work) = &self.work else {
+            return (0, 1, "");
+        };
+        let (photos, all_photos) = work.judge.progress();
+        let real = work.real.as_ref();
+        let (frames, all_frames) = real.map_or((0, 0), |r| (r.all - r.left.len(), r.all));
+        let what = if photos < all_photos {
+            "photo"
+        } else {
+            "frame"
+        };
+        (photos + frames, all_photos + all_frames, what)
+    }
+
+    fn report(&self, replicates: usize) -> Result<EvaluationReport, String> {
+        let Some(work) = &self.work else {
+            return Err("nothing was looked at".to_owned());
+        };
+        let looks = if work.looks.is_empty() {
+            work.judge.looks()
+        } else {
+            &work.looks
+        };
+        let settings = EvaluationSettings {
+            replicates,
+            ..EvaluationSettings::default()
+        };
+        let landmark = &self.order.about.landmark;
+        let of = (landmark.id, landmark.name.as_str());
+        EvaluationReport::of(of, looks, work.trained.least_score, &settings)
+    }
+
+    fn work(
+        &mut self,
+        workshop: &mut Workshop,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Result<Advance, String> {
+        if self.work.is_none() {
+            let words = "Laying out the ground of other days".to_owned();
+            emit(JobEvent::Progress(0.0, words));
+            self.work = Some(self.begin(workshop)?);
+            return Ok(Advance::More);
+        }
+        let more = self.look(clock)?;
+        let (done, all, what) = self.progress();
+        let words = format!("Judging the detector: {what} {done} of {all}");
+        emit(JobEvent::Progress(done as f32 / all.max(1) as f32, words));
+        if more {
+            if done >= self.told + TOLD_EVERY {
+                self.told = done;
+                // Of the first few pictures there may be nothing to tell.
+                if let Ok(mut report) = self.report(FEW_REPLICATES) {
+                    report.is_partial = true;
+                    emit(JobEvent::Evaluation(Box::new(report)));
+                }
+            }
+            return Ok(Advance::More);
+        }
+        let report = self.report(EvaluationSettings::default().replicates)?;
+        emit(JobEvent::Evaluation(Box::new(report)));
+        emit(JobEvent::Finished);
+        Ok(Advance::Done)
+    }
+}
+
+impl RunningJob for Evaluate {
+    fn advance(
+        &mut self,
+        workshop: &mut Workshop,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Advance {
+        self.work(workshop, clock, emit).unwrap_or_else(|why| {
+            emit(JobEvent::Failed(why));
+            Advance::Done
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Matrix2;
+    use pilotage_core::landmark::cascade::{Cascade, Feature, Split, TrainedStage, TrainedTree};
+    use pilotage_core::landmark::trained::{DetectorWindow, Likelihood};
+    use pilotage_core::simulate::Scenario;
+
+    use super::*;
+    use crate::jobs::{MapSource, SimulationOptions};
+
+    /// A detector that marks every place of the ground alike.
+    fn anything(bounds: pilotage_core::frames::GroundRect) -> TrainedDetector {
+        let feature = Feature::Hog {
+            cell: [0, 0, 8, 8],
+            component: 3,
+        };
+        let stump = TrainedTree::stump(0, Split::Threshold(0.1), -1.0, 1.0);
+        let stage = TrainedStage {
+            trees: vec![stump],
+            threshold: -2.0,
+        };
+        let camera_gsd = 0.4;
+        let window = DetectorWindow::around(&bounds, camera_gsd);
+        let (width, height) = (window.width, window.height);
+        TrainedDetector {
+            cascade: Cascade::from_parts(width, height, vec![feature], &[stage]).unwrap(),
+            window,
+            bounds,
+            least_score: 1.0,
+            likelihood: Likelihood {
+                offset: 0.0,
+                slope: 1.0,
+            },
+            covariance: Matrix2::identity(),
+        }
+    }
+
+    fn order(is_trained: bool) -> EvaluationOrder {
+        let scenario = Scenario::named("distinct-400ft-calm").unwrap();
+        let mission = scenario.mission();
+        let mut landmark = mission.landmarks[0].clone();
+        if is_trained {
+            landmark.keep_trained(Some(&anything(landmark.bounds)));
+        }
+        EvaluationOrder {
+            about: AssessmentOrder {
+                map: MapSource::Scenery,
+                landmark,
+                camera: Scenario::camera(),
+                height: scenario.height,
+                navigator: mission.navigator,
+                ground_down: 0.0,
+            },
+            flight: Some(FlightSource::Simulated(SimulationOptions {
+                scenario: scenario.name.to_owned(),
+                seed: 1,
+                other_day: true,
+                wind: None,
+                height: None,
+            })),
+            photos: 10,
+            days: 2,
+        }
+    }
+
+    fn events(order: EvaluationOrder) -> Vec<JobEvent> {
+        let (mut workshop, mut job) = (Workshop::new(), Evaluate::new(order));
+        let mut events = Vec::new();
+        while job.advance(&mut workshop, &|| 0.0, &mut |e| events.push(e)) == Advance::More {}
+        events
+    }
+
+    #[test]
+    fn a_detector_is_judged_on_photos_and_frames_and_what_is_told_can_be_saved() {
+        let events = events(order(true));
+        assert!(
+            matches!(events.last(), Some(JobEvent::Finished)),
+            "{:?}",
+            events.last()
+        );
+        let reports = events.iter().filter_map(|event| match event {
+            JobEvent::Evaluation(report) => Some(report),
+            _ => None,
+        });
+        let report = reports.last().expect("a report");
+        assert!(!report.is_partial);
+        assert!(
+            report.figures[0].starts_with("as flown: found "),
+            "{:?}",
+            report.figures
+        );
+        assert!(report.figures[1].starts_with("as flown in real frames: "));
+        assert!(report.basis.contains("of 3 days"), "{}", report.basis);
+        assert!(report.csv.starts_with("curve,x,y,low,high,threshold\n"));
+        assert!(report.plots.len() >= 4);
+        assert!(report.plots.iter().all(|(_, svg)| svg.starts_with("<svg")));
+    }
+
+    #[test]
+    fn without_a_detector_the_judging_says_so() {
+        let events = events(order(false));
+        let failed =
+            matches!(events.last(), Some(JobEvent::Failed(why)) if why.contains("no detector"));
+        assert!(failed, "{:?}", events.last());
+    }
+}
