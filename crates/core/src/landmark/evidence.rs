@@ -261,7 +261,7 @@ mod tests {
     use crate::frames::{Attitude, GroundRect, Pose};
     use crate::landmark::Landmark;
     use crate::landmark::cascade::{Feature, Split, TrainedStage, TrainedTree};
-    use crate::landmark::trained::{ByScore, DetectorWindow, Likelihood, MarkPrecision, Variants};
+    use crate::landmark::trained::{DetectorWindow, Likelihood, MarkPrecision, Variants};
     use crate::raster::{Pyramid, Rgba};
 
     const GSD: f64 = 0.5;
@@ -320,13 +320,7 @@ mod tests {
                 offset: 0.0,
                 slope: 1.0,
             },
-            precision: MarkPrecision {
-                bias: nalgebra::Vector2::zeros(),
-                covariance: Matrix2::identity(),
-                by_score: ByScore::default(),
-                turn: None,
-                log_scale: None,
-            },
+            precision: MarkPrecision::even(1.0),
             template: None,
         }
     }

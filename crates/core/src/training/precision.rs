@@ -24,21 +24,18 @@ pub fn learned(looks: &[EvaluatedLook], least_score: f64, gsd: f64) -> MarkPreci
     // Half a pixel's worth of knowledge from before, so that few marks do not pretend to know.
     let before = Matrix2::identity() * (0.5 * gsd).powi(2);
     let count = best.len() as f64;
-    let (bias, covariance, by_score) = match MarkCovariance::of(looks, least_score, SEED) {
-        Some(fit) => (
-            fit.bias.into(),
-            (fit.covariance * count + before) / (count + 1.0),
-            fit.by_score,
-        ),
-        None => {
+    let (bias, covariance, by_score) =
+        if let Some(fit) = MarkCovariance::of(looks, least_score, SEED) {
+            let covariance = (fit.covariance * count + before) / (count + 1.0);
+            (fit.bias.into(), covariance, fit.by_score)
+        } else {
             let squares = best.iter().map(|(_, mark)| {
                 let offset = Vector2::from(mark.offset);
                 offset * offset.transpose()
             });
             let sum = squares.fold(before, |sum, square| sum + square);
             (Vector2::zeros(), sum / (count + 1.0), ByScore::default())
-        }
-    };
+        };
     MarkPrecision {
         bias,
         covariance,

@@ -268,6 +268,34 @@ fn an_error_that_no_variant_can_tell_is_left_open() {
     );
 }
 
+/// A flight of three frames at the attitude of the test of labels.
+fn three_frames(camera: &CameraModel) -> Flight {
+    let channel = |name, value| Channel {
+        name,
+        times: vec![0.0, 2.0],
+        values: vec![value; 2],
+    };
+    Flight {
+        name: "flight".to_owned(),
+        frame_on_globe: None,
+        camera: camera.clone(),
+        ground_down: 0.0,
+        channels: vec![
+            channel(ChannelName::Roll, 0.1),
+            channel(ChannelName::Pitch, -0.06),
+            channel(ChannelName::Heading, 2.0),
+            channel(ChannelName::HeightAboveGround, 120.0),
+        ],
+        frames: ["a.jpg", "b.jpg", "c.jpg"].map(frame_named).to_vec(),
+        start: StartFix {
+            time: 0.0,
+            position: GroundPoint::default(),
+            standard_deviation: 5.0,
+        },
+        truth: None,
+    }
+}
+
 #[test]
 fn a_label_shows_the_landmark_as_well_as_the_map_does_wherever_the_aircraft_was() {
     let (landmark, envelope) = (house(), envelope());
@@ -289,30 +317,7 @@ fn a_label_shows_the_landmark_as_well_as_the_map_does_wherever_the_aircraft_was(
     let pixel = envelope.camera.project(&pose, &in_world).unwrap();
     let corners = [-20.0, 20.0].map(|d| [pixel.x + d, pixel.y + d]);
     let label = LabelBox::new(7, "house", corners, (320, 240)).unwrap();
-    let channel = |name, value| Channel {
-        name,
-        times: vec![0.0, 2.0],
-        values: vec![value; 2],
-    };
-    let flight = Flight {
-        name: "flight".to_owned(),
-        frame_on_globe: None,
-        camera: envelope.camera.clone(),
-        ground_down: 0.0,
-        channels: vec![
-            channel(ChannelName::Roll, 0.1),
-            channel(ChannelName::Pitch, -0.06),
-            channel(ChannelName::Heading, 2.0),
-            channel(ChannelName::HeightAboveGround, 120.0),
-        ],
-        frames: ["a.jpg", "b.jpg", "c.jpg"].map(frame_named).to_vec(),
-        start: StartFix {
-            time: 0.0,
-            position: GroundPoint::default(),
-            standard_deviation: 5.0,
-        },
-        truth: None,
-    };
+    let flight = three_frames(&envelope.camera);
     let said = |frame: &str, boxes, absent| FrameLabels {
         frame: frame.to_owned(),
         size: (320, 240),

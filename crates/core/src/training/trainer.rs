@@ -474,7 +474,7 @@ impl DetectorTraining {
             let look = look(&mut self.judge, &photo, cascade, &self.window);
             self.looks.extend(look);
         }
-        if self.next % TEMPLATE_EVERY == 0 {
+        if self.next.is_multiple_of(TEMPLATE_EVERY) {
             let places = self.look_by_patch(&photo);
             self.by_patch.extend(places);
         }

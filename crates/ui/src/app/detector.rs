@@ -17,7 +17,7 @@ impl App {
             DetectorCommand::Show => self.show_detector(),
             DetectorCommand::Evaluate => self.evaluate(host),
             DetectorCommand::StopEvaluating => self.stop_evaluating(host),
-            DetectorCommand::SaveEvaluation(file) => self.save_evaluation(&file, host),
+            DetectorCommand::SaveEvaluation(file) => self.save_evaluation(file, host),
             DetectorCommand::CloseEvaluation => self.close_evaluation(),
             DetectorCommand::Stages(_) | DetectorCommand::Play => {
                 if self.side_tab != SideTab::Detector {

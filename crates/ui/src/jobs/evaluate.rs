@@ -385,9 +385,8 @@ impl RunningJob for Evaluate {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::Matrix2;
     use pilotage_core::landmark::cascade::{Cascade, Feature, Split, TrainedStage, TrainedTree};
-    use pilotage_core::landmark::trained::{DetectorWindow, Likelihood};
+    use pilotage_core::landmark::trained::{DetectorWindow, Likelihood, MarkPrecision, Variants};
     use pilotage_core::simulate::Scenario;
 
     use super::*;
@@ -405,7 +404,7 @@ mod tests {
             threshold: -2.0,
         };
         let camera_gsd = 0.4;
-        let window = DetectorWindow::around(&bounds, camera_gsd);
+        let window = DetectorWindow::around(&bounds, camera_gsd, Variants::default());
         let (width, height) = (window.width, window.height);
         TrainedDetector {
             cascade: Cascade::from_parts(width, height, vec![feature], &[stage]).unwrap(),
@@ -416,7 +415,8 @@ mod tests {
                 offset: 0.0,
                 slope: 1.0,
             },
-            covariance: Matrix2::identity(),
+            precision: MarkPrecision::even(1.0),
+            template: None,
         }
     }
 
@@ -463,11 +463,11 @@ mod tests {
             "{:?}",
             events.last()
         );
-        let reports = events.iter().filter_map(|event| match event {
+        let mut reports = events.iter().filter_map(|event| match event {
             JobEvent::Evaluation(report) => Some(report),
             _ => None,
         });
-        let report = reports.last().expect("a report");
+        let report = reports.next_back().expect("a report");
         assert!(!report.is_partial);
         assert!(
             report.figures[0].starts_with("as flown: found "),

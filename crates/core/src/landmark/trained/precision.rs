@@ -91,6 +91,18 @@ pub struct MarkPrecision {
 }
 
 impl MarkPrecision {
+    /// Of marks that lie around the landmark with a standard deviation in metres per axis, whatever their
+    /// score, and say nothing of turn and size.
+    pub fn even(deviation: f64) -> Self {
+        Self {
+            bias: Vector2::zeros(),
+            covariance: Matrix2::from_diagonal_element(deviation * deviation),
+            by_score: ByScore::default(),
+            turn: None,
+            log_scale: None,
+        }
+    }
+
     /// Turn (radians) and logarithm of the size of the ground next to the map, zero where marks do not
     /// say, and the covariance of (north, east, turn, logarithm of the size), metres and radians.
     pub fn of(&self, mark: &Mark) -> ([f64; 2], Matrix4<f64>) {

@@ -102,11 +102,7 @@ impl DetectorView {
                 let moved = passed as i64 + i64::from(*count);
                 self.passed = Some(moved.clamp(0, all as i64) as usize);
             }
-            DetectorCommand::Play => {
-                if self.playing.take().is_none() {
-                    self.is_to_play = true;
-                }
-            }
+            DetectorCommand::Play => self.is_to_play |= self.playing.take().is_none(),
             _ => {}
         }
     }

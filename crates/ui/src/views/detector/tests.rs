@@ -1,7 +1,6 @@
 use egui::Key;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use nalgebra::Matrix2;
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::imagery::{Imagery, Window};
 use pilotage_core::landmark::Landmark;
@@ -9,7 +8,7 @@ use pilotage_core::landmark::cascade::{
     Cascade, Feature, HaarFeature, Split, TrainedStage, TrainedTree,
 };
 use pilotage_core::landmark::trained::{
-    ByScore, DetectorWindow, Likelihood, MarkPrecision, TrainedDetector, Variants,
+    DetectorWindow, Likelihood, MarkPrecision, TrainedDetector, Variants,
 };
 use pilotage_core::navigator::explain_cascade;
 use pilotage_core::raster::{Raster, Rgba, decode_picture};
@@ -95,13 +94,7 @@ fn detector(bounds: GroundRect, look: Look) -> TrainedDetector {
             offset: -2.0,
             slope: 1.5,
         },
-        precision: MarkPrecision {
-            bias: nalgebra::Vector2::zeros(),
-            covariance: Matrix2::identity(),
-            by_score: ByScore::default(),
-            turn: None,
-            log_scale: None,
-        },
+        precision: MarkPrecision::even(1.0),
         template: None,
     }
 }

@@ -146,7 +146,7 @@ impl Growing {
 mod tests {
     use super::*;
 
-    /// A stage that parts two kinds of one number each, of which one in fifty of the first kind looks
+    /// A stage of one vote that parts two kinds of one number each, of which one in fifty of the first kind looks
     /// like the second.
     fn grown(hit_rate: f64) -> StageRow {
         let count = 400;
@@ -160,6 +160,7 @@ mod tests {
         let groups: Vec<usize> = (0..count).map(|i| i % 25).collect();
         let goal = StageGoal {
             hit_rate,
+            most_votes: 1,
             ..StageGoal::default()
         };
         let mut stage = Growing::new(table, count / 2, &groups, goal, 1);
@@ -168,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stage_lets_as_many_pass_as_its_goal_says_and_stops_the_more_the_fewer_must() {
+    fn a_stage_lets_as_many_pass_as_its_goal_says_and_stops_more_the_fewer_must() {
         let all = grown(0.999);
         assert!(
             all.hit_rate >= 0.999 && all.false_alarm_rate > 0.9,
@@ -176,6 +177,6 @@ mod tests {
         );
         let most = grown(0.95);
         assert!(most.hit_rate >= 0.95 && most.hit_rate < 1.0, "{most:?}");
-        assert!(most.false_alarm_rate <= 0.4, "{most:?}");
+        assert!(most.false_alarm_rate < 0.1, "{most:?}");
     }
 }
