@@ -2,16 +2,20 @@
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 
+use pilotage_core::flight::{FrameSource as _, read_flight};
 use pilotage_core::landmark::cascade::train::FeatureKind;
 use pilotage_core::landmark::trained::{Preparation, TrainedDetector};
 use pilotage_core::landmark::{DetectorChoice, Landmark};
 use pilotage_core::mission::write_mission;
-use pilotage_core::training::{DetectorTraining, FlightEnvelope, StageReport, TrainingPlan};
+use pilotage_core::training::{
+    DetectorTraining, FlightEnvelope, Photo, StageReport, TrainingPlan, labelled_photos,
+};
 use serde::Serialize;
 
 use crate::Outcome;
-use crate::files::write_whole;
+use crate::files::{Directory, write_whole};
 use crate::plan::{Ground, Source};
 
 /// What to train.
@@ -131,7 +135,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
         seed: arguments.seed,
         ..TrainingPlan::default()
     };
-    let done = train_all(&ground, &landmarks, &envelope, &plan);
+    let labelled = labelled(arguments, &ground, &landmarks)?;
+    let done = train_all(&ground, &landmarks, labelled, &envelope, &plan);
     let mut rows = Vec::new();
     for (landmark, result) in landmarks.iter().zip(done) {
         let (row, trained) = result?;
@@ -163,14 +168,37 @@ pub fn run(arguments: &Arguments) -> Outcome {
 
 type Trained = Result<(Row, TrainedDetector), String>;
 
+/// Frames of the flight in which people labelled each landmark.
+fn labelled(
+    arguments: &Arguments,
+    ground: &Ground,
+    landmarks: &[Landmark],
+) -> Result<Vec<Vec<Photo>>, Box<dyn std::error::Error>> {
+    let labels = &ground.mission.labels;
+    let Some(path) = arguments
+        .source
+        .flight
+        .as_ref()
+        .filter(|_| !labels.is_empty())
+    else {
+        return Ok(landmarks.iter().map(|_| Vec::new()).collect());
+    };
+    let folder = read_flight(Arc::new(Directory::open(path)?))?;
+    let (flight, mut frames) = (folder.flight, folder.frames);
+    let photos = |landmark| labelled_photos(&flight, labels, landmark, |i| frames.picture(i));
+    Ok(landmarks.iter().map(photos).collect::<Result<_, _>>()?)
+}
+
 /// One after the other on every core.
 fn train_all(
     ground: &Ground,
     landmarks: &[Landmark],
+    labelled: Vec<Vec<Photo>>,
     envelope: &FlightEnvelope,
     plan: &TrainingPlan,
 ) -> Vec<Trained> {
     let next = AtomicUsize::new(0);
+    let labelled = Mutex::new(labelled);
     let workers = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let work = || {
         let mut done = Vec::new();
@@ -179,7 +207,11 @@ fn train_all(
             let Some(landmark) = landmarks.get(number) else {
                 return done;
             };
-            done.push((number, train(ground, landmark, envelope, plan.clone())));
+            let photos = labelled
+                .lock()
+                .map_or_else(|_| Vec::new(), |mut all| std::mem::take(&mut all[number]));
+            let trained = train(ground, landmark, photos, envelope, plan.clone());
+            done.push((number, trained));
         }
     };
     let mut all: Vec<(usize, Trained)> = std::thread::scope(|scope| {
@@ -194,12 +226,14 @@ fn train_all(
 fn train(
     ground: &Ground,
     landmark: &Landmark,
+    labelled: Vec<Photo>,
     envelope: &FlightEnvelope,
     plan: TrainingPlan,
 ) -> Trained {
     let begun = std::time::Instant::now();
     let days = ground.days.as_ref();
-    let mut training = DetectorTraining::new(landmark, &ground.map, days, envelope, plan);
+    let mut training =
+        DetectorTraining::new(landmark, &ground.map, days, envelope, plan).with_labelled(labelled);
     let mut stages = 0;
     while training.advance().map_err(|e| e.to_string())? {
         if training.reports().len() > stages {
