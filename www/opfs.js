@@ -12,17 +12,21 @@ async function openFolder() {
   return root.getDirectoryHandle(FOLDER, { create: true });
 }
 
-/** What is stored; what was being written when the page ended is thrown away and counted. */
+/** What is stored; what was being written when the page ended is thrown away and named. */
 async function load(folder, storage) {
   const entries = [];
   for await (const entry of folder.entries()) entries.push(entry);
   for (const [name, handle] of entries) {
-    if (name.endsWith(UNFINISHED)) {
-      storage.interrupted += 1;
-      await folder.removeEntry(name);
-    } else {
-      const file = await handle.getFile();
-      storage.loaded.set(decodeURIComponent(name), new Uint8Array(await file.arrayBuffer()));
+    try {
+      if (name.endsWith(UNFINISHED)) {
+        storage.interrupted.push(decodeURIComponent(name.slice(0, -UNFINISHED.length)));
+        await folder.removeEntry(name);
+      } else {
+        const file = await handle.getFile();
+        storage.loaded.set(decodeURIComponent(name), new Uint8Array(await file.arrayBuffer()));
+      }
+    } catch (error) { // such as one that the page before still holds: the others are read all the same
+      console.info(`could not read ${name}:`, error);
     }
   }
 }
@@ -42,7 +46,7 @@ async function write(folder, name, bytes) {
 
 /** Never fails: without private files the storage is given back as it came. */
 export async function withPrivateFiles(storage) {
-  storage.interrupted = 0;
+  storage.interrupted = [];
   const inDatabase = new Set(storage.loaded.keys());
   let folder;
   try {

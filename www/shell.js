@@ -42,7 +42,7 @@ export function shellServices(storage, openFiles) {
     storeFile(key, file) { storage.putFile(key, file); },
     forget(key) { storage.remove(key); },
     failedStores() { return storage.untold.splice(0); },
-    interruptedSaves() { const broken = storage.interrupted; storage.interrupted = 0; return broken; },
+    interruptedSaves() { return storage.interrupted.splice(0); },
     print(style, body) { printPage(style, body); },
     copyLink(fragment) {
       const link = `${location.href.split("#")[0]}#${fragment}`;

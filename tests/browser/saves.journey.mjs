@@ -42,14 +42,31 @@ export async function run(page, tools) {
   const { written } = await page.evaluate(() => ({ written: window.page.storage.written }));
   await page.evaluate(() => { FileSystemWritableFileStream.prototype.close = window.closeFile; });
   await page.waitForFunction((before) => window.page.storage.written > before && window.page.storage.pending === 0, written, { timeout: 90_000 });
+  // One file that the page before still holds keeps nothing from the others.
+  await page.evaluate(async () => {
+    const root = await navigator.storage.getDirectory();
+    await (await root.getDirectoryHandle("documents")).getFileHandle("held.unfinished", { create: true });
+  });
+  await page.addInitScript(() => {
+    const { prototype } = FileSystemDirectoryHandle;
+    const { removeEntry } = prototype;
+    prototype.removeEntry = function remove(name) {
+      if (name.startsWith("held")) return Promise.reject(new DOMException("held", "NoModificationAllowedError"));
+      return removeEntry.call(this, name);
+    };
+  });
   await page.reload();
   await tools.waitReady();
   await tools.waitFor((s) => s.plan.routes.length === others + 2, "both routes after the reload", 150_000);
 
   // A crash between writing and renaming: the edit before is there, and the break is told.
-  await page.evaluate(() => { FileSystemFileHandle.prototype.move = () => new Promise(() => {}); });
+  await page.evaluate(() => {
+    const { prototype } = FileSystemFileHandle;
+    const { move } = prototype;
+    prototype.move = function moveTo(name) { return name === "session" ? new Promise(() => {}) : move.call(this, name); };
+  });
   await addRoute(page, tools, others, 3);
-  const begun = async () => (await files()).some((f) => f.endsWith(".unfinished"));
+  const begun = async () => (await files()).includes("session.unfinished");
   for (let i = 0; i < 480 && !(await begun()); i += 1) await page.waitForTimeout(250);
   tools.check(await begun(), "the save that shall break off did not begin");
   await page.waitForTimeout(1500);

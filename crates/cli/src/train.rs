@@ -9,6 +9,7 @@ use pilotage_core::landmark::cascade::train::FeatureKind;
 use pilotage_core::landmark::trained::{Preparation, TrainedDetector};
 use pilotage_core::landmark::{DetectorChoice, Landmark};
 use pilotage_core::mission::write_mission;
+use pilotage_core::training::evaluation::AtThreshold;
 use pilotage_core::training::{
     DetectorTraining, FlightEnvelope, Photo, StageReport, TrainingPlan, labelled_photos,
 };
@@ -242,15 +243,14 @@ fn train(
         }
     }
     let trained = training.trained().ok_or("the training came to no end")?;
-    let looks = training.looks();
-    let passing = |score: Option<f64>| score.is_some_and(|s| s >= trained.least_score);
+    let judged = AtThreshold::over(training.looks(), trained.least_score);
     let row = Row {
         landmark: landmark.name.clone(),
         seconds: begun.elapsed().as_secs_f64(),
         stages: training.reports().to_vec(),
-        judged: looks.iter().filter(|l| l.present).count(),
-        found: looks.iter().filter(|l| passing(l.found_at())).count(),
-        false_alarms: looks.iter().filter(|l| passing(l.deceived_at())).count(),
+        judged: judged.found.of,
+        found: judged.found.happened,
+        false_alarms: judged.deceived.happened,
         sigma_north_m: trained.precision.covariance[(0, 0)].sqrt(),
         sigma_east_m: trained.precision.covariance[(1, 1)].sqrt(),
     };

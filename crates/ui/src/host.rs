@@ -78,9 +78,9 @@ pub trait Host {
         Vec::new()
     }
 
-    /// How often a save of an earlier visit was found to have broken off, since the last call.
-    fn interrupted_saves(&mut self) -> usize {
-        0
+    /// Keys whose save in an earlier visit was found to have broken off, since the last call.
+    fn interrupted_saves(&mut self) -> Vec<String> {
+        Vec::new()
     }
 
     /// Lets the user print a page: style sheet and body, as HTML.

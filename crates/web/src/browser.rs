@@ -63,9 +63,9 @@ extern "C" {
     #[wasm_bindgen(method, js_name = failedStores)]
     pub fn failed_stores(this: &Shell) -> Vec<String>;
 
-    /// How often a save of an earlier visit was found to have broken off, since the last call.
+    /// Keys whose save in an earlier visit was found to have broken off, since the last call.
     #[wasm_bindgen(method, js_name = interruptedSaves)]
-    pub fn interrupted_saves(this: &Shell) -> u32;
+    pub fn interrupted_saves(this: &Shell) -> Vec<String>;
 
     /// Lets the user print a page: style sheet and body, as HTML.
     #[wasm_bindgen(method)]

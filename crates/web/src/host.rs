@@ -290,8 +290,8 @@ impl Host for PageHost {
         self.inner.borrow().shell.failed_stores()
     }
 
-    fn interrupted_saves(&mut self) -> usize {
-        self.inner.borrow().shell.interrupted_saves() as usize
+    fn interrupted_saves(&mut self) -> Vec<String> {
+        self.inner.borrow().shell.interrupted_saves()
     }
 
     fn print(&mut self, style: &str, body: &str) {

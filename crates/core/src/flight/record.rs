@@ -58,6 +58,14 @@ impl Flight {
         })
     }
 
+    /// The camera as it took frame `index`: a picture stored turned is one from a turned mount. `None` if
+    /// there is no such frame.
+    pub fn camera_of_frame(&self, index: usize) -> Option<CameraModel> {
+        let mut camera = self.camera.clone();
+        camera.mount.yaw += self.frames.get(index)?.stored_turn;
+        Some(camera)
+    }
+
     /// First and last time at which anything was measured, seconds.
     pub fn span(&self) -> (f64, f64) {
         let channels = self

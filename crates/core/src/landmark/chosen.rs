@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::Matrix2;
 
 use super::choice::DetectorChoice;
-use super::trained::{BELIEVED, CascadeDetector, TemplateLikelihood};
+use super::trained::{BELIEVED, CascadeDetector, TemplateLikelihood, probabilities};
 use super::{
     Detection, Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting, TemplateDetector,
     TemplateSettings,
@@ -75,7 +75,7 @@ impl ChosenDetector {
             // where.
             let odds = odds_of_cascade + trained.template.as_ref().map_or(0.0, said);
             let detection = Detection {
-                score: probability(odds),
+                score: probabilities(&[odds])[0],
                 second_score: cascade.second_score,
                 ..*patch
             };
@@ -96,25 +96,20 @@ impl ChosenDetector {
             };
         };
         // It is at one of the two places or at none.
-        let odds = [odds_of_cascade, template.likelihood.log_odds(patch.score)].map(f64::exp);
-        let all = 1.0 + odds[0] + odds[1];
+        let odds = [odds_of_cascade, template.likelihood.log_odds(patch.score)];
+        let likely = probabilities(&odds);
         let by_both = |sighting: Sighting, share: f64| match sighting {
             Sighting::Found(detection) if share < BELIEVED => {
                 Sighting::Refused(Refusal::Ambiguous, Some(detection))
             }
             sighting => sighting,
         };
-        if odds[0] >= odds[1] {
-            by_both(by_cascade, odds[0] / all)
+        if likely[0] >= likely[1] {
+            by_both(by_cascade, likely[0])
         } else {
-            by_both(by_patch, odds[1] / all)
+            by_both(by_patch, likely[1])
         }
     }
-}
-
-/// Probability of log odds.
-fn probability(log_odds: f64) -> f64 {
-    1.0 / (1.0 + (-log_odds).exp())
 }
 
 impl Detector for ChosenDetector {

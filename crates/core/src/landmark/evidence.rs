@@ -3,13 +3,12 @@
 use serde::{Deserialize, Serialize};
 
 use super::cascade::{
-    Answer, Cascade, HogPicture, Kind, Patch, ShownFeature, hog_picture, responses, stage_answers,
+    Answer, Cascade, HogPicture, Kind, Patch, ShownFeature, hog_picture, stage_answers,
     stage_features,
 };
 use super::patch::window_around;
-use super::template::in_picture;
-use super::trained::{TrainedDetector, carried, scores, search, to_bytes};
-use super::{FrameView, Refusal, SearchRequest, rectify};
+use super::trained::{SearchedGround, TrainedDetector, search};
+use super::{FrameView, Refusal, SearchRequest};
 use crate::frames::GroundPoint;
 use crate::imagery::{Imagery, Window};
 use crate::raster::{Gray, Raster};
@@ -121,30 +120,17 @@ impl CascadeEvidence {
         let expected = request.landmark.bounds.center();
         let marks = search(cascade, &trained.window, view, expected, reach)?;
         // Shown is the variant in which the best mark was found: places are carried into it by their pixels.
-        let (assumed, best) = (view.pose, marks.first().ok_or(Refusal::OutOfPicture)?);
-        let variant = trained
-            .window
-            .variants
-            .nearest(best.rotation, best.log_scale);
-        let view = &FrameView {
-            pose: variant.pose(&assumed, view.ground_down),
-            ..*view
-        };
-        let there = |place| carried(view, &assumed, &view.pose, place);
-        let expected = there(expected).ok_or(Refusal::OutOfPicture)?;
-        let pixels = |metres: f64| (metres / gsd).ceil().max(0.0) as usize + 1;
-        let wide = window_around(expected, gsd, size, (pixels(reach.1), pixels(reach.0)));
-        let window = in_picture(&wide, view).ok_or(Refusal::OutOfPicture)?;
-        let seen = rectify(view, &window);
-        let ground = to_bytes(&seen);
-        let said = responses(cascade, &ground);
-        let scores = scores(cascade, &said, &seen, size).map(|score| score as f32);
+        let (shown, best) = (&trained.window, marks.first().ok_or(Refusal::OutOfPicture)?);
+        let variant = shown.variants.nearest(best.rotation, best.log_scale);
+        let seen = SearchedGround::new(cascade, shown, view, expected, reach, &variant)
+            .ok_or(Refusal::OutOfPicture)?;
+        let scores = seen.scores.map(|score| score as f32);
         let marks: Vec<MarkedPlace> = marks
             .iter()
             .filter_map(|mark| {
-                let ground = there(mark.ground)?;
+                let ground = seen.there(mark.ground)?;
                 Some(MarkedPlace {
-                    pixel: window.pixel_at(&ground),
+                    pixel: seen.window.pixel_at(&ground),
                     ground,
                     score: mark.score,
                     probability: trained.likelihood.probability(mark.score),
@@ -152,20 +138,20 @@ impl CascadeEvidence {
             })
             .collect();
         // Of windows that were looked at: stages passed, and whether any stage was asked.
-        let looks: Vec<(usize, bool)> = (scores.pixels().iter().zip(said.stages.pixels()))
-            .zip(said.score.pixels())
+        let looks: Vec<(usize, bool)> = (scores.pixels().iter().zip(seen.said.stages.pixels()))
+            .zip(seen.said.score.pixels())
             .filter(|((score, _), _)| score.is_finite())
             .map(|((_, passed), margin)| (usize::from(*passed), margin.is_finite()))
             .collect();
         let asked: usize = looks.iter().map(|look| votes_asked(cascade, *look)).sum();
         let best = marks.first().and_then(|m| best_window(&scores, m, size));
-        let best = best.and_then(|(x, y)| Patch::cut(&ground, x, y, size.0, size.1));
+        let best = best.and_then(|(x, y)| Patch::cut(&seen.pixels, x, y, size.0, size.1));
         Ok(Self {
             kind: cascade.kind(),
             size,
-            window,
-            expected,
-            passed: said.stages,
+            window: seen.window,
+            expected: seen.expected,
+            passed: seen.said.stages,
             windows: looks.len(),
             mean_votes: asked as f64 / looks.len().max(1) as f64,
             stages: stages(cascade, &looks),
@@ -174,7 +160,7 @@ impl CascadeEvidence {
             on_map: map_patch(map, request.landmark.bounds.center(), gsd, size)
                 .map(|p| PatchLook::of(cascade, &p)),
             in_picture: best.map(|p| PatchLook::of(cascade, &p)),
-            ground,
+            ground: seen.pixels,
             scores,
         })
     }

@@ -105,12 +105,8 @@ impl Bound<'_> {
         let Some(frame) = &step.frame else {
             return Ok(());
         };
-        let mut camera = self.flight.camera.clone();
-        camera.mount.yaw += self
-            .flight
-            .frames
-            .get(frame.index)
-            .map_or(0.0, |f| f.stored_turn);
+        let camera = self.flight.camera_of_frame(frame.index);
+        let camera = camera.unwrap_or_else(|| self.flight.camera.clone());
         let appearance = AppearanceModel {
             camera: &camera,
             attitude: Attitude {

@@ -267,11 +267,9 @@ impl Navigator {
         }
     }
 
-    /// The camera as it took frame `index`: a picture stored turned is one from a turned mount.
     fn camera_of_frame(&self, index: usize) -> CameraModel {
-        let mut camera = self.flight.camera.clone();
-        camera.mount.yaw += self.flight.frames[index].stored_turn;
-        camera
+        let camera = self.flight.camera_of_frame(index);
+        camera.unwrap_or_else(|| self.flight.camera.clone())
     }
 
     fn footprint(&self, model: &AppearanceModel<'_>, report: &StepReport) -> Vec<GroundPoint> {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::days::OtherDays;
+use super::days::{OtherDays, seeds};
 use crate::frames::{GroundPoint, GroundRect};
 use crate::imagery::kept::Kept;
 use crate::imagery::{Imagery, Window};
@@ -65,28 +65,25 @@ impl PictureDays {
             ground: Arc::new(StudiedGround { map, blocks }),
         }
     }
+
+    fn changed(&self, seed: u64, leaning: Leaning) -> Arc<dyn Imagery> {
+        Arc::new(ChangedPicture {
+            ground: Arc::clone(&self.ground),
+            seed,
+            leaning,
+        })
+    }
 }
 
 impl OtherDays for PictureDays {
     fn drawn(&self, seed: u64) -> Arc<dyn Imagery> {
-        Arc::new(ChangedPicture {
-            ground: Arc::clone(&self.ground),
-            seed,
-            leaning: Leaning::AnyWay,
-        })
+        self.changed(seed, Leaning::AnyWay)
     }
 
     fn photographed(&self, count: usize, seed: u64) -> Vec<Arc<dyn Imagery>> {
-        let seeds = (0..count as u64).map(|i| seed.wrapping_mul(0x9e37_79b9).wrapping_add(i));
-        let day = |seed| {
-            let picture: Arc<dyn Imagery> = Arc::new(ChangedPicture {
-                ground: Arc::clone(&self.ground),
-                seed,
-                leaning: Leaning::OneWay,
-            });
-            picture
-        };
-        seeds.map(day).collect()
+        seeds(count, seed)
+            .map(|seed| self.changed(seed, Leaning::OneWay))
+            .collect()
     }
 }
 

@@ -12,6 +12,11 @@ use crate::simulate::scenery::{Day, Scenery, Season};
 /// Memory for tiles of one day, megabytes.
 const CACHE_MEGABYTES: usize = 24;
 
+/// Seeds of `count` days that are drawn by `seed`.
+pub fn seeds(count: usize, seed: u64) -> impl Iterator<Item = u64> {
+    (0..count as u64).map(move |i| seed.wrapping_mul(0x9e37_79b9).wrapping_add(i))
+}
+
 /// The same ground on other days.
 pub trait OtherDays: Send + Sync {
     /// The ground on a day drawn by `seed`, drawn anew wherever it is looked at.
@@ -19,8 +24,7 @@ pub trait OtherDays: Send + Sync {
 
     /// `count` days drawn by `seed` that lie as evenly among all days as so few can.
     fn spread(&self, count: usize, seed: u64) -> Vec<Arc<dyn Imagery>> {
-        let seeds = (0..count as u64).map(|i| seed.wrapping_mul(0x9e37_79b9).wrapping_add(i));
-        seeds.map(|seed| self.drawn(seed)).collect()
+        seeds(count, seed).map(|seed| self.drawn(seed)).collect()
     }
 
     /// The same as photographs of a landmark show them, from which its looks are learned: what stands up

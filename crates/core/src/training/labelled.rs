@@ -33,8 +33,9 @@ pub fn labelled_photos(
         let Some(said) = labels.iter().find(|l| l.frame == frame.name) else {
             continue;
         };
-        let mut camera = flight.camera.clone();
-        camera.mount.yaw += frame.stored_turn;
+        let Some(camera) = flight.camera_of_frame(index) else {
+            continue;
+        };
         let label = said.boxes.iter().find(|b| b.landmark == landmark.id);
         let label = label.filter(|b| !b.truncated && !b.difficult);
         let is_absent = said.absent.contains(&landmark.id);

@@ -139,6 +139,12 @@ impl Photographer {
         SEARCH_SIGMAS * self.variance(self.envelope.height[1]).sqrt()
     }
 
+    /// Distance from the landmark from which on the search of neither reaches the other, metres.
+    pub fn apart(&self) -> f64 {
+        let bounds = self.landmark.bounds;
+        2.0 * self.reach() + bounds.width().hypot(bounds.height())
+    }
+
     /// The next photo of the landmark; days take turns. `None` if it does not fit into the picture.
     pub fn take(&mut self) -> Option<Photo> {
         let bounds = self.landmark.bounds;

@@ -127,7 +127,7 @@ impl DetectorTraining {
         map: &Arc<dyn Imagery>,
         others: &dyn OtherDays,
         envelope: &FlightEnvelope,
-        plan: TrainingPlan,
+        mut plan: TrainingPlan,
     ) -> Self {
         let height = 0.5 * (envelope.height[0] + envelope.height[1]);
         let variants = Variants {
@@ -136,14 +136,21 @@ impl DetectorTraining {
         };
         let gsd = height / envelope.camera.focal;
         let window = DetectorWindow::around(&landmark.bounds, gsd, variants);
-        let with = |days: usize, salt: u64| {
-            let seed = plan.seed ^ salt;
-            let days = others.photographed(days.max(1), seed);
+        let (days, seed) = (plan.days.max(1), plan.seed);
+        let with = |salt: u64| {
+            let seed = seed ^ salt;
+            let days = others.photographed(days, seed);
             Photographer::new(landmark, Arc::clone(map), &days, envelope.clone(), seed)
         };
+        let photographer = with(0x7a1_0001);
+        let judge = with(0x7a1_0002);
+        // Photos of those so near that the landmark may stand beside them are photos of the landmark.
+        let apart = photographer.apart();
+        plan.look_alikes
+            .retain(|place| place.distance(&landmark.bounds.center()) > apart);
         Self {
-            photographer: with(plan.days, 0x7a1_0001),
-            judge: with(plan.days, 0x7a1_0002),
+            photographer,
+            judge,
             template: TemplateDetector::new(Arc::clone(map), plan.template),
             plan,
             landmark: landmark.clone(),
@@ -322,13 +329,9 @@ impl DetectorTraining {
 
     /// The look-alike that photo `number` is of.
     fn look_alike(&self, number: usize) -> Option<GroundPoint> {
-        // Of those so near that the landmark itself may be found beside them its own photos tell.
-        let bounds = self.landmark.bounds;
-        let near = 2.0 * self.photographer.reach() + bounds.width().hypot(bounds.height());
-        let is_apart = |place: &&GroundPoint| place.distance(&bounds.center()) > near;
-        let places: Vec<&GroundPoint> = self.plan.look_alikes.iter().filter(is_apart).collect();
+        let places = &self.plan.look_alikes;
         let turn = number % LOOK_ALIKE_EVERY == LOOK_ALIKE_EVERY - 1;
-        (turn && !places.is_empty()).then(|| *places[number / LOOK_ALIKE_EVERY % places.len()])
+        (turn && !places.is_empty()).then(|| places[number / LOOK_ALIKE_EVERY % places.len()])
     }
 
     fn begin_cascade(&mut self) -> Result<(), TrainingError> {

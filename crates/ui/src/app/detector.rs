@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::{App, SideTab};
 use crate::command::Workspace;
 use crate::host::Host;
-use crate::jobs::{DetectorSearch, ExplainedBy, Job, JobEvent};
+use crate::jobs::{DetectorSearch, ExplainedBy, JobEvent};
 use crate::views::DetectorCommand;
 
 impl App {
@@ -46,17 +46,8 @@ impl App {
         if known || asked || busy {
             return;
         }
-        let step = self.documents.run.as_ref().and_then(|r| r.step_at(time));
-        let Some(step) = step.filter(|s| s.frame.is_some()) else {
+        let Some(job) = self.explanation(ExplainedBy::Cascade, time, landmark) else {
             return;
-        };
-        let job = Job::ExplainMatch {
-            by: ExplainedBy::Cascade,
-            flight: self.documents.flight_source.clone(),
-            map: self.documents.map_source.clone(),
-            mission: self.documents.mission.clone(),
-            step: Box::new(step.clone()),
-            landmark,
         };
         if let Some((old, ..)) = self.desk.detector.take() {
             host.cancel(old);

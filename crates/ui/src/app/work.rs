@@ -304,21 +304,26 @@ impl App {
         if known || asked || busy || self.desk.unexplained == Some((time, landmark)) {
             return;
         }
-        let step = self.documents.run.as_ref().and_then(|r| r.step_at(time));
-        let Some(step) = step.filter(|s| s.frame.is_some()) else {
+        let Some(job) = self.explanation(ExplainedBy::Template, time, landmark) else {
             return;
-        };
-        let job = Job::ExplainMatch {
-            by: ExplainedBy::Template,
-            flight: self.documents.flight_source.clone(),
-            map: self.documents.map_source.clone(),
-            mission: self.documents.mission.clone(),
-            step: Box::new(step.clone()),
-            landmark,
         };
         if let Some((old, ..)) = self.desk.explain.take() {
             host.cancel(old);
         }
         self.desk.explain = Some((host.start(job), time, landmark));
+    }
+
+    /// What is asked about a landmark in a past step that has a picture.
+    pub(super) fn explanation(&self, by: ExplainedBy, time: f64, landmark: u32) -> Option<Job> {
+        let step = self.documents.run.as_ref()?.step_at(time)?;
+        step.frame.as_ref()?;
+        Some(Job::ExplainMatch {
+            by,
+            flight: self.documents.flight_source.clone(),
+            map: self.documents.map_source.clone(),
+            mission: self.documents.mission.clone(),
+            step: Box::new(step.clone()),
+            landmark,
+        })
     }
 }

@@ -3,17 +3,16 @@
 use std::sync::Arc;
 
 use pilotage_core::camera::CameraModel;
-use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::imagery::Imagery;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::navigator::NavigatorSettings;
 use pilotage_core::plan::{Assessor, Breakdown, Circumstances, ExpectedDetection, Rehearsal, View};
 use serde::{Deserialize, Serialize};
 
 use super::running::SLICE;
-use super::{Advance, JobEvent, MapSource, RunningJob, Workshop};
+use super::{Advance, FallibleJob, JobEvent, MapSource, Workshop};
 
 const SEED: u64 = 11;
-const CACHE_MEGABYTES: usize = 48;
 
 /// Which landmark to measure, and how it will be looked for.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -39,8 +38,7 @@ impl AssessmentOrder {
         workshop: &mut Workshop,
         days: &[Arc<dyn Imagery>],
     ) -> Result<Assessor, String> {
-        let map = workshop.map(&self.map)?;
-        let map: Arc<dyn Imagery> = Arc::new(CachedImagery::new(map, CACHE_MEGABYTES));
+        let map = workshop.cached_map(&self.map)?;
         let circumstances = Circumstances {
             camera: self.camera.clone(),
             height: self.height,
@@ -161,8 +159,10 @@ impl Assess {
         let days = workshop.rehearsal_days(&self.order.map)?;
         self.order.assessor(workshop, &days)
     }
+}
 
-    fn look(
+impl FallibleJob for Assess {
+    fn work(
         &mut self,
         workshop: &mut Workshop,
         clock: &dyn Fn() -> f64,
@@ -213,19 +213,5 @@ impl Assess {
         }
         emit(JobEvent::Finished);
         Ok(Advance::Done)
-    }
-}
-
-impl RunningJob for Assess {
-    fn advance(
-        &mut self,
-        workshop: &mut Workshop,
-        clock: &dyn Fn() -> f64,
-        emit: &mut dyn FnMut(JobEvent),
-    ) -> Advance {
-        self.look(workshop, clock, emit).unwrap_or_else(|why| {
-            emit(JobEvent::Failed(why));
-            Advance::Done
-        })
     }
 }

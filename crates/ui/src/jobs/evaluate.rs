@@ -4,10 +4,8 @@
 
 use std::cell::RefCell;
 use std::rc::Rc;
-use std::sync::Arc;
 
 use pilotage_core::flight::FrameSource as _;
-use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::landmark::trained::TrainedDetector;
 use pilotage_core::training::FlightEnvelope;
 use pilotage_core::training::evaluation::{
@@ -18,9 +16,8 @@ use serde::{Deserialize, Serialize};
 
 use super::flights::OpenFlight;
 use super::running::SLICE;
-use super::{Advance, AssessmentOrder, FlightSource, JobEvent, RunningJob, Workshop};
+use super::{Advance, AssessmentOrder, FallibleJob, FlightSource, JobEvent, Workshop};
 
-const CACHE_MEGABYTES: usize = 48;
 /// Most real frames that are looked at, evenly spread over the flight.
 const MOST_FRAMES: usize = 200;
 /// Photos between two evaluations of what has been seen so far.
@@ -237,8 +234,7 @@ impl Evaluate {
                 landmark.name
             )
         })?;
-        let map = workshop.map(&about.map)?;
-        let map: Arc<dyn Imagery> = Arc::new(CachedImagery::new(map, CACHE_MEGABYTES));
+        let map = workshop.cached_map(&about.map)?;
         let others = workshop.others(&about.map)?;
         let sensors = about.navigator.sensors;
         let envelope = FlightEnvelope {
@@ -334,7 +330,9 @@ impl Evaluate {
         let of = (landmark.id, landmark.name.as_str());
         EvaluationReport::of(of, looks, work.trained.least_score, &settings)
     }
+}
 
+impl FallibleJob for Evaluate {
     fn work(
         &mut self,
         workshop: &mut Workshop,
@@ -369,20 +367,6 @@ impl Evaluate {
     }
 }
 
-impl RunningJob for Evaluate {
-    fn advance(
-        &mut self,
-        workshop: &mut Workshop,
-        clock: &dyn Fn() -> f64,
-        emit: &mut dyn FnMut(JobEvent),
-    ) -> Advance {
-        self.work(workshop, clock, emit).unwrap_or_else(|why| {
-            emit(JobEvent::Failed(why));
-            Advance::Done
-        })
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use pilotage_core::landmark::cascade::{Cascade, Feature, Split, TrainedStage, TrainedTree};
@@ -390,6 +374,7 @@ mod tests {
     use pilotage_core::simulate::Scenario;
 
     use super::*;
+    use crate::jobs::running::RunningJob;
     use crate::jobs::{MapSource, SimulationOptions};
 
     /// A detector that marks every place of the ground alike.

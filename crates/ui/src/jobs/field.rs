@@ -1,9 +1,6 @@
 //! Where a fix would be had, as a job: the field streams in while it is computed.
 
-use std::sync::Arc;
-
 use pilotage_core::frames::GroundRect;
-use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::plan::{FieldBuilder, FieldView, FixSource, Localizability, OfferedField};
 use serde::{Deserialize, Serialize};
 
@@ -16,7 +13,6 @@ const MOST_CELLS: f64 = 260.0;
 const DAYS: usize = 2;
 /// Milliseconds between two looks at what is known so far.
 const EVERY: f64 = 400.0;
-const CACHE_MEGABYTES: usize = 48;
 /// Why nothing can be seen.
 pub(super) const LOOKS_AWAY: &str = "the camera does not look down at the ground";
 
@@ -61,8 +57,7 @@ impl FieldOrder {
     ) -> Result<OfferedField, String> {
         let across = self.view.across().ok_or(LOOKS_AWAY)?;
         let days = workshop.other_days(&self.map, DAYS)?;
-        let map = workshop.map(&self.map)?;
-        let map: Arc<dyn Imagery> = Arc::new(CachedImagery::new(map, CACHE_MEGABYTES));
+        let map = workshop.cached_map(&self.map)?;
         Ok(OfferedField::new(
             map,
             days,

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use super::field::LOOKS_AWAY;
 use super::running::slice;
-use super::{Advance, FieldFrom, FieldOrder, JobEvent, PredictionOrder, RunningJob, Workshop};
+use super::{Advance, FallibleJob, FieldFrom, FieldOrder, JobEvent, PredictionOrder, Workshop};
 
 /// Cells along the longer side of the ground that is searched, at most.
 const MOST_CELLS: f64 = 700.0;
@@ -167,7 +167,9 @@ impl FindRoute {
         .map(|search| Stage::Search(Box::new(search)))
         .map_err(|e| e.to_string())
     }
+}
 
+impl FallibleJob for FindRoute {
     fn work(
         &mut self,
         workshop: &mut Workshop,
@@ -233,19 +235,5 @@ impl FindRoute {
             }
         }
         Ok(Advance::More)
-    }
-}
-
-impl RunningJob for FindRoute {
-    fn advance(
-        &mut self,
-        workshop: &mut Workshop,
-        clock: &dyn Fn() -> f64,
-        emit: &mut dyn FnMut(JobEvent),
-    ) -> Advance {
-        self.work(workshop, clock, emit).unwrap_or_else(|why| {
-            emit(JobEvent::Failed(why));
-            Advance::Done
-        })
     }
 }

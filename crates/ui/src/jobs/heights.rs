@@ -5,7 +5,7 @@ use pilotage_core::imagery::terrain::{Dem, HeightDatum, HeightGrid, Terrain as _
 use serde::{Deserialize, Serialize};
 
 use super::running::SLICE;
-use super::{Advance, JobEvent, RunningJob, Workshop, opening};
+use super::{Advance, FallibleJob, JobEvent, Workshop, opening};
 
 /// Most posts along a side of what is sent to the page.
 const MOST_POSTS: usize = 640;
@@ -76,10 +76,12 @@ impl TakeHeights {
         );
         Ok((dem, grid))
     }
+}
 
-    fn take(
+impl FallibleJob for TakeHeights {
+    fn work(
         &mut self,
-        workshop: &Workshop,
+        workshop: &mut Workshop,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
@@ -103,19 +105,5 @@ impl TakeHeights {
         emit(JobEvent::Heights(Box::new(grid.clone())));
         emit(JobEvent::Finished);
         Ok(Advance::Done)
-    }
-}
-
-impl RunningJob for TakeHeights {
-    fn advance(
-        &mut self,
-        workshop: &mut Workshop,
-        clock: &dyn Fn() -> f64,
-        emit: &mut dyn FnMut(JobEvent),
-    ) -> Advance {
-        self.take(workshop, clock, emit).unwrap_or_else(|why| {
-            emit(JobEvent::Failed(why));
-            Advance::Done
-        })
     }
 }

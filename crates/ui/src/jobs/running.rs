@@ -37,6 +37,31 @@ pub trait RunningJob {
     ) -> Advance;
 }
 
+/// A job whose slices may fail: why is its last event.
+pub trait FallibleJob {
+    /// As [`RunningJob::advance`].
+    fn work(
+        &mut self,
+        workshop: &mut Workshop,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Result<Advance, String>;
+}
+
+impl<J: FallibleJob> RunningJob for J {
+    fn advance(
+        &mut self,
+        workshop: &mut Workshop,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Advance {
+        self.work(workshop, clock, emit).unwrap_or_else(|why| {
+            emit(JobEvent::Failed(why));
+            Advance::Done
+        })
+    }
+}
+
 /// A job that is one piece of work, done in one call.
 pub struct Once<F>(pub Option<F>);
 

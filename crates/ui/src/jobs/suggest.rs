@@ -1,9 +1,6 @@
 //! Landmarks proposed for a route, as a job: the very proposal of the command line.
 
-use std::sync::Arc;
-
 use pilotage_core::frames::{GroundPoint, GroundRect};
-use pilotage_core::imagery::CachedImagery;
 use pilotage_core::navigator::NavigatorSettings;
 use pilotage_core::plan::{Candidate, FieldView, Proposal, ProposalQuestion, Suggestion};
 use serde::{Deserialize, Serialize};
@@ -13,7 +10,6 @@ use super::{Advance, JobEvent, MapSource, RunningJob, Share, Workshop};
 
 /// Seed of the days: the same plan always has the same proposals.
 const SEED: u64 = 1;
-const CACHE_MEGABYTES: usize = 48;
 
 /// What landmarks are proposed for.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -74,9 +70,8 @@ pub fn choose(
 
 /// What is asked, still without other days.
 fn question(workshop: &mut Workshop, order: SuggestOrder) -> Result<ProposalQuestion, String> {
-    let map = workshop.map(&order.map)?;
     Ok(ProposalQuestion {
-        map: Arc::new(CachedImagery::new(map, CACHE_MEGABYTES)),
+        map: workshop.cached_map(&order.map)?,
         days: Vec::new(),
         view: order.view,
         way_points: order.way_points,

@@ -3,22 +3,19 @@
 //! What the page needs to know of a training passes it as bytes and as text: only workers hold the
 //! programs that train cascades and read them.
 
-use std::sync::Arc;
-
 use pilotage_core::camera::CameraModel;
-use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::landmark::cascade::train::StageRow;
 use pilotage_core::navigator::SensorNoise;
+use pilotage_core::training::evaluation::AtThreshold;
 use pilotage_core::training::{
     DetectorTraining, FlightEnvelope, StageReport, TrainingPhase, TrainingPlan,
 };
 use serde::{Deserialize, Serialize};
 
 use super::running::SLICE;
-use super::{Advance, JobEvent, MapSource, RunningJob, Workshop, whole_bytes};
+use super::{Advance, FallibleJob, JobEvent, MapSource, Workshop, whole_bytes};
 
-const CACHE_MEGABYTES: usize = 48;
 /// Time between two words on a training, milliseconds; what follows a whole stage is told at once.
 const TOLD_EVERY: f64 = 400.0;
 
@@ -118,8 +115,7 @@ impl Train {
 
     fn begin(&self, workshop: &mut Workshop) -> Result<DetectorTraining, String> {
         let order = &self.order;
-        let map = workshop.map(&order.map)?;
-        let map: Arc<dyn Imagery> = Arc::new(CachedImagery::new(map, CACHE_MEGABYTES));
+        let map = workshop.cached_map(&order.map)?;
         let others = workshop.others(&order.map)?;
         let envelope = FlightEnvelope {
             ground_down: order.ground_down,
@@ -173,20 +169,21 @@ impl Train {
         let trained = training.trained()?;
         let mut landmark = self.order.landmark.clone();
         landmark.keep_trained(Some(&trained));
-        let looks = training.looks();
-        let passes = |score: Option<f64>| score.is_some_and(|s| s >= trained.least_score);
+        let judged = AtThreshold::over(training.looks(), trained.least_score);
         Some(TrainingOutcome {
             detector: landmark.trained_text()?.to_owned(),
             stages: training.reports().to_vec(),
-            judged: looks.iter().filter(|l| l.present).count(),
-            found: looks.iter().filter(|l| passes(l.found_at())).count(),
-            false_alarms: looks.iter().filter(|l| passes(l.deceived_at())).count(),
+            judged: judged.found.of,
+            found: judged.found.happened,
+            false_alarms: judged.deceived.happened,
             least_score: trained.least_score,
             sigmas: [0, 1].map(|axis| trained.precision.covariance[(axis, axis)].sqrt()),
             seconds: self.seconds(),
         })
     }
+}
 
+impl FallibleJob for Train {
     fn work(
         &mut self,
         workshop: &mut Workshop,
@@ -221,20 +218,6 @@ impl Train {
         emit(JobEvent::Trained(Box::new(outcome)));
         emit(JobEvent::Finished);
         Ok(Advance::Done)
-    }
-}
-
-impl RunningJob for Train {
-    fn advance(
-        &mut self,
-        workshop: &mut Workshop,
-        clock: &dyn Fn() -> f64,
-        emit: &mut dyn FnMut(JobEvent),
-    ) -> Advance {
-        self.work(workshop, clock, emit).unwrap_or_else(|why| {
-            emit(JobEvent::Failed(why));
-            Advance::Done
-        })
     }
 }
 

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use pilotage_core::exchange::Written;
 use pilotage_core::frames::LocalFrame;
-use pilotage_core::imagery::{ByteSource, Imagery, MapMemory};
+use pilotage_core::imagery::{ByteSource, CachedImagery, Imagery, MapMemory};
 use pilotage_core::mission::{MapOptions, open_map_with};
 use pilotage_core::plan::{
     EnvelopeSurvey, OtherDays, PictureDays, Proposal, Rehearsal, SceneryDays,
@@ -39,6 +39,9 @@ use super::{
     FileContent, FlightSource, Job, JobEvent, MapInfo, MapSource, RunningJob, distinct, opening,
     simulated,
 };
+
+/// Memory for what one job reads of a map, megabytes.
+const CACHE_MEGABYTES: usize = 48;
 
 /// The same ground on several days.
 type Days = Vec<Arc<dyn Imagery>>;
@@ -237,6 +240,14 @@ impl Workshop {
             map,
             told: 0,
         });
+    }
+
+    /// The map of a source, with what is read of it kept for one job that looks at the same ground often.
+    pub fn cached_map(&mut self, source: &MapSource) -> Result<Arc<dyn Imagery>, String> {
+        Ok(Arc::new(CachedImagery::new(
+            self.map(source)?,
+            CACHE_MEGABYTES,
+        )))
     }
 
     /// A map, opened once.

@@ -52,8 +52,9 @@ fn log_odds(
     trained.likelihood.log_odds(mark.score) + nearness
 }
 
-/// Probabilities that each mark is the landmark, which can be but one of them or none, by their log odds.
-fn probabilities(log_odds: &[f64]) -> Vec<f64> {
+/// Probabilities that each of several places is the landmark's, which can be but one of them or none, by
+/// their log odds.
+pub(in crate::landmark) fn probabilities(log_odds: &[f64]) -> Vec<f64> {
     let odds = |z: &f64| z.clamp(-40.0, 40.0).exp();
     let all: f64 = 1.0 + log_odds.iter().map(odds).sum::<f64>();
     log_odds.iter().map(|z| odds(z) / all).collect()

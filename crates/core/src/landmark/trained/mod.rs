@@ -11,11 +11,11 @@ mod precision;
 mod search;
 mod variants;
 
-pub(super) use detector::BELIEVED;
 pub use detector::CascadeDetector;
+pub(super) use detector::{BELIEVED, probabilities};
 pub use likelihood::Likelihood;
 pub use model::{DetectorWindow, TemplateLikelihood, TrainedDetector};
 pub use precision::{ByScore, MarkPrecision, Reading, ScoreScale};
 pub use search::{Mark, search};
-pub(crate) use search::{carried, scores, to_bytes};
+pub(crate) use search::{SearchedGround, to_bytes};
 pub use variants::{Preparation, Steps, Variant, Variants};

@@ -6,6 +6,7 @@ use nalgebra::Point3;
 
 use super::{DetectorWindow, Variant};
 use crate::frames::{GroundPoint, Pose};
+use crate::imagery::Window;
 use crate::landmark::cascade::{Cascade, Responses, responses};
 use crate::landmark::patch::window_around;
 use crate::landmark::template::in_picture;
@@ -63,9 +64,9 @@ pub fn search(
 ) -> Result<Vec<Mark>, Refusal> {
     let mut all: Vec<Mark> = Vec::new();
     for variant in shown.variants.all() {
-        all.extend(search_variant(
-            cascade, shown, view, expected, reach, &variant,
-        ));
+        let ground = SearchedGround::new(cascade, shown, view, expected, reach, &variant);
+        let size = (shown.width, shown.height);
+        all.extend(ground.map_or_else(Vec::new, |ground| ground.marks(size, &variant)));
     }
     if all.is_empty() {
         return Err(Refusal::OutOfPicture);
@@ -74,60 +75,96 @@ pub fn search(
     Ok(merged(&all, shown))
 }
 
-/// The same in one variant; nothing where no window lies whole in the picture.
-fn search_variant(
-    cascade: &Cascade,
-    shown: &DetectorWindow,
-    view: &FrameView<'_>,
-    expected: GroundPoint,
-    reach: (f64, f64),
-    variant: &Variant,
-) -> Vec<Mark> {
-    let assumed = view.pose;
-    let view = FrameView {
-        pose: variant.pose(&assumed, view.ground_down),
-        ..*view
-    };
-    let Some(expected) = carried(&view, &assumed, &view.pose, expected) else {
-        return Vec::new();
-    };
-    let pixels = |metres: f64| (metres / shown.gsd).ceil().max(0.0) as usize + 1;
-    let size = (shown.width, shown.height);
-    let wide = window_around(
-        expected,
-        shown.gsd,
-        size,
-        (pixels(reach.1), pixels(reach.0)),
-    );
-    let Some(window) = in_picture(&wide, &view) else {
-        return Vec::new();
-    };
-    if window.width < size.0 || window.height < size.1 {
-        return Vec::new();
-    }
-    let ground = rectify(&view, &window);
-    let said = responses(cascade, &to_bytes(&ground));
-    let scores = scores(cascade, &said, &ground, size);
-    let mark = |(column, row): (usize, usize)| {
-        let (x, y) = middle(&scores, column, row);
-        let place = window.ground_at(x + 0.5 * size.0 as f64, y + 0.5 * size.1 as f64);
-        Some(Mark {
-            ground: carried(&view, &view.pose, &assumed, place)?,
-            score: scores.get(column, row),
-            stages: usize::from(said.stages.get(column, row)),
-            at_edge: column == 0
-                || row == 0
-                || column + 1 == scores.width()
-                || row + 1 == scores.height(),
-            rotation: variant.rotation,
-            log_scale: variant.log_scale,
+/// The ground that is searched in one variant, and what the cascade says of it.
+pub(crate) struct SearchedGround<'a> {
+    /// The picture from the variant's pose.
+    view: FrameView<'a>,
+    /// The pose that is assumed.
+    assumed: Pose,
+    /// Where the middle of the landmark is expected under the variant's pose.
+    pub expected: GroundPoint,
+    /// Which ground it is under that pose.
+    pub window: Window,
+    /// Grey levels.
+    pub pixels: Raster<u8>,
+    /// Stages passed and what they were passed by, for every window by its upper left corner.
+    pub said: Responses,
+    /// Scores of all windows, minus infinity where the camera did not see all of one.
+    pub scores: Raster<f64>,
+}
+
+impl<'a> SearchedGround<'a> {
+    /// Shows `cascade` the windows within `reach` metres (north, east) of where `expected` is the middle in
+    /// a variant; `None` where no window lies whole in the picture.
+    pub fn new(
+        cascade: &Cascade,
+        shown: &DetectorWindow,
+        view: &FrameView<'a>,
+        expected: GroundPoint,
+        reach: (f64, f64),
+        variant: &Variant,
+    ) -> Option<Self> {
+        let assumed = view.pose;
+        let view = FrameView {
+            pose: variant.pose(&assumed, view.ground_down),
+            ..*view
+        };
+        let expected = carried(&view, &assumed, &view.pose, expected)?;
+        let pixels = |metres: f64| (metres / shown.gsd).ceil().max(0.0) as usize + 1;
+        let size = (shown.width, shown.height);
+        let around = (pixels(reach.1), pixels(reach.0));
+        let window = in_picture(&window_around(expected, shown.gsd, size, around), &view)?;
+        if window.width < size.0 || window.height < size.1 {
+            return None;
+        }
+        let ground = rectify(&view, &window);
+        let pixels = to_bytes(&ground);
+        let said = responses(cascade, &pixels);
+        Some(Self {
+            scores: scores(cascade, &said, &ground, size),
+            view,
+            assumed,
+            expected,
+            window,
+            pixels,
+            said,
         })
-    };
-    peaks(&scores, size).into_iter().filter_map(mark).collect()
+    }
+
+    /// Where ground under the assumed pose lies under the variant's.
+    pub fn there(&self, place: GroundPoint) -> Option<GroundPoint> {
+        carried(&self.view, &self.assumed, &self.view.pose, place)
+    }
+
+    /// Where ground under the variant's pose lies under the assumed one.
+    fn back(&self, place: GroundPoint) -> Option<GroundPoint> {
+        carried(&self.view, &self.view.pose, &self.assumed, place)
+    }
+
+    /// The best windows, apart from each other, the best first.
+    fn marks(&self, size: (usize, usize), variant: &Variant) -> Vec<Mark> {
+        let scores = &self.scores;
+        let mark = |(column, row): (usize, usize)| {
+            let (x, y) = middle(scores, column, row);
+            let (x, y) = (x + 0.5 * size.0 as f64, y + 0.5 * size.1 as f64);
+            Some(Mark {
+                ground: self.back(self.window.ground_at(x, y))?,
+                score: scores.get(column, row),
+                stages: usize::from(self.said.stages.get(column, row)),
+                at_edge: column == 0
+                    || row == 0
+                    || column + 1 == scores.width()
+                    || row + 1 == scores.height(),
+                rotation: variant.rotation,
+                log_scale: variant.log_scale,
+            })
+        };
+        peaks(scores, size).into_iter().filter_map(mark).collect()
+    }
 }
 
 /// Where the ground at `place` under the pose `from` lies under the pose `to`: at the same pixel.
-pub(crate) fn carried(
+fn carried(
     view: &FrameView<'_>,
     from: &Pose,
     to: &Pose,
@@ -209,7 +246,7 @@ pub fn to_bytes(ground: &GroundView) -> Raster<u8> {
 }
 
 /// Scores of all windows, minus infinity where the camera did not see all of one.
-pub(crate) fn scores(
+fn scores(
     cascade: &Cascade,
     said: &Responses,
     ground: &GroundView,

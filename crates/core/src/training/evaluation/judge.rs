@@ -117,10 +117,8 @@ impl DetectorJudge {
 
     /// A place on the map from which the search does not reach the landmark.
     fn place_without(&mut self) -> Option<GroundPoint> {
-        let bounds = self.landmark.bounds;
-        let size = bounds.width().hypot(bounds.height());
-        let near = 2.0 * self.photographer.reach() + size;
-        let center = bounds.center();
+        let near = self.photographer.apart();
+        let center = self.landmark.bounds.center();
         let within = self.ground.grown(-near);
         (0..TRIES).find_map(|_| {
             let distance = near * (1.0 + 4.0 * self.random.random::<f64>());

@@ -91,10 +91,8 @@ impl FrameJudge<'_> {
     }
 
     fn camera(&self, index: usize) -> CameraModel {
-        let mut camera = self.flight.camera.clone();
-        let turn = self.flight.frames.get(index).map_or(0.0, |f| f.stored_turn);
-        camera.mount.yaw += turn;
-        camera
+        let camera = self.flight.camera_of_frame(index);
+        camera.unwrap_or_else(|| self.flight.camera.clone())
     }
 
     fn sees(&self, bounds: &GroundRect, pose: &Pose, index: usize) -> bool {

@@ -45,7 +45,7 @@ pub struct ScriptedHost {
     /// Keys to report as refused.
     pub refused: Vec<String>,
     /// Saves to report as broken off.
-    pub interrupted: usize,
+    pub interrupted: Vec<String>,
     /// Workers to report as lost.
     pub lost: usize,
     /// Leave flights without an answer.
@@ -424,7 +424,7 @@ impl Host for ScriptedHost {
         std::mem::take(&mut self.refused)
     }
 
-    fn interrupted_saves(&mut self) -> usize {
+    fn interrupted_saves(&mut self) -> Vec<String> {
         std::mem::take(&mut self.interrupted)
     }
 
