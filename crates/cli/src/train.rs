@@ -211,7 +211,16 @@ fn train_all(
             let photos = labelled
                 .lock()
                 .map_or_else(|_| Vec::new(), |mut all| std::mem::take(&mut all[number]));
-            let trained = train(ground, landmark, photos, envelope, plan.clone());
+            // The last may have a core to itself, which takes the photos that it is judged by.
+            let is_core_free = number + 1 == landmarks.len() && number.is_multiple_of(workers);
+            let trained = train(
+                ground,
+                landmark,
+                photos,
+                envelope,
+                plan.clone(),
+                is_core_free,
+            );
             done.push((number, trained));
         }
     };
@@ -230,11 +239,24 @@ fn train(
     labelled: Vec<Photo>,
     envelope: &FlightEnvelope,
     plan: TrainingPlan,
+    is_core_free: bool,
 ) -> Trained {
     let begun = std::time::Instant::now();
     let days = ground.days.as_ref();
     let mut training =
         DetectorTraining::new(landmark, &ground.map, days, envelope, plan).with_labelled(labelled);
+    if is_core_free {
+        let held_out = training.held_out();
+        let (send, receive) = std::sync::mpsc::channel();
+        std::thread::spawn(move || {
+            for photo in held_out {
+                if send.send(photo).is_err() {
+                    break;
+                }
+            }
+        });
+        training = training.with_held_out(receive.into_iter());
+    }
     let mut stages = 0;
     while training.advance().map_err(|e| e.to_string())? {
         if training.reports().len() > stages {

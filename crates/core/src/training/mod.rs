@@ -2,6 +2,7 @@
 
 mod envelope;
 pub mod evaluation;
+mod held_out;
 mod labelled;
 mod photo;
 mod plan;
@@ -12,6 +13,7 @@ mod tests;
 mod trainer;
 
 pub use envelope::FlightEnvelope;
+pub use held_out::HeldOutPhotos;
 pub use labelled::labelled_photos;
 pub use photo::{Assumed, Photo, Photographer};
 pub use plan::TrainingPlan;

@@ -20,6 +20,8 @@ use crate::simulate::{AerialCamera, AerialCameraSettings};
 
 /// Standard deviations of the search region that the detector is given.
 const SEARCH_SIGMAS: f64 = 3.5;
+/// Parts what the filter thinks from what the photos are drawn by.
+const THOUGHTS: u64 = 0x7a1_0e04;
 /// Tries to place a landmark in a picture before it is said not to fit.
 const TRIES: usize = 1000;
 
@@ -88,13 +90,24 @@ impl Assumed {
     }
 }
 
-/// Takes photos of a landmark.
+/// Takes photos of a landmark. The photos are the same whatever is assumed of them in between.
+#[derive(Clone)]
 pub struct Photographer {
     landmark: Landmark,
     envelope: FlightEnvelope,
     ground: DayGround,
     random: ChaCha8Rng,
+    /// Draws what the filter thinks.
+    thoughts: ChaCha8Rng,
     taken: usize,
+}
+
+fn between(random: &mut ChaCha8Rng, [low, high]: [f64; 2]) -> f64 {
+    low + (high - low) * random.random::<f64>()
+}
+
+fn normal(random: &mut ChaCha8Rng) -> f64 {
+    StandardNormal.sample(random)
 }
 
 impl Photographer {
@@ -111,6 +124,7 @@ impl Photographer {
             envelope,
             ground: DayGround::new(map, days),
             random: ChaCha8Rng::seed_from_u64(seed),
+            thoughts: ChaCha8Rng::seed_from_u64(seed ^ THOUGHTS),
             taken: 0,
         }
     }
@@ -118,14 +132,6 @@ impl Photographer {
     /// The envelope.
     pub fn envelope(&self) -> &FlightEnvelope {
         &self.envelope
-    }
-
-    fn between(&mut self, [low, high]: [f64; 2]) -> f64 {
-        low + (high - low) * self.random.random::<f64>()
-    }
-
-    fn normal(&mut self) -> f64 {
-        StandardNormal.sample(&mut self.random)
     }
 
     /// Errors that the search must expect of a place on the ground, per axis, square metres.
@@ -170,16 +176,16 @@ impl Photographer {
 
     fn try_to_take(&mut self, around: GroundRect, present: bool) -> Option<Photo> {
         let day = self.taken % self.ground.days();
-        let height = self.between(self.envelope.height);
+        let height = between(&mut self.random, self.envelope.height);
         let heading = TAU * self.random.random::<f64>();
         let direction = TAU * self.random.random::<f64>();
         // Over the disk of tilts, more of which are small.
-        let tilt = self.between([0.0, self.envelope.tilt]);
+        let tilt = between(&mut self.random, [0.0, self.envelope.tilt]);
         let known_tilt = [tilt * direction.cos(), tilt * direction.sin()];
         let sensors = self.envelope.sensors;
         let attitude = Attitude {
-            roll: known_tilt[0] + self.normal() * sensors.roll,
-            pitch: known_tilt[1] + self.normal() * sensors.pitch,
+            roll: known_tilt[0] + normal(&mut self.random) * sensors.roll,
+            pitch: known_tilt[1] + normal(&mut self.random) * sensors.pitch,
             yaw: heading,
         };
         let (camera, ground_down) = (self.envelope.camera.clone(), self.envelope.ground_down);
@@ -217,8 +223,8 @@ impl Photographer {
         let ground = self.ground.part(day, &around.grown(1.6 * reach));
         let faults = AerialCameraSettings {
             mount_vibration_sd: 0.0,
-            blur_sigma: self.between(self.envelope.blur),
-            noise_sd: self.between(self.envelope.noise),
+            blur_sigma: between(&mut self.random, self.envelope.blur),
+            noise_sd: between(&mut self.random, self.envelope.noise),
             ..AerialCameraSettings::default()
         };
         let aerial = AerialCamera::new(part.clone(), faults);
@@ -239,13 +245,14 @@ impl Photographer {
     /// What the filter may think of a photo, drawn anew at each call.
     pub fn assume(&mut self, photo: &Photo) -> Option<Assumed> {
         let position = self.envelope.position;
+        let thoughts = &mut self.thoughts;
         let off = Vector3::new(
-            self.normal() * position,
-            self.normal() * position,
-            self.normal() * self.envelope.sensors.height,
+            normal(thoughts) * position,
+            normal(thoughts) * position,
+            normal(thoughts) * self.envelope.sensors.height,
         );
-        let heading_error =
-            self.between([-self.envelope.heading_error, self.envelope.heading_error]);
+        let widest = self.envelope.heading_error;
+        let heading_error = between(thoughts, [-widest, widest]);
         let pose = Pose {
             position_in_world: photo.pose.position_in_world + off,
             attitude: Attitude {

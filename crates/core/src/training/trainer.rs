@@ -9,11 +9,11 @@ use serde::{Deserialize, Serialize};
 
 use super::envelope::FlightEnvelope;
 use super::evaluation::{EvaluatedLook, EvaluatedMark, look};
+use super::held_out::{HeldOutPhotos, look_alike};
 use super::photo::{Photo, Photographer};
 use super::plan::TrainingPlan;
 use super::precision;
 use super::sample::Sample;
-use crate::frames::GroundPoint;
 use crate::imagery::Imagery;
 use crate::landmark::cascade::train::{CascadeTraining, StageGoal, StageRow, TrainingSettings};
 use crate::landmark::cascade::{Cascade, CascadeError, Patch, TrainedStage, responses};
@@ -23,8 +23,6 @@ use crate::landmark::trained::{
 use crate::landmark::{Detector, Landmark, SearchRequest, TemplateDetector};
 use crate::plan::{OtherDays, tolerance};
 
-/// Of the photos, one in so many is of a look-alike, if there are any.
-const LOOK_ALIKE_EVERY: usize = 4;
 /// Of the held-out photos, one in so many is also looked at for the landmark's map patch.
 const TEMPLATE_EVERY: usize = 3;
 /// With fewer windows than this that pass though they should not, there is nothing left to learn from.
@@ -97,7 +95,9 @@ pub struct DetectorTraining {
     landmark: Landmark,
     window: DetectorWindow,
     photographer: Photographer,
+    /// Says what the filter thinks of the photos by which it is judged, and takes them.
     judge: Photographer,
+    held_out: Box<dyn Iterator<Item = Photo> + Send>,
     /// Real frames to learn from, too.
     labelled: Vec<Photo>,
     positives: Vec<(Patch, usize)>,
@@ -150,6 +150,11 @@ impl DetectorTraining {
             .retain(|place| place.distance(&landmark.bounds.center()) > apart);
         Self {
             photographer,
+            held_out: Box::new(HeldOutPhotos::new(
+                judge.clone(),
+                &plan.look_alikes,
+                plan.held_out,
+            )),
             judge,
             template: TemplateDetector::new(Arc::clone(map), plan.template),
             plan,
@@ -186,6 +191,19 @@ impl DetectorTraining {
     #[must_use]
     pub fn with_labelled(mut self, photos: Vec<Photo>) -> Self {
         self.labelled = photos;
+        self
+    }
+
+    /// The photos by which it is to be judged, for another thread to take.
+    pub fn held_out(&self) -> HeldOutPhotos {
+        let judge = self.judge.clone();
+        HeldOutPhotos::new(judge, &self.plan.look_alikes, self.plan.held_out)
+    }
+
+    /// Is judged by what another thread took of [`Self::held_out`].
+    #[must_use]
+    pub fn with_held_out(mut self, photos: impl Iterator<Item = Photo> + Send + 'static) -> Self {
+        self.held_out = Box::new(photos);
         self
     }
 
@@ -270,7 +288,7 @@ impl DetectorTraining {
         let taken = if self.next >= self.plan.photos {
             None
         } else {
-            let taken = match self.look_alike(self.next) {
+            let taken = match look_alike(&self.plan.look_alikes, self.next) {
                 Some(place) => self.photographer.take_elsewhere(place),
                 None => self.photographer.take(),
             };
@@ -325,13 +343,6 @@ impl DetectorTraining {
             return self.begin_cascade();
         }
         Ok(())
-    }
-
-    /// The look-alike that photo `number` is of.
-    fn look_alike(&self, number: usize) -> Option<GroundPoint> {
-        let places = &self.plan.look_alikes;
-        let turn = number % LOOK_ALIKE_EVERY == LOOK_ALIKE_EVERY - 1;
-        (turn && !places.is_empty()).then(|| places[number / LOOK_ALIKE_EVERY % places.len()])
     }
 
     fn begin_cascade(&mut self) -> Result<(), TrainingError> {
@@ -467,12 +478,8 @@ impl DetectorTraining {
             self.phase = TrainingPhase::Done;
             return Ok(());
         }
-        let photo = match self.look_alike(self.next) {
-            Some(place) => self.judge.take_elsewhere(place),
-            None => self.judge.take(),
-        };
         self.next += 1;
-        let photo = photo.ok_or_else(|| self.too_large())?;
+        let photo = self.held_out.next().ok_or_else(|| self.too_large())?;
         if let Some(cascade) = &self.current {
             let look = look(&mut self.judge, &photo, cascade, &self.window);
             self.looks.extend(look);

@@ -102,7 +102,11 @@ impl App {
         }
         self.recall_trainings(host);
         self.follow_link(host);
-        if host.interrupted_saves().iter().any(|key| key == SESSION_KEY) {
+        if host
+            .interrupted_saves()
+            .iter()
+            .any(|key| key == SESSION_KEY)
+        {
             self.toasts.trouble(
                 host.now(),
                 "The last save was broken off",

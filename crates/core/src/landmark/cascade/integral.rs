@@ -25,10 +25,10 @@ impl Integral {
         with_squares: bool,
         with_tilted: bool,
     ) {
-        sums(picture, grid, i32::from, &mut self.sum);
         if with_squares {
-            let square = |v| i32::from(v) * i32::from(v);
-            sums(picture, grid, square, &mut self.squares);
+            sums_and_squares(picture, grid, &mut self.sum, &mut self.squares);
+        } else {
+            sums(picture, grid, &mut self.sum);
         }
         if with_tilted {
             tilted(picture, grid, &mut self.tilted);
@@ -36,16 +36,42 @@ impl Integral {
     }
 }
 
-fn sums(picture: &Raster<u8>, grid: Grid, of: impl Fn(u8) -> i32, table: &mut Vec<i32>) {
+fn sums(picture: &Raster<u8>, grid: Grid, table: &mut Vec<i32>) {
     grid.prepare(picture.height(), table);
     let mut line = vec![0_i32; picture.width() + 1];
     for y in 0..picture.height() {
         let mut running = 0_i32;
         for (sum, &pixel) in line[1..].iter_mut().zip(picture.row(y)) {
-            running = running.wrapping_add(of(pixel));
+            running = running.wrapping_add(i32::from(pixel));
             *sum = sum.wrapping_add(running);
         }
         grid.store(&line, y + 1, table);
+    }
+}
+
+/// Both tables in one go: each addition waits for the one before, and two rows of them wait together.
+fn sums_and_squares(
+    picture: &Raster<u8>,
+    grid: Grid,
+    table: &mut Vec<i32>,
+    squares: &mut Vec<i32>,
+) {
+    grid.prepare(picture.height(), table);
+    grid.prepare(picture.height(), squares);
+    let mut line = vec![0_i32; picture.width() + 1];
+    let mut line_of_squares = line.clone();
+    for y in 0..picture.height() {
+        let (mut running, mut running_squares) = (0_i32, 0_i32);
+        let sums = line[1..].iter_mut().zip(&mut line_of_squares[1..]);
+        for ((sum, square), &pixel) in sums.zip(picture.row(y)) {
+            let pixel = i32::from(pixel);
+            running = running.wrapping_add(pixel);
+            running_squares = running_squares.wrapping_add(pixel * pixel);
+            *sum = sum.wrapping_add(running);
+            *square = square.wrapping_add(running_squares);
+        }
+        grid.store(&line, y + 1, table);
+        grid.store(&line_of_squares, y + 1, squares);
     }
 }
 

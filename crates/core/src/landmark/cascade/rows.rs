@@ -41,7 +41,7 @@ pub(super) struct Judged {
 pub(super) struct Scratch {
     tables: Tables,
     factors: Vec<f32>,
-    row: Windows,
+    votes: Vec<f64>,
     batch: Windows,
 }
 
@@ -91,7 +91,7 @@ impl<'a> Rows<'a> {
     ) {
         let Scratch {
             factors,
-            row,
+            votes,
             batch,
             ..
         } = scratch;
@@ -107,24 +107,22 @@ impl<'a> Rows<'a> {
             if self.layout.kind == Kind::Haar {
                 simd::factors(&self.layout, &self.tables, first, factors);
             }
-            row.clear();
-            let windows = factors.iter().enumerate().step_by(every.unwrap_or(1));
-            for (number, &factor) in windows.filter(|(_, factor)| !factor.is_nan()) {
-                row.push(first + number, factor, 0.0);
-            }
-            simd::vote(&self.program, 0, &self.tables, row);
-            let mut skipped = usize::MAX;
-            for (i, &place) in row.at.iter().enumerate() {
-                if place == skipped {
+            votes.resize(self.columns, 0.0);
+            simd::first_votes(&self.program, &self.tables, first, factors, votes);
+            let mut number = 0;
+            while number < self.columns {
+                let (place, factor) = (first + number, factors[number]);
+                number += every.unwrap_or(1);
+                if factor.is_nan() {
                     continue;
                 }
-                let seen = self.judge(0, place, row.votes[i], 0.0);
+                let seen = self.judge(0, place, votes[place - first], 0.0);
                 judged(seen);
                 if seen.passed {
-                    batch.push(place, row.factor[i], seen.margin);
+                    batch.push(place, factor, seen.margin);
                 } else if every.is_none() {
                     // What the very first stage refuses has no better neighbour.
-                    skipped = place + 1;
+                    number += 1;
                 }
             }
         }

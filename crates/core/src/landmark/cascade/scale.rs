@@ -1,11 +1,12 @@
 //! Smaller copies of a picture, to the bit as OpenCV's `INTER_LINEAR_EXACT` makes them: weights of eight
 //! bits, rounded to the nearest, halves to the even one.
 
+use super::simd;
 use crate::raster::Raster;
 
 /// For each pixel of the copy, the first of two source pixels and the weight of the second, of 256;
 /// that is zero where there is no second.
-fn weights(from: usize, to: usize) -> Vec<(usize, u32)> {
+fn weights(from: usize, to: usize) -> Vec<(u32, u16)> {
     let scale = from as f64 / to as f64;
     (0..to)
         .map(|i| {
@@ -14,10 +15,10 @@ fn weights(from: usize, to: usize) -> Vec<(usize, u32)> {
             if first < 0.0 || from < 2 {
                 (0, 0)
             } else if first as usize >= from - 1 {
-                (from - 1, 0)
+                (from as u32 - 1, 0)
             } else {
                 let weight = ((place - first) * 256.0).round_ties_even();
-                (first as usize, weight as u32)
+                (first as u32, weight as u16)
             }
         })
         .collect()
@@ -36,14 +37,16 @@ pub(super) fn resized(picture: &Raster<u8>, width: usize, height: usize) -> Rast
         padded.extend_from_slice(picture.row(y));
         padded.push(0);
         for (out, &(x, weight)) in out.iter_mut().zip(&across) {
-            let (first, second) = (u32::from(padded[x]), u32::from(padded[x + 1]));
-            *out = ((256 - weight) * first + weight * second) as u16;
+            if let [first, second, ..] = padded[x as usize..] {
+                *out = (256 - weight) * u16::from(first) + weight * u16::from(second);
+            }
         }
     };
     let mut copy = Raster::filled(width, height, 0);
     let (mut upper, mut lower) = (vec![0; width], vec![0; width]);
     let (mut in_upper, mut in_lower) = (usize::MAX, usize::MAX);
     for (row, &(y, weight)) in down.iter().enumerate() {
+        let y = y as usize;
         let below = (y + 1).min(picture.height() - 1);
         if in_upper != y {
             std::mem::swap(&mut upper, &mut lower);
@@ -57,11 +60,7 @@ pub(super) fn resized(picture: &Raster<u8>, width: usize, height: usize) -> Rast
             line(below, &mut lower);
             in_lower = below;
         }
-        let lines = upper.iter().zip(&lower);
-        for (out, (&a, &b)) in copy.row_mut(row).iter_mut().zip(lines) {
-            let value = (256 - weight) * u32::from(a) + weight * u32::from(b);
-            *out = ((value + (1 << 15)) >> 16) as u8;
-        }
+        simd::blend(&upper, &lower, u32::from(weight), copy.row_mut(row));
     }
     copy
 }

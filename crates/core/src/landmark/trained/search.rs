@@ -32,7 +32,8 @@ pub struct Mark {
     pub score: f64,
     /// Stages passed.
     pub stages: usize,
-    /// Whether the window is one of the outermost that were looked at.
+    /// Whether the window is one of the outermost that were looked at and lie whole in the picture: one
+    /// beside it may fit better.
     pub at_edge: bool,
     /// Turn in which it was found, radians clockwise.
     pub rotation: f64,
@@ -151,10 +152,7 @@ impl<'a> SearchedGround<'a> {
                 ground: self.back(self.window.ground_at(x, y))?,
                 score: scores.get(column, row),
                 stages: usize::from(self.said.stages.get(column, row)),
-                at_edge: column == 0
-                    || row == 0
-                    || column + 1 == scores.width()
-                    || row + 1 == scores.height(),
+                at_edge: at_edge(scores, column, row),
                 rotation: variant.rotation,
                 log_scale: variant.log_scale,
             })
@@ -299,6 +297,20 @@ fn peaks(scores: &Raster<f64>, size: (usize, usize)) -> Vec<(usize, usize)> {
     list
 }
 
+/// Whether a window beside that one was not seen whole.
+fn at_edge(scores: &Raster<f64>, column: usize, row: usize) -> bool {
+    let beside = |at: usize| [at.checked_sub(1), Some(at), Some(at + 1)];
+    beside(row).into_iter().any(|row| {
+        beside(column).into_iter().any(|column| {
+            let score = column.zip(row).and_then(|(column, row)| {
+                let inside = column < scores.width() && row < scores.height();
+                inside.then(|| scores.get(column, row))
+            });
+            score.is_none_or(|score| score == f64::NEG_INFINITY)
+        })
+    })
+}
+
 /// The mean place of the windows around one, each weighing as much as it passes the stages by: of a
 /// cascade's response not the peak, which is rough, but the whole hill lies over the landmark.
 fn middle(scores: &Raster<f64>, column: usize, row: usize) -> (f64, f64) {
@@ -323,5 +335,26 @@ fn middle(scores: &Raster<f64>, column: usize, row: usize) -> (f64, f64) {
         (column as f64 + x / sum, row as f64 + y / sum)
     } else {
         (column as f64, row as f64)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_window_beside_one_that_leaves_the_picture_is_at_the_edge() {
+        // The picture ends along a diagonal.
+        let scores = Raster::from_fn(
+            9,
+            7,
+            |x, y| if x + y > 10 { f64::NEG_INFINITY } else { 1.0 },
+        );
+        for (column, row) in [(0, 3), (4, 0), (8, 1), (4, 6), (5, 4), (6, 4)] {
+            assert!(at_edge(&scores, column, row), "{column}, {row}");
+        }
+        for (column, row) in [(1, 1), (4, 4), (5, 3), (7, 1), (3, 5)] {
+            assert!(!at_edge(&scores, column, row), "{column}, {row}");
+        }
     }
 }

@@ -22,6 +22,9 @@ pub(super) trait Places {
     /// Sums over a rectangle, given by its corners relative to each window, below the reach of the
     /// program.
     fn sums(&self, table: &[i32], corners: &Corners) -> Lanes<i32>;
+
+    /// Entries at points relative to each window, below the reach of the program.
+    fn entries(&self, table: &[i32], points: &[usize; 16]) -> [Lanes<i32>; 16];
 }
 
 /// Windows side by side, from this place on.
@@ -42,6 +45,17 @@ impl Places for SideBySide {
         }
         sums
     }
+
+    #[inline(always)]
+    fn entries(&self, table: &[i32], points: &[usize; 16]) -> [Lanes<i32>; 16] {
+        let mut entries = [[0; LANES]; 16];
+        for (entry, point) in entries.iter_mut().zip(points) {
+            // SAFETY: as above.
+            let from = unsafe { table.get_unchecked(self.0 + point..self.0 + point + LANES) };
+            entry.copy_from_slice(from);
+        }
+        entries
+    }
 }
 
 /// Windows anywhere.
@@ -58,6 +72,18 @@ impl Places for Scattered {
             sums[i] = a.wrapping_sub(b).wrapping_sub(c).wrapping_add(d);
         }
         sums
+    }
+
+    #[inline(always)]
+    fn entries(&self, table: &[i32], points: &[usize; 16]) -> [Lanes<i32>; 16] {
+        let mut entries = [[0; LANES]; 16];
+        for (entry, point) in entries.iter_mut().zip(points) {
+            for i in 0..LANES {
+                // SAFETY: as above.
+                entry[i] = unsafe { *table.get_unchecked(self.0[i] + point) };
+            }
+        }
+        entries
     }
 }
 
@@ -91,6 +117,61 @@ pub(super) fn vote(program: &Program, stage: usize, tables: &Tables, windows: &m
         Branches::Haar(branches) => vote_with(program, branches, stage, tables, windows),
         Branches::Lbp(branches) => vote_with(program, branches, stage, tables, windows),
         Branches::Hog(branches) => vote_with(program, branches, stage, tables, windows),
+    }
+}
+
+#[inline(always)]
+pub(super) fn first_votes(
+    program: &Program,
+    tables: &Tables,
+    first: usize,
+    factors: &[f32],
+    votes: &mut [f64],
+) {
+    match &program.branches {
+        Branches::Haar(all) => first_votes_with(program, all, tables, first, factors, votes),
+        Branches::Lbp(all) => first_votes_with(program, all, tables, first, factors, votes),
+        Branches::Hog(all) => first_votes_with(program, all, tables, first, factors, votes),
+    }
+}
+
+#[inline(always)]
+fn first_votes_with<L: Look>(
+    program: &Program,
+    branches: &[Branch<L>],
+    tables: &Tables,
+    first: usize,
+    factors: &[f32],
+    votes: &mut [f64],
+) {
+    assert!(first + factors.len() + program.reach + LANES <= program.shortest(tables));
+    assert!(factors.len() == votes.len());
+    let job = Job {
+        program,
+        branches,
+        stage: program.stages[0].clone(),
+        tables,
+    };
+    let mut reached = vec![[0; LANES]; program.largest];
+    let all = factors.chunks(LANES).zip(votes.chunks_mut(LANES));
+    for (number, (from, to)) in all.enumerate() {
+        if from.iter().all(|factor| factor.is_nan()) {
+            continue;
+        }
+        let mut factors = [1.0; LANES];
+        let mut sums = [0.0; LANES];
+        factors[..from.len()].copy_from_slice(from);
+        let places = SideBySide(first + number * LANES);
+        job.sum(&places, &factors, &mut sums, &mut reached);
+        to.copy_from_slice(&sums[..to.len()]);
+    }
+}
+
+#[inline(always)]
+pub(super) fn blend(upper: &[u16], lower: &[u16], weight: u32, out: &mut [u8]) {
+    for ((out, &a), &b) in out.iter_mut().zip(upper).zip(lower) {
+        let value = (256 - weight) * u32::from(a) + weight * u32::from(b);
+        *out = ((value + (1 << 15)) >> 16) as u8;
     }
 }
 

@@ -90,23 +90,34 @@ impl Look for Lbp {
     #[inline(always)]
     fn left(&self, tables: &Tables, places: &impl Places, _: &Lanes<f32>) -> Lanes<u32> {
         let table = &tables.integral.sum;
-        let corners = |i: usize| {
-            let at = &self.lattice;
-            [at[i], at[i + 1], at[i + 4], at[i + 5]]
-        };
-        let middle = places.sums(table, &corners(5));
+        let entries = places.entries(table, &self.lattice);
+        let mut sums = [[0_i32; LANES]; 9];
+        for row in 0..3 {
+            for column in 0..3 {
+                let at = 4 * row + column;
+                for i in 0..LANES {
+                    let left = entries[at][i].wrapping_sub(entries[at + 4][i]);
+                    let right = entries[at + 1][i].wrapping_sub(entries[at + 5][i]);
+                    sums[3 * row + column][i] = left.wrapping_sub(right);
+                }
+            }
+        }
         let mut codes = [0_u32; LANES];
         // Clockwise from the upper left one, the first in the highest bit.
-        for block in [0, 1, 2, 6, 10, 9, 8, 4] {
-            let sums = places.sums(table, &corners(block));
+        for block in [0, 1, 2, 5, 8, 7, 6, 3] {
             for i in 0..LANES {
-                codes[i] = codes[i] << 1 | u32::from(sums[i] >= middle[i]);
+                codes[i] = codes[i] << 1 | u32::from(sums[block][i] >= sums[4][i]);
             }
         }
         let mut left = [0; LANES];
         for i in 0..LANES {
-            let word = self.codes[(codes[i] >> 5 & 7) as usize];
-            left[i] = mask(word >> (codes[i] & 31) & 1 == 1);
+            let bit = |n: u32| mask(codes[i] >> n & 1 == 1);
+            let [a, b, c] = [bit(7), bit(6), bit(5)];
+            let either = |m: u32, one: u32, other: u32| one & m | other & !m;
+            let w = &self.codes;
+            let low = either(b, either(c, w[3], w[2]), either(c, w[1], w[0]));
+            let high = either(b, either(c, w[7], w[6]), either(c, w[5], w[4]));
+            left[i] = mask(either(a, high, low) >> (codes[i] & 31) & 1 == 1);
         }
         left
     }

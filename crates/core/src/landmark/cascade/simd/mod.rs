@@ -100,6 +100,16 @@ dispatched!(
     factors, factors_fast, (layout: &Layout, tables: &Tables, at: usize, out: &mut [f32])
 );
 dispatched!(
+    /// Sums of the votes of the first stage on windows side by side, from place `first` on, as many as
+    /// there are `factors`; where all of some are NaN nothing is written.
+    first_votes, first_votes_fast,
+    (program: &Program, tables: &Tables, first: usize, factors: &[f32], votes: &mut [f64])
+);
+dispatched!(
+    /// Pixels between two rows of them times 256, where the lower one weighs `weight` of 256.
+    blend, blend_fast, (upper: &[u16], lower: &[u16], weight: u32, out: &mut [u8])
+);
+dispatched!(
     /// Shows one stage all windows, and writes down the sums of its votes.
     vote, vote_fast, (program: &Program, stage: usize, tables: &Tables, windows: &mut Windows)
 );
