@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Route;
@@ -118,26 +120,7 @@ fn escape(text: &str) -> String {
 }
 
 fn data_address(picture: &EncodedPicture) -> String {
-    format!("data:image/jpeg;base64,{}", base64(&picture.0))
-}
-
-/// Base 64 as RFC 4648 has it.
-fn base64(bytes: &[u8]) -> String {
-    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for three in bytes.chunks(3) {
-        let byte = |i: usize| u32::from(three.get(i).copied().unwrap_or(0));
-        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
-        for place in 0..4 {
-            if place <= three.len() {
-                let letter = LETTERS[(bits >> (18 - 6 * place) & 63) as usize];
-                text.push(char::from(letter));
-            } else {
-                text.push('=');
-            }
-        }
-    }
-    text
+    format!("data:image/jpeg;base64,{}", STANDARD.encode(&picture.0))
 }
 
 fn map(text: &mut String, scene: &BriefScene<'_>) {
@@ -402,20 +385,6 @@ mod tests {
     use super::*;
     use pilotage_core::frames::Altitude;
     use pilotage_core::mission::{USUAL_ALTITUDE, WayPoint};
-
-    #[test]
-    fn base_64_is_that_of_the_standard() {
-        let pairs = [
-            ("", ""),
-            ("f", "Zg=="),
-            ("fo", "Zm8="),
-            ("foo", "Zm9v"),
-            ("foob", "Zm9vYg=="),
-        ];
-        for (plain, coded) in pairs {
-            assert_eq!(base64(plain.as_bytes()), coded);
-        }
-    }
 
     fn page(units: Units) -> String {
         page_of(units, 2)

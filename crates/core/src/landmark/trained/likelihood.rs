@@ -2,8 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Newton steps of a fit; it converges in five or so.
-const STEPS: usize = 30;
+/// Newton steps of a fit at most; it converges in five or so.
+const STEPS: usize = 60;
+/// How often a step is halved before nothing is better.
+const HALVINGS: i32 = 27;
 
 /// Log odds of being right as a line over the score (Platt 1999), fitted to marks whose truth is known.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -18,59 +20,26 @@ impl Likelihood {
     /// Fits marks: their score, and whether they are right. Targets are drawn in by a half sample on
     /// either side (Platt's prior), so that scores that part the two for good do not lead to certainty.
     pub fn fit(marks: &[(f64, bool)]) -> Self {
+        let n = marks.len().max(1) as f64;
         let right = marks.iter().filter(|m| m.1).count() as f64;
         let wrong = marks.len() as f64 - right;
-        let target = |is_right: bool| {
-            if is_right {
-                (right + 1.0) / (right + 2.0)
-            } else {
-                1.0 / (wrong + 2.0)
-            }
-        };
-        let mut line = Self {
+        let targets = [1.0 / (wrong + 2.0), (right + 1.0) / (right + 2.0)];
+        let mean = marks.iter().map(|m| m.0).sum::<f64>() / n;
+        let variance = marks.iter().map(|m| (m.0 - mean).powi(2)).sum::<f64>() / n;
+        let spread = if variance > 0.0 { variance.sqrt() } else { 1.0 };
+        let samples: Vec<[f64; 2]> = marks
+            .iter()
+            .map(|(score, is_right)| [(score - mean) / spread, targets[usize::from(*is_right)]])
+            .collect();
+        let level = Self {
             offset: ((right + 1.0) / (wrong + 1.0)).ln(),
             slope: 0.0,
         };
-        let loss = |line: &Self| -> f64 {
-            let of = |(score, is_right): &(f64, bool)| {
-                let (z, t) = (line.log_odds(*score), target(*is_right));
-                // Cross entropy, in the form that never overflows.
-                z.max(0.0) - z * t + (-z.abs()).exp().ln_1p()
-            };
-            marks.iter().map(of).sum()
-        };
-        let mut least = loss(&line);
-        for _ in 0..STEPS {
-            let (mut g, mut h) = ([0.0; 2], [1e-9, 0.0, 1e-9]);
-            for (score, is_right) in marks {
-                let p = line.probability(*score);
-                let (d, w) = (p - target(*is_right), (p * (1.0 - p)).max(1e-12));
-                g[0] += d;
-                g[1] += d * score;
-                h[0] += w;
-                h[1] += w * score;
-                h[2] += w * score * score;
-            }
-            let det = h[0] * h[2] - h[1] * h[1];
-            let step = [
-                (h[2] * g[0] - h[1] * g[1]) / det,
-                (h[0] * g[1] - h[1] * g[0]) / det,
-            ];
-            // Half as far until it is better.
-            let better = (0..20).map(|i| 0.5_f64.powi(i)).find_map(|share| {
-                let next = Self {
-                    offset: line.offset - share * step[0],
-                    slope: line.slope - share * step[1],
-                };
-                let new = loss(&next);
-                (new < least - 1e-9).then_some((next, new))
-            });
-            match better {
-                Some((next, new)) => (line, least) = (next, new),
-                None => break,
-            }
+        let Self { offset, slope } = likeliest(&samples, level);
+        Self {
+            offset: offset - slope * mean / spread,
+            slope: slope / spread,
         }
-        line
     }
 
     /// Logarithm of the odds that a mark of that score is right.
@@ -82,6 +51,51 @@ impl Likelihood {
     pub fn probability(&self, score: f64) -> f64 {
         1.0 / (1.0 + (-self.log_odds(score)).exp())
     }
+}
+
+/// Maximum likelihood of samples (score, share of right ones), by damped Newton steps.
+fn likeliest(samples: &[[f64; 2]], mut line: Likelihood) -> Likelihood {
+    let loss = |line: &Likelihood| -> f64 {
+        let of = |&[score, target]: &[f64; 2]| {
+            let z = line.log_odds(score);
+            // Cross entropy, in the form that never overflows.
+            z.max(0.0) - z * target + (-z.abs()).exp().ln_1p()
+        };
+        samples.iter().map(of).sum()
+    };
+    let mut least = loss(&line);
+    for _ in 0..STEPS {
+        let (mut g, mut h) = ([0.0; 2], [1e-9, 0.0, 1e-9]);
+        for &[score, target] in samples {
+            let p = line.probability(score);
+            let (d, w) = (p - target, p * (1.0 - p));
+            g = [g[0] + d, g[1] + d * score];
+            h = [h[0] + w, h[1] + w * score, h[2] + w * score * score];
+        }
+        let det = h[0] * h[2] - h[1] * h[1];
+        let step = [
+            (h[2] * g[0] - h[1] * g[1]) / det,
+            (h[0] * g[1] - h[1] * g[0]) / det,
+        ];
+        // Half as far until it is better.
+        let better = (0..HALVINGS).map(|i| 0.5_f64.powi(i)).find_map(|share| {
+            let next = Likelihood {
+                offset: line.offset - share * step[0],
+                slope: line.slope - share * step[1],
+            };
+            let new = loss(&next);
+            (new < least).then_some((next, new))
+        });
+        let Some((next, new)) = better else {
+            break;
+        };
+        let gain = least - new;
+        (line, least) = (next, new);
+        if gain < 1e-13 * least.abs() {
+            break;
+        }
+    }
+    line
 }
 
 #[cfg(test)]

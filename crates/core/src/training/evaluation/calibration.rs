@@ -5,11 +5,10 @@ use serde::{Deserialize, Serialize};
 use super::draws::by_day;
 use super::isotonic::Isotonic;
 use super::{EvaluatedLook, Rate};
+use crate::landmark::trained::Likelihood;
 
 /// Parts of which each is left out once.
 const FOLDS: usize = 5;
-/// Newton steps of the logistic fit at most.
-const ROUNDS: usize = 60;
 /// Bins of the reliability check.
 const TENTHS: usize = 10;
 
@@ -39,25 +38,20 @@ pub enum Probability {
 impl Probability {
     /// Platt's fit. With only right or only wrong marks it is level.
     pub fn logistic(marks: &[Judged]) -> Self {
-        let n = marks.len().max(1) as f64;
+        let judged: Vec<(f64, bool)> = marks.iter().map(|m| (m.score, m.right)).collect();
+        let fitted = Likelihood::fit(&judged);
+        if fitted.slope > 0.0 {
+            return Self::Logistic {
+                slope: fitted.slope,
+                intercept: fitted.offset,
+            };
+        }
+        // A score that speaks against itself says nothing.
         let right = marks.iter().filter(|m| m.right).count() as f64;
         let wrong = marks.len() as f64 - right;
-        let targets = [1.0 / (wrong + 2.0), (right + 1.0) / (right + 2.0)];
-        let mean = marks.iter().map(|m| m.score).sum::<f64>() / n;
-        let variance = marks.iter().map(|m| (m.score - mean).powi(2)).sum::<f64>() / n;
-        let spread = if variance > 0.0 { variance.sqrt() } else { 1.0 };
-        let samples: Vec<[f64; 2]> = (marks.iter())
-            .map(|m| [(m.score - mean) / spread, targets[usize::from(m.right)]])
-            .collect();
-        let level = (right + 1.0).ln() - (wrong + 1.0).ln();
-        let (slope, intercept) = match newton(&samples, level) {
-            (slope, intercept) if slope > 0.0 => (slope, intercept),
-            // A score that speaks against itself says nothing.
-            _ => (0.0, level),
-        };
         Self::Logistic {
-            slope: slope / spread,
-            intercept: intercept - slope * mean / spread,
+            slope: 0.0,
+            intercept: ((right + 1.0) / (wrong + 1.0)).ln(),
         }
     }
 
@@ -85,57 +79,6 @@ impl Probability {
 
 fn logistic(x: f64) -> f64 {
     1.0 / (1.0 + (-x).exp())
-}
-
-/// Maximum likelihood of targets under logistic(slope x + intercept), by damped Newton steps.
-fn newton(samples: &[[f64; 2]], level: f64) -> (f64, f64) {
-    let loss = |a: f64, b: f64| -> f64 {
-        let one = |&[x, t]: &[f64; 2]| {
-            let z = a * x + b;
-            // log(1 + e^z) - t z without overflow.
-            z.max(0.0) + (-z.abs()).exp().ln_1p() - t * z
-        };
-        samples.iter().map(one).sum()
-    };
-    let (mut a, mut b) = (0.0, level);
-    let mut best = loss(a, b);
-    for _ in 0..ROUNDS {
-        let mut gradient = [0.0; 2];
-        let mut hessian = [1e-9, 0.0, 1e-9];
-        for &[x, t] in samples {
-            let p = logistic(a * x + b);
-            let (e, w) = (p - t, p * (1.0 - p));
-            gradient = [gradient[0] + e * x, gradient[1] + e];
-            hessian = [hessian[0] + w * x * x, hessian[1] + w * x, hessian[2] + w];
-        }
-        let determinant = hessian[0] * hessian[2] - hessian[1] * hessian[1];
-        let step = [
-            (hessian[2] * gradient[0] - hessian[1] * gradient[1]) / determinant,
-            (hessian[0] * gradient[1] - hessian[1] * gradient[0]) / determinant,
-        ];
-        let mut share = 1.0;
-        let better = loop {
-            let next = (a - share * step[0], b - share * step[1]);
-            let there = loss(next.0, next.1);
-            if there < best {
-                break Some((next, there));
-            }
-            share *= 0.5;
-            if share < 1e-8 {
-                break None;
-            }
-        };
-        let Some((next, there)) = better else {
-            break;
-        };
-        (a, b) = next;
-        let gain = best - there;
-        best = there;
-        if gain < 1e-13 * best.abs() {
-            break;
-        }
-    }
-    (a, b)
 }
 
 /// Marks of about the same stated probability.
