@@ -17,6 +17,7 @@ mod rectify;
 mod rehearsal;
 mod settings;
 mod template;
+mod tolerance;
 pub mod trained;
 
 pub use choice::DetectorChoice;
@@ -30,3 +31,4 @@ pub(crate) use rectify::{GroundView, rectify};
 pub use rehearsal::{Rehearsal, rehearse};
 pub use settings::TemplateSettings;
 pub use template::{MatchEvidence, TemplateDetector};
+pub(crate) use tolerance::tolerance;

@@ -21,6 +21,7 @@ use crate::frames::{Attitude, GroundPoint, Pose};
 use crate::imagery::Imagery;
 use crate::landmark::{
     ChosenDetector, Detector, FrameView, Landmark, SearchRequest, Sighting, TemplateSettings,
+    tolerance,
 };
 use crate::navigator::{PYRAMID_LEVELS, SensorNoise};
 use crate::raster::Pyramid;
@@ -29,14 +30,6 @@ use crate::simulate::{AerialCamera, AerialCameraSettings};
 /// How much of what may be searched is drawn as on the day: all but the outermost that a search comes
 /// to if the filter is off by half a standard deviation of its search window and more.
 const DRAWN: f64 = 0.8;
-/// A place this far off is wrong if it is off by as many pixels, too: metres and pixels.
-const WRONG: (f64, f64) = (2.0, 5.0);
-
-/// How far off a right place may be where a pixel of the camera covers that many metres, metres.
-pub(crate) fn tolerance(pixel: f64) -> f64 {
-    WRONG.0.max(WRONG.1 * pixel)
-}
-
 /// How often a landmark is looked at before the flight.
 ///
 /// What a place looks like is settled by the day more than by anything else, so a view on another day

@@ -27,7 +27,6 @@ mod suggest;
 mod view;
 mod winds;
 
-pub(crate) use assess::tolerance;
 pub use assess::{Assessor, Circumstances, Rehearsal, View};
 pub use breakdown::Breakdown;
 pub use calibration::{Pass, Reliability, ReliabilityBin};

@@ -20,8 +20,8 @@ use crate::landmark::cascade::{Cascade, CascadeError, Patch, TrainedStage, respo
 use crate::landmark::trained::{
     DetectorWindow, Likelihood, TemplateLikelihood, TrainedDetector, Variants,
 };
-use crate::landmark::{Detector, Landmark, SearchRequest, TemplateDetector};
-use crate::plan::{OtherDays, tolerance};
+use crate::landmark::{Detector, Landmark, SearchRequest, TemplateDetector, tolerance};
+use crate::plan::OtherDays;
 
 /// Of the held-out photos, one in so many is also looked at for the landmark's map patch.
 const TEMPLATE_EVERY: usize = 3;

@@ -34,6 +34,7 @@ impl App {
         let staged = Staged {
             flight: None,
             mission: mission.clone(),
+            ..Staged::default()
         };
         self.begin(host, flight, map, mission, staged, false);
     }
@@ -47,11 +48,21 @@ impl App {
             mission,
             ..
         } = session;
-        self.begin(host, flight, map, mission, Staged::default(), false);
+        let staged = Staged {
+            keeps_edits: true,
+            ..Staged::default()
+        };
+        self.begin(host, flight, map, mission, staged, false);
     }
 
     /// Flies the same flight again with the mission as it is now.
     pub(super) fn fly_again(&mut self, host: &mut dyn Host) {
+        // What is edited meanwhile is added to the flight's own mission, which is yet to come.
+        let awaited = |fly: &FlyJob| !fly.given && !fly.began;
+        if self.desk.fly.as_ref().is_some_and(awaited) {
+            self.desk.fly_again_at = Some(host.now() + FLY_AGAIN_AFTER);
+            return;
+        }
         self.desk.fly_again_at = None;
         let again = self.documents.run.is_some();
         let mission = Some(self.documents.mission.clone());

@@ -20,6 +20,8 @@ pub struct Staged {
     pub flight: Option<Flight>,
     /// The mission.
     pub mission: Option<Mission>,
+    /// Whether what was edited meanwhile is added to it.
+    pub keeps_edits: bool,
 }
 
 /// Everything that is open.
@@ -173,9 +175,13 @@ impl Documents {
             self.flight = Some(flight);
         }
         if let Some(mission) = staged.mission {
+            let edited = staged.keeps_edits && self.mission_edited;
+            let own = std::mem::replace(&mut self.mission, mission);
             self.history.clear();
-            self.mission = mission;
             self.mission_edited = false;
+            if edited {
+                self.add_all(vec![(own.routes, own.landmarks)]);
+            }
         }
         self.match_pictures = None;
         self.detector_search = None;

@@ -55,8 +55,9 @@ impl Fly {
             let open = open.borrow();
             (open.flight.clone(), open.mission.clone())
         };
-        let mission =
-            (self.mission.take().or(own_mission)).unwrap_or_else(|| bare_mission(&flight));
+        let given = self.mission.take();
+        let was_given = given.is_some();
+        let mission = (given.or(own_mission)).unwrap_or_else(|| bare_mission(&flight));
         let flown = mission.camera.as_ref().map_or_else(
             || flight.clone(),
             |camera| {
@@ -68,7 +69,9 @@ impl Fly {
         let navigator = Navigator::new(flown.clone(), &mission.landmarks, map, &mission.navigator)
             .map_err(|cause| cause.to_string())?;
         emit(JobEvent::Flight(Box::new(flown.as_ref().clone())));
-        emit(JobEvent::Mission(Box::new(mission)));
+        if !was_given {
+            emit(JobEvent::Mission(Box::new(mission)));
+        }
         emit(JobEvent::RunStarted(Box::new(navigator.run_head())));
         emit(JobEvent::Progress(
             0.0,

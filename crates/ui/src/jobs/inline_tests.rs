@@ -2,6 +2,7 @@
 
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::imagery::Window;
+use pilotage_core::simulate::Scenario;
 
 use super::*;
 use crate::jobs::{FlightSource, MapSource, SimulationOptions};
@@ -62,6 +63,22 @@ fn a_flight_tells_its_head_first_and_then_streams_steps_and_pictures() {
     host.cancel(id);
     assert_eq!(host.events(), [(id, JobEvent::Cancelled)]);
     assert!(!host.busy());
+}
+
+#[test]
+fn a_mission_that_was_given_is_not_told_again() {
+    let mut host = InlineHost::new();
+    let Job::Fly { flight, map, .. } = fly("distinct-400ft-calm") else {
+        panic!("a flight");
+    };
+    let mission = Some(Scenario::all()[0].mission());
+    host.start(Job::Fly {
+        flight,
+        map,
+        mission,
+    });
+    let seen = until(&mut host, |seen| steps(seen) > 0);
+    assert!(!seen.iter().any(|e| matches!(e, JobEvent::Mission(_))));
 }
 
 #[test]

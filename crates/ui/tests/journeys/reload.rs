@@ -86,3 +86,27 @@ fn what_is_edited_while_the_flight_of_the_last_visit_starts_stays() {
     again.key_with(Modifiers::COMMAND, Key::Z);
     assert_eq!(landmarks(&again), Some(5));
 }
+
+#[test]
+fn what_is_edited_before_the_first_flight_tells_its_mission_is_added_to_it() {
+    let host = ScriptedHost {
+        silent_flights: true,
+        ..ScriptedHost::default()
+    };
+    let mut rig = rig_on(host, Vec2::new(1440.0, 900.0));
+    let landmarks = |rig: &Rig| rig.state()["landmarks"].as_array().map(Vec::len);
+    assert_eq!(landmarks(&rig), Some(0));
+    let middle = rig.rect("/map/rect").center();
+    rig.key(Key::N);
+    rig.drag(middle, middle + Vec2::new(60.0, 44.0));
+    rig.key(Key::Enter);
+    rig.frames(60);
+    assert_eq!(landmarks(&rig), Some(1));
+    rig.host().begin_flights();
+    rig.frames(3);
+    assert_eq!(landmarks(&rig), Some(5));
+    rig.settle();
+    assert_eq!(rig.state()["run_landmarks"], 5);
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    assert_eq!(landmarks(&rig), Some(4));
+}

@@ -6,7 +6,9 @@ use std::f64::consts::TAU;
 use nalgebra::Vector2;
 
 use super::{Mark, TrainedDetector, search};
-use crate::landmark::{Detection, Detector, FrameView, Refusal, SearchRequest, Sighting};
+use crate::landmark::{
+    Detection, Detector, FrameView, Refusal, SearchRequest, Sighting, tolerance,
+};
 
 /// Probability from which on a place is believed.
 pub(in crate::landmark) const BELIEVED: f64 = 0.9;
@@ -50,6 +52,14 @@ fn log_odds(
         density + (4.0 * north * east).ln()
     });
     trained.likelihood.log_odds(mark.score) + nearness
+}
+
+/// Whether what is found beside the outermost window seen whole is right all the same: the landmark's own window
+/// lies up to [`DetectorWindow::beside`](super::DetectorWindow::beside) further out, half as far on average.
+fn is_near_at_edge(trained: &TrainedDetector, view: &FrameView<'_>) -> bool {
+    let pixel = (view.ground_down - view.pose.position_in_world.z) / view.camera.focal;
+    let (north, east) = trained.window.beside();
+    0.5 * north.max(east) <= tolerance(pixel)
 }
 
 /// Probabilities that each of several places is the landmark's, which can be but one of them or none, by
@@ -100,7 +110,7 @@ impl Detector for CascadeDetector {
             Some(Refusal::LowScore)
         } else if detection.score < BELIEVED {
             Some(Refusal::Ambiguous)
-        } else if best.at_edge {
+        } else if best.at_edge && !is_near_at_edge(trained, view) {
             Some(Refusal::AtSearchEdge)
         } else {
             None

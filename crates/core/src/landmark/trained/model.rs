@@ -38,6 +38,13 @@ impl DetectorWindow {
             variants,
         }
     }
+
+    /// How far beside the landmark a window may be taken for it, north and east, metres: nothing is learned
+    /// from windows so near.
+    pub fn beside(&self) -> (f64, f64) {
+        let reach = |side: usize| (side as f64 / 3.0).floor() * self.gsd;
+        (reach(self.height), reach(self.width))
+    }
 }
 
 /// A cascade trained for one landmark and what is known of how well it does.

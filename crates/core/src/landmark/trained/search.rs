@@ -179,8 +179,7 @@ fn carried(
 /// The best marks, apart from each other, of the marks of all variants from the best to the worst. Where
 /// several variants mark one place, it, its turn and its size lie between theirs.
 fn merged(all: &[Mark], shown: &DetectorWindow) -> Vec<Mark> {
-    let near = |side: usize| (side as f64 / 3.0).floor() * shown.gsd;
-    let (north, east) = (near(shown.height), near(shown.width));
+    let (north, east) = shown.beside();
     let mut groups: Vec<Vec<&Mark>> = Vec::new();
     for mark in all {
         let same = |group: &&mut Vec<&Mark>| {

@@ -9,10 +9,10 @@ use rand_chacha::ChaCha8Rng;
 use super::{EvaluatedLook, EvaluatedMark};
 use crate::frames::{GroundPoint, GroundRect};
 use crate::imagery::Imagery;
-use crate::landmark::Landmark;
 use crate::landmark::cascade::Cascade;
 use crate::landmark::trained::{DetectorWindow, Mark, TrainedDetector, search};
-use crate::plan::{OtherDays, tolerance};
+use crate::landmark::{Landmark, tolerance};
+use crate::plan::OtherDays;
 use crate::training::{FlightEnvelope, Photo, Photographer, TrainingError};
 
 /// One photo in so many is of a place without the landmark.

@@ -11,10 +11,10 @@ use super::{EvaluatedLook, EvaluatedMark};
 use crate::camera::CameraModel;
 use crate::flight::Flight;
 use crate::frames::{GroundPoint, GroundRect, Pose};
+use crate::landmark::tolerance;
 use crate::landmark::trained::{Mark, TrainedDetector, search};
 use crate::landmark::{FrameView, Landmark};
 use crate::navigator::PYRAMID_LEVELS;
-use crate::plan::tolerance;
 use crate::raster::{Picture, Pyramid};
 use crate::training::FlightEnvelope;
 
