@@ -17,12 +17,11 @@ const SCRIPT: &str = r"
 import sys, time, cv2
 cv2.setNumThreads(1)
 g = cv2.imread(sys.argv[1], cv2.IMREAD_GRAYSCALE)
-for p in sys.argv[3:]:
-    c = cv2.CascadeClassifier(p); best = float('inf')
-    for _ in range(int(sys.argv[2])):
-        s = time.perf_counter(); r = c.detectMultiScale(g, 1.1, 0)
-        best = min(best, time.perf_counter() - s)
-    print(best * 1e3, len(r))
+c = cv2.CascadeClassifier(sys.argv[3]); best = float('inf')
+for _ in range(int(sys.argv[2])):
+    s = time.perf_counter(); r = c.detectMultiScale(g, 1.1, 0)
+    best = min(best, time.perf_counter() - s)
+print(best * 1e3, len(r))
 ";
 
 /// All cascades (`.xml`) in the folders below `folder`, by name.
@@ -41,43 +40,35 @@ fn files(folder: &Path) -> std::io::Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// Milliseconds and windows found of each file by OpenCV.
+/// Milliseconds and windows found by OpenCV.
 fn theirs(
     python: &str,
     picture: &Path,
-    files: &[PathBuf],
-) -> Result<Vec<(f64, usize)>, Box<dyn std::error::Error>> {
+    file: &Path,
+) -> Result<(f64, usize), Box<dyn std::error::Error>> {
     let out = Command::new(python)
         .args(["-c", SCRIPT])
         .arg(picture)
         .arg(RUNS.to_string())
-        .args(files)
+        .arg(file)
         .output()?;
     if !out.status.success() {
         return Err(String::from_utf8_lossy(&out.stderr).into_owned().into());
     }
-    let mut rows = Vec::new();
-    for line in String::from_utf8_lossy(&out.stdout).lines() {
-        if let Some((time, count)) = line.split_once(' ') {
-            rows.push((time.parse()?, count.parse()?));
-        }
-    }
-    Ok(rows)
+    let said = String::from_utf8_lossy(&out.stdout);
+    let (time, count) = said.trim().split_once(' ').ok_or("OpenCV said nothing")?;
+    Ok((time.parse()?, count.parse()?))
 }
 
 /// Prints a row for each cascade below `folder` over `picture`.
 pub fn run(folder: &Path, picture: &Path, python: Option<&str>) -> Outcome {
     let files = files(folder)?;
     let gray = decode_picture(&fs::read(picture)?)?.map(|colour| luminance(colour).round() as u8);
-    let theirs = match python {
-        Some(python) => theirs(python, picture, &files)?,
-        None => Vec::new(),
-    };
     println!(
         "{:44} {:>11} {:>11} {:>8}",
         "cascade, every scale by 1.1", "ours, ms", "theirs, ms", "ratio"
     );
-    for (i, path) in files.iter().enumerate() {
+    for path in &files {
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
         let cascade = Cascade::read(&name, &fs::read_to_string(path)?)?;
         let (mut best, mut found) = (f64::INFINITY, 0);
@@ -86,13 +77,13 @@ pub fn run(folder: &Path, picture: &Path, python: Option<&str>) -> Outcome {
             found = scan(&cascade, &gray, &ScanSettings::default()).len();
             best = best.min(start.elapsed().as_secs_f64() * 1e3);
         }
-        match theirs.get(i) {
+        // One right after the other: what else the machine does concerns both.
+        match python
+            .map(|python| theirs(python, picture, path))
+            .transpose()?
+        {
             Some((time, count)) => {
-                let note = if *count == found {
-                    ""
-                } else {
-                    "  finds others"
-                };
+                let note = if count == found { "" } else { "  finds others" };
                 let ratio = time / best;
                 println!("{name:44} {best:11.1} {time:11.1} {ratio:8.2}{note}");
             }

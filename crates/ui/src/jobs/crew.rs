@@ -458,7 +458,10 @@ fn file_keys(job: &Job) -> Vec<&str> {
         }
         Job::Evaluate(order) => (order.flight.as_ref(), Some(&order.about.map)),
         Job::Field(order) => (None, Some(&order.map)),
-        Job::Train(order) => (None, Some(&order.map)),
+        Job::Train(order) => {
+            let labelled = order.labelled.as_ref();
+            (labelled.map(|frames| &frames.flight), Some(&order.map))
+        }
         Job::Brief(order) => (None, Some(&order.map)),
         Job::Pack(order) => (None, Some(&order.map)),
         Job::Open { key, .. } | Job::ReadPlaces { key } => {

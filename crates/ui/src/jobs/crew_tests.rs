@@ -403,6 +403,7 @@ fn train(left: Option<crate::jobs::TrainingLeft>) -> Job {
         sensors: pilotage_core::navigator::NavigatorSettings::default().sensors,
         ground_down: 0.0,
         plan: pilotage_core::training::TrainingPlan::default(),
+        labelled: None,
         left,
     }))
 }

@@ -62,6 +62,6 @@ pub use runner::JobRunner;
 pub use running::{Advance, FallibleJob, RunningJob};
 pub use simulated::{scenario_route, scenario_wind};
 pub use suggest::SuggestOrder;
-pub use train::{TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport};
+pub use train::{LabelledFrames, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport};
 pub use web_map::{WEB_TILES, WebMap, wanted_addresses};
 pub use workshop::Workshop;

@@ -4,17 +4,20 @@
 //! programs that train cascades and read them.
 
 use pilotage_core::camera::CameraModel;
+use pilotage_core::flight::FrameSource as _;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::landmark::cascade::train::StageRow;
+use pilotage_core::mission::FrameLabels;
 use pilotage_core::navigator::SensorNoise;
 use pilotage_core::training::evaluation::AtThreshold;
 use pilotage_core::training::{
-    DetectorTraining, FlightEnvelope, StageReport, TrainingPhase, TrainingPlan,
+    DetectorTraining, FlightEnvelope, Photo, StageReport, TrainingPhase, TrainingPlan,
+    labelled_photos,
 };
 use serde::{Deserialize, Serialize};
 
 use super::running::SLICE;
-use super::{Advance, FallibleJob, JobEvent, MapSource, Workshop, whole_bytes};
+use super::{Advance, FallibleJob, FlightSource, JobEvent, MapSource, Workshop, whole_bytes};
 
 /// Time between two words on a training, milliseconds; what follows a whole stage is told at once.
 const TOLD_EVERY: f64 = 400.0;
@@ -36,8 +39,19 @@ pub struct TrainOrder {
     pub ground_down: f64,
     /// How much it is shown.
     pub plan: TrainingPlan,
+    /// Frames of a flight in which people showed the landmark, to learn from as well.
+    pub labelled: Option<LabelledFrames>,
     /// Where the same training was left.
     pub left: Option<TrainingLeft>,
+}
+
+/// Frames of a flight, and what people said of them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LabelledFrames {
+    /// The flight.
+    pub flight: FlightSource,
+    /// The labels.
+    pub labels: Vec<FrameLabels>,
 }
 
 /// Where a training can go on after its worker is gone.
@@ -93,6 +107,9 @@ pub struct TrainingOutcome {
 /// A detector being trained.
 pub struct Train {
     order: TrainOrder,
+    /// What was read of the labelled frames, and of how many labels.
+    labelled: Vec<Photo>,
+    read: usize,
     training: Option<DetectorTraining>,
     /// Whole stages that were told.
     told: usize,
@@ -107,13 +124,44 @@ impl Train {
         Self {
             told: order.left.as_ref().map_or(0, |left| left.stages.len()),
             order,
+            labelled: Vec::new(),
+            read: 0,
             training: None,
             told_at: 0.0,
             worked: 0.0,
         }
     }
 
-    fn begin(&self, workshop: &mut Workshop) -> Result<DetectorTraining, String> {
+    /// Reads the next labelled frame; false if all are read.
+    fn read_labelled(
+        &mut self,
+        workshop: &mut Workshop,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Result<bool, String> {
+        let order = &self.order;
+        let Some(frames) = &order.labelled else {
+            return Ok(false);
+        };
+        let Some(labels) = frames.labels.get(self.read) else {
+            return Ok(false);
+        };
+        self.read += 1;
+        let words = format!(
+            "Reading labelled frame {} of {}",
+            self.read,
+            frames.labels.len()
+        );
+        emit(JobEvent::Progress(0.0, words));
+        let flight = workshop.flight(&frames.flight)?;
+        let mut open = flight.borrow_mut();
+        let (flight, pictures) = (open.flight.clone(), &mut open.frames);
+        let labels = std::slice::from_ref(labels);
+        let read = labelled_photos(&flight, labels, &order.landmark, |i| pictures.picture(i));
+        self.labelled.extend(read.map_err(|why| why.to_string())?);
+        Ok(true)
+    }
+
+    fn begin(&mut self, workshop: &mut Workshop) -> Result<DetectorTraining, String> {
         let order = &self.order;
         let map = workshop.cached_map(&order.map)?;
         let others = workshop.others(&order.map)?;
@@ -123,7 +171,8 @@ impl Train {
         };
         let plan = order.plan.clone();
         let training =
-            DetectorTraining::new(&order.landmark, &map, others.as_ref(), &envelope, plan);
+            DetectorTraining::new(&order.landmark, &map, others.as_ref(), &envelope, plan)
+                .with_labelled(std::mem::take(&mut self.labelled));
         let left = order.left.as_ref();
         let progress = left.and_then(|left| postcard::from_bytes(&left.progress).ok());
         Ok(match progress {
@@ -192,6 +241,10 @@ impl FallibleJob for Train {
     ) -> Result<Advance, String> {
         let begun = clock();
         if self.training.is_none() {
+            if self.read_labelled(workshop, emit)? {
+                self.worked += clock() - begun;
+                return Ok(Advance::More);
+            }
             let words = "Laying out the ground of other days".to_owned();
             emit(JobEvent::Progress(0.0, words));
             self.training = Some(self.begin(workshop)?);

@@ -2,10 +2,11 @@
 
 use std::cell::Cell;
 
+use pilotage_core::mission::LabelBox;
 use pilotage_core::simulate::Scenario;
 
 use super::*;
-use crate::jobs::{Job, JobId, JobRunner, Reply, Request};
+use crate::jobs::{Job, JobId, JobRunner, Reply, Request, SimulationOptions};
 
 fn order() -> TrainOrder {
     let scenario = Scenario::named("distinct-400ft-calm").unwrap();
@@ -25,6 +26,7 @@ fn order() -> TrainOrder {
             last_votes: 15,
             ..TrainingPlan::default()
         },
+        labelled: None,
         left: None,
     }
 }
@@ -158,6 +160,87 @@ fn a_training_that_was_broken_off_goes_on_to_the_very_same_detector() {
     let told = second.reports();
     let told = told.iter().filter(|r| r.left.is_some()).count();
     assert_eq!(told, expected.stages.len() - 1, "the first stage was whole");
+}
+
+/// The first frames of the calm flight that show the landmark whole, with a box around it, and one without.
+fn labelled(landmark: &Landmark) -> LabelledFrames {
+    let source = FlightSource::Simulated(SimulationOptions {
+        scenario: "distinct-400ft-calm".to_owned(),
+        seed: 1,
+        other_day: true,
+        wind: None,
+        height: None,
+    });
+    let flight = Workshop::new().flight(&source).unwrap();
+    let flight = flight.borrow().flight.clone();
+    let size = (flight.camera.width as u32, flight.camera.height as u32);
+    let truth = &flight.truth.as_ref().unwrap().frames;
+    let in_picture = |index: usize| {
+        let pose = truth[index].pose()?;
+        let corners = landmark.bounds.corners().map(|corner| {
+            let in_world = nalgebra::Point3::new(corner.north, corner.east, 0.0);
+            flight.camera.project(&pose, &in_world)
+        });
+        let corners: Vec<_> = corners.into_iter().collect::<Option<_>>()?;
+        let x = corners.iter().map(|p| p.x);
+        let y = corners.iter().map(|p| p.y);
+        let low = [
+            x.clone().fold(f64::MAX, f64::min),
+            y.clone().fold(f64::MAX, f64::min),
+        ];
+        let high = [x.fold(f64::MIN, f64::max), y.fold(f64::MIN, f64::max)];
+        LabelBox::new(landmark.id, &landmark.name, [low, high], size).filter(|b| !b.truncated)
+    };
+    let frames = flight.frames.iter().enumerate();
+    let mut labels: Vec<FrameLabels> = frames
+        .filter_map(|(index, frame)| {
+            Some(FrameLabels {
+                frame: frame.name.clone(),
+                size,
+                boxes: vec![in_picture(index)?],
+                ..FrameLabels::default()
+            })
+        })
+        .take(3)
+        .collect();
+    labels.push(FrameLabels {
+        frame: flight.frames.last().unwrap().name.clone(),
+        size,
+        absent: vec![landmark.id],
+        ..FrameLabels::default()
+    });
+    LabelledFrames {
+        flight: source,
+        labels,
+    }
+}
+
+#[test]
+fn labelled_frames_are_learned_from_as_well() {
+    let positives = |labelled: Option<LabelledFrames>| {
+        let mut bench = Bench::default();
+        bench.start(
+            1,
+            TrainOrder {
+                labelled,
+                ..order()
+            },
+        );
+        while bench.turn(1.0) {}
+        let words = bench.said.iter().filter_map(|(_, event)| match event {
+            JobEvent::Progress(_, words) => Some(words.clone()),
+            _ => None,
+        });
+        let read = words.filter(|w| w.starts_with("Reading")).collect();
+        let outcome = bench.outcome().expect("a detector");
+        (outcome.stages[0].row.positives, read)
+    };
+    let (without, none): (usize, Vec<String>) = positives(None);
+    assert!(none.is_empty());
+    let (with, read) = positives(Some(labelled(&order().landmark)));
+    assert_eq!(with, without + 3 * order().plan.shown);
+    assert_eq!(read.len(), 4);
+    assert_eq!(read[1], "Reading labelled frame 2 of 4");
 }
 
 #[test]

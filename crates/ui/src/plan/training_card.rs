@@ -8,7 +8,7 @@ use pilotage_core::training::{StageReport, TrainingPhase};
 use super::PlanCommand;
 use super::panel::button;
 use super::planner::Planner;
-use super::trainings::{TrainCommand, Training, TrainingState, left_words};
+use super::trainings::{TrainCommand, Training, TrainingState, labels_of, left_words};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
@@ -113,6 +113,7 @@ impl Planner {
             ui.label(muted(tokens, text));
         } else {
             self.offer(ui, landmarks.len(), trained, context);
+            labelled_words(ui, &landmarks, context);
         }
         if let Some(why) = training.and_then(|t| t.trouble.as_ref()) {
             let text = RichText::new(format!("No detector came of the training: {why}"));
@@ -144,6 +145,17 @@ impl Planner {
             }
         });
     }
+}
+
+/// How many labelled frames will be learned from as well, if any.
+fn labelled_words(ui: &mut Ui, landmarks: &[&Landmark], context: &ViewContext<'_>) {
+    let frames = landmarks.iter();
+    let text = match frames.map(|l| labels_of(l, context.mission).count()).sum() {
+        0 => return,
+        1 => "And from 1 labelled frame.".to_owned(),
+        count => format!("And from {count} labelled frames."),
+    };
+    ui.label(muted(context.tokens, text));
 }
 
 /// The three ways to look for a landmark.

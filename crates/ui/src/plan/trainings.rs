@@ -1,6 +1,8 @@
 //! Detectors being trained: which, how far, and what is kept so that they can go on after a reload.
 
+use pilotage_core::frames::GroundPoint;
 use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::{FrameLabels, Mission};
 use pilotage_core::training::TrainingPlan;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -9,7 +11,8 @@ use super::planner::{Planner, camera, ground_down};
 use crate::documents::Documents;
 use crate::host::Host;
 use crate::jobs::{
-    Job, JobEvent, JobId, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport,
+    FlightSource, Job, JobEvent, JobId, LabelledFrames, TrainOrder, TrainingLeft, TrainingOutcome,
+    TrainingReport,
 };
 
 /// Key in the browser's storage.
@@ -370,6 +373,37 @@ pub fn left_words(left: Option<&TrainingLeft>) -> String {
     }
 }
 
+/// The place that the landmark's map patch would be taken for it.
+fn look_alike(landmark: &Landmark, documents: &Documents) -> Vec<GroundPoint> {
+    let least = documents.mission.navigator.detector.least_score;
+    let examined = documents.distinctness_of(landmark.id);
+    let strongest = examined.and_then(|d| d.look_alike);
+    strongest
+        .filter(|(_, score)| *score >= least)
+        .map(|(place, _)| place)
+        .into_iter()
+        .collect()
+}
+
+/// What people said of frames about a landmark.
+pub(super) fn labels_of<'a>(
+    landmark: &'a Landmark,
+    mission: &'a Mission,
+) -> impl Iterator<Item = &'a FrameLabels> {
+    let told = |l: &&FrameLabels| l.of(landmark.id).is_some() || l.lacks(landmark.id);
+    mission.labels.iter().filter(told)
+}
+
+/// Frames of the flight that is open to learn a landmark from.
+fn labelled(landmark: &Landmark, documents: &Documents) -> Option<LabelledFrames> {
+    let labels: Vec<_> = labels_of(landmark, &documents.mission).cloned().collect();
+    let is_open = documents.flight_source != FlightSource::Nothing;
+    (is_open && !labels.is_empty()).then(|| LabelledFrames {
+        flight: documents.flight_source.clone(),
+        labels,
+    })
+}
+
 impl Planner {
     /// What is to be trained for landmarks.
     pub fn train_orders(&self, ids: &[u32], documents: &Documents) -> Vec<TrainOrder> {
@@ -387,14 +421,14 @@ impl Planner {
                 height,
                 sensors: mission.navigator.sensors,
                 ground_down: ground_down(documents),
-                // What looks like it within the search is in its own photos. As a place of its own it would
-                // have the landmark in its photos, which would count as a false alarm there.
                 plan: TrainingPlan {
                     photos,
                     days: usual.days.min(photos),
                     held_out: usual.held_out.min(photos),
+                    look_alikes: look_alike(&landmark, documents),
                     ..usual
                 },
+                labelled: labelled(&landmark, documents),
                 left: None,
                 landmark,
             }

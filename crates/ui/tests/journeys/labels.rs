@@ -2,6 +2,7 @@ use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::exchange::labels::read_labels;
 use pilotage_ui::host::OpenedFile;
+use pilotage_ui::jobs::Job;
 use serde_json::Value;
 
 use super::support::{Rig, rig};
@@ -101,4 +102,30 @@ fn labels_are_saved_as_coco_and_added_again_from_that_file() {
     }]);
     rig.frames(6);
     assert_eq!(boxes(&rig), before);
+}
+
+#[test]
+fn a_training_learns_from_labelled_frames_as_well() {
+    let mut rig = labelling();
+    drag(&mut rig, (0.3, 0.3), (0.5, 0.6));
+    let label = boxes(&rig).remove(0);
+    rig.key(Key::Escape);
+    rig.open_tab("Plan");
+    rig.settle();
+    rig.open_tab("Landmarks");
+    rig.harness.get_by_label("Train all").click();
+    rig.settle();
+    let jobs = rig.host().jobs.iter();
+    let orders: Vec<_> = jobs
+        .filter_map(|(_, job)| match job {
+            Job::Train(order) => Some(order.as_ref().clone()),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(orders.len(), 2);
+    for order in orders {
+        let is_labelled = label[0] == order.landmark.name;
+        let labels = order.labelled.map_or(0, |frames| frames.labels.len());
+        assert_eq!(labels, usize::from(is_labelled), "{}", order.landmark.name);
+    }
 }
