@@ -54,9 +54,7 @@ export async function run(page, tools) {
   for (const [i, pixel] of [[100, 500], [400, 300]].entries()) {
     await inPicture(pixel);
     await tools.waitFor((s) => s.georeferencer.pending[0], "the point in the picture");
-    await tools.click(await tools.find("TextInput", "Coordinates of the place"));
-    await tools.drawn(); // or the first letters are for nobody
-    await page.keyboard.type(placeOf(pixel).join(" "));
+    await tools.type("Coordinates of the place", placeOf(pixel).join(" "));
     await page.keyboard.press("Enter");
     await count(4 + i);
     await page.waitForTimeout(500);

@@ -96,6 +96,24 @@ export function makeTools({ page, address, pictures, watched, atEnd }) {
       await page.mouse.click(x, y);
     },
 
+    /** Types into a field that has come to rest, and again should a letter have been for nobody. */
+    async type(label, text) {
+      const field = () => tools.find("TextInput", label);
+      for (let tries = 0; tries < 6; tries += 1) {
+        const before = await field();
+        await tools.drawn();
+        const node = await field();
+        if (String(node.rect) !== String(before.rect)) continue;
+        await tools.click(node);
+        await tools.drawn();
+        if (tries > 0) await page.keyboard.press("Control+a");
+        await page.keyboard.type(text);
+        await pause(300);
+        if ((await field()).value === text) return;
+      }
+      throw new Error(`"${text}" cannot be typed into ${label}`);
+    },
+
     /** Drags with the mouse from one place { x, y } to another, as a hand does: in steps. */
     async drag(from, to, steps = 12) {
       await page.mouse.move(from.x, from.y);

@@ -238,11 +238,16 @@ fn where_heading_and_height_are_uncertain_turns_and_sizes_are_searched_and_measu
         variants.turns.count == 3 && variants.log_scales.count == 4,
         "{variants:?}"
     );
-    let training = DetectorTraining::new(&house(), &farm(), &FarmDays, &uncertain, plan(3));
+    // So few as the others are judged by tell nothing of a reading for certain.
+    let plan = TrainingPlan {
+        held_out: 72,
+        ..plan(3)
+    };
+    let training = DetectorTraining::new(&house(), &farm(), &FarmDays, &uncertain, plan);
     let (detector, looks) = trained(training);
     let passes = |score: Option<f64>| score.is_some_and(|s| s >= detector.least_score);
     let found = looks.iter().filter(|l| passes(l.found_at())).count();
-    assert!(found >= 21, "found in {found}");
+    assert!(found >= 64, "found in {found}");
     // What is measured is known better than it was before: ±15° and a tenth at two standard deviations.
     let (turn, size) = (detector.precision.turn, detector.precision.log_scale);
     assert!(turn.is_some() || size.is_some(), "{:?}", detector.precision);
