@@ -239,8 +239,8 @@ fn labelled_frames_are_learned_from_as_well() {
     assert!(none.is_empty());
     let (with, read) = positives(Some(labelled(&order().landmark)));
     assert_eq!(with, without + 3 * order().plan.shown);
-    assert_eq!(read.len(), 4);
-    assert_eq!(read[1], "Reading labelled frame 2 of 4");
+    // What follows at once is not told.
+    assert_eq!(read[0], "Reading labelled frame 1 of 4");
 }
 
 #[test]
