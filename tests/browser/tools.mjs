@@ -96,7 +96,7 @@ export function makeTools({ page, address, pictures, watched, atEnd }) {
       await page.mouse.click(x, y);
     },
 
-    /** Types into a field that has come to rest, and again should a letter have been for nobody. */
+    /** Types into a field that has come to rest, over what is there; again should a letter have been for nobody. */
     async type(label, text) {
       const field = () => tools.find("TextInput", label);
       for (let tries = 0; tries < 6; tries += 1) {
@@ -106,7 +106,7 @@ export function makeTools({ page, address, pictures, watched, atEnd }) {
         if (String(node.rect) !== String(before.rect)) continue;
         await tools.click(node);
         await tools.drawn();
-        if (tries > 0) await page.keyboard.press("Control+a");
+        await page.keyboard.press("Control+a");
         await page.keyboard.type(text);
         await pause(300);
         if ((await field()).value === text) return;

@@ -56,18 +56,12 @@ async function command(page, tools, words) {
   await page.keyboard.press("Enter");
 }
 
-async function fill(page, tools, label, text) {
-  await tools.click(await tools.find("TextInput", label));
-  await page.keyboard.press("Control+a");
-  await page.keyboard.type(text);
-}
-
 /** Opens a file at an address; what is there when all of it is shown. */
 async function openFile(page, tools, address) {
   await command(page, tools, "map from the web");
   await tools.waitFor((s) => s.dialogs.web_map, "the dialog");
   await tools.drawn();
-  await fill(page, tools, "Address", address);
+  await tools.type("Address", address);
   await tools.find("TextInput", address);
   // The dialog is lower without the fields for tiles: its button stays where it is from then on.
   let place = null;
@@ -97,8 +91,8 @@ export async function run(page, tools) {
     tools.check(server.counts.tiles === 0, "something was requested before anybody asked for it");
     await command(page, tools, "map from the web");
     await tools.waitFor((s) => s.dialogs.web_map, "the dialog");
-    await fill(page, tools, "Address", `${server.address}/{z}/{x}/{y}.png`);
-    await fill(page, tools, "Attribution", "Map by the journey's own server");
+    await tools.type("Address", `${server.address}/{z}/{x}/{y}.png`);
+    await tools.type("Attribution", "Map by the journey's own server");
     await tools.screenshot("web-map-dialog");
     await tools.click(await tools.find("Button", "Open the map"));
     const shown = await tools.waitFor((s) => s.map.name?.startsWith("127.0.0.1") && s.map.tiles > 3 && s.map.whole, "the tiles", 60_000);

@@ -11,7 +11,7 @@ use pilotage_core::landmark::{DetectorChoice, Landmark};
 use pilotage_core::mission::write_mission;
 use pilotage_core::training::evaluation::AtThreshold;
 use pilotage_core::training::{
-    DetectorTraining, FlightEnvelope, Photo, StageReport, TrainingPlan, labelled_photos,
+    DetectorTraining, FlightEnvelope, Photo, Photos, StageReport, TrainingPlan, labelled_photos,
 };
 use serde::Serialize;
 
@@ -233,6 +233,19 @@ fn train_all(
     all.into_iter().map(|(_, trained)| trained).collect()
 }
 
+/// The same photos, taken by a thread of their own.
+fn elsewhere(photos: Photos) -> Photos {
+    let (send, receive) = std::sync::mpsc::channel();
+    std::thread::spawn(move || {
+        for photo in photos {
+            if send.send(photo).is_err() {
+                break;
+            }
+        }
+    });
+    Box::new(receive.into_iter())
+}
+
 fn train(
     ground: &Ground,
     landmark: &Landmark,
@@ -246,16 +259,7 @@ fn train(
     let mut training =
         DetectorTraining::new(landmark, &ground.map, days, envelope, plan).with_labelled(labelled);
     if is_core_free {
-        let held_out = training.held_out();
-        let (send, receive) = std::sync::mpsc::channel();
-        std::thread::spawn(move || {
-            for photo in held_out {
-                if send.send(photo).is_err() {
-                    break;
-                }
-            }
-        });
-        training = training.with_held_out(receive.into_iter());
+        training = training.with_held_out(elsewhere);
     }
     let mut stages = 0;
     while training.advance().map_err(|e| e.to_string())? {

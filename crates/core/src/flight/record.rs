@@ -58,12 +58,12 @@ impl Flight {
         })
     }
 
-    /// The camera as it took frame `index`: a picture stored turned is one from a turned mount. `None` if
-    /// there is no such frame.
-    pub fn camera_of_frame(&self, index: usize) -> Option<CameraModel> {
+    /// The camera as it took frame `index`: a picture stored turned is one from a turned mount. The camera
+    /// as it is if there is no such frame.
+    pub fn camera_of_frame(&self, index: usize) -> CameraModel {
         let mut camera = self.camera.clone();
-        camera.mount.yaw += self.frames.get(index)?.stored_turn;
-        Some(camera)
+        camera.mount.yaw += self.frames.get(index).map_or(0.0, |f| f.stored_turn);
+        camera
     }
 
     /// First and last time at which anything was measured, seconds.

@@ -106,7 +106,6 @@ impl Bound<'_> {
             return Ok(());
         };
         let camera = self.flight.camera_of_frame(frame.index);
-        let camera = camera.unwrap_or_else(|| self.flight.camera.clone());
         let appearance = AppearanceModel {
             camera: &camera,
             attitude: Attitude {

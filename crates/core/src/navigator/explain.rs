@@ -75,7 +75,7 @@ impl Look {
             .candidates
             .iter()
             .find(|c| c.landmark == landmark.id)?;
-        let camera = flight.camera_of_frame(frame.index)?;
+        let camera = flight.camera_of_frame(frame.index);
         // What was searched says how uncertain the place was.
         let (region, bounds) = (candidate.search_region, landmark.bounds);
         let sigmas = run_settings.detector.search_sigmas.max(1e-9);

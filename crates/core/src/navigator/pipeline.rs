@@ -267,11 +267,6 @@ impl Navigator {
         }
     }
 
-    fn camera_of_frame(&self, index: usize) -> CameraModel {
-        let camera = self.flight.camera_of_frame(index);
-        camera.unwrap_or_else(|| self.flight.camera.clone())
-    }
-
     fn footprint(&self, model: &AppearanceModel<'_>, report: &StepReport) -> Vec<GroundPoint> {
         let pose = model.pose(report.predicted.position(), self.engine.heading_bias());
         let (w, h) = (model.camera.width as f64, model.camera.height as f64);
@@ -287,14 +282,14 @@ impl Navigator {
 
     /// Whether any landmark may lie in frame `index`.
     fn may_see(&self, index: usize, report: &StepReport) -> bool {
-        let camera = self.camera_of_frame(index);
+        let camera = self.flight.camera_of_frame(index);
         let model = self.appearance_model(&camera, &report.control);
         let seer = Seer::new(&self.settings, self.engine.as_ref(), model, index);
         !seer.candidates(&self.landmarks).is_empty()
     }
 
     fn blind(&self, index: usize, report: &StepReport, trouble: Option<String>) -> FrameReport {
-        let camera = self.camera_of_frame(index);
+        let camera = self.flight.camera_of_frame(index);
         let model = self.appearance_model(&camera, &report.control);
         FrameReport {
             index,
@@ -315,7 +310,7 @@ impl Navigator {
         stopwatch: &dyn Fn() -> f64,
     ) -> Result<(), FilterError> {
         let begun = stopwatch();
-        let camera = self.camera_of_frame(index);
+        let camera = self.flight.camera_of_frame(index);
         let model = self.appearance_model(&camera, &report.control);
         let seer = Seer::new(&self.settings, self.engine.as_ref(), model, index);
         let pose = seer.pose;

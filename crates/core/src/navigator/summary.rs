@@ -278,7 +278,7 @@ pub fn place_error(
 ) -> Option<(f64, f64)> {
     let pose = flight.truth.as_ref()?.frames.get(frame)?.pose()?;
     let landmark = run.landmarks.iter().find(|l| l.id == candidate.landmark)?;
-    let camera = flight.camera_of_frame(frame)?;
+    let camera = flight.camera_of_frame(frame);
     let point = landmark.reference_in_world(flight.ground_down);
     let true_pixel = camera.project(&pose, &point)?;
     let found = candidate.measured_pixel?;

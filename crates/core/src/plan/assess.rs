@@ -30,6 +30,7 @@ use crate::simulate::{AerialCamera, AerialCameraSettings};
 /// How much of what may be searched is drawn as on the day: all but the outermost that a search comes
 /// to if the filter is off by half a standard deviation of its search window and more.
 const DRAWN: f64 = 0.8;
+
 /// How often a landmark is looked at before the flight.
 ///
 /// What a place looks like is settled by the day more than by anything else, so a view on another day

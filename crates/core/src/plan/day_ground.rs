@@ -11,7 +11,8 @@ use crate::imagery::{CachedImagery, Imagery, InsetImagery};
 /// Memory for the ground around a place on a day, megabytes.
 const CACHE_MEGABYTES: usize = 24;
 
-/// The ground on several days (clones share what is drawn by then), of which only what is asked for is drawn; further out the map does.
+/// The ground on several days, of which only what is asked for is drawn; further out the map does. Clones
+/// share what is drawn by then.
 #[derive(Clone)]
 pub(crate) struct DayGround {
     map: Arc<dyn Imagery>,

@@ -6,9 +6,12 @@ use crate::frames::GroundPoint;
 /// Of the photos, one in so many is of a look-alike, if there are any.
 const LOOK_ALIKE_EVERY: usize = 4;
 
+/// Photos in their order.
+pub type Photos = Box<dyn Iterator<Item = Photo> + Send>;
+
 /// Takes the photos by which a training is judged, in their order; they need nothing of the training, and
 /// may be taken by another thread meanwhile. Ends early if the landmark does not fit into the pictures.
-pub struct HeldOutPhotos {
+pub(super) struct HeldOutPhotos {
     photographer: Photographer,
     look_alikes: Vec<GroundPoint>,
     next: usize,
@@ -16,11 +19,7 @@ pub struct HeldOutPhotos {
 }
 
 impl HeldOutPhotos {
-    pub(super) fn new(
-        photographer: Photographer,
-        look_alikes: &[GroundPoint],
-        count: usize,
-    ) -> Self {
+    pub fn new(photographer: Photographer, look_alikes: &[GroundPoint], count: usize) -> Self {
         Self {
             photographer,
             look_alikes: look_alikes.to_vec(),

@@ -33,12 +33,10 @@ pub fn labelled_photos(
         let Some(said) = labels.iter().find(|l| l.frame == frame.name) else {
             continue;
         };
-        let Some(camera) = flight.camera_of_frame(index) else {
-            continue;
-        };
-        let label = said.boxes.iter().find(|b| b.landmark == landmark.id);
+        let camera = flight.camera_of_frame(index);
+        let label = said.of(landmark.id);
         let label = label.filter(|b| !b.truncated && !b.difficult);
-        let is_absent = said.absent.contains(&landmark.id);
+        let is_absent = said.lacks(landmark.id);
         // Labels may be of a picture of another size than the camera's.
         let scale = camera.width as f64 / f64::from(said.size.0.max(1));
         let middle = match label {

@@ -13,7 +13,7 @@ mod tests;
 mod trainer;
 
 pub use envelope::FlightEnvelope;
-pub use held_out::HeldOutPhotos;
+pub use held_out::Photos;
 pub use labelled::labelled_photos;
 pub use photo::{Assumed, Photo, Photographer};
 pub use plan::TrainingPlan;

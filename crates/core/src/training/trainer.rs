@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::envelope::FlightEnvelope;
 use super::evaluation::{EvaluatedLook, EvaluatedMark, look};
-use super::held_out::{HeldOutPhotos, look_alike};
+use super::held_out::{HeldOutPhotos, Photos, look_alike};
 use super::photo::{Photo, Photographer};
 use super::plan::TrainingPlan;
 use super::precision;
@@ -97,7 +97,7 @@ pub struct DetectorTraining {
     photographer: Photographer,
     /// Says what the filter thinks of the photos by which it is judged, and takes them.
     judge: Photographer,
-    held_out: Box<dyn Iterator<Item = Photo> + Send>,
+    held_out: Photos,
     /// Real frames to learn from, too.
     labelled: Vec<Photo>,
     positives: Vec<(Patch, usize)>,
@@ -194,16 +194,11 @@ impl DetectorTraining {
         self
     }
 
-    /// The photos by which it is to be judged, for another thread to take.
-    pub fn held_out(&self) -> HeldOutPhotos {
-        let judge = self.judge.clone();
-        HeldOutPhotos::new(judge, &self.plan.look_alikes, self.plan.held_out)
-    }
-
-    /// Is judged by what another thread took of [`Self::held_out`].
+    /// Has the photos by which it is to be judged taken elsewhere, such as by another thread: `through` is
+    /// given them and gives them back.
     #[must_use]
-    pub fn with_held_out(mut self, photos: impl Iterator<Item = Photo> + Send + 'static) -> Self {
-        self.held_out = Box::new(photos);
+    pub fn with_held_out(mut self, through: impl FnOnce(Photos) -> Photos) -> Self {
+        self.held_out = through(self.held_out);
         self
     }
 

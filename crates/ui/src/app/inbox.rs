@@ -148,7 +148,7 @@ impl App {
                 fly.words = words;
             }
             JobEvent::Flight(flight) => fly.staged.flight = Some(*flight),
-            JobEvent::Mission(mission) if !fly.again => fly.staged.mission = Some(*mission),
+            JobEvent::Mission(mission) => fly.staged.mission = Some(*mission),
             JobEvent::RunStarted(head) => {
                 let again = fly.again;
                 let given = fly.given;

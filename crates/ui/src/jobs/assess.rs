@@ -10,7 +10,7 @@ use pilotage_core::plan::{Assessor, Breakdown, Circumstances, ExpectedDetection,
 use serde::{Deserialize, Serialize};
 
 use super::running::SLICE;
-use super::{Advance, FallibleJob, JobEvent, MapSource, Workshop};
+use super::{Advance, JobEvent, MapSource, RunningJob, Workshop};
 
 const SEED: u64 = 11;
 
@@ -161,8 +161,8 @@ impl Assess {
     }
 }
 
-impl FallibleJob for Assess {
-    fn work(
+impl RunningJob for Assess {
+    fn advance(
         &mut self,
         workshop: &mut Workshop,
         clock: &dyn Fn() -> f64,

@@ -88,24 +88,19 @@ impl RunningJob for Brief {
         workshop: &mut Workshop,
         _clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
-    ) -> Advance {
-        let map = workshop.map(&self.order.map);
-        match map.and_then(|map| self.next(map.as_ref())) {
-            Ok(Some(fraction)) => {
-                emit(JobEvent::Progress(fraction, "Drawing the brief".to_owned()));
-                return Advance::More;
-            }
-            Ok(None) => {
-                let mut done = std::mem::take(&mut self.done).into_iter();
-                let pictures = BriefPictures {
-                    map: done.next().unwrap_or_default(),
-                    thumbnails: done.collect(),
-                };
-                emit(JobEvent::BriefPictures(Box::new(pictures)));
-                emit(JobEvent::Finished);
-            }
-            Err(cause) => emit(JobEvent::Failed(cause)),
+    ) -> Result<Advance, String> {
+        let map = workshop.map(&self.order.map)?;
+        if let Some(fraction) = self.next(map.as_ref())? {
+            emit(JobEvent::Progress(fraction, "Drawing the brief".to_owned()));
+            return Ok(Advance::More);
         }
-        Advance::Done
+        let mut done = std::mem::take(&mut self.done).into_iter();
+        let pictures = BriefPictures {
+            map: done.next().unwrap_or_default(),
+            thumbnails: done.collect(),
+        };
+        emit(JobEvent::BriefPictures(Box::new(pictures)));
+        emit(JobEvent::Finished);
+        Ok(Advance::Done)
     }
 }

@@ -32,19 +32,14 @@ impl RunningJob for SurveyEnvelope {
         workshop: &mut Workshop,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
-    ) -> Advance {
+    ) -> Result<Advance, String> {
         let Some(survey) = &mut self.survey else {
             let words = "Laying out the ground of other days".to_owned();
             emit(JobEvent::Progress(0.0, words));
-            let days = workshop.envelope_days(&self.order.map);
-            match days.and_then(|days| self.order.assessor(workshop, &days)) {
-                Ok(assessor) => self.survey = Some(EnvelopeSurvey::usual(assessor)),
-                Err(why) => {
-                    emit(JobEvent::Failed(why));
-                    return Advance::Done;
-                }
-            }
-            return Advance::More;
+            let days = workshop.envelope_days(&self.order.map)?;
+            let assessor = self.order.assessor(workshop, &days)?;
+            self.survey = Some(EnvelopeSurvey::usual(assessor));
+            return Ok(Advance::More);
         };
         let more = slice(clock, || survey.advance());
         let (done, of) = survey.progress();
@@ -55,9 +50,9 @@ impl RunningJob for SurveyEnvelope {
             emit(JobEvent::Envelope(Box::new(survey.envelope().clone())));
         }
         if more {
-            return Advance::More;
+            return Ok(Advance::More);
         }
         emit(JobEvent::Finished);
-        Advance::Done
+        Ok(Advance::Done)
     }
 }

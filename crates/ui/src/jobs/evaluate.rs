@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 
 use super::flights::OpenFlight;
 use super::running::SLICE;
-use super::{Advance, AssessmentOrder, FallibleJob, FlightSource, JobEvent, Workshop};
+use super::{Advance, AssessmentOrder, FlightSource, JobEvent, RunningJob, Workshop};
 
 /// Most real frames that are looked at, evenly spread over the flight.
 const MOST_FRAMES: usize = 200;
@@ -332,8 +332,8 @@ impl Evaluate {
     }
 }
 
-impl FallibleJob for Evaluate {
-    fn work(
+impl RunningJob for Evaluate {
+    fn advance(
         &mut self,
         workshop: &mut Workshop,
         clock: &dyn Fn() -> f64,
@@ -374,8 +374,7 @@ mod tests {
     use pilotage_core::simulate::Scenario;
 
     use super::*;
-    use crate::jobs::running::RunningJob;
-    use crate::jobs::{MapSource, SimulationOptions};
+    use crate::jobs::{Job, JobRunner, MapSource, Reply, Request, SimulationOptions};
 
     /// A detector that marks every place of the ground alike.
     fn anything(bounds: pilotage_core::frames::GroundRect) -> TrainedDetector {
@@ -434,9 +433,14 @@ mod tests {
     }
 
     fn events(order: EvaluationOrder) -> Vec<JobEvent> {
-        let (mut workshop, mut job) = (Workshop::new(), Evaluate::new(order));
-        let mut events = Vec::new();
-        while job.advance(&mut workshop, &|| 0.0, &mut |e| events.push(e)) == Advance::More {}
+        let (mut runner, mut events) = (JobRunner::default(), Vec::new());
+        let mut keep = |reply| {
+            if let Reply::Event(_, event) = reply {
+                events.push(event);
+            }
+        };
+        runner.receive(Request::Start(1, Job::Evaluate(Box::new(order))), &mut keep);
+        while runner.turn(&|| 0.0, &mut keep) {}
         events
     }
 

@@ -4,7 +4,7 @@ use pilotage_core::frames::GroundRect;
 use pilotage_core::plan::{FieldBuilder, FieldView, FixSource, Localizability, OfferedField};
 use serde::{Deserialize, Serialize};
 
-use super::running::SLICE;
+use super::running::slice;
 use super::{Advance, JobEvent, MapSource, RunningJob, Workshop};
 
 /// Cells along the longer side of the map at most.
@@ -123,38 +123,17 @@ impl RunningJob for ComputeField {
         workshop: &mut Workshop,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
-    ) -> Advance {
-        let begun = clock();
+    ) -> Result<Advance, String> {
         let more = match &mut self.work {
             Work::Waiting => {
                 let words = "Laying out the ground of other days".to_owned();
                 emit(JobEvent::Progress(0.0, words));
-                self.told = begun;
-                match self.begin(workshop) {
-                    Ok(work) => self.work = work,
-                    Err(why) => {
-                        emit(JobEvent::Failed(why));
-                        return Advance::Done;
-                    }
-                }
-                return Advance::More;
+                self.told = clock();
+                self.work = self.begin(workshop)?;
+                return Ok(Advance::More);
             }
-            Work::Landmarks(builder) => loop {
-                if !builder.advance() {
-                    break false;
-                }
-                if clock() - begun > SLICE {
-                    break true;
-                }
-            },
-            Work::Map(offered) => loop {
-                if !offered.advance() {
-                    break false;
-                }
-                if clock() - begun > SLICE {
-                    break true;
-                }
-            },
+            Work::Landmarks(builder) => slice(clock, || builder.advance()),
+            Work::Map(offered) => slice(clock, || offered.advance()),
         };
         let (done, of, what, field) = match &self.work {
             Work::Landmarks(builder) => {
@@ -165,7 +144,7 @@ impl RunningJob for ComputeField {
                 let (done, of) = offered.progress();
                 (done, of, "Place", offered.field())
             }
-            Work::Waiting => return Advance::More,
+            Work::Waiting => return Ok(Advance::More),
         };
         let share = done as f32 / of.max(1) as f32;
         emit(JobEvent::Progress(share, format!("{what} {done} of {of}")));
@@ -174,9 +153,9 @@ impl RunningJob for ComputeField {
             emit(JobEvent::Field(Box::new(field.clone())));
         }
         if more {
-            return Advance::More;
+            return Ok(Advance::More);
         }
         emit(JobEvent::Finished);
-        Advance::Done
+        Ok(Advance::Done)
     }
 }

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use super::field::LOOKS_AWAY;
 use super::running::slice;
-use super::{Advance, FallibleJob, FieldFrom, FieldOrder, JobEvent, PredictionOrder, Workshop};
+use super::{Advance, FieldFrom, FieldOrder, JobEvent, PredictionOrder, RunningJob, Workshop};
 
 /// Cells along the longer side of the ground that is searched, at most.
 const MOST_CELLS: f64 = 700.0;
@@ -169,8 +169,8 @@ impl FindRoute {
     }
 }
 
-impl FallibleJob for FindRoute {
-    fn work(
+impl RunningJob for FindRoute {
+    fn advance(
         &mut self,
         workshop: &mut Workshop,
         clock: &dyn Fn() -> f64,

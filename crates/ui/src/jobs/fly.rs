@@ -55,9 +55,9 @@ impl Fly {
             let open = open.borrow();
             (open.flight.clone(), open.mission.clone())
         };
-        let given = self.mission.take();
-        let was_given = given.is_some();
-        let mission = (given.or(own_mission)).unwrap_or_else(|| bare_mission(&flight));
+        let is_given = self.mission.is_some();
+        let mission =
+            (self.mission.take().or(own_mission)).unwrap_or_else(|| bare_mission(&flight));
         let flown = mission.camera.as_ref().map_or_else(
             || flight.clone(),
             |camera| {
@@ -69,7 +69,7 @@ impl Fly {
         let navigator = Navigator::new(flown.clone(), &mission.landmarks, map, &mission.navigator)
             .map_err(|cause| cause.to_string())?;
         emit(JobEvent::Flight(Box::new(flown.as_ref().clone())));
-        if !was_given {
+        if !is_given {
             emit(JobEvent::Mission(Box::new(mission)));
         }
         emit(JobEvent::RunStarted(Box::new(navigator.run_head())));
@@ -150,30 +150,36 @@ impl RunningJob for Fly {
         workshop: &mut Workshop,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
-    ) -> Advance {
-        let result = match &mut self.stage {
+    ) -> Result<Advance, String> {
+        let more = match &mut self.stage {
             Stage::Asked => {
                 emit(JobEvent::Progress(0.0, "Opening the map".to_owned()));
                 self.stage = Stage::Map;
-                Ok(true)
+                true
             }
-            Stage::Map => workshop.map(&self.map).map(|_| {
+            Stage::Map => {
+                workshop.map(&self.map)?;
                 emit(JobEvent::Progress(0.0, "Preparing the flight".to_owned()));
                 self.stage = Stage::Flight;
                 true
-            }),
-            Stage::Flight => workshop.flight(&self.flight).map(|_| {
+            }
+            Stage::Flight => {
+                workshop.flight(&self.flight)?;
                 self.stage = Stage::Navigator;
                 true
-            }),
-            Stage::Navigator => self.open(workshop, emit).map(|()| true),
-            Stage::Flying(open, navigator) => steps(&mut open.borrow_mut(), navigator, clock, emit),
+            }
+            Stage::Navigator => {
+                self.open(workshop, emit)?;
+                true
+            }
+            Stage::Flying(open, navigator) => {
+                steps(&mut open.borrow_mut(), navigator, clock, emit)?
+            }
         };
-        match result {
-            Ok(true) => return Advance::More,
-            Ok(false) => emit(JobEvent::Finished),
-            Err(cause) => emit(JobEvent::Failed(cause)),
+        if more {
+            return Ok(Advance::More);
         }
-        Advance::Done
+        emit(JobEvent::Finished);
+        Ok(Advance::Done)
     }
 }

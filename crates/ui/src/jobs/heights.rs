@@ -5,7 +5,7 @@ use pilotage_core::imagery::terrain::{Dem, HeightDatum, HeightGrid, Terrain as _
 use serde::{Deserialize, Serialize};
 
 use super::running::SLICE;
-use super::{Advance, FallibleJob, JobEvent, Workshop, opening};
+use super::{Advance, JobEvent, RunningJob, Workshop, opening};
 
 /// Most posts along a side of what is sent to the page.
 const MOST_POSTS: usize = 640;
@@ -78,8 +78,8 @@ impl TakeHeights {
     }
 }
 
-impl FallibleJob for TakeHeights {
-    fn work(
+impl RunningJob for TakeHeights {
+    fn advance(
         &mut self,
         workshop: &mut Workshop,
         clock: &dyn Fn() -> f64,

@@ -59,7 +59,7 @@ pub use protocol::{
     MapSource, MatchPictures, Opened, SimulationOptions, Unplaced,
 };
 pub use runner::JobRunner;
-pub use running::{Advance, FallibleJob, RunningJob};
+pub use running::{Advance, RunningJob};
 pub use simulated::{scenario_route, scenario_wind};
 pub use suggest::SuggestOrder;
 pub use train::{LabelledFrames, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport};

@@ -54,19 +54,15 @@ impl RunningJob for Predict {
         _: &mut Workshop,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
-    ) -> Advance {
+    ) -> Result<Advance, String> {
         let begun = clock();
-        match self.0.predict() {
-            Ok(prediction) => {
-                emit(JobEvent::Prediction {
-                    prediction: Box::new(prediction),
-                    computed: clock() - begun,
-                });
-                emit(JobEvent::Finished);
-            }
-            Err(cause) => emit(JobEvent::Failed(cause)),
-        }
-        Advance::Done
+        let prediction = self.0.predict()?;
+        emit(JobEvent::Prediction {
+            prediction: Box::new(prediction),
+            computed: clock() - begun,
+        });
+        emit(JobEvent::Finished);
+        Ok(Advance::Done)
     }
 }
 

@@ -26,16 +26,10 @@ impl RunningJob for PrepareMap {
         workshop: &mut Workshop,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
-    ) -> Advance {
+    ) -> Result<Advance, String> {
         let map = match &self.map {
             Some(map) => map.clone(),
-            None => match workshop.map(&self.source) {
-                Ok(map) => self.map.insert(map).clone(),
-                Err(why) => {
-                    emit(JobEvent::Failed(why));
-                    return Advance::Done;
-                }
-            },
+            None => self.map.insert(workshop.map(&self.source)?).clone(),
         };
         let begun = clock();
         let (done, all) = loop {
@@ -49,10 +43,10 @@ impl RunningJob for PrepareMap {
         }
         if done >= all {
             emit(JobEvent::Finished);
-            return Advance::Done;
+            return Ok(Advance::Done);
         }
         let words = format!("Making an overview of {}", map.name());
         emit(JobEvent::Progress(done as f32 / all as f32, words));
-        Advance::More
+        Ok(Advance::More)
     }
 }

@@ -93,12 +93,16 @@ impl JobRunner {
         };
         let entry = &mut self.entries[place];
         let (id, told) = (entry.id, &mut entry.told);
-        let advance = entry.job.advance(&mut self.workshop, clock, &mut |event| {
+        let mut tell = |event| {
             if Entry::is_told(told, &event, clock()) {
                 emit(Reply::Event(id, as_sentence(event)));
             }
-        });
-        if advance == Advance::Done {
+        };
+        let advance = entry.job.advance(&mut self.workshop, clock, &mut tell);
+        if let Err(why) = &advance {
+            tell(JobEvent::Failed(why.clone()));
+        }
+        if advance != Ok(Advance::More) {
             self.entries.remove(place);
         }
         self.busy()

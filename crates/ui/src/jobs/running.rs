@@ -29,37 +29,15 @@ pub enum Advance {
 /// drops it to cancel it.
 pub trait RunningJob {
     /// Works for about a slice (25 ms by `clock`, milliseconds) and emits what came of it.
+    ///
+    /// # Errors
+    /// Why it cannot go on, in words; its owner tells them as the job's last event.
     fn advance(
-        &mut self,
-        workshop: &mut Workshop,
-        clock: &dyn Fn() -> f64,
-        emit: &mut dyn FnMut(JobEvent),
-    ) -> Advance;
-}
-
-/// A job whose slices may fail: why is its last event.
-pub trait FallibleJob {
-    /// As [`RunningJob::advance`].
-    fn work(
         &mut self,
         workshop: &mut Workshop,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String>;
-}
-
-impl<J: FallibleJob> RunningJob for J {
-    fn advance(
-        &mut self,
-        workshop: &mut Workshop,
-        clock: &dyn Fn() -> f64,
-        emit: &mut dyn FnMut(JobEvent),
-    ) -> Advance {
-        self.work(workshop, clock, emit).unwrap_or_else(|why| {
-            emit(JobEvent::Failed(why));
-            Advance::Done
-        })
-    }
 }
 
 /// A job that is one piece of work, done in one call.
@@ -74,13 +52,11 @@ where
         workshop: &mut Workshop,
         _clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
-    ) -> Advance {
+    ) -> Result<Advance, String> {
         if let Some(work) = self.0.take() {
-            match work(workshop, emit) {
-                Ok(()) => emit(JobEvent::Finished),
-                Err(cause) => emit(JobEvent::Failed(cause)),
-            }
+            work(workshop, emit)?;
+            emit(JobEvent::Finished);
         }
-        Advance::Done
+        Ok(Advance::Done)
     }
 }

@@ -89,18 +89,12 @@ impl RunningJob for Suggest {
         workshop: &mut Workshop,
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
-    ) -> Advance {
+    ) -> Result<Advance, String> {
         let Some(proposal) = &mut self.proposal else {
             let words = "Laying out the ground of other days".to_owned();
             emit(JobEvent::Progress(0.0, words));
-            match self.begin(workshop) {
-                Ok(proposal) => self.proposal = Some(proposal),
-                Err(why) => {
-                    emit(JobEvent::Failed(why));
-                    return Advance::Done;
-                }
-            }
-            return Advance::More;
+            self.proposal = Some(self.begin(workshop)?);
+            return Ok(Advance::More);
         };
         let more = slice(clock, || proposal.advance());
         let (done, of) = proposal.progress();
@@ -110,7 +104,7 @@ impl RunningJob for Suggest {
             format!("Rehearsing place {done} of {of}"),
         ));
         if more {
-            return Advance::More;
+            return Ok(Advance::More);
         }
         if let Some(proposal) = self.proposal.take() {
             emit(if self.share == Share::WHOLE {
@@ -120,6 +114,6 @@ impl RunningJob for Suggest {
             });
         }
         emit(JobEvent::Finished);
-        Advance::Done
+        Ok(Advance::Done)
     }
 }

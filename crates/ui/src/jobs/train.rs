@@ -17,7 +17,7 @@ use pilotage_core::training::{
 use serde::{Deserialize, Serialize};
 
 use super::running::SLICE;
-use super::{Advance, FallibleJob, FlightSource, JobEvent, MapSource, Workshop, whole_bytes};
+use super::{Advance, FlightSource, JobEvent, MapSource, RunningJob, Workshop, whole_bytes};
 
 /// Time between two words on a training, milliseconds; what follows a whole stage is told at once.
 const TOLD_EVERY: f64 = 400.0;
@@ -232,8 +232,8 @@ impl Train {
     }
 }
 
-impl FallibleJob for Train {
-    fn work(
+impl RunningJob for Train {
+    fn advance(
         &mut self,
         workshop: &mut Workshop,
         clock: &dyn Fn() -> f64,

@@ -20,7 +20,7 @@ pub(super) fn proposed(
     let pose = truth
         .and_then(FrameTruth::pose)
         .or_else(|| assumed(context, frame))?;
-    let camera = flight.camera_of_frame(frame)?;
+    let camera = flight.camera_of_frame(frame);
     let bounds = landmark.bounds;
     let corners = [
         (bounds.north, bounds.west),

@@ -97,6 +97,7 @@ impl<'a> Rows<'a> {
         } = scratch;
         factors.clear();
         factors.resize(self.columns, 1.0);
+        votes.resize(self.columns, 0.0);
         batch.clear();
         let stages = &self.cascade.stages;
         if stages.is_empty() || self.columns == 0 {
@@ -107,7 +108,6 @@ impl<'a> Rows<'a> {
             if self.layout.kind == Kind::Haar {
                 simd::factors(&self.layout, &self.tables, first, factors);
             }
-            votes.resize(self.columns, 0.0);
             simd::first_votes(&self.program, &self.tables, first, factors, votes);
             let mut number = 0;
             while number < self.columns {

@@ -54,8 +54,9 @@ fn log_odds(
     trained.likelihood.log_odds(mark.score) + nearness
 }
 
-/// Whether what is found beside the outermost window seen whole is right all the same: the landmark's own window
-/// lies up to [`DetectorWindow::beside`](super::DetectorWindow::beside) further out, half as far on average.
+/// Whether what is found beside the outermost window seen whole is right all the same: the landmark's own
+/// window lies up to [`DetectorWindow::beside`](super::DetectorWindow::beside) further out, half as far on
+/// average.
 fn is_near_at_edge(trained: &TrainedDetector, view: &FrameView<'_>) -> bool {
     let pixel = (view.ground_down - view.pose.position_in_world.z) / view.camera.focal;
     let (north, east) = trained.window.beside();

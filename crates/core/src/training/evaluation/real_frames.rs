@@ -11,9 +11,8 @@ use super::{EvaluatedLook, EvaluatedMark};
 use crate::camera::CameraModel;
 use crate::flight::Flight;
 use crate::frames::{GroundPoint, GroundRect, Pose};
-use crate::landmark::tolerance;
 use crate::landmark::trained::{Mark, TrainedDetector, search};
-use crate::landmark::{FrameView, Landmark};
+use crate::landmark::{FrameView, Landmark, tolerance};
 use crate::navigator::PYRAMID_LEVELS;
 use crate::raster::{Picture, Pyramid};
 use crate::training::FlightEnvelope;
@@ -58,7 +57,7 @@ impl FrameJudge<'_> {
         };
         let frame = KnownFrame {
             pose,
-            camera: self.camera(index),
+            camera: self.flight.camera_of_frame(index),
             luminance: Pyramid::new(picture.to_gray(), PYRAMID_LEVELS),
         };
         let mut random = ChaCha8Rng::seed_from_u64(self.seed ^ (index as u64) << 16);
@@ -90,13 +89,8 @@ impl FrameJudge<'_> {
         })
     }
 
-    fn camera(&self, index: usize) -> CameraModel {
-        let camera = self.flight.camera_of_frame(index);
-        camera.unwrap_or_else(|| self.flight.camera.clone())
-    }
-
     fn sees(&self, bounds: &GroundRect, pose: &Pose, index: usize) -> bool {
-        let camera = self.camera(index);
+        let camera = self.flight.camera_of_frame(index);
         let (w, h) = (camera.width as f64, camera.height as f64);
         bounds.corners().iter().all(|corner| {
             let in_world = Point3::new(corner.north, corner.east, self.flight.ground_down);

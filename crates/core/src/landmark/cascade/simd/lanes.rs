@@ -33,7 +33,7 @@ struct SideBySide(usize);
 impl Places for SideBySide {
     #[inline(always)]
     fn sums(&self, table: &[i32], corners: &Corners) -> Lanes<i32> {
-        // SAFETY: `vote` asserted that this place plus reach plus lanes lies in the table.
+        // SAFETY: whoever votes asserted that this place plus reach plus lanes lies in the table.
         let [a, b, c, d] = corners
             .map(|corner| unsafe { table.get_unchecked(self.0 + corner..self.0 + corner + LANES) });
         let mut sums = [0; LANES];
@@ -66,7 +66,7 @@ impl Places for Scattered {
     fn sums(&self, table: &[i32], corners: &Corners) -> Lanes<i32> {
         let mut sums = [0; LANES];
         for i in 0..LANES {
-            // SAFETY: `vote` asserted that the last place plus reach lies in the table.
+            // SAFETY: whoever votes asserted that the last place plus reach lies in the table.
             let [a, b, c, d] =
                 corners.map(|corner| unsafe { *table.get_unchecked(self.0[i] + corner) });
             sums[i] = a.wrapping_sub(b).wrapping_sub(c).wrapping_add(d);

@@ -146,8 +146,8 @@ impl Growing {
 mod tests {
     use super::*;
 
-    /// A stage of one vote that parts two kinds of one number each, of which one in fifty of the first kind looks
-    /// like the second.
+    /// A stage of one vote that parts two kinds of one number each, of which one in fifty of the first
+    /// kind looks like the second.
     fn grown(hit_rate: f64) -> StageRow {
         let count = 400;
         let value = |i: usize| {
