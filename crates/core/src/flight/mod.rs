@@ -4,6 +4,7 @@ mod channel;
 pub mod files;
 mod folder;
 mod frame;
+pub mod log;
 mod record;
 mod truth;
 

@@ -1,0 +1,57 @@
+//! Every format that logs are read from.
+
+use serde::{Deserialize, Serialize};
+
+use super::Log;
+
+/// A format of logs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub enum LogFormat {
+    /// `ArduPilot`'s dataflash log, binary.
+    Dataflash,
+    /// `ArduPilot`'s dataflash log as text.
+    DataflashText,
+    /// PX4's `ULog`.
+    Ulog,
+    /// `MAVLink` messages with times, as ground stations write them.
+    Tlog,
+    /// MCAP, the container of Foxglove and ROS 2.
+    Mcap,
+}
+
+/// Reads a log piece by piece.
+///
+/// Whatever the bytes are, a reader never panics and never stops for good: what makes no sense is
+/// skipped up to the next place that does, and noted in the log's report.
+pub trait LogReader: Send {
+    /// Takes the next bytes of the file, of any number, and puts what they complete into `log`.
+    fn feed(&mut self, bytes: &[u8], log: &mut Log);
+
+    /// Says that the file is over: what was waiting for more is noted as cut off.
+    fn finish(&mut self, log: &mut Log);
+}
+
+/// What is known of a format before any file is read.
+pub struct FormatInfo {
+    /// Which format.
+    pub format: LogFormat,
+    /// Name for people.
+    pub label: &'static str,
+    /// Endings of its files, in small letters.
+    pub endings: &'static [&'static str],
+    /// Whether a file that begins so is of this format.
+    pub begins: fn(&[u8]) -> bool,
+    /// A reader at the beginning of a file.
+    pub reader: fn() -> Box<dyn LogReader>,
+}
+
+/// Every format, in the order in which they are tried.
+pub fn all_formats() -> &'static [FormatInfo] {
+    &[]
+}
+
+/// The format of a file whose first bytes (64 are enough) are `head`. Its name is not asked: people
+/// rename files.
+pub fn recognise(head: &[u8]) -> Option<&'static FormatInfo> {
+    all_formats().iter().find(|info| (info.begins)(head))
+}

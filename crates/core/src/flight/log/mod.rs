@@ -1,0 +1,20 @@
+//! Flight logs as they were written: topics of rows, parameters, messages, and what was skipped.
+//!
+//! A [`LogReader`] takes the bytes of a file piece by piece and fills a [`Log`], which can be looked at
+//! while it still grows. Rows stay as the file has them and are decoded where somebody asks, so that a
+//! log takes hardly more memory than its file. What the fields mean for navigation is said one folder
+//! up.
+
+mod formats;
+mod layout;
+mod model;
+mod report;
+mod rows;
+mod topic;
+
+pub use formats::{FormatInfo, LogFormat, LogReader, all_formats, recognise};
+pub use layout::{FieldKind, FieldLayout};
+pub use model::{Log, LogMessage, ModeChange, Parameter};
+pub use report::{ReadReport, Skipped};
+pub use rows::Rows;
+pub use topic::{Topic, TopicName};

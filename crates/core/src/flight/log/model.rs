@@ -1,0 +1,165 @@
+//! A log and what stands in it beside rows.
+
+use std::collections::HashMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::{FieldLayout, LogFormat, ReadReport, Topic, TopicName};
+
+/// A parameter of the autopilot at one time.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Parameter {
+    /// Name.
+    pub name: String,
+    /// Value.
+    pub value: f64,
+    /// Seconds in the log's time base.
+    pub time: f64,
+}
+
+/// Words that the autopilot wrote.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LogMessage {
+    /// Seconds in the log's time base.
+    pub time: f64,
+    /// Urgency as syslog counts it, 0 (emergency) to 7 (debug), where it is told.
+    pub severity: Option<u8>,
+    /// The words.
+    pub text: String,
+}
+
+/// The autopilot changed how it flies.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ModeChange {
+    /// Seconds in the log's time base.
+    pub time: f64,
+    /// Name of the new mode, or its number where the name is not known.
+    pub mode: String,
+}
+
+/// A flight log: everything that a file holds, as it was written.
+#[derive(Clone, Debug)]
+pub struct Log {
+    /// Name of the file.
+    pub name: String,
+    /// Which format it was read from.
+    pub format: LogFormat,
+    /// Seconds since 1970 (UTC) at second zero of the log's time base, where the log tells.
+    pub utc_at_zero: Option<f64>,
+    /// Kind of vehicle and software, in the log's words, or empty.
+    pub vehicle: String,
+    /// Every kind of row, in the order in which they were first met.
+    pub topics: Vec<Topic>,
+    /// Every parameter in the order of the file; later values of one name stand after earlier ones.
+    pub parameters: Vec<Parameter>,
+    /// Words of the autopilot.
+    pub messages: Vec<LogMessage>,
+    /// Changes of mode.
+    pub modes: Vec<ModeChange>,
+    /// What was read and what was skipped.
+    pub report: ReadReport,
+    index: HashMap<TopicName, usize>,
+}
+
+impl Log {
+    /// A log of which nothing was read yet.
+    pub fn new(name: impl Into<String>, format: LogFormat) -> Self {
+        Self {
+            name: name.into(),
+            format,
+            utc_at_zero: None,
+            vehicle: String::new(),
+            topics: Vec::new(),
+            parameters: Vec::new(),
+            messages: Vec::new(),
+            modes: Vec::new(),
+            report: ReadReport::default(),
+            index: HashMap::new(),
+        }
+    }
+
+    /// Place of the topic of that name, which is made if it is new.
+    pub fn topic_or_new(
+        &mut self,
+        name: &TopicName,
+        fields: impl FnOnce() -> Vec<FieldLayout>,
+    ) -> usize {
+        if let Some(place) = self.index.get(name) {
+            return *place;
+        }
+        let place = self.topics.len();
+        self.topics.push(Topic::new(name.clone(), fields()));
+        self.index.insert(name.clone(), place);
+        place
+    }
+
+    /// The topic of that name and instance.
+    pub fn topic(&self, name: &TopicName) -> Option<&Topic> {
+        self.index.get(name).map(|place| &self.topics[*place])
+    }
+
+    /// The first topic of that name, whichever instance.
+    pub fn first(&self, name: &str) -> Option<&Topic> {
+        self.topics.iter().find(|t| t.name.name == name)
+    }
+
+    /// The last value of a parameter.
+    pub fn parameter(&self, name: &str) -> Option<f64> {
+        let mut values = self.parameters.iter().rev();
+        values.find(|p| p.name == name).map(|p| p.value)
+    }
+
+    /// First and last time of any row, seconds; `None` without rows.
+    pub fn span(&self) -> Option<(f64, f64)> {
+        let times = self.topics.iter().flat_map(|topic| &topic.times);
+        times
+            .filter(|time| time.is_finite())
+            .fold(None, |span, time| {
+                let (first, last) = span.unwrap_or((*time, *time));
+                Some((time.min(first), time.max(last)))
+            })
+    }
+
+    /// Bytes that the rows and their times take in memory.
+    pub fn memory(&self) -> usize {
+        let of = |topic: &Topic| topic.rows.memory() + topic.times.capacity() * size_of::<f64>();
+        self.topics.iter().map(of).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::FieldKind;
+    use super::*;
+
+    #[test]
+    fn a_topic_is_made_once_and_found_by_name_and_instance() {
+        let mut log = Log::new("a.bin", LogFormat::Dataflash);
+        let fields = || vec![FieldLayout::plain("Alt", FieldKind::U8, 0)];
+        let second = TopicName {
+            name: "BARO".to_owned(),
+            instance: Some(1),
+        };
+        let place = log.topic_or_new(&second, fields);
+        assert_eq!(log.topic_or_new(&second, Vec::new), place);
+        log.topics[place].push(4.0, &[3]);
+        log.topics[place].push(2.0, &[3]);
+        assert!(log.topic(&TopicName::single("BARO")).is_none());
+        assert_eq!(log.first("BARO").map(Topic::len), Some(2));
+        assert_eq!(log.span(), Some((2.0, 4.0)));
+    }
+
+    #[test]
+    fn the_last_value_of_a_parameter_counts() {
+        let mut log = Log::new("a.bin", LogFormat::Dataflash);
+        for (time, value) in [(0.0, 1.0), (5.0, 2.0)] {
+            log.parameters.push(Parameter {
+                name: "ARSPD_RATIO".to_owned(),
+                value,
+                time,
+            });
+        }
+        assert_eq!(log.parameter("ARSPD_RATIO"), Some(2.0));
+        assert_eq!(log.parameter("ARSPD"), None);
+    }
+}

@@ -1,0 +1,98 @@
+//! What a reader could not use.
+
+use serde::{Deserialize, Serialize};
+
+/// Most places that are remembered one by one.
+const REMEMBERED: usize = 1000;
+
+/// Bytes that made no sense.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Skipped {
+    /// First byte in the file.
+    pub offset: u64,
+    /// How many.
+    pub bytes: u64,
+    /// Why, in words.
+    pub cause: String,
+}
+
+/// What was read and what was not.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ReadReport {
+    /// Bytes looked at.
+    pub bytes: u64,
+    /// Messages read.
+    pub messages: u64,
+    /// The first thousand places that were skipped, in the order of the file.
+    pub skipped: Vec<Skipped>,
+    /// All bytes that were skipped.
+    pub skipped_bytes: u64,
+    /// All places that were skipped.
+    pub skipped_places: u64,
+    /// What else people should know, in words: a file cut off, times that go back.
+    pub remarks: Vec<String>,
+}
+
+impl ReadReport {
+    /// Notes that `bytes` from `offset` on were skipped. What follows right after the last place for
+    /// the same reason joins it.
+    pub fn skip(&mut self, offset: u64, bytes: u64, cause: &str) {
+        self.skipped_bytes += bytes;
+        if let Some(last) = self.skipped.last_mut()
+            && last.offset + last.bytes == offset
+            && last.cause == cause
+        {
+            last.bytes += bytes;
+            return;
+        }
+        self.skipped_places += 1;
+        if self.skipped.len() < REMEMBERED {
+            self.skipped.push(Skipped {
+                offset,
+                bytes,
+                cause: cause.to_owned(),
+            });
+        }
+    }
+
+    /// Notes something for people, once.
+    pub fn remark(&mut self, remark: impl Into<String>) {
+        let remark = remark.into();
+        if !self.remarks.contains(&remark) {
+            self.remarks.push(remark);
+        }
+    }
+
+    /// Whether every byte made sense.
+    pub fn is_clean(&self) -> bool {
+        self.skipped_places == 0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn neighbouring_bytes_skipped_for_one_reason_are_one_place() {
+        let mut report = ReadReport::default();
+        report.skip(10, 1, "no message begins here");
+        report.skip(11, 2, "no message begins here");
+        report.skip(20, 5, "no message begins here");
+        report.skip(25, 5, "a message is cut off");
+        assert_eq!(report.skipped_places, 3);
+        assert_eq!(report.skipped_bytes, 13);
+        assert_eq!((report.skipped[0].offset, report.skipped[0].bytes), (10, 3));
+        assert!(!report.is_clean());
+    }
+
+    #[test]
+    fn a_thousand_places_are_remembered_and_all_are_counted() {
+        let mut report = ReadReport::default();
+        for i in 0..3000 {
+            report.skip(10 * i, 1, "noise");
+        }
+        assert_eq!(report.skipped.len(), 1000);
+        assert_eq!((report.skipped_places, report.skipped_bytes), (3000, 3000));
+    }
+}
