@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::Scale;
+
 /// What the bytes of one field are. All numbers have their lowest byte first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum FieldKind {
@@ -58,10 +60,19 @@ impl FieldKind {
     #[inline]
     pub fn number(self, bytes: &[u8]) -> Option<f64> {
         Some(match self {
+            Self::I8 => f64::from(i8::from_le_bytes(head(bytes)?)),
+            Self::U8 => f64::from(u8::from_le_bytes(head(bytes)?)),
+            Self::Bool => f64::from(u8::from(u8::from_le_bytes(head(bytes)?) != 0)),
+            Self::I16 => f64::from(i16::from_le_bytes(head(bytes)?)),
+            Self::U16 => f64::from(u16::from_le_bytes(head(bytes)?)),
+            Self::I32 => f64::from(i32::from_le_bytes(head(bytes)?)),
+            Self::U32 => f64::from(u32::from_le_bytes(head(bytes)?)),
+            Self::I64 => i64::from_le_bytes(head(bytes)?) as f64,
+            Self::U64 => u64::from_le_bytes(head(bytes)?) as f64,
             Self::F16 => half(u16::from_le_bytes(head(bytes)?)),
             Self::F32 => f64::from(f32::from_le_bytes(head(bytes)?)),
             Self::F64 => f64::from_le_bytes(head(bytes)?),
-            _ => self.integer(bytes)? as f64,
+            Self::Text(_) | Self::Bytes(_) => return None,
         })
     }
 
@@ -82,14 +93,18 @@ impl FieldKind {
         })
     }
 
-    /// The letters in `bytes` up to the first zero; what is no UTF-8 is shown by its replacement sign.
+    /// The letters in `bytes` up to the first zero; what is no UTF-8 is taken for Latin-1, so that no two
+    /// texts look alike.
     pub fn text(self, bytes: &[u8]) -> Option<String> {
         let Self::Text(size) = self else {
             return None;
         };
         let bytes = bytes.get(..usize::from(size))?;
         let end = bytes.iter().position(|b| *b == 0).unwrap_or(bytes.len());
-        Some(String::from_utf8_lossy(&bytes[..end]).into_owned())
+        Some(match str::from_utf8(&bytes[..end]) {
+            Ok(text) => text.to_owned(),
+            Err(_) => bytes[..end].iter().copied().map(char::from).collect(),
+        })
     }
 }
 
@@ -100,8 +115,8 @@ pub struct FieldLayout {
     pub name: String,
     /// Unit of the values after [`scale`](Self::scale), as the file says it (`m/s`, `deg`), or empty.
     pub unit: String,
-    /// What the stored number is multiplied by.
-    pub scale: f64,
+    /// What makes a value of the stored number.
+    pub scale: Scale,
     /// What the stored bytes are.
     pub kind: FieldKind,
     /// First byte in a row.
@@ -114,7 +129,7 @@ impl FieldLayout {
         Self {
             name: name.into(),
             unit: String::new(),
-            scale: 1.0,
+            scale: Scale::One,
             kind,
             offset,
         }
@@ -124,11 +139,7 @@ impl FieldLayout {
     #[inline]
     pub fn value(&self, row: &[u8]) -> Option<f64> {
         let number = self.kind.number(row.get(self.offset..)?)?;
-        Some(if self.scale == 1.0 {
-            number
-        } else {
-            number * self.scale
-        })
+        Some(self.scale.apply(number))
     }
 
     /// The letters in `row`, or `None` where the field has none.
@@ -190,14 +201,14 @@ mod tests {
     #[test]
     fn a_value_carries_its_scale_and_a_text_ends_at_its_zero() {
         let field = FieldLayout {
-            scale: 0.01,
+            scale: Scale::by(0.01),
             ..FieldLayout::plain("Roll", FieldKind::I16, 1)
         };
-        let value = field.value(&[9, 0x2c, 0x01]).unwrap();
-        assert!((value - 3.0).abs() < 1e-12);
+        assert_eq!(field.value(&[9, 0x2c, 0x01]), Some(3.0));
         assert_eq!(field.value(&[9, 0x2c]), None);
         let name = FieldLayout::plain("Name", FieldKind::Text(4), 0);
         assert_eq!(name.text(b"AB\0D"), Some("AB".to_owned()));
         assert_eq!(name.text(b"AB"), None);
+        assert_eq!(name.text(b"5\xb0C\0"), Some("5°C".to_owned()));
     }
 }

@@ -10,11 +10,13 @@ mod layout;
 mod model;
 mod report;
 mod rows;
+mod scale;
 mod topic;
 
-pub use formats::{FormatInfo, LogFormat, LogReader, all_formats, recognise};
+pub use formats::{FormatInfo, HEAD, LogFormat, LogReader, all_formats, recognise};
 pub use layout::{FieldKind, FieldLayout};
 pub use model::{Log, LogMessage, ModeChange, Parameter};
 pub use report::{ReadReport, Skipped};
 pub use rows::Rows;
+pub use scale::Scale;
 pub use topic::{Topic, TopicName};

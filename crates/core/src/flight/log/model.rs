@@ -93,6 +93,25 @@ impl Log {
         place
     }
 
+    /// Place of the topic of that name and instance.
+    pub fn place(&self, name: &TopicName) -> Option<usize> {
+        self.index.get(name).copied()
+    }
+
+    /// Gives the topic at `place` another name; says whether it could: no other topic may have it.
+    pub fn rename(&mut self, place: usize, name: &TopicName) -> bool {
+        let Some(topic) = self.topics.get_mut(place) else {
+            return false;
+        };
+        if self.index.contains_key(name) {
+            return false;
+        }
+        self.index.remove(&topic.name);
+        self.index.insert(name.clone(), place);
+        topic.name = name.clone();
+        true
+    }
+
     /// The topic of that name and instance.
     pub fn topic(&self, name: &TopicName) -> Option<&Topic> {
         self.index.get(name).map(|place| &self.topics[*place])
@@ -147,6 +166,19 @@ mod tests {
         assert!(log.topic(&TopicName::single("BARO")).is_none());
         assert_eq!(log.first("BARO").map(Topic::len), Some(2));
         assert_eq!(log.span(), Some((2.0, 4.0)));
+    }
+
+    #[test]
+    fn a_topic_is_found_by_its_new_name_only() {
+        let mut log = Log::new("a.bin", LogFormat::Dataflash);
+        let [old, new] = ["GPS", "GPS2"].map(TopicName::single);
+        let place = log.topic_or_new(&old, Vec::new);
+        assert!(log.rename(place, &new));
+        assert_eq!((log.place(&old), log.place(&new)), (None, Some(place)));
+        assert_eq!(log.topics[place].name, new);
+        log.topic_or_new(&old, Vec::new);
+        assert!(!log.rename(place, &old));
+        assert!(!log.rename(9, &TopicName::single("IMU")));
     }
 
     #[test]

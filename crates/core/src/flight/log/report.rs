@@ -4,6 +4,8 @@ use serde::{Deserialize, Serialize};
 
 /// Most places that are remembered one by one.
 const REMEMBERED: usize = 1000;
+/// Most remarks.
+const REMARKS: usize = 100;
 
 /// Bytes that made no sense.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -23,42 +25,61 @@ pub struct ReadReport {
     pub bytes: u64,
     /// Messages read.
     pub messages: u64,
+    /// Bytes that made sense. With [`skipped_bytes`](Self::skipped_bytes) they are all the bytes of a
+    /// file that is over.
+    pub used_bytes: u64,
     /// The first thousand places that were skipped, in the order of the file.
     pub skipped: Vec<Skipped>,
     /// All bytes that were skipped.
     pub skipped_bytes: u64,
     /// All places that were skipped.
     pub skipped_places: u64,
-    /// What else people should know, in words: a file cut off, times that go back.
+    /// What else people should know, in words: a file cut off, times that go back. A hundred at the most.
     pub remarks: Vec<String>,
+    /// The last place that was skipped, remembered or not.
+    last: Option<Skipped>,
 }
 
 impl ReadReport {
+    /// Notes a message of so many bytes.
+    #[inline]
+    pub fn message(&mut self, bytes: usize) {
+        self.messages += 1;
+        self.used_bytes += bytes as u64;
+    }
+
     /// Notes that `bytes` from `offset` on were skipped. What follows right after the last place for
     /// the same reason joins it.
     pub fn skip(&mut self, offset: u64, bytes: u64, cause: &str) {
         self.skipped_bytes += bytes;
-        if let Some(last) = self.skipped.last_mut()
+        if let Some(last) = &mut self.last
             && last.offset + last.bytes == offset
             && last.cause == cause
         {
             last.bytes += bytes;
+            if self.skipped_places <= REMEMBERED as u64
+                && let Some(remembered) = self.skipped.last_mut()
+            {
+                remembered.bytes += bytes;
+            }
             return;
         }
         self.skipped_places += 1;
+        let place = Skipped {
+            offset,
+            bytes,
+            cause: cause.to_owned(),
+        };
         if self.skipped.len() < REMEMBERED {
-            self.skipped.push(Skipped {
-                offset,
-                bytes,
-                cause: cause.to_owned(),
-            });
+            self.skipped.push(place.clone());
         }
+        self.last = Some(place);
     }
 
-    /// Notes something for people, once.
+    /// Notes something for people, once; what comes after a hundred remarks is left out.
     pub fn remark(&mut self, remark: impl Into<String>) {
         let remark = remark.into();
-        if !self.remarks.contains(&remark) {
+        if self.remarks.len() < REMARKS && !self.remarks.contains(&remark) {
             self.remarks.push(remark);
         }
     }
@@ -91,8 +112,20 @@ mod tests {
         let mut report = ReadReport::default();
         for i in 0..3000 {
             report.skip(10 * i, 1, "noise");
+            report.skip(10 * i + 1, 1, "noise");
         }
         assert_eq!(report.skipped.len(), 1000);
-        assert_eq!((report.skipped_places, report.skipped_bytes), (3000, 3000));
+        assert!(report.skipped.iter().all(|place| place.bytes == 2));
+        assert_eq!((report.skipped_places, report.skipped_bytes), (3000, 6000));
+    }
+
+    #[test]
+    fn remarks_are_made_once_and_never_without_end() {
+        let mut report = ReadReport::default();
+        for i in 0..1000 {
+            report.remark(format!("remark {}", i / 2));
+        }
+        assert_eq!(report.remarks.len(), 100);
+        assert_eq!(report.remarks[99], "remark 99");
     }
 }
