@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Log;
+use super::{Log, dataflash};
 
 /// A format of logs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -47,7 +47,22 @@ pub struct FormatInfo {
 
 /// Every format, in the order in which they are tried.
 pub fn all_formats() -> &'static [FormatInfo] {
-    &[]
+    &[
+        FormatInfo {
+            format: LogFormat::Dataflash,
+            label: "ArduPilot dataflash",
+            endings: &["bin"],
+            begins: dataflash::begins,
+            reader: || Box::new(dataflash::DataflashReader::new()),
+        },
+        FormatInfo {
+            format: LogFormat::DataflashText,
+            label: "ArduPilot dataflash, text",
+            endings: &["log"],
+            begins: dataflash::text_begins,
+            reader: || Box::new(dataflash::DataflashTextReader::new()),
+        },
+    ]
 }
 
 /// First bytes of a file that are enough to recognise it: logs that are text may begin with some lines of

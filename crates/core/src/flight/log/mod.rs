@@ -5,7 +5,9 @@
 //! log takes hardly more memory than its file. What the fields mean for navigation is said one folder
 //! up.
 
+mod dataflash;
 mod formats;
+mod gps_time;
 mod layout;
 mod model;
 mod report;

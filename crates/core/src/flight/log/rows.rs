@@ -7,7 +7,7 @@ const PIECE: usize = 1 << 20;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rows {
     width: usize,
-    rows_per_piece: usize,
+    per_piece: usize,
     pieces: Vec<Vec<u8>>,
     length: usize,
 }
@@ -17,7 +17,7 @@ impl Rows {
     pub fn new(width: usize) -> Self {
         Self {
             width,
-            rows_per_piece: (PIECE / width.max(1)).max(1),
+            per_piece: (PIECE / width.max(1)).max(1),
             pieces: Vec::new(),
             length: 0,
         }
@@ -46,7 +46,7 @@ impl Rows {
     /// Appends a row; what `bytes` lack is filled with zeros, what they have more is left out.
     #[inline]
     pub fn push(&mut self, bytes: &[u8]) {
-        if self.length == self.pieces.len() * self.rows_per_piece {
+        if self.length == self.pieces.len() * self.per_piece {
             self.add_piece();
         }
         if let Some(piece) = self.pieces.last_mut() {
@@ -59,7 +59,7 @@ impl Rows {
 
     fn add_piece(&mut self) {
         // The first piece grows: most topics have few rows. Later ones are made whole.
-        let whole = self.rows_per_piece * self.width;
+        let whole = self.per_piece * self.width;
         let capacity = if self.pieces.is_empty() { 0 } else { whole };
         self.pieces.push(Vec::with_capacity(capacity));
     }
@@ -70,9 +70,9 @@ impl Rows {
         if index >= self.length {
             return None;
         }
-        let start = index % self.rows_per_piece * self.width;
+        let start = index % self.per_piece * self.width;
         self.pieces
-            .get(index / self.rows_per_piece)?
+            .get(index / self.per_piece)?
             .get(start..start + self.width)
     }
 

@@ -1,0 +1,205 @@
+//! Messages found in a stream of bytes.
+
+use super::super::{Log, LogReader};
+use super::contents::{Announced, Contents, UNANNOUNCED};
+use super::format::{FORMAT, Format, HEADER};
+
+/// The bytes that every message begins with.
+const MARKS: [u8; 2] = [0xa3, 0x95];
+/// Bytes with which every question about a place is answered: a message, one that begins within it, and
+/// the marks after that.
+const ENOUGH: usize = 512;
+
+const NOISE: &str = "no message begins here";
+const INTERRUPTED: &str = "a message that another one interrupts";
+const CUT_OFF: &str = "the file ends within a message";
+
+/// Reads `ArduPilot`'s dataflash logs, binary.
+pub struct DataflashReader {
+    contents: Contents,
+    /// Bytes that wait for more.
+    waiting: Vec<u8>,
+    /// Place in the file of the first byte that waits.
+    offset: u64,
+    /// Whether a message ended right before.
+    is_in_step: bool,
+    /// Why bytes are skipped at the moment.
+    skipping: Option<&'static str>,
+}
+
+/// What to do next.
+enum Step {
+    /// Wait for more bytes.
+    Wait,
+    /// Take a message of so many bytes.
+    Take(usize),
+    /// Leave out so many bytes.
+    Skip(usize, &'static str),
+}
+
+/// Whether a message stands at a place.
+#[derive(PartialEq)]
+enum Found {
+    Yes,
+    No,
+    /// That takes more bytes to say.
+    Unknown,
+}
+
+/// Whether a file that begins so is such a log: somewhere near its beginning a kind of message is announced.
+pub fn begins(head: &[u8]) -> bool {
+    let starts = head.windows(HEADER).enumerate();
+    let mut announcements = starts.filter(|(_, w)| **w == [MARKS[0], MARKS[1], FORMAT]);
+    announcements.any(|(at, _)| {
+        let format = Format::read(&head[at + HEADER..]);
+        format.is_ok_and(|format| format.oddity().is_none())
+    })
+}
+
+impl DataflashReader {
+    /// A reader at the beginning of a file.
+    pub fn new() -> Self {
+        Self {
+            contents: Contents::new(Announced::ByRows),
+            waiting: Vec::new(),
+            offset: 0,
+            is_in_step: true,
+            skipping: None,
+        }
+    }
+
+    /// Reads what can be read of `bytes`, and returns how many bytes that were.
+    fn read(&mut self, bytes: &[u8], is_last: bool, log: &mut Log) -> usize {
+        let mut at = 0;
+        loop {
+            let rest = &bytes[at..];
+            let (length, cause) = match self.step(rest, is_last) {
+                Step::Wait => break,
+                Step::Take(length) => {
+                    match self.contents.row(rest[2], &rest[HEADER..length], log) {
+                        Ok(()) => {
+                            log.report.message(length);
+                            self.skipping = None;
+                            self.is_in_step = true;
+                            at += length;
+                            continue;
+                        }
+                        Err(cause) => (length, cause),
+                    }
+                }
+                Step::Skip(length, cause) => {
+                    self.is_in_step = false;
+                    (length, cause)
+                }
+            };
+            let cause = *self.skipping.get_or_insert(cause);
+            log.report
+                .skip(self.offset + at as u64, length as u64, cause);
+            at += length;
+        }
+        self.offset += at as u64;
+        at
+    }
+
+    #[inline]
+    fn step(&self, rest: &[u8], is_last: bool) -> Step {
+        let length = match *rest {
+            [] => return Step::Wait,
+            [a, b, number, ..] if [a, b] == MARKS => match self.contents.length(number) {
+                Some(length) => length,
+                None => return Step::Skip(MARKS.len(), UNANNOUNCED),
+            },
+            [_] | [_, _] if MARKS.starts_with(rest) => {
+                return if is_last {
+                    Step::Skip(rest.len(), CUT_OFF)
+                } else {
+                    Step::Wait
+                };
+            }
+            _ => {
+                let next = rest[1..].iter().position(|b| *b == MARKS[0]);
+                return Step::Skip(next.map_or(rest.len(), |n| n + 1), NOISE);
+            }
+        };
+        match Self::ends_before_another(rest, length, is_last) {
+            Found::Yes => Step::Take(length),
+            Found::Unknown => Step::Wait,
+            Found::No => self.doubtful(rest, length, is_last),
+        }
+    }
+
+    /// Whether the message is there as a whole and followed by another one, or by the end of the file.
+    #[inline]
+    fn ends_before_another(rest: &[u8], length: usize, is_last: bool) -> Found {
+        let is = |yes| if yes { Found::Yes } else { Found::No };
+        match rest.get(length..) {
+            Some([a, b, ..]) => is([*a, *b] == MARKS),
+            _ if !is_last => Found::Unknown,
+            Some([a]) => is(*a == MARKS[0]),
+            Some(_) => Found::Yes,
+            None => Found::No,
+        }
+    }
+
+    /// A message that no other one follows. After another message it counts, unless a whole one begins within
+    /// it; in the midst of noise its marks may be chance.
+    fn doubtful(&self, rest: &[u8], length: usize, is_last: bool) -> Step {
+        if !self.is_in_step {
+            return Step::Skip(MARKS.len(), NOISE);
+        }
+        if rest.len() < ENOUGH && !is_last {
+            return Step::Wait;
+        }
+        let within = rest.windows(HEADER).enumerate().take(length).skip(1);
+        for (at, header) in within {
+            if header[..2] == MARKS
+                && let Some(length) = self.contents.length(header[2])
+                && Self::ends_before_another(&rest[at..], length, is_last) == Found::Yes
+            {
+                return Step::Skip(at, INTERRUPTED);
+            }
+        }
+        if rest.len() < length {
+            return Step::Skip(rest.len(), CUT_OFF);
+        }
+        Step::Take(length)
+    }
+}
+
+impl Default for DataflashReader {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl LogReader for DataflashReader {
+    fn feed(&mut self, bytes: &[u8], log: &mut Log) {
+        log.report.bytes += bytes.len() as u64;
+        let mut bytes = bytes;
+        while !self.waiting.is_empty() && !bytes.is_empty() {
+            let mut joined = std::mem::take(&mut self.waiting);
+            let old = joined.len();
+            let added = bytes.len().min(ENOUGH);
+            joined.extend_from_slice(&bytes[..added]);
+            let used = self.read(&joined, false, log);
+            if used >= old {
+                bytes = &bytes[used - old..];
+            } else {
+                bytes = &bytes[added..];
+                joined.drain(..used);
+                self.waiting = joined;
+            }
+        }
+        if !bytes.is_empty() {
+            let used = self.read(bytes, false, log);
+            self.waiting.extend_from_slice(&bytes[used..]);
+        }
+        self.contents.settle(log);
+    }
+
+    fn finish(&mut self, log: &mut Log) {
+        let rest = std::mem::take(&mut self.waiting);
+        self.read(&rest, true, log);
+        self.contents.finish(log);
+    }
+}

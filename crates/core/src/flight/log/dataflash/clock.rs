@@ -1,0 +1,196 @@
+//! When a message was written, seconds since the autopilot started.
+
+use super::super::gps_time::utc_of_gps;
+use super::super::{FieldKind, FieldLayout, Log, Topic};
+use super::format::Format;
+
+/// Kind of fix from which on a receiver knows the time.
+const FULL_FIX: f64 = 3.0;
+/// Most rows between two fixes whose times are found later.
+const WAITING: usize = 1 << 16;
+
+/// Where a message has its time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stamp {
+    kind: FieldKind,
+    offset: usize,
+    per_second: f64,
+}
+
+impl Stamp {
+    /// The time field of a kind of message: `TimeUS`, or in older logs `TimeMS`, if it comes first, or
+    /// milliseconds in the field `T` of satellite receivers, whose `TimeMS` counts from the week's
+    /// beginning. `TimeMS` of raw samples is another clock's. Logs of PX4's older format tell the time in
+    /// messages of its own.
+    pub fn of(format: &Format) -> Option<Self> {
+        let (columns, _) = format.fields();
+        let name = format.name.as_str();
+        let find = |name: &str| columns.iter().find(|c| c.name == name);
+        let first = columns.first()?;
+        let is_raw = name.starts_with("ACC") || name.starts_with("GYR");
+        let (column, per_second) = match first.name.as_str() {
+            "TimeUS" => (first, 1e6),
+            "TimeMS" if !is_raw => (first, 1e3),
+            _ if is_receiver(name) => (find("T")?, 1e3),
+            _ if name == "TIME" => (find("StartTime")?, 1e6),
+            _ => return None,
+        };
+        let is_whole = !matches!(
+            column.letter.kind,
+            FieldKind::F16 | FieldKind::F32 | FieldKind::F64
+        );
+        (column.letter.kind.is_number() && is_whole).then_some(Self {
+            kind: column.letter.kind,
+            offset: column.offset,
+            per_second,
+        })
+    }
+
+    /// The time in a message, seconds.
+    #[inline]
+    fn read(&self, body: &[u8]) -> Option<f64> {
+        let number = self.kind.number(body.get(self.offset..)?)?;
+        Some(number / self.per_second)
+    }
+}
+
+/// Whether a kind of message is from a satellite receiver.
+pub fn is_receiver(name: &str) -> bool {
+    name == "GPS" || name == "GPS2"
+}
+
+/// What the times of a log are counted by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Base {
+    /// Nothing told the time so far.
+    None,
+    /// The autopilot's clock.
+    Start,
+    /// Satellite time, where messages have no other; counted from the first fix, at these
+    /// milliseconds since the first week of GPS began.
+    Satellites(f64),
+}
+
+/// The clock of a log.
+#[derive(Clone, Debug)]
+pub struct Clock {
+    base: Base,
+    now: f64,
+    /// Whether a receiver with a full fix told the date.
+    is_dated: bool,
+    /// Rows since the last fix, by place of the topic and number, where only fixes tell the time.
+    waiting: Vec<(usize, usize)>,
+}
+
+impl Clock {
+    /// A clock that was told nothing.
+    pub fn new() -> Self {
+        Self {
+            base: Base::None,
+            now: 0.0,
+            is_dated: false,
+            waiting: Vec::new(),
+        }
+    }
+
+    /// Time of a message, seconds: its own, or that of the last one that had any.
+    #[inline]
+    pub fn time(&mut self, stamp: Option<&Stamp>, body: &[u8], log: &mut Log) -> f64 {
+        if let Some(stamp) = stamp
+            && let Some(time) = stamp.read(body)
+        {
+            match self.base {
+                Base::Start => self.now = time,
+                Base::None => self.start(time, log),
+                Base::Satellites(_) => {}
+            }
+        }
+        self.now
+    }
+
+    /// What was read before the first time belongs to it.
+    fn start(&mut self, time: f64, log: &mut Log) {
+        self.base = Base::Start;
+        self.now = time;
+        for topic in &mut log.topics {
+            topic.times.fill(time);
+        }
+        let parameters = log.parameters.iter_mut().map(|p| &mut p.time);
+        let messages = log.messages.iter_mut().map(|m| &mut m.time);
+        let modes = log.modes.iter_mut().map(|m| &mut m.time);
+        for earlier in parameters.chain(messages).chain(modes) {
+            *earlier = time;
+        }
+    }
+
+    /// Notes where a row was put.
+    #[inline]
+    pub fn put(&mut self, place: usize, row: usize) {
+        if matches!(self.base, Base::Satellites(_)) && self.waiting.len() < WAITING {
+            self.waiting.push((place, row));
+        }
+    }
+
+    /// Takes the date, and if need be the time, from the last row of a receiver's topic.
+    pub fn fix(&mut self, place: usize, log: &mut Log) {
+        let topic = &log.topics[place];
+        let Some(row) = topic.len().checked_sub(1) else {
+            return;
+        };
+        let value = |names: &[&str]| {
+            let field = names.iter().find_map(|name| topic.field(name))?;
+            of_receiver(topic, field, row)
+        };
+        let week = value(&["GWk", "Week", "Wk"]).filter(|week| *week > 0.0);
+        let Some(milliseconds) = value(&["GMS", "TimeMS", "TWk", "Time"]) else {
+            return;
+        };
+        if week.is_none() && milliseconds == 0.0 {
+            return;
+        }
+        let since_1980 = week.unwrap_or(0.0) * 604_800_000.0 + milliseconds;
+        self.satellites(since_1980, log);
+        if matches!(self.base, Base::Satellites(_)) {
+            log.topics[place].times[row] = self.now;
+        }
+        let Some(week) = week else {
+            return;
+        };
+        let topic = &log.topics[place];
+        let status = topic.field("Status").and_then(|f| topic.value(f, row));
+        let is_full = status.is_none_or(|status| status >= FULL_FIX);
+        if log.utc_at_zero.is_none() || (is_full && !self.is_dated) {
+            let time = topic.times[row];
+            log.utc_at_zero = Some(utc_of_gps(week, milliseconds) - time);
+            self.is_dated |= is_full;
+        }
+    }
+
+    /// Where messages have no time of their own, those between two fixes are spread evenly between them.
+    fn satellites(&mut self, milliseconds: f64, log: &mut Log) {
+        match self.base {
+            Base::Start => {}
+            Base::None => self.base = Base::Satellites(milliseconds),
+            Base::Satellites(first) => {
+                let (before, now) = (self.now, (milliseconds - first) / 1e3);
+                if now > before {
+                    // The fix itself is the last of those that wait.
+                    let count = self.waiting.len() as f64;
+                    for ((place, row), i) in self.waiting.drain(..).zip(1_u32..) {
+                        let part = f64::from(i) / count;
+                        if let Some(time) = log.topics[place].times.get_mut(row) {
+                            *time = before + (now - before) * part;
+                        }
+                    }
+                    self.now = now;
+                }
+            }
+        }
+        self.waiting.clear();
+    }
+}
+
+/// The number as the receiver counts it, whatever unit the log would show it in.
+fn of_receiver(topic: &Topic, field: &FieldLayout, row: usize) -> Option<f64> {
+    field.kind.number(field.bytes(topic.rows.get(row)?)?)
+}

@@ -1,0 +1,25 @@
+//! `ArduPilot`'s dataflash logs.
+//!
+//! Each message is two marks, the number of its kind, and fields. FMT messages announce kinds: their length,
+//! their name, a letter for each field, and the fields' names. FMTU, UNIT and MULT say what units and which
+//! multipliers the fields have, and which of them tells instances apart.
+//!
+//! The same messages may stand in lines of text ([`DataflashTextReader`]); their rows are those that the
+//! binary log would have.
+
+mod binary;
+mod clock;
+mod contents;
+mod format;
+mod letters;
+mod modes;
+#[cfg(test)]
+mod tests;
+mod text;
+mod topics;
+mod units;
+mod values;
+mod words;
+
+pub use binary::{DataflashReader, begins};
+pub use text::{DataflashTextReader, begins as text_begins};
