@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Log, dataflash};
+use super::{Log, dataflash, ulog};
 
 /// A format of logs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -62,6 +62,7 @@ pub fn all_formats() -> &'static [FormatInfo] {
             begins: dataflash::text_begins,
             reader: || Box::new(dataflash::DataflashTextReader::new()),
         },
+        ulog::INFO,
     ]
 }
 

@@ -10,15 +10,20 @@ mod formats;
 mod gps_time;
 mod layout;
 mod model;
+mod px4_modes;
 mod report;
 mod rows;
 mod scale;
+mod stepping;
+#[cfg(test)]
+mod testing;
 mod topic;
+mod ulog;
 
 pub use formats::{FormatInfo, HEAD, LogFormat, LogReader, all_formats, recognise};
 pub use layout::{FieldKind, FieldLayout};
-pub use model::{Log, LogMessage, ModeChange, Parameter};
-pub use report::{ReadReport, Skipped};
+pub use model::{DefaultValue, Fact, Log, LogMessage, ModeChange, Parameter};
+pub use report::{Gap, ReadReport, Skipped};
 pub use rows::Rows;
 pub use scale::Scale;
 pub use topic::{Topic, TopicName};

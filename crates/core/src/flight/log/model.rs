@@ -17,11 +17,33 @@ pub struct Parameter {
     pub time: f64,
 }
 
+/// The value that a parameter has unless somebody sets it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct DefaultValue {
+    /// Name of the parameter.
+    pub name: String,
+    /// Value.
+    pub value: f64,
+    /// Whether it holds for this kind of airframe only, and outweighs the one of the whole system.
+    pub of_airframe: bool,
+}
+
+/// Something that the log says of itself: a version, a serial number, what was printed at start.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Fact {
+    /// What it is, in the log's words.
+    pub name: String,
+    /// What is said.
+    pub text: String,
+}
+
 /// Words that the autopilot wrote.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LogMessage {
     /// Seconds in the log's time base.
     pub time: f64,
+    /// Number of the speaker, where the log tells several apart.
+    pub source: Option<u32>,
     /// Urgency as syslog counts it, 0 (emergency) to 7 (debug), where it is told.
     pub severity: Option<u8>,
     /// The words.
@@ -52,6 +74,10 @@ pub struct Log {
     pub topics: Vec<Topic>,
     /// Every parameter in the order of the file; later values of one name stand after earlier ones.
     pub parameters: Vec<Parameter>,
+    /// Default values of parameters, where the log has them.
+    pub defaults: Vec<DefaultValue>,
+    /// What the log says of itself, in the order of the file; long texts come in several pieces.
+    pub facts: Vec<Fact>,
     /// Words of the autopilot.
     pub messages: Vec<LogMessage>,
     /// Changes of mode.
@@ -71,6 +97,8 @@ impl Log {
             vehicle: String::new(),
             topics: Vec::new(),
             parameters: Vec::new(),
+            defaults: Vec::new(),
+            facts: Vec::new(),
             messages: Vec::new(),
             modes: Vec::new(),
             report: ReadReport::default(),

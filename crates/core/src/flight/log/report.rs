@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Most places that are remembered one by one.
+/// Most places and gaps that are remembered one by one.
 const REMEMBERED: usize = 1000;
 /// Most remarks.
 const REMARKS: usize = 100;
@@ -18,8 +18,17 @@ pub struct Skipped {
     pub cause: String,
 }
 
+/// A time in which the logger lost rows.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Gap {
+    /// Seconds in the log's time base at which it was noted.
+    pub time: f64,
+    /// How long it was, seconds.
+    pub duration: f64,
+}
+
 /// What was read and what was not.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ReadReport {
     /// Bytes looked at.
     pub bytes: u64,
@@ -34,6 +43,12 @@ pub struct ReadReport {
     pub skipped_bytes: u64,
     /// All places that were skipped.
     pub skipped_places: u64,
+    /// The first thousand gaps that the logger itself noted.
+    pub gaps: Vec<Gap>,
+    /// All gaps that the logger noted.
+    pub gap_count: u64,
+    /// All of them together, seconds.
+    pub gap_duration: f64,
     /// What else people should know, in words: a file cut off, times that go back. A hundred at the most.
     pub remarks: Vec<String>,
     /// The last place that was skipped, remembered or not.
@@ -74,6 +89,15 @@ impl ReadReport {
             self.skipped.push(place.clone());
         }
         self.last = Some(place);
+    }
+
+    /// Notes that the logger lost rows for `duration` seconds before `time`.
+    pub fn gap(&mut self, time: f64, duration: f64) {
+        self.gap_count += 1;
+        self.gap_duration += duration;
+        if self.gaps.len() < REMEMBERED {
+            self.gaps.push(Gap { time, duration });
+        }
     }
 
     /// Notes something for people, once; what comes after a hundred remarks is left out.
@@ -117,6 +141,15 @@ mod tests {
         assert_eq!(report.skipped.len(), 1000);
         assert!(report.skipped.iter().all(|place| place.bytes == 2));
         assert_eq!((report.skipped_places, report.skipped_bytes), (3000, 6000));
+    }
+
+    #[test]
+    fn gaps_are_added_up() {
+        let mut report = ReadReport::default();
+        report.gap(5.0, 0.25);
+        report.gap(9.0, 0.5);
+        assert_eq!((report.gap_count, report.gap_duration), (2, 0.75));
+        assert_eq!(report.gaps[1].time, 9.0);
     }
 
     #[test]

@@ -38,6 +38,7 @@ impl Words {
             Some(message) if follows => message.text.push_str(text),
             _ => log.messages.push(LogMessage {
                 time,
+                source: None,
                 severity: None,
                 text: text.to_owned(),
             }),

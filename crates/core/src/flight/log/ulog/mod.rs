@@ -1,0 +1,32 @@
+//! PX4's `ULog` files.
+//!
+//! The crate `px4-ulog` reads pieces, too, but ends at the first message that makes no sense, tells no
+//! place in the file and has no way on; so this reader is our own.
+//!
+//! Rows are stored as the file has them, without their number. Times are seconds since the autopilot
+//! started; of appended data (what a crash left behind) as well.
+
+mod definition;
+mod message;
+mod reader;
+mod rows;
+mod search;
+#[cfg(test)]
+mod tests;
+mod units;
+mod value;
+
+use super::stepping::Stepping;
+use super::{FormatInfo, LogFormat};
+
+/// What a file begins with; the version and the time of the start follow.
+const MAGIC: [u8; 7] = *b"ULog\x01\x12\x35";
+
+/// The format.
+pub(super) const INFO: FormatInfo = FormatInfo {
+    format: LogFormat::Ulog,
+    label: "PX4 ULog",
+    endings: &["ulg"],
+    begins: |head| head.starts_with(&MAGIC),
+    reader: || Box::new(Stepping::<reader::Ulog>::default()),
+};

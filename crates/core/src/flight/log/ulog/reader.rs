@@ -1,0 +1,370 @@
+//! From message to message through a `ULog` file.
+
+use super::super::stepping::{Step, Steps};
+use super::super::{DefaultValue, Fact, Log, LogMessage, Parameter, TopicName};
+use super::MAGIC;
+use super::definition::Definitions;
+use super::message::{FRAME, Message, frame, may_begin, parse};
+use super::rows::{Fit, Subscriptions};
+use super::value::Keyed;
+
+/// Bytes of the header: what every file begins with, a version, the time of the start.
+pub(super) const HEADER: usize = 16;
+/// The version whose form this is.
+const VERSION: u8 = 1;
+/// Default values of parameters: for the airframe rather than for the whole system.
+const OF_AIRFRAME: u8 = 2;
+
+/// How far a message can be believed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Belief {
+    /// It holds together so well that it is no accident.
+    Sure,
+    /// Only if another message follows right behind it.
+    Likely,
+}
+
+/// The state of reading.
+#[derive(Default)]
+pub(super) struct Ulog {
+    definitions: Definitions,
+    pub(super) subscriptions: Subscriptions,
+    /// Latest time, seconds since the autopilot started.
+    time: f64,
+    /// Places in the file where data were appended, which no message crosses.
+    appended: Vec<u64>,
+    /// Why the next message has to be looked for, if it has.
+    lost: Option<&'static str>,
+    is_begun: bool,
+    software: Software,
+}
+
+/// What the log says of what flew.
+#[derive(Default)]
+struct Software {
+    system: String,
+    release: String,
+    version: String,
+    hardware: String,
+}
+
+impl Steps for Ulog {
+    fn step(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> Step {
+        if !self.is_begun {
+            return self.header(bytes, over, log);
+        }
+        let before = |start: u64| start.checked_sub(offset).filter(|bytes| *bytes > 0);
+        let limit = self
+            .appended
+            .iter()
+            .filter_map(|start| before(*start))
+            .min();
+        let limit = limit.map_or(usize::MAX, |limit| {
+            usize::try_from(limit).unwrap_or(usize::MAX)
+        });
+        if self.appended.contains(&offset) {
+            self.lost = None;
+        }
+        let over = over || bytes.len() >= limit;
+        let bytes = &bytes[..bytes.len().min(limit)];
+        match self.lost {
+            Some(cause) => self.search(bytes, offset, over, cause, log),
+            None => self.next(bytes, offset, over, log),
+        }
+    }
+}
+
+impl Ulog {
+    fn header(&mut self, bytes: &[u8], over: bool, log: &mut Log) -> Step {
+        if bytes.len() < HEADER && !over {
+            return Step::Wait;
+        }
+        self.is_begun = true;
+        if self.begin(bytes, log) {
+            return Step::Took(HEADER);
+        }
+        log.report.remark("the file has no header of a ULog");
+        log.report.skip(0, 1, "no header of a ULog");
+        self.lost = Some("no header of a ULog");
+        Step::Took(1)
+    }
+
+    /// Takes a header, if `bytes` begin with one.
+    fn begin(&mut self, bytes: &[u8], log: &mut Log) -> bool {
+        let Some(header) = bytes
+            .get(..HEADER)
+            .filter(|bytes| bytes.starts_with(&MAGIC))
+        else {
+            return false;
+        };
+        if header[MAGIC.len()] > VERSION {
+            let version = header[MAGIC.len()];
+            log.report.remark(format!(
+                "the file is of version {version}, of which only what version {VERSION} has is read"
+            ));
+        }
+        let mut microseconds = [0; 8];
+        microseconds.copy_from_slice(&header[8..]);
+        self.time = u64::from_le_bytes(microseconds) as f64 / 1e6;
+        log.report.used_bytes += HEADER as u64;
+        true
+    }
+
+    /// Another log begins within the file: what one was told holds no more.
+    pub(super) fn begin_again(&mut self, bytes: &[u8], offset: u64, log: &mut Log) -> Step {
+        self.begin(bytes, log);
+        self.definitions = Definitions::default();
+        self.subscriptions.forget();
+        self.appended.clear();
+        self.lost = None;
+        log.report
+            .remark(format!("another log begins at byte {offset}"));
+        Step::Took(HEADER)
+    }
+
+    /// Takes the message that begins here.
+    fn next(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> Step {
+        let lose = |reader: &mut Self, cause: &'static str, log: &mut Log| {
+            reader.lost = Some(cause);
+            log.report.skip(offset, 1, cause);
+            Step::Took(1)
+        };
+        if bytes.len() < HEADER && !over && bytes.starts_with(&MAGIC[..3]) {
+            return Step::Wait;
+        }
+        if bytes.len() >= HEADER && bytes.starts_with(&MAGIC) {
+            return self.begin_again(bytes, offset, log);
+        }
+        let whole = frame(bytes).map(|(length, kind)| (FRAME + length, kind));
+        let Some((length, kind)) = whole.filter(|(length, _)| *length <= bytes.len()) else {
+            if !over {
+                return Step::Wait;
+            }
+            return lose(self, "a message reaches beyond the end", log);
+        };
+        let message = match parse(kind, &bytes[FRAME..length]) {
+            Ok(message) => message,
+            Err(cause) => return lose(self, cause, log),
+        };
+        match self.belief(&message) {
+            Err(cause) => return lose(self, cause, log),
+            Ok(Belief::Sure) => {}
+            Ok(Belief::Likely) => {
+                let behind = &bytes[length..];
+                if behind.len() < FRAME && !over {
+                    return Step::Wait;
+                }
+                if behind.len() >= FRAME
+                    && !may_begin(behind)
+                    && !behind.starts_with(&MAGIC[..FRAME])
+                {
+                    return lose(self, "no message follows", log);
+                }
+            }
+        }
+        match self.take(message, offset, log) {
+            Ok(()) => log.report.message(length),
+            Err(cause) => log.report.skip(offset, length as u64, cause),
+        }
+        Step::Took(length)
+    }
+
+    /// How far a message can be believed, or why not at all.
+    pub(super) fn belief(&self, message: &Message) -> Result<Belief, &'static str> {
+        let sure_if = |good| Ok(if good { Belief::Sure } else { Belief::Likely });
+        match message {
+            Message::Definition(_) | Message::Sync => Ok(Belief::Sure),
+            Message::Fact(value) => sure_if(value.is_whole()),
+            Message::Parameter(value) | Message::Default { value, .. } => {
+                let is_parameter = value.parameter().is_some();
+                is_parameter
+                    .then_some(Belief::Sure)
+                    .ok_or("a parameter that is no number")
+            }
+            Message::Subscribe { name, .. } => sure_if(self.definitions.has(name)),
+            Message::Row { number, row } => match self.subscriptions.fit(*number, row.len()) {
+                Fit::Yes => Ok(Belief::Sure),
+                Fit::Unknown => Ok(Belief::Likely),
+                Fit::No => Err("a row has not the length of its definition"),
+            },
+            Message::Words { text, .. } => {
+                let is_clean = |text: &str| {
+                    !text
+                        .chars()
+                        .any(|c| c.is_control() && !"\t\n\r\x1b".contains(c))
+                };
+                sure_if(str::from_utf8(text).is_ok_and(is_clean))
+            }
+            Message::Flags { .. }
+            | Message::Unsubscribe
+            | Message::Dropout(_)
+            | Message::Unknown => Ok(Belief::Likely),
+        }
+    }
+
+    /// Puts into the log what a message says, or tells why that cannot be.
+    fn take(&mut self, message: Message, offset: u64, log: &mut Log) -> Result<(), &'static str> {
+        match message {
+            Message::Flags { unknown, appended } => self.flags(unknown, appended, offset, log),
+            Message::Definition(definition) => self.definitions.add(definition),
+            Message::Fact(value) => self.fact(&value, log),
+            Message::Parameter(value) => {
+                if let Some(number) = value.parameter() {
+                    log.parameters.push(Parameter {
+                        name: value.name.to_owned(),
+                        value: number,
+                        time: self.time,
+                    });
+                }
+            }
+            Message::Default { kinds, value } => add_default(kinds, &value, log),
+            Message::Subscribe {
+                number,
+                instance,
+                name,
+            } => {
+                let name = TopicName {
+                    name: name.to_owned(),
+                    instance: Some(u32::from(instance)),
+                };
+                self.subscriptions
+                    .announce(number, name, &mut self.definitions, log);
+            }
+            Message::Row { number, row } => {
+                let definitions = &mut self.definitions;
+                let time = &mut self.time;
+                if !self
+                    .subscriptions
+                    .store(number, row, definitions, time, log)
+                {
+                    return Err("a row of a topic that was not announced or cannot be read");
+                }
+            }
+            Message::Words {
+                severity,
+                tag,
+                microseconds,
+                text,
+            } => log.messages.push(LogMessage {
+                time: microseconds as f64 / 1e6,
+                source: tag.map(u32::from),
+                severity: Some(severity),
+                text: String::from_utf8_lossy(text).into_owned(),
+            }),
+            Message::Dropout(milliseconds) => {
+                log.report.gap(self.time, f64::from(milliseconds) / 1e3);
+            }
+            Message::Unknown => return Err("a kind of message that is not known"),
+            Message::Unsubscribe | Message::Sync => {}
+        }
+        Ok(())
+    }
+
+    fn flags(&mut self, unknown: bool, appended: [u64; 3], offset: u64, log: &mut Log) {
+        if offset != HEADER as u64 {
+            log.report
+                .remark("flags that do not stand at the beginning are not heeded");
+            return;
+        }
+        if unknown {
+            log.report.remark(
+                "the file says that it deviates from the form that is known here: what was read may be wrong",
+            );
+        }
+        self.appended = appended.into_iter().filter(|start| *start > 0).collect();
+    }
+
+    fn fact(&mut self, value: &Keyed, log: &mut Log) {
+        let text = value.text();
+        let software = &mut self.software;
+        match value.name {
+            "sys_name" => software.system.clone_from(&text),
+            "ver_hw" => software.hardware.clone_from(&text),
+            "ver_sw" => software.version = text.chars().take(8).collect(),
+            "ver_sw_release" => software.release = value.number().map_or_else(String::new, release),
+            _ => {}
+        }
+        if matches!(
+            value.name,
+            "sys_name" | "ver_hw" | "ver_sw" | "ver_sw_release"
+        ) {
+            log.vehicle = software.words();
+        }
+        log.facts.push(Fact {
+            name: value.name.to_owned(),
+            text,
+        });
+    }
+
+    /// Looks for the next message that is surely one.
+    fn search(
+        &mut self,
+        bytes: &[u8],
+        offset: u64,
+        over: bool,
+        cause: &str,
+        log: &mut Log,
+    ) -> Step {
+        let (count, is_found) = super::search::next_sure(self, bytes, over);
+        if count > 0 {
+            log.report.skip(offset, count as u64, cause);
+        }
+        if is_found {
+            self.lost = None;
+            if count == 0 {
+                return self.next(bytes, offset, over, log);
+            }
+        }
+        if count == 0 {
+            Step::Wait
+        } else {
+            Step::Took(count)
+        }
+    }
+}
+
+impl Software {
+    fn words(&self) -> String {
+        let version = if self.release.is_empty() {
+            &self.version
+        } else {
+            &self.release
+        };
+        let software = [self.system.as_str(), version.as_str()];
+        let software: Vec<_> = software
+            .into_iter()
+            .filter(|word| !word.is_empty())
+            .collect();
+        let words = [software.join(" "), self.hardware.clone()];
+        let words: Vec<_> = words.into_iter().filter(|word| !word.is_empty()).collect();
+        words.join(", ")
+    }
+}
+
+/// A release in words, from its number: one byte each of major, minor, patch and kind.
+fn release(number: f64) -> String {
+    let [kind, patch, minor, major] = (number as u32).to_le_bytes();
+    let kind = match kind {
+        0..64 => " (development)",
+        64..128 => " (alpha)",
+        128..192 => " (beta)",
+        192..255 => " (release candidate)",
+        255 => "",
+    };
+    format!("v{major}.{minor}.{patch}{kind}")
+}
+
+fn add_default(kinds: u8, value: &Keyed, log: &mut Log) {
+    let Some(number) = value.parameter() else {
+        return;
+    };
+    for (bit, of_airframe) in [(1, false), (OF_AIRFRAME, true)] {
+        if kinds & bit != 0 {
+            log.defaults.push(DefaultValue {
+                name: value.name.to_owned(),
+                value: number,
+                of_airframe,
+            });
+        }
+    }
+}
