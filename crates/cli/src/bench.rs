@@ -1,6 +1,7 @@
 //! `pilotage bench`: our kernels beside OpenCV's and FilterPy's, in one run.
 
 mod cascades;
+mod in_wasm;
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -23,6 +24,12 @@ pub struct Arguments {
     /// Picture that the cascades are shown.
     #[arg(long)]
     picture: Option<PathBuf>,
+    /// This program built for `wasm32-wasip1`, to time the cascades in WebAssembly as well.
+    #[arg(long, requires = "cascades")]
+    wasm: Option<PathBuf>,
+    /// What runs it.
+    #[arg(long, default_value = "node")]
+    node: String,
 }
 
 /// (search side, template side), pixels, as the navigator uses them.
@@ -87,7 +94,14 @@ except ImportError: pass
 /// Prints the table.
 pub fn run(arguments: &Arguments) -> Outcome {
     if let (Some(folder), Some(picture)) = (&arguments.cascades, &arguments.picture) {
-        return cascades::run(folder, picture, arguments.python.as_deref());
+        let wasm = arguments.wasm.as_deref();
+        let wasm = wasm.map(|program| in_wasm::times(&arguments.node, program, folder, picture));
+        return cascades::run(
+            folder,
+            picture,
+            arguments.python.as_deref(),
+            wasm.transpose()?.as_ref(),
+        );
     }
     let mut theirs: Vec<(String, f64)> = Vec::new();
     if let Some(python) = &arguments.python {

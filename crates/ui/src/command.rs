@@ -8,6 +8,7 @@ use crate::dialogs::WebMapCommand;
 use crate::georeference::GeoreferenceCommand;
 use crate::jobs::SimulationOptions;
 use crate::labelling::LabelCommand;
+use crate::log::LogCommand;
 use crate::plan::PlanCommand;
 use crate::views::DetectorCommand;
 use serde::{Deserialize, Serialize};
@@ -143,6 +144,8 @@ pub enum Command {
     Georeference(GeoreferenceCommand),
     /// Something about labels.
     Label(LabelCommand),
+    /// Something about the open log.
+    Log(LogCommand),
     /// Something about the plan.
     Plan(PlanCommand),
 }

@@ -10,6 +10,7 @@ pub mod host;
 pub mod jobs;
 pub mod kept_mesh;
 pub mod labelling;
+pub mod log;
 pub mod map;
 pub mod plan;
 pub mod shell;

@@ -1,5 +1,6 @@
 //! Cascades over a picture beside OpenCV's, in one run.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -12,6 +13,8 @@ use crate::Outcome;
 
 /// Runs of which the best counts.
 const RUNS: usize = 7;
+/// What stands where nothing was timed.
+const NONE: &str = "–";
 
 const SCRIPT: &str = r"
 import sys, time, cv2
@@ -60,13 +63,19 @@ fn theirs(
     Ok((time.parse()?, count.parse()?))
 }
 
-/// Prints a row for each cascade below `folder` over `picture`.
-pub fn run(folder: &Path, picture: &Path, python: Option<&str>) -> Outcome {
+/// Prints a row for each cascade below `folder` over `picture`, beside OpenCV's times where there is a
+/// `python` and our own in WebAssembly where they are given (milliseconds by name).
+pub fn run(
+    folder: &Path,
+    picture: &Path,
+    python: Option<&str>,
+    wasm: Option<&BTreeMap<String, f64>>,
+) -> Outcome {
     let files = files(folder)?;
     let gray = decode_picture(&fs::read(picture)?)?.map(|colour| luminance(colour).round() as u8);
     println!(
-        "{:44} {:>11} {:>11} {:>8}",
-        "cascade, every scale by 1.1", "ours, ms", "theirs, ms", "ratio"
+        "{:44} {:>11} {:>11} {:>8} {:>11} {:>9}",
+        "cascade, every scale by 1.1", "ours, ms", "theirs, ms", "ratio", "wasm, ms", "to native"
     );
     for path in &files {
         let name = path.file_stem().unwrap_or_default().to_string_lossy();
@@ -78,17 +87,19 @@ pub fn run(folder: &Path, picture: &Path, python: Option<&str>) -> Outcome {
             best = best.min(start.elapsed().as_secs_f64() * 1e3);
         }
         // One right after the other: what else the machine does concerns both.
-        match python
-            .map(|python| theirs(python, picture, path))
-            .transpose()?
-        {
+        let theirs = python.map(|python| theirs(python, picture, path));
+        let (time, ratio, note) = match theirs.transpose()? {
             Some((time, count)) => {
                 let note = if count == found { "" } else { "  finds others" };
-                let ratio = time / best;
-                println!("{name:44} {best:11.1} {time:11.1} {ratio:8.2}{note}");
+                (format!("{time:.1}"), format!("{:.2}", time / best), note)
             }
-            None => println!("{name:44} {best:11.1} {:>11} {:>8}", "–", "–"),
-        }
+            None => (NONE.to_owned(), NONE.to_owned(), ""),
+        };
+        let (in_wasm, slower) = match wasm.and_then(|times| times.get(name.as_ref())) {
+            Some(time) => (format!("{time:.1}"), format!("{:.2}", time / best)),
+            None => (NONE.to_owned(), NONE.to_owned()),
+        };
+        println!("{name:44} {best:11.1} {time:>11} {ratio:>8} {in_wasm:>11} {slower:>9}{note}");
     }
     Ok(())
 }

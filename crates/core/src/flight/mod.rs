@@ -4,7 +4,9 @@ mod channel;
 pub mod files;
 mod folder;
 mod frame;
+pub mod interpret;
 pub mod log;
+pub mod overview;
 mod record;
 mod truth;
 

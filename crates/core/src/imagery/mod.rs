@@ -2,6 +2,7 @@
 //!
 //! Nothing above this folder knows where the pixels come from.
 
+mod blank;
 mod bytes;
 mod cache;
 mod georeference;
@@ -16,6 +17,7 @@ pub mod terrain;
 pub mod tiff;
 pub mod web_tiles;
 
+pub use blank::Blank;
 pub use bytes::{ByteSource, MemoryBytes};
 pub use cache::{CachedImagery, TILE_SIDE};
 pub use georeference::{Georeference, GeoreferenceError, GroundFromPixel, Similarity, WorldFile};

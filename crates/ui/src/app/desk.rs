@@ -6,6 +6,7 @@ use std::sync::Arc;
 use pilotage_core::frames::GroundRect;
 
 use super::keeping::Keeping;
+use super::logs::LogWork;
 use crate::dialogs::Download;
 use crate::documents::link::Link;
 use crate::documents::{Session, Staged};
@@ -98,6 +99,8 @@ pub struct Desk {
     pub downloading: bool,
     /// Heights being taken.
     pub heights: Option<JobId>,
+    /// Logs being read and their fields.
+    pub(super) logs: LogWork,
     /// The question what the map is.
     pub describe: Option<JobId>,
     /// The landmark whose distinctness is being examined.
@@ -155,6 +158,10 @@ impl Desk {
             let (_, part, words) = self.preparing.as_ref()?;
             Some((*part, words.as_str()))
         };
-        fly.or_else(opening).or_else(preparing)
+        let reading = || {
+            let reading = self.logs.reading.as_ref()?;
+            Some((reading.progress, reading.words.as_str()))
+        };
+        fly.or_else(reading).or_else(opening).or_else(preparing)
     }
 }

@@ -23,6 +23,7 @@ impl App {
         match command {
             Command::Plan(command) => self.plan(command, now),
             Command::Label(command) => self.label(command, host),
+            Command::Log(command) => self.log(command, host),
             Command::WebMap(command) => self.web_map(command, host),
             Command::Georeference(command) => self.georeference(&command, host),
             Command::Undo | Command::Redo if self.views.georeferencer.is_some() => {
@@ -245,7 +246,8 @@ impl App {
             }
             Command::FlyAgain => self.fly_again(host),
             Command::CancelJob if self.desk.fly.is_none() => {
-                let _ = self.stop_opening(host) || self.stop_preparing(host);
+                let _ =
+                    self.stop_reading(host) || self.stop_opening(host) || self.stop_preparing(host);
             }
             Command::CancelJob => {
                 self.documents.run_complete |= self.desk.fly.as_ref().is_some_and(|f| f.began);

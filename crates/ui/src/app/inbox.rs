@@ -69,6 +69,8 @@ impl App {
         if self.plan_event(id, &event, host.now()) || self.evaluating.receive(id, &event) {
         } else if self.desk.fly.as_ref().is_some_and(|f| f.id == id) {
             self.fly_event(host, event);
+        } else if self.desk.logs.has(id) {
+            self.log_event(host, id, event);
         } else if self.desk.tiles.contains_key(&id) {
             self.tile_event(context, host, id, event);
         } else if self.is_georeferencing(id) {
@@ -292,6 +294,7 @@ impl App {
         let Opened {
             key: _,
             flight,
+            log,
             map,
             terrain,
             mission,
@@ -307,10 +310,11 @@ impl App {
             return;
         }
         let mut parts = Vec::new();
-        let has_flight = flight.is_some();
+        let has_flight = flight.is_some() || log.is_some();
         if has_flight || map.is_some() || terrain.is_some() {
             self.keep_files(host, &opening.key, &opening.name, &opening.files);
         }
+        let has_map = map.is_some();
         let map_source = if let Some(info) = &map {
             parts.push("a map");
             match info.origin.filter(|_| !has_flight) {
@@ -327,7 +331,11 @@ impl App {
             parts.push("an elevation model");
             self.take_terrain(host, &opening.key, &terrain);
         }
-        if has_flight {
+        if let Some(file) = log {
+            parts.push("a flight log");
+            let over = has_map.then_some(map_source);
+            self.open_log(host, opening, file, over, mission);
+        } else if has_flight {
             parts.push("a flight");
             let mission_given = mission.is_some();
             if mission_given {

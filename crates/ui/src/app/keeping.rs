@@ -240,6 +240,9 @@ impl App {
         if let Some(fly) = &self.desk.fly {
             used.extend(file_sets(&fly.flight, &fly.map));
         }
+        if let Some(reading) = &self.desk.logs.reading {
+            used.insert(&reading.key);
+        }
         used.into_iter().map(str::to_owned).collect()
     }
 
@@ -285,6 +288,7 @@ impl App {
         {
             parts.push("the flight");
             documents.flight_source = FlightSource::Nothing;
+            documents.log = None;
         }
         if is_gone(documents.map_source.key()) {
             parts.push("the map");

@@ -6,6 +6,7 @@ use egui::{Frame, Margin, Panel, Stroke, Ui, vec2};
 
 use pilotage_core::frames::LocalFrame;
 
+use super::log_panels::{log_column, log_or_run_plots};
 use super::{App, SideTab, Views};
 use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
@@ -35,9 +36,17 @@ struct Scene<'a> {
     settings: &'a mut bool,
     job_words: Option<String>,
     examined_in_vain: Option<&'a (u32, String)>,
+    /// How far the reading of a log is, 0 to 1, if one is being read.
+    reading: Option<f32>,
 }
 
 impl Scene<'_> {
+    /// Whether the flight has pictures.
+    fn has_frames(&self) -> bool {
+        let flight = self.documents.flight.as_ref();
+        flight.is_some_and(|flight| !flight.frames.is_empty())
+    }
+
     /// Lends the documents to a view.
     fn with_context<R>(
         &self,
@@ -103,6 +112,7 @@ impl App {
             settings: &mut dialogs.settings,
             job_words: desk.progress().map(|(_, words)| words.to_owned()),
             examined_in_vain: desk.examined_in_vain.as_ref(),
+            reading: desk.logs.reading.as_ref().map(|r| r.progress),
         };
         let planning = scene.view.workspace == Workspace::Plan;
         let labelling = scene.view.workspace == Workspace::Replay && views.labeller.is_some();
@@ -269,7 +279,10 @@ fn plots(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
         .size_range(96.0..=0.5 * screen.height())
         .frame(plain_frame(scene.tokens, Margin::symmetric(8, 8)))
         .show(ui, |ui| {
-            scene.with_context(commands, |context| views.plots.show(ui, context));
+            scene.with_context(commands, |context| match &scene.documents.log {
+                Some(log) => log_or_run_plots(ui, context, views, log),
+                None => views.plots.show(ui, context),
+            });
             ui.take_available_space();
         });
     let height = panel.response.rect.height();
@@ -295,15 +308,20 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
             }
             match scene.view.workspace {
                 Workspace::Replay => {
-                    camera(ui, scene, views, commands);
+                    let has_log = scene.documents.log.is_some();
+                    if !has_log || scene.has_frames() {
+                        camera(ui, scene, views, commands);
+                    }
                     inner.show(ui, |ui| {
                         let tabs = [
+                            SideTab::Log,
                             SideTab::Match,
                             SideTab::Detector,
                             SideTab::Filter,
                             SideTab::Landmarks,
                         ];
-                        tabbed(ui, scene, views, commands, &tabs);
+                        let tabs = &tabs[usize::from(!has_log)..];
+                        tabbed(ui, scene, views, commands, tabs);
                     });
                 }
                 Workspace::Plan => {
@@ -347,6 +365,7 @@ fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
                     Workspace::Plan => plan_panel(ui, scene, views, commands),
                     Workspace::Replay => {
                         let tabs = [
+                            SideTab::Log,
                             SideTab::Camera,
                             SideTab::Match,
                             SideTab::Detector,
@@ -354,7 +373,8 @@ fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
                             SideTab::Plots,
                             SideTab::Landmarks,
                         ];
-                        tabbed(ui, scene, views, commands, &tabs);
+                        let has_log = scene.documents.log.is_some();
+                        tabbed(ui, scene, views, commands, &tabs[usize::from(!has_log)..]);
                     }
                 }
             }
@@ -423,6 +443,7 @@ fn tabbed(
                 SideTab::Detector => "Detector",
                 SideTab::Filter => "Filter",
                 SideTab::Landmarks => "Landmarks",
+                SideTab::Log => "Log",
                 SideTab::Camera => "Camera",
                 SideTab::Plots => "Plots",
             };
@@ -442,6 +463,12 @@ fn tabbed(
         }
         SideTab::Filter => scene.with_context(commands, |c| views.inspector.show(ui, c)),
         SideTab::Landmarks => landmarks(ui, scene, views, commands),
+        SideTab::Log => {
+            if let Some(log) = &scene.documents.log {
+                let progress = scene.reading;
+                scene.with_context(commands, |c| log_column(ui, c, views, log, progress));
+            }
+        }
         SideTab::Camera => scene.with_context(commands, |c| views.camera.show(ui, c)),
         SideTab::Plots => scene.with_context(commands, |c| views.plots.show(ui, c)),
     }
@@ -527,6 +554,7 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                 frame: scene.documents.world_origin().map(LocalFrame::new),
                 ground: &scene.documents.terrain,
                 attribution: scene.documents.attribution(),
+                log: scene.documents.log.as_ref(),
             };
             scene.with_context(commands, |context| {
                 if planning || georeferencing {

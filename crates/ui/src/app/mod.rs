@@ -12,6 +12,8 @@ mod keeping;
 mod labelling;
 mod layout;
 mod link;
+mod log_panels;
+mod logs;
 mod maps;
 mod marking;
 mod package;
@@ -28,6 +30,7 @@ use crate::documents::{Documents, ViewState};
 use crate::georeference::Georeferencer;
 use crate::host::Host;
 use crate::labelling::Labeller;
+use crate::log::{FieldList, LogPlots};
 use crate::map::MapView;
 use crate::plan::Planner;
 use crate::shell::keys::ShortcutListener;
@@ -49,6 +52,8 @@ pub enum SideTab {
     Filter,
     /// The list of landmarks.
     Landmarks,
+    /// The log that is open.
+    Log,
     /// The camera picture (narrow windows only).
     #[default]
     Camera,
@@ -81,6 +86,10 @@ struct Views {
     planner: Planner,
     georeferencer: Option<Georeferencer>,
     labeller: Option<Labeller>,
+    log_fields: FieldList,
+    log_plots: LogPlots,
+    /// Whether the plots are those of the log, not of the run.
+    shows_log_plots: bool,
 }
 
 /// The app.

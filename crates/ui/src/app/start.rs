@@ -118,6 +118,10 @@ impl App {
         if !map.is_some_and(|key| gone.contains(key)) {
             self.describe_map(host);
         }
+        if self.documents.log.is_some() {
+            self.reopen_log(host);
+            return;
+        }
         let session = self.documents.session();
         self.fly_open(host, session);
     }

@@ -162,6 +162,7 @@ impl App {
             self.desk.examine_at = None;
             self.examine(host);
         }
+        self.fetch_series(host);
         self.follow_world(host);
         self.ask_for_heights(host);
         self.ask_for_tiles(host);

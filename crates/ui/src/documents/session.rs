@@ -26,6 +26,9 @@ pub struct Session {
     pub mission: Option<Mission>,
     /// Bookmarks, seconds in the flight's time base.
     pub bookmarks: Vec<f64>,
+    /// Name of the log among the flight's files, if it was read from one.
+    #[serde(default)]
+    pub log: Option<String>,
 }
 
 impl Session {
@@ -42,6 +45,7 @@ impl Session {
             map: MapSource::Scenery,
             mission: None,
             bookmarks: Vec::new(),
+            log: None,
         }
     }
 

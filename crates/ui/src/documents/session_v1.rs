@@ -68,6 +68,7 @@ pub fn read(body: &[u8]) -> Option<Session> {
     let (old, rest): (SessionV1, _) = postcard::take_from_bytes(body).ok()?;
     // What was stored while the mission had more members is not mistaken for one without.
     rest.is_empty().then(|| Session {
+        log: None,
         flight: old.flight,
         map: old.map,
         mission: old.mission.map(mission),

@@ -11,6 +11,7 @@ use pilotage_core::simulate::Scenario;
 
 use super::{Ground, History, Session};
 use crate::jobs::{DetectorSearch, Distinctness, FlightSource, MapInfo, MapSource, MatchPictures};
+use crate::log::OpenLog;
 
 /// What a new flight brings before its run begins; swapped in at once, so that a flight that fails
 /// early leaves everything as it was.
@@ -61,6 +62,8 @@ pub struct Documents {
     pub match_pictures: Option<MatchPictures>,
     /// What the trained detector asked for last saw and did.
     pub detector_search: Option<DetectorSearch>,
+    /// The log that the flight was read from.
+    pub log: Option<OpenLog>,
     /// Bookmarks in time order, seconds in the flight's time base.
     pub bookmarks: Vec<f64>,
 }
@@ -102,6 +105,10 @@ impl Documents {
             distinctness: HashMap::new(),
             match_pictures: None,
             detector_search: None,
+            log: session.log.as_ref().and_then(|file| match &session.flight {
+                FlightSource::Files(key) => Some(OpenLog::new(key.clone(), file.clone())),
+                _ => None,
+            }),
             bookmarks: session.bookmarks.clone(),
         }
     }
@@ -113,6 +120,7 @@ impl Documents {
             map: self.map_source.clone(),
             mission: self.mission_edited.then(|| self.mission.clone()),
             bookmarks: self.bookmarks.clone(),
+            log: self.log.as_ref().map(|log| log.file.clone()),
         }
     }
 
@@ -198,6 +206,18 @@ impl Documents {
         flown.map(|frame| frame.origin).or(is_stated.then_some(own))
     }
 
+    /// Leaves what was flown for a log, whose flight is yet to come. The mission stays.
+    pub fn begin_log(&mut self, log: OpenLog, source: FlightSource) {
+        (self.flight, self.run, self.ghost) = (None, None, None);
+        self.flight_source = source;
+        self.log = Some(log);
+        self.run_complete = false;
+        self.run_generation += 1;
+        self.pictures.clear();
+        self.match_pictures = None;
+        self.detector_search = None;
+    }
+
     /// Leaves what was flown and begins an empty mission in a world of its own, one undo step away
     /// from the mission before.
     pub fn begin_world(&mut self, origin: Geodetic, name: &str) {
@@ -212,6 +232,7 @@ impl Documents {
         self.mission_edited = true;
         (self.flight, self.run, self.ghost) = (None, None, None);
         self.flight_source = FlightSource::Nothing;
+        self.log = None;
         self.run_complete = false;
         self.run_generation += 1;
         self.pictures.clear();
@@ -228,7 +249,7 @@ impl Documents {
         match (flight, run) {
             (Some((a, b)), Some((c, _))) if a.is_finite() => Some((a.max(c), b)),
             (Some((a, b)), None) if a.is_finite() => Some((a, b)),
-            (_, run) => run,
+            (_, run) => run.or_else(|| self.log.as_ref()?.span()),
         }
     }
 

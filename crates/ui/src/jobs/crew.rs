@@ -414,6 +414,8 @@ fn seat_for(job: &Job) -> usize {
     match job {
         Job::AssessShare(_, share) | Job::SuggestShare(_, share) => share.part,
         Job::Fly { .. }
+        | Job::ReadLog { .. }
+        | Job::LogSeries { .. }
         | Job::Assess(_)
         | Job::SumUp(..)
         | Job::Envelope(_)
@@ -464,7 +466,10 @@ fn file_keys(job: &Job) -> Vec<&str> {
         }
         Job::Brief(order) => (None, Some(&order.map)),
         Job::Pack(order) => (None, Some(&order.map)),
-        Job::Open { key, .. } | Job::ReadPlaces { key } => {
+        Job::Open { key, .. }
+        | Job::ReadPlaces { key }
+        | Job::ReadLog { key, .. }
+        | Job::LogSeries { key, .. } => {
             keys.push(key.as_str());
             (None, None)
         }

@@ -17,6 +17,30 @@ pub struct OpenFlight {
     pub frames: KeptFrames,
 }
 
+impl OpenFlight {
+    /// A flight that no camera watched.
+    pub fn without_pictures(flight: Flight) -> Self {
+        Self {
+            frames: KeptFrames::stored(&flight, Box::new(NoPictures)),
+            flight: Arc::new(flight),
+            mission: None,
+        }
+    }
+}
+
+/// The source of pictures where there is none.
+struct NoPictures;
+
+impl FrameSource for NoPictures {
+    fn picture(&mut self, index: usize) -> Result<Picture, FrameError> {
+        Err(FrameError::OutOfRange(index))
+    }
+
+    fn encoded(&mut self, index: usize) -> Result<Vec<u8>, FrameError> {
+        Err(FrameError::OutOfRange(index))
+    }
+}
+
 /// Pictures of a flight. Rendered ones are kept encoded once they were asked for, so that flying
 /// again renders nothing anew.
 pub struct KeptFrames {

@@ -18,6 +18,7 @@ use super::file_pool::{FilePool, has_ending};
 use super::flights::{KeptFrames, OpenFlight};
 use super::heights::describe_terrain;
 use super::imports::{imports, is_mission, labels};
+use super::logs::{flight_of_log, log_among};
 use super::workshop::{MAP_MEMORY, describe};
 use super::{MapInfo, Opened, Unplaced};
 use crate::documents::decode_run;
@@ -39,7 +40,7 @@ pub fn look_through(
     near: Option<Geodetic>,
     origin: Geodetic,
 ) -> Result<Opened, String> {
-    let flight = flight(pool)?;
+    let flight = flight_folder(pool)?;
     let frame = flight
         .as_ref()
         .and_then(|(open, _)| open.flight.frame_on_globe);
@@ -56,7 +57,9 @@ pub fn look_through(
     let imports = imports(pool, origin, flight.is_some())?;
     let labels = labels(pool)?;
     let mut remarks = Vec::new();
+    let log = flight.is_none().then(|| log_among(pool)).flatten();
     let nothing = flight.is_none()
+        && log.is_none()
         && map.is_none()
         && mission.is_none()
         && run.is_none()
@@ -82,6 +85,7 @@ pub fn look_through(
     Ok(Opened {
         key,
         flight,
+        log,
         map,
         terrain: terrain.as_ref().map(describe_terrain),
         mission,
@@ -135,8 +139,8 @@ pub fn places(pool: &FilePool) -> Result<Vec<(String, Geodetic)>, String> {
     Ok(places)
 }
 
-/// The flight among the files, and what was skipped, in words.
-pub fn flight(pool: &Arc<FilePool>) -> Result<Option<(OpenFlight, Vec<String>)>, String> {
+/// The flight folder among the files, and what was skipped, in words.
+pub fn flight_folder(pool: &Arc<FilePool>) -> Result<Option<(OpenFlight, Vec<String>)>, String> {
     let folder = match read_flight(pool.clone()) {
         Ok(folder) => folder,
         Err(FolderError::NoFlightFile) => return Ok(None),
@@ -148,6 +152,14 @@ pub fn flight(pool: &Arc<FilePool>) -> Result<Option<(OpenFlight, Vec<String>)>,
         mission: mission(pool, true)?,
     };
     Ok(Some((open, folder.notes)))
+}
+
+/// The flight among the files: a folder of one, else what a log tells of, all of which is read.
+pub fn flight(pool: &Arc<FilePool>) -> Result<Option<OpenFlight>, String> {
+    match flight_folder(pool)? {
+        Some((open, _)) => Ok(Some(open)),
+        None => flight_of_log(pool),
+    }
 }
 
 /// The map among the files: one that says where it lies, or a picture with a file beside it that

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use pilotage_core::exchange::labels::FoundLabels;
 use pilotage_core::flight::Flight;
+use pilotage_core::flight::log::Outline;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
 use pilotage_core::imagery::terrain::HeightGrid;
 use pilotage_core::imagery::{Georeference, Window};
@@ -17,8 +18,8 @@ use serde::{Deserialize, Serialize};
 use super::{
     Assessment, AssessmentOrder, Beside, BriefOrder, BriefPictures, EvaluationOrder,
     EvaluationReport, ExportOrder, FieldOrder, FileContent, FindOrder, FoundPlan, HeightsOrder,
-    ImportedFile, PackOrder, PredictionOrder, Share, SuggestOrder, TerrainInfo, TrainOrder,
-    TrainingOutcome, TrainingReport, WebMap, whole_bytes,
+    ImportedFile, LogSeries, PackOrder, PredictionOrder, ReadLog, SeriesName, Share, SuggestOrder,
+    TerrainInfo, TrainOrder, TrainingOutcome, TrainingReport, WebMap, whole_bytes,
 };
 
 /// Number of a job, unique within a page.
@@ -66,13 +67,15 @@ pub enum MapSource {
     },
     /// Tiles of the web.
     Web(WebMap),
+    /// No map.
+    Nothing,
 }
 
 impl MapSource {
     /// Key of the files that it is made from, if it is.
     pub fn key(&self) -> Option<&str> {
         match self {
-            Self::Scenery | Self::Web(_) => None,
+            Self::Scenery | Self::Web(_) | Self::Nothing => None,
             Self::Files(key) | Self::Placed { key, .. } | Self::Picture { key, .. } => Some(key),
         }
     }
@@ -83,7 +86,7 @@ impl MapSource {
             Self::Placed { origin, .. } => Some(*origin),
             Self::Picture { origin, .. } => *origin,
             Self::Web(map) => Some(map.origin),
-            Self::Scenery | Self::Files(_) => None,
+            Self::Scenery | Self::Files(_) | Self::Nothing => None,
         }
     }
 
@@ -95,7 +98,7 @@ impl MapSource {
             Self::Placed { origin, .. } => *origin = to,
             Self::Picture { origin, .. } => *origin = Some(to),
             Self::Web(map) => map.origin = to,
-            Self::Scenery | Self::Files(_) => {}
+            Self::Scenery | Self::Files(_) | Self::Nothing => {}
         }
         moved
     }
@@ -135,6 +138,23 @@ pub enum Job {
         near: Option<Geodetic>,
         /// Origin of the mission's world, in which routes and landmarks are placed.
         origin: Geodetic,
+    },
+    /// Read the flight log `file` among provided files: events `LogOutline` as it grows, at the end
+    /// `LogRead`. Kept by the worker for [`Job::LogSeries`] and [`Job::Fly`].
+    ReadLog {
+        /// Key of the files.
+        key: String,
+        /// Its name among them.
+        file: String,
+    },
+    /// A series of a log that is being read or was: event `LogSeries`.
+    LogSeries {
+        /// Key of the files.
+        key: String,
+        /// Name of the log among them.
+        file: String,
+        /// Which series.
+        series: SeriesName,
     },
     /// Fly and navigate: events `Flight`, `Mission` (if none was given), `RunStarted`, then `Steps` and `FramePicture`.
     Fly {
@@ -320,6 +340,8 @@ pub struct Opened {
     pub key: String,
     /// A flight, if there is one.
     pub flight: Option<Flight>,
+    /// Name of a flight log that is to be read, if there is one.
+    pub log: Option<String>,
     /// A map, if there is one.
     pub map: Option<MapInfo>,
     /// An elevation model, if there is one.
@@ -347,6 +369,12 @@ pub enum JobEvent {
     Progress(f32, String),
     /// The flight.
     Flight(Box<Flight>),
+    /// What a log holds, as far as it has been read.
+    LogOutline(Box<Outline>),
+    /// A log that was read.
+    LogRead(Box<ReadLog>),
+    /// A series of a log.
+    LogSeries(Box<LogSeries>),
     /// The mission that is flown.
     Mission(Box<Mission>),
     /// The run's head, without steps.

@@ -126,6 +126,7 @@ fn urgency(job: &Job) -> u8 {
         Job::DescribeMap(_)
         | Job::Open { .. }
         | Job::ReadPlaces { .. }
+        | Job::LogSeries { .. }
         | Job::DecodePicture { .. } => 1,
         Job::Tile { .. }
         | Job::Distinctness { .. }
@@ -135,7 +136,8 @@ fn urgency(job: &Job) -> u8 {
         | Job::Propose(..)
         | Job::Pack(_)
         | Job::Export(_) => 2,
-        Job::TakeHeights(_)
+        Job::ReadLog { .. }
+        | Job::TakeHeights(_)
         | Job::Assess(_)
         | Job::AssessShare(..)
         | Job::Envelope(_)

@@ -126,6 +126,8 @@ pub fn wanted_addresses(job: &Job) -> Vec<String> {
         | Job::LetGo { .. }
         | Job::Open { .. }
         | Job::ReadPlaces { .. }
+        | Job::ReadLog { .. }
+        | Job::LogSeries { .. }
         | Job::DescribeMap(_)
         | Job::PrepareMap(_)
         | Job::TakeHeights(_)

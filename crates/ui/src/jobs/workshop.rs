@@ -6,8 +6,9 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use pilotage_core::exchange::Written;
+use pilotage_core::flight::log::Log;
 use pilotage_core::frames::LocalFrame;
-use pilotage_core::imagery::{ByteSource, CachedImagery, Imagery, MapMemory};
+use pilotage_core::imagery::{Blank, ByteSource, CachedImagery, Imagery, MapMemory};
 use pilotage_core::mission::{MapOptions, open_map_with};
 use pilotage_core::plan::{
     EnvelopeSurvey, OtherDays, PictureDays, Proposal, Rehearsal, SceneryDays,
@@ -28,6 +29,7 @@ use super::find::FindRoute;
 use super::flights::OpenFlight;
 use super::fly::Fly;
 use super::heights::TakeHeights;
+use super::logs::{ReadingLog, log_series};
 use super::pack::pack;
 use super::predict::Predict;
 use super::prepare::PrepareMap;
@@ -74,6 +76,8 @@ pub struct Workshop {
     /// Opened maps, the one used last at the end.
     maps: Vec<KeptMap>,
     flights: BTreeMap<Vec<u8>, Rc<RefCell<OpenFlight>>>,
+    /// The log read last: key of its files, its name among them, and what was read so far.
+    log: Option<(String, String, Rc<RefCell<Log>>)>,
     scenery: Option<Scenery>,
     /// A map and how it looks on other days; of one map at a time.
     days: Option<(Vec<u8>, Days)>,
@@ -102,6 +106,12 @@ impl Workshop {
                 let files = workshop.files(&key)?;
                 let opened = opening::look_through(key, &files, near, origin)?;
                 emit(JobEvent::Opened(Box::new(opened)));
+                Ok(())
+            }),
+            Job::ReadLog { key, file } => Box::new(ReadingLog::new(key, file)),
+            Job::LogSeries { key, file, series } => once(move |workshop, emit| {
+                let found = log_series(workshop, &key, &file, series)?;
+                emit(JobEvent::LogSeries(Box::new(found)));
                 Ok(())
             }),
             Job::Fly {
@@ -217,10 +227,36 @@ impl Workshop {
         let is_used = |source: &MapSource| source.key().is_none_or(|key| in_use.contains(key));
         self.maps.retain(|kept| is_used(&kept.source));
         self.files.retain(|key, _| in_use.contains(key));
+        if self
+            .log
+            .as_ref()
+            .is_some_and(|(key, ..)| !in_use.contains(key))
+        {
+            self.log = None;
+        }
         self.days = None;
         self.rehearsal = None;
         // A flight that is flown stays with its job.
         self.flights.clear();
+    }
+
+    /// Keeps a log that is being read in place of the one before.
+    pub fn keep_log(&mut self, key: &str, file: &str, log: Rc<RefCell<Log>>) {
+        self.log = Some((key.to_owned(), file.to_owned(), log));
+    }
+
+    /// The log `file` among the files under `key`, if it is the one that was read last.
+    pub fn log(&self, key: &str, file: &str) -> Option<&Rc<RefCell<Log>>> {
+        let (kept_key, kept_file, log) = self.log.as_ref()?;
+        (kept_key == key && kept_file == file).then_some(log)
+    }
+
+    /// Keeps the flight among the files under `key`, which is not to be made again.
+    pub fn keep_flight(&mut self, key: &str, open: OpenFlight) {
+        let source = FlightSource::Files(key.to_owned());
+        self.flights.clear();
+        self.flights
+            .insert(cache_key(&source), Rc::new(RefCell::new(open)));
     }
 
     /// The files under a key.
@@ -260,10 +296,11 @@ impl Workshop {
         }
         let map: Arc<dyn Imagery> = match source {
             MapSource::Scenery => Arc::new(self.scenery()),
+            MapSource::Nothing => Arc::new(Blank),
             MapSource::Web(map) => Arc::new(map.open(&self.fetched)),
             MapSource::Files(key) => {
                 let files = self.files(key)?;
-                let frame = match opening::flight(&files)? {
+                let frame = match opening::flight_folder(&files)? {
                     Some((open, _)) => open.flight.frame_on_globe,
                     None => None,
                 };
@@ -370,9 +407,7 @@ impl Workshop {
             FlightSource::Nothing => return Err("no flight is open".to_owned()),
             FlightSource::Files(key) => {
                 let files = self.files(key)?;
-                let (open, _) =
-                    opening::flight(&files)?.ok_or("there is no flight among the files")?;
-                open
+                opening::flight(&files)?.ok_or("there is no flight among the files")?
             }
         };
         let open = Rc::new(RefCell::new(open));

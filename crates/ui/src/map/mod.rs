@@ -1,6 +1,7 @@
 //! The map: any imagery drawn as textured meshes under a typed screen-from-world transform, with
 //! the flight and the landmarks on it.
 
+mod coloured_track;
 mod controls;
 mod furniture;
 mod heat;
@@ -16,6 +17,7 @@ mod tracks;
 mod transform;
 mod view;
 
+pub(crate) use coloured_track::ColouredTrack;
 pub use heat::heat_image;
 pub use layers::{Layer, Layers};
 pub(crate) use symbols::{ellipse, paint_halo_text, paint_lifted_line};

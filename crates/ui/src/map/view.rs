@@ -4,6 +4,7 @@ use egui::{Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::navigator::{Run, StepReport};
 
+use super::ColouredTrack;
 use super::furniture::{
     coordinates_text, height_text, paint_attribution, paint_lens, paint_scale_bar,
 };
@@ -21,7 +22,8 @@ use super::transform::{MapCamera, ScreenFromWorld};
 use crate::context::{Drawn, ViewContext};
 use crate::documents::Ground;
 use crate::georeference::Georeferencer;
-use crate::jobs::{Distinctness, MapInfo};
+use crate::jobs::{Distinctness, MapInfo, SeriesName};
+use crate::log::OpenLog;
 use crate::plan::{FindPick, PlanTool, Planner, paint_hint};
 
 /// What the map needs beside what every view is given.
@@ -42,6 +44,8 @@ pub struct MapExtra<'a> {
     pub ground: &'a Ground,
     /// Whom to thank for the map, shown wherever it is.
     pub attribution: Option<&'a str>,
+    /// The log of the flight, by a field of which the track may be coloured.
+    pub log: Option<&'a OpenLog>,
 }
 
 /// The map's own state: how it is looked at, its textures and thinned tracks.
@@ -75,6 +79,8 @@ pub struct MapView {
     unaided: DrawnTrack,
     truth: DrawnTrack,
     ghost: DrawnTrack,
+    /// The field by which the track is coloured.
+    track_field: Option<SeriesName>,
     wants_fit: Option<GroundRect>,
     /// Centre and scale to which the map was fitted last.
     fitted: Option<(GroundPoint, f64)>,
@@ -102,6 +108,22 @@ impl MapView {
     pub fn is_fitted(&self) -> bool {
         let now = (self.camera.center, self.camera.metres_per_point);
         self.wants_fit.is_some() || (!self.follow && self.fitted == Some(now))
+    }
+
+    /// Colours the recorded track by a field of its log, or no more.
+    pub fn colour_track(&mut self, field: Option<SeriesName>) {
+        self.track_field = field;
+    }
+
+    /// The field by which the track is coloured.
+    pub fn track_field(&self) -> Option<&SeriesName> {
+        self.track_field.as_ref()
+    }
+
+    fn coloured<'a>(&'a self, extra: &MapExtra<'a>) -> Option<ColouredTrack<'a>> {
+        let name = self.track_field.as_ref()?;
+        let series = extra.log?.series.get(name)?;
+        Some(ColouredTrack { name, series })
     }
 
     /// What was drawn last: the aircraft of which step.
@@ -200,6 +222,12 @@ impl MapView {
                 paint_readouts(ui, context, extra.ground, step, corner, rect.width() - 96.0);
             self.cover(covered);
         }
+        if let Some(coloured) = self.coloured(extra) {
+            let corner = rect.left_top() + vec2(16.0, 68.0);
+            if let Some(covered) = coloured.paint_scale(ui.painter(), corner, context.tokens) {
+                self.cover(covered);
+            }
+        }
         if let Some(attribution) = extra.attribution {
             paint_attribution(ui, rect, attribution, context.tokens);
         }
@@ -248,7 +276,9 @@ impl MapView {
             self.ghost.paint(painter, view, rect, context.time, look);
         }
         let truth = context.flight.and_then(|f| f.truth.as_ref());
-        if let Some(truth) = truth.filter(|_| show_truth) {
+        if let Some((truth, coloured)) = truth.zip(self.coloured(extra)) {
+            coloured.paint(painter, view, truth, tokens);
+        } else if let Some(truth) = truth.filter(|_| show_truth) {
             self.truth.follow_truth(truth, extra.run_generation, scale);
             let look = style(tokens.truth, 2.0, None);
             self.truth.paint(painter, view, rect, context.time, look);

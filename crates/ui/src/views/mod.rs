@@ -19,6 +19,7 @@ mod picking;
 mod pictures;
 mod plots;
 mod sights;
+mod time_axis;
 mod tour;
 
 pub use camera::CameraView;
@@ -27,4 +28,7 @@ pub use evaluation::{EvaluationFile, EvaluationScene, EvaluationView};
 pub use inspector::InspectorView;
 pub use matching::MatchView;
 pub use plots::PlotsView;
+pub(crate) use plots::draw::{Curve, line as curve_line};
+pub(crate) use plots::pyramid::Pyramid;
+pub(crate) use time_axis::TimeAxis;
 pub use tour::Tour;

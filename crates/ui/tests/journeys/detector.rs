@@ -30,6 +30,7 @@ fn open_trained(rig: &mut Rig) {
     }
     rig.host().opens = Some(Opened {
         key: String::new(),
+        log: None,
         flight: None,
         map: None,
         terrain: None,

@@ -11,6 +11,7 @@ fn rig_with_a_picture() -> Rig {
     let mut rig = rig();
     rig.host().opens = Some(Opened {
         key: String::new(),
+        log: None,
         flight: None,
         map: None,
         terrain: None,

@@ -9,6 +9,7 @@ use super::support::{Rig, ScriptedHost, rig, rig_on};
 fn a_map(origin: Option<Geodetic>) -> Opened {
     Opened {
         key: String::new(),
+        log: None,
         flight: None,
         map: Some(MapInfo {
             name: "county.tif".into(),

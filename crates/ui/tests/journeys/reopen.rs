@@ -32,6 +32,7 @@ fn rig_with_a_flight(bytes: usize) -> Rig {
 fn nothing() -> Opened {
     Opened {
         key: String::new(),
+        log: None,
         flight: None,
         map: None,
         terrain: None,

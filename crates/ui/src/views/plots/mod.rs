@@ -1,15 +1,15 @@
 //! Plots over time with one time axis and the global cursor.
 
-mod draw;
+pub(crate) mod draw;
 mod panel;
-mod pyramid;
+pub(crate) mod pyramid;
 mod series;
 
 use egui::{Align, Layout, Rect, ScrollArea, Sense, Shape, Stroke, Ui, pos2, vec2};
 
 use super::chart::Axes;
 use super::parts;
-use crate::command::Command;
+use super::time_axis::{LEAST_SPAN, TimeAxis};
 use crate::context::{Drawn, ViewContext};
 use crate::still::Still;
 use crate::tokens::Tokens;
@@ -23,9 +23,6 @@ const LEAST_HEIGHT: f32 = 64.0;
 const LEAST_WIDTH: f32 = 300.0;
 /// The same where there is no room for another row.
 const NARROW_WIDTH: f32 = 230.0;
-/// Shortest stretch of time that can be shown, seconds.
-const LEAST_SPAN: f64 = 0.5;
-
 /// One panel's own state.
 #[derive(Clone, Copy, Debug)]
 struct PanelState {
@@ -48,14 +45,11 @@ struct CurvesKey {
 /// Shows errors, wind, NIS and innovations of the run over time.
 pub struct PlotsView {
     panels: Vec<PanelState>,
-    /// Time shown, if not all of it.
-    zoom: Option<(f64, f64)>,
+    time_axis: TimeAxis,
     series: RunSeries,
     ghost: RunSeries,
     /// What each panel shows, drawn.
     curves: Vec<Still<CurvesKey>>,
-    /// Time under the pointer, from the last frame.
-    hover: Option<f64>,
     drawn: Option<Drawn>,
 }
 
@@ -70,11 +64,10 @@ impl Default for PlotsView {
                     choice: kind.first_choice(),
                 })
                 .to_vec(),
-            zoom: None,
+            time_axis: TimeAxis::default(),
             series: RunSeries::default(),
             ghost: RunSeries::default(),
             curves: vec![Still::default(); PanelKind::ALL.len()],
-            hover: None,
             drawn: None,
         }
     }
@@ -109,13 +102,13 @@ impl PlotsView {
             );
             return;
         };
-        let span = self.zoom.unwrap_or(whole);
+        let span = self.time_axis.span(whole);
         self.chooser(ui, context, whole);
         let shown: Vec<usize> = (0..self.panels.len())
             .filter(|i| self.panels[*i].shown && has_data(self.panels[*i].kind, context))
             .collect();
         let columns = columns(ui.available_size(), shown.len(), context.tokens);
-        self.hover = if columns == 1 {
+        self.time_axis.hover = if columns == 1 {
             self.stack(ui, context, &shown, span)
         } else {
             self.grid(ui, context, &shown, columns, span)
@@ -133,7 +126,7 @@ impl PlotsView {
     ) -> Option<f64> {
         let tokens = context.tokens;
         let gap = 0.5 * tokens.space;
-        let axis = axis_height(tokens);
+        let axis = TimeAxis::height(tokens);
         let header = header_height(tokens);
         let open = shown.iter().filter(|i| !self.panels[**i].folded).count();
         let free = ui.available_height() - axis - gap - (header + gap) * shown.len() as f32;
@@ -151,7 +144,7 @@ impl PlotsView {
                     ui.add_space(gap);
                 }
             });
-        time_axis(ui, tokens, span);
+        TimeAxis::draw(ui, tokens, span);
         hover
     }
 
@@ -165,7 +158,7 @@ impl PlotsView {
         span: (f64, f64),
     ) -> Option<f64> {
         let tokens = context.tokens;
-        let axis = axis_height(tokens);
+        let axis = TimeAxis::height(tokens);
         let header = header_height(tokens);
         let rows = shown.len().div_ceil(columns);
         let free = (ui.available_height() - axis) / rows as f32 - header;
@@ -196,7 +189,7 @@ impl PlotsView {
                         let found = self.panel(ui, context, *index, (header, height), span, false);
                         hover = hover.or(found);
                         if below {
-                            time_axis(ui, tokens, span);
+                            TimeAxis::draw(ui, tokens, span);
                         }
                     });
                 }
@@ -221,15 +214,7 @@ impl PlotsView {
                 }
             }
             ui.add_space(tokens.space);
-            let span = self.zoom.unwrap_or(whole);
-            for (text, name, factor) in [("+", "Less time", 0.5), ("−", "More time", 2.0)] {
-                if parts::chip(ui, tokens, false, text, name).clicked() {
-                    self.zoom = zoomed(span, context.time, factor, whole);
-                }
-            }
-            if self.zoom.is_some() && parts::chip(ui, tokens, false, "All", "All time").clicked() {
-                self.zoom = None;
-            }
+            self.time_axis.chips(ui, tokens, context.time, whole);
         });
     }
 
@@ -260,7 +245,7 @@ impl PlotsView {
         parts::name(&response, format!("{} plot", kind.title()));
         let logarithmic = kind.logarithmic(choice);
         let mut axes = Axes {
-            rect: curves_rect(outer, tokens),
+            rect: TimeAxis::curves_rect(outer, tokens),
             x: span,
             y: (0.0, 1.0),
             log: logarithmic,
@@ -296,13 +281,15 @@ impl PlotsView {
         }
         let cursor = axes.screen_x(context.time);
         inside.vline(cursor, axes.rect.y_range(), Stroke::new(1.0, tokens.accent));
-        if let Some(time) = self.hover {
+        if let Some(time) = self.time_axis.hover {
             let stroke = Stroke::new(1.0, tokens.muted.gamma_multiply(0.6));
             inside.vline(axes.screen_x(time), axes.rect.y_range(), stroke);
         }
-        let time = self.hover.unwrap_or(context.time);
+        let time = self.time_axis.hover.unwrap_or(context.time);
         legend(ui, tokens, &layers, &axes, header_rect, time);
-        self.interact(ui, context, &response, &axes)
+        let whole = whole_span(context)?;
+        self.time_axis
+            .interact(ui, context, &response, &axes, whole)
     }
 
     /// Heading, choices; returns what is left for the legend.
@@ -354,37 +341,6 @@ impl PlotsView {
         )
         .inner
     }
-
-    /// Click and drag seek, wheel with Ctrl zooms, sideways wheel moves; returns the hovered time.
-    fn interact(
-        &mut self,
-        ui: &Ui,
-        context: &mut ViewContext<'_>,
-        response: &egui::Response,
-        axes: &Axes,
-    ) -> Option<f64> {
-        let whole = whole_span(context)?;
-        if (response.clicked() || response.dragged())
-            && let Some(pointer) = response.interact_pointer_pos()
-        {
-            let time = axes.x_at(pointer.x).clamp(whole.0, whole.1);
-            context.commands.push(Command::SeekTo(time));
-        }
-        if response.double_clicked() {
-            self.zoom = None;
-        }
-        let pointer = response.hover_pos()?;
-        let time = axes.x_at(pointer.x);
-        let (factor, sideways) = ui.input(|i| (i.zoom_delta(), i.smooth_scroll_delta().x));
-        if factor != 1.0 {
-            self.zoom = zoomed(axes.x, time, 1.0 / f64::from(factor), whole);
-        } else if sideways != 0.0 && self.zoom.is_some() {
-            let shift = -f64::from(sideways / axes.rect.width()) * (axes.x.1 - axes.x.0);
-            let shift = shift.clamp(whole.0 - axes.x.0, whole.1 - axes.x.1);
-            self.zoom = Some((axes.x.0 + shift, axes.x.1 + shift));
-        }
-        axes.rect.x_range().contains(pointer.x).then_some(time)
-    }
 }
 
 /// Shades the stretches of dead reckoning.
@@ -419,7 +375,7 @@ fn columns(size: egui::Vec2, panels: usize, tokens: &Tokens) -> usize {
     let most = panels.max(1);
     let comfortable = ((size.x / LEAST_WIDTH) as usize).clamp(1, most);
     let row = header_height(tokens) + LEAST_HEIGHT;
-    let needed = panels.div_ceil(comfortable) as f32 * row + axis_height(tokens);
+    let needed = panels.div_ceil(comfortable) as f32 * row + TimeAxis::height(tokens);
     if comfortable > 1 && needed > size.y {
         ((size.x / NARROW_WIDTH) as usize).clamp(1, most)
     } else {
@@ -432,34 +388,6 @@ fn header_height(tokens: &Tokens) -> f32 {
     3.0 * tokens.space
 }
 
-/// Height of the labels below the curves, points.
-fn axis_height(tokens: &Tokens) -> f32 {
-    1.8 * tokens.text_sizes[0]
-}
-
-/// Labels of the time axis.
-fn time_axis(ui: &mut Ui, tokens: &Tokens, span: (f64, f64)) {
-    let size = vec2(ui.available_width(), axis_height(tokens));
-    let (outer, _) = ui.allocate_exact_size(size, Sense::hover());
-    let rect = curves_rect(outer, tokens);
-    let axes = Axes {
-        rect: Rect::from_min_max(rect.left_top(), pos2(rect.right(), outer.top())),
-        x: span,
-        y: (0.0, 1.0),
-        log: false,
-    };
-    axes.draw_x(&ui.painter_at(outer), tokens, "time, s");
-}
-
-/// Where the curves go: right of the y axis' labels.
-fn curves_rect(outer: Rect, tokens: &Tokens) -> Rect {
-    let left = 3.4 * tokens.text_sizes[0];
-    Rect::from_min_max(
-        pos2(outer.left() + left, outer.top() + 1.0),
-        pos2(outer.right() - tokens.space, outer.bottom() - 1.0),
-    )
-}
-
 /// All the time there is: the flight's, so that the axis stands still while a run streams in.
 fn whole_span(context: &ViewContext<'_>) -> Option<(f64, f64)> {
     let run = context.run?.span()?;
@@ -468,18 +396,6 @@ fn whole_span(context: &ViewContext<'_>) -> Option<(f64, f64)> {
         .map_or(run, pilotage_core::flight::Flight::span);
     let (low, high) = (run.0.min(flight.0), run.1.max(flight.1));
     Some((low, high.max(low + LEAST_SPAN)))
-}
-
-/// The span scaled around `time`; `None` for all of it.
-fn zoomed(span: (f64, f64), time: f64, factor: f64, whole: (f64, f64)) -> Option<(f64, f64)> {
-    let length = ((span.1 - span.0) * factor).max(LEAST_SPAN);
-    if length >= whole.1 - whole.0 {
-        return None;
-    }
-    let time = time.clamp(span.0, span.1);
-    let before = (time - span.0) / (span.1 - span.0) * length;
-    let low = (time - before).clamp(whole.0, whole.1 - length);
-    Some((low, low + length))
 }
 
 /// Why a panel is empty.

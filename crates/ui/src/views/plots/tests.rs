@@ -3,6 +3,7 @@ use egui_kittest::kittest::Queryable as _;
 
 use super::super::fixture::Fixture;
 use super::*;
+use crate::command::Command;
 use crate::units::Units;
 
 struct State {
@@ -45,7 +46,7 @@ fn a_click_in_the_middle_of_a_plot_seeks_to_the_middle_of_the_flight() {
     let mut harness = harness();
     harness.run();
     let outer = harness.get_by_label("Wind plot").rect();
-    let rect = curves_rect(outer, &Tokens::dark());
+    let rect = TimeAxis::curves_rect(outer, &Tokens::dark());
     harness.hover_at(rect.center());
     harness.drag_at(rect.center());
     harness.drop_at(rect.center());
@@ -86,10 +87,10 @@ fn less_time_halves_what_is_shown_and_all_brings_it_back() {
     harness.run();
     harness.get_by_label("Less time").click();
     harness.run();
-    let zoom = harness.state().view.zoom.unwrap();
+    let zoom = harness.state().view.time_axis.zoom.unwrap();
     assert!((zoom.1 - zoom.0 - 10.0).abs() < 0.1);
     assert!(zoom.0 <= 5.0 && 5.0 <= zoom.1);
     harness.get_by_label("All time").click();
     harness.run();
-    assert!(harness.state().view.zoom.is_none());
+    assert!(harness.state().view.time_axis.zoom.is_none());
 }

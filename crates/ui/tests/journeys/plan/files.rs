@@ -12,6 +12,7 @@ use super::{draw, planning};
 fn opened(rig: &mut Rig, file: ImportedFile) {
     rig.host().opens = Some(Opened {
         key: String::new(),
+        log: None,
         flight: None,
         map: None,
         terrain: None,

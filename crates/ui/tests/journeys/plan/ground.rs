@@ -20,6 +20,7 @@ fn open_heights(rig: &mut Rig) {
     rig.host().heights = Some(ridge);
     rig.host().opens = Some(Opened {
         key: String::new(),
+        log: None,
         flight: None,
         map: None,
         terrain: Some(TerrainInfo {

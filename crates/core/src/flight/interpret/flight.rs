@@ -1,0 +1,170 @@
+//! The flight that a log tells of.
+
+use nalgebra::Point3;
+
+use super::{Role, RoleSeries, series};
+use crate::camera::CameraModel;
+use crate::flight::log::Log;
+use crate::flight::{Channel, ChannelName, Flight, StartFix, Truth, TruthState};
+use crate::frames::{Geodetic, LocalFrame};
+
+/// Standard deviation per axis of a position by satellite navigation at the start, metres.
+const GPS_DEVIATION: f64 = 5.0;
+/// Kinds of fix from which on a position counts.
+const FLAT_FIX: f64 = 2.0;
+
+/// A flight, and the series that it was made of.
+#[derive(Clone, Debug)]
+pub struct Interpreted {
+    /// The flight, or why there is none to be navigated.
+    pub flight: Result<Flight, InterpretError>,
+    /// Every role that was found.
+    pub found: Vec<RoleSeries>,
+}
+
+/// Why a log tells of no flight that can be navigated.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum InterpretError {
+    /// There is no position to begin with.
+    #[error(
+        "{log}: no position by satellite navigation in it, so that nobody knows where the flight began"
+    )]
+    NoPosition {
+        /// Name of the log.
+        log: String,
+    },
+    /// There is no heading.
+    #[error("{log}: no heading in it, so that dead reckoning has no direction")]
+    NoHeading {
+        /// Name of the log.
+        log: String,
+    },
+}
+
+/// Reads the series of every role and makes a flight of them.
+///
+/// World is the tangent plane at the first fix; heights are above the ground there. The truth is the track
+/// of the satellite receiver: it is what there is, and no better than it.
+pub fn flight_from_log(log: &Log) -> Interpreted {
+    let found: Vec<RoleSeries> = Role::ALL
+        .into_iter()
+        .filter_map(|role| series(log, role))
+        .collect();
+    Interpreted {
+        flight: flight(log, &found),
+        found,
+    }
+}
+
+fn flight(log: &Log, found: &[RoleSeries]) -> Result<Flight, InterpretError> {
+    let of = |role| found.iter().find(|s| s.role == role);
+    let name = || log.name.clone();
+    if of(Role::Heading).is_none() {
+        return Err(InterpretError::NoHeading { log: name() });
+    }
+    let fixes = fixes(found);
+    let Some((first_time, first)) = fixes.first().copied() else {
+        return Err(InterpretError::NoPosition { log: name() });
+    };
+    let frame = LocalFrame::new(first);
+    let states: Vec<TruthState> = fixes
+        .iter()
+        .map(|(time, place)| {
+            let ground = frame.ground_from_geodetic(place);
+            let down = first.height - place.height;
+            TruthState {
+                time: *time,
+                position: Point3::new(ground.north, ground.east, down),
+                attitude: None,
+                wind: None,
+            }
+        })
+        .collect();
+    let mut channels: Vec<Channel> = found.iter().filter_map(channel).collect();
+    let track = |name, part: fn(&Point3<f64>) -> f64| Channel {
+        name,
+        times: states.iter().map(|s| s.time).collect(),
+        values: states.iter().map(|s| part(&s.position)).collect(),
+    };
+    channels.push(track(ChannelName::GpsNorth, |p| p.x));
+    channels.push(track(ChannelName::GpsEast, |p| p.y));
+    if of(Role::HeightAboveGround).is_none() {
+        channels.push(height_above_start(found, &states));
+    }
+    Ok(Flight {
+        name: name(),
+        frame_on_globe: Some(frame),
+        camera: CameraModel::pinhole(640, 480, 60.0_f64.to_radians()),
+        ground_down: 0.0,
+        channels,
+        frames: Vec::new(),
+        start: StartFix {
+            time: first_time,
+            position: crate::frames::GroundPoint::new(0.0, 0.0),
+            standard_deviation: GPS_DEVIATION,
+        },
+        truth: Some(Truth {
+            states,
+            frames: Vec::new(),
+        }),
+    })
+}
+
+/// Times and places of all fixes that count.
+fn fixes(found: &[RoleSeries]) -> Vec<(f64, Geodetic)> {
+    let of = |role| found.iter().find(|s: &&RoleSeries| s.role == role);
+    let (Some(latitude), Some(longitude)) = (of(Role::Latitude), of(Role::Longitude)) else {
+        return Vec::new();
+    };
+    let value = |role, time: f64| of(role).and_then(|s| s.at(time));
+    let fix = |(time, latitude): (&f64, &f64)| {
+        let longitude = longitude.at(*time)?;
+        let is_fixed = value(Role::GpsFix, *time).is_none_or(|fix| fix >= FLAT_FIX);
+        let is_there = *latitude != 0.0 || longitude != 0.0;
+        (is_fixed && is_there).then_some((
+            *time,
+            Geodetic {
+                latitude: *latitude,
+                longitude,
+                height: value(Role::GpsHeight, *time).unwrap_or(0.0),
+            },
+        ))
+    };
+    let pairs = latitude.times.iter().zip(&latitude.values);
+    pairs.filter_map(fix).collect()
+}
+
+fn channel(series: &RoleSeries) -> Option<Channel> {
+    let name = match series.role {
+        Role::Airspeed => ChannelName::Airspeed,
+        Role::Heading => ChannelName::Heading,
+        Role::Roll => ChannelName::Roll,
+        Role::Pitch => ChannelName::Pitch,
+        Role::HeightAboveGround => ChannelName::HeightAboveGround,
+        _ => return None,
+    };
+    Some(Channel {
+        name,
+        times: series.times.clone(),
+        values: series.values.clone(),
+    })
+}
+
+/// Height above where the flight began: by air pressure where there is a barometer, else by the receiver.
+fn height_above_start(found: &[RoleSeries], states: &[TruthState]) -> Channel {
+    let barometer = found.iter().find(|s| s.role == Role::BarometricHeight);
+    let (times, values): (Vec<f64>, Vec<f64>) = match barometer {
+        Some(series) => {
+            let start = states.first().and_then(|s| series.at(s.time));
+            let zero = start.unwrap_or(series.values[0]);
+            let values = series.values.iter().map(|v| v - zero).collect();
+            (series.times.clone(), values)
+        }
+        None => states.iter().map(|s| (s.time, -s.position.z)).unzip(),
+    };
+    Channel {
+        name: ChannelName::HeightAboveGround,
+        times,
+        values,
+    }
+}

@@ -1,0 +1,132 @@
+//! What a series of a log means for navigation.
+
+use serde::{Deserialize, Serialize};
+
+/// A quantity that logs name in many ways. Values are SI and radians.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+pub enum Role {
+    /// Airspeed as measured, m/s.
+    Airspeed,
+    /// Heading, radians clockwise from true north.
+    Heading,
+    /// Roll, radians, right wing down positive.
+    Roll,
+    /// Pitch, radians, nose up positive.
+    Pitch,
+    /// Height above the ground below, metres.
+    HeightAboveGround,
+    /// Height by air pressure, metres above whatever the log took as zero.
+    BarometricHeight,
+    /// Latitude by satellite navigation, radians.
+    Latitude,
+    /// Longitude by satellite navigation, radians.
+    Longitude,
+    /// Height by satellite navigation, metres above sea level or ellipsoid as the receiver has it.
+    GpsHeight,
+    /// Velocity over ground northward by satellite navigation, m/s.
+    GpsVelocityNorth,
+    /// The same eastward, m/s.
+    GpsVelocityEast,
+    /// The same downward, m/s.
+    GpsVelocityDown,
+    /// Kind of fix: 0 or 1 none, 2 flat, 3 and more in space.
+    GpsFix,
+    /// Satellites used.
+    GpsSatellites,
+    /// Turn rate about the nose, rad/s.
+    RollRate,
+    /// Turn rate about the right wing, rad/s.
+    PitchRate,
+    /// Turn rate about the belly, rad/s.
+    YawRate,
+    /// Specific force forward, m/s².
+    AccelerationForward,
+    /// Specific force to the right, m/s².
+    AccelerationRight,
+    /// Specific force downward, m/s².
+    AccelerationDown,
+    /// Velocity of the air northward as the autopilot estimates it, m/s.
+    WindNorth,
+    /// The same eastward, m/s.
+    WindEast,
+}
+
+impl Role {
+    /// Every role, in the order in which people read them.
+    pub const ALL: [Self; 22] = [
+        Self::Airspeed,
+        Self::Heading,
+        Self::Roll,
+        Self::Pitch,
+        Self::HeightAboveGround,
+        Self::BarometricHeight,
+        Self::Latitude,
+        Self::Longitude,
+        Self::GpsHeight,
+        Self::GpsVelocityNorth,
+        Self::GpsVelocityEast,
+        Self::GpsVelocityDown,
+        Self::GpsFix,
+        Self::GpsSatellites,
+        Self::RollRate,
+        Self::PitchRate,
+        Self::YawRate,
+        Self::AccelerationForward,
+        Self::AccelerationRight,
+        Self::AccelerationDown,
+        Self::WindNorth,
+        Self::WindEast,
+    ];
+
+    /// Name for people.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Airspeed => "Airspeed",
+            Self::Heading => "Heading",
+            Self::Roll => "Roll",
+            Self::Pitch => "Pitch",
+            Self::HeightAboveGround => "Height above ground",
+            Self::BarometricHeight => "Barometric height",
+            Self::Latitude => "Latitude",
+            Self::Longitude => "Longitude",
+            Self::GpsHeight => "GPS height",
+            Self::GpsVelocityNorth => "GPS velocity north",
+            Self::GpsVelocityEast => "GPS velocity east",
+            Self::GpsVelocityDown => "GPS velocity down",
+            Self::GpsFix => "GPS fix",
+            Self::GpsSatellites => "GPS satellites",
+            Self::RollRate => "Roll rate",
+            Self::PitchRate => "Pitch rate",
+            Self::YawRate => "Yaw rate",
+            Self::AccelerationForward => "Acceleration forward",
+            Self::AccelerationRight => "Acceleration right",
+            Self::AccelerationDown => "Acceleration down",
+            Self::WindNorth => "Wind north, autopilot",
+            Self::WindEast => "Wind east, autopilot",
+        }
+    }
+
+    /// Whether values are angles that wrap.
+    pub fn is_angle(self) -> bool {
+        matches!(self, Self::Heading | Self::Roll | Self::Pitch)
+    }
+
+    /// Largest amount that anything that flies could have, in SI; what is beyond was not measured.
+    pub fn plausible(self) -> f64 {
+        use std::f64::consts::{FRAC_PI_2, PI, TAU};
+        match self {
+            Self::Airspeed
+            | Self::GpsVelocityNorth
+            | Self::GpsVelocityEast
+            | Self::GpsVelocityDown => 1000.0,
+            Self::Heading | Self::Roll | Self::Pitch => TAU,
+            Self::HeightAboveGround | Self::BarometricHeight | Self::GpsHeight => 50_000.0,
+            Self::Latitude => FRAC_PI_2,
+            Self::Longitude => PI + 1e-9,
+            Self::GpsFix | Self::GpsSatellites => 255.0,
+            Self::RollRate | Self::PitchRate | Self::YawRate => 100.0,
+            Self::AccelerationForward | Self::AccelerationRight | Self::AccelerationDown => 2000.0,
+            Self::WindNorth | Self::WindEast => 150.0,
+        }
+    }
+}

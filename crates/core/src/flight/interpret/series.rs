@@ -1,0 +1,157 @@
+//! The series of a role, read from the log.
+
+use nalgebra::{Quaternion, UnitQuaternion};
+
+use super::Role;
+use super::source::{Reading, Source, factor_of_unit, sources};
+use crate::flight::log::{FieldLayout, Log, Topic};
+use crate::frames::wrap_pi;
+
+/// A role found in a log.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RoleSeries {
+    /// The role.
+    pub role: Role,
+    /// Topic and field, as people know them: `ATT.Yaw`.
+    pub source: String,
+    /// Seconds in the log's time base, growing.
+    pub times: Vec<f64>,
+    /// Values in SI and radians, one per time.
+    pub values: Vec<f64>,
+    /// Samples left out because they are no number or beyond anything that flies.
+    pub implausible: usize,
+    /// Samples left out because their time stands still or goes back.
+    pub out_of_order: usize,
+}
+
+impl RoleSeries {
+    /// The last value at or before `time`, or else the first; `None` without any.
+    pub fn at(&self, time: f64) -> Option<f64> {
+        let after = self.times.partition_point(|t| *t <= time + 1e-9);
+        self.values.get(after.saturating_sub(1)).copied()
+    }
+}
+
+/// A field and its factor to SI: the stated unit's, else the one that is usual there.
+struct Scaled<'a> {
+    field: &'a FieldLayout,
+    factor: f64,
+}
+
+impl<'a> Scaled<'a> {
+    fn new(topic: &'a Topic, name: &str, usual: f64) -> Option<Self> {
+        let field = topic.field(name).filter(|f| f.kind.is_number())?;
+        let factor = factor_of_unit(&field.unit).unwrap_or(usual);
+        Some(Self { field, factor })
+    }
+
+    fn value(&self, row: &[u8]) -> Option<f64> {
+        Some(self.field.value(row)? * self.factor)
+    }
+}
+
+/// What turns a row into a value, and the name of what it reads.
+type Reader<'a> = (Box<dyn Fn(&[u8]) -> Option<f64> + 'a>, String);
+
+fn reader<'a>(source: &Source, topic: &'a Topic) -> Option<Reader<'a>> {
+    let role = source.role;
+    let north = matches!(role, Role::GpsVelocityNorth | Role::WindNorth);
+    Some(match source.reading {
+        Reading::Field(name, usual) => {
+            let field = Scaled::new(topic, name, usual)?;
+            (Box::new(move |row| field.value(row)), name.to_owned())
+        }
+        Reading::Quaternion(name) => {
+            let part = |i: usize| Scaled::new(topic, &format!("{name}[{i}]"), 1.0);
+            let parts = [part(0)?, part(1)?, part(2)?, part(3)?];
+            let angle = move |row: &[u8]| {
+                let [w, x, y, z] = [0, 1, 2, 3].map(|i| parts[i].value(row));
+                let attitude = UnitQuaternion::try_new(Quaternion::new(w?, x?, y?, z?), 1e-6)?;
+                let (roll, pitch, yaw) = attitude.euler_angles();
+                Some(match role {
+                    Role::Roll => roll,
+                    Role::Pitch => pitch,
+                    _ => yaw,
+                })
+            };
+            (Box::new(angle), name.to_owned())
+        }
+        Reading::Course(speed, speed_factor, course, course_factor) => {
+            let name = format!("{speed}, {course}");
+            let speed = Scaled::new(topic, speed, speed_factor)?;
+            let course = Scaled::new(topic, course, course_factor)?;
+            let part = move |row: &[u8]| {
+                let (sin, cos) = course.value(row)?.sin_cos();
+                Some(speed.value(row)? * if north { cos } else { sin })
+            };
+            (Box::new(part), name)
+        }
+        Reading::WindFrom(direction, factor, speed) => {
+            let name = format!("{direction}, {speed}");
+            let direction = Scaled::new(topic, direction, factor)?;
+            let speed = Scaled::new(topic, speed, 1.0)?;
+            let part = move |row: &[u8]| {
+                let (sin, cos) = direction.value(row)?.sin_cos();
+                Some(-speed.value(row)? * if north { cos } else { sin })
+            };
+            (Box::new(part), name)
+        }
+    })
+}
+
+/// The series that `source` names, or `None` if the log has no such fields or no row of them.
+fn read(log: &Log, source: &Source) -> Option<RoleSeries> {
+    let topic = log.first(source.topic).filter(|t| !t.is_empty())?;
+    let (value_of, name) = reader(source, topic)?;
+    let mut series = RoleSeries {
+        role: source.role,
+        source: format!("{}.{name}", topic.name),
+        times: Vec::with_capacity(topic.len()),
+        values: Vec::with_capacity(topic.len()),
+        implausible: 0,
+        out_of_order: 0,
+    };
+    let plausible = source.role.plausible();
+    let mut last = f64::NEG_INFINITY;
+    for (time, row) in topic.times.iter().zip(topic.rows.iter()) {
+        let value = value_of(row).filter(|v| v.is_finite() && v.abs() <= plausible);
+        let Some(value) = value.filter(|_| time.is_finite()) else {
+            series.implausible += 1;
+            continue;
+        };
+        if *time <= last {
+            series.out_of_order += 1;
+            continue;
+        }
+        last = *time;
+        series.times.push(*time);
+        let wraps = source.role.is_angle();
+        series
+            .values
+            .push(if wraps { wrap_pi(value) } else { value });
+    }
+    (!series.times.is_empty()).then_some(series)
+}
+
+/// Whether a series says anything: a sensor that is not there often logs one number for ever.
+fn is_alive(series: &RoleSeries) -> bool {
+    let first = series.values[0];
+    let counts = matches!(series.role, Role::GpsFix | Role::GpsSatellites);
+    counts || series.values.iter().any(|v| *v != first)
+}
+
+/// The series of a role: from the best place that says anything, else from the best that is there.
+pub fn series(log: &Log, role: Role) -> Option<RoleSeries> {
+    let places = sources(log.format).iter().filter(|s| s.role == role);
+    let mut dead = None;
+    for source in places {
+        let Some(found) = read(log, source) else {
+            continue;
+        };
+        if is_alive(&found) {
+            return Some(found);
+        }
+        dead.get_or_insert(found);
+    }
+    dead
+}

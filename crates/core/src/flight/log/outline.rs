@@ -1,0 +1,103 @@
+//! What a log holds, without its rows.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Log, LogFormat, LogMessage, ModeChange, Parameter, ReadReport, Topic, TopicName};
+
+/// A field of a topic.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct FieldOutline {
+    /// Name.
+    pub name: String,
+    /// Unit as the log states it, or empty.
+    pub unit: String,
+    /// Whether it holds numbers that can be plotted.
+    pub is_number: bool,
+}
+
+/// A topic without its rows.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TopicOutline {
+    /// Name.
+    pub name: TopicName,
+    /// Number of rows.
+    pub rows: usize,
+    /// First and last time, seconds; `None` without rows.
+    pub span: Option<(f64, f64)>,
+    /// Fields in the order of the file.
+    pub fields: Vec<FieldOutline>,
+}
+
+impl TopicOutline {
+    fn of(topic: &Topic) -> Self {
+        let fields = topic.fields.iter().map(|field| FieldOutline {
+            name: field.name.clone(),
+            unit: field.unit.clone(),
+            is_number: field.kind.is_number(),
+        });
+        Self {
+            name: topic.name.clone(),
+            rows: topic.len(),
+            span: topic
+                .times
+                .first()
+                .copied()
+                .zip(topic.times.last().copied()),
+            fields: fields.collect(),
+        }
+    }
+
+    /// Rows per second from the first to the last, 0 with fewer than two.
+    pub fn rate(&self) -> f64 {
+        match self.span {
+            Some((from, to)) if to > from && self.rows > 1 => (self.rows - 1) as f64 / (to - from),
+            _ => 0.0,
+        }
+    }
+}
+
+/// What a log holds, without its rows.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Outline {
+    /// Name of the file.
+    pub name: String,
+    /// Which format it was read from.
+    pub format: LogFormat,
+    /// Kind of vehicle and software, in the log's words, or empty.
+    pub vehicle: String,
+    /// Seconds since 1970 (UTC) at second zero of the log's time base, where the log tells.
+    pub utc_at_zero: Option<f64>,
+    /// First and last time of any row, seconds.
+    pub span: Option<(f64, f64)>,
+    /// Topics with rows, by name.
+    pub topics: Vec<TopicOutline>,
+    /// Every parameter in the order of the file.
+    pub parameters: Vec<Parameter>,
+    /// Words of the autopilot.
+    pub messages: Vec<LogMessage>,
+    /// Changes of mode.
+    pub modes: Vec<ModeChange>,
+    /// What was read and what was skipped.
+    pub report: ReadReport,
+}
+
+impl Outline {
+    /// The outline of a log as far as it has been read.
+    pub fn of(log: &Log) -> Self {
+        let with_rows = log.topics.iter().filter(|topic| !topic.is_empty());
+        let mut topics: Vec<TopicOutline> = with_rows.map(TopicOutline::of).collect();
+        topics.sort_by(|a, b| a.name.cmp(&b.name));
+        Self {
+            name: log.name.clone(),
+            format: log.format,
+            vehicle: log.vehicle.clone(),
+            utc_at_zero: log.utc_at_zero,
+            span: log.span(),
+            topics,
+            parameters: log.parameters.clone(),
+            messages: log.messages.clone(),
+            modes: log.modes.clone(),
+            report: log.report.clone(),
+        }
+    }
+}

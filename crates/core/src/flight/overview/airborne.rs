@@ -1,0 +1,73 @@
+//! When it was in the air.
+
+use super::super::interpret::{Role, RoleSeries};
+
+/// Speeds below this are those of something that stands, m/s.
+const STANDING: f64 = 3.0;
+/// Share of the fast speeds of the flight from which on it flies.
+const FLYING_SHARE: f64 = 0.35;
+/// Height above the start from which on it hovers at least, metres.
+const HOVERING: f64 = 3.0;
+/// Shortest stretch that counts, and longest pause inside one, seconds.
+const LEAST: f64 = 3.0;
+
+/// Stretches in the air, seconds in the log's time base: faster over ground than a third of its fast
+/// speeds, or well above where it began.
+pub fn airborne(found: &[RoleSeries]) -> Vec<(f64, f64)> {
+    let of = |role| found.iter().find(|s: &&RoleSeries| s.role == role);
+    let mut flying: Vec<(f64, bool)> = Vec::new();
+    if let (Some(north), Some(east)) = (of(Role::GpsVelocityNorth), of(Role::GpsVelocityEast)) {
+        let speeds = north.times.iter().zip(&north.values);
+        let speeds: Vec<(f64, f64)> = speeds
+            .filter_map(|(time, n)| Some((*time, n.hypot(east.at(*time)?))))
+            .collect();
+        let least = (FLYING_SHARE * fast(&speeds)).max(STANDING);
+        flying.extend(speeds.iter().map(|(time, speed)| (*time, *speed > least)));
+    } else if let Some(airspeed) = of(Role::Airspeed) {
+        let speeds: Vec<(f64, f64)> = pairs(airspeed).collect();
+        let least = (FLYING_SHARE * fast(&speeds)).max(STANDING);
+        flying.extend(speeds.iter().map(|(time, speed)| (*time, *speed > least)));
+    }
+    let height = of(Role::BarometricHeight).or_else(|| of(Role::GpsHeight));
+    if let Some(height) = height {
+        let ground = height.values[0];
+        let is_high = |time: f64| height.at(time).is_some_and(|h| h - ground > HOVERING);
+        if flying.is_empty() {
+            flying.extend(pairs(height).map(|(time, h)| (time, h - ground > HOVERING)));
+        } else {
+            for (time, is_flying) in &mut flying {
+                // Speed alone may be a car, height alone a hill: a slow aircraft needs height.
+                *is_flying |= is_high(*time) && of(Role::BarometricHeight).is_some();
+            }
+        }
+    }
+    stretches(&flying)
+}
+
+fn pairs(series: &RoleSeries) -> impl Iterator<Item = (f64, f64)> + '_ {
+    series
+        .times
+        .iter()
+        .copied()
+        .zip(series.values.iter().copied())
+}
+
+/// The speed that nine of ten samples stay below.
+fn fast(speeds: &[(f64, f64)]) -> f64 {
+    let mut sorted: Vec<f64> = speeds.iter().map(|(_, speed)| *speed).collect();
+    sorted.sort_by(f64::total_cmp);
+    sorted.get(sorted.len() * 9 / 10).copied().unwrap_or(0.0)
+}
+
+/// Joins what is less than a pause apart and leaves out what is shorter than that.
+fn stretches(flying: &[(f64, bool)]) -> Vec<(f64, f64)> {
+    let mut found: Vec<(f64, f64)> = Vec::new();
+    for (time, _) in flying.iter().filter(|(_, is_flying)| *is_flying) {
+        match found.last_mut() {
+            Some(last) if time - last.1 <= LEAST => last.1 = *time,
+            _ => found.push((*time, *time)),
+        }
+    }
+    found.retain(|(from, to)| to - from >= LEAST);
+    found
+}

@@ -1,0 +1,88 @@
+//! A flight at a glance: when it flew, what measured, what looks wrong, and what can be done with it.
+
+mod ability;
+mod air_data;
+mod airborne;
+mod finding;
+mod glitch;
+mod sensor;
+#[cfg(test)]
+mod tests;
+
+use serde::{Deserialize, Serialize};
+
+pub use ability::Ability;
+pub use air_data::{AirDataFit, fit_air_data};
+pub use airborne::airborne;
+pub use finding::{Finding, Severity};
+pub use sensor::{Gap, Sensor};
+
+use super::interpret::{Interpreted, Role};
+use super::log::Log;
+
+/// A flight at a glance.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Overview {
+    /// First and last time of the log, seconds in its time base.
+    pub span: (f64, f64),
+    /// Stretches in the air, seconds.
+    pub airborne: Vec<(f64, f64)>,
+    /// Distance over ground while in the air, metres.
+    pub distance: f64,
+    /// Greatest height above the start, metres, where known.
+    pub greatest_height: Option<f64>,
+    /// Greatest speed over ground, m/s, where known.
+    pub greatest_speed: Option<f64>,
+    /// What measured, by role.
+    pub sensors: Vec<Sensor>,
+    /// What airspeed, heading and the track say of each other, where all three are known.
+    pub air_data: Option<AirDataFit>,
+    /// What looks wrong, the worst first.
+    pub findings: Vec<Finding>,
+    /// What can be done with it, and what cannot and why.
+    pub abilities: Vec<Ability>,
+}
+
+/// Looks a log over.
+pub fn overview(log: &Log, interpreted: &Interpreted) -> Overview {
+    let found = &interpreted.found;
+    let of = |role| found.iter().find(|s| s.role == role);
+    let span = log.span().unwrap_or((0.0, 0.0));
+    let airborne = airborne(found);
+    let sensors: Vec<Sensor> = found.iter().map(Sensor::of).collect();
+    let air_data = fit_air_data(found, &airborne);
+    let speed = of(Role::GpsVelocityNorth).zip(of(Role::GpsVelocityEast));
+    let greatest_speed = speed.map(|(north, east)| {
+        let both = north.values.iter().zip(&east.values);
+        both.map(|(n, e)| n.hypot(*e)).fold(0.0, f64::max)
+    });
+    let flight = interpreted.flight.as_ref().ok();
+    let states = flight.and_then(|f| f.truth.as_ref()).map(|t| &t.states);
+    let greatest_height = states.map(|states| {
+        let heights = states.iter().map(|s| -s.position.z);
+        heights.fold(f64::NEG_INFINITY, f64::max)
+    });
+    let is_up = |time: f64| airborne.iter().any(|(a, b)| (*a..=*b).contains(&time));
+    let distance = states.map_or(0.0, |states| {
+        let steps = states.windows(2).filter(|w| is_up(w[1].time));
+        steps
+            .map(|w| (w[1].position - w[0].position).xy().norm())
+            .sum()
+    });
+    let mut findings = finding::of_reading(log, found);
+    findings.extend(sensors.iter().flat_map(Sensor::findings));
+    findings.extend(glitch::findings(found, states.map_or(&[], Vec::as_slice)));
+    findings.extend(air_data.iter().flat_map(AirDataFit::findings));
+    findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
+    Overview {
+        span,
+        distance,
+        greatest_height,
+        greatest_speed,
+        abilities: ability::abilities(interpreted, air_data.as_ref()),
+        sensors,
+        air_data,
+        findings,
+        airborne,
+    }
+}

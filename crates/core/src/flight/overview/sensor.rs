@@ -1,0 +1,156 @@
+//! What measured, how often, and with which gaps.
+
+use serde::{Deserialize, Serialize};
+
+use super::super::interpret::{Role, RoleSeries};
+use super::{Finding, Severity};
+
+/// Times the usual interval from which on a pause is a gap.
+const GAP: f64 = 5.0;
+/// Shortest gap that is told, seconds.
+const LEAST_GAP: f64 = 1.0;
+/// Longest time for which a sensor that moves shows the same number, seconds.
+const STUCK: f64 = 5.0;
+
+/// A stretch without samples.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Gap {
+    /// Last sample before it, seconds.
+    pub from: f64,
+    /// First sample after it, seconds.
+    pub to: f64,
+}
+
+/// What measured a role.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Sensor {
+    /// The role.
+    pub role: Role,
+    /// Topic and field.
+    pub source: String,
+    /// Number of samples.
+    pub samples: usize,
+    /// Samples per second in between gaps: one by the median interval, 0 with fewer than two.
+    pub rate: f64,
+    /// Stretches without samples that are five times longer than usual and at least a second.
+    pub gaps: Vec<Gap>,
+    /// The longest stretch with one and the same number where the number should move, seconds.
+    pub stuck: Option<(f64, f64)>,
+    /// Whether it shows one number for the whole log.
+    pub is_dead: bool,
+}
+
+impl Sensor {
+    /// Looks a series over.
+    pub fn of(series: &RoleSeries) -> Self {
+        let steps = series.times.windows(2).map(|w| w[1] - w[0]);
+        let mut intervals: Vec<f64> = steps.collect();
+        let gaps_from = |usual: f64| {
+            let longest = (GAP * usual).max(LEAST_GAP);
+            let pairs = series.times.windows(2);
+            let gaps = pairs.filter(move |w| w[1] - w[0] > longest);
+            gaps.map(|w| Gap {
+                from: w[0],
+                to: w[1],
+            })
+        };
+        let middle = intervals.len() / 2;
+        let usual = (!intervals.is_empty())
+            .then(|| *intervals.select_nth_unstable_by(middle, f64::total_cmp).1);
+        let first = series.values[0];
+        Self {
+            role: series.role,
+            source: series.source.clone(),
+            samples: series.times.len(),
+            rate: usual.map_or(0.0, f64::recip),
+            gaps: usual.map_or_else(Vec::new, |usual| gaps_from(usual).collect()),
+            stuck: stuck(series),
+            is_dead: series.values.iter().all(|v| *v == first),
+        }
+    }
+
+    /// What looks wrong about it.
+    pub fn findings(&self) -> Vec<Finding> {
+        let mut findings = Vec::new();
+        let name = self.role.label();
+        let counts = matches!(self.role, Role::GpsFix | Role::GpsSatellites);
+        if self.is_dead && !counts && self.samples > 1 {
+            findings.push(Finding {
+                severity: Severity::Warning,
+                title: format!("{name} never moves"),
+                text: format!(
+                    "{} shows one number in all {} samples: the sensor was probably not there.",
+                    self.source, self.samples
+                ),
+                span: None,
+            });
+        } else if let Some((from, to)) = self.stuck {
+            findings.push(Finding {
+                severity: Severity::Warning,
+                title: format!("{name} is stuck for {:.0} s", to - from),
+                text: format!(
+                    "{} shows one number from {from:.1} to {to:.1} s.",
+                    self.source
+                ),
+                span: Some((from, to)),
+            });
+        }
+        let longest = self
+            .gaps
+            .iter()
+            .max_by(|a, b| (a.to - a.from).total_cmp(&(b.to - b.from)));
+        if let Some(gap) = longest {
+            let others = match self.gaps.len() {
+                1 => String::new(),
+                n => format!(" {n} gaps in all."),
+            };
+            findings.push(Finding {
+                severity: Severity::Note,
+                title: format!("{name} is missing for {:.1} s", gap.to - gap.from),
+                text: format!(
+                    "{} has no sample between {:.1} and {:.1} s, though it usually has {:.0} a second.{others}",
+                    self.source, gap.from, gap.to, self.rate
+                ),
+                span: Some((gap.from, gap.to)),
+            });
+        }
+        findings
+    }
+}
+
+/// The longest stretch of at least five seconds and ten samples with one number, where the number should
+/// move: what measures motion never rests on all its digits.
+fn stuck(series: &RoleSeries) -> Option<(f64, f64)> {
+    let moves = matches!(
+        series.role,
+        Role::Airspeed
+            | Role::Heading
+            | Role::Roll
+            | Role::Pitch
+            | Role::RollRate
+            | Role::PitchRate
+            | Role::YawRate
+    );
+    if !moves {
+        return None;
+    }
+    let mut best: Option<(usize, usize)> = None;
+    let mut from = 0;
+    for i in 1..=series.values.len() {
+        if series.values.get(i) == Some(&series.values[from]) {
+            continue;
+        }
+        let length = |(a, b): (usize, usize)| series.times[b] - series.times[a];
+        let run = (from, i - 1);
+        let is_zero = series.values[from] == 0.0;
+        if i - from >= 10
+            && !is_zero
+            && length(run) >= STUCK
+            && best.is_none_or(|best| length(run) > length(best))
+        {
+            best = Some(run);
+        }
+        from = i;
+    }
+    best.map(|(a, b)| (series.times[a], series.times[b]))
+}

@@ -1,0 +1,176 @@
+//! Flights that are made here, and what is said of them.
+
+use nalgebra::{Point3, Vector2};
+
+use super::super::TruthState;
+use super::super::interpret::{Role, RoleSeries};
+use super::*;
+
+fn series(role: Role, times: Vec<f64>, values: Vec<f64>) -> RoleSeries {
+    RoleSeries {
+        role,
+        source: format!("TEST.{role:?}"),
+        times,
+        values,
+        implausible: 0,
+        out_of_order: 0,
+    }
+}
+
+/// Five rows a second for so many seconds.
+fn times(seconds: usize) -> Vec<f64> {
+    (0..5 * seconds).map(|i| 0.2 * i as f64).collect()
+}
+
+/// A circling flight from second 20 to second 100 of 120, its airspeed sensor reading by a factor wrong.
+fn circling(wind: Vector2<f64>, reads: f64) -> Vec<RoleSeries> {
+    let times = times(120);
+    let flies = |t: f64| (20.0..100.0).contains(&t);
+    let heading = |t: f64| crate::frames::wrap_pi(0.1 * t);
+    let of = |role, value: &dyn Fn(f64) -> f64| {
+        let values = times.iter().map(|t| value(*t)).collect();
+        series(role, times.clone(), values)
+    };
+    let airspeed = |t: f64| {
+        if flies(t) {
+            18.0 + (0.3 * t).sin()
+        } else {
+            0.2 * t.sin()
+        }
+    };
+    let ground = move |t: f64, direction: f64, wind: f64| {
+        if flies(t) {
+            airspeed(t) * direction + wind
+        } else {
+            0.1
+        }
+    };
+    vec![
+        of(Role::Airspeed, &|t| reads * airspeed(t)),
+        of(Role::Heading, &heading),
+        of(Role::GpsVelocityNorth, &|t| {
+            ground(t, heading(t).cos(), wind.x)
+        }),
+        of(Role::GpsVelocityEast, &|t| {
+            ground(t, heading(t).sin(), wind.y)
+        }),
+    ]
+}
+
+#[test]
+fn the_stretch_in_the_air_is_found_between_take_off_and_landing() {
+    let found = circling(Vector2::new(2.0, -1.0), 1.0);
+    let stretches = airborne(&found);
+    assert_eq!(stretches.len(), 1, "{stretches:?}");
+    let (from, to) = stretches[0];
+    assert!(
+        (from - 20.0).abs() < 0.5 && (to - 100.0).abs() < 0.5,
+        "{from} {to}"
+    );
+}
+
+#[test]
+fn what_never_leaves_the_ground_was_never_in_the_air() {
+    let times = times(60);
+    let wander: Vec<f64> = times.iter().map(|t| 0.3 * t.sin()).collect();
+    let found = [
+        series(Role::GpsVelocityNorth, times.clone(), wander.clone()),
+        series(Role::GpsVelocityEast, times, wander),
+    ];
+    assert_eq!(airborne(&found), []);
+}
+
+#[test]
+fn wind_and_scale_of_the_airspeed_are_found_over_a_circle() {
+    let wind = Vector2::new(3.0, -4.0);
+    let found = circling(wind, 1.25);
+    let fit = fit_air_data(&found, &airborne(&found)).unwrap();
+    assert!((fit.scale - 0.8).abs() < 1e-3, "{fit:?}");
+    assert!((fit.wind - wind).norm() < 0.05, "{fit:?}");
+    let finding = &fit.findings()[0];
+    assert_eq!(finding.title, "Airspeed reads 25 % too fast");
+    assert_eq!(finding.severity, Severity::Warning);
+    let right = circling(wind, 1.0);
+    let fit = fit_air_data(&right, &airborne(&right)).unwrap();
+    assert!(fit.findings().is_empty());
+}
+
+#[test]
+fn a_straight_flight_does_not_tell_wind_from_scale() {
+    let mut found = circling(Vector2::zeros(), 1.0);
+    for value in &mut found[1].values {
+        *value = 0.3;
+    }
+    assert_eq!(fit_air_data(&found, &[(20.0, 100.0)]), None);
+}
+
+#[test]
+fn a_gap_a_stuck_sensor_and_a_dead_one_are_told_with_their_times() {
+    let mut gap = series(Role::Heading, times(60), Vec::new());
+    gap.values = gap.times.iter().map(|t| t.sin()).collect();
+    let keep: Vec<bool> = gap
+        .times
+        .iter()
+        .map(|t| !(10.0..14.0).contains(t))
+        .collect();
+    let mut kept = keep.iter();
+    gap.times.retain(|_| *kept.next().unwrap());
+    let mut kept = keep.iter();
+    gap.values.retain(|_| *kept.next().unwrap());
+    let sensor = Sensor::of(&gap);
+    assert!((sensor.rate - 5.0).abs() < 1e-6);
+    assert_eq!(sensor.gaps.len(), 1);
+    assert!(
+        sensor.findings()[0]
+            .title
+            .starts_with("Heading is missing for 4.")
+    );
+
+    let mut stuck = series(Role::Airspeed, times(60), Vec::new());
+    let value = |t: f64| {
+        if (20.0..32.0).contains(&t) {
+            17.0
+        } else {
+            18.0 + t.sin()
+        }
+    };
+    stuck.values = stuck.times.iter().map(|t| value(*t)).collect();
+    let finding = &Sensor::of(&stuck).findings()[0];
+    assert_eq!(finding.title, "Airspeed is stuck for 12 s");
+    let (from, to) = finding.span.unwrap();
+    assert!((from - 20.0).abs() < 0.3 && (to - 31.8).abs() < 0.3);
+
+    let dead = series(Role::Pitch, times(20), vec![0.0; 100]);
+    assert_eq!(Sensor::of(&dead).findings()[0].title, "Pitch never moves");
+}
+
+#[test]
+fn a_jump_of_the_position_that_no_velocity_explains_is_a_glitch() {
+    let times = times(60);
+    let velocity = vec![10.0; times.len()];
+    let found = [
+        series(Role::GpsVelocityNorth, times.clone(), velocity),
+        series(Role::GpsVelocityEast, times.clone(), vec![0.0; times.len()]),
+    ];
+    let state = |jump: f64, i: usize, t: f64| TruthState {
+        time: t,
+        position: Point3::new(
+            10.0 * t + 0.1 * (i % 3) as f64,
+            if t > 30.1 { jump } else { 0.0 },
+            0.0,
+        ),
+        attitude: None,
+        wind: None,
+    };
+    let states = |jump: f64| -> Vec<TruthState> {
+        times
+            .iter()
+            .enumerate()
+            .map(|(i, t)| state(jump, i, *t))
+            .collect()
+    };
+    let findings = glitch::findings(&found, &states(40.0));
+    assert_eq!(findings[0].title, "GPS jumps by 40 m");
+    assert!((findings[0].span.unwrap().0 - 30.2).abs() < 1e-6);
+    assert!(glitch::findings(&found, &states(0.0)).is_empty());
+}

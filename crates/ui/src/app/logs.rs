@@ -1,0 +1,310 @@
+//! The log that is open: read in a worker, flown as soon as all of it is there, its fields fetched when
+//! they are plotted.
+
+use std::collections::HashMap;
+
+use pilotage_core::flight::Flight;
+use pilotage_core::frames::{Geodetic, LocalFrame};
+use pilotage_core::mission::Mission;
+
+use super::desk::Opening;
+use super::{App, SideTab};
+use crate::command::Workspace;
+use crate::host::Host;
+use crate::jobs::{FlightSource, Job, JobEvent, JobId, MapSource, ReadLog, SeriesName};
+use crate::log::{LogCommand, OpenLog};
+
+/// Farthest from a flight that the origin of the map may lie that was open before, metres: what lies
+/// further is a map of somewhere else.
+const NEAR: f64 = 60_000.0;
+
+/// A log being read.
+#[derive(Debug)]
+pub(super) struct ReadingLog {
+    id: JobId,
+    /// Key of its files, and its name among them.
+    pub key: String,
+    file: String,
+    /// How far it is, 0 to 1.
+    pub progress: f32,
+    /// What it is doing.
+    pub words: String,
+    /// The map to fly over, where that is known already.
+    map: Option<MapSource>,
+    /// The mission to fly with, where there is one.
+    mission: Option<Mission>,
+    /// Whether the page shows it already.
+    is_shown: bool,
+}
+
+/// What is asked of the workers about logs.
+#[derive(Debug, Default)]
+pub(super) struct LogWork {
+    /// The log being read.
+    pub reading: Option<ReadingLog>,
+    /// Fields being fetched.
+    fetching: HashMap<JobId, SeriesName>,
+    /// Whether the worker that had the log is gone.
+    lost: bool,
+}
+
+impl LogWork {
+    /// Whether a job is about a log.
+    pub fn has(&self, id: JobId) -> bool {
+        let is_reading = self.reading.as_ref().is_some_and(|r| r.id == id);
+        is_reading || self.fetching.contains_key(&id)
+    }
+}
+
+impl App {
+    /// Reads a log that was dropped, over the map that was dropped with it.
+    pub(super) fn open_log(
+        &mut self,
+        host: &mut dyn Host,
+        opening: &Opening,
+        file: String,
+        map: Option<MapSource>,
+        mission: Option<Mission>,
+    ) {
+        self.keep_files(host, &opening.key, &opening.name, &opening.files);
+        self.read_log(host, opening.key.clone(), file, map, mission);
+    }
+
+    /// Reads the log of the last visit again.
+    pub(super) fn reopen_log(&mut self, host: &mut dyn Host) {
+        let Some(log) = &self.documents.log else {
+            return;
+        };
+        let (key, file) = (log.key.clone(), log.file.clone());
+        let session = self.documents.session();
+        self.read_log(host, key, file, Some(session.map), session.mission);
+    }
+
+    fn read_log(
+        &mut self,
+        host: &mut dyn Host,
+        key: String,
+        file: String,
+        map: Option<MapSource>,
+        mission: Option<Mission>,
+    ) {
+        self.stop_reading(host);
+        let id = host.start(Job::ReadLog {
+            key: key.clone(),
+            file: file.clone(),
+        });
+        self.desk.logs.reading = Some(ReadingLog {
+            id,
+            words: format!("Reading {file}"),
+            key,
+            file,
+            progress: 0.0,
+            map,
+            mission,
+            is_shown: false,
+        });
+    }
+
+    /// Stops reading a log; what was read stays. Whether one was being read.
+    pub(super) fn stop_reading(&mut self, host: &mut dyn Host) -> bool {
+        let reading = self.desk.logs.reading.take();
+        if let Some(reading) = &reading {
+            host.cancel(reading.id);
+        }
+        reading.is_some()
+    }
+
+    pub(super) fn log_event(&mut self, host: &mut dyn Host, id: JobId, event: JobEvent) {
+        if self.desk.logs.fetching.contains_key(&id) {
+            self.series_event(id, event);
+            return;
+        }
+        let Some(reading) = &mut self.desk.logs.reading else {
+            return;
+        };
+        match event {
+            JobEvent::Progress(progress, words) => {
+                (reading.progress, reading.words) = (progress, words);
+            }
+            JobEvent::LogOutline(outline) => {
+                self.show_log(host);
+                if let Some(log) = &mut self.documents.log {
+                    log.outline = Some(*outline);
+                }
+            }
+            JobEvent::LogRead(read) => {
+                self.show_log(host);
+                self.take_log(host, *read);
+            }
+            JobEvent::Failed(why) => {
+                let name = reading.file.clone();
+                self.desk.logs.reading = None;
+                let title = format!("{name} was not read to its end");
+                let text = format!("{why} What was read of it stays.");
+                self.toasts.trouble(host.now(), title, text);
+            }
+            JobEvent::Finished | JobEvent::Cancelled => self.desk.logs.reading = None,
+            _ => {}
+        }
+    }
+
+    /// The log being read takes the place of what is open, once there is something of it to show.
+    fn show_log(&mut self, host: &mut dyn Host) {
+        let Some(reading) = &mut self.desk.logs.reading else {
+            return;
+        };
+        if std::mem::replace(&mut reading.is_shown, true) {
+            return;
+        }
+        let (key, file) = (reading.key.clone(), reading.file.clone());
+        let source = FlightSource::Files(key.clone());
+        self.stop_flying(host);
+        let is_again = self.documents.flight_source == source;
+        self.documents.begin_log(OpenLog::new(key, file), source);
+        if !is_again {
+            self.documents.bookmarks.clear();
+        }
+        self.desk.logs.fetching.clear();
+        self.views.camera.clear();
+        self.views.log_plots.begin(Vec::new());
+        self.desk.document_changed = true;
+        if !self.planning() {
+            self.view.workspace = Workspace::Replay;
+        }
+        self.side_tab = SideTab::Log;
+        self.views.shows_log_plots = true;
+    }
+
+    fn take_log(&mut self, host: &mut dyn Host, read: ReadLog) {
+        let Some(reading) = self.desk.logs.reading.take() else {
+            return;
+        };
+        let Some(log) = &mut self.documents.log else {
+            return;
+        };
+        log.outline = Some(read.outline);
+        log.overview = Some(read.overview);
+        log.series.clear();
+        if self.views.log_plots.is_empty() {
+            self.views.log_plots.begin(log.first_fields());
+        }
+        self.desk.logs.fetching.clear();
+        match read.flight {
+            Ok(flight) => {
+                let map = reading.map.clone();
+                let map = map.unwrap_or_else(|| self.map_under(&flight));
+                let map = with_origin(map, &flight);
+                let source = FlightSource::Files(reading.key);
+                self.fly_new(host, source, map, reading.mission);
+            }
+            Err(why) => {
+                log.unnavigable = Some(why.clone());
+                if let Some((first, _)) = log.span() {
+                    self.playback.time = first;
+                }
+                let title = format!("{} cannot be navigated", reading.file);
+                let text = format!("{why} Its fields can be plotted all the same.");
+                self.toasts.note(host.now(), title, text);
+            }
+        }
+    }
+
+    /// The map that is open, if it lies where a flight is; else none.
+    fn map_under(&self, flight: &Flight) -> MapSource {
+        let open = &self.documents.map_source;
+        let map = self.documents.map.as_ref();
+        let at = open.origin().or_else(|| map.and_then(|map| map.origin));
+        let is_near = |at: Geodetic| {
+            let frame = flight.frame_on_globe?;
+            let away = frame.world_from_geodetic(&at);
+            Some(away.x.hypot(away.y) < NEAR)
+        };
+        match at.and_then(is_near) {
+            Some(true) => open.clone(),
+            _ => MapSource::Nothing,
+        }
+    }
+
+    fn series_event(&mut self, id: JobId, event: JobEvent) {
+        match event {
+            JobEvent::LogSeries(series) => {
+                if let Some(log) = &mut self.documents.log {
+                    log.take(&series);
+                }
+            }
+            JobEvent::Finished | JobEvent::Cancelled => {
+                self.desk.logs.fetching.remove(&id);
+            }
+            JobEvent::Failed(_) => {
+                // The worker that had the log is gone: another one has to read it first.
+                self.desk.logs.fetching.remove(&id);
+                if self.desk.logs.reading.is_none() {
+                    self.desk.logs.lost = true;
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Asks for the fields that are plotted and not there.
+    pub(super) fn fetch_series(&mut self, host: &mut dyn Host) {
+        let Some(log) = &self.documents.log else {
+            return;
+        };
+        if std::mem::take(&mut self.desk.logs.lost) {
+            self.reopen_log(host);
+            return;
+        }
+        if !log.is_read() {
+            return;
+        }
+        let work = &mut self.desk.logs;
+        let is_asked = |series: &SeriesName| work.fetching.values().any(|asked| asked == series);
+        let track = self.views.map.track_field().cloned();
+        let wanted = self.views.log_plots.fields().into_iter().cloned();
+        let missing: Vec<SeriesName> = wanted
+            .chain(track)
+            .filter(|series| !log.series.contains_key(series) && !is_asked(series))
+            .collect();
+        for series in missing {
+            let id = host.start(Job::LogSeries {
+                key: log.key.clone(),
+                file: log.file.clone(),
+                series: series.clone(),
+            });
+            work.fetching.insert(id, series);
+        }
+    }
+
+    /// Does what was asked about the log.
+    pub(super) fn log(&mut self, command: LogCommand, host: &mut dyn Host) {
+        match command {
+            LogCommand::ColourTrack(series) => self.views.map.colour_track(series),
+            LogCommand::Show => {
+                self.view.workspace = Workspace::Replay;
+                self.view.side_open = true;
+                self.dialogs.settings = false;
+                self.side_tab = SideTab::Log;
+            }
+            LogCommand::ReadAgain => self.reopen_log(host),
+            other => {
+                self.views.shows_log_plots = true;
+                self.view.plots_open = Some(true);
+                self.views.log_plots.execute(other);
+            }
+        }
+    }
+}
+
+/// A map among the log's own files, put into the world of the flight.
+fn with_origin(map: MapSource, flight: &Flight) -> MapSource {
+    let frame: Option<LocalFrame> = flight.frame_on_globe;
+    match (map, frame) {
+        (MapSource::Files(key), Some(frame)) => MapSource::Placed {
+            key,
+            origin: frame.origin,
+        },
+        (map, Some(frame)) => map.moved(frame.origin),
+        (map, None) => map,
+    }
+}

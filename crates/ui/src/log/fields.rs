@@ -1,0 +1,151 @@
+//! The topics and fields of a log, to be searched and plotted.
+
+use egui::{Align, Layout, RichText, Ui};
+use pilotage_core::flight::log::{Outline, TopicOutline};
+
+use super::{LogCommand, OpenLog};
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::jobs::SeriesName;
+use crate::views::parts;
+
+/// Most fields listed of a search.
+const MOST_FOUND: usize = 200;
+
+/// The list's own state.
+#[derive(Clone, Debug, Default)]
+pub struct FieldList {
+    search: String,
+}
+
+impl FieldList {
+    /// Draws the search and what it finds; `plotted` says what is in a plot.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut ViewContext<'_>,
+        log: &OpenLog,
+        plotted: &dyn Fn(&SeriesName) -> bool,
+    ) {
+        let Some(outline) = &log.outline else { return };
+        let hint = format!("Search {} fields", count(outline));
+        let edit = egui::TextEdit::singleline(&mut self.search)
+            .hint_text(hint)
+            .desired_width(f32::INFINITY);
+        let response = ui.add(edit);
+        parts::name(&response, "Search fields of the log".to_owned());
+        ui.add_space(0.5 * context.tokens.space);
+        let wanted = self.search.trim().to_lowercase();
+        if wanted.is_empty() {
+            for topic in &outline.topics {
+                topic_section(ui, context, topic, plotted);
+            }
+            return;
+        }
+        let mut found = 0;
+        for topic in &outline.topics {
+            for field in topic.fields.iter().filter(|f| f.is_number) {
+                let name = SeriesName {
+                    topic: topic.name.clone(),
+                    field: field.name.clone(),
+                };
+                let full = super::words::series_name(&name);
+                if !full.to_lowercase().contains(&wanted) {
+                    continue;
+                }
+                found += 1;
+                if found <= MOST_FOUND {
+                    row(ui, context, &full, &field.unit, name, plotted);
+                }
+            }
+        }
+        if found == 0 {
+            let hint = "Names are written as in the log: ATT.Roll, vehicle_attitude.q[0].";
+            parts::empty(ui, context.tokens, "No field is called so", hint);
+        } else if found > MOST_FOUND {
+            let more = format!("and {} more: write more of the name", found - MOST_FOUND);
+            ui.label(RichText::new(more).color(context.tokens.muted));
+        }
+    }
+}
+
+fn count(outline: &Outline) -> usize {
+    let of = |topic: &TopicOutline| topic.fields.iter().filter(|f| f.is_number).count();
+    outline.topics.iter().map(of).sum()
+}
+
+/// A topic that unfolds to its fields.
+fn topic_section(
+    ui: &mut Ui,
+    context: &mut ViewContext<'_>,
+    topic: &TopicOutline,
+    plotted: &dyn Fn(&SeriesName) -> bool,
+) {
+    let tokens = context.tokens;
+    let name = topic.name.to_string();
+    let rate = topic.rate();
+    let often = match rate {
+        _ if topic.rows == 1 => "once".to_owned(),
+        rate if rate >= 10.0 => format!("{rate:.0} Hz"),
+        rate if rate >= 0.1 => format!("{rate:.1} Hz"),
+        _ => format!("{} rows", topic.rows),
+    };
+    let title = RichText::new(format!("{name}   {often}")).size(tokens.text_sizes[1]);
+    egui::CollapsingHeader::new(title)
+        .id_salt(("topic", &name))
+        .show(ui, |ui| {
+            for field in topic.fields.iter().filter(|f| f.is_number) {
+                let series = SeriesName {
+                    topic: topic.name.clone(),
+                    field: field.name.clone(),
+                };
+                row(ui, context, &field.name, &field.unit, series, plotted);
+            }
+        });
+}
+
+/// One field: a click plots it or takes it away, a button beside it gives it a panel of its own.
+fn row(
+    ui: &mut Ui,
+    context: &mut ViewContext<'_>,
+    text: &str,
+    unit: &str,
+    series: SeriesName,
+    plotted: &dyn Fn(&SeriesName) -> bool,
+) {
+    let tokens = context.tokens;
+    let full = super::words::series_name(&series);
+    ui.horizontal(|ui| {
+        let mut on = plotted(&series);
+        let label = RichText::new(text).size(tokens.text_sizes[1]);
+        let response = ui.checkbox(&mut on, label);
+        parts::name(&response, format!("Plot {full}"));
+        if response.clicked() {
+            let command = LogCommand::Toggle(series.clone());
+            context.commands.push(Command::Log(command));
+        }
+        ui.label(
+            RichText::new(unit)
+                .size(tokens.text_sizes[0])
+                .color(tokens.muted),
+        );
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let alone = parts::chip(ui, tokens, false, "+", &format!("{full} in a new plot"));
+            if alone.on_hover_text("In a new plot").clicked() {
+                let command = LogCommand::PlotAlone(series.clone());
+                context.commands.push(Command::Log(command));
+            }
+            let track = parts::chip(
+                ui,
+                tokens,
+                false,
+                "◉",
+                &format!("Colour the track by {full}"),
+            );
+            if track.on_hover_text("Colour the track by it").clicked() {
+                let command = LogCommand::ColourTrack(Some(series));
+                context.commands.push(Command::Log(command));
+            }
+        });
+    });
+}

@@ -1,0 +1,258 @@
+//! A log at a glance: what it is, what measured, what looks wrong, what can be done with it.
+
+use egui::{RichText, Ui};
+use pilotage_core::flight::log::Outline;
+use pilotage_core::flight::overview::{Ability, Finding, Overview, Sensor, Severity};
+
+use super::words::{clock, date, duration, format_name, size};
+use super::{LogCommand, OpenLog};
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::views::parts::{self, Reading};
+
+/// Messages shown before the rest is folded.
+const FIRST_MESSAGES: usize = 400;
+
+/// Draws the overview of a log; `progress` says how far its reading is, if it goes on.
+pub fn overview_panel(
+    ui: &mut Ui,
+    context: &mut ViewContext<'_>,
+    log: &OpenLog,
+    progress: Option<f32>,
+) {
+    let tokens = context.tokens;
+    let Some(outline) = &log.outline else {
+        parts::empty(
+            ui,
+            tokens,
+            "Reading the log",
+            "What it holds shows here in a moment.",
+        );
+        return;
+    };
+    let first = outline.span.map_or(0.0, |span| span.0);
+    ui.label(
+        RichText::new(&outline.name)
+            .size(tokens.text_sizes[2])
+            .color(tokens.text),
+    );
+    let mut about = vec![format_name(outline.format).to_owned()];
+    about.push(size(outline.report.bytes));
+    if !outline.vehicle.is_empty() {
+        about.push(outline.vehicle.clone());
+    }
+    ui.label(RichText::new(about.join(" · ")).color(tokens.muted));
+    if let Some(progress) = progress {
+        let percent = 100.0 * progress;
+        ui.label(RichText::new(format!("Read so far: {percent:.0} %")).color(tokens.accent));
+    } else if !log.is_read() {
+        ui.label(RichText::new("Reading was stopped.").color(tokens.warning));
+        let again = crate::shell::text_button(ui, tokens, None, "Read it again", false);
+        if again.clicked() {
+            context.commands.push(Command::Log(LogCommand::ReadAgain));
+        }
+    }
+    ui.add_space(0.5 * tokens.space);
+    facts(ui, context, outline, log.overview.as_ref());
+    if let Some(overview) = &log.overview {
+        findings(ui, context, &overview.findings, first);
+        abilities(ui, context, &overview.abilities);
+        sensors(ui, context, &overview.sensors);
+    }
+    modes(ui, context, outline, first);
+    messages(ui, context, outline, first);
+    parameters(ui, context, outline);
+}
+
+fn facts(ui: &mut Ui, context: &ViewContext<'_>, outline: &Outline, overview: Option<&Overview>) {
+    let tokens = context.tokens;
+    let mut row = |label: &str, value: String, unit: &str| {
+        parts::reading(ui, tokens, &Reading::new(label, value, unit));
+    };
+    if let (Some(utc), Some(span)) = (outline.utc_at_zero, outline.span) {
+        row("Began", date(utc + span.0), "");
+    }
+    if let Some((from, to)) = outline.span {
+        row("Length", duration(to - from), "");
+    }
+    let Some(overview) = overview else {
+        return;
+    };
+    let airborne: f64 = overview.airborne.iter().map(|(a, b)| b - a).sum();
+    if airborne > 0.0 {
+        row("In the air", duration(airborne), "");
+        let kilometres = 1e-3 * overview.distance;
+        row("Distance over ground", format!("{kilometres:.2}"), "km");
+    } else {
+        row("In the air", "never".to_owned(), "");
+    }
+    let (metres, length) = context.units.length();
+    let (per_second, speed) = context.units.speed();
+    if let Some(height) = overview.greatest_height {
+        row(
+            "Greatest height above start",
+            format!("{:.0}", metres * height),
+            length,
+        );
+    }
+    if let Some(greatest) = overview.greatest_speed {
+        row(
+            "Greatest speed over ground",
+            format!("{:.1}", per_second * greatest),
+            speed,
+        );
+    }
+    if let Some(fit) = &overview.air_data {
+        let from = (-fit.wind.y)
+            .atan2(-fit.wind.x)
+            .to_degrees()
+            .rem_euclid(360.0);
+        let strength = per_second * fit.wind.norm();
+        row("Mean wind", format!("{strength:.1} from {from:.0}°"), speed);
+        row("Airspeed scale", format!("{:.3}", fit.scale), "");
+    }
+}
+
+fn findings(ui: &mut Ui, context: &mut ViewContext<'_>, findings: &[Finding], first: f64) {
+    let tokens = context.tokens;
+    let title = match findings.len() {
+        0 => "Nothing looks wrong".to_owned(),
+        1 => "One thing to know".to_owned(),
+        n => format!("{n} things to know"),
+    };
+    parts::section(ui, tokens, &title, true, |ui| {
+        for finding in findings {
+            let color = match finding.severity {
+                Severity::Note => tokens.text,
+                Severity::Warning => tokens.accent,
+                Severity::Trouble => tokens.warning,
+            };
+            let heading = RichText::new(&finding.title).color(color);
+            let response = match finding.span {
+                Some((from, _)) => {
+                    let place = format!("{} · {}", finding.title, clock(from, first));
+                    let response = ui.link(RichText::new(place).color(color));
+                    if response.clicked() {
+                        context.commands.push(Command::SeekTo(from));
+                    }
+                    response
+                }
+                None => ui.label(heading),
+            };
+            response.on_hover_text(&finding.text);
+            ui.label(
+                RichText::new(&finding.text)
+                    .size(tokens.text_sizes[0])
+                    .color(tokens.muted),
+            );
+            ui.add_space(0.5 * tokens.space);
+        }
+    });
+}
+
+fn abilities(ui: &mut Ui, context: &ViewContext<'_>, abilities: &[Ability]) {
+    let tokens = context.tokens;
+    parts::section(ui, tokens, "What can be done with it", true, |ui| {
+        for ability in abilities {
+            let (sign, color) = match ability.lacks {
+                None => ("✔", tokens.truth),
+                Some(_) => ("–", tokens.muted),
+            };
+            let text = format!("{sign}  {}", ability.what);
+            ui.label(RichText::new(text).color(color));
+            if let Some(lacks) = &ability.lacks {
+                ui.label(
+                    RichText::new(format!("     {lacks}"))
+                        .size(tokens.text_sizes[0])
+                        .color(tokens.muted),
+                );
+            }
+        }
+    });
+}
+
+fn sensors(ui: &mut Ui, context: &ViewContext<'_>, sensors: &[Sensor]) {
+    let tokens = context.tokens;
+    parts::section(ui, tokens, "What measured", true, |ui| {
+        egui::Grid::new("sensors")
+            .num_columns(3)
+            .spacing([tokens.space, 0.25 * tokens.space])
+            .show(ui, |ui| {
+                for sensor in sensors {
+                    let small = |text: String| RichText::new(text).size(tokens.text_sizes[0]);
+                    let color = if sensor.is_dead {
+                        tokens.warning
+                    } else {
+                        tokens.text
+                    };
+                    ui.label(small(sensor.role.label().to_owned()).color(color));
+                    ui.label(small(sensor.source.clone()).color(tokens.muted));
+                    let rate = if sensor.samples < 2 {
+                        "once".to_owned()
+                    } else if sensor.rate >= 9.95 {
+                        format!("{:.0} Hz", sensor.rate)
+                    } else {
+                        format!("{:.1} Hz", sensor.rate)
+                    };
+                    ui.label(small(rate).color(tokens.text));
+                    ui.end_row();
+                }
+            });
+    });
+}
+
+fn modes(ui: &mut Ui, context: &mut ViewContext<'_>, outline: &Outline, first: f64) {
+    if outline.modes.is_empty() {
+        return;
+    }
+    let tokens = context.tokens;
+    let title = format!("Modes ({})", outline.modes.len());
+    parts::section(ui, tokens, &title, false, |ui| {
+        for change in &outline.modes {
+            let text = format!("{}  {}", clock(change.time, first), change.mode);
+            if ui.link(text).clicked() {
+                context.commands.push(Command::SeekTo(change.time));
+            }
+        }
+    });
+}
+
+fn messages(ui: &mut Ui, context: &mut ViewContext<'_>, outline: &Outline, first: f64) {
+    if outline.messages.is_empty() {
+        return;
+    }
+    let tokens = context.tokens;
+    let title = format!("Messages ({})", outline.messages.len());
+    parts::section(ui, tokens, &title, false, |ui| {
+        for message in outline.messages.iter().take(FIRST_MESSAGES) {
+            let text = format!("{}  {}", clock(message.time, first), message.text);
+            let color = match message.severity {
+                Some(0..=3) => tokens.warning,
+                Some(4) => tokens.accent,
+                _ => tokens.text,
+            };
+            let text = RichText::new(text).size(tokens.text_sizes[0]).color(color);
+            if ui.link(text).clicked() {
+                context.commands.push(Command::SeekTo(message.time));
+            }
+        }
+        if outline.messages.len() > FIRST_MESSAGES {
+            let more = format!("and {} more", outline.messages.len() - FIRST_MESSAGES);
+            ui.label(RichText::new(more).color(tokens.muted));
+        }
+    });
+}
+
+fn parameters(ui: &mut Ui, context: &ViewContext<'_>, outline: &Outline) {
+    if outline.parameters.is_empty() {
+        return;
+    }
+    let tokens = context.tokens;
+    let title = format!("Parameters ({})", outline.parameters.len());
+    parts::section(ui, tokens, &title, false, |ui| {
+        for parameter in &outline.parameters {
+            let value = format!("{}", parameter.value as f32);
+            parts::reading(ui, tokens, &Reading::new(&parameter.name, value, ""));
+        }
+    });
+}

@@ -1,0 +1,91 @@
+//! Times, sizes and names of a log in words.
+
+use pilotage_core::flight::log::LogFormat;
+use pilotage_core::flight::log::all_formats;
+
+use crate::jobs::SeriesName;
+
+/// Minutes and seconds since `first`: `4:07.3`.
+pub fn clock(time: f64, first: f64) -> String {
+    let since = (time - first).max(0.0);
+    let minutes = (since / 60.0).floor();
+    format!("{minutes:.0}:{:04.1}", since - 60.0 * minutes)
+}
+
+/// A length of time: `12 s`, `5 min 20 s`.
+pub fn duration(seconds: f64) -> String {
+    let whole = seconds.round().max(0.0);
+    let (minutes, rest) = ((whole / 60.0).floor(), whole % 60.0);
+    if minutes == 0.0 {
+        format!("{rest:.0} s")
+    } else {
+        format!("{minutes:.0} min {rest:.0} s")
+    }
+}
+
+/// A number of bytes: `4.1 MB`.
+pub fn size(bytes: u64) -> String {
+    let bytes = bytes as f64;
+    if bytes < 1e6 {
+        format!("{:.0} kB", bytes / 1e3)
+    } else {
+        format!("{:.1} MB", bytes / 1e6)
+    }
+}
+
+/// Name of a format for people.
+pub fn format_name(format: LogFormat) -> &'static str {
+    let known = all_formats().iter().find(|info| info.format == format);
+    known.map_or("Flight log", |info| info.label)
+}
+
+/// A field as people write it: `ATT.Roll`.
+pub fn series_name(series: &SeriesName) -> String {
+    format!("{}.{}", series.topic, series.field)
+}
+
+/// Date and time (UTC) of seconds since 1970: `2014-05-18 10:20:31 UTC`.
+pub fn date(utc: f64) -> String {
+    let days = (utc / 86_400.0).floor();
+    let second = utc - 86_400.0 * days;
+    let (year, month, day) = civil(days as i64);
+    let (hours, rest) = ((second / 3600.0).floor(), second % 3600.0);
+    let (minutes, seconds) = ((rest / 60.0).floor(), (rest % 60.0).floor());
+    format!("{year}-{month:02}-{day:02} {hours:02.0}:{minutes:02.0}:{seconds:02.0} UTC")
+}
+
+/// Year, month and day of a number of days since 1970-01-01 in the Gregorian calendar.
+fn civil(days: i64) -> (i64, i64, i64) {
+    // Counted from 0000-03-01, so that the leap day ends the year.
+    let shifted = days + 719_468;
+    let era = shifted.div_euclid(146_097);
+    let day_of_era = shifted.rem_euclid(146_097);
+    let year_of_era =
+        (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
+    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
+    let month_from_march = (5 * day_of_year + 2) / 153;
+    let day = day_of_year - (153 * month_from_march + 2) / 5 + 1;
+    let month = (month_from_march + 2) % 12 + 1;
+    let year = year_of_era + 400 * era + i64::from(month <= 2);
+    (year, month, day)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dates_are_those_of_the_calendar() {
+        assert_eq!(date(0.0), "1970-01-01 00:00:00 UTC");
+        assert_eq!(date(951_782_400.0), "2000-02-29 00:00:00 UTC");
+        assert_eq!(date(1_400_408_431.9), "2014-05-18 10:20:31 UTC");
+    }
+
+    #[test]
+    fn times_read_as_minutes_and_seconds() {
+        assert_eq!(clock(130.25, 3.0), "2:07.2");
+        assert_eq!(duration(59.6), "1 min 0 s");
+        assert_eq!(duration(12.2), "12 s");
+        assert_eq!(size(4_050_000), "4.0 MB");
+    }
+}

@@ -1,0 +1,124 @@
+//! The time axis that plots share: how much of the time is shown, and how pointers move it.
+
+use egui::{Rect, Response, Sense, Ui, pos2, vec2};
+
+use super::chart::Axes;
+use super::parts;
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::tokens::Tokens;
+
+/// Shortest stretch of time that can be shown, seconds.
+pub(crate) const LEAST_SPAN: f64 = 0.5;
+
+/// How much of the time plots show, and where the pointer is.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct TimeAxis {
+    /// Time shown, if not all of it.
+    pub zoom: Option<(f64, f64)>,
+    /// Time under the pointer, from the last frame.
+    pub hover: Option<f64>,
+}
+
+impl TimeAxis {
+    /// First and last time shown.
+    pub fn span(&self, whole: (f64, f64)) -> (f64, f64) {
+        self.zoom.unwrap_or(whole)
+    }
+
+    /// Chips for less time, more, and all of it; `time` is the cursor's.
+    pub fn chips(&mut self, ui: &mut Ui, tokens: &Tokens, time: f64, whole: (f64, f64)) {
+        let span = self.span(whole);
+        for (text, name, factor) in [("+", "Less time", 0.5), ("−", "More time", 2.0)] {
+            if parts::chip(ui, tokens, false, text, name).clicked() {
+                self.zoom = zoomed(span, time, factor, whole);
+            }
+        }
+        if self.zoom.is_some() && parts::chip(ui, tokens, false, "All", "All time").clicked() {
+            self.zoom = None;
+        }
+    }
+
+    /// Click and drag seek, wheel with Ctrl zooms, sideways wheel moves; returns the hovered time.
+    pub fn interact(
+        &mut self,
+        ui: &Ui,
+        context: &mut ViewContext<'_>,
+        response: &Response,
+        axes: &Axes,
+        whole: (f64, f64),
+    ) -> Option<f64> {
+        if (response.clicked() || response.dragged())
+            && let Some(pointer) = response.interact_pointer_pos()
+        {
+            let time = axes.x_at(pointer.x).clamp(whole.0, whole.1);
+            context.commands.push(Command::SeekTo(time));
+        }
+        if response.double_clicked() {
+            self.zoom = None;
+        }
+        let pointer = response.hover_pos()?;
+        let time = axes.x_at(pointer.x);
+        let (factor, sideways) = ui.input(|i| (i.zoom_delta(), i.smooth_scroll_delta().x));
+        if factor != 1.0 {
+            self.zoom = zoomed(axes.x, time, 1.0 / f64::from(factor), whole);
+        } else if sideways != 0.0 && self.zoom.is_some() {
+            let shift = -f64::from(sideways / axes.rect.width()) * (axes.x.1 - axes.x.0);
+            let shift = shift.clamp(whole.0 - axes.x.0, whole.1 - axes.x.1);
+            self.zoom = Some((axes.x.0 + shift, axes.x.1 + shift));
+        }
+        axes.rect.x_range().contains(pointer.x).then_some(time)
+    }
+
+    /// Height of the labels below the curves, points.
+    pub fn height(tokens: &Tokens) -> f32 {
+        1.8 * tokens.text_sizes[0]
+    }
+
+    /// Labels of the axis.
+    pub fn draw(ui: &mut Ui, tokens: &Tokens, span: (f64, f64)) {
+        let size = vec2(ui.available_width(), Self::height(tokens));
+        let (outer, _) = ui.allocate_exact_size(size, Sense::hover());
+        let rect = Self::curves_rect(outer, tokens);
+        let axes = Axes {
+            rect: Rect::from_min_max(rect.left_top(), pos2(rect.right(), outer.top())),
+            x: span,
+            y: (0.0, 1.0),
+            log: false,
+        };
+        axes.draw_x(&ui.painter_at(outer), tokens, "time, s");
+    }
+
+    /// Where the curves go in a plot: right of the y axis' labels.
+    pub fn curves_rect(outer: Rect, tokens: &Tokens) -> Rect {
+        let left = 3.4 * tokens.text_sizes[0];
+        Rect::from_min_max(
+            pos2(outer.left() + left, outer.top() + 1.0),
+            pos2(outer.right() - tokens.space, outer.bottom() - 1.0),
+        )
+    }
+}
+
+/// The span scaled around `time`; `None` for all of it.
+fn zoomed(span: (f64, f64), time: f64, factor: f64, whole: (f64, f64)) -> Option<(f64, f64)> {
+    let length = ((span.1 - span.0) * factor).max(LEAST_SPAN);
+    if length >= whole.1 - whole.0 {
+        return None;
+    }
+    let time = time.clamp(span.0, span.1);
+    let before = (time - span.0) / (span.1 - span.0) * length;
+    let low = (time - before).clamp(whole.0, whole.1 - length);
+    Some((low, low + length))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_under_the_pointer_stays_there_when_time_is_stretched() {
+        let (low, high) = zoomed((0.0, 100.0), 25.0, 0.5, (0.0, 100.0)).unwrap();
+        assert!((25.0 - low) / (high - low) - 0.25 < 1e-12);
+        assert_eq!(zoomed((40.0, 60.0), 50.0, 10.0, (0.0, 100.0)), None);
+    }
+}
