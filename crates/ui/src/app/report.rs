@@ -64,6 +64,7 @@ impl App {
         let navigator = &documents.mission.navigator;
         let found = self.selection.and_then(|id| documents.distinctness_of(id));
         json!({
+            "log": self.log_json(),
             "title": documents.title(),
             "origin": documents.world_origin().map(|o| {
                 [o.latitude.to_degrees(), o.longitude.to_degrees()]
@@ -152,6 +153,32 @@ impl App {
                 .as_ref()
                 .map(|m| json!({"time": m.time, "landmark": m.landmark})),
         })
+    }
+
+    fn log_json(&self) -> Option<Value> {
+        let log = self.documents.log.as_ref()?;
+        let outline = log.outline.as_ref();
+        let panels: Vec<Vec<String>> = (self.views.log_plots.panels())
+            .map(|fields| fields.iter().map(crate::log::series_name).collect())
+            .collect();
+        let findings = log.overview.iter().flat_map(|o| &o.findings);
+        let points: usize = log.series.values().map(|s| s.times.len()).sum();
+        Some(json!({
+            "file": log.file,
+            "read": log.is_read(),
+            "format": outline.map(|o| format!("{:?}", o.format)),
+            "topics": outline.map(|o| o.topics.len()),
+            "messages": outline.map(|o| o.report.messages),
+            "skipped": outline.map(|o| o.report.skipped_bytes),
+            "parameters": outline.map(|o| o.parameters.len()),
+            "modes": outline.map(|o| o.modes.len()),
+            "unnavigable": log.unnavigable,
+            "findings": findings.map(|f| f.title.clone()).collect::<Vec<_>>(),
+            "panels": panels,
+            "fields": log.series.len(),
+            "points": points,
+            "track_by": self.views.map.track_field().map(crate::log::series_name),
+        }))
     }
 
     fn view_json(&self) -> Value {

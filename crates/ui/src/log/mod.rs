@@ -13,3 +13,4 @@ pub use fields::FieldList;
 pub use open::{OpenLog, PlottedSeries};
 pub use overview::overview_panel;
 pub use plots::LogPlots;
+pub use words::series_name;

@@ -8,6 +8,7 @@ use pilotage_core::exchange::labels::LabelFormat;
 use crate::command::{Command, Workspace};
 use crate::dialogs::WebMapCommand;
 use crate::labelling::LabelCommand;
+use crate::log::LogCommand;
 use crate::plan::{FindCommand, FindPick, HeatCommand, PlanCommand, Purpose, TrainCommand};
 use crate::views::DetectorCommand;
 
@@ -128,6 +129,12 @@ pub fn catalog() -> Vec<Entry> {
     entries.extend(trainings());
     entries.extend(ground());
     entries.extend(labels());
+    entries.push(entry(
+        Group::View,
+        "Show the flight log",
+        vec![shift(Key::L)],
+        Command::Log(LogCommand::Show),
+    ));
     entries.extend(document());
     entries
 }
