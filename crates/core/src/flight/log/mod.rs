@@ -12,12 +12,14 @@ mod layout;
 mod model;
 mod outline;
 mod px4_modes;
+mod release;
 mod report;
 mod rows;
 mod scale;
 mod stepping;
 #[cfg(test)]
 mod testing;
+mod tlog;
 mod topic;
 mod ulog;
 

@@ -22,4 +22,5 @@ mod values;
 mod words;
 
 pub use binary::{DataflashReader, begins};
+pub use modes::Vehicle;
 pub use text::{DataflashTextReader, begins as text_begins};

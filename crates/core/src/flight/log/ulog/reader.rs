@@ -1,5 +1,6 @@
 //! From message to message through a `ULog` file.
 
+use super::super::release::release;
 use super::super::stepping::{Step, Steps};
 use super::super::{DefaultValue, Fact, Log, LogMessage, Parameter, TopicName};
 use super::MAGIC;
@@ -281,7 +282,11 @@ impl Ulog {
             "sys_name" => software.system.clone_from(&text),
             "ver_hw" => software.hardware.clone_from(&text),
             "ver_sw" => software.version = text.chars().take(8).collect(),
-            "ver_sw_release" => software.release = value.number().map_or_else(String::new, release),
+            "ver_sw_release" => {
+                if let Some(number) = value.number() {
+                    software.release = release(number as u32);
+                }
+            }
             _ => {}
         }
         if matches!(
@@ -339,19 +344,6 @@ impl Software {
         let words: Vec<_> = words.into_iter().filter(|word| !word.is_empty()).collect();
         words.join(", ")
     }
-}
-
-/// A release in words, from its number: one byte each of major, minor, patch and kind.
-fn release(number: f64) -> String {
-    let [kind, patch, minor, major] = (number as u32).to_le_bytes();
-    let kind = match kind {
-        0..64 => " (development)",
-        64..128 => " (alpha)",
-        128..192 => " (beta)",
-        192..255 => " (release candidate)",
-        255 => "",
-    };
-    format!("v{major}.{minor}.{patch}{kind}")
 }
 
 fn add_default(kinds: u8, value: &Keyed, log: &mut Log) {

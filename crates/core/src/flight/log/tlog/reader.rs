@@ -1,0 +1,191 @@
+//! From message to message through a file of stamped `MAVLink`.
+
+use std::collections::HashMap;
+
+use super::super::stepping::{Step, Steps};
+use super::super::{Log, TopicName};
+use super::dialect::{Definition, Dialect};
+use super::frame::{Frame, NoFrame, STAMP, may_begin};
+use super::meaning::{Meaning, Row, Sender};
+
+/// Most topics: kinds of messages times their senders. A file made to harm could have millions.
+const MOST_TOPICS: usize = 10_000;
+/// Two times that are further apart do not follow one another unless others say the same.
+const DAY: u64 = 86_400 * 1_000_000;
+/// The year 2000 in microseconds since 1970: a clock that is behind it was never set.
+const YEAR_2000: u64 = 946_684_800 * 1_000_000;
+/// What the system is multiplied by to make room for a component, and what stands for system 0 then, which
+/// would leave none.
+const COMPONENTS: u32 = 1000;
+const SYSTEM_0: u32 = 256;
+
+/// The state of reading.
+#[derive(Default)]
+pub(super) struct Tlog {
+    dialect: Dialect,
+    /// Topic and instance of a kind of message from a system and a component.
+    places: HashMap<(u32, u8, u8), (usize, u32)>,
+    /// Time of the first message and of the last, microseconds since 1970.
+    times: Option<(u64, u64)>,
+    /// Why the next message has to be looked for, if it has.
+    lost: Option<&'static str>,
+    meaning: Meaning,
+}
+
+impl Steps for Tlog {
+    fn step(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> Step {
+        match self.lost {
+            Some(cause) => self.search(bytes, offset, over, cause, log),
+            None => self.next(bytes, offset, over, log),
+        }
+    }
+
+    fn end(&mut self, log: &mut Log) {
+        self.meaning.end(log);
+    }
+}
+
+impl Tlog {
+    fn lose(&mut self, cause: &'static str, offset: u64, log: &mut Log) -> Step {
+        self.lost = Some(cause);
+        log.report.skip(offset, 1, cause);
+        Step::Took(1)
+    }
+
+    /// Takes the message that begins here.
+    fn next(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> Step {
+        let frame = match Frame::parse(bytes) {
+            Ok(frame) => frame,
+            Err(NoFrame::Short) if !over => return Step::Wait,
+            Err(NoFrame::Short) => {
+                return self.lose("a message reaches beyond the end", offset, log);
+            }
+            Err(NoFrame::None) => return self.lose("no time and no message", offset, log),
+        };
+        let behind = &bytes[frame.length..];
+        if let Some((_, last)) = self.times
+            && frame.time.abs_diff(last) > DAY
+        {
+            match behind
+                .first_chunk::<STAMP>()
+                .copied()
+                .map(u64::from_be_bytes)
+            {
+                None if !over => return Step::Wait,
+                Some(next) if next.abs_diff(last) <= DAY => {
+                    return self.lose("a time far from those around it", offset, log);
+                }
+                _ => {}
+            }
+        }
+        let Some(definition) = self.dialect.get(frame.number) else {
+            if behind.len() <= STAMP && !over {
+                return Step::Wait;
+            }
+            if !may_begin(behind) {
+                return self.lose("no time and no message", offset, log);
+            }
+            let remark = format!("messages of kind {} are not known", frame.number);
+            log.report.remark(remark);
+            let cause = "a kind of message that is not known";
+            log.report.skip(offset, frame.length as u64, cause);
+            return Step::Took(frame.length);
+        };
+        if !frame.is_sound(definition.seed) {
+            return self.lose("a wrong checksum", offset, log);
+        }
+        let place = place(&mut self.places, &frame, definition, log);
+        let Some((topic, instance)) = place else {
+            log.report
+                .skip(offset, frame.length as u64, "too many senders");
+            return Step::Took(frame.length);
+        };
+        let (first, last) = self.times.get_or_insert_with(|| {
+            let is_set = frame.time >= YEAR_2000;
+            log.utc_at_zero = is_set.then_some(frame.time as f64 / 1e6);
+            (frame.time, frame.time)
+        });
+        *last = frame.time;
+        let time = (i128::from(frame.time) - i128::from(*first)) as f64 / 1e6;
+        log.topics[topic].push(time, frame.payload);
+        log.report.message(frame.length);
+        let sender = Sender {
+            system: frame.system,
+            component: frame.component,
+            instance,
+        };
+        let row = || Row::new(&definition.fields, frame.payload);
+        self.meaning.take(frame.number, sender, time, row, log);
+        Step::Took(frame.length)
+    }
+
+    /// Looks for the next message whose checksum is right.
+    fn search(
+        &mut self,
+        bytes: &[u8],
+        offset: u64,
+        over: bool,
+        cause: &str,
+        log: &mut Log,
+    ) -> Step {
+        let mut count = bytes.len();
+        let mut is_found = false;
+        for place in 0..bytes.len() {
+            match Frame::parse(&bytes[place..]) {
+                Err(NoFrame::None) => continue,
+                Err(NoFrame::Short) if over => continue,
+                Err(NoFrame::Short) => {}
+                Ok(frame) => {
+                    let definition = self.dialect.get(frame.number);
+                    is_found = definition.is_some_and(|definition| frame.is_sound(definition.seed));
+                    if !is_found {
+                        continue;
+                    }
+                }
+            }
+            count = place;
+            break;
+        }
+        if is_found {
+            self.lost = None;
+        }
+        if count > 0 {
+            log.report.skip(offset, count as u64, cause);
+            Step::Took(count)
+        } else if is_found {
+            self.next(bytes, offset, over, log)
+        } else {
+            Step::Wait
+        }
+    }
+}
+
+/// Topic and instance of what that sender sends of that kind; `None` beyond [`MOST_TOPICS`].
+fn place(
+    places: &mut HashMap<(u32, u8, u8), (usize, u32)>,
+    frame: &Frame,
+    definition: &Definition,
+    log: &mut Log,
+) -> Option<(usize, u32)> {
+    let sender = (frame.number, frame.system, frame.component);
+    if let Some(place) = places.get(&sender) {
+        return Some(*place);
+    }
+    if places.len() >= MOST_TOPICS {
+        log.report.remark("messages are left out: too many senders");
+        return None;
+    }
+    let system = u32::from(frame.system);
+    let mut name = TopicName {
+        name: definition.name.to_owned(),
+        instance: Some(system),
+    };
+    if log.topic(&name).is_some() {
+        let system = if system == 0 { SYSTEM_0 } else { system };
+        name.instance = Some(COMPONENTS * system + u32::from(frame.component));
+    }
+    let instance = name.instance.unwrap_or(system);
+    let topic = log.topic_or_new(&name, || definition.fields.clone());
+    places.insert(sender, (topic, instance));
+    Some((topic, instance))
+}

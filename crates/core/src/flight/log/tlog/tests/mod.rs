@@ -1,0 +1,5 @@
+//! The reader of stamped `MAVLink` on files written here.
+
+mod damage;
+mod reading;
+mod written;

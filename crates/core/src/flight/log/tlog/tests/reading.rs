@@ -1,0 +1,207 @@
+//! What a sound file tells.
+
+use super::super::super::{
+    Log, LogFormat, LogMessage, ModeChange, Topic, TopicName, recognise, testing,
+};
+use super::super::INFO;
+use super::written::Written;
+
+fn read(file: &Written, piece: usize) -> Log {
+    let log = testing::read(&INFO, &file.bytes, piece);
+    assert!(log.report.is_clean(), "{:?}", log.report);
+    log
+}
+
+fn topic<'a>(log: &'a Log, name: &str, instance: u32) -> &'a Topic {
+    let name = TopicName {
+        name: name.to_owned(),
+        instance: Some(instance),
+    };
+    log.topic(&name).unwrap_or_else(|| panic!("{name}"))
+}
+
+#[test]
+fn both_versions_signed_or_not_make_one_topic() {
+    let log = read(&Written::flight(12), 17);
+    let attitude = topic(&log, "ATTITUDE", 1);
+    assert_eq!(attitude.len(), 12);
+    assert_eq!(attitude.times[11], 1.1);
+    assert_eq!(attitude.values("time_boot_ms").unwrap()[11], 1100.0);
+    assert_eq!(attitude.values("yaw").unwrap()[11], f64::from(0.11_f32));
+    assert_eq!(attitude.values("yawspeed").unwrap(), [0.0; 12]);
+    assert_eq!(attitude.field("roll").map(|f| f.unit.as_str()), Some("rad"));
+    assert_eq!(log.utc_at_zero, Some(1.7e9));
+    assert_eq!(log.report.messages, 14);
+}
+
+#[test]
+fn scaled_integers_come_as_metres_and_degrees() {
+    let fields: [&[u8]; 9] = [
+        &5_u32.to_le_bytes(),
+        &468_412_345_i32.to_le_bytes(),
+        &(-919_876_543_i32).to_le_bytes(),
+        &123_456_i32.to_le_bytes(),
+        &0_i32.to_le_bytes(),
+        &1234_i16.to_le_bytes(),
+        &(-5_i16).to_le_bytes(),
+        &0_i16.to_le_bytes(),
+        &27_012_u16.to_le_bytes(),
+    ];
+    let log = read(&Written::new().version_2(0, 33, &fields), 100);
+    let position = topic(&log, "GLOBAL_POSITION_INT", 1);
+    let value = |name| {
+        let field = position.field(name).unwrap();
+        (position.value(field, 0).unwrap(), field.unit.clone())
+    };
+    assert_eq!(value("lat"), (46.841_234_5, "deg".to_owned()));
+    assert_eq!(value("lon"), (-91.987_654_3, "deg".to_owned()));
+    assert_eq!(value("alt"), (123.456, "m".to_owned()));
+    assert_eq!(value("vx"), (12.34, "m/s".to_owned()));
+    assert_eq!(value("hdg"), (270.12, "deg".to_owned()));
+}
+
+#[test]
+fn senders_have_topics_of_their_own() {
+    let file = Written::new()
+        .heartbeat(0, 1, 3, 0)
+        .from(1, 154)
+        .heartbeat(1, 26, 8, 0)
+        .from(255, 190)
+        .heartbeat(2, 6, 8, 0);
+    let log = read(&file, 100);
+    for instance in [1, 1154, 255] {
+        assert_eq!(topic(&log, "HEARTBEAT", instance).len(), 1);
+    }
+    assert_eq!(log.topics.len(), 3);
+}
+
+#[test]
+fn modes_have_the_names_of_their_autopilot() {
+    let modes = |kind, autopilot, numbers: &[u32]| {
+        let mut file = Written::new();
+        for (second, number) in numbers.iter().enumerate() {
+            let time = second as u64 * 1_000_000;
+            file = file.from(255, 190).heartbeat(time, 6, 8, 77).from(1, 1);
+            file = file.heartbeat(time, kind, autopilot, *number);
+        }
+        read(&file, 64).modes
+    };
+    let named = |names: &[(f64, &str)]| -> Vec<_> {
+        let change = |(time, mode): &(f64, &str)| ModeChange {
+            time: *time,
+            mode: (*mode).to_owned(),
+        };
+        names.iter().map(change).collect()
+    };
+    assert_eq!(
+        modes(1, 3, &[5, 5, 10]),
+        named(&[(0.0, "FBWA"), (2.0, "AUTO")])
+    );
+    assert_eq!(
+        modes(2, 3, &[5, 9]),
+        named(&[(0.0, "LOITER"), (1.0, "LAND")])
+    );
+    assert_eq!(
+        modes(10, 3, &[15, 99]),
+        named(&[(0.0, "GUIDED"), (1.0, "99")])
+    );
+    let px4 = [0x0003_0000, 0x0404_0000, 0x0904_0000];
+    let expected = [
+        (0.0, "Position"),
+        (1.0, "Mission"),
+        (2.0, "Precision Landing"),
+    ];
+    assert_eq!(modes(2, 12, &px4), named(&expected));
+}
+
+#[test]
+fn parameters_are_floats_or_the_bytes_of_their_type() {
+    let log = |autopilot| {
+        let file = Written::new()
+            .parameter(0, "ARSPD_RATIO", 2.5_f32.to_le_bytes(), 9)
+            .heartbeat(1_000_000, 1, autopilot, 0)
+            .parameter(2_000_000, "SYS_AUTOSTART", 2100_i32.to_le_bytes(), 6)
+            .parameter(3_000_000, "ARSPD_RATIO", 2.5_f32.to_le_bytes(), 9)
+            .parameter(4_000_000, "ARSPD_RATIO", 3.0_f32.to_le_bytes(), 9)
+            .from(1, 154)
+            .parameter(5_000_000, "ARSPD_RATIO", 7.0_f32.to_le_bytes(), 9);
+        read(&file, 33)
+    };
+    let px4 = log(12);
+    let found: Vec<_> = px4
+        .parameters
+        .iter()
+        .map(|p| (p.time, p.name.as_str(), p.value))
+        .collect();
+    let expected = [
+        (0.0, "ARSPD_RATIO", 2.5),
+        (2.0, "SYS_AUTOSTART", 2100.0),
+        (4.0, "ARSPD_RATIO", 3.0),
+    ];
+    assert_eq!(found, expected);
+    let float = f64::from(f32::from_bits(2100));
+    assert_eq!(log(3).parameter("SYS_AUTOSTART"), Some(float));
+}
+
+#[test]
+fn words_in_pieces_become_one_text() {
+    let long = "x".repeat(50);
+    let file = Written::new()
+        .words(0, 6, "short", 0, 0)
+        .words(1_000_000, 2, &long, 7, 0)
+        .from(2, 1)
+        .words(1_100_000, 9, "between", 7, 0)
+        .from(1, 1)
+        .words(1_200_000, 2, &long, 7, 1)
+        .words(1_300_000, 2, "end", 7, 3)
+        .words(1_400_000, 2, "new", 7, 0);
+    let said = |time, source, severity, text: &str| LogMessage {
+        time,
+        source: Some(source),
+        severity,
+        text: text.to_owned(),
+    };
+    assert_eq!(
+        read(&file, 50).messages,
+        [
+            said(0.0, 1, Some(6), "short"),
+            said(1.0, 1, Some(2), &format!("{long}{long} … end")),
+            said(1.1, 2, None, "between"),
+            said(1.4, 1, Some(2), "new"),
+        ]
+    );
+}
+
+#[test]
+fn the_vehicle_is_named_by_its_words_or_else_by_its_heartbeat_and_version() {
+    let version = [&[0; 16][..], &0x0405_01ff_u32.to_le_bytes(), &[1]];
+    let file = Written::new()
+        .heartbeat(0, 1, 3, 0)
+        .version_2(1, 148, &version);
+    assert_eq!(read(&file, 9).vehicle, "ArduPilot v4.5.1, aeroplane");
+    let file = file.words(2, 6, "ArduPlane V4.5.1 (0123abcd)", 0, 0);
+    assert_eq!(read(&file, 9).vehicle, "ArduPlane V4.5.1 (0123abcd)");
+    let file = Written::new().heartbeat(0, 20, 12, 0);
+    assert_eq!(read(&file, 9).vehicle, "PX4, vertical take-off aeroplane");
+}
+
+#[test]
+fn a_file_is_known_by_its_first_message() {
+    let known = |bytes: &[u8]| recognise(bytes).map(|info| info.format) == Some(LogFormat::Tlog);
+    let file = Written::flight(3).bytes;
+    assert!(known(&file));
+    let mut damaged = file.clone();
+    damaged[20] ^= 1;
+    assert!(!known(&damaged));
+    // A first message of a kind that is not known.
+    let file = Written::new()
+        .version_2(0, 65_000, &[&[1, 2]])
+        .heartbeat(1, 1, 3, 0)
+        .bytes;
+    assert!(known(&file));
+    assert!(!known(&file[..20]));
+    assert!(!known(
+        b"no log at all, but a text of some length \xfe with \xfd bytes"
+    ));
+    assert!(!known(&[0; 4096]));
+}
