@@ -4,6 +4,7 @@
 //!   repository and are never part of it;
 //! - [`oracle`] asks another program (FilterPy, OpenCV) for its answer to the same question;
 //! - [`pmtiles`] is a small archive of tiles, for the tests of the other crates, too;
+//! - [`recorded`] reads the recorded flights that have a column map here;
 //! - [`routes`] flies found routes beside straight lines over generated counties;
 //! - [`house`] reads the sources and reports where they break a rule of the house.
 
@@ -11,4 +12,5 @@ pub mod data;
 pub mod house;
 pub mod oracle;
 pub mod pmtiles;
+pub mod recorded;
 pub mod routes;

@@ -2,53 +2,115 @@
 
 use serde::{Deserialize, Serialize};
 
-/// The quantities that the navigator knows by name; everything in SI and radians.
+/// What a channel measures; its values are in the SI unit of this.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
-pub enum ChannelName {
+pub enum Quantity {
+    /// Metres.
+    Length,
+    /// Metres a second.
+    Speed,
+    /// Radians.
+    Angle,
+    /// Radians a second.
+    AngularRate,
+    /// Metres a second squared.
+    Acceleration,
+}
+
+impl Quantity {
+    /// Its SI unit, as people write it.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Length => "m",
+            Self::Speed => "m/s",
+            Self::Angle => "rad",
+            Self::AngularRate => "rad/s",
+            Self::Acceleration => "m/s²",
+        }
+    }
+}
+
+macro_rules! channels {
+    ($($(#[$doc:meta])* $variant:ident = $key:literal, $quantity:ident;)+) => {
+        /// The quantities that the program knows by name; everything in SI and radians.
+        ///
+        /// Heights are above sea level unless the name says otherwise. Forward, right and down are the
+        /// axes of the body.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+        pub enum ChannelName {
+            $($(#[$doc])* $variant,)+
+        }
+
+        impl ChannelName {
+            /// Every name, in the order in which people read them.
+            pub const ALL: [Self; [$($key),+].len()] = [$(Self::$variant),+];
+
+            /// Name in files.
+            pub fn key(self) -> &'static str {
+                match self {
+                    $(Self::$variant => $key,)+
+                }
+            }
+
+            /// What it measures.
+            pub fn quantity(self) -> Quantity {
+                match self {
+                    $(Self::$variant => Quantity::$quantity,)+
+                }
+            }
+        }
+    };
+}
+
+channels! {
     /// True airspeed, m/s.
-    Airspeed,
+    Airspeed = "airspeed", Speed;
     /// Heading, radians clockwise from true north.
-    Heading,
+    Heading = "heading", Angle;
     /// Roll, radians, right wing down positive.
-    Roll,
+    Roll = "roll", Angle;
     /// Pitch, radians, nose up positive.
-    Pitch,
+    Pitch = "pitch", Angle;
     /// Height above the ground plane, metres.
-    HeightAboveGround,
+    HeightAboveGround = "height_above_ground", Length;
     /// Position by satellite navigation, metres north of the origin.
-    GpsNorth,
+    GpsNorth = "gps_north", Length;
     /// Position by satellite navigation, metres east of the origin.
-    GpsEast,
+    GpsEast = "gps_east", Length;
+    /// Height by satellite navigation, metres.
+    GpsHeight = "gps_height", Length;
+    /// Velocity over ground by satellite navigation, m/s north.
+    GpsVelocityNorth = "gps_velocity_north", Speed;
+    /// Velocity over ground by satellite navigation, m/s east.
+    GpsVelocityEast = "gps_velocity_east", Speed;
+    /// Velocity by satellite navigation, m/s down.
+    GpsVelocityDown = "gps_velocity_down", Speed;
+    /// Turn rate about the forward axis, rad/s, right wing going down positive.
+    RollRate = "roll_rate", AngularRate;
+    /// Turn rate about the right axis, rad/s, nose going up positive.
+    PitchRate = "pitch_rate", AngularRate;
+    /// Turn rate about the down axis, rad/s, nose going right positive.
+    YawRate = "yaw_rate", AngularRate;
+    /// What an accelerometer along the forward axis reads, m/s²: acceleration without gravity.
+    AccelerationForward = "acceleration_forward", Acceleration;
+    /// What an accelerometer along the right axis reads, m/s².
+    AccelerationRight = "acceleration_right", Acceleration;
+    /// What an accelerometer along the down axis reads, m/s²; -9.8 in level flight.
+    AccelerationDown = "acceleration_down", Acceleration;
+    /// Height by air pressure, metres above whatever the barometer was set to.
+    BarometricHeight = "barometric_height", Length;
+    /// Equivalent airspeed, m/s: what the pressure would mean at sea level in the standard atmosphere.
+    EquivalentAirspeed = "equivalent_airspeed", Speed;
+    /// Wind as the autopilot estimated it: velocity of the air, m/s north.
+    WindNorth = "wind_north", Speed;
+    /// Wind as the autopilot estimated it: velocity of the air, m/s east.
+    WindEast = "wind_east", Speed;
 }
 
 impl ChannelName {
-    /// Every name, in the order in which people read them.
-    pub const ALL: [Self; 7] = [
-        Self::Airspeed,
-        Self::Heading,
-        Self::Roll,
-        Self::Pitch,
-        Self::HeightAboveGround,
-        Self::GpsNorth,
-        Self::GpsEast,
-    ];
-
-    /// Name in files.
-    pub fn key(self) -> &'static str {
-        match self {
-            Self::Airspeed => "airspeed",
-            Self::Heading => "heading",
-            Self::Roll => "roll",
-            Self::Pitch => "pitch",
-            Self::HeightAboveGround => "height_above_ground",
-            Self::GpsNorth => "gps_north",
-            Self::GpsEast => "gps_east",
-        }
-    }
-
     /// Whether values are angles that wrap.
     pub fn is_angle(self) -> bool {
-        matches!(self, Self::Heading | Self::Roll | Self::Pitch)
+        self.quantity() == Quantity::Angle
     }
 }
 

@@ -161,7 +161,7 @@ pub enum Unresolved {
 }
 
 /// Contents of the file that `name` means: the file at one of `folders`, or else the only one in the
-/// set whose path ends with `name`, or else the only one with the same last part.
+/// set whose path ends with `name`, or else the only one with the same last part. A folder may be a zip.
 ///
 /// Returns its full name beside its contents.
 pub fn find(
@@ -174,7 +174,15 @@ pub fn find(
         if let Some(bytes) = files.read(&path) {
             return Ok((path, bytes));
         }
+        if let Some(bytes) = read_in_zip(files, &path) {
+            return Ok((path, bytes));
+        }
     }
+    by_ending(files, name)
+}
+
+/// The only file of the set whose path ends with `name`, or else the only one with the same last part.
+fn by_ending(files: &dyn FileSet, name: &str) -> Result<(String, Vec<u8>), Unresolved> {
     let names = files.names();
     let plain = joined("", name);
     let plain = plain.trim_start_matches("../").to_owned();
@@ -196,6 +204,17 @@ pub fn find(
         }
     }
     Err(Unresolved::Missing)
+}
+
+/// Contents of a file whose path leads through a zip of the set.
+fn read_in_zip(files: &dyn FileSet, path: &str) -> Option<Vec<u8>> {
+    const ENDING: &str = ".zip/";
+    let end = path.to_ascii_lowercase().find(ENDING)? + ENDING.len();
+    let (archive, inside) = (path.get(..end - 1)?, path.get(end..)?);
+    let bytes = files
+        .read(archive)
+        .or_else(|| by_ending(files, archive).ok().map(|(_, bytes)| bytes))?;
+    ZipFiles::open(&bytes).ok()?.read(inside)
 }
 
 #[cfg(test)]
@@ -249,5 +268,18 @@ mod tests {
         assert_eq!(zip.read("y"), None);
         assert_eq!(zip.names().len(), 2);
         assert!(ZipFiles::open(&bytes[..bytes.len() / 2]).is_err());
+    }
+
+    #[test]
+    fn a_zip_stands_for_a_folder() {
+        let mut sink = ZipSink::default();
+        sink.write("ATT.txt", b"attitude").unwrap();
+        let zip = sink.finish().unwrap();
+        let set = MemoryFiles([("data/log.zip".to_owned(), zip)].into());
+        for folder in ["data/log.zip", "../elsewhere/log.zip"] {
+            let (_, bytes) = find(&set, &[folder], "ATT.txt").unwrap();
+            assert_eq!(bytes, b"attitude");
+            assert_eq!(find(&set, &[folder], "GPS.txt"), Err(Unresolved::Missing));
+        }
     }
 }

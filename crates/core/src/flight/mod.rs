@@ -10,7 +10,7 @@ pub mod overview;
 mod record;
 mod truth;
 
-pub use channel::{Channel, ChannelName};
+pub use channel::{Channel, ChannelName, Quantity};
 pub(crate) use folder::{CameraFile, OriginFile};
 pub use folder::{
     FLIGHT_FILE, FlightFolder, FolderError, FolderFrames, WriteError, read_flight, write_flight,

@@ -75,7 +75,7 @@ pub(super) fn guess(files: &Arc<dyn FileSet>) -> Option<(FlightFile, String, Vec
         data: None,
         origin: Some(origin),
         ground_down_m: 0.0,
-        camera: CameraFile {
+        camera: Some(CameraFile {
             width,
             height,
             focal_px: Some(FOCAL_PER_WIDTH * width as f64),
@@ -84,7 +84,7 @@ pub(super) fn guess(files: &Arc<dyn FileSet>) -> Option<(FlightFile, String, Vec
             lens: Lens::default(),
             distortion: Distortion::default(),
             mount_deg: MountFile::default(),
-        },
+        }),
         time_origin: None,
         start: StartFile {
             time_s: None,
@@ -130,8 +130,7 @@ fn channels(table: &Table, file: &str) -> Vec<ChannelFile> {
         file: file.to_owned(),
         time: time(),
         value,
-        latitude: None,
-        longitude: None,
+        ..ChannelFile::default()
     };
     let measured = [
         ("heading", "gimbal_yaw", "deg", 0.0),

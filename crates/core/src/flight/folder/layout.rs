@@ -25,7 +25,8 @@ pub(super) struct FlightFile {
     pub origin: Option<OriginFile>,
     #[serde(default)]
     pub ground_down_m: f64,
-    pub camera: CameraFile,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub camera: Option<CameraFile>,
     /// Date and time of second 0 for times with a date.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub time_origin: Option<String>,
@@ -95,7 +96,7 @@ pub(super) struct StartFile {
 }
 
 /// How a column of times is read.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct TimeColumn {
     pub column: String,
@@ -119,10 +120,10 @@ pub(super) struct ValueColumn {
     pub offset: f64,
 }
 
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct ChannelFile {
-    /// A channel's name, or `gps` for latitude and longitude.
+    /// A channel's name, or `gps` for latitude and longitude, or `gps_velocity` for speed and course.
     pub name: String,
     pub file: String,
     pub time: TimeColumn,
@@ -132,6 +133,10 @@ pub(super) struct ChannelFile {
     pub latitude: Option<ValueColumn>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub longitude: Option<ValueColumn>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub speed: Option<ValueColumn>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub course: Option<ValueColumn>,
 }
 
 #[derive(Clone, Debug, Serialize, Deserialize)]

@@ -2,6 +2,7 @@
 //!
 //! docs/formats.md defines it.
 
+mod channels;
 mod clock;
 mod error;
 mod guess;

@@ -5,20 +5,21 @@ use std::sync::Arc;
 
 use nalgebra::{Point3, Vector2};
 
+use super::channels::read_channel;
 use super::clock::{Moment, date_and_time};
 use super::error::FolderError;
 use super::guess::guess;
 use super::layout::{
-    AttitudeColumns, ChannelFile, FlightFile, FramesFile, StartFile, TimeColumn, TruthFile,
-    VERSION, ValueColumn,
+    AttitudeColumns, FlightFile, FramesFile, StartFile, TimeColumn, TruthFile, VERSION, ValueColumn,
 };
 use super::pictures::FolderFrames;
 use super::position::Positions;
 use super::table::Table;
 use super::units::Dimension;
+use crate::camera::CameraModel;
 use crate::flight::files::{FileSet, Unresolved, find, folder_of, joined};
 use crate::flight::{Channel, ChannelName, Flight, Frame, FrameTruth, StartFix, Truth, TruthState};
-use crate::frames::{Attitude, GroundPoint, LocalFrame, wrap_pi};
+use crate::frames::{Attitude, GroundPoint, LocalFrame};
 
 /// Name of the file that makes a folder a flight.
 pub const FLIGHT_FILE: &str = "flight.json";
@@ -135,10 +136,11 @@ pub(super) fn read_layout(
         .map(|origin| origin.geodetic().map(LocalFrame::new))
         .transpose()
         .map_err(|cause| contents("origin", cause))?;
-    let camera = layout
-        .camera
-        .camera()
-        .map_err(|cause| contents("camera", cause))?;
+    let camera = match &layout.camera {
+        Some(camera) => camera.camera().map_err(|cause| contents("camera", cause))?,
+        None if layout.frames.is_none() => no_camera(),
+        None => return Err(contents("camera", "frames need a camera that took them")),
+    };
     let positions = Positions {
         frame: frame_on_globe,
         ground_down: layout.ground_down_m,
@@ -179,6 +181,11 @@ pub(super) fn read_layout(
         frames: pictures,
         notes: folder.notes,
     })
+}
+
+/// What stands for the camera of a flight without pictures.
+fn no_camera() -> CameraModel {
+    CameraModel::pinhole(640, 480, 60.0_f64.to_radians())
 }
 
 /// Second 0 of times with a date: as stated, or the first frame, or the first sample.
@@ -240,99 +247,6 @@ fn read_frames(
             })
         })
         .collect()
-}
-
-fn read_channel(
-    folder: &mut Folder,
-    map: &ChannelFile,
-    number: usize,
-    origin: Option<(i64, f64)>,
-    positions: &Positions,
-    channels: &mut Vec<Channel>,
-) -> Result<(), FolderError> {
-    let place = format!("channels[{number}]");
-    let table = folder.table(&map.file, &place)?;
-    let times = table.times(&map.time, origin)?;
-    if map.name == "gps" {
-        let (Some(latitude), Some(longitude), None) = (&map.latitude, &map.longitude, &map.value)
-        else {
-            return Err(contents(
-                &place,
-                "gps needs \"latitude\" and \"longitude\" and no \"value\"",
-            ));
-        };
-        let points = positions.on_globe(&table, latitude, longitude, &place)?;
-        let north = points.iter().map(|p| p.map(|p| p.north)).collect();
-        let east = points.iter().map(|p| p.map(|p| p.east)).collect();
-        add_channel(
-            folder,
-            channels,
-            &place,
-            ChannelName::GpsNorth,
-            &times,
-            north,
-        )?;
-        return add_channel(folder, channels, &place, ChannelName::GpsEast, &times, east);
-    }
-    let name = ChannelName::ALL
-        .into_iter()
-        .find(|name| name.key() == map.name)
-        .ok_or_else(|| {
-            let known: Vec<&str> = ChannelName::ALL.iter().map(|n| n.key()).collect();
-            let known = known.join(", ");
-            contents(
-                &place,
-                format!("\"{}\" is no channel; there are {known} and gps", map.name),
-            )
-        })?;
-    let (Some(value), None, None) = (&map.value, &map.latitude, &map.longitude) else {
-        return Err(contents(&place, "state \"value\" and nothing beside it"));
-    };
-    let dimension = match name {
-        ChannelName::Airspeed => Dimension::Speed,
-        ChannelName::Heading | ChannelName::Roll | ChannelName::Pitch => Dimension::Angle,
-        _ => Dimension::Length,
-    };
-    let values = table.values(value, dimension)?;
-    add_channel(folder, channels, &place, name, &times, values)
-}
-
-fn add_channel(
-    folder: &mut Folder,
-    channels: &mut Vec<Channel>,
-    place: &str,
-    name: ChannelName,
-    times: &[f64],
-    values: Vec<Option<f64>>,
-) -> Result<(), FolderError> {
-    if channels.iter().any(|c| c.name == name) {
-        let cause = format!("there is a second channel \"{}\"", name.key());
-        return Err(contents(place, cause));
-    }
-    let total = values.len();
-    let (times, values): (Vec<f64>, Vec<f64>) = times
-        .iter()
-        .zip(values)
-        .filter_map(|(time, value)| {
-            let value = value?;
-            // Wrapping only where needed keeps the bits of values that are in range.
-            let wraps = name.is_angle() && value.abs() > std::f64::consts::PI;
-            Some((*time, if wraps { wrap_pi(value) } else { value }))
-        })
-        .unzip();
-    if values.len() < total {
-        folder.notes.push(format!(
-            "{}: {} of {total} samples are empty and were skipped",
-            name.key(),
-            total - values.len()
-        ));
-    }
-    channels.push(Channel {
-        name,
-        times,
-        values,
-    });
-    Ok(())
 }
 
 /// Roll, pitch and yaw of every row; `None` where one is empty.

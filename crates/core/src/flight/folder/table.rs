@@ -1,11 +1,13 @@
 //! A CSV table and its column map.
 
+use std::borrow::Cow;
+
 use super::clock::{Moment, shortened};
 use super::error::FolderError;
 use super::layout::{TimeColumn, ValueColumn};
 use super::units::Dimension;
 
-/// A CSV file with a header, as text cells.
+/// A CSV file, as text cells.
 pub(super) struct Table {
     file: String,
     header: Vec<String>,
@@ -14,7 +16,8 @@ pub(super) struct Table {
 }
 
 impl Table {
-    /// Reads a table; the separator is a comma, semicolon or tabulator, as the header has it.
+    /// Reads a table; the separator is a comma, semicolon, tabulator or blanks, as the first line has
+    /// it. Where that line is all numbers, it is the first row, and the columns are called #1, #2 ….
     pub(super) fn parse(file: &str, bytes: &[u8]) -> Result<Self, FolderError> {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         let first_line = bytes.split(|b| *b == b'\n').next().unwrap_or_default();
@@ -25,32 +28,40 @@ impl Table {
             .rev()
             .max_by_key(|s| count(*s))
             .unwrap_or(b',');
+        let blanks = count(separator) == 0 && header_line.split_whitespace().nth(1).is_some();
+        let bytes = if blanks {
+            Cow::Owned(with_commas_for_blanks(bytes))
+        } else {
+            Cow::Borrowed(bytes)
+        };
         let mut reader = csv::ReaderBuilder::new()
             .delimiter(separator)
             .flexible(true)
+            .has_headers(false)
             .trim(csv::Trim::All)
-            .from_reader(bytes);
-        let failed = |e: &csv::Error| FolderError::File {
-            file: file.to_owned(),
-            cause: e.to_string(),
-        };
-        let header = reader
-            .headers()
-            .map_err(|e| failed(&e))?
-            .iter()
-            .map(str::to_owned)
-            .collect();
+            .from_reader(bytes.as_ref());
+        let mut header = None;
         let mut rows = Vec::new();
         for record in reader.records() {
-            let record = record.map_err(|e| failed(&e))?;
+            let record = record.map_err(|e| FolderError::File {
+                file: file.to_owned(),
+                cause: e.to_string(),
+            })?;
             let line = record.position().map_or(0, csv::Position::line);
+            if header.is_none() {
+                if record.iter().any(|cell| cell.parse::<f64>().is_err()) {
+                    header = Some(record.iter().map(str::to_owned).collect());
+                    continue;
+                }
+                header = Some((1..=record.len()).map(|i| format!("#{i}")).collect());
+            }
             if record.iter().any(|cell| !cell.is_empty()) {
                 rows.push((line, record));
             }
         }
         Ok(Self {
             file: file.to_owned(),
-            header,
+            header: header.unwrap_or_default(),
             rows,
         })
     }
@@ -175,6 +186,24 @@ impl Table {
     }
 }
 
+/// The same lines with a comma for every run of blanks between two cells.
+fn with_commas_for_blanks(bytes: &[u8]) -> Vec<u8> {
+    let mut table = Vec::with_capacity(bytes.len());
+    for line in bytes.split(|b| *b == b'\n') {
+        let cells = line
+            .split(u8::is_ascii_whitespace)
+            .filter(|cell| !cell.is_empty());
+        for (i, cell) in cells.enumerate() {
+            if i > 0 {
+                table.push(b',');
+            }
+            table.extend_from_slice(cell);
+        }
+        table.push(b'\n');
+    }
+    table
+}
+
 fn shortened_list(names: &[String]) -> String {
     let listed: Vec<String> = names
         .iter()
@@ -207,6 +236,21 @@ mod tests {
         let height = table.values(&column("h", "ft"), Dimension::Length).unwrap();
         assert!((height[0].unwrap() - 0.9144).abs() < 1e-12);
         assert_eq!(height[2], None);
+    }
+
+    #[test]
+    fn a_table_of_bare_numbers_between_blanks_has_numbered_columns() {
+        let table = Table::parse("a.txt", b"  0.0e+00  1.5   -2\r\n  2.0e+01  2.5   -3\n").unwrap();
+        assert_eq!(table.len(), 2);
+        let second = table.values(&column("#2", "m"), Dimension::Length);
+        assert_eq!(second.unwrap(), [Some(1.5), Some(2.5)]);
+        let wrong = table.values(&column("#4", "m"), Dimension::Length);
+        assert!(
+            wrong
+                .unwrap_err()
+                .to_string()
+                .contains("it has \"#1\", \"#2\", \"#3\"")
+        );
     }
 
     #[test]

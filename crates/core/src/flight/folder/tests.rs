@@ -182,6 +182,64 @@ fn somebody_elses_table_is_read_where_it_lies() {
 }
 
 #[test]
+fn every_channel_has_a_key_and_a_unit_and_survives_the_folder() {
+    let mut all = flight();
+    all.channels = ChannelName::ALL
+        .into_iter()
+        .map(|name| Channel {
+            name,
+            times: vec![0.0, 0.1],
+            values: vec![0.1, -1.0 / 3.0],
+        })
+        .collect();
+    let mut files = MemoryFiles::default();
+    write_flight(&all, Some(&mut Gray), &mut files, &mut |_, _| true).unwrap();
+    let read = read_flight(Arc::new(files)).unwrap().flight;
+    assert_eq!(read, all);
+    let mut keys: Vec<&str> = ChannelName::ALL.iter().map(|name| name.key()).collect();
+    keys.sort_unstable();
+    keys.dedup();
+    assert_eq!(keys.len(), ChannelName::ALL.len());
+}
+
+#[test]
+fn a_log_without_pictures_needs_no_camera_and_gives_velocity_as_speed_and_course() {
+    let json = r##"{
+      "pilotage_flight": 1, "name": "log", "start": { "north_m": 0, "east_m": 0, "standard_deviation_m": 3 },
+      "channels": [
+        { "name": "gps_velocity", "file": "gps.txt", "time": { "column": "#1", "format": "ms" },
+          "speed": { "column": "#2" }, "course": { "column": "#3", "unit": "deg" } },
+        { "name": "yaw_rate", "file": "gps.txt", "time": { "column": "#1", "format": "ms" },
+          "value": { "column": "#4", "unit": "deg/s" } },
+        { "name": "acceleration_down", "file": "gps.txt", "time": { "column": "#1", "format": "ms" },
+          "value": { "column": "#5", "unit": "g" } }
+      ]
+    }"##;
+    let files = |json: &str| {
+        let table = b" 100  10  90  18 -1\n 300  10 180 -18 -1\n".to_vec();
+        let json = json.as_bytes().to_vec();
+        MemoryFiles(
+            [
+                ("flight.json".to_owned(), json),
+                ("gps.txt".to_owned(), table),
+            ]
+            .into(),
+        )
+    };
+    let flight = read_flight(Arc::new(files(json))).unwrap().flight;
+    let value = |name, time| flight.value(name, time).unwrap();
+    assert!((value(ChannelName::GpsVelocityEast, 0.1) - 10.0).abs() < 1e-12);
+    assert!((value(ChannelName::GpsVelocityNorth, 0.3) + 10.0).abs() < 1e-12);
+    assert!((value(ChannelName::YawRate, 0.1) - 0.1 * std::f64::consts::PI).abs() < 1e-12);
+    assert!((value(ChannelName::AccelerationDown, 0.1) + 9.806_65).abs() < 1e-12);
+    let wrong = error_of(files(&json.replace("\"course\"", "\"value\""))).to_string();
+    assert!(
+        wrong.contains("gps_velocity needs \"speed\" and \"course\""),
+        "{wrong}"
+    );
+}
+
+#[test]
 fn what_is_wrong_is_told_with_file_and_place() {
     let edited = |name: &str, from: &str, to: &str| {
         let mut files = foreign("\"scale\": 1");

@@ -1,5 +1,6 @@
 //! Units in which files write values.
 
+use crate::flight::Quantity;
 use crate::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
 
 /// What a column measures.
@@ -8,6 +9,8 @@ pub(super) enum Dimension {
     Length,
     Speed,
     Angle,
+    AngularRate,
+    Acceleration,
     /// Pixels and other bare numbers.
     Number,
 }
@@ -33,6 +36,10 @@ const ANGLES: &[(&str, f64)] = &[
     ("cdeg", std::f64::consts::PI / 18_000.0),
     ("deg1e7", std::f64::consts::PI / 1.8e9),
 ];
+const ANGULAR_RATES: &[(&str, f64)] = &[("rad/s", 1.0), ("deg/s", std::f64::consts::PI / 180.0)];
+/// Standard gravity, m/s².
+const GRAVITY: f64 = 9.806_65;
+const ACCELERATIONS: &[(&str, f64)] = &[("m/s2", 1.0), ("g", GRAVITY), ("mg", 1e-3 * GRAVITY)];
 const NUMBERS: &[(&str, f64)] = &[("px", 1.0), ("", 1.0)];
 
 impl Dimension {
@@ -41,6 +48,8 @@ impl Dimension {
             Self::Length => LENGTHS,
             Self::Speed => SPEEDS,
             Self::Angle => ANGLES,
+            Self::AngularRate => ANGULAR_RATES,
+            Self::Acceleration => ACCELERATIONS,
             Self::Number => NUMBERS,
         }
     }
@@ -62,5 +71,17 @@ impl Dimension {
                     names.join(", ")
                 )
             })
+    }
+}
+
+impl From<Quantity> for Dimension {
+    fn from(quantity: Quantity) -> Self {
+        match quantity {
+            Quantity::Length => Self::Length,
+            Quantity::Speed => Self::Speed,
+            Quantity::Angle => Self::Angle,
+            Quantity::AngularRate => Self::AngularRate,
+            Quantity::Acceleration => Self::Acceleration,
+        }
     }
 }

@@ -12,7 +12,7 @@ use super::layout::{
 use super::read::FLIGHT_FILE;
 use crate::flight::files::FileSink;
 use crate::flight::{
-    Channel, ChannelName, Flight, FrameError, FrameSource, FrameTruth, Truth, TruthState,
+    Channel, ChannelName, Flight, FrameError, FrameSource, FrameTruth, Quantity, Truth, TruthState,
 };
 use crate::frames::Attitude;
 
@@ -55,10 +55,12 @@ fn value_column(column: &str, unit: &str) -> ValueColumn {
 
 /// Column name and unit of a channel.
 fn column_of(name: ChannelName) -> (String, &'static str) {
-    let (suffix, unit) = match name {
-        ChannelName::Airspeed => ("mps", "m/s"),
-        ChannelName::Heading | ChannelName::Roll | ChannelName::Pitch => ("rad", "rad"),
-        ChannelName::HeightAboveGround | ChannelName::GpsNorth | ChannelName::GpsEast => ("m", "m"),
+    let (suffix, unit) = match name.quantity() {
+        Quantity::Length => ("m", "m"),
+        Quantity::Speed => ("mps", "m/s"),
+        Quantity::Angle => ("rad", "rad"),
+        Quantity::AngularRate => ("radps", "rad/s"),
+        Quantity::Acceleration => ("mps2", "m/s2"),
     };
     (format!("{}_{suffix}", name.key()), unit)
 }
@@ -95,8 +97,7 @@ pub fn write_flight(
                 file: file.clone(),
                 time: time_column(),
                 value: Some(value_column(&column, unit)),
-                latitude: None,
-                longitude: None,
+                ..ChannelFile::default()
             });
         }
     }
@@ -283,7 +284,7 @@ fn layout_of(flight: &Flight, channels: Vec<ChannelFile>) -> FlightFile {
         data: None,
         origin: flight.frame_on_globe.map(|f| OriginFile::of(&f.origin)),
         ground_down_m: flight.ground_down,
-        camera: CameraFile::of(&flight.camera),
+        camera: Some(CameraFile::of(&flight.camera)),
         time_origin: None,
         start: StartFile {
             time_s: Some(flight.start.time),
