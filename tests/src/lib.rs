@@ -3,6 +3,7 @@
 //! - [`data`] finds the recorded flights and other people's test vectors, which lie beside the
 //!   repository and are never part of it;
 //! - [`oracle`] asks another program (FilterPy, OpenCV) for its answer to the same question;
+//! - [`logs`] are flight logs, made and damaged, and what must hold of their readers;
 //! - [`pmtiles`] is a small archive of tiles, for the tests of the other crates, too;
 //! - [`recorded`] reads the recorded flights that have a column map here;
 //! - [`routes`] flies found routes beside straight lines over generated counties;
@@ -10,6 +11,7 @@
 
 pub mod data;
 pub mod house;
+pub mod logs;
 pub mod oracle;
 pub mod pmtiles;
 pub mod recorded;

@@ -67,6 +67,13 @@ pub fn ask<Question: Serialize, Answer: DeserializeOwned>(
     )
 }
 
+/// Bytes as hexadecimal digits, for a script to read.
+pub fn hex_of_bytes(bytes: &[u8]) -> String {
+    let digits = bytes.iter().flat_map(|byte| [byte >> 4, byte & 15]);
+    let letters = digits.filter_map(|digit| char::from_digit(u32::from(digit), 16));
+    letters.collect()
+}
+
 /// The bytes that a script writes as hexadecimal digits.
 ///
 /// # Panics

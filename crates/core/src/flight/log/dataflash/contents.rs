@@ -3,7 +3,7 @@
 use super::super::{Log, Topic};
 use super::clock::{Clock, is_receiver};
 use super::format::{FORMAT, Format, HEADER};
-use super::topics::Kind;
+use super::topics::{Kind, Owners};
 use super::units::{Labels, Units};
 use super::words::Words;
 
@@ -59,8 +59,7 @@ pub struct Contents {
     units: Units,
     clock: Clock,
     words: Words,
-    /// Whether topics may have to learn other units.
-    is_unsettled: bool,
+    owners: Owners,
     /// Places of topics whose rows have times of their own.
     timed: Vec<usize>,
 }
@@ -74,7 +73,7 @@ impl Contents {
             units: Units::default(),
             clock: Clock::new(),
             words: Words::default(),
-            is_unsettled: false,
+            owners: Owners::default(),
             timed: Vec::new(),
         };
         contents.set(Format::of_formats(), Labels::default());
@@ -108,7 +107,7 @@ impl Contents {
             return Err(UNANNOUNCED);
         };
         let time = self.clock.time(kind.stamp.as_ref(), body, log);
-        let place = kind.place(body, log).ok_or(TOO_MANY)?;
+        let place = kind.place(body, &mut self.owners, log).ok_or(TOO_MANY)?;
         let topic = &mut log.topics[place];
         if topic.is_empty() && kind.stamp.is_some() {
             self.timed.push(place);
@@ -145,12 +144,12 @@ impl Contents {
             }
             Meaning::Unit => {
                 if let (Some(letter), Some(unit)) = (row.number("Id"), row.text("Label")) {
-                    self.is_unsettled |= self.units.unit(letter as i64 as u8, unit);
+                    self.owners.is_changed |= self.units.unit(letter as i64 as u8, unit);
                 }
             }
             Meaning::Multiplier => {
                 if let (Some(letter), Some(factor)) = (row.number("Id"), row.number("Mult")) {
-                    self.is_unsettled |= self.units.multiplier(letter as i64 as u8, factor);
+                    self.owners.is_changed |= self.units.multiplier(letter as i64 as u8, factor);
                 }
             }
             Meaning::Parameter => {
@@ -188,10 +187,13 @@ impl Contents {
         if let Some(oddity) = format.oddity() {
             log.report.remark(oddity);
         }
-        self.settle(log);
-        let known = self.kinds[usize::from(format.number)].as_deref();
-        let known = known.filter(|(kind, _)| kind.format.name == format.name);
-        let labels = known.map(|(kind, _)| kind.labels().clone());
+        let known = self.kinds[usize::from(format.number)].as_deref_mut();
+        let known = known.map(|(kind, _)| {
+            kind.update(&self.units, &self.owners, log);
+            kind
+        });
+        let known = known.filter(|kind| kind.format.name == format.name);
+        let labels = known.map(|kind| kind.labels().clone());
         self.set(format, labels.unwrap_or_default());
     }
 
@@ -209,10 +211,12 @@ impl Contents {
         if *kind.labels() == labels {
             return;
         }
-        self.is_unsettled = true;
+        self.owners.is_changed = true;
+        // What it may lose now keeps what was said so far.
+        kind.update(&self.units, &self.owners, log);
         if kind.set_labels(labels, &self.units) {
             let whole = kind.whole();
-            kind.sort(log);
+            kind.sort(&mut self.owners, log);
             if kind.stamp.is_some() {
                 self.timed.extend(kind.places());
             }
@@ -220,7 +224,10 @@ impl Contents {
             if let Some(place) = whole {
                 let others = self.kinds.iter_mut().enumerate();
                 for (_, other) in others.filter(|(i, _)| *i != usize::from(number)) {
-                    if let Some((other, _)) = other.as_deref_mut() {
+                    if let Some((other, _)) = other.as_deref_mut()
+                        && other.places().any(|other| other == place)
+                    {
+                        other.update(&self.units, &self.owners, log);
                         other.forget(place);
                     }
                 }
@@ -230,9 +237,9 @@ impl Contents {
 
     /// Brings the topics up to what was said of units.
     pub fn settle(&mut self, log: &mut Log) {
-        if std::mem::take(&mut self.is_unsettled) {
+        if std::mem::take(&mut self.owners.is_changed) {
             for (kind, _) in self.kinds.iter_mut().flatten().map(|kind| &mut **kind) {
-                kind.update(&self.units, log);
+                kind.update(&self.units, &self.owners, log);
             }
         }
     }

@@ -142,14 +142,15 @@ impl DataflashTextReader {
         self.contents.row(number, &self.body, log)
     }
 
-    /// Learns a kind of message. Its length is that of its letters: text has no other.
+    /// Learns a kind of message. Its length is that of its letters, up to what a binary log could have.
     fn announce(&mut self, values: &[&str], log: &mut Log) -> Result<(), &'static str> {
         let [number, _, name, letters, columns] = *values else {
             return Err(SHORT);
         };
         let number = number.parse().map_err(|_| "a value is no number")?;
         let known = letters.bytes().map_while(Letter::of);
-        let length = HEADER + known.map(Letter::size).sum::<usize>();
+        let length = known.map(Letter::size).sum::<usize>() + HEADER;
+        let length = length.min(usize::from(u8::MAX));
         match Format::new(number, length, name.to_owned(), letters, columns) {
             Ok(format) if number != FORMAT => self.learn(format, log),
             Ok(_) => {}
@@ -216,8 +217,8 @@ impl DataflashTextReader {
     }
 }
 
-/// The values of a line, one for each field. The last one has all that is left where it is letters; letters
-/// at the end may be missing.
+/// The values of a line, one for each field. The last one has all that is left where it is letters; they
+/// may be missing.
 fn values_of<'a>(
     line: &'a str,
     fields: &[Letter],
@@ -229,7 +230,7 @@ fn values_of<'a>(
         let is_text = !letter.kind.is_number();
         let is_last = i + 1 == fields.len();
         let (value, after) = match rest {
-            None if is_text => ("", None),
+            None if is_text && is_last => ("", None),
             None => return Err(SHORT),
             Some(rest) if is_last && is_text => (rest, None),
             Some(rest) => match rest.split_once(separator) {

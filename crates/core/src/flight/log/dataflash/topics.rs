@@ -1,5 +1,7 @@
 //! Where the rows of a kind of message go.
 
+use std::collections::BTreeMap;
+
 use super::super::{FieldKind, FieldLayout, Log, Rows, TopicName};
 use super::clock::Stamp;
 use super::format::Format;
@@ -11,6 +13,29 @@ const TOPICS: usize = 4096;
 const INSTANCES: usize = 256;
 /// Most layouts under one name.
 const LAYOUTS: usize = 64;
+
+/// Which kind of message says the units of a topic: the last that began to put rows there.
+#[derive(Clone, Debug, Default)]
+pub struct Owners {
+    /// Number of the kind, by place of the topic.
+    numbers: Vec<Option<u8>>,
+    /// Whether topics may have to learn other units.
+    pub is_changed: bool,
+}
+
+impl Owners {
+    fn set(&mut self, place: usize, number: u8) {
+        if self.numbers.len() <= place {
+            self.numbers.resize(place + 1, None);
+        }
+        self.numbers[place] = Some(number);
+        self.is_changed = true;
+    }
+
+    fn is(&self, place: usize, number: u8) -> bool {
+        self.numbers.get(place) == Some(&Some(number))
+    }
+}
 
 /// A kind of message, and where its rows go.
 #[derive(Clone, Debug)]
@@ -28,7 +53,7 @@ pub struct Kind {
     /// Topic of the rows that no instance is told of.
     whole: Option<usize>,
     /// Topics by what the instance field holds.
-    parts: Vec<(Vec<u8>, usize)>,
+    parts: BTreeMap<Vec<u8>, usize>,
 }
 
 impl Kind {
@@ -41,7 +66,7 @@ impl Kind {
             instance: None,
             fields: Vec::new(),
             whole: None,
-            parts: Vec::new(),
+            parts: BTreeMap::new(),
         };
         kind.set_labels(labels, units);
         kind
@@ -90,59 +115,66 @@ impl Kind {
     }
 
     /// Brings units and scales of its topics up to what the tables say now.
-    pub fn update(&mut self, units: &Units, log: &mut Log) {
+    pub fn update(&mut self, units: &Units, owners: &Owners, log: &mut Log) {
         self.set_fields(units);
-        for place in self.places() {
-            let topic = &mut log.topics[place];
-            if is_same_layout(&topic.fields, &self.fields) {
-                topic.fields.clone_from(&self.fields);
-            }
+        let number = self.format.number;
+        for place in self.places().filter(|place| owners.is(*place, number)) {
+            log.topics[place].fields.clone_from(&self.fields);
         }
     }
 
     /// Place of the topic that a row goes to; `None` if there are too many topics.
     #[inline]
-    pub fn place(&mut self, body: &[u8], log: &mut Log) -> Option<usize> {
+    pub fn place(&mut self, body: &[u8], owners: &mut Owners, log: &mut Log) -> Option<usize> {
         let Some(instance) = self.instance else {
             return match self.whole {
                 Some(place) => Some(place),
-                None => self.whole_topic(log),
+                None => self.whole_topic(owners, log),
             };
         };
         let key = self.fields.get(instance)?.bytes(body).unwrap_or_default();
-        match self.parts.iter().find(|(known, _)| known.as_slice() == key) {
-            Some((_, place)) => Some(*place),
-            None => self.part_topic(instance, body, log),
+        match self.parts.get(key) {
+            Some(place) => Some(*place),
+            None => self.part_topic(instance, body, owners, log),
         }
     }
 
-    fn whole_topic(&mut self, log: &mut Log) -> Option<usize> {
+    fn whole_topic(&mut self, owners: &mut Owners, log: &mut Log) -> Option<usize> {
         let name = TopicName::single(&self.format.name);
-        self.whole = topic_for(&name, &self.fields, log);
+        let place = topic_for(&name, &self.fields, log)?;
+        owners.set(place, self.format.number);
+        self.whole = Some(place);
         self.whole
     }
 
-    fn part_topic(&mut self, instance: usize, body: &[u8], log: &mut Log) -> Option<usize> {
+    fn part_topic(
+        &mut self,
+        instance: usize,
+        body: &[u8],
+        owners: &mut Owners,
+        log: &mut Log,
+    ) -> Option<usize> {
         if self.parts.len() >= INSTANCES {
             if self.whole.is_none() {
                 let name = &self.format.name;
                 log.report.remark(format!(
                     "{name}: too many instances; the rest stays together"
                 ));
-                self.whole_topic(log);
+                self.whole_topic(owners, log);
             }
             return self.whole;
         }
         let field = &self.fields[instance];
         let name = instance_name(&self.format.name, field, body);
         let place = topic_for(&name, &self.fields, log)?;
-        self.parts
-            .push((field.bytes(body).unwrap_or_default().to_vec(), place));
+        owners.set(place, self.format.number);
+        let key = field.bytes(body).unwrap_or_default();
+        self.parts.insert(key.to_vec(), place);
         Some(place)
     }
 
     /// Sorts rows that came before their instances were told of.
-    pub fn sort(&mut self, log: &mut Log) {
+    pub fn sort(&mut self, owners: &mut Owners, log: &mut Log) {
         self.parts.clear();
         let Some(place) = self.whole.take() else {
             return;
@@ -159,7 +191,7 @@ impl Kind {
             log.rename(place, &name);
         }
         for (time, row) in times.into_iter().zip(rows.iter()) {
-            if let Some(place) = self.place(row, log) {
+            if let Some(place) = self.place(row, owners, log) {
                 log.topics[place].push(time, row);
             }
         }
@@ -170,7 +202,7 @@ impl Kind {
         if self.whole == Some(place) {
             self.whole = None;
         }
-        self.parts.retain(|(_, part)| *part != place);
+        self.parts.retain(|_, part| *part != place);
     }
 
     /// Topic of the rows that no instance is told of.
@@ -180,7 +212,7 @@ impl Kind {
 
     /// Places of all its topics.
     pub fn places(&self) -> impl Iterator<Item = usize> {
-        self.parts.iter().map(|(_, place)| *place).chain(self.whole)
+        self.parts.values().copied().chain(self.whole)
     }
 }
 

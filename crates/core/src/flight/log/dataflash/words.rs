@@ -9,6 +9,8 @@ pub struct Words {
     vehicle: Option<Vehicle>,
     /// Whether the vehicle was named with a version, as firmware does when it starts.
     is_versioned: bool,
+    /// Whether a VER message said what it is.
+    is_told: bool,
     /// Modes that were told by number, by their place in the log.
     numbered: Vec<(usize, u32)>,
     /// Number and sequence of the last piece of a message in pieces.
@@ -60,8 +62,11 @@ impl Words {
         }
     }
 
-    /// Takes what a VER message says.
+    /// Takes what the first VER message says.
     pub fn version(&mut self, build: Option<f64>, firmware: Option<&str>, log: &mut Log) {
+        if std::mem::replace(&mut self.is_told, true) {
+            return;
+        }
         if let Some(firmware) = firmware.filter(|text| !text.is_empty()) {
             self.is_versioned = true;
             firmware.trim().clone_into(&mut log.vehicle);
@@ -158,7 +163,7 @@ mod tests {
         words.version(Some(7.0), Some("Bluefin V4.1.0"), &mut log);
         assert_eq!(modes(&log), ["MANUAL"]);
         assert_eq!(log.vehicle, "Bluefin V4.1.0");
-        words.version(None, Some(""), &mut log);
+        words.version(Some(3.0), Some("ArduPlane V4"), &mut log);
         assert_eq!(log.vehicle, "Bluefin V4.1.0");
     }
 

@@ -1,0 +1,13 @@
+//! Flight logs: made, damaged, and what must hold of every reader whatever it reads.
+//!
+//! - [`dataflash`] writes logs of `ArduPilot`, binary or as text, row by row;
+//! - [`made`] are whole small logs of every kind;
+//! - [`corpus`] is what a format's reader is tried on;
+//! - [`damage`] breaks logs as power cuts, bad storage and malice do;
+//! - [`check`] reads a log whole and in pieces and says what is wrong with the result.
+
+pub mod check;
+pub mod corpus;
+pub mod damage;
+pub mod dataflash;
+pub mod made;
