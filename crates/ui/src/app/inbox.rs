@@ -310,7 +310,8 @@ impl App {
             return;
         }
         let mut parts = Vec::new();
-        let has_flight = flight.is_some() || log.is_some();
+        let is_log = log.is_some();
+        let has_flight = flight.is_some() || is_log;
         if has_flight || map.is_some() || terrain.is_some() {
             self.keep_files(host, &opening.key, &opening.name, &opening.files);
         }
@@ -332,7 +333,7 @@ impl App {
             self.take_terrain(host, &opening.key, &terrain);
         }
         if let Some(file) = log {
-            parts.push("a flight log");
+            // What it is, is told at the right; a notice would cover it.
             let over = has_map.then_some(map_source);
             self.open_log(host, opening, file, over, mission);
         } else if has_flight {
@@ -364,7 +365,7 @@ impl App {
                 self.documents.run_complete = true;
             }
         }
-        let adds = !imports.is_empty() || labels.is_some();
+        let adds = !imports.is_empty() || labels.is_some() || is_log;
         self.add_imports(now, imports);
         if let Some(labels) = labels {
             self.add_labels(now, &opening.name, labels);

@@ -273,10 +273,18 @@ fn timeline(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Ve
 
 fn plots(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
     let screen = ui.ctx().content_rect();
-    let panel = Panel::bottom("plots")
+    // A log is looked at by its fields first.
+    let has_log = scene.documents.log.is_some();
+    let (id, usual) = if has_log {
+        ("log plots", 0.42 * screen.height())
+    } else {
+        let kept = scene.view.plots_height;
+        ("plots", kept.unwrap_or(PLOTS_HEIGHT))
+    };
+    let panel = Panel::bottom(id)
         .resizable(true)
-        .default_size(scene.view.plots_height.unwrap_or(PLOTS_HEIGHT))
-        .size_range(96.0..=0.5 * screen.height())
+        .default_size(usual)
+        .size_range(96.0..=0.75 * screen.height())
         .frame(plain_frame(scene.tokens, Margin::symmetric(8, 8)))
         .show(ui, |ui| {
             scene.with_context(commands, |context| match &scene.documents.log {
@@ -286,7 +294,7 @@ fn plots(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
             ui.take_available_space();
         });
     let height = panel.response.rect.height();
-    if (height - PLOTS_HEIGHT).abs() > 1.0 {
+    if !has_log && (height - usual).abs() > 1.0 {
         scene.view.plots_height = Some(height);
     }
 }
@@ -596,6 +604,9 @@ fn advice(
         return None;
     }
     let tokens = scene.tokens;
+    if scene.documents.log.is_some() {
+        return None;
+    }
     let text = if scene.documents.run.is_some() {
         "This aircraft finds its way without GPS. White dots are where it may be: they spread while \
          nothing is recognised and shrink when the camera finds a landmark. Drag the time below, or press N and \

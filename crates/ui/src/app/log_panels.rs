@@ -16,6 +16,33 @@ pub(super) fn log_column(
     log: &OpenLog,
     progress: Option<f32>,
 ) {
+    let Views {
+        log_fields,
+        log_plots,
+        ..
+    } = views;
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 0.5 * context.tokens.space;
+        for (is_list, title) in [(false, "Overview"), (true, "Fields")] {
+            let on = log_fields.is_open == is_list;
+            if parts::chip(
+                ui,
+                context.tokens,
+                on,
+                title,
+                &format!("{title} of the log"),
+            )
+            .clicked()
+            {
+                log_fields.is_open = is_list;
+            }
+        }
+    });
+    if log_fields.is_open {
+        let plotted = |series: &SeriesName| log_plots.has(series);
+        log_fields.show(ui, context, log, &plotted);
+        return;
+    }
     let width = ui.available_width();
     egui::ScrollArea::vertical()
         .id_salt("log")
@@ -23,15 +50,6 @@ pub(super) fn log_column(
         .show(ui, |ui| {
             ui.set_max_width(width);
             overview_panel(ui, context, log, progress);
-            parts::section(ui, context.tokens, "Fields", true, |ui| {
-                let Views {
-                    log_fields,
-                    log_plots,
-                    ..
-                } = views;
-                let plotted = |series: &SeriesName| log_plots.has(series);
-                log_fields.show(ui, context, log, &plotted);
-            });
         });
 }
 
@@ -51,6 +69,10 @@ pub(super) fn log_or_run_plots(
         }
         if parts::chip(ui, tokens, !*of_log, "Run", "Plots of the run").clicked() {
             *of_log = false;
+        }
+        if views.shows_log_plots {
+            ui.add_space(tokens.space);
+            views.log_plots.chips(ui, context, log);
         }
     });
     if views.shows_log_plots {

@@ -203,7 +203,7 @@ impl App {
                     self.playback.time = first;
                 }
                 let title = format!("{} cannot be navigated", reading.file);
-                let text = format!("{why} Its fields can be plotted all the same.");
+                let text = format!("{why}. Its fields can be plotted all the same.");
                 self.toasts.note(host.now(), title, text);
             }
         }

@@ -156,7 +156,9 @@ impl Documents {
             FlightSource::Files(_) => self
                 .flight
                 .as_ref()
-                .map_or_else(|| "Opened files".to_owned(), |f| f.name.clone()),
+                .map(|f| f.name.clone())
+                .or_else(|| Some(self.log.as_ref()?.file.clone()))
+                .unwrap_or_else(|| "Opened files".to_owned()),
         };
         if self.mission_edited {
             format!("{flight} · edited")

@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use pilotage_core::flight::Flight;
 use pilotage_core::flight::files::FileSet as _;
-use pilotage_core::flight::interpret::flight_from_log;
-use pilotage_core::flight::log::{Log, LogReader, Outline, TopicName, recognise};
+use pilotage_core::flight::interpret::{Role, flight_from_log, series};
+use pilotage_core::flight::log::{HEAD, Log, LogReader, Outline, TopicName, recognise};
 use pilotage_core::flight::overview::{Overview, overview};
 use pilotage_core::imagery::ByteSource;
 use serde::{Deserialize, Serialize};
@@ -19,8 +19,6 @@ use super::{Advance, JobEvent, RunningJob, Workshop, whole_bytes};
 
 /// Bytes that are read at a time.
 const PIECE: usize = 2 << 20;
-/// Bytes of the beginning by which a log is known.
-const HEAD: usize = 64;
 /// Milliseconds after which what was read so far is told first; each time later twice as long.
 const FIRST_WORD: f64 = 300.0;
 
@@ -44,6 +42,22 @@ pub struct SeriesName {
     pub field: String,
 }
 
+impl SeriesName {
+    /// The topic under which roles are found, whatever the log calls them. No format writes a blank into a
+    /// topic's name.
+    pub fn role_topic() -> TopicName {
+        TopicName::single("this flight")
+    }
+
+    /// The series of a role.
+    pub fn role(role: Role) -> Self {
+        Self {
+            topic: Self::role_topic(),
+            field: role.label().to_owned(),
+        }
+    }
+}
+
 /// The values of a field.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LogSeries {
@@ -57,8 +71,26 @@ pub struct LogSeries {
 }
 
 impl LogSeries {
-    /// The values of `field`.
+    /// What the log means by a role, under the name of a topic that no log has.
+    fn of_role(log: &Log, name: SeriesName) -> Result<Self, String> {
+        let lacks = || format!("{}: there is no {}", log.name, name.field.to_lowercase());
+        let role = Role::from_label(&name.field).ok_or_else(lacks)?;
+        let found = series(log, role).ok_or_else(lacks)?;
+        let (unit, factor) = role.unit();
+        let pairs = found.times.iter().zip(&found.values);
+        let pairs = pairs.flat_map(|(time, value)| [*time, factor * value]);
+        Ok(Self {
+            unit: unit.to_owned(),
+            name,
+            pairs: pairs.flat_map(f64::to_le_bytes).collect(),
+        })
+    }
+
+    /// The values of a field.
     fn of(log: &Log, name: SeriesName) -> Result<Self, String> {
+        if name.topic == SeriesName::role_topic() {
+            return Self::of_role(log, name);
+        }
         let lacks = || format!("{}: there is no {}.{}", log.name, name.topic, name.field);
         let topic = log.topic(&name.topic).ok_or_else(lacks)?;
         let field = topic.field(&name.field).ok_or_else(lacks)?;

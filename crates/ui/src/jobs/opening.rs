@@ -251,8 +251,9 @@ fn unknown(pool: &FilePool) -> String {
         n => format!(" and {} more", n - 1),
     };
     format!(
-        "{first}{more}: no {FLIGHT_FILE}, no map with its georeference, no mission, no route and no \
-         run among them. Drop a flight folder or a zip of one, a map picture with its world file, a \
+        "{first}{more}: no {FLIGHT_FILE}, no flight log, no map with its georeference, no mission, no \
+         route and no run among them. Drop a log (.bin, .log, .ulg, .tlog), a flight folder, a zip of \
+         either, a map picture with its world file, a \
          GeoTIFF, PMTiles or an elevation model (.hgt), a mission or a run saved here, or routes and \
          landmarks as .plan, .waypoints, KML, GPX, GeoJSON or CSV."
     )

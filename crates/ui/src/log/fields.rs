@@ -16,6 +16,8 @@ const MOST_FOUND: usize = 200;
 #[derive(Clone, Debug, Default)]
 pub struct FieldList {
     search: String,
+    /// Whether it is shown in place of the overview.
+    pub is_open: bool,
 }
 
 impl FieldList {
@@ -32,11 +34,29 @@ impl FieldList {
         let edit = egui::TextEdit::singleline(&mut self.search)
             .hint_text(hint)
             .desired_width(f32::INFINITY);
-        let response = ui.add(edit);
-        parts::name(&response, "Search fields of the log".to_owned());
+        ui.add(edit).accessible_name("Search fields of the log");
         ui.add_space(0.5 * context.tokens.space);
+        let width = ui.available_width();
+        egui::ScrollArea::vertical()
+            .id_salt("fields")
+            .auto_shrink(false)
+            .show(ui, |ui| {
+                ui.set_max_width(width);
+                self.list(ui, context, log, outline, plotted);
+            });
+    }
+
+    fn list(
+        &self,
+        ui: &mut Ui,
+        context: &mut ViewContext<'_>,
+        log: &OpenLog,
+        outline: &Outline,
+        plotted: &dyn Fn(&SeriesName) -> bool,
+    ) {
         let wanted = self.search.trim().to_lowercase();
         if wanted.is_empty() {
+            roles(ui, context, log, plotted);
             for topic in &outline.topics {
                 topic_section(ui, context, topic, plotted);
             }
@@ -72,6 +92,28 @@ impl FieldList {
 fn count(outline: &Outline) -> usize {
     let of = |topic: &TopicOutline| topic.fields.iter().filter(|f| f.is_number).count();
     outline.topics.iter().map(of).sum()
+}
+
+/// What was measured, whatever the log calls it.
+fn roles(
+    ui: &mut Ui,
+    context: &mut ViewContext<'_>,
+    log: &OpenLog,
+    plotted: &dyn Fn(&SeriesName) -> bool,
+) {
+    let Some(overview) = &log.overview else {
+        return;
+    };
+    let title = RichText::new("This flight").size(context.tokens.text_sizes[1]);
+    egui::CollapsingHeader::new(title)
+        .default_open(true)
+        .show(ui, |ui| {
+            for sensor in &overview.sensors {
+                let (unit, _) = sensor.role.unit();
+                let series = SeriesName::role(sensor.role);
+                row(ui, context, sensor.role.label(), unit, series, plotted);
+            }
+        });
 }
 
 /// A topic that unfolds to its fields.
@@ -119,7 +161,10 @@ fn row(
         let mut on = plotted(&series);
         let label = RichText::new(text).size(tokens.text_sizes[1]);
         let response = ui.checkbox(&mut on, label);
-        parts::name(&response, format!("Plot {full}"));
+        response.widget_info(|| {
+            let role = egui::Role::CheckBox;
+            egui::WidgetInfo::selected(role, true, on, format!("Plot {full}"))
+        });
         if response.clicked() {
             let command = LogCommand::Toggle(series.clone());
             context.commands.push(Command::Log(command));

@@ -101,37 +101,25 @@ impl OpenLog {
         self.outline.as_ref()?.span
     }
 
-    /// The fields that a newcomer wants to see: height, speeds and attitude, as far as there are such.
+    /// The fields that a newcomer wants to see: height, speeds and attitude, as far as they were measured.
     pub fn first_fields(&self) -> Vec<Vec<SeriesName>> {
         let Some(overview) = &self.overview else {
             return Vec::new();
         };
-        let field = |role: Role| {
-            let sensor = overview.sensors.iter().find(|s| s.role == role)?;
-            self.field_of(&sensor.source)
+        let is_alive = |role: Role| {
+            let sensor = overview.sensors.iter().find(|s| s.role == role);
+            sensor.is_some_and(|sensor| !sensor.is_dead)
         };
         let groups: [&[Role]; 3] = [
             &[Role::BarometricHeight, Role::HeightAboveGround],
-            &[Role::Airspeed],
+            &[Role::Airspeed, Role::GroundSpeed],
             &[Role::Roll, Role::Pitch],
         ];
-        let of = |roles: &[Role]| roles.iter().filter_map(|r| field(*r)).collect::<Vec<_>>();
+        let of = |roles: &[Role]| {
+            let alive = roles.iter().copied().filter(|role| is_alive(*role));
+            alive.map(SeriesName::role).collect::<Vec<_>>()
+        };
         let panels = groups.into_iter().map(of);
         panels.filter(|fields| !fields.is_empty()).collect()
-    }
-
-    /// The field that people call `ATT.Roll`, if it is plain.
-    pub fn field_of(&self, source: &str) -> Option<SeriesName> {
-        let outline = self.outline.as_ref()?;
-        let (topic, field) = source.rsplit_once('.').filter(|_| !source.contains(", "))?;
-        let topic = outline
-            .topics
-            .iter()
-            .find(|t| t.name.to_string() == topic)?;
-        let known = topic.fields.iter().find(|f| f.name == field)?;
-        Some(SeriesName {
-            topic: topic.name.clone(),
-            field: known.name.clone(),
-        })
     }
 }

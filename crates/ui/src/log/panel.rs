@@ -196,7 +196,10 @@ impl LogPanel {
                         .color(colour(tokens, i));
                     let button = egui::Button::new(text).frame(false);
                     let response = ui.add(button).on_hover_text("Click to take it away");
-                    parts::name(&response, format!("Take {name} away"));
+                    response.widget_info(|| {
+                        let role = egui::Role::Button;
+                        egui::WidgetInfo::labeled(role, true, format!("Take {name} away"))
+                    });
                     if response.clicked() {
                         asked.push(LogCommand::Remove {
                             panel: scene.number,

@@ -85,6 +85,13 @@ impl LogPlots {
         self.active = self.panels.len() - 1;
     }
 
+    /// Chips for less time, more, and all of it.
+    pub fn chips(&mut self, ui: &mut Ui, context: &ViewContext<'_>, log: &OpenLog) {
+        if let Some(whole) = log.span().filter(|(a, b)| b > a) {
+            self.axis.chips(ui, context.tokens, context.time, whole);
+        }
+    }
+
     /// Draws the panels into the space that `ui` has left.
     pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, log: &OpenLog) {
         let tokens = context.tokens;
@@ -102,7 +109,6 @@ impl LogPlots {
             parts::empty(ui, tokens, "No field is plotted", hint);
             return;
         }
-        ui.horizontal(|ui| self.axis.chips(ui, tokens, context.time, whole));
         let gap = 0.5 * tokens.space;
         let axis = TimeAxis::height(tokens);
         let header = 3.0 * tokens.space;

@@ -39,8 +39,11 @@ pub fn format_name(format: LogFormat) -> &'static str {
     known.map_or("Flight log", |info| info.label)
 }
 
-/// A field as people write it: `ATT.Roll`.
+/// A field as people write it: `ATT.Roll`; a role by its name.
 pub fn series_name(series: &SeriesName) -> String {
+    if series.topic == SeriesName::role_topic() {
+        return series.field.clone();
+    }
     format!("{}.{}", series.topic, series.field)
 }
 

@@ -73,7 +73,7 @@ impl ColouredTrack<'_> {
         let size = vec2(SCALE.x + 24.0, SCALE.y + 2.0 * text + 22.0);
         let card = Rect::from_min_size(corner, size);
         painter.rect_filled(card, tokens.radius, tokens.over_map());
-        let title = format!("{}.{}", self.name.topic, self.name.field);
+        let title = crate::log::series_name(self.name);
         let unit = &self.series.unit;
         let title = if unit.is_empty() {
             title

@@ -29,6 +29,8 @@ pub enum Role {
     GpsVelocityEast,
     /// The same downward, m/s.
     GpsVelocityDown,
+    /// Speed over ground by satellite navigation, m/s.
+    GroundSpeed,
     /// Kind of fix: 0 or 1 none, 2 flat, 3 and more in space.
     GpsFix,
     /// Satellites used.
@@ -53,7 +55,7 @@ pub enum Role {
 
 impl Role {
     /// Every role, in the order in which people read them.
-    pub const ALL: [Self; 22] = [
+    pub const ALL: [Self; 23] = [
         Self::Airspeed,
         Self::Heading,
         Self::Roll,
@@ -66,6 +68,7 @@ impl Role {
         Self::GpsVelocityNorth,
         Self::GpsVelocityEast,
         Self::GpsVelocityDown,
+        Self::GroundSpeed,
         Self::GpsFix,
         Self::GpsSatellites,
         Self::RollRate,
@@ -93,6 +96,7 @@ impl Role {
             Self::GpsVelocityNorth => "GPS velocity north",
             Self::GpsVelocityEast => "GPS velocity east",
             Self::GpsVelocityDown => "GPS velocity down",
+            Self::GroundSpeed => "Ground speed",
             Self::GpsFix => "GPS fix",
             Self::GpsSatellites => "GPS satellites",
             Self::RollRate => "Roll rate",
@@ -106,6 +110,28 @@ impl Role {
         }
     }
 
+    /// The unit in which people read it, and how many of it are one in SI and radians.
+    pub fn unit(self) -> (&'static str, f64) {
+        let degrees = 1.0_f64.to_degrees();
+        match self {
+            Self::Heading | Self::Roll | Self::Pitch | Self::Latitude | Self::Longitude => {
+                ("deg", degrees)
+            }
+            Self::RollRate | Self::PitchRate | Self::YawRate => ("deg/s", degrees),
+            Self::HeightAboveGround | Self::BarometricHeight | Self::GpsHeight => ("m", 1.0),
+            Self::AccelerationForward | Self::AccelerationRight | Self::AccelerationDown => {
+                ("m/s²", 1.0)
+            }
+            Self::GpsFix | Self::GpsSatellites => ("", 1.0),
+            _ => ("m/s", 1.0),
+        }
+    }
+
+    /// The role that people call so.
+    pub fn from_label(label: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|role| role.label() == label)
+    }
+
     /// Whether values are angles that wrap.
     pub fn is_angle(self) -> bool {
         matches!(self, Self::Heading | Self::Roll | Self::Pitch)
@@ -116,6 +142,7 @@ impl Role {
         use std::f64::consts::{FRAC_PI_2, PI, TAU};
         match self {
             Self::Airspeed
+            | Self::GroundSpeed
             | Self::GpsVelocityNorth
             | Self::GpsVelocityEast
             | Self::GpsVelocityDown => 1000.0,

@@ -90,6 +90,7 @@ const DATAFLASH: &[Source] = &[
     ),
     field(Role::GpsVelocityDown, "GPS", "VZ", 1.0),
     field(Role::GpsVelocityDown, "GPS", "VelZ", 1.0),
+    field(Role::GroundSpeed, "GPS", "Spd", 1.0),
     field(Role::GpsFix, "GPS", "Status", 1.0),
     field(Role::GpsSatellites, "GPS", "NSats", 1.0),
     field(Role::RollRate, "IMU", "GyrX", 1.0),
@@ -194,6 +195,8 @@ const ULOG: &[Source] = &[
     field(Role::GpsVelocityNorth, "sensor_gps", "vel_n_m_s", 1.0),
     field(Role::GpsVelocityEast, "sensor_gps", "vel_e_m_s", 1.0),
     field(Role::GpsVelocityDown, "sensor_gps", "vel_d_m_s", 1.0),
+    field(Role::GroundSpeed, "vehicle_gps_position", "vel_m_s", 1.0),
+    field(Role::GroundSpeed, "sensor_gps", "vel_m_s", 1.0),
     field(Role::GpsFix, "vehicle_gps_position", "fix_type", 1.0),
     field(Role::GpsFix, "sensor_gps", "fix_type", 1.0),
     field(
@@ -262,6 +265,7 @@ const TLOG: &[Source] = &[
         Reading::Course("vel", 0.01, "cog", 0.01 * DEGREE),
     ),
     field(Role::GpsVelocityDown, "GLOBAL_POSITION_INT", "vz", 0.01),
+    field(Role::GroundSpeed, "GPS_RAW_INT", "vel", 0.01),
     field(Role::GpsFix, "GPS_RAW_INT", "fix_type", 1.0),
     field(
         Role::GpsSatellites,
