@@ -283,3 +283,7 @@ pub fn log_series(
     let log = log.ok_or_else(|| format!("{file}: it is not read yet"))?;
     LogSeries::of(&log.borrow(), name)
 }
+
+#[cfg(test)]
+#[path = "logs_tests.rs"]
+mod tests;

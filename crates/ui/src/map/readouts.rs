@@ -51,7 +51,8 @@ fn readouts(context: &ViewContext<'_>, ground: &Ground, step: &StepReport) -> Ve
             speed_unit,
         );
     }
-    let height = step.control.height * length;
+    // Rounded before it is written: a little below the ground is no "-0".
+    let height = (step.control.height * length).round() + 0.0;
     add("Height above ground", format!("{height:.0}"), length_unit);
     let below = ground.height_at(&step.after.position());
     if let Some((below, grid)) = below.zip(ground.heights()) {
