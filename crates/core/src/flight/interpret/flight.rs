@@ -141,7 +141,25 @@ fn channel(series: &RoleSeries) -> Option<Channel> {
         Role::Roll => ChannelName::Roll,
         Role::Pitch => ChannelName::Pitch,
         Role::HeightAboveGround => ChannelName::HeightAboveGround,
-        _ => return None,
+        Role::BarometricHeight => ChannelName::BarometricHeight,
+        Role::GpsHeight => ChannelName::GpsHeight,
+        Role::GpsVelocityNorth => ChannelName::GpsVelocityNorth,
+        Role::GpsVelocityEast => ChannelName::GpsVelocityEast,
+        Role::GpsVelocityDown => ChannelName::GpsVelocityDown,
+        Role::RollRate => ChannelName::RollRate,
+        Role::PitchRate => ChannelName::PitchRate,
+        Role::YawRate => ChannelName::YawRate,
+        Role::AccelerationForward => ChannelName::AccelerationForward,
+        Role::AccelerationRight => ChannelName::AccelerationRight,
+        Role::AccelerationDown => ChannelName::AccelerationDown,
+        Role::WindNorth => ChannelName::WindNorth,
+        Role::WindEast => ChannelName::WindEast,
+        // Places are told by the track, and the rest of satellite navigation is no channel.
+        Role::Latitude
+        | Role::Longitude
+        | Role::GroundSpeed
+        | Role::GpsFix
+        | Role::GpsSatellites => return None,
     };
     Some(Channel {
         name,
