@@ -3,15 +3,16 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use pilotage_core::flight::log::read_log;
 use pilotage_core::flight::{Flight, read_flight};
 
-use crate::Outcome;
-use crate::files::Directory;
+use crate::files::{Directory, DiskFile};
+use crate::{Outcome, inspect_log};
 
 /// What to look at.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// A flight folder, a mission, or a saved run.
+    /// A flight log, a flight folder, a mission, or a saved run.
     path: PathBuf,
 }
 
@@ -26,6 +27,12 @@ pub fn run(arguments: &Arguments) -> Outcome {
         }
         return Ok(());
     }
+    let file = DiskFile::open(path, &path.to_string_lossy());
+    let file = file.map_err(|e| format!("{}: {e}", path.display()))?;
+    if let Some(log) = read_log(&file)? {
+        inspect_log::describe(&log);
+        return Ok(());
+    }
     let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
     if let Ok(run) = pilotage_core::navigator::decode_run(&path.to_string_lossy(), &bytes) {
         println!(
@@ -38,7 +45,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     }
     let package = pilotage_core::mission::package::read_package(&bytes).map_err(|e| {
         format!(
-            "{}: neither a flight, a run nor a mission: {e}",
+            "{}: neither a flight log, a flight, a run nor a mission: {e}",
             path.display()
         )
     })?;

@@ -8,6 +8,7 @@ mod files;
 mod filter_options;
 mod georef;
 mod inspect;
+mod inspect_log;
 mod map;
 mod mission_file;
 mod plan;

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use pilotage_core::flight::Flight;
 use pilotage_core::flight::files::FileSet as _;
 use pilotage_core::flight::interpret::{Role, flight_from_log, series};
-use pilotage_core::flight::log::{HEAD, Log, LogReader, Outline, TopicName, recognise};
+use pilotage_core::flight::log::{HEAD, Log, LogReader, Outline, TopicName, read_log, recognise};
 use pilotage_core::flight::overview::{Overview, overview};
 use pilotage_core::imagery::ByteSource;
 use serde::{Deserialize, Serialize};
@@ -264,9 +264,11 @@ pub fn flight_of_log(pool: &FilePool) -> Result<Option<OpenFlight>, String> {
     let Some(file) = log_among(pool) else {
         return Ok(None);
     };
-    let mut reading = Reading::begin(pool, &file)?;
-    while reading.step()? {}
-    let log = reading.log.borrow();
+    let source = pool.source(&file).ok_or("the log is gone")?;
+    let blame = |cause: String| format!("{file}: {cause}");
+    let Some(log) = read_log(source.as_ref()).map_err(blame)? else {
+        return Ok(None);
+    };
     let flight = flight_from_log(&log).flight;
     let flight = flight.map_err(|cause| cause.to_string())?;
     Ok(Some(OpenFlight::without_pictures(flight)))

@@ -13,6 +13,7 @@ mod georeference;
 mod keyboard_landmark;
 mod labels;
 mod link;
+mod log;
 mod lost_worker;
 mod names;
 mod open_map;

@@ -22,6 +22,7 @@ mod testing;
 mod tlog;
 mod topic;
 mod ulog;
+mod whole;
 
 pub use formats::{FormatInfo, HEAD, LogFormat, LogReader, all_formats, recognise};
 pub use layout::{FieldKind, FieldLayout};
@@ -31,3 +32,4 @@ pub use report::{Gap, ReadReport, Skipped};
 pub use rows::Rows;
 pub use scale::Scale;
 pub use topic::{Topic, TopicName};
+pub use whole::read_log;

@@ -38,7 +38,7 @@ pub fn abilities(interpreted: &Interpreted, air_data: Option<&AirDataFit>) -> Ve
             missing(&[Role::Latitude, Role::Longitude]),
         ),
         ability(
-            "Replay with GPS cut: airspeed, heading and wind",
+            "Replay without GPS: airspeed, heading and wind",
             trouble.or_else(|| missing(&[Role::Airspeed])),
         ),
         ability(

@@ -131,7 +131,10 @@ impl ScriptedHost {
                 events.push((id, event));
             }
         };
-        let files = (self.jobs.iter()).filter(|(_, j)| matches!(j, Job::Provide { .. }));
+        // What the job rests on: its files, and the log that it asks of.
+        let is_ground =
+            |j: &Job| matches!(j, Job::Provide { .. } | Job::ReadLog { .. }) && j != job;
+        let files = self.jobs.iter().filter(|(_, j)| is_ground(j));
         for (id, job) in files.cloned().chain([(id, job.clone())]) {
             runner.receive(Request::Start(id, job), &mut keep);
         }
@@ -227,7 +230,12 @@ impl ScriptedHost {
                     say(JobEvent::Finished);
                 }
             }
-            Job::Find(_) | Job::Pack(_) | Job::Export(_) | Job::DecodePicture { .. } => {
+            Job::ReadLog { .. }
+            | Job::LogSeries { .. }
+            | Job::Find(_)
+            | Job::Pack(_)
+            | Job::Export(_)
+            | Job::DecodePicture { .. } => {
                 self.carry_out(id, job);
             }
             Job::Brief(_) => {

@@ -1,0 +1,93 @@
+//! A flight log is dropped, looked over, and its fields are plotted.
+
+use std::fmt::Write as _;
+
+use egui_kittest::kittest::Queryable as _;
+use pilotage_ui::host::OpenedFile;
+use serde_json::Value;
+
+use super::support::{Rig, rig};
+
+/// A flight eastward at 20 m/s as a text log.
+fn eastward() -> Vec<u8> {
+    let mut log = String::from(
+        "FMT, 128, 89, FMT, BBnNZ, Type,Length,Name,Format,Columns\n\
+         FMT, 1, 23, ATT, Qfff, TimeUS,Roll,Pitch,Yaw\n\
+         FMT, 2, 27, GPS, QBLLfff, TimeUS,Status,Lat,Lng,Alt,Spd,GCrs\n",
+    );
+    for i in 0..300_u32 {
+        let time = 1_000_000 + 100_000 * i;
+        let along = 8.0 + f64::from(i) * 2.0 / 76_000.0;
+        writeln!(log, "ATT, {time}, {}, 2, 90", i % 7).expect("memory");
+        writeln!(log, "GPS, {time}, 3, 47.0, {along:.7}, {}, 20, 90", 500 + i).expect("memory");
+    }
+    log.into_bytes()
+}
+
+fn rig_with_a_log() -> Rig {
+    let mut rig = rig();
+    rig.host().really_open = true;
+    rig.host().opened.push(vec![OpenedFile {
+        path: "east.log".to_owned(),
+        content: eastward().into(),
+    }]);
+    rig.settle();
+    rig
+}
+
+fn panels(rig: &Rig) -> Vec<Vec<String>> {
+    let state = rig.state();
+    let panels = state["log"]["panels"].as_array().expect("panels").iter();
+    let names = |panel: &Value| -> Vec<String> {
+        let fields = panel.as_array().expect("fields").iter();
+        fields
+            .map(|f| f.as_str().unwrap_or_default().to_owned())
+            .collect()
+    };
+    panels.map(names).collect()
+}
+
+#[test]
+fn a_dropped_log_shows_its_overview_and_its_first_fields() {
+    let rig = rig_with_a_log();
+    let state = rig.state();
+    assert_eq!(state["log"]["file"], "east.log");
+    assert_eq!(state["log"]["read"], true);
+    assert_eq!(state["side_tab"], "Log");
+    assert_eq!(panels(&rig), [vec!["Ground speed"], vec!["Roll", "Pitch"]]);
+    assert!(
+        state["log"]["points"].as_u64() >= Some(300),
+        "{}",
+        state["log"]
+    );
+    rig.harness
+        .get_by_label_contains("Greatest height above start 299");
+    rig.harness.get_by_label_contains("Replay without GPS");
+}
+
+#[test]
+fn a_field_is_searched_plotted_alone_taken_away_and_colours_the_track() {
+    let mut rig = rig_with_a_log();
+    rig.harness.get_by_label("Fields of the log").click();
+    rig.frames(3);
+    rig.harness.get_by_label("Search fields of the log").focus();
+    rig.frames(2);
+    rig.harness
+        .get_by_label("Search fields of the log")
+        .type_text("att.y");
+    rig.frames(3);
+    rig.harness.get_by_label("ATT.Yaw in a new plot").click();
+    rig.settle();
+    assert_eq!(panels(&rig)[2], ["ATT.Yaw"]);
+    rig.harness.get_by_label("Plot ATT.Yaw").click();
+    rig.frames(3);
+    assert_eq!(panels(&rig).len(), 2);
+    rig.harness
+        .get_by_label("Colour the track by ATT.Yaw")
+        .click();
+    rig.settle();
+    assert_eq!(rig.state()["log"]["track_by"], "ATT.Yaw");
+    rig.harness.get_by_label("Take Pitch away").click();
+    rig.frames(3);
+    assert_eq!(panels(&rig)[1], ["Roll"]);
+}
