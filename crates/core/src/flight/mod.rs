@@ -8,6 +8,7 @@ pub mod interpret;
 pub mod log;
 pub mod overview;
 mod record;
+pub mod trajectory;
 mod truth;
 
 pub use channel::{Channel, ChannelName, Quantity};

@@ -165,6 +165,7 @@ impl App {
                 if !again {
                     self.views.camera.clear();
                     if self.documents.flight_source != flight {
+                        self.documents.log = None;
                         self.documents.bookmarks.clear();
                     }
                     self.documents.flight_source = flight;

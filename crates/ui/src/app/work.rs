@@ -31,6 +31,7 @@ impl App {
         map: MapSource,
         mission: Option<Mission>,
     ) {
+        self.stop_reading(host);
         let staged = Staged {
             flight: None,
             mission: mission.clone(),

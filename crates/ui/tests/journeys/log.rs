@@ -66,6 +66,16 @@ fn a_dropped_log_shows_its_overview_and_its_first_fields() {
 }
 
 #[test]
+fn another_flight_takes_the_place_of_the_log() {
+    let mut rig = rig_with_a_log();
+    rig.harness.get_by_label("Simulate…").click();
+    rig.frames(8);
+    rig.harness.get_by_label("Fly").click();
+    rig.settle();
+    assert!(rig.state()["log"].is_null(), "{}", rig.state()["log"]);
+}
+
+#[test]
 fn a_field_is_searched_plotted_alone_taken_away_and_colours_the_track() {
     let mut rig = rig_with_a_log();
     rig.harness.get_by_label("Fields of the log").click();

@@ -1,0 +1,21 @@
+//! How far one trajectory is from another, as evo (Grupp 2017) defines it.
+
+mod alignment;
+mod error;
+mod statistics;
+
+pub use alignment::{Alignment, Similarity, align};
+pub use error::{Delta, Pair, absolute_errors, associate, relative_errors};
+pub use statistics::ErrorStatistics;
+
+use nalgebra::Point3;
+use serde::{Deserialize, Serialize};
+
+/// A place at a time.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TimedPlace {
+    /// Seconds.
+    pub time: f64,
+    /// World NED, metres.
+    pub place: Point3<f64>,
+}
