@@ -99,11 +99,17 @@ export function makeTools({ page, address, pictures, watched, atEnd }) {
     /** Types into a field that has come to rest, over what is there; again should a letter have been for nobody. */
     async type(label, text) {
       const field = () => tools.find("TextInput", label);
+      const atRest = async () => {
+        for (let before = await field(); ;) {
+          await pause(50);
+          await tools.drawn();
+          const node = await field();
+          if (String(node.rect) === String(before.rect)) return node;
+          before = node;
+        }
+      };
       for (let tries = 0; tries < 6; tries += 1) {
-        const before = await field();
-        await tools.drawn();
-        const node = await field();
-        if (String(node.rect) !== String(before.rect)) continue;
+        const node = await atRest();
         await tools.click(node);
         await tools.drawn();
         await page.keyboard.press("Control+a");
