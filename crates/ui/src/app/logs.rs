@@ -18,6 +18,9 @@ use crate::log::{LogCommand, OpenLog};
 /// further is a map of somewhere else.
 const NEAR: f64 = 60_000.0;
 
+/// Times that a log is read again because nobody has it any more.
+const MOST_REREADS: u8 = 2;
+
 /// A log being read.
 #[derive(Debug)]
 pub(super) struct ReadingLog {
@@ -46,6 +49,8 @@ pub(super) struct LogWork {
     fetching: HashMap<JobId, SeriesName>,
     /// Whether the worker that had the log is gone.
     lost: bool,
+    /// How often the log that is open was read again for that.
+    rereads: u8,
 }
 
 impl LogWork {
@@ -66,6 +71,7 @@ impl App {
         map: Option<MapSource>,
         mission: Option<Mission>,
     ) {
+        self.desk.logs.rereads = 0;
         self.keep_files(host, &opening.key, &opening.name, &opening.files);
         self.read_log(host, opening.key.clone(), file, map, mission);
     }
@@ -238,8 +244,10 @@ impl App {
             JobEvent::Failed(_) => {
                 // The worker that had the log is gone: another one has to read it first.
                 self.desk.logs.fetching.remove(&id);
-                if self.desk.logs.reading.is_none() {
-                    self.desk.logs.lost = true;
+                let work = &mut self.desk.logs;
+                if work.reading.is_none() && work.rereads < MOST_REREADS {
+                    work.rereads += 1;
+                    work.lost = true;
                 }
             }
             _ => {}

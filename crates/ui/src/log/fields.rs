@@ -184,7 +184,7 @@ fn row(
                 ui,
                 tokens,
                 false,
-                "◉",
+                "map",
                 &format!("Colour the track by {full}"),
             );
             if track.on_hover_text("Colour the track by it").clicked() {

@@ -155,7 +155,7 @@ fn abilities(ui: &mut Ui, context: &ViewContext<'_>, abilities: &[Ability]) {
     parts::section(ui, tokens, "What can be done with it", true, |ui| {
         for ability in abilities {
             let (sign, color) = match ability.lacks {
-                None => ("✔", tokens.truth),
+                None => ("+", tokens.truth),
                 Some(_) => ("–", tokens.muted),
             };
             let text = format!("{sign}  {}", ability.what);

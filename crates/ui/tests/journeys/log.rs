@@ -18,8 +18,13 @@ fn eastward() -> Vec<u8> {
     for i in 0..300_u32 {
         let time = 1_000_000 + 100_000 * i;
         let along = 8.0 + f64::from(i) * 2.0 / 76_000.0;
-        writeln!(log, "ATT, {time}, {}, 2, 90", i % 7).expect("memory");
-        writeln!(log, "GPS, {time}, 3, 47.0, {along:.7}, {}, 20, 90", 500 + i).expect("memory");
+        writeln!(log, "ATT, {time}, {}, {}, 90", i % 7, i % 5).expect("memory");
+        let (height, speed) = (500 + i, 20.0 + 0.1 * f64::from(i % 3));
+        writeln!(
+            log,
+            "GPS, {time}, 3, 47.0, {along:.7}, {height}, {speed}, 90"
+        )
+        .expect("memory");
     }
     log.into_bytes()
 }

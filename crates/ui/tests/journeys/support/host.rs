@@ -60,6 +60,19 @@ pub struct ScriptedHost {
     pub heights: Option<fn(&GroundPoint) -> f64>,
 }
 
+/// Whether a job is really done.
+fn is_real(job: &Job) -> bool {
+    matches!(
+        job,
+        Job::ReadLog { .. }
+            | Job::LogSeries { .. }
+            | Job::Find(_)
+            | Job::Pack(_)
+            | Job::Export(_)
+            | Job::DecodePicture { .. }
+    )
+}
+
 /// What is said of a match that is to be explained: something only of a trained detector's.
 fn explained(job: &Job) -> Vec<JobEvent> {
     let mut events = vec![JobEvent::Finished];
@@ -137,11 +150,14 @@ impl ScriptedHost {
         let files = self.jobs.iter().filter(|(_, j)| is_ground(j));
         for (id, job) in files.cloned().chain([(id, job.clone())]) {
             runner.receive(Request::Start(id, job), &mut keep);
+            while runner.turn(&|| 0.0, &mut keep) {}
         }
-        while runner.turn(&|| 0.0, &mut keep) {}
     }
 
     fn answer(&mut self, id: JobId, job: &Job) {
+        if is_real(job) {
+            return self.carry_out(id, job);
+        }
         let mut say = |event| self.events.push((id, event));
         match job {
             Job::Fly { mission: given, .. } if !self.silent_flights => {
@@ -229,14 +245,6 @@ impl ScriptedHost {
                     say(JobEvent::Heights(Box::new(heights(shape, order))));
                     say(JobEvent::Finished);
                 }
-            }
-            Job::ReadLog { .. }
-            | Job::LogSeries { .. }
-            | Job::Find(_)
-            | Job::Pack(_)
-            | Job::Export(_)
-            | Job::DecodePicture { .. } => {
-                self.carry_out(id, job);
             }
             Job::Brief(_) => {
                 say(JobEvent::BriefPictures(Box::default()));
