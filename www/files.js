@@ -1,12 +1,17 @@
 // Reads what was dropped or chosen: files, and folders with everything in them.
+import { framesOf, isFilm } from "./video.js";
 
-/** Maps and heights larger than this many bytes stay where they are; workers read pieces of them. */
+/** Maps, heights and logs larger than this many bytes stay where they are; workers read pieces of them. */
 const LARGE = 4 << 20;
-const READ_BY_PIECES = /\.(tiff?|pmtiles|hgt)$/i;
+const READ_BY_PIECES = /\.(tiff?|pmtiles|hgt|bin|log|ulg|tlog|mcap)$/i;
 async function gather(list) {
   const paths = [], contents = [];
   for (const [path, file] of list) {
     try {
+      if (isFilm(path)) {
+        for (const [frame, bytes] of await framesOf(path, file)) { paths.push(frame); contents.push(bytes); }
+        continue;
+      }
       const stays = file.size > LARGE && READ_BY_PIECES.test(path);
       contents.push(stays ? file : new Uint8Array(await file.arrayBuffer()));
       paths.push(path);

@@ -15,6 +15,28 @@ async function printPage(style, body) {
   page.hidden = true;
 }
 
+/** Offers a blob as a download. */
+function save(name, blob) {
+  const address = URL.createObjectURL(blob);
+  const link = Object.assign(document.createElement("a"), { href: address, download: name });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(address), 60_000);
+}
+
+/** An SVG drawing as a PNG picture of so many pixels. */
+async function drawn(svg, width, height) {
+  const address = URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" }));
+  try {
+    const picture = Object.assign(new Image(), { src: address });
+    await picture.decode();
+    const canvas = Object.assign(document.createElement("canvas"), { width, height });
+    canvas.getContext("2d").drawImage(picture, 0, 0, width, height);
+    return await new Promise((done) => canvas.toBlob(done, "image/png"));
+  } finally {
+    URL.revokeObjectURL(address);
+  }
+}
+
 export function shellServices(storage, openFiles) {
   const input = document.getElementById("files");
   const summary = document.getElementById("summary");
@@ -29,11 +51,9 @@ export function shellServices(storage, openFiles) {
   return {
     askForFiles() { input.click(); },
     saveFile(name, bytes) {
-      const address = URL.createObjectURL(new Blob([bytes], { type: "application/octet-stream" }));
-      const link = Object.assign(document.createElement("a"), { href: address, download: name });
-      link.click();
-      setTimeout(() => URL.revokeObjectURL(address), 60_000);
+      save(name, new Blob([bytes], { type: "application/octet-stream" }));
     },
+    async savePicture(name, svg, width, height) { save(name, await drawn(svg, width, height)); },
     store(key, bytes) { storage.put(key, bytes); },
     fetchTiles,
     downloadTiles,

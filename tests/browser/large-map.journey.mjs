@@ -1,31 +1,13 @@
 // How a very large GeoTIFF behaves in the page: a small file whose tables point again and again at a few
 // tiles, or the one that PILOTAGE_LARGE_MAP names, as
 // `cargo run -p pilotage-tests --example large_map -- write FILE [--overviews]` makes it.
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { repeatingGeotiff } from "./geotiff.mjs";
+import { rendererMemory } from "./memory.mjs";
 
 export const name = "a GeoTIFF of half a billion pixels opens, pans and stays small";
-
-/** Resident megabytes of the page's process with all its workers, where the system tells it. */
-function memory() {
-  let largest = 0;
-  for (const id of readFileSync("/proc/self/task/" + process.pid + "/children", "utf8").trim().split(" ")) largest = Math.max(largest, below(id));
-  return largest;
-}
-
-function below(id) {
-  try {
-    const status = readFileSync(`/proc/${id}/status`, "utf8");
-    const line = readFileSync(`/proc/${id}/cmdline`, "utf8");
-    const own = line.includes("--type=renderer") ? Number(status.match(/VmRSS:\s+(\d+)/)?.[1] ?? 0) / 1024 : 0;
-    const children = readFileSync(`/proc/${id}/task/${id}/children`, "utf8").trim().split(" ").filter(Boolean);
-    return Math.max(own, ...children.map(below));
-  } catch {
-    return 0;
-  }
-}
 
 /** The size of the largest map of the thesis. */
 const large = () => repeatingGeotiff({
@@ -49,7 +31,7 @@ export async function run(page, tools) {
 async function look(page, tools, file) {
   await tools.waitReady();
   await tools.waitFor((s) => s.run_complete || s.run_steps > 300, "the demo", 200_000);
-  const idle = memory();
+  const idle = rendererMemory();
   const begun = Date.now();
   await page.setInputFiles("#files", file);
   await tools.waitFor((s) => s.map.name && file.endsWith(s.map.name) || s.toasts.some((t) => t.trouble), "the map to open", 100_000);
@@ -65,14 +47,14 @@ async function look(page, tools, file) {
   for (let i = 0; i < 22; i += 1) { await page.mouse.move(at(0.5, 0.5).x, at(0.5, 0.5).y); await page.mouse.wheel(0, -120); await page.waitForTimeout(60); }
   await tools.waitFor((s) => s.map.whole, "the close view", 100_000);
   await page.evaluate(() => window.app.forget_cpu_ms());
-  let peak = memory();
+  let peak = rendererMemory();
   for (let i = 0; i < 8; i += 1) {
     await tools.drag(at(0.8, 0.7), at(0.2, 0.3), 30);
-    peak = Math.max(peak, memory());
+    peak = Math.max(peak, rendererMemory());
   }
   const panned = JSON.parse(await page.evaluate(() => window.app.cpu_ms()));
   await tools.waitFor((s) => s.map.whole, "the view after panning", 100_000);
-  peak = Math.max(peak, memory());
+  peak = Math.max(peak, rendererMemory());
   await tools.screenshot("large-map-close");
   const near = (await tools.state()).map;
   for (const line of [
@@ -86,7 +68,7 @@ async function look(page, tools, file) {
   await tools.waitFor((s) => s.map.tiles > 0 && s.map.metres_per_point > 2 * near.metres_per_point, "the map to open again", 100_000);
   const quickest = Math.min(opened, Date.now() - again);
   await tools.waitFor((s) => s.map.whole, "all of it again", 300_000);
-  const twice = memory();
+  const twice = rendererMemory();
   console.log(`        opened again: ${twice.toFixed(0)} MB`);
   tools.check(quickest < 2000, `it opened after ${quickest} ms`);
   tools.check(panned.median < 16.7, `${panned.median} ms of app time a frame`);

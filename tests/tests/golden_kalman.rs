@@ -1,8 +1,9 @@
-//! Stored answers of FilterPy 2.0.0: a vehicle with range and bearing to landmarks, 200 steps.
+//! Stored answers of FilterPy 2.0.0 (a vehicle with range and bearing to landmarks, 200 steps) and of
+//! adskalman (a smoother, 50 steps).
 
-use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
+use nalgebra::{Matrix2, Matrix3, Matrix4, Vector2, Vector3, Vector4};
 use pilotage_core::{
-    filter::{Gaussian, Redraw, Ukf, UnscentedSettings},
+    filter::{Gaussian, Redraw, SmootherLink, Ukf, UnscentedSettings, smooth},
     frames::wrap_pi,
 };
 use pilotage_tests::data::shared;
@@ -109,4 +110,57 @@ fn the_stored_steps_of_filterpy_are_reproduced() {
         measured >= 40,
         "only {measured} of the steps have a measurement"
     );
+}
+
+/// The model is that of adskalman's example: nearly constant velocity with white acceleration of density
+/// 100 m²/s³, positions with a variance of 0.01 m², steps of 10 ms, of which one comes before the first
+/// measurement.
+#[test]
+fn the_stored_smoothing_of_adskalman_is_reproduced() {
+    let Some(place) = shared("kalman_golden/adskalman_offline_smoothing.csv") else {
+        return;
+    };
+    let text = std::fs::read_to_string(place).unwrap();
+    let rows: Vec<Vec<f64>> = text
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').map(|v| v.parse().unwrap()).collect())
+        .collect();
+    let (dt, density) = (0.01_f64, 100.0);
+    let (cube, square) = (density * dt.powi(3) / 3.0, density * dt * dt / 2.0);
+    let mut process_noise = Matrix4::zeros();
+    for axis in 0..2 {
+        process_noise[(axis, axis)] = cube;
+        process_noise[(axis, axis + 2)] = square;
+        process_noise[(axis + 2, axis)] = square;
+        process_noise[(axis + 2, axis + 2)] = density * dt;
+    }
+    let prior = Gaussian::new(
+        Vector4::new(0.0, 0.0, 10.0, -5.0),
+        Matrix4::identity() * 0.1,
+    );
+    let mut filter = Ukf::new(prior, UnscentedSettings::default()).unwrap();
+    let mut links = Vec::new();
+    for row in &rows {
+        let step = filter
+            .predict(
+                |x| Vector4::new(x[0] + dt * x[2], x[1] + dt * x[3], x[2], x[3]),
+                &process_noise,
+            )
+            .unwrap();
+        links.push(SmootherLink::of(&step, filter.weights()));
+        let predicted = filter
+            .predict_measurement(|x| Some(x.xy()), &(Matrix2::identity() * 0.01))
+            .unwrap();
+        filter
+            .correct(&predicted, &Vector2::new(row[5], row[6]))
+            .unwrap();
+    }
+    let smoothed = smooth(&links, &filter.state()).unwrap();
+    assert_eq!(smoothed.len(), 51);
+    for (row, belief) in rows.iter().zip(&smoothed[1..]) {
+        for (theirs, ours) in row[7..].iter().zip(belief.mean.iter()) {
+            assert!((ours - theirs).abs() < 1e-9, "{ours} {theirs}");
+        }
+    }
 }

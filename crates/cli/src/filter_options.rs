@@ -1,15 +1,26 @@
 //! `--filter key=value,…`: changes to the navigator's settings.
 
-use pilotage_core::navigator::{NavigatorSettings, VehicleChoice};
+use pilotage_core::navigator::{EstimatorChoice, NavigatorSettings, VehicleChoice};
 
 /// Names of the vehicle models on the command line.
-const VEHICLES: [(&str, VehicleChoice); 5] = [
+pub const VEHICLES: [(&str, VehicleChoice); 7] = [
     ("airplane-wind", VehicleChoice::AirplaneWind),
     ("airplane-gust", VehicleChoice::AirplaneGust),
     ("airplane-full", VehicleChoice::AirplaneFull),
     ("random-walk", VehicleChoice::RandomWalk),
     ("constant-velocity", VehicleChoice::ConstantVelocity),
+    ("multirotor", VehicleChoice::Multirotor),
+    ("velocity-driven", VehicleChoice::VelocityDriven),
 ];
+
+/// The vehicle model of that name, or which there are.
+pub fn vehicle(name: &str) -> Result<VehicleChoice, String> {
+    let known = VEHICLES.iter().find(|(known, _)| *known == name);
+    known.map(|(_, choice)| *choice).ok_or_else(|| {
+        let names = VEHICLES.map(|(name, _)| name);
+        format!("there are {}", names.join(", "))
+    })
+}
 
 /// Applies `key=value` changes, separated by commas.
 pub fn apply(settings: &mut NavigatorSettings, changes: &str) -> Result<(), String> {
@@ -35,12 +46,15 @@ fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), S
     };
     match key {
         "vehicle" => {
-            let known = VEHICLES.iter().find(|(name, _)| *name == value);
-            settings.vehicle = known.map(|(_, choice)| *choice).ok_or_else(|| {
-                let names: Vec<&str> = VEHICLES.iter().map(|(name, _)| *name).collect();
-                format!("--filter vehicle: there are {}", names.join(", "))
+            settings.vehicle = vehicle(value).map_err(|e| format!("--filter vehicle: {e}"))?;
+        }
+        "estimator" => {
+            settings.estimator.choice = EstimatorChoice::from_key(value).ok_or_else(|| {
+                let keys = EstimatorChoice::ALL.map(EstimatorChoice::key);
+                format!("--filter estimator: there are {}", keys.join(", "))
             })?;
         }
+        "particles" => settings.estimator.particles.count = number()? as usize,
         "alpha" => settings.alpha = number()?,
         "beta" => settings.beta = number()?,
         "redraw" => settings.redraw = switch()?,
@@ -54,6 +68,9 @@ fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), S
         "airspeed" => settings.process.airspeed = number()?,
         "heading" => settings.process.heading = number()?,
         "position" => settings.process.position = number()?,
+        "acceleration" => settings.process.acceleration = number()?,
+        "drag" => settings.process.drag = number()?,
+        "velocity" => settings.process.velocity = number()?,
         "roll" => settings.sensors.roll = number()?.to_radians(),
         "pitch" => settings.sensors.pitch = number()?.to_radians(),
         "yaw" => settings.sensors.yaw = number()?.to_radians(),

@@ -1,6 +1,7 @@
 //! `pilotage`: the jobs of the app without a screen.
 
 mod bench;
+mod compare;
 mod convert;
 mod detect;
 mod evaluate;
@@ -37,6 +38,8 @@ enum Job {
     Simulate(simulate::Arguments),
     /// Run flights through the estimator.
     Replay(replay::Arguments),
+    /// The same flights by several estimators and vehicle models, in one table.
+    Compare(compare::Arguments),
     /// Suggest landmarks, predict the uncertainty along a route.
     Plan(Box<plan::Arguments>),
     /// Train a detector for each landmark from the map alone.
@@ -66,6 +69,7 @@ fn main() -> ExitCode {
         }
         Job::Simulate(arguments) => simulate::run(&arguments),
         Job::Replay(arguments) => replay::run(&arguments),
+        Job::Compare(arguments) => compare::run(&arguments),
         Job::Plan(arguments) => plan::run(&arguments),
         Job::Train(arguments) => train::run(&arguments),
         Job::Evaluate(arguments) => evaluate::run(&arguments),

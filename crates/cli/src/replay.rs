@@ -19,7 +19,7 @@ use crate::simulate::{Day, scenario};
 use crate::statistics::{Quantiles, error_over_bound, print, table};
 
 /// Memory for map tiles, megabytes.
-const MAP_CACHE: usize = 128;
+pub const MAP_CACHE: usize = 128;
 
 /// What to replay.
 #[derive(clap::Args)]
@@ -94,7 +94,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
     report(arguments, &flight, &run, &summary)
 }
 
-fn navigate(
+/// Navigates a flight to its end; a `sparing` one takes no pictures in which nothing may lie.
+pub fn navigate(
     flight: &Arc<Flight>,
     mission: &Mission,
     map: Arc<dyn Imagery>,

@@ -4,6 +4,8 @@ use pilotage_core::exchange::Format;
 use pilotage_core::frames::GroundRect;
 use pilotage_core::navigator::NavigatorSettings;
 
+use crate::compare::CompareCommand;
+use crate::cut::CutCommand;
 use crate::dialogs::WebMapCommand;
 use crate::georeference::GeoreferenceCommand;
 use crate::jobs::SimulationOptions;
@@ -28,6 +30,12 @@ pub enum Command {
     GoToStart,
     /// Move the time cursor to the last time.
     GoToEnd,
+    /// Select a span of time, seconds of the flight, or none.
+    SelectSpan(Option<(f64, f64)>),
+    /// Let the selected span begin at the cursor.
+    SelectFromHere,
+    /// Let the selected span end at the cursor.
+    SelectToHere,
     /// Playback speed, times real time.
     SetSpeed(f64),
     /// Repeat at the end, or not.
@@ -146,6 +154,10 @@ pub enum Command {
     Label(LabelCommand),
     /// Something about the open log.
     Log(LogCommand),
+    /// Something about trajectories beside each other.
+    Compare(CompareCommand),
+    /// Something about satellite navigation cut out of the flight.
+    Cut(CutCommand),
     /// Something about the plan.
     Plan(PlanCommand),
 }

@@ -44,6 +44,9 @@ pub trait Host {
     /// Offers bytes to the user as a file.
     fn save_file(&mut self, name: &str, bytes: &[u8]);
 
+    /// Offers an SVG drawing to the user as a PNG picture of so many pixels across and down.
+    fn save_picture(&mut self, _name: &str, _svg: &str, _size: [u32; 2]) {}
+
     /// Remembers bytes under a key in the browser's own storage.
     fn store(&mut self, key: &str, bytes: &[u8]);
 

@@ -2,7 +2,9 @@
 
 pub mod app;
 pub mod command;
+pub mod compare;
 pub mod context;
+pub mod cut;
 pub mod dialogs;
 pub mod documents;
 pub mod georeference;

@@ -30,6 +30,10 @@ extern "C" {
     #[wasm_bindgen(method, js_name = saveFile)]
     pub fn save_file(this: &Shell, name: &str, bytes: Uint8Array);
 
+    /// Offers an SVG drawing as a PNG picture of so many pixels as a download.
+    #[wasm_bindgen(method, js_name = savePicture)]
+    pub fn save_picture(this: &Shell, name: &str, svg: &str, width: u32, height: u32);
+
     /// Remembers bytes in the browser's storage, soon.
     #[wasm_bindgen(method)]
     pub fn store(this: &Shell, key: &str, bytes: Uint8Array);

@@ -264,6 +264,11 @@ impl Host for PageHost {
         self.inner.borrow().shell.save_file(name, bytes);
     }
 
+    fn save_picture(&mut self, name: &str, svg: &str, [width, height]: [u32; 2]) {
+        let inner = self.inner.borrow();
+        inner.shell.save_picture(name, svg, width, height);
+    }
+
     fn store(&mut self, key: &str, bytes: &[u8]) {
         let bytes = Uint8Array::from(bytes);
         self.inner.borrow().shell.store(key, bytes);

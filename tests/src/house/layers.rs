@@ -7,7 +7,7 @@ use super::{
 };
 
 /// The folders of `crates/core/src` from the bottom up.
-pub const ORDER: [&str; 15] = [
+pub const ORDER: [&str; 17] = [
     "frames",
     "raster",
     "camera",
@@ -15,7 +15,9 @@ pub const ORDER: [&str; 15] = [
     "vehicle",
     "imagery",
     "landmark",
+    "registration",
     "flight",
+    "instruments",
     "navigator",
     "mission",
     "exchange",

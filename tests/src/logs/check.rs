@@ -6,7 +6,7 @@ use pilotage_core::flight::log::{FormatInfo, Log};
 /// still becomes a row.
 const MEMORY_PER_BYTE: usize = 64;
 /// Bytes of memory that any log may cost.
-const MEMORY: usize = 1 << 16;
+const MEMORY: usize = 1 << 17;
 
 /// Reads a file in pieces that end at `ends` (and at its end).
 pub fn read(info: &FormatInfo, bytes: &[u8], ends: &[usize]) -> Log {
@@ -66,8 +66,12 @@ pub fn checked(info: &FormatInfo, bytes: &[u8], ends: &[usize]) -> Result<Log, S
             ));
         }
     }
-    if log.memory() > MEMORY + MEMORY_PER_BYTE * bytes.len() {
-        return Err(format!("{} bytes of memory for {length}", log.memory()));
+    let unpacked = report.unpacked_bytes as usize;
+    if log.memory() > MEMORY + MEMORY_PER_BYTE * (bytes.len() + unpacked) {
+        return Err(format!(
+            "{} bytes of memory for {length} and {unpacked} unpacked",
+            log.memory()
+        ));
     }
     Ok(log)
 }

@@ -6,6 +6,7 @@ use pilotage_core::flight::log::{LogFormat, recognise};
 
 use super::dataflash::Form;
 use super::made;
+use super::mcap::{self, Packing};
 use crate::data::shared;
 
 /// Bytes of a real log that are taken from its beginning, its middle and its end.
@@ -37,6 +38,14 @@ pub fn samples(format: LogFormat) -> Vec<Sample> {
             files.extend((0..8).map(modern));
             files.push(made::modern(Form::Text, 8, 7));
             files.push(thinned_text(&made::of_2013(Form::Text, 12), 0));
+        }
+        LogFormat::Mcap => {
+            for packing in Packing::ALL {
+                files.extend(
+                    [(4, 4), (9, 4), (30, 15)]
+                        .map(|(count, chunk)| mcap::file(packing, count, chunk)),
+                );
+            }
         }
         _ => {
             for log in real_logs(format) {
@@ -78,6 +87,11 @@ fn real_logs(format: LogFormat) -> Vec<Vec<u8>> {
 fn seams(format: LogFormat, bytes: &[u8]) -> Vec<f64> {
     let begins = |at: usize| match format {
         LogFormat::Dataflash => bytes[at..].starts_with(&[0xa3, 0x95]),
+        // A kind of record and the upper bytes of its length.
+        LogFormat::Mcap => {
+            let upper = bytes.get(at + 3..at + 9);
+            (1..16).contains(&bytes[at]) && upper.is_some_and(|upper| upper.iter().all(|b| *b == 0))
+        }
         LogFormat::DataflashText => at > 0 && matches!(bytes[at - 1], b'\n' | b','),
         _ => at.is_multiple_of(16),
     };

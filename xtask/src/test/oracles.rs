@@ -67,7 +67,11 @@ fn interpreter() -> Result<PathBuf, Failure> {
             .arg(&home),
         advice,
     )?;
-    run(pip(&python).arg("-r").arg(&wanted_file), advice)?;
+    // The list is complete: what a program merely could use beside is not needed here.
+    run(
+        pip(&python).args(["--no-deps", "-r"]).arg(&wanted_file),
+        advice,
+    )?;
     fs::write(&installed_file, wanted).map_err(Failure::file(&installed_file))?;
     Ok(python)
 }

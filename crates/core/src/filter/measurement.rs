@@ -195,6 +195,37 @@ impl<const N: usize> Ukf<N> {
         Ok(predicted)
     }
 
+    /// As [`Self::predict_measurement`] where the model is linear: `mean` here, and `jacobian` (m × N).
+    pub(super) fn predict_measurement_along<M: Dim>(
+        &self,
+        mean: OVector<f64, M>,
+        jacobian: &OMatrix<f64, M, Const<N>>,
+        noise: &OMatrix<f64, M, M>,
+    ) -> Result<PredictedMeasurement<N, M>, FilterError>
+    where
+        DefaultAllocator:
+            Allocator<M> + Allocator<M, M> + Allocator<M, Const<N>> + Allocator<Const<N>, M>,
+    {
+        let (size, states) = jacobian.shape_generic();
+        if jacobian.nrows() != mean.nrows() {
+            return Err(FilterError::Size {
+                what: "measurement Jacobian",
+                expected: mean.nrows(),
+                found: jacobian.nrows(),
+            });
+        }
+        let spread = MeasurementSpread {
+            mean,
+            odd: jacobian * self.root,
+            even: OMatrix::zeros_generic(size, states),
+            shift: OVector::<f64, M>::zeros_generic(size, Const::<1>),
+        };
+        let cross_covariance = self.root * spread.odd.transpose();
+        let mut predicted = self.expect(spread, cross_covariance, noise)?;
+        predicted.drawn = true;
+        Ok(predicted)
+    }
+
     #[inline]
     fn expect<M: Dim>(
         &self,

@@ -1,4 +1,5 @@
-//! The unscented Kalman filter, gates, consistency and the bound that no estimator beats.
+//! The unscented Kalman filter and its kin, a smoother, gates, consistency and the bound that no
+//! estimator beats.
 //!
 //! Knows no aircraft and no camera. One step reads:
 //! ```
@@ -20,17 +21,22 @@
 //! ```
 
 mod chi_square;
+mod cloud;
 mod consistency;
 mod correction;
 mod cramer_rao;
 mod error;
+mod extended;
 mod fading;
 mod gate;
 mod gaussian;
+mod jacobian;
 mod measurement;
+mod particles;
 mod reference;
 mod root;
 mod sigma;
+mod smoother;
 #[cfg(test)]
 mod tests;
 mod ukf;
@@ -40,13 +46,17 @@ pub use consistency::{Consistency, ConsistencySummary, chi_square_interval, mean
 pub use correction::Correction;
 pub use cramer_rao::{CramerRao, numerical_jacobian};
 pub use error::FilterError;
+pub use extended::Ekf;
 pub use fading::fading_factor;
 pub use gate::{Gate, GateReason, Verdict};
 pub use gaussian::Gaussian;
+pub use jacobian::partial_jacobian;
 pub use measurement::PredictedMeasurement;
+pub use particles::{ExpectedMeasurement, ParticleFilter, ParticleSettings};
 pub use reference::{
     ReferenceStep, reference_flight, reference_loop, reference_measurement,
     reference_measurement_noise, reference_prior, reference_process, reference_process_noise,
 };
 pub use sigma::{Redraw, SigmaPoints, UnscentedSettings, Weights};
+pub use smoother::{SmootherLink, smooth};
 pub use ukf::{Prediction, Ukf};

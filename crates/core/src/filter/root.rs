@@ -120,6 +120,50 @@ where
     right
 }
 
+/// A solution of L x = `right`, for `right` in the range of L, where pivots of L may be zero with all of
+/// their column; x is zero there.
+pub(super) fn solve_semidefinite<D: Dim, C: Dim>(
+    root: &OMatrix<f64, D, D>,
+    mut right: OMatrix<f64, D, C>,
+) -> OMatrix<f64, D, C>
+where
+    DefaultAllocator: Allocator<D, D> + Allocator<D, C>,
+{
+    for c in 0..right.ncols() {
+        for i in 0..root.nrows() {
+            let mut value = right[(i, c)];
+            for j in 0..i {
+                value -= root[(i, j)] * right[(j, c)];
+            }
+            let pivot = root[(i, i)];
+            right[(i, c)] = if pivot > 0.0 { value / pivot } else { 0.0 };
+        }
+    }
+    right
+}
+
+/// A solution of Lᵀ x = `right`, as [`solve_semidefinite`] for L.
+pub(super) fn solve_semidefinite_transposed<D: Dim, C: Dim>(
+    root: &OMatrix<f64, D, D>,
+    mut right: OMatrix<f64, D, C>,
+) -> OMatrix<f64, D, C>
+where
+    DefaultAllocator: Allocator<D, D> + Allocator<D, C>,
+{
+    let n = root.nrows();
+    for c in 0..right.ncols() {
+        for i in (0..n).rev() {
+            let mut value = right[(i, c)];
+            for j in i + 1..n {
+                value -= root[(j, i)] * right[(j, c)];
+            }
+            let pivot = root[(i, i)];
+            right[(i, c)] = if pivot > 0.0 { value / pivot } else { 0.0 };
+        }
+    }
+    right
+}
+
 /// L⁻ᵀ `right` for lower triangular L without zero pivots.
 #[inline]
 pub(super) fn solve_upper<D: Dim, C: Dim>(

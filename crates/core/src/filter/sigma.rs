@@ -1,9 +1,10 @@
 //! Sigma points and their weights.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{Const, OMatrix, SMatrix, SVector, U1};
 use serde::{Deserialize, Serialize};
 
 use super::FilterError;
+use super::root::WideRoot;
 
 /// Which sigma points go through the measurement model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -217,5 +218,23 @@ impl<const N: usize> Spread<N> {
             even,
             shift: offset * weights.shift,
         }
+    }
+
+    /// Lower triangular root of the spread's covariance with the noise of `noise_root` added.
+    #[inline]
+    pub(super) fn root_with(&self, noise_root: &SMatrix<f64, N, N>) -> SMatrix<f64, N, N> {
+        let mut wide = WideRoot {
+            blocks: [[[0.0; N]; 3]; N],
+            tail: OMatrix::<f64, U1, Const<N>>::zeros(),
+        };
+        for i in 0..N {
+            for j in 0..N {
+                wide.blocks[i][0][j] = self.odd[(i, j)];
+                wide.blocks[i][1][j] = self.even[(i, j)];
+                wide.blocks[i][2][j] = noise_root[(i, j)];
+            }
+            wide.tail[i] = self.shift[i];
+        }
+        wide.triangularise()
     }
 }

@@ -1,9 +1,9 @@
 //! The unscented Kalman filter: state and prediction.
 
-use nalgebra::{SMatrix, SVector, U1};
+use nalgebra::{SMatrix, SVector};
 use serde::{Deserialize, Serialize};
 
-use super::root::{WideRoot, semidefinite_root, square};
+use super::root::{semidefinite_root, square};
 use super::sigma::Spread;
 use super::{FilterError, Gaussian, Redraw, SigmaPoints, UnscentedSettings, Weights};
 
@@ -133,19 +133,7 @@ impl<const N: usize> Ukf<N> {
         let sigma_points_after = sigma_points_before.map(process);
         let spread = Spread::of(&sigma_points_after, &self.weights);
 
-        let mut wide = WideRoot {
-            blocks: [[[0.0; N]; 3]; N],
-            tail: nalgebra::OMatrix::<f64, U1, nalgebra::Const<N>>::zeros(),
-        };
-        for i in 0..N {
-            for j in 0..N {
-                wide.blocks[i][0][j] = spread.odd[(i, j)];
-                wide.blocks[i][1][j] = spread.even[(i, j)];
-                wide.blocks[i][2][j] = noise_root[(i, j)];
-            }
-            wide.tail[i] = spread.shift[i];
-        }
-        let root = wide.triangularise();
+        let root = spread.root_with(&noise_root);
         if !finite(&spread.mean, &root) {
             return Err(FilterError::NotFinite {
                 place: "process model",
@@ -163,6 +151,37 @@ impl<const N: usize> Ukf<N> {
             before,
             sigma_points_before,
             sigma_points_after,
+            after: self.state(),
+        })
+    }
+
+    /// As [`Self::predict`] where the process is linear: to `moved` and along `transition` (N × N).
+    pub(super) fn predict_along(
+        &mut self,
+        moved: SVector<f64, N>,
+        transition: &SMatrix<f64, N, N>,
+        process_noise: &SMatrix<f64, N, N>,
+    ) -> Result<Prediction<N>, FilterError> {
+        let before = self.state();
+        let sigma_points_before = self.sigma_points();
+        let noise_root = semidefinite_root(process_noise, "process noise")?;
+        let spread = Spread {
+            mean: moved,
+            odd: transition * self.root,
+            even: SMatrix::zeros(),
+            shift: SVector::zeros(),
+        };
+        let root = spread.root_with(&noise_root);
+        if !finite(&moved, &root) {
+            return Err(FilterError::NotFinite {
+                place: "process model",
+            });
+        }
+        self.commit(moved, root);
+        Ok(Prediction {
+            before,
+            sigma_points_before,
+            sigma_points_after: SigmaPoints::draw(&moved, &spread.odd, self.weights.eta),
             after: self.state(),
         })
     }

@@ -85,6 +85,10 @@ channels! {
     GpsVelocityEast = "gps_velocity_east", Speed;
     /// Velocity by satellite navigation, m/s down.
     GpsVelocityDown = "gps_velocity_down", Speed;
+    /// Velocity over ground by other means than satellites (motion capture, optical flow), m/s north.
+    VelocityNorth = "velocity_north", Speed;
+    /// Velocity over ground by other means than satellites, m/s east.
+    VelocityEast = "velocity_east", Speed;
     /// Turn rate about the forward axis, rad/s, right wing going down positive.
     RollRate = "roll_rate", AngularRate;
     /// Turn rate about the right axis, rad/s, nose going up positive.

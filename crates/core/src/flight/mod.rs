@@ -1,15 +1,22 @@
 //! What was measured in a flight: channels, frames, and the truth where it is known.
 
+pub mod beside_log;
 mod channel;
+pub mod columns;
+pub mod expression;
 pub mod files;
 mod folder;
 mod frame;
 pub mod interpret;
 pub mod log;
 pub mod overview;
+pub mod photo;
 mod record;
+mod span_statistics;
+mod span_table;
 pub mod trajectory;
 mod truth;
+pub mod video;
 
 pub use channel::{Channel, ChannelName, Quantity};
 pub(crate) use folder::{CameraFile, OriginFile};
@@ -18,4 +25,6 @@ pub use folder::{
 };
 pub use frame::{Frame, FrameError, FrameSource};
 pub use record::{Flight, StartFix};
+pub use span_statistics::SpanStatistics;
+pub use span_table::SpanTable;
 pub use truth::{FrameTruth, Truth, TruthState};

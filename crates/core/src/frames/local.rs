@@ -1,6 +1,6 @@
 //! WGS 84 and the local tangent plane.
 
-use nalgebra::{Point3, Rotation3, Vector3};
+use nalgebra::{Isometry3, Point3, Rotation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
 use super::GroundPoint;
@@ -93,6 +93,18 @@ impl LocalFrame {
             0.0,
             -sin_lat,
         ))
+    }
+
+    /// What carries positions of the frame `other` (NED, metres) into this one: both are turned and moved
+    /// against each other on the globe.
+    pub fn world_from_other_world(&self, other: &Self) -> Isometry3<f64> {
+        let own_from_ecef = self.ecef_from_ned().inverse();
+        let offset = other.origin.to_ecef() - self.origin.to_ecef();
+        let rotation = own_from_ecef * other.ecef_from_ned();
+        Isometry3::from_parts(
+            (own_from_ecef * offset).into(),
+            UnitQuaternion::from_rotation_matrix(&rotation),
+        )
     }
 
     /// World position (NED, metres) of a geodetic position.

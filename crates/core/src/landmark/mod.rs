@@ -27,7 +27,7 @@ pub use detector::{Detection, Detector, FrameView, Refusal, SearchRequest, Sight
 pub use distinct::Landmark;
 pub use distinctness::{PatchDistinctness, distinctness};
 pub use evidence::{CascadeEvidence, MarkedPlace, PatchLook, StageLook};
-pub(crate) use rectify::{GroundView, rectify};
+pub(crate) use rectify::{GroundView, rectify, rectify_plane};
 pub use rehearsal::{Rehearsal, rehearse};
 pub use settings::TemplateSettings;
 pub use template::{MatchEvidence, TemplateDetector};

@@ -1,11 +1,12 @@
 //! The camera picture as a north-up ground view at the map's scale.
 
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 
 use super::FrameView;
-use crate::camera::{Distortion, Lens};
+use crate::camera::{CameraModel, Distortion, Lens};
+use crate::frames::GroundPoint;
 use crate::imagery::Window;
-use crate::raster::{Gray, bilinear};
+use crate::raster::{Gray, Pyramid, bilinear};
 
 /// A rectified picture and how much of it the camera saw.
 #[derive(Clone, Debug)]
@@ -23,24 +24,34 @@ pub struct GroundView {
 /// Rectifies the part of the picture that shows `window`: every ground pixel is projected with the
 /// assumed pose and sampled at the pyramid level that fits the scale.
 pub fn rectify(view: &FrameView<'_>, window: &Window) -> GroundView {
-    let camera = view.camera;
-    let rotation = camera.camera_from_world(&view.pose);
-    let in_camera = |x: f64, y: f64| {
-        let p = window.ground_at(x, y);
-        rotation * (Point3::new(p.north, p.east, view.ground_down) - view.pose.position_in_world)
-    };
+    let rotation = view.camera.camera_from_world(&view.pose);
+    rectify_plane(view.camera, view.luminance, window, |ground| {
+        let point = Point3::new(ground.north, ground.east, view.ground_down);
+        rotation * (point - view.pose.position_in_world)
+    })
+}
+
+/// As [`rectify`], with ground points brought into camera coordinates by `camera_from_ground`, which has
+/// to be affine.
+pub fn rectify_plane(
+    camera: &CameraModel,
+    luminance: &Pyramid,
+    window: &Window,
+    camera_from_ground: impl Fn(GroundPoint) -> Vector3<f64>,
+) -> GroundView {
+    let in_camera = |x: f64, y: f64| camera_from_ground(window.ground_at(x, y));
     // On the plane, camera coordinates are affine in the ground pixel.
     let origin = in_camera(0.5, 0.5);
     let along_x = in_camera(1.5, 0.5) - origin;
     let along_y = in_camera(0.5, 1.5) - origin;
     let middle = in_camera(0.5 * window.width as f64, 0.5 * window.height as f64);
     let camera_pixels = window.gsd * camera.focal / middle.z.max(1e-3);
-    let level = view.luminance.level_for(camera_pixels);
-    let source = view.luminance.level(level);
+    let level = luminance.level_for(camera_pixels);
+    let source = luminance.level(level);
     let shrink = 0.5_f64.powi(level as i32);
     let plain = camera.lens == Lens::Pinhole && camera.distortion == Distortion::default();
 
-    let mut luminance = Gray::filled(window.width, window.height, 0.0);
+    let mut shown = Gray::filled(window.width, window.height, 0.0);
     let mut seen = Gray::filled(window.width, window.height, 1.0);
     let (mut missing, mut sum) = (0_usize, 0.0_f64);
     for row in 0..window.height {
@@ -61,7 +72,7 @@ pub fn rectify(view: &FrameView<'_>, window: &Window) -> GroundView {
             let value =
                 pixel.and_then(|(x, y)| bilinear(source, (x * shrink) as f32, (y * shrink) as f32));
             if let Some(value) = value {
-                luminance.set(column, row, value);
+                shown.set(column, row, value);
                 sum += f64::from(value);
             } else {
                 seen.set(column, row, 0.0);
@@ -79,7 +90,7 @@ pub fn rectify(view: &FrameView<'_>, window: &Window) -> GroundView {
         } else {
             0.0
         };
-        for (pixel, seen) in luminance.pixels_mut().iter_mut().zip(seen.pixels()) {
+        for (pixel, seen) in shown.pixels_mut().iter_mut().zip(seen.pixels()) {
             if *seen == 0.0 {
                 *pixel = mean;
             }
@@ -87,7 +98,7 @@ pub fn rectify(view: &FrameView<'_>, window: &Window) -> GroundView {
     }
     GroundView {
         window: *window,
-        luminance,
+        luminance: shown,
         complete,
         seen,
     }

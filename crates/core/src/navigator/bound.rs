@@ -5,12 +5,13 @@ use nalgebra::{Dyn, Matrix4, OVector, SVector};
 use super::engine::vehicle;
 use super::expected::{Anchor, AppearanceModel};
 use super::geometry::{joint_noise, pose_covariance};
+use super::pipeline::input_between;
 use super::{NavigatorSettings, Run, StepReport};
 use crate::filter::{CramerRao, FilterError, numerical_jacobian};
-use crate::flight::{ChannelName, Flight};
+use crate::flight::Flight;
 use crate::frames::{Attitude, GroundPoint};
 use crate::landmark::Landmark;
-use crate::vehicle::{ControlInput, VehicleModel, VehicleVisitor};
+use crate::vehicle::{VehicleModel, VehicleVisitor};
 
 /// Root mean square over the run of the bound on the position error, metres: no estimator that gets
 /// the same detections can do better.
@@ -65,7 +66,7 @@ impl VehicleVisitor for Bound<'_> {
                 state[i] = wind.x;
                 state[i + 1] = wind.y;
             }
-            let input = self.input(step);
+            let input = input_between(self.flight, step.time - step.dt, step.time);
             let transition = numerical_jacobian(
                 |x: &SVector<f64, N>| Some(model.propagate(x, &input, step.dt)),
                 &state,
@@ -83,17 +84,6 @@ impl VehicleVisitor for Bound<'_> {
 }
 
 impl Bound<'_> {
-    fn input(&self, step: &StepReport) -> ControlInput {
-        let middle = step.time - 0.5 * step.dt;
-        let attitude = self.flight.attitude(middle).unwrap_or_default();
-        self.flight
-            .value(ChannelName::Airspeed, middle)
-            .map_or_else(
-                || ControlInput::without_airspeed(attitude),
-                |airspeed| ControlInput::new(airspeed, attitude),
-            )
-    }
-
     /// Adds the information of the landmarks that the run accepted in this step.
     fn update<const N: usize, V: VehicleModel<N>>(
         &self,

@@ -3,6 +3,7 @@
 mod attention;
 mod bound;
 mod engine;
+mod estimator;
 mod expected;
 mod explain;
 pub(crate) mod geometry;
@@ -14,11 +15,13 @@ mod run_file;
 mod second_opinion;
 mod see;
 mod settings;
+mod smooth;
 mod summary;
 
 pub use crate::landmark::Refusal;
 pub use bound::position_bound;
 pub(crate) use engine::vehicle;
+pub use estimator::{EstimatorChoice, EstimatorSettings};
 pub use explain::{explain, explain_cascade};
 pub(crate) use pipeline::PYRAMID_LEVELS;
 pub use pipeline::{Navigator, NavigatorError};
@@ -29,6 +32,7 @@ pub use report::{
 pub use run::Run;
 pub use run_file::{RunFileError, decode_run, encode_run};
 pub use settings::{NavigatorSettings, ProcessNoise, SensorNoise, StartError, VehicleChoice};
+pub use smooth::smooth;
 pub use summary::{
     ConsistencyFigures, ErrorFigures, FrameTiming, Summary, is_wrong, place_error, summarize,
 };

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use nalgebra::DVector;
+use nalgebra::{DVector, Vector2};
 
 use super::engine::{Engine, engine};
 use super::expected::AppearanceModel;
@@ -15,7 +15,7 @@ use super::{
 use crate::camera::CameraModel;
 use crate::filter::FilterError;
 use crate::flight::{ChannelName, Flight, FrameSource};
-use crate::frames::{Attitude, GroundPoint};
+use crate::frames::{Attitude, GroundPoint, wrap_pi};
 use crate::imagery::Imagery;
 use crate::landmark::{ChosenDetector, Detector, Landmark, Refusal};
 use crate::raster::{Picture, Pyramid};
@@ -187,7 +187,7 @@ impl Navigator {
         let begun = stopwatch();
         let time = tick.time;
         let dt = time - self.time;
-        let (input, control) = self.control(self.time + 0.5 * dt, time);
+        let (input, control) = self.control(self.time, time);
         let predicted = self.engine.predict(&input, dt)?;
         self.second = self.second.take().and_then(|s| s.moved(&input, dt));
         self.unaided = self.engine.dead_reckon(&self.unaided, &input, dt);
@@ -230,15 +230,10 @@ impl Navigator {
         Ok(report)
     }
 
-    /// Input for the prediction (at the middle of the step) and the control at its end.
-    fn control(&self, middle: f64, end: f64) -> (ControlInput, Control) {
+    /// Input for the prediction from `begin` to `end` (at the middle) and the control at the end.
+    fn control(&self, begin: f64, end: f64) -> (ControlInput, Control) {
         let value = |name, time| self.flight.value(name, time);
-        let attitude = self.flight.attitude(middle).unwrap_or_default();
-        let airspeed = value(ChannelName::Airspeed, middle);
-        let input = airspeed.map_or_else(
-            || ControlInput::without_airspeed(attitude),
-            |airspeed| ControlInput::new(airspeed, attitude),
-        );
+        let input = input_between(&self.flight, begin, end);
         let now = self.flight.attitude(end).unwrap_or_default();
         let control = Control {
             airspeed: value(ChannelName::Airspeed, end),
@@ -347,9 +342,15 @@ impl Navigator {
                 Opinion::TakesOver {
                     engine,
                     fading,
+                    step,
                     agreed: others,
                 } => {
                     self.engine = engine;
+                    if let Some(step) = step {
+                        report.before = step.before;
+                        report.sigma.before_predict = step.sigma_before;
+                        report.sigma.after_predict = step.sigma_after;
+                    }
                     report.predicted = self.engine.state();
                     agreed = others;
                     recovered = Some(fading);
@@ -387,6 +388,23 @@ impl Navigator {
         report.timing.see = seen - begun;
         report.timing.update = stopwatch() - seen;
         Ok(())
+    }
+}
+
+/// What drives a prediction from `begin` to `end`: everything as it is in the middle of the step.
+pub(super) fn input_between(flight: &Flight, begin: f64, end: f64) -> ControlInput {
+    let (middle, dt) = (begin + 0.5 * (end - begin), end - begin);
+    let value = |name| flight.value(name, middle);
+    let heading = |time| flight.attitude(time).unwrap_or_default().yaw;
+    let turned = wrap_pi(heading(end) - heading(begin));
+    let north = value(ChannelName::VelocityNorth);
+    ControlInput {
+        airspeed: value(ChannelName::Airspeed),
+        attitude: flight.attitude(middle).unwrap_or_default(),
+        turn_rate: if dt > 0.0 { turned / dt } else { 0.0 },
+        ground_velocity: north
+            .zip(value(ChannelName::VelocityEast))
+            .map(|(north, east)| Vector2::new(north, east)),
     }
 }
 

@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector, Matrix2, Matrix4, Point2, Vector2};
 use serde::{Deserialize, Serialize};
 
+use crate::filter::Gaussian;
 use crate::frames::{GroundPoint, GroundRect, Pose};
 use crate::landmark::Refusal;
 
@@ -28,6 +29,15 @@ pub struct Estimate {
     pub mean: DVector<f64>,
     /// Covariance, n × n.
     pub covariance: DMatrix<f64>,
+}
+
+impl<const N: usize> From<&Gaussian<N>> for Estimate {
+    fn from(belief: &Gaussian<N>) -> Self {
+        Self {
+            mean: DVector::from_column_slice(belief.mean.as_slice()),
+            covariance: DMatrix::from_column_slice(N, N, belief.covariance.as_slice()),
+        }
+    }
 }
 
 impl Estimate {
@@ -166,7 +176,8 @@ pub struct StepReport {
     pub dt: f64,
     /// What drove the prediction.
     pub control: Control,
-    /// Before the prediction.
+    /// Before the prediction: what the step before ended with, unless another belief took over in this one
+    /// (see [`JointReport::recovered`]); then what that one believed.
     pub before: Estimate,
     /// After the prediction.
     pub predicted: Estimate,

@@ -11,7 +11,7 @@
 //! frame share its shake: neither convinces.
 
 use super::CandidateReport;
-use super::engine::Engine;
+use super::engine::{Engine, PredictedStep};
 use super::see::{Agreed, FoundPlace, Seer, stack};
 use crate::filter::{FilterError, fading_factor};
 use crate::vehicle::ControlInput;
@@ -23,6 +23,8 @@ pub struct SecondOpinion {
     landmarks: Vec<u32>,
     /// Factor on the covariance of the first when it was founded.
     fading: f64,
+    /// Its last prediction.
+    step: Option<PredictedStep>,
 }
 
 /// What a second opinion says of a frame in which the first believes nothing.
@@ -35,6 +37,8 @@ pub enum Opinion<'l> {
         engine: Box<dyn Engine>,
         /// Factor on the covariance of the first when the second was founded.
         fading: f64,
+        /// The prediction that brought it here.
+        step: Option<PredictedStep>,
         /// What corrects it.
         agreed: Agreed<'l>,
     },
@@ -43,7 +47,7 @@ pub enum Opinion<'l> {
 impl SecondOpinion {
     /// Moves it along as the first; `None` if it cannot be.
     pub fn moved(mut self, input: &ControlInput, dt: f64) -> Option<Self> {
-        self.engine.predict(input, dt).ok()?;
+        self.step = Some(self.engine.predict(input, dt).ok()?);
         Some(self)
     }
 }
@@ -85,6 +89,7 @@ fn weigh<'l>(
         return Ok(Opinion::TakesOver {
             engine: second.engine,
             fading: second.fading,
+            step: second.step,
             agreed,
         });
     }
@@ -124,6 +129,7 @@ fn founded(
         engine,
         landmarks: agreed.iter().map(|m| m.landmark.id).collect(),
         fading,
+        step: None,
     }))
 }
 

@@ -2,7 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::EstimatorSettings;
 use crate::landmark::TemplateSettings;
+use crate::vehicle::{Multirotor, VelocityDriven};
 
 /// Which process model the filter uses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -18,16 +20,22 @@ pub enum VehicleChoice {
     RandomWalk,
     /// No airspeed: nearly constant velocity.
     ConstantVelocity,
+    /// No airspeed: a multirotor that tilts to move, in a wind (DeAngelo 2016, eqs 49-54).
+    Multirotor,
+    /// No airspeed: a measured velocity over ground (DeAngelo 2016, eqs 55-56).
+    VelocityDriven,
 }
 
 impl VehicleChoice {
     /// Every choice, in the order in which people read them.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 7] = [
         Self::AirplaneWind,
         Self::AirplaneGust,
         Self::AirplaneFull,
         Self::RandomWalk,
         Self::ConstantVelocity,
+        Self::Multirotor,
+        Self::VelocityDriven,
     ];
 
     /// Name for people.
@@ -38,6 +46,8 @@ impl VehicleChoice {
             Self::AirplaneFull => "Airplane + wind + gust + sensor biases",
             Self::RandomWalk => "No airspeed, random walk",
             Self::ConstantVelocity => "No airspeed, nearly constant velocity",
+            Self::Multirotor => "Multirotor + wind",
+            Self::VelocityDriven => "No airspeed, measured velocity",
         }
     }
 }
@@ -76,10 +86,25 @@ pub struct ProcessNoise {
     pub airspeed_bias: f64,
     /// Standard deviation of the heading bias at the start, radians.
     pub heading_bias: f64,
-    /// White noise of the acceleration for the model of nearly constant velocity, (m/s²)/√Hz.
+    /// White noise of the acceleration for the model of nearly constant velocity and for the multirotor,
+    /// (m/s²)/√Hz.
     pub acceleration: f64,
+    /// Drag of a multirotor: its deceleration per velocity through the air, 1/s.
+    #[serde(default = "usual_drag")]
+    pub drag: f64,
+    /// White noise of a measured velocity over ground, (m/s)/√Hz.
+    #[serde(default = "usual_velocity")]
+    pub velocity: f64,
     /// Use DeAngelo's Table 4 (distinct landmarks) once per step, whatever the step.
     pub thesis_per_step: bool,
+}
+
+fn usual_drag() -> f64 {
+    Multirotor::default().drag
+}
+
+fn usual_velocity() -> f64 {
+    VelocityDriven::default().velocity_noise_density
 }
 
 /// Standard deviations of what the camera's pose is computed from, per frame.
@@ -123,6 +148,9 @@ pub struct NavigatorSettings {
     pub detector: TemplateSettings,
     /// Most landmarks looked for in one frame.
     pub most_landmarks: usize,
+    /// Which filter works on the process model; files that say nothing mean the unscented one.
+    #[serde(default)]
+    pub estimator: EstimatorSettings,
 }
 
 impl Default for NavigatorSettings {
@@ -149,6 +177,8 @@ impl Default for NavigatorSettings {
                 airspeed_bias: 0.2,
                 heading_bias: 0.5_f64.to_radians(),
                 acceleration: 1.0,
+                drag: usual_drag(),
+                velocity: usual_velocity(),
                 thesis_per_step: false,
             },
             sensors: SensorNoise {
@@ -161,6 +191,7 @@ impl Default for NavigatorSettings {
             measurement_scale: 1.0,
             detector: TemplateSettings::default(),
             most_landmarks: 8,
+            estimator: EstimatorSettings::default(),
         }
     }
 }

@@ -4,7 +4,9 @@ use nalgebra::{SMatrix, SVector};
 use serde::{Deserialize, Serialize};
 
 use super::airplane::AirData;
-use super::parts::{AirDataBiases, Gusts, add_velocity_noise, mean_squared_wind};
+use super::parts::{
+    AirDataBiases, Gusts, add_velocity_noise, enter_velocity_slope, mean_squared_wind,
+};
 use super::{ControlInput, VehicleModel};
 use crate::filter::Gaussian;
 use crate::frames::GroundPoint;
@@ -69,6 +71,20 @@ impl VehicleModel<8> for AirplaneFull {
         next[1] += (air.y + state[3]) * dt;
         self.gusts.propagate(&mut next, 4, dt);
         next
+    }
+
+    fn transition(
+        &self,
+        state: &SVector<f64, 8>,
+        input: &ControlInput,
+        dt: f64,
+    ) -> SMatrix<f64, 8, 8> {
+        let mut transition = SMatrix::<f64, 8, 8>::identity();
+        let motion = self.air_data.motion(input, state[6], state[7]);
+        enter_velocity_slope(&mut transition, 2, dt);
+        self.gusts.enter_slope(&mut transition, 4, dt);
+        AirDataBiases::enter_slope(&mut transition, 6, &motion, dt);
+        transition
     }
 
     fn process_noise(

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 use serde::{Deserialize, Serialize};
 
 use super::airplane::AirData;
-use super::parts::{AirDataBiases, add_velocity_noise};
+use super::parts::{AirDataBiases, add_velocity_noise, enter_velocity_slope};
 use super::{ControlInput, VehicleModel};
 use crate::filter::Gaussian;
 use crate::frames::GroundPoint;
@@ -45,6 +45,19 @@ impl VehicleModel<6> for AirplaneWindBias {
         next[0] += (air.x + state[2]) * dt;
         next[1] += (air.y + state[3]) * dt;
         next
+    }
+
+    fn transition(
+        &self,
+        state: &SVector<f64, 6>,
+        input: &ControlInput,
+        dt: f64,
+    ) -> SMatrix<f64, 6, 6> {
+        let mut transition = SMatrix::<f64, 6, 6>::identity();
+        let motion = self.air_data.motion(input, state[4], state[5]);
+        enter_velocity_slope(&mut transition, 2, dt);
+        AirDataBiases::enter_slope(&mut transition, 4, &motion, dt);
+        transition
     }
 
     fn process_noise(

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 use serde::{Deserialize, Serialize};
 
 use super::airplane::AirData;
-use super::parts::{Gusts, add_velocity_noise, mean_squared_wind};
+use super::parts::{Gusts, add_velocity_noise, enter_velocity_slope, mean_squared_wind};
 use super::{ControlInput, VehicleModel};
 use crate::filter::Gaussian;
 use crate::frames::GroundPoint;
@@ -59,6 +59,18 @@ impl VehicleModel<6> for AirplaneWindGust {
         next[1] += (air.y + state[3]) * dt;
         self.gusts.propagate(&mut next, 4, dt);
         next
+    }
+
+    fn transition(
+        &self,
+        _state: &SVector<f64, 6>,
+        _input: &ControlInput,
+        dt: f64,
+    ) -> SMatrix<f64, 6, 6> {
+        let mut transition = SMatrix::<f64, 6, 6>::identity();
+        enter_velocity_slope(&mut transition, 2, dt);
+        self.gusts.enter_slope(&mut transition, 4, dt);
+        transition
     }
 
     fn process_noise(

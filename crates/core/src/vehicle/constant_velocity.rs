@@ -3,7 +3,7 @@
 use nalgebra::{Matrix4, SMatrix, SVector, Vector4};
 use serde::{Deserialize, Serialize};
 
-use super::parts::add_velocity_noise;
+use super::parts::{add_velocity_noise, enter_velocity_slope};
 use super::{ControlInput, VehicleModel};
 use crate::filter::Gaussian;
 use crate::frames::GroundPoint;
@@ -35,6 +35,17 @@ impl VehicleModel<4> for ConstantVelocity {
             state[2],
             state[3],
         )
+    }
+
+    fn transition(
+        &self,
+        _state: &SVector<f64, 4>,
+        _input: &ControlInput,
+        dt: f64,
+    ) -> SMatrix<f64, 4, 4> {
+        let mut transition = SMatrix::<f64, 4, 4>::identity();
+        enter_velocity_slope(&mut transition, 2, dt);
+        transition
     }
 
     fn process_noise(

@@ -2,11 +2,13 @@
 
 mod airplane;
 mod airplane_full;
+mod airplane_scaled;
 mod airplane_wind;
 mod airplane_wind_bias;
 mod airplane_wind_gust;
 mod constant_velocity;
 mod model;
+mod multirotor;
 mod noise;
 mod parts;
 mod random_walk;
@@ -14,15 +16,19 @@ mod registry;
 #[cfg(test)]
 mod tests;
 mod thesis_noise;
+mod velocity_driven;
 
 pub use airplane::AirData;
 pub use airplane_full::AirplaneFull;
+pub use airplane_scaled::{AirDataErrors, AirplaneScaled};
 pub use airplane_wind::AirplaneWind;
 pub use airplane_wind_bias::AirplaneWindBias;
 pub use airplane_wind_gust::AirplaneWindGust;
 pub use constant_velocity::ConstantVelocity;
 pub use model::{ControlInput, VehicleModel};
+pub use multirotor::Multirotor;
 pub use parts::{AirDataBiases, Gusts};
 pub use random_walk::RandomWalk;
 pub use registry::{VehicleSettings, VehicleVisitor, all_vehicles};
 pub use thesis_noise::ThesisNoise;
+pub use velocity_driven::VelocityDriven;

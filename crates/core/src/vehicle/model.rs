@@ -1,18 +1,24 @@
 //! What a vehicle is to the filter.
 
-use nalgebra::{SMatrix, SVector, Vector2};
+use nalgebra::{DVector, SMatrix, SVector, Vector2};
 use serde::{Deserialize, Serialize};
 
-use crate::filter::Gaussian;
+use crate::filter::{Gaussian, partial_jacobian};
 use crate::frames::{Attitude, GroundPoint};
 
-/// What the vehicle's own instruments say at a moment; DeAngelo 2016, eq. 26, and the attitude.
+/// What the vehicle's own instruments say at a moment; DeAngelo 2016, eqs 26 and 50, and the attitude.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct ControlInput {
     /// True airspeed, m/s, where it is measured.
     pub airspeed: Option<f64>,
     /// Attitude; its yaw is the heading, radians clockwise from north.
     pub attitude: Attitude,
+    /// Rate of the heading, rad/s clockwise, even over the step.
+    pub turn_rate: f64,
+    /// Velocity over ground, m/s north and east, where something other than satellites measures it:
+    /// motion capture, optical flow.
+    pub ground_velocity: Option<Vector2<f64>>,
 }
 
 impl ControlInput {
@@ -21,14 +27,15 @@ impl ControlInput {
         Self {
             airspeed: Some(airspeed),
             attitude,
+            ..Self::default()
         }
     }
 
     /// Attitude of a vehicle whose airspeed nobody measures.
     pub fn without_airspeed(attitude: Attitude) -> Self {
         Self {
-            airspeed: None,
             attitude,
+            ..Self::default()
         }
     }
 
@@ -44,6 +51,24 @@ impl ControlInput {
 pub trait VehicleModel<const N: usize> {
     /// The state `dt` seconds later if nothing unexpected happens.
     fn propagate(&self, state: &SVector<f64, N>, input: &ControlInput, dt: f64) -> SVector<f64, N>;
+
+    /// Slope of [`Self::propagate`] with the state, N × N: for filters that need one.
+    ///
+    /// By differences where a model has no formula of its own, exact to about 1e-11 of the entries.
+    fn transition(
+        &self,
+        state: &SVector<f64, N>,
+        input: &ControlInput,
+        dt: f64,
+    ) -> SMatrix<f64, N, N> {
+        let moved = |x: &SVector<f64, N>| {
+            let moved = self.propagate(x, input, dt);
+            Some(DVector::from_column_slice(moved.as_slice()))
+        };
+        let all: [usize; N] = std::array::from_fn(|i| i);
+        partial_jacobian(moved, state, &all)
+            .map_or_else(SMatrix::zeros, |j| SMatrix::from_fn(|i, k| j[(i, k)]))
+    }
 
     /// Covariance of what unexpected things add to the state in `dt` seconds.
     fn process_noise(

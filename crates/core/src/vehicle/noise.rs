@@ -27,6 +27,32 @@ pub(super) fn add_integrated_random_walk<const N: usize>(
     noise[(index, index)] += q * dt;
 }
 
+/// Adds white noise of `density` whose unit impulse has moved the state by `effect(s)` when s seconds
+/// have passed since.
+///
+/// The integral of `effect effectᵀ` over the step by the eight points of Gauss and Legendre: exact for
+/// polynomials of the 15th degree, and a sum of squares for every effect.
+pub(super) fn add_white_noise<const N: usize>(
+    noise: &mut SMatrix<f64, N, N>,
+    density: f64,
+    dt: f64,
+    effect: impl Fn(f64) -> SVector<f64, N>,
+) {
+    /// Places, in half steps from the middle, and weights (Abramowitz and Stegun, table 25.4).
+    const POINTS: [(f64, f64); 4] = [
+        (0.183_434_642_495_649_8, 0.362_683_783_378_362),
+        (0.525_532_409_916_329, 0.313_706_645_877_887_3),
+        (0.796_666_477_413_626_7, 0.222_381_034_453_374_47),
+        (0.960_289_856_497_536_2, 0.101_228_536_290_376_26),
+    ];
+    for (place, weight) in POINTS {
+        for side in [-1.0, 1.0] {
+            let effect = effect(0.5 * dt * (1.0 + side * place));
+            *noise += effect * effect.transpose() * (0.5 * dt * weight * density * density);
+        }
+    }
+}
+
 /// A first-order Gauss-Markov process (an exponentially correlated velocity such as a gust).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct GaussMarkov {

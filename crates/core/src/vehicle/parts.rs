@@ -52,6 +52,20 @@ impl Gusts {
         }
     }
 
+    /// Enters the slope of [`Self::propagate`] into that of a model.
+    pub(super) fn enter_slope<const N: usize>(
+        &self,
+        transition: &mut SMatrix<f64, N, N>,
+        first: usize,
+        dt: f64,
+    ) {
+        let step = GaussMarkov::over(0.0, self.correlation_time, dt);
+        for axis in 0..2 {
+            transition[(axis, first + axis)] = step.travel;
+            transition[(first + axis, first + axis)] = step.persistence;
+        }
+    }
+
     /// Adds their noise in winds whose mean square is `squared_wind` (m/s)².
     pub(super) fn add_noise<const N: usize>(
         &self,
@@ -106,21 +120,47 @@ impl AirDataBiases {
         motion: &AirMotion,
         dt: f64,
     ) {
-        let airspeed_effect = if motion.measured {
-            -motion.ahead
-        } else {
-            Vector2::zeros()
-        };
-        let effects = [
-            (self.airspeed_bias_noise_density, airspeed_effect),
-            (
-                self.heading_bias_noise_density,
-                -motion.right() * motion.airspeed,
-            ),
+        let densities = [
+            self.airspeed_bias_noise_density,
+            self.heading_bias_noise_density,
         ];
-        for (k, (density, velocity)) in effects.into_iter().enumerate() {
+        for (k, (density, velocity)) in densities.into_iter().zip(effects(motion)).enumerate() {
             add_integrated_random_walk(noise, first + k, &position_effect(velocity), density, dt);
         }
+    }
+
+    /// Enters what the biases at `first` do to the position in `dt` seconds into the slope of a model.
+    pub(super) fn enter_slope<const N: usize>(
+        transition: &mut SMatrix<f64, N, N>,
+        first: usize,
+        motion: &AirMotion,
+        dt: f64,
+    ) {
+        for (k, velocity) in effects(motion).into_iter().enumerate() {
+            transition[(0, first + k)] = velocity.x * dt;
+            transition[(1, first + k)] = velocity.y * dt;
+        }
+    }
+}
+
+/// Change of the velocity (north, east) with the airspeed's bias, and with the heading's, m/s per rad.
+fn effects(motion: &AirMotion) -> [Vector2<f64>; 2] {
+    let of_airspeed = if motion.measured {
+        -motion.ahead
+    } else {
+        Vector2::zeros()
+    };
+    [of_airspeed, -motion.right() * motion.airspeed]
+}
+
+/// Enters a velocity (wind, or over ground) at `first` that moves the position into the slope of a model.
+pub(super) fn enter_velocity_slope<const N: usize>(
+    transition: &mut SMatrix<f64, N, N>,
+    first: usize,
+    dt: f64,
+) {
+    for axis in 0..2 {
+        transition[(axis, first + axis)] = dt;
     }
 }
 

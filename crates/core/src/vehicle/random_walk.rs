@@ -28,6 +28,15 @@ impl VehicleModel<2> for RandomWalk {
         *state
     }
 
+    fn transition(
+        &self,
+        _state: &SVector<f64, 2>,
+        _input: &ControlInput,
+        _dt: f64,
+    ) -> SMatrix<f64, 2, 2> {
+        Matrix2::identity()
+    }
+
     fn process_noise(
         &self,
         _state: &SVector<f64, 2>,

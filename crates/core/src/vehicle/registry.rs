@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::{
-    AirplaneFull, AirplaneWind, AirplaneWindBias, AirplaneWindGust, ConstantVelocity, RandomWalk,
-    ThesisNoise, VehicleModel,
+    AirplaneFull, AirplaneScaled, AirplaneWind, AirplaneWindBias, AirplaneWindGust,
+    ConstantVelocity, Multirotor, RandomWalk, ThesisNoise, VehicleModel, VelocityDriven,
 };
 
 /// Something that wants to work with a vehicle model of any state size.
@@ -72,12 +72,21 @@ registry! {
     /// Steady wind, gusts and biased air data.
     AirplaneFull = "airplane-full", "Airplane, wind, gusts and biases",
         "As airplane in wind, with gusts and with air data that read slowly wrong.";
+    /// Steady wind, gusts, an airspeed that reads by a factor wrong, a biased heading.
+    AirplaneScaled = "airplane-scaled", "Airplane, wind, gusts, airspeed scale",
+        "As airplane in wind and gusts, with an airspeed that reads by a factor wrong and a biased heading.";
     /// Position only.
     RandomWalk = "random-walk", "Random walk",
         "Nothing is known but that the position changes slowly.";
     /// Position and velocity over ground.
     ConstantVelocity = "constant-velocity", "Nearly constant velocity",
         "Keeps its velocity over ground but for small accelerations.";
+    /// Multirotor in wind.
+    Multirotor = "multirotor", "Multirotor, wind",
+        "Is pushed where it tilts and slowed down by the air, which moves with the wind.";
+    /// Measured velocity over ground.
+    VelocityDriven = "velocity-driven", "Measured velocity",
+        "Moves with a measured velocity over ground that reads slowly wrong.";
 }
 
 impl Default for VehicleSettings {
@@ -115,6 +124,12 @@ impl VehicleSettings {
 
     /// Whether the model uses a measured airspeed.
     pub fn uses_airspeed(&self) -> bool {
-        !matches!(self, Self::RandomWalk(_) | Self::ConstantVelocity(_))
+        !matches!(
+            self,
+            Self::RandomWalk(_)
+                | Self::ConstantVelocity(_)
+                | Self::Multirotor(_)
+                | Self::VelocityDriven(_)
+        )
     }
 }

@@ -169,6 +169,40 @@ fn gusts_are_as_strong_as_the_wind_that_is_believed_in() {
     );
 }
 
+/// Checks the slope that a model gives against differences of what it does.
+struct Slopes {
+    input: ControlInput,
+    dt: f64,
+    offset: f64,
+}
+
+impl VehicleVisitor for Slopes {
+    type Output = ();
+
+    fn visit<const N: usize, V: VehicleModel<N>>(self, model: V) {
+        let prior = model.prior(GroundPoint::new(5.0, -7.0), 3.0);
+        let state = prior.mean + prior.standard_deviations() * self.offset;
+        let step = |x: &SVector<f64, N>| Some(model.propagate(x, &self.input, self.dt));
+        let differences = numerical_jacobian::<N, Const<N>>(step, &state).unwrap();
+        let slope = model.transition(&state, &self.input, self.dt);
+        assert_relative_eq!(slope, differences, epsilon = 1e-7, max_relative = 1e-7);
+    }
+}
+
+proptest! {
+    #[test]
+    fn the_slope_of_every_model_is_that_of_what_it_does(
+        heading in -7.0..7.0, airspeed in prop::option::of(0.0..40.0), offset in -2.0..2.0,
+        dt in 0.001..3.0,
+    ) {
+        let attitude = Attitude { roll: 0.2, pitch: -0.1, yaw: heading };
+        let input = ControlInput { airspeed, attitude, ..ControlInput::default() };
+        for vehicle in all_vehicles() {
+            vehicle.visit(Slopes { input, dt, offset });
+        }
+    }
+}
+
 /// Checks what every model promises about its noise at a state.
 struct Promises {
     input: ControlInput,
@@ -219,7 +253,8 @@ proptest! {
         heading in -7.0..7.0, airspeed in prop::option::of(0.0..40.0), bias in -0.3..0.3,
         log_dt in -3.0_f64..1.0,
     ) {
-        let input = ControlInput { airspeed, attitude: Attitude::level(heading) };
+        let attitude = Attitude { roll: 0.2, pitch: -0.1, yaw: heading };
+        let input = ControlInput { airspeed, attitude, ..ControlInput::default() };
         for vehicle in all_vehicles() {
             vehicle.visit(Promises { input, dt: 10.0_f64.powf(log_dt), bias });
         }

@@ -71,6 +71,8 @@ pub struct Exporting {
     reason = "each is a wish of its own that waits for something"
 )]
 pub struct Desk {
+    /// The cut that is being made.
+    pub cutting: Option<JobId>,
     /// The flight being flown.
     pub fly: Option<FlyJob>,
     /// When to fly again after a change, milliseconds of the host's clock.
@@ -162,6 +164,10 @@ impl Desk {
             let reading = self.logs.reading.as_ref()?;
             Some((reading.progress, reading.words.as_str()))
         };
-        fly.or_else(reading).or_else(opening).or_else(preparing)
+        let table = || self.logs.answers.table_progress();
+        fly.or_else(reading)
+            .or_else(table)
+            .or_else(opening)
+            .or_else(preparing)
     }
 }

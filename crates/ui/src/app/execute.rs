@@ -24,6 +24,8 @@ impl App {
             Command::Plan(command) => self.plan(command, now),
             Command::Label(command) => self.label(command, host),
             Command::Log(command) => self.log(command, host),
+            Command::Cut(command) => self.cut(&command, host),
+            Command::Compare(command) => self.compare(&command, host),
             Command::WebMap(command) => self.web_map(command, host),
             Command::Georeference(command) => self.georeference(&command, host),
             Command::Undo | Command::Redo if self.views.georeferencer.is_some() => {
@@ -41,6 +43,9 @@ impl App {
             | Command::Jump(_)
             | Command::GoToStart
             | Command::GoToEnd
+            | Command::SelectSpan(_)
+            | Command::SelectFromHere
+            | Command::SelectToHere
             | Command::SetSpeed(_)
             | Command::ToggleLoop
             | Command::ToggleBookmark
@@ -82,6 +87,7 @@ impl App {
 
     fn play(&mut self, command: &Command) {
         let span = self.documents.span();
+        let whole = self.documents.whole_span();
         let playback = &mut self.playback;
         match *command {
             Command::TogglePlay => {
@@ -99,6 +105,9 @@ impl App {
                 playback.seek(f64::INFINITY, span);
                 playback.playing = false;
             }
+            Command::SelectSpan(selected) => playback.select(selected, whole),
+            Command::SelectFromHere => playback.select_from_here(whole),
+            Command::SelectToHere => playback.select_to_here(whole),
             Command::SetSpeed(speed) => playback.set_speed(speed),
             Command::ToggleLoop => playback.looping = !playback.looping,
             Command::ToggleBookmark => {
@@ -246,8 +255,10 @@ impl App {
             }
             Command::FlyAgain => self.fly_again(host),
             Command::CancelJob if self.desk.fly.is_none() => {
-                let _ =
-                    self.stop_reading(host) || self.stop_opening(host) || self.stop_preparing(host);
+                let _ = self.stop_cutting(host)
+                    || self.stop_reading(host)
+                    || self.stop_opening(host)
+                    || self.stop_preparing(host);
             }
             Command::CancelJob => {
                 self.documents.run_complete |= self.desk.fly.as_ref().is_some_and(|f| f.began);

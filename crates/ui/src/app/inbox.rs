@@ -66,7 +66,10 @@ impl App {
     }
 
     fn event(&mut self, context: &egui::Context, host: &mut dyn Host, id: JobId, event: JobEvent) {
-        if self.plan_event(id, &event, host.now()) || self.evaluating.receive(id, &event) {
+        if self.plan_event(id, &event, host.now())
+            || self.evaluating.receive(id, &event)
+            || self.cut_event(id, &event)
+        {
         } else if self.desk.fly.as_ref().is_some_and(|f| f.id == id) {
             self.fly_event(host, event);
         } else if self.desk.logs.has(id) {
@@ -215,6 +218,7 @@ impl App {
     /// Puts the cursor at the start and the map over the flight.
     fn show_new_flight(&mut self) {
         self.selection = None;
+        self.playback.selected_span = None;
         if let Some((first, _)) = self.documents.span() {
             self.playback.time = first;
         }

@@ -6,10 +6,12 @@ use egui::{Frame, Margin, Panel, Stroke, Ui, vec2};
 
 use pilotage_core::frames::LocalFrame;
 
+use super::comparing::compare_scene;
 use super::log_panels::{log_column, log_or_run_plots};
 use super::{App, SideTab, Views};
 use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
+use crate::cut::{CutScene, cut_panel};
 use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
 use crate::labelling::LabelCommand;
@@ -61,6 +63,7 @@ impl Scene<'_> {
             run: self.documents.run.as_ref(),
             ghost: self.documents.ghost.as_ref(),
             time: self.playback.time,
+            selected_span: self.playback.selected_span,
             playing: self.playback.playing,
             selection: self.selection,
             pictures: &pictures,
@@ -327,6 +330,8 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
                             SideTab::Detector,
                             SideTab::Filter,
                             SideTab::Landmarks,
+                            SideTab::Compare,
+                            SideTab::Cut,
                         ];
                         let tabs = &tabs[usize::from(!has_log)..];
                         tabbed(ui, scene, views, commands, tabs);
@@ -380,6 +385,8 @@ fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
                             SideTab::Filter,
                             SideTab::Plots,
                             SideTab::Landmarks,
+                            SideTab::Compare,
+                            SideTab::Cut,
                         ];
                         let has_log = scene.documents.log.is_some();
                         tabbed(ui, scene, views, commands, &tabs[usize::from(!has_log)..]);
@@ -452,6 +459,8 @@ fn tabbed(
                 SideTab::Filter => "Filter",
                 SideTab::Landmarks => "Landmarks",
                 SideTab::Log => "Log",
+                SideTab::Compare => "Compare",
+                SideTab::Cut => "GPS cut",
                 SideTab::Camera => "Camera",
                 SideTab::Plots => "Plots",
             };
@@ -477,9 +486,37 @@ fn tabbed(
                 scene.with_context(commands, |c| log_column(ui, c, views, log, progress));
             }
         }
+        SideTab::Compare => compare(ui, scene, views, commands),
+        SideTab::Cut => cut(ui, scene, commands),
         SideTab::Camera => scene.with_context(commands, |c| views.camera.show(ui, c)),
         SideTab::Plots => scene.with_context(commands, |c| views.plots.show(ui, c)),
     }
+}
+
+/// Satellite navigation cut out of the flight.
+fn cut(ui: &mut Ui, scene: &Scene<'_>, commands: &mut Vec<Command>) {
+    let cut = CutScene {
+        cuts: &scene.documents.cuts,
+        selected: scene.playback.selected_span,
+        first: scene.documents.span().map_or(0.0, |span| span.0),
+    };
+    egui::ScrollArea::vertical()
+        .id_salt("cut")
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            scene.with_context(commands, |c| cut_panel(ui, c, &cut));
+        });
+}
+
+/// Trajectories beside each other.
+fn compare(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+    egui::ScrollArea::vertical()
+        .id_salt("compare")
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            let open = compare_scene(scene.documents);
+            scene.with_context(commands, |c| views.comparison.show(ui, c, &open));
+        });
 }
 
 fn examined<'a>(scene: &Scene<'a>) -> Examined<'a> {
@@ -563,6 +600,8 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                 ground: &scene.documents.terrain,
                 attribution: scene.documents.attribution(),
                 log: scene.documents.log.as_ref(),
+                kept: scene.documents.shelf.kept(),
+                cut: scene.documents.cuts.report.as_ref(),
             };
             scene.with_context(commands, |context| {
                 if planning || georeferencing {

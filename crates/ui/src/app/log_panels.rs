@@ -5,7 +5,7 @@ use egui::Ui;
 use super::Views;
 use crate::context::ViewContext;
 use crate::jobs::SeriesName;
-use crate::log::{OpenLog, overview_panel};
+use crate::log::{LogTab, OpenLog, overview_panel, statistics_panel};
 use crate::views::parts;
 
 /// The overview of a log, and its fields.
@@ -16,32 +16,35 @@ pub(super) fn log_column(
     log: &OpenLog,
     progress: Option<f32>,
 ) {
+    let tokens = context.tokens;
     let Views {
+        log_tab,
         log_fields,
         log_plots,
+        presets,
         ..
     } = views;
     ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 0.5 * context.tokens.space;
-        for (is_list, title) in [(false, "Overview"), (true, "Fields")] {
-            let on = log_fields.is_open == is_list;
-            if parts::chip(
-                ui,
-                context.tokens,
-                on,
-                title,
-                &format!("{title} of the log"),
-            )
-            .clicked()
-            {
-                log_fields.is_open = is_list;
+        ui.spacing_mut().item_spacing.x = 0.5 * tokens.space;
+        for tab in LogTab::ALL {
+            let title = tab.label();
+            let name = format!("{title} of the log");
+            if parts::chip(ui, tokens, *log_tab == tab, title, &name).clicked() {
+                *log_tab = tab;
             }
         }
     });
-    if log_fields.is_open {
-        let plotted = |series: &SeriesName| log_plots.has(series);
-        log_fields.show(ui, context, log, &plotted);
-        return;
+    match log_tab {
+        LogTab::Overview => {}
+        LogTab::Fields => {
+            let plotted = |series: &SeriesName| log_plots.has(series);
+            log_fields.show(ui, context, log, presets, &plotted);
+            return;
+        }
+        LogTab::Statistics => {
+            statistics_panel(ui, context, log, log_plots);
+            return;
+        }
     }
     let width = ui.available_width();
     egui::ScrollArea::vertical()
@@ -72,7 +75,7 @@ pub(super) fn log_or_run_plots(
         }
         if views.shows_log_plots {
             ui.add_space(tokens.space);
-            views.log_plots.chips(ui, context, log);
+            views.log_plots.chips(ui, context, log, &views.presets);
         }
     });
     if views.shows_log_plots {

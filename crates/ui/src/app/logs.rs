@@ -8,11 +8,12 @@ use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::mission::Mission;
 
 use super::desk::Opening;
+use super::log_answers::LogAnswers;
 use super::{App, SideTab};
 use crate::command::Workspace;
 use crate::host::Host;
 use crate::jobs::{FlightSource, Job, JobEvent, JobId, MapSource, ReadLog, SeriesName};
-use crate::log::{LogCommand, OpenLog};
+use crate::log::{LogCommand, OpenLog, PresetCommand};
 
 /// Farthest from a flight that the origin of the map may lie that was open before, metres: what lies
 /// further is a map of somewhere else.
@@ -49,6 +50,8 @@ pub(super) struct LogWork {
     fetching: HashMap<JobId, SeriesName>,
     /// Whether the worker that had the log is gone.
     lost: bool,
+    /// What else is asked about the log.
+    pub answers: LogAnswers,
     /// How often the log that is open was read again for that.
     rereads: u8,
 }
@@ -57,7 +60,7 @@ impl LogWork {
     /// Whether a job is about a log.
     pub fn has(&self, id: JobId) -> bool {
         let is_reading = self.reading.as_ref().is_some_and(|r| r.id == id);
-        is_reading || self.fetching.contains_key(&id)
+        is_reading || self.fetching.contains_key(&id) || self.answers.has(id)
     }
 }
 
@@ -125,6 +128,10 @@ impl App {
             self.series_event(id, event);
             return;
         }
+        if self.desk.logs.answers.has(id) {
+            self.answer_event(host, id, event);
+            return;
+        }
         let Some(reading) = &mut self.desk.logs.reading else {
             return;
         };
@@ -135,7 +142,10 @@ impl App {
             JobEvent::LogOutline(outline) => {
                 self.show_log(host);
                 if let Some(log) = &mut self.documents.log {
-                    log.outline = Some(*outline);
+                    log.grow(*outline);
+                }
+                if self.views.log_plots.is_empty() {
+                    self.views.log_plots.begin(OpenLog::likely_fields());
                 }
             }
             JobEvent::LogRead(read) => {
@@ -171,6 +181,8 @@ impl App {
             self.documents.bookmarks.clear();
         }
         self.desk.logs.fetching.clear();
+        self.desk.logs.answers = LogAnswers::default();
+        self.playback.selected_span = None;
         self.views.camera.clear();
         self.views.log_plots.begin(Vec::new());
         self.desk.document_changed = true;
@@ -188,13 +200,18 @@ impl App {
         let Some(log) = &mut self.documents.log else {
             return;
         };
-        log.outline = Some(read.outline);
+        log.grow(read.outline);
         log.overview = Some(read.overview);
-        log.series.clear();
-        if self.views.log_plots.is_empty() {
-            self.views.log_plots.begin(log.first_fields());
+        self.desk.logs.answers = LogAnswers::default();
+        let plots = &mut self.views.log_plots;
+        if plots.is_empty() || plots.panels().eq(OpenLog::likely_fields()) {
+            plots.begin(log.first_fields());
         }
         self.desk.logs.fetching.clear();
+        if let Some(why) = read.lost_pictures {
+            let title = "The pictures beside the log were left out";
+            self.toasts.trouble(host.now(), title.to_owned(), why);
+        }
         match read.flight {
             Ok(flight) => {
                 let map = reading.map.clone();
@@ -241,29 +258,40 @@ impl App {
             JobEvent::Finished | JobEvent::Cancelled => {
                 self.desk.logs.fetching.remove(&id);
             }
-            JobEvent::Failed(_) => {
-                // The worker that had the log is gone: another one has to read it first.
+            // What is read by and by may have it yet.
+            JobEvent::Failed(_) if self.desk.logs.reading.is_some() => {
                 self.desk.logs.fetching.remove(&id);
-                let work = &mut self.desk.logs;
-                if work.reading.is_none() && work.rereads < MOST_REREADS {
-                    work.rereads += 1;
-                    work.lost = true;
+            }
+            JobEvent::Failed(_) => {
+                let series = self.desk.logs.fetching.remove(&id);
+                if let (Some(log), Some(series)) = (&mut self.documents.log, series) {
+                    log.series.remove(&series);
                 }
+                self.log_is_lost();
             }
             _ => {}
         }
     }
 
+    /// The worker that had the log is gone: another one has to read it first.
+    pub(super) fn log_is_lost(&mut self) {
+        let work = &mut self.desk.logs;
+        if work.reading.is_none() && work.rereads < MOST_REREADS {
+            work.rereads += 1;
+            work.lost = true;
+        }
+    }
+
     /// Asks for the fields that are plotted and not there.
     pub(super) fn fetch_series(&mut self, host: &mut dyn Host) {
-        let Some(log) = &self.documents.log else {
-            return;
-        };
         if std::mem::take(&mut self.desk.logs.lost) {
             self.reopen_log(host);
             return;
         }
-        if !log.is_read() {
+        let Some(log) = &mut self.documents.log else {
+            return;
+        };
+        if log.outline.is_none() {
             return;
         }
         let work = &mut self.desk.logs;
@@ -272,9 +300,10 @@ impl App {
         let wanted = self.views.log_plots.fields().into_iter().cloned();
         let missing: Vec<SeriesName> = wanted
             .chain(track)
-            .filter(|series| !log.series.contains_key(series) && !is_asked(series))
+            .filter(|series| !log.is_up_to_date(series) && !is_asked(series))
             .collect();
         for series in missing {
+            log.look_for(&series);
             let id = host.start(Job::LogSeries {
                 key: log.key.clone(),
                 file: log.file.clone(),
@@ -293,6 +322,25 @@ impl App {
                 self.view.side_open = true;
                 self.dialogs.settings = false;
                 self.side_tab = SideTab::Log;
+            }
+            LogCommand::ShowTab(tab) => {
+                self.views.log_tab = tab;
+                self.log(LogCommand::Show, host);
+            }
+            LogCommand::SaveTable => self.save_table(host),
+            LogCommand::SaveSvg => self.save_plots(host, false),
+            LogCommand::SavePng => self.save_plots(host, true),
+            LogCommand::ShowPreset(preset) => {
+                let log = self.documents.log.as_ref();
+                self.arrange_plots(log.map(|log| preset.panels(log)).unwrap_or_default());
+            }
+            LogCommand::Presets(PresetCommand::Show(name)) => {
+                let preset = self.views.presets.named(&name);
+                self.arrange_plots(preset.map(|it| it.panels.clone()).unwrap_or_default());
+            }
+            LogCommand::Presets(command) => {
+                let shown = self.views.log_plots.arrangement();
+                self.views.presets.execute(command, shown);
             }
             LogCommand::ReadAgain => self.reopen_log(host),
             other => {

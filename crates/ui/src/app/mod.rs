@@ -1,6 +1,8 @@
 //! The app: one object that the shell draws every frame.
 
 mod brief;
+mod comparing;
+mod cutting;
 mod desk;
 mod detector;
 mod evaluating;
@@ -12,6 +14,7 @@ mod keeping;
 mod labelling;
 mod layout;
 mod link;
+mod log_answers;
 mod log_panels;
 mod logs;
 mod maps;
@@ -25,12 +28,13 @@ mod web_maps;
 mod work;
 
 use crate::command::{Command, Workspace};
+use crate::compare::CompareView;
 use crate::dialogs::{SimulateDialog, WebMapDialog};
 use crate::documents::{Documents, ViewState};
 use crate::georeference::Georeferencer;
 use crate::host::Host;
 use crate::labelling::Labeller;
-use crate::log::{FieldList, LogPlots};
+use crate::log::{FieldList, LogPlots, LogTab, OwnPresets};
 use crate::map::MapView;
 use crate::plan::Planner;
 use crate::shell::keys::ShortcutListener;
@@ -54,6 +58,10 @@ pub enum SideTab {
     Landmarks,
     /// The log that is open.
     Log,
+    /// Trajectories beside each other.
+    Compare,
+    /// Satellite navigation cut out of the flight.
+    Cut,
     /// The camera picture (narrow windows only).
     #[default]
     Camera,
@@ -86,8 +94,11 @@ struct Views {
     planner: Planner,
     georeferencer: Option<Georeferencer>,
     labeller: Option<Labeller>,
+    comparison: CompareView,
+    log_tab: LogTab,
     log_fields: FieldList,
     log_plots: LogPlots,
+    presets: OwnPresets,
     /// Whether the plots are those of the log, not of the run.
     shows_log_plots: bool,
 }
@@ -112,6 +123,7 @@ pub struct App {
     last_now: Option<f64>,
     stored_session: Vec<u8>,
     stored_view: Vec<u8>,
+    stored_presets: OwnPresets,
     dirty_since: Option<f64>,
 }
 
@@ -127,6 +139,7 @@ impl App {
         self.tick(now);
         let mut commands = ShortcutListener::take(ui.ctx());
         commands.append(&mut self.commands);
+        self.escape_from_span(ui.ctx(), &mut commands);
         self.layout(ui, now, &mut commands);
         for command in commands {
             self.execute(command, ui.ctx(), host);
@@ -141,6 +154,25 @@ impl App {
         self.remember(ui.ctx(), host);
         if self.playback.playing && self.documents.run.is_some() {
             ui.ctx().request_repaint();
+        }
+    }
+
+    /// Escape selects no span of time, unless something else is about to be left by it.
+    fn escape_from_span(&self, context: &egui::Context, commands: &mut Vec<Command>) {
+        let dialogs = &self.dialogs;
+        let views = &self.views;
+        let is_taken = context.text_edit_focused()
+            || egui::Popup::is_any_open(context)
+            || dialogs.palette.is_open()
+            || dialogs.simulate.is_open()
+            || dialogs.web_map.is_open()
+            || dialogs.help
+            || views.map.picking
+            || views.georeferencer.is_some()
+            || self.planning();
+        let is_pressed = || context.input(|i| i.key_pressed(egui::Key::Escape));
+        if self.playback.selected_span.is_some() && !is_taken && is_pressed() {
+            commands.push(Command::SelectSpan(None));
         }
     }
 

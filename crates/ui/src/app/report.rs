@@ -65,6 +65,8 @@ impl App {
         let found = self.selection.and_then(|id| documents.distinctness_of(id));
         json!({
             "log": self.log_json(),
+            "compare": self.compare_json(),
+            "cut": self.cut_json(),
             "title": documents.title(),
             "origin": documents.world_origin().map(|o| {
                 [o.latitude.to_degrees(), o.longitude.to_degrees()]
@@ -155,6 +157,54 @@ impl App {
         })
     }
 
+    fn cut_json(&self) -> Option<Value> {
+        let cuts = &self.documents.cuts;
+        let report = cuts.report.as_ref();
+        let results = report.iter().flat_map(|r| &r.results).map(|result| {
+            let end = result.growth.last();
+            json!({
+                "label": result.label,
+                "end_error": end.and_then(|g| g.error),
+                "radius": end.map(|g| g.radius),
+            })
+        });
+        let study = cuts.study.as_ref().map(|s| {
+            let rows = s.studies.iter().map(|row| {
+                json!({
+                    "label": row.label,
+                    "cuts": row.cuts.len(),
+                    "median": row.error_quantile(0.5),
+                    "ninety": row.error_quantile(0.9),
+                    "covered": row.covered(),
+                })
+            });
+            json!({"length": s.length, "rows": rows.collect::<Vec<_>>()})
+        });
+        let is_there = report.is_some() || study.is_some() || cuts.trouble.is_some();
+        is_there.then(|| {
+            json!({
+                "span": report.map(|r| [r.span.0, r.span.1]),
+                "results": results.collect::<Vec<_>>(),
+                "remarks": report.map(|r| r.remarks.clone()),
+                "study": study,
+                "trouble": cuts.trouble,
+            })
+        })
+    }
+
+    fn compare_json(&self) -> Value {
+        let shelf = self.documents.shelf.kept().iter();
+        let found = self.views.comparison.found();
+        json!({
+            "kept": shelf.map(|k| json!({"name": k.track.name, "shown": k.is_shown})).collect::<Vec<_>>(),
+            "errors": found.map(|(name, errors)| json!({
+                "name": name,
+                "rms": errors.map(|e| e.0),
+                "greatest": errors.map(|e| e.1),
+            })).collect::<Vec<_>>(),
+        })
+    }
+
     fn log_json(&self) -> Option<Value> {
         let log = self.documents.log.as_ref()?;
         let outline = log.outline.as_ref();
@@ -175,6 +225,11 @@ impl App {
             "unnavigable": log.unnavigable,
             "findings": findings.map(|f| f.title.clone()).collect::<Vec<_>>(),
             "panels": panels,
+            "against": self.views.log_plots.arrangement().iter().map(|panel| {
+                panel.against.as_ref().map(crate::log::series_name)
+            }).collect::<Vec<_>>(),
+            "figures": log.figures.fields.len(),
+            "presets": self.views.presets.all().iter().map(|p| &p.name).collect::<Vec<_>>(),
             "fields": log.series.len(),
             "points": points,
             "track_by": self.views.map.track_field().map(crate::log::series_name),
@@ -192,6 +247,7 @@ impl App {
         json!({
             "time": self.playback.time,
             "span": self.documents.span().map(|(a, b)| [a, b]),
+            "selected": self.playback.selected_span.map(|(a, b)| [a, b]),
             "playing": self.playback.playing,
             "speed": self.playback.speed,
             "loop": self.playback.looping,
@@ -260,6 +316,12 @@ impl App {
             _ if self.planning() => {}
             (Some(run), Some(span)) => parts.push(self.run_text(run, span)),
             _ => parts.push("No run yet.".to_owned()),
+        }
+        if let Some((from, to)) = self.playback.selected_span {
+            let length = clock_text(to - from);
+            let first = documents.span().map_or(0.0, |s| s.0);
+            let begin = clock_text(from - first);
+            parts.push(format!("Selected: {length} from {begin} on."));
         }
         if let Some(landmark) = self.selection.and_then(|id| documents.mission.landmark(id)) {
             parts.push(format!("Landmark {} is selected.", landmark.name));

@@ -6,6 +6,7 @@ use crate::documents::{
     Documents, Ground, SESSION_KEY, Session, TERRAIN_KEY, UNREAD_KEY, VIEW_KEY, ViewState,
 };
 use crate::host::Host;
+use crate::log::{OwnPresets, PRESETS_KEY};
 use crate::shell::keys::ShortcutListener;
 use crate::shell::{Toasts, apply_theme, fonts};
 use crate::timeline::Playback;
@@ -71,9 +72,14 @@ impl App {
             last_now: None,
             stored_session: session.encode(),
             stored_view: view.encode(),
+            stored_presets: OwnPresets::default(),
             dirty_since: None,
             view,
         };
+        if let Some(bytes) = host.recall(PRESETS_KEY) {
+            app.views.presets = OwnPresets::decode(&bytes);
+            app.stored_presets = app.views.presets.clone();
+        }
         app.views.map.follow = true;
         app.views.map.camera.metres_per_point = 0.7;
         app.views.map.layers.hide_names(&app.view.hidden_layers);
@@ -132,6 +138,10 @@ impl App {
         self.view.looping = self.playback.looping;
         self.view.plan = self.views.planner.preferences.clone();
         self.view.hidden_layers = self.views.map.layers.hidden_names();
+        if self.views.presets != self.stored_presets {
+            host.store(PRESETS_KEY, &self.views.presets.encode());
+            self.stored_presets = self.views.presets.clone();
+        }
         let view = self.view.encode();
         let view_changed = view != self.stored_view;
         let session_changed = self.desk.document_changed;

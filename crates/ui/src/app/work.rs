@@ -164,6 +164,7 @@ impl App {
             self.examine(host);
         }
         self.fetch_series(host);
+        self.ask_for_figures(host);
         self.follow_world(host);
         self.ask_for_heights(host);
         self.ask_for_tiles(host);

@@ -1,7 +1,7 @@
 //! The sheet of filter settings. Each has its unit and one line on what it means.
 
 use egui::{Response, Slider, SliderClamping, Ui};
-use pilotage_core::navigator::{NavigatorSettings, VehicleChoice};
+use pilotage_core::navigator::{EstimatorChoice, NavigatorSettings, VehicleChoice};
 
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -26,6 +26,7 @@ pub fn settings_sheet(
     egui::ScrollArea::vertical()
         .auto_shrink([false, false])
         .show(ui, |ui| {
+            estimator(ui, tokens, &mut settings);
             vehicle(ui, tokens, &mut settings);
             spread(ui, tokens, &mut settings);
             process(ui, tokens, &mut settings, context.units);
@@ -43,6 +44,22 @@ pub fn settings_sheet(
             .push(Command::SetNavigator(Box::new(settings)));
     }
     close
+}
+
+fn estimator(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings) {
+    caption(ui, tokens, "Estimator");
+    let chosen = &mut settings.estimator.choice;
+    egui::ComboBox::from_id_salt("estimator")
+        .selected_text(chosen.label())
+        .width(ui.available_width() - 8.0)
+        .show_ui(ui, |ui| {
+            for choice in EstimatorChoice::ALL {
+                ui.selectable_value(chosen, choice, choice.label());
+            }
+        })
+        .response
+        .accessible_name("Estimator");
+    meaning(ui, tokens, chosen.description());
 }
 
 fn vehicle(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings) {

@@ -104,11 +104,13 @@ fn mission(old: MissionV1) -> Mission {
                 heading_bias: p.heading_bias,
                 acceleration: p.acceleration,
                 thesis_per_step: p.thesis_per_step,
+                ..NavigatorSettings::default().process
             },
             sensors: it.sensors,
             measurement_scale: it.measurement_scale,
             detector: it.detector,
             most_landmarks: it.most_landmarks,
+            ..NavigatorSettings::default()
         },
         properties: old.properties,
         ..Documents::empty_mission()

@@ -10,6 +10,8 @@ use pilotage_core::navigator::{NavigatorSettings, Run};
 use pilotage_core::simulate::Scenario;
 
 use super::{Ground, History, Session};
+use crate::compare::Shelf;
+use crate::cut::Cuts;
 use crate::jobs::{DetectorSearch, Distinctness, FlightSource, MapInfo, MapSource, MatchPictures};
 use crate::log::OpenLog;
 
@@ -64,6 +66,10 @@ pub struct Documents {
     pub detector_search: Option<DetectorSearch>,
     /// The log that the flight was read from.
     pub log: Option<OpenLog>,
+    /// What came of cuts of satellite navigation.
+    pub cuts: Cuts,
+    /// Trajectories that were kept to be compared.
+    pub shelf: Shelf,
     /// Bookmarks in time order, seconds in the flight's time base.
     pub bookmarks: Vec<f64>,
 }
@@ -109,6 +115,8 @@ impl Documents {
                 FlightSource::Files(key) => Some(OpenLog::new(key.clone(), file.clone())),
                 _ => None,
             }),
+            cuts: Cuts::default(),
+            shelf: Shelf::default(),
             bookmarks: session.bookmarks.clone(),
         }
     }
@@ -178,6 +186,7 @@ impl Documents {
             }
         } else {
             self.ghost = None;
+            self.cuts = Cuts::default();
             self.distinctness.clear();
             self.pictures.clear();
         }
@@ -211,6 +220,7 @@ impl Documents {
     /// Leaves what was flown for a log, whose flight is yet to come. The mission stays.
     pub fn begin_log(&mut self, log: OpenLog, source: FlightSource) {
         (self.flight, self.run, self.ghost) = (None, None, None);
+        self.cuts = Cuts::default();
         self.flight_source = source;
         self.log = Some(log);
         self.run_complete = false;
@@ -252,6 +262,15 @@ impl Documents {
             (Some((a, b)), Some((c, _))) if a.is_finite() => Some((a.max(c), b)),
             (Some((a, b)), None) if a.is_finite() => Some((a, b)),
             (_, run) => run.or_else(|| self.log.as_ref()?.span()),
+        }
+    }
+
+    /// First and last time of the flight and of what its log holds around it.
+    pub fn whole_span(&self) -> Option<(f64, f64)> {
+        let log = self.log.as_ref().and_then(OpenLog::span);
+        match (self.span(), log) {
+            (Some((a, b)), Some((c, d))) => Some((a.min(c), b.max(d))),
+            (span, log) => span.or(log),
         }
     }
 

@@ -415,7 +415,9 @@ fn seat_for(job: &Job) -> usize {
         Job::AssessShare(_, share) | Job::SuggestShare(_, share) => share.part,
         Job::Fly { .. }
         | Job::ReadLog { .. }
+        | Job::Cut(_)
         | Job::LogSeries { .. }
+        | Job::AskLog(_)
         | Job::Assess(_)
         | Job::SumUp(..)
         | Job::Envelope(_)
@@ -464,6 +466,7 @@ fn file_keys(job: &Job) -> Vec<&str> {
             let labelled = order.labelled.as_ref();
             (labelled.map(|frames| &frames.flight), Some(&order.map))
         }
+        Job::Cut(order) => (Some(&order.flight), None),
         Job::Brief(order) => (None, Some(&order.map)),
         Job::Pack(order) => (None, Some(&order.map)),
         Job::Open { key, .. }
@@ -471,6 +474,10 @@ fn file_keys(job: &Job) -> Vec<&str> {
         | Job::ReadLog { key, .. }
         | Job::LogSeries { key, .. } => {
             keys.push(key.as_str());
+            (None, None)
+        }
+        Job::AskLog(order) => {
+            keys.push(order.key.as_str());
             (None, None)
         }
         Job::TakeHeights(order) => {

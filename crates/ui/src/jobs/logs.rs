@@ -1,21 +1,22 @@
-//! Flight logs: read piece by piece, kept by the worker, and asked for their series.
+//! Flight logs: read piece by piece and kept by the worker.
 
 use std::cell::RefCell;
 use std::rc::Rc;
 use std::sync::Arc;
 
 use pilotage_core::flight::Flight;
-use pilotage_core::flight::files::FileSet as _;
-use pilotage_core::flight::interpret::{Role, flight_from_log, series};
-use pilotage_core::flight::log::{HEAD, Log, LogReader, Outline, TopicName, read_log, recognise};
+use pilotage_core::flight::beside_log::add_pictures;
+use pilotage_core::flight::files::FileSet;
+use pilotage_core::flight::interpret::flight_from_log;
+use pilotage_core::flight::log::{HEAD, Log, LogReader, Outline, read_log, recognise};
 use pilotage_core::flight::overview::{Overview, overview};
 use pilotage_core::imagery::ByteSource;
 use serde::{Deserialize, Serialize};
 
 use super::file_pool::FilePool;
-use super::flights::OpenFlight;
+use super::flights::{KeptFrames, OpenFlight};
 use super::running::slice;
-use super::{Advance, JobEvent, RunningJob, Workshop, whole_bytes};
+use super::{Advance, JobEvent, RunningJob, Workshop};
 
 /// Bytes that are read at a time.
 const PIECE: usize = 2 << 20;
@@ -31,98 +32,8 @@ pub struct ReadLog {
     pub overview: Overview,
     /// The flight that it tells of, or why it tells of none.
     pub flight: Result<Flight, String>,
-}
-
-/// Which series of a log.
-#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
-pub struct SeriesName {
-    /// The topic.
-    pub topic: TopicName,
-    /// The field.
-    pub field: String,
-}
-
-impl SeriesName {
-    /// The topic under which roles are found, whatever the log calls them. No format writes a blank into a
-    /// topic's name.
-    pub fn role_topic() -> TopicName {
-        TopicName::single("this flight")
-    }
-
-    /// The series of a role.
-    pub fn role(role: Role) -> Self {
-        Self {
-            topic: Self::role_topic(),
-            field: role.label().to_owned(),
-        }
-    }
-}
-
-/// The values of a field.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct LogSeries {
-    /// Which.
-    pub name: SeriesName,
-    /// Unit as the log states it, or empty.
-    pub unit: String,
-    /// Times and values by turns, each a double-precision number, lowest byte first.
-    #[serde(with = "whole_bytes")]
-    pairs: Vec<u8>,
-}
-
-impl LogSeries {
-    /// What the log means by a role, under the name of a topic that no log has.
-    fn of_role(log: &Log, name: SeriesName) -> Result<Self, String> {
-        let lacks = || format!("{}: there is no {}", log.name, name.field.to_lowercase());
-        let role = Role::from_label(&name.field).ok_or_else(lacks)?;
-        let found = series(log, role).ok_or_else(lacks)?;
-        let (unit, factor) = role.unit();
-        let pairs = found.times.iter().zip(&found.values);
-        let pairs = pairs.flat_map(|(time, value)| [*time, factor * value]);
-        Ok(Self {
-            unit: unit.to_owned(),
-            name,
-            pairs: pairs.flat_map(f64::to_le_bytes).collect(),
-        })
-    }
-
-    /// The values of a field.
-    fn of(log: &Log, name: SeriesName) -> Result<Self, String> {
-        if name.topic == SeriesName::role_topic() {
-            return Self::of_role(log, name);
-        }
-        let lacks = || format!("{}: there is no {}.{}", log.name, name.topic, name.field);
-        let topic = log.topic(&name.topic).ok_or_else(lacks)?;
-        let field = topic.field(&name.field).ok_or_else(lacks)?;
-        let mut pairs = Vec::with_capacity(16 * topic.len());
-        for (time, row) in topic.times.iter().zip(topic.rows.iter()) {
-            let value = field.value(row).unwrap_or(f64::NAN);
-            pairs.extend_from_slice(&time.to_le_bytes());
-            pairs.extend_from_slice(&value.to_le_bytes());
-        }
-        Ok(Self {
-            unit: field.unit.clone(),
-            name,
-            pairs,
-        })
-    }
-
-    /// Number of samples.
-    pub fn len(&self) -> usize {
-        self.pairs.len() / 16
-    }
-
-    /// Whether there is none.
-    pub fn is_empty(&self) -> bool {
-        self.pairs.is_empty()
-    }
-
-    /// Times (seconds) and values, in the order of the file.
-    pub fn samples(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
-        let number = |bytes: &[u8]| bytes.try_into().map_or(f64::NAN, f64::from_le_bytes);
-        let pairs = self.pairs.chunks_exact(16);
-        pairs.map(move |pair| (number(&pair[..8]), number(&pair[8..])))
-    }
+    /// Why the pictures beside it are not part of that.
+    pub lost_pictures: Option<String>,
 }
 
 /// The first log among files, by what is in it.
@@ -222,6 +133,7 @@ impl RunningJob for ReadingLog {
         let Some(reading) = &mut self.reading else {
             return Ok(Advance::Done);
         };
+        workshop.log_grew();
         let mut trouble = None;
         let is_more = slice(clock, || match reading.step() {
             Ok(is_more) => is_more,
@@ -245,13 +157,18 @@ impl RunningJob for ReadingLog {
         }
         let log = reading.log.borrow();
         let interpreted = flight_from_log(&log);
-        let read = ReadLog {
+        let mut read = ReadLog {
             outline: Outline::of(&log),
             overview: overview(&log, &interpreted),
             flight: interpreted.flight.map_err(|cause| cause.to_string()),
+            lost_pictures: None,
         };
-        if let Ok(flight) = &read.flight {
-            workshop.keep_flight(&self.key, OpenFlight::without_pictures(flight.clone()));
+        if let Ok(flight) = &mut read.flight {
+            let pool = workshop.files(&self.key)?;
+            let (open, lost) = with_pictures(flight.clone(), pool);
+            *flight = Flight::clone(&open.flight);
+            read.lost_pictures = lost;
+            workshop.keep_flight(&self.key, open);
         }
         emit(JobEvent::LogRead(Box::new(read)));
         emit(JobEvent::Finished);
@@ -259,8 +176,30 @@ impl RunningJob for ReadingLog {
     }
 }
 
+/// A flight with the pictures that lie beside its log, or why it has none of them.
+fn with_pictures(mut flight: Flight, pool: Arc<FilePool>) -> (OpenFlight, Option<String>) {
+    let files: Arc<dyn FileSet> = pool;
+    match add_pictures(&mut flight, &files) {
+        Ok(Some(source)) => {
+            let frames = KeptFrames::stored(&flight, source);
+            let flight = Arc::new(flight);
+            let open = OpenFlight {
+                flight,
+                frames,
+                mission: None,
+            };
+            (open, None)
+        }
+        Ok(None) => (OpenFlight::without_pictures(flight), None),
+        Err(cause) => (
+            OpenFlight::without_pictures(flight),
+            Some(cause.to_string()),
+        ),
+    }
+}
+
 /// The flight that the log among the files tells of; reads all of it at once.
-pub fn flight_of_log(pool: &FilePool) -> Result<Option<OpenFlight>, String> {
+pub fn flight_of_log(pool: &Arc<FilePool>) -> Result<Option<OpenFlight>, String> {
     let Some(file) = log_among(pool) else {
         return Ok(None);
     };
@@ -271,19 +210,7 @@ pub fn flight_of_log(pool: &FilePool) -> Result<Option<OpenFlight>, String> {
     };
     let flight = flight_from_log(&log).flight;
     let flight = flight.map_err(|cause| cause.to_string())?;
-    Ok(Some(OpenFlight::without_pictures(flight)))
-}
-
-/// The series `name` of the log `file` among the files under `key`.
-pub fn log_series(
-    workshop: &Workshop,
-    key: &str,
-    file: &str,
-    name: SeriesName,
-) -> Result<LogSeries, String> {
-    let log = workshop.log(key, file);
-    let log = log.ok_or_else(|| format!("{file}: it is not read yet"))?;
-    LogSeries::of(&log.borrow(), name)
+    Ok(Some(with_pictures(flight, pool.clone()).0))
 }
 
 #[cfg(test)]

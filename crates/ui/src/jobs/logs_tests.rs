@@ -2,8 +2,10 @@
 
 use std::fmt::Write as _;
 
-use super::super::{InlineHost, Job, JobEvent, MapSource};
-use super::*;
+use pilotage_core::flight::interpret::Role;
+use pilotage_core::flight::log::TopicName;
+
+use super::super::{InlineHost, Job, JobEvent, MapSource, SeriesName};
 use crate::host::Host as _;
 
 /// A flight eastward at 20 m/s as a text log, its airspeed with one digit too many now and then.
@@ -78,14 +80,18 @@ fn a_log_is_read_looked_over_plotted_and_flown() {
         field: "Roll".to_owned(),
     });
     let third = field.samples().nth(2).unwrap();
-    assert!((third.0 - 1.2).abs() < 1e-9 && (third.1 - 2.0).abs() < 1e-9);
+    assert!((third.0 - 1.2).abs() < 1e-9 && third.1 == 2.0 && field.base == 0.0);
     let heading = series(SeriesName::role(Role::Heading));
     assert_eq!((heading.len(), heading.unit.as_str()), (600, "deg"));
-    assert!(
-        heading
-            .samples()
-            .all(|(_, value)| (value - 90.0).abs() < 1e-9)
-    );
+    assert!((heading.base - 90.0).abs() < 1e-9);
+    assert!(heading.samples().all(|(_, value)| value == 0.0));
+    let twice = series(SeriesName::expression("2 * ATT.Roll + {Heading}"));
+    let third = twice.samples().nth(2).unwrap();
+    assert!((twice.base + f64::from(third.1) - 94.0).abs() < 1e-6);
+    assert_eq!((twice.total, twice.lacks), (600, None));
+    let none = series(SeriesName::expression("ATT.Rol"));
+    let why = none.lacks.unwrap();
+    assert!(why.ends_with("did you mean ATT.Roll?"), "{why}");
 
     host.start(Job::Fly {
         flight: super::super::FlightSource::Files("drop".to_owned()),

@@ -22,6 +22,8 @@ mod fly;
 mod heights;
 mod imports;
 mod inline;
+mod log_answers;
+mod log_series;
 mod logs;
 mod messages;
 mod opening;
@@ -29,6 +31,7 @@ mod pack;
 mod predict;
 mod prepare;
 mod protocol;
+mod reckon;
 mod runner;
 mod running;
 mod shared;
@@ -52,7 +55,9 @@ pub use find::{FindOrder, Foreseen, FoundPlan, HighGround};
 pub use heights::{HeightsOrder, TerrainInfo};
 pub use imports::ImportedFile;
 pub use inline::InlineHost;
-pub use logs::{LogSeries, ReadLog, SeriesName};
+pub use log_answers::{LogAnswer, LogOrder, LogQuestion};
+pub use log_series::{LogSeries, SeriesName};
+pub use logs::ReadLog;
 pub use messages::{Reply, Request};
 pub use pack::PackOrder;
 pub use predict::{COARSE, PredictionOrder};
@@ -60,6 +65,7 @@ pub use protocol::{
     DetectorSearch, Distinctness, ExplainedBy, FlightSource, Job, JobEvent, JobId, MapInfo,
     MapSource, MatchPictures, Opened, SimulationOptions, Unplaced,
 };
+pub use reckon::{AidedResult, Cut, CutOrder, CutReport, StudyReport};
 pub use runner::JobRunner;
 pub use running::{Advance, RunningJob};
 pub use simulated::{scenario_route, scenario_wind};

@@ -16,10 +16,11 @@ use pilotage_core::raster::{Gray, Raster, Rgba};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Assessment, AssessmentOrder, Beside, BriefOrder, BriefPictures, EvaluationOrder,
-    EvaluationReport, ExportOrder, FieldOrder, FileContent, FindOrder, FoundPlan, HeightsOrder,
-    ImportedFile, LogSeries, PackOrder, PredictionOrder, ReadLog, SeriesName, Share, SuggestOrder,
-    TerrainInfo, TrainOrder, TrainingOutcome, TrainingReport, WebMap, whole_bytes,
+    Assessment, AssessmentOrder, Beside, BriefOrder, BriefPictures, CutOrder, CutReport,
+    EvaluationOrder, EvaluationReport, ExportOrder, FieldOrder, FileContent, FindOrder, FoundPlan,
+    HeightsOrder, ImportedFile, LogAnswer, LogOrder, LogSeries, PackOrder, PredictionOrder,
+    ReadLog, SeriesName, Share, StudyReport, SuggestOrder, TerrainInfo, TrainOrder,
+    TrainingOutcome, TrainingReport, WebMap, whole_bytes,
 };
 
 /// Number of a job, unique within a page.
@@ -147,7 +148,7 @@ pub enum Job {
         /// Its name among them.
         file: String,
     },
-    /// A series of a log that is being read or was: event `LogSeries`.
+    /// A series of a log that is being read or was: events `LogSeries`, each with some of its samples.
     LogSeries {
         /// Key of the files.
         key: String,
@@ -156,6 +157,8 @@ pub enum Job {
         /// Which series.
         series: SeriesName,
     },
+    /// Figures or a table of series of a log that was read: events `LogAnswer`.
+    AskLog(Box<LogOrder>),
     /// Fly and navigate: events `Flight`, `Mission` (if none was given), `RunStarted`, then `Steps` and `FramePicture`.
     Fly {
         /// The flight.
@@ -165,6 +168,8 @@ pub enum Job {
         /// The mission; the scenario's own if `None`.
         mission: Option<Mission>,
     },
+    /// Cut satellite navigation out of a flight: events `CutMade` or `CutsStudied`.
+    Cut(Box<CutOrder>),
     /// Describe a map: event `MapInfo`.
     DescribeMap(MapSource),
     /// The named places in a file of routes and landmarks: event `Places`.
@@ -373,8 +378,14 @@ pub enum JobEvent {
     LogOutline(Box<Outline>),
     /// A log that was read.
     LogRead(Box<ReadLog>),
-    /// A series of a log.
+    /// Samples of a series of a log.
     LogSeries(Box<LogSeries>),
+    /// Something that was asked of a log.
+    LogAnswer(Box<LogAnswer>),
+    /// What came of a cut.
+    CutMade(Box<CutReport>),
+    /// What came of cuts all along a flight.
+    CutsStudied(Box<StudyReport>),
     /// The mission that is flown.
     Mission(Box<Mission>),
     /// The run's head, without steps.

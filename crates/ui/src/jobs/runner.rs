@@ -127,6 +127,7 @@ fn urgency(job: &Job) -> u8 {
         | Job::Open { .. }
         | Job::ReadPlaces { .. }
         | Job::LogSeries { .. }
+        | Job::AskLog(_)
         | Job::DecodePicture { .. } => 1,
         Job::Tile { .. }
         | Job::Distinctness { .. }
@@ -137,6 +138,7 @@ fn urgency(job: &Job) -> u8 {
         | Job::Pack(_)
         | Job::Export(_) => 2,
         Job::ReadLog { .. }
+        | Job::Cut(_)
         | Job::TakeHeights(_)
         | Job::Assess(_)
         | Job::AssessShare(..)

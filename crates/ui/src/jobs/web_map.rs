@@ -127,7 +127,9 @@ pub fn wanted_addresses(job: &Job) -> Vec<String> {
         | Job::Open { .. }
         | Job::ReadPlaces { .. }
         | Job::ReadLog { .. }
+        | Job::Cut(_)
         | Job::LogSeries { .. }
+        | Job::AskLog(_)
         | Job::DescribeMap(_)
         | Job::PrepareMap(_)
         | Job::TakeHeights(_)

@@ -6,6 +6,7 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use pilotage_core::exchange::Written;
+use pilotage_core::flight::expression::Samples;
 use pilotage_core::flight::log::Log;
 use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::{Blank, ByteSource, CachedImagery, Imagery, MapMemory};
@@ -29,17 +30,20 @@ use super::find::FindRoute;
 use super::flights::OpenFlight;
 use super::fly::Fly;
 use super::heights::TakeHeights;
-use super::logs::{ReadingLog, log_series};
+use super::log_answers::AnswerLog;
+use super::log_series::{KeptSamples, SendSeries, samples};
+use super::logs::ReadingLog;
 use super::pack::pack;
 use super::predict::Predict;
 use super::prepare::PrepareMap;
+use super::reckon::MakeCut;
 use super::running::Once;
 use super::suggest::{Suggest, choose};
 use super::train::Train;
 use super::web_map::{FetchedTiles, WEB_TILES};
 use super::{
-    FileContent, FlightSource, Job, JobEvent, MapInfo, MapSource, RunningJob, distinct, opening,
-    simulated,
+    FileContent, FlightSource, Job, JobEvent, MapInfo, MapSource, RunningJob, SeriesName, distinct,
+    opening, simulated,
 };
 
 /// Memory for what one job reads of a map, megabytes.
@@ -78,6 +82,8 @@ pub struct Workshop {
     flights: BTreeMap<Vec<u8>, Rc<RefCell<OpenFlight>>>,
     /// The log read last: key of its files, its name among them, and what was read so far.
     log: Option<(String, String, Rc<RefCell<Log>>)>,
+    /// Series of that log which were asked for last.
+    samples: KeptSamples,
     scenery: Option<Scenery>,
     /// A map and how it looks on other days; of one map at a time.
     days: Option<(Vec<u8>, Days)>,
@@ -109,16 +115,14 @@ impl Workshop {
                 Ok(())
             }),
             Job::ReadLog { key, file } => Box::new(ReadingLog::new(key, file)),
-            Job::LogSeries { key, file, series } => once(move |workshop, emit| {
-                let found = log_series(workshop, &key, &file, series)?;
-                emit(JobEvent::LogSeries(Box::new(found)));
-                Ok(())
-            }),
+            Job::LogSeries { key, file, series } => Box::new(SendSeries::new(key, file, series)),
+            Job::AskLog(order) => Box::new(AnswerLog::new(*order)),
             Job::Fly {
                 flight,
                 map,
                 mission,
             } => Box::new(Fly::new(flight, map, mission)),
+            Job::Cut(order) => Box::new(MakeCut::new(*order)),
             Job::DescribeMap(source) => once(move |workshop, emit| {
                 let map = workshop.map(&source)?;
                 let mut info = describe(map.as_ref());
@@ -233,6 +237,7 @@ impl Workshop {
             .is_some_and(|(key, ..)| !in_use.contains(key))
         {
             self.log = None;
+            self.samples.clear();
         }
         self.days = None;
         self.rehearsal = None;
@@ -243,6 +248,28 @@ impl Workshop {
     /// Keeps a log that is being read in place of the one before.
     pub fn keep_log(&mut self, key: &str, file: &str, log: Rc<RefCell<Log>>) {
         self.log = Some((key.to_owned(), file.to_owned(), log));
+        self.samples.clear();
+    }
+
+    /// More of the log was read: what was asked of it before may be another answer now.
+    pub fn log_grew(&mut self) {
+        self.samples.clear();
+    }
+
+    /// A series of the log `file` among the files under `key`.
+    ///
+    /// # Errors
+    /// The log is not the one that was read last; within, why the log has no such series.
+    pub fn samples(
+        &mut self,
+        key: &str,
+        file: &str,
+        series: &SeriesName,
+    ) -> Result<Result<Rc<Samples>, String>, String> {
+        let log = self.log(key, file);
+        let log = log.ok_or_else(|| format!("{file}: it is not read yet"))?;
+        let log = log.clone();
+        Ok(self.samples.get(series, || samples(&log.borrow(), series)))
     }
 
     /// The log `file` among the files under `key`, if it is the one that was read last.

@@ -3,6 +3,8 @@
 use egui::{Align, Layout, RichText, Ui};
 use pilotage_core::flight::log::{Outline, TopicOutline};
 
+use super::expression_field::{ExpressionField, Written};
+use super::presets::OwnPresets;
 use super::{LogCommand, OpenLog};
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -11,13 +13,16 @@ use crate::views::parts;
 
 /// Most fields listed of a search.
 const MOST_FOUND: usize = 200;
+/// Most expressions that are remembered.
+const MOST_EXPRESSIONS: usize = 30;
+/// Letters of a name that are shown before it is cut off.
+const MOST_LETTERS: usize = 34;
 
 /// The list's own state.
 #[derive(Clone, Debug, Default)]
 pub struct FieldList {
     search: String,
-    /// Whether it is shown in place of the overview.
-    pub is_open: bool,
+    expression: ExpressionField,
 }
 
 impl FieldList {
@@ -27,9 +32,13 @@ impl FieldList {
         ui: &mut Ui,
         context: &mut ViewContext<'_>,
         log: &OpenLog,
+        own: &mut OwnPresets,
         plotted: &dyn Fn(&SeriesName) -> bool,
     ) {
         let Some(outline) = &log.outline else { return };
+        if log.is_read() {
+            self.write(ui, context, log, own);
+        }
         let hint = format!("Search {} fields", count(outline));
         let edit = egui::TextEdit::singleline(&mut self.search)
             .hint_text(hint)
@@ -42,8 +51,31 @@ impl FieldList {
             .auto_shrink(false)
             .show(ui, |ui| {
                 ui.set_max_width(width);
+                if self.search.trim().is_empty() {
+                    own_expressions(ui, context, own, plotted);
+                }
                 self.list(ui, context, log, outline, plotted);
             });
+    }
+
+    /// The field for expressions; what is entered there is plotted and remembered.
+    fn write(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut ViewContext<'_>,
+        log: &OpenLog,
+        own: &mut OwnPresets,
+    ) {
+        let written = self.expression.show(ui, context.tokens, log);
+        ui.add_space(0.5 * context.tokens.space);
+        let (text, command): (_, fn(SeriesName) -> LogCommand) = match written {
+            Some(Written::Alone(text)) => (text, LogCommand::PlotAlone),
+            Some(Written::Beside(text)) => (text, LogCommand::Plot),
+            None => return,
+        };
+        let series = SeriesName::expression(&text);
+        own.remember_expression(&series, MOST_EXPRESSIONS);
+        context.commands.push(Command::Log(command(series)));
     }
 
     fn list(
@@ -87,6 +119,46 @@ impl FieldList {
             ui.label(RichText::new(more).color(context.tokens.muted));
         }
     }
+}
+
+/// Expressions that were plotted.
+fn own_expressions(
+    ui: &mut Ui,
+    context: &mut ViewContext<'_>,
+    own: &mut OwnPresets,
+    plotted: &dyn Fn(&SeriesName) -> bool,
+) {
+    if own.expressions.is_empty() {
+        return;
+    }
+    let title = RichText::new("Expressions").size(context.tokens.text_sizes[1]);
+    let header = egui::CollapsingHeader::new(title).default_open(true);
+    header.show(ui, |ui| {
+        let mut forgotten = None;
+        for (index, text) in own.expressions.iter().enumerate() {
+            let series = SeriesName::expression(text);
+            let tokens = context.tokens;
+            ui.horizontal(|ui| {
+                let name = format!("Forget {text}");
+                if parts::chip(ui, tokens, false, "×", &name).clicked() {
+                    forgotten = Some(index);
+                }
+                row(ui, context, text, "", series, plotted);
+            });
+        }
+        if let Some(index) = forgotten {
+            own.expressions.remove(index);
+        }
+    });
+}
+
+/// A name with its end cut off where it is long.
+fn shortened(text: &str) -> String {
+    if text.chars().count() <= MOST_LETTERS {
+        return text.to_owned();
+    }
+    let head: String = text.chars().take(MOST_LETTERS - 1).collect();
+    format!("{}…", head.trim_end())
 }
 
 fn count(outline: &Outline) -> usize {
@@ -159,7 +231,7 @@ fn row(
     let full = super::words::series_name(&series);
     ui.horizontal(|ui| {
         let mut on = plotted(&series);
-        let label = RichText::new(text).size(tokens.text_sizes[1]);
+        let label = RichText::new(shortened(text)).size(tokens.text_sizes[1]);
         let response = ui.checkbox(&mut on, label);
         response.widget_info(|| {
             let role = egui::Role::CheckBox;

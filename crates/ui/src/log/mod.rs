@@ -1,16 +1,34 @@
 //! A flight log beside the run: what it holds, what looks wrong, and its fields over time.
 
+mod against;
+mod against_menu;
+mod arrangement;
+mod cloud;
 mod command;
+mod completion_list;
+mod expression_field;
 mod fields;
+mod names;
 mod open;
 mod overview;
+mod pairs;
 mod panel;
+mod picture;
 mod plots;
+mod preset_menu;
+mod presets;
+mod statistics;
+mod svg;
 mod words;
 
-pub use command::LogCommand;
+pub use arrangement::{PanelContent, Preset};
+pub use command::{LogCommand, LogTab};
 pub use fields::FieldList;
 pub use open::{OpenLog, PlottedSeries};
 pub use overview::overview_panel;
+pub(crate) use panel::colour as field_colour;
 pub use plots::LogPlots;
+pub use presets::{OwnPreset, OwnPresets, PRESETS_KEY, PresetCommand};
+pub use statistics::{SpanFigures, statistics_panel};
+pub(crate) use words::clock;
 pub use words::series_name;

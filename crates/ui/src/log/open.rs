@@ -6,11 +6,19 @@ use pilotage_core::flight::interpret::Role;
 use pilotage_core::flight::log::Outline;
 use pilotage_core::flight::overview::Overview;
 
+use super::SpanFigures;
 use crate::jobs::{LogSeries, SeriesName};
 use crate::views::Pyramid;
 
-/// A field over time, ready to be drawn at any width.
-#[derive(Clone, Debug)]
+/// Fields that a newcomer wants to see, plot by plot.
+const FIRST_FIELDS: [&[Role]; 3] = [
+    &[Role::BarometricHeight, Role::HeightAboveGround],
+    &[Role::Airspeed, Role::GroundSpeed],
+    &[Role::Roll, Role::Pitch],
+];
+
+/// A field over time, as far as it has come, ready to be drawn at any width.
+#[derive(Clone, Debug, Default)]
 pub struct PlottedSeries {
     /// Unit as the log states it, or empty.
     pub unit: String,
@@ -18,28 +26,49 @@ pub struct PlottedSeries {
     pub times: Vec<f64>,
     /// What every value is told against: values of small changes around a large number keep their digits.
     pub base: f64,
+    /// Why the log has no such field, if it has none.
+    pub lacks: Option<String>,
+    /// Samples that there will be.
+    total: usize,
+    /// What takes its place once it is as long: the same field after more of the log was read.
+    coming: Option<Box<Self>>,
     values: Pyramid,
 }
 
 impl PlottedSeries {
-    /// Takes over what a worker sent; in order of time, where the file was not.
-    pub fn new(series: &LogSeries) -> Self {
-        let mut samples: Vec<(f64, f64)> = series.samples().filter(|s| s.0.is_finite()).collect();
-        if samples.windows(2).any(|pair| pair[1].0 < pair[0].0) {
-            samples.sort_by(|a, b| a.0.total_cmp(&b.0));
+    /// Takes over the first of what a worker sends, or what comes next.
+    pub fn take(&mut self, piece: &LogSeries) {
+        if piece.first == 0 && !self.times.is_empty() {
+            self.coming = Some(Box::default());
         }
-        let finite = samples.iter().map(|s| s.1).find(|v| v.is_finite());
-        let base = finite.unwrap_or(0.0);
-        let mut values = Pyramid::default();
-        for (_, value) in &samples {
-            values.push((value - base) as f32);
+        if let Some(mut coming) = self.coming.take() {
+            coming.take(piece);
+            if coming.times.len() >= self.times.len() || coming.is_whole() {
+                *self = *coming;
+            } else {
+                self.coming = Some(coming);
+            }
+            return;
         }
-        Self {
-            unit: series.unit.clone(),
-            times: samples.into_iter().map(|s| s.0).collect(),
-            base,
-            values,
+        if piece.first == 0 {
+            *self = Self {
+                unit: piece.unit.clone(),
+                times: Vec::with_capacity(piece.total),
+                base: piece.base,
+                lacks: piece.lacks.clone(),
+                total: piece.total,
+                ..Self::default()
+            };
         }
+        if piece.first == self.times.len() {
+            self.times.extend(piece.samples().map(|(time, _)| time));
+            self.values.extend(piece.samples().map(|(_, value)| value));
+        }
+    }
+
+    /// Whether all of it has come.
+    pub fn is_whole(&self) -> bool {
+        self.times.len() == self.total
     }
 
     /// Values less the base.
@@ -70,7 +99,13 @@ pub struct OpenLog {
     pub unnavigable: Option<String>,
     /// Fields that have arrived.
     pub series: BTreeMap<SeriesName, PlottedSeries>,
-    /// Another number whenever a field arrives.
+    /// How much of the log was read when a field was looked for last: the count of outlines.
+    looked_for: BTreeMap<SeriesName, u64>,
+    /// Counts outlines.
+    outlines: u64,
+    /// Figures of the plotted fields over a span of time.
+    pub figures: SpanFigures,
+    /// Another number whenever samples of a field arrive.
     pub revision: u64,
 }
 
@@ -89,16 +124,38 @@ impl OpenLog {
         self.overview.is_some()
     }
 
-    /// A field has arrived.
-    pub fn take(&mut self, series: &LogSeries) {
+    /// More of it was read.
+    pub fn grow(&mut self, outline: Outline) {
+        self.outline = Some(outline);
+        self.outlines += 1;
+    }
+
+    /// Whether a field was looked for in all that was read of the log.
+    pub fn is_up_to_date(&self, series: &SeriesName) -> bool {
+        self.looked_for.get(series) == Some(&self.outlines)
+    }
+
+    /// A field is being looked for in what was read by now.
+    pub fn look_for(&mut self, series: &SeriesName) {
+        self.looked_for.insert(series.clone(), self.outlines);
+    }
+
+    /// Samples of a field have arrived.
+    pub fn take(&mut self, piece: &LogSeries) {
         self.revision += 1;
-        self.series
-            .insert(series.name.clone(), PlottedSeries::new(series));
+        let series = self.series.entry(piece.name.clone()).or_default();
+        series.take(piece);
     }
 
     /// First and last time, seconds.
     pub fn span(&self) -> Option<(f64, f64)> {
         self.outline.as_ref()?.span
+    }
+
+    /// What [`Self::first_fields`] may be, before it is known what was measured.
+    pub fn likely_fields() -> Vec<Vec<SeriesName>> {
+        let of = |roles: &[Role]| roles.iter().copied().map(SeriesName::role).collect();
+        FIRST_FIELDS.into_iter().map(of).collect()
     }
 
     /// The fields that a newcomer wants to see: height, speeds and attitude, as far as they were measured.
@@ -110,16 +167,30 @@ impl OpenLog {
             let sensor = overview.sensors.iter().find(|s| s.role == role);
             sensor.is_some_and(|sensor| !sensor.is_dead)
         };
-        let groups: [&[Role]; 3] = [
-            &[Role::BarometricHeight, Role::HeightAboveGround],
-            &[Role::Airspeed, Role::GroundSpeed],
-            &[Role::Roll, Role::Pitch],
-        ];
         let of = |roles: &[Role]| {
             let alive = roles.iter().copied().filter(|role| is_alive(*role));
             alive.map(SeriesName::role).collect::<Vec<_>>()
         };
-        let panels = groups.into_iter().map(of);
+        let panels = FIRST_FIELDS.into_iter().map(of);
         panels.filter(|fields| !fields.is_empty()).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pilotage_core::flight::log::{Log, LogFormat};
+
+    #[test]
+    fn a_field_is_looked_for_again_once_more_was_read() {
+        let mut log = OpenLog::new("key".into(), "a.bin".into());
+        let roll = SeriesName::role(Role::Roll);
+        let outline = || Outline::of(&Log::new("a.bin", LogFormat::Dataflash));
+        log.grow(outline());
+        assert!(!log.is_up_to_date(&roll));
+        log.look_for(&roll);
+        assert!(log.is_up_to_date(&roll));
+        log.grow(outline());
+        assert!(!log.is_up_to_date(&roll));
     }
 }

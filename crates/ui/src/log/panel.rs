@@ -1,18 +1,22 @@
-//! One panel: fields over time, their values at the cursor, the modes behind them.
+//! One panel: fields over time or against another field, their values at the cursor, the modes behind them.
 
-use egui::{Align2, Color32, Rect, Response, Sense, Shape, Stroke, Ui, vec2};
+use egui::{Align2, Color32, Painter, Rect, Response, Sense, Shape, Stroke, Ui, vec2};
 
+use super::against::{AgainstPlot, AgainstScene};
+use super::against_menu::AgainstMenu;
+use super::arrangement::PanelContent;
 use super::words::series_name;
 use super::{LogCommand, OpenLog, PlottedSeries};
 use crate::context::ViewContext;
 use crate::jobs::SeriesName;
 use crate::still::Still;
+use crate::timeline::paint_span;
 use crate::tokens::Tokens;
 use crate::views::chart::Axes;
 use crate::views::{Curve, TimeAxis, curve_line, parts};
 
 /// Share of its height that a panel leaves free above and below its curves.
-const MARGIN: f64 = 0.06;
+pub(super) const MARGIN: f64 = 0.06;
 
 /// What the curves of a panel depend on.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,8 +29,18 @@ struct CurvesKey {
 
 /// A panel and the fields that it shows.
 pub(super) struct LogPanel {
-    pub fields: Vec<SeriesName>,
+    pub content: PanelContent,
     curves: Still<CurvesKey>,
+    against: AgainstPlot,
+    menu: AgainstMenu,
+}
+
+/// What a pointer over a panel does.
+pub(super) struct PanelResponse {
+    /// Of the area with the curves.
+    pub response: Response,
+    /// Time of the point under the pointer, in a panel against a field.
+    pub hover: Option<f64>,
 }
 
 /// What a panel is drawn from.
@@ -52,7 +66,7 @@ pub(super) fn mode_bands(log: &OpenLog, whole: (f64, f64)) -> Vec<(f64, f64, Str
 }
 
 /// Colours of the fields of a panel, in order, over and over.
-fn colour(tokens: &Tokens, index: usize) -> Color32 {
+pub(crate) fn colour(tokens: &Tokens, index: usize) -> Color32 {
     let colours = [
         tokens.dead_reckoning,
         tokens.accent,
@@ -74,7 +88,7 @@ pub(super) fn axes(response: &Response, tokens: &Tokens, span: (f64, f64)) -> Ax
     }
 }
 
-fn curve(series: &PlottedSeries) -> Curve<'_> {
+pub(super) fn curve(series: &PlottedSeries) -> Curve<'_> {
     Curve {
         times: &series.times,
         values: series.values(),
@@ -82,11 +96,33 @@ fn curve(series: &PlottedSeries) -> Curve<'_> {
     }
 }
 
+/// Least and greatest value that are to be seen over `axes`' time, with room above and below; `None` if there is
+/// none.
+pub(super) fn y_range<'a>(
+    series: impl Iterator<Item = &'a PlottedSeries>,
+    axes: &Axes,
+) -> Option<(f64, f64)> {
+    let extents = series.filter_map(|series| {
+        let (low, high) = curve(series).extent(axes)?;
+        Some((low + series.base, high + series.base))
+    });
+    let (low, high) = extents.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
+    Some(wider(low, high))
+}
+
+/// A range of values with room around it.
+pub(super) fn wider(low: f64, high: f64) -> (f64, f64) {
+    let margin = (MARGIN * (high - low)).max(1e-9 * high.abs()).max(1e-12);
+    (low - margin, high + margin)
+}
+
 impl LogPanel {
-    pub fn of(fields: Vec<SeriesName>) -> Self {
+    pub fn of(content: PanelContent) -> Self {
         Self {
-            fields,
+            content,
             curves: Still::default(),
+            against: AgainstPlot::default(),
+            menu: AgainstMenu::default(),
         }
     }
 
@@ -94,40 +130,68 @@ impl LogPanel {
     pub fn show(
         &mut self,
         ui: &mut Ui,
-        context: &ViewContext<'_>,
+        context: &mut ViewContext<'_>,
         scene: &PanelScene<'_>,
         asked: &mut Vec<LogCommand>,
-    ) -> Response {
+    ) -> PanelResponse {
         let tokens = context.tokens;
         self.heading(ui, context, scene, asked);
         let size = vec2(ui.available_width(), scene.size.1);
         let (outer, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-        let names: Vec<String> = self.fields.iter().map(series_name).collect();
-        parts::name(&response, format!("Plot of {}", names.join(", ")));
-        let mut axes = axes(&response, tokens, scene.span);
+        let names: Vec<String> = self.content.fields.iter().map(series_name).collect();
+        let against = self.content.against.as_ref().map(series_name);
+        let against = against.map_or(String::new(), |name| format!(" against {name}"));
+        parts::name(&response, format!("Plot of {}{against}", names.join(", ")));
+        let painter = ui.painter_at(outer);
+        let hover = if let Some(against) = &self.content.against {
+            let against = AgainstScene {
+                panel: scene,
+                fields: &self.content.fields,
+                against,
+                joined: self.content.joined,
+            };
+            self.against.show(&painter, context, &against, &response)
+        } else {
+            self.over_time(&painter, context, scene, &response);
+            None
+        };
+        if scene.is_active {
+            painter.vline(
+                outer.left() + 1.0,
+                outer.y_range(),
+                Stroke::new(2.0, tokens.accent),
+            );
+        }
+        PanelResponse { response, hover }
+    }
+
+    /// The curves over time, with the modes, the selected span and the cursor.
+    fn over_time(
+        &mut self,
+        painter: &Painter,
+        context: &ViewContext<'_>,
+        scene: &PanelScene<'_>,
+        response: &Response,
+    ) {
+        let tokens = context.tokens;
+        let mut axes = axes(response, tokens, scene.span);
         let there: Vec<(usize, &PlottedSeries)> = self
+            .content
             .fields
             .iter()
             .enumerate()
             .filter_map(|(i, field)| Some((i, scene.log.series.get(field)?)))
             .collect();
-        let painter = ui.painter_at(outer);
         painter.rect_filled(axes.rect, 2.0, tokens.background);
-        let extents = there.iter().filter_map(|(_, series)| {
-            let (low, high) = curve(series).extent(&axes)?;
-            Some((low + series.base, high + series.base))
-        });
-        let range = extents.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
         let inside = painter.with_clip_rect(axes.rect);
         paint_modes(&inside, scene.modes, &axes, tokens);
-        if let Some((low, high)) = range {
-            let margin = (MARGIN * (high - low)).max(1e-9 * high.abs()).max(1e-12);
-            axes.y = (low - margin, high + margin);
-            axes.draw_y(&painter, tokens);
+        if let Some(range) = y_range(there.iter().map(|(_, series)| *series), &axes) {
+            axes.y = range;
+            axes.draw_y(painter, tokens);
             let key = CurvesKey {
                 revision: scene.log.revision,
                 axes,
-                fields: self.fields.clone(),
+                fields: self.content.fields.clone(),
                 dark: tokens.dark,
             };
             self.curves.paint(&inside, key, |shapes: &mut Vec<Shape>| {
@@ -141,39 +205,26 @@ impl LogPanel {
                 }
             });
         } else {
-            let words = if there.len() < self.fields.len() {
-                "Fetching …"
-            } else {
-                "Nothing in this stretch of time."
-            };
-            let middle = axes.rect.center();
             painter.text(
-                middle,
+                axes.rect.center(),
                 Align2::CENTER_CENTER,
-                words,
+                nothing(scene.log, self.content.fields.iter()),
                 parts::small(tokens),
                 tokens.muted,
             );
         }
+        paint_span(&inside, axes.rect, &axes, context.selected_span, tokens);
         let cursor = axes.screen_x(context.time);
         inside.vline(cursor, axes.rect.y_range(), Stroke::new(1.0, tokens.accent));
         if let Some(time) = scene.hover {
             let stroke = Stroke::new(1.0, tokens.muted.gamma_multiply(0.6));
             inside.vline(axes.screen_x(time), axes.rect.y_range(), stroke);
         }
-        if scene.is_active {
-            painter.vline(
-                outer.left() + 1.0,
-                outer.y_range(),
-                Stroke::new(2.0, tokens.accent),
-            );
-        }
-        response
     }
 
     /// Names, values at the cursor or under the pointer, and what takes them away.
     fn heading(
-        &self,
+        &mut self,
         ui: &mut Ui,
         context: &ViewContext<'_>,
         scene: &PanelScene<'_>,
@@ -185,7 +236,7 @@ impl LogPanel {
         ui.allocate_ui(size, |ui| {
             ui.horizontal_centered(|ui| {
                 ui.spacing_mut().item_spacing.x = tokens.space;
-                for (i, field) in self.fields.iter().enumerate() {
+                for (i, field) in self.content.fields.iter().enumerate() {
                     let series = scene.log.series.get(field);
                     let value = series.and_then(|s| s.at(time));
                     let value = value.map_or_else(|| "–".to_owned(), parts::brief);
@@ -212,10 +263,41 @@ impl LogPanel {
                     if parts::chip(ui, tokens, false, "×", &name).clicked() {
                         asked.push(LogCommand::ClosePanel(scene.number));
                     }
+                    let PanelContent {
+                        against, joined, ..
+                    } = &self.content;
+                    let panel = scene.number;
+                    if against.is_some() {
+                        let name = format!("Join the points of plot {}", panel + 1);
+                        if parts::chip(ui, tokens, *joined, "line", &name).clicked() {
+                            let joined = !joined;
+                            asked.push(LogCommand::JoinPoints { panel, joined });
+                        }
+                    }
+                    let of = (panel, against.as_ref());
+                    self.menu.show(ui, tokens, scene.log, of, asked);
                 });
             });
         });
     }
+}
+
+/// Why there is nothing to see of fields.
+pub(super) fn nothing<'a>(
+    log: &'a OpenLog,
+    fields: impl Iterator<Item = &'a SeriesName>,
+) -> &'a str {
+    for found in fields.map(|field| log.series.get(field)) {
+        match found {
+            // What is read by and by may have it yet.
+            Some(series) if log.is_read() && series.lacks.is_some() => {
+                return series.lacks.as_deref().unwrap_or_default();
+            }
+            Some(series) if series.is_whole() && series.lacks.is_none() => {}
+            _ => return "Fetching …",
+        }
+    }
+    "Nothing in this stretch of time."
 }
 
 /// Shades every other mode and writes its name where there is room.

@@ -4,11 +4,16 @@ use std::collections::BTreeSet;
 
 use egui::{ScrollArea, Ui};
 
+use super::arrangement::PanelContent;
 use super::panel::{self, LogPanel, PanelScene};
+use super::picture::Picture;
+use super::preset_menu::PresetMenu;
+use super::presets::OwnPresets;
 use super::{LogCommand, OpenLog};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::jobs::SeriesName;
+use crate::tokens::Tokens;
 use crate::views::{TimeAxis, parts};
 
 /// Least height of a panel's curves, points.
@@ -21,15 +26,29 @@ pub struct LogPlots {
     /// The panel that was touched last.
     active: usize,
     axis: TimeAxis,
+    presets: PresetMenu,
+    /// Width of the plots and height of the curves of each, as they were drawn last, points.
+    drawn_size: (f32, f32),
 }
 
 impl LogPlots {
     /// Plots these fields and no others.
     pub fn begin(&mut self, panels: Vec<Vec<SeriesName>>) {
-        *self = Self {
-            panels: panels.into_iter().map(LogPanel::of).collect(),
-            ..Self::default()
-        };
+        *self = Self::default();
+        let panels = panels.into_iter().map(PanelContent::over_time);
+        self.arrange(panels.collect());
+    }
+
+    /// Shows these panels and no others, over the time that is shown.
+    pub fn arrange(&mut self, panels: Vec<PanelContent>) {
+        self.panels = panels.into_iter().map(LogPanel::of).collect();
+        self.active = 0;
+    }
+
+    /// What stands in the panels.
+    pub fn arrangement(&self) -> Vec<PanelContent> {
+        let contents = self.panels.iter().map(|panel| panel.content.clone());
+        contents.collect()
     }
 
     /// Whether nothing is plotted.
@@ -39,17 +58,35 @@ impl LogPlots {
 
     /// Whether a field is plotted.
     pub fn has(&self, series: &SeriesName) -> bool {
-        self.panels.iter().any(|p| p.fields.contains(series))
+        self.panels
+            .iter()
+            .any(|p| p.content.fields.contains(series))
     }
 
     /// Every field that is plotted.
     pub fn fields(&self) -> BTreeSet<&SeriesName> {
-        self.panels.iter().flat_map(|p| &p.fields).collect()
+        let contents = self.panels.iter().map(|panel| &panel.content);
+        contents
+            .flat_map(|it| it.fields.iter().chain(&it.against))
+            .collect()
+    }
+
+    /// Every field that is plotted, each once, in the order of the panels.
+    pub fn fields_in_order(&self) -> Vec<SeriesName> {
+        let mut fields: Vec<SeriesName> = Vec::new();
+        for panel in &self.panels {
+            for field in panel.content.against.iter().chain(&panel.content.fields) {
+                if !fields.contains(field) {
+                    fields.push(field.clone());
+                }
+            }
+        }
+        fields
     }
 
     /// The fields of each panel from the top.
     pub fn panels(&self) -> impl Iterator<Item = &[SeriesName]> {
-        self.panels.iter().map(|p| p.fields.as_slice())
+        self.panels.iter().map(|p| p.content.fields.as_slice())
     }
 
     /// Does what concerns the plots of what was asked.
@@ -57,23 +94,36 @@ impl LogPlots {
         match command {
             LogCommand::Toggle(series) if self.has(&series) => {
                 for panel in &mut self.panels {
-                    panel.fields.retain(|field| *field != series);
+                    panel.content.fields.retain(|field| *field != series);
                 }
-                self.panels.retain(|panel| !panel.fields.is_empty());
+                self.panels.retain(|panel| !panel.content.fields.is_empty());
             }
-            LogCommand::Toggle(series) => match self.panels.get_mut(self.active) {
-                Some(panel) => panel.fields.push(series),
-                None => self.add(series),
-            },
+            LogCommand::Toggle(series) | LogCommand::Plot(series) => {
+                match self.panels.get_mut(self.active) {
+                    Some(panel) if panel.content.fields.contains(&series) => {}
+                    Some(panel) => panel.content.fields.push(series),
+                    None => self.add(series),
+                }
+            }
             LogCommand::PlotAlone(series) => self.add(series),
             LogCommand::Remove { panel, series } => {
                 if let Some(panel) = self.panels.get_mut(panel) {
-                    panel.fields.retain(|field| *field != series);
+                    panel.content.fields.retain(|field| *field != series);
                 }
-                self.panels.retain(|panel| !panel.fields.is_empty());
+                self.panels.retain(|panel| !panel.content.fields.is_empty());
             }
             LogCommand::ClosePanel(panel) if panel < self.panels.len() => {
                 self.panels.remove(panel);
+            }
+            LogCommand::PlotAgainst { panel, against } => {
+                if let Some(panel) = self.panels.get_mut(panel) {
+                    panel.content.against = against;
+                }
+            }
+            LogCommand::JoinPoints { panel, joined } => {
+                if let Some(panel) = self.panels.get_mut(panel) {
+                    panel.content.joined = joined;
+                }
             }
             _ => {}
         }
@@ -81,14 +131,52 @@ impl LogPlots {
     }
 
     fn add(&mut self, series: SeriesName) {
-        self.panels.push(LogPanel::of(vec![series]));
+        let content = PanelContent::over_time(vec![series]);
+        self.panels.push(LogPanel::of(content));
         self.active = self.panels.len() - 1;
     }
 
-    /// Chips for less time, more, and all of it.
-    pub fn chips(&mut self, ui: &mut Ui, context: &ViewContext<'_>, log: &OpenLog) {
+    /// The selected span of time, or else the one that is shown; `None` without any time.
+    pub fn span_of_interest(
+        &self,
+        log: &OpenLog,
+        selected: Option<(f64, f64)>,
+    ) -> Option<(f64, f64)> {
+        selected.or_else(|| Some(self.axis.span(log.span()?)))
+    }
+
+    /// The plots as they are shown, as an SVG drawing with its size in points.
+    pub fn picture(
+        &self,
+        log: &OpenLog,
+        tokens: &Tokens,
+        selected: Option<(f64, f64)>,
+    ) -> Option<(String, (f32, f32))> {
+        let span = self.axis.span(log.span()?);
+        let picture = Picture {
+            log,
+            tokens,
+            panels: self.panels.iter().map(|panel| &panel.content).collect(),
+            span,
+            selected,
+            size: self.drawn_size,
+        };
+        let is_drawn = self.drawn_size.0 > 0.0 && !self.panels.is_empty();
+        is_drawn.then(|| (picture.draw(), picture.extent()))
+    }
+
+    /// Chips for arrangements, for less time, more, and all of it.
+    pub fn chips(
+        &mut self,
+        ui: &mut Ui,
+        context: &mut ViewContext<'_>,
+        log: &OpenLog,
+        own: &OwnPresets,
+    ) {
+        self.presets.show(ui, context, log, own);
+        save_chips(ui, context);
         if let Some(whole) = log.span().filter(|(a, b)| b > a) {
-            self.axis.chips(ui, context.tokens, context.time, whole);
+            self.axis.chips(ui, context, whole);
         }
     }
 
@@ -135,13 +223,18 @@ impl LogPlots {
                         hover: self.axis.hover,
                         modes: &modes,
                     };
-                    let response = panel.show(ui, context, &scene, &mut asked);
+                    let shown = panel.show(ui, context, &scene, &mut asked);
+                    let response = shown.response;
                     if response.clicked() || response.dragged() {
                         self.active = number;
                     }
-                    let axes = panel::axes(&response, tokens, span);
-                    let found = self.axis.interact(ui, context, &response, &axes, whole);
-                    hover = hover.or(found);
+                    self.drawn_size = (response.rect.width(), response.rect.height());
+                    hover = hover.or(shown.hover);
+                    if panel.content.against.is_none() {
+                        let axes = panel::axes(&response, tokens, span);
+                        let found = self.axis.interact(ui, context, &response, &axes, whole);
+                        hover = hover.or(found);
+                    }
                     ui.add_space(gap);
                 }
             });
@@ -149,4 +242,30 @@ impl LogPlots {
         TimeAxis::draw(ui, tokens, self.axis.span(whole));
         context.commands.extend(asked.into_iter().map(Command::Log));
     }
+}
+
+/// Chips that save the plots.
+fn save_chips(ui: &mut Ui, context: &mut ViewContext<'_>) {
+    let tokens = context.tokens;
+    let choices = [
+        ("SVG", "Save the plots as SVG", LogCommand::SaveSvg),
+        ("PNG", "Save the plots as PNG", LogCommand::SavePng),
+        (
+            "CSV",
+            "Save the plotted fields as CSV",
+            LogCommand::SaveTable,
+        ),
+    ];
+    let chip = parts::chip(ui, tokens, false, "Save", "Save the plots");
+    egui::Popup::menu(&chip).show(|ui| {
+        for (text, name, command) in choices {
+            let button = egui::Button::new(text).frame(false);
+            let response = ui.add(button);
+            response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, name));
+            if response.clicked() {
+                context.commands.push(Command::Log(command));
+                ui.close();
+            }
+        }
+    });
 }

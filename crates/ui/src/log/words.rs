@@ -39,9 +39,9 @@ pub fn format_name(format: LogFormat) -> &'static str {
     known.map_or("Flight log", |info| info.label)
 }
 
-/// A field as people write it: `ATT.Roll`; a role by its name.
+/// A field as people write it: `ATT.Roll`; a role by its name, an expression as it was written.
 pub fn series_name(series: &SeriesName) -> String {
-    if series.topic == SeriesName::role_topic() {
+    if series.topic == SeriesName::role_topic() || series.is_expression() {
         return series.field.clone();
     }
     format!("{}.{}", series.topic, series.field)

@@ -6,6 +6,7 @@ mod controls;
 mod furniture;
 mod heat;
 mod interact;
+mod kept_tracks;
 mod landmarks;
 mod layers;
 mod picking;

@@ -8,6 +8,7 @@ use super::ColouredTrack;
 use super::furniture::{
     coordinates_text, height_text, paint_attribution, paint_lens, paint_scale_bar,
 };
+use super::kept_tracks::{paint_cut, paint_kept};
 use super::landmarks::{LandmarkScene, paint_landmarks};
 use super::layers::{Layer, Layers};
 use super::picking::{Drag, box_between};
@@ -19,10 +20,11 @@ use super::symbols::{
 use super::tiles::TileCache;
 use super::tracks::{DrawnTrack, TrackStyle};
 use super::transform::{MapCamera, ScreenFromWorld};
+use crate::compare::KeptTrack;
 use crate::context::{Drawn, ViewContext};
 use crate::documents::Ground;
 use crate::georeference::Georeferencer;
-use crate::jobs::{Distinctness, MapInfo, SeriesName};
+use crate::jobs::{CutReport, Distinctness, MapInfo, SeriesName};
 use crate::log::OpenLog;
 use crate::plan::{FindPick, PlanTool, Planner, paint_hint};
 
@@ -44,6 +46,10 @@ pub struct MapExtra<'a> {
     pub ground: &'a Ground,
     /// Whom to thank for the map, shown wherever it is.
     pub attribution: Option<&'a str>,
+    /// A cut of satellite navigation.
+    pub cut: Option<&'a CutReport>,
+    /// Trajectories that were kept to be compared.
+    pub kept: &'a [KeptTrack],
     /// The log of the flight, by a field of which the track may be coloured.
     pub log: Option<&'a OpenLog>,
 }
@@ -282,6 +288,16 @@ impl MapView {
             self.truth.follow_truth(truth, extra.run_generation, scale);
             let look = style(tokens.truth, 2.0, None);
             self.truth.paint(painter, view, rect, context.time, look);
+        }
+        for kept in extra
+            .kept
+            .iter()
+            .filter(|k| k.is_shown && extra.plan.is_none())
+        {
+            paint_kept(painter, view, kept, extra.frame, tokens);
+        }
+        if let Some(cut) = extra.cut.filter(|_| extra.plan.is_none()) {
+            paint_cut(painter, view, cut, context.time, tokens);
         }
         let Some(run) = context.run else { return };
         if show_unaided {

@@ -6,9 +6,10 @@ use pilotage_core::exchange::Format;
 use pilotage_core::exchange::labels::LabelFormat;
 
 use crate::command::{Command, Workspace};
+use crate::compare::{CompareCommand, TrackId};
+use crate::cut::CutCommand;
 use crate::dialogs::WebMapCommand;
 use crate::labelling::LabelCommand;
-use crate::log::LogCommand;
 use crate::plan::{FindCommand, FindPick, HeatCommand, PlanCommand, Purpose, TrainCommand};
 use crate::views::DetectorCommand;
 
@@ -98,7 +99,7 @@ fn plain(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::NONE, key)
 }
 
-fn shift(key: Key) -> KeyboardShortcut {
+pub(super) fn shift(key: Key) -> KeyboardShortcut {
     KeyboardShortcut::new(Modifiers::SHIFT, key)
 }
 
@@ -129,17 +130,30 @@ pub fn catalog() -> Vec<Entry> {
     entries.extend(trainings());
     entries.extend(ground());
     entries.extend(labels());
+    entries.extend(super::catalog_log::log());
     entries.push(entry(
         Group::View,
-        "Show the flight log",
-        vec![shift(Key::L)],
-        Command::Log(LogCommand::Show),
+        "Compare runs and flights",
+        vec![shift(Key::C)],
+        Command::Compare(CompareCommand::Show),
+    ));
+    entries.push(entry(
+        Group::View,
+        "Cut GPS out of the flight",
+        vec![shift(Key::G)],
+        Command::Cut(CutCommand::Show),
+    ));
+    entries.push(entry(
+        Group::Document,
+        "Keep this run for comparison",
+        Vec::new(),
+        Command::Compare(CompareCommand::Keep(TrackId::Run)),
     ));
     entries.extend(document());
     entries
 }
 
-fn entry(
+pub(super) fn entry(
     group: Group,
     label: &'static str,
     shortcuts: Vec<KeyboardShortcut>,
@@ -187,6 +201,21 @@ fn playback() -> Vec<Entry> {
             Command::GoToStart,
         ),
         of("Go to the end", vec![plain(Key::End)], Command::GoToEnd),
+        of(
+            "Select from the cursor on",
+            vec![shift(Key::B)],
+            Command::SelectFromHere,
+        ),
+        of(
+            "Select up to the cursor",
+            vec![shift(Key::E)],
+            Command::SelectToHere,
+        ),
+        of(
+            "Select no span of time (Esc)",
+            vec![],
+            Command::SelectSpan(None),
+        ),
         of(
             "Repeat at the end",
             vec![plain(Key::L)],

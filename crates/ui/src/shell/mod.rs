@@ -1,6 +1,7 @@
 //! What surrounds the views: look, top bar, palette, help, notices.
 
 pub mod catalog;
+mod catalog_log;
 mod fonts;
 mod help;
 pub mod icons;

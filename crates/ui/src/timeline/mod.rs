@@ -2,7 +2,10 @@
 
 mod bins;
 mod playback;
+mod selected;
 mod strip;
 
 pub use playback::Playback;
+pub use selected::Span;
+pub(crate) use selected::{SpanPointer, TimeOnScreen, paint_span};
 pub use strip::{Timeline, TimelineExtra, clock_text};

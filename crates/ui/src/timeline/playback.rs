@@ -1,4 +1,6 @@
-//! How the time cursor moves.
+//! How the time cursor moves, and the span of time that is selected.
+
+use super::Span;
 
 /// Slowest and fastest playback, times real time.
 pub const SPEEDS: [f64; 2] = [0.1, 20.0];
@@ -14,6 +16,8 @@ pub struct Playback {
     pub speed: f64,
     /// Whether it starts over at the end.
     pub looping: bool,
+    /// The span of time that is selected, if any: in order, not empty, within the flight.
+    pub selected_span: Option<Span>,
 }
 
 impl Default for Playback {
@@ -23,6 +27,7 @@ impl Default for Playback {
             playing: true,
             speed: 1.0,
             looping: true,
+            selected_span: None,
         }
     }
 }
@@ -38,6 +43,28 @@ impl Playback {
         if let Some((first, last)) = span {
             self.time = time.clamp(first, last.max(first));
         }
+    }
+
+    /// Selects a span of time, as far as it lies within `whole`; nothing if nothing of it does.
+    pub fn select(&mut self, span: Option<Span>, whole: Option<Span>) {
+        self.selected_span = span.zip(whole).and_then(|((from, to), (first, last))| {
+            let (from, to) = (from.max(first), to.min(last));
+            (from < to).then_some((from, to))
+        });
+    }
+
+    /// Lets the selected span begin at the cursor; it ends where it did, or else with `whole`.
+    pub fn select_from_here(&mut self, whole: Option<Span>) {
+        let end = self.selected_span.map(|s| s.1).filter(|e| *e > self.time);
+        let end = end.or(whole.map(|w| w.1));
+        self.select(end.map(|end| (self.time, end)), whole);
+    }
+
+    /// Lets the selected span end at the cursor; it begins where it did, or else with `whole`.
+    pub fn select_to_here(&mut self, whole: Option<Span>) {
+        let begin = self.selected_span.map(|s| s.0).filter(|b| *b < self.time);
+        let begin = begin.or(whole.map(|w| w.0));
+        self.select(begin.map(|begin| (begin, self.time)), whole);
     }
 
     /// Moves the cursor by `elapsed` seconds of real time. It waits at `streamed`, the last time
@@ -111,6 +138,35 @@ mod tests {
         };
         playback.advance(0.2, Some((0.0, 100.0)), 100.0, true);
         assert_eq!((playback.time, playback.playing), (100.0, false));
+    }
+
+    #[test]
+    fn a_selected_span_lies_within_the_flight_and_is_not_empty() {
+        let mut playback = at(30.0);
+        let whole = Some((0.0, 100.0));
+        playback.select(Some((-5.0, 20.0)), whole);
+        assert_eq!(playback.selected_span, Some((0.0, 20.0)));
+        playback.select(Some((120.0, 130.0)), whole);
+        assert_eq!(playback.selected_span, None);
+        playback.select(Some((7.0, 7.0)), whole);
+        assert_eq!(playback.selected_span, None);
+    }
+
+    #[test]
+    fn a_span_is_selected_from_the_cursor_to_the_cursor() {
+        let whole = Some((0.0, 100.0));
+        let mut playback = at(30.0);
+        playback.select_from_here(whole);
+        assert_eq!(playback.selected_span, Some((30.0, 100.0)));
+        playback.time = 40.0;
+        playback.select_to_here(whole);
+        assert_eq!(playback.selected_span, Some((30.0, 40.0)));
+        playback.time = 50.0;
+        playback.select_from_here(whole);
+        assert_eq!(playback.selected_span, Some((50.0, 100.0)));
+        playback.time = 20.0;
+        playback.select_to_here(whole);
+        assert_eq!(playback.selected_span, Some((0.0, 20.0)));
     }
 
     #[test]

@@ -6,6 +6,7 @@ use egui::{
 
 use super::bins::Bins;
 use super::playback::Playback;
+use super::selected::{Span, SpanPointer, TimeOnScreen, paint_span};
 use crate::command::Command;
 use crate::context::{Drawn, ViewContext};
 use crate::shell::icons::Icon;
@@ -33,6 +34,7 @@ pub struct Timeline {
     bins: Bins,
     events: Still<(u64, usize, bool)>,
     track: Option<Rect>,
+    span_pointer: SpanPointer,
     drawn: Option<Drawn>,
 }
 
@@ -121,6 +123,7 @@ impl Timeline {
                 paint_bins(shapes, bins, track, tokens);
             });
         }
+        paint_span(&painter, track, &scale, context.selected_span, tokens);
         for mark in extra.bookmarks {
             paint_bookmark(&painter, track, scale.x(*mark), tokens);
         }
@@ -130,10 +133,15 @@ impl Timeline {
             crate::shell::paint_focus_ring(&painter, track, tokens);
             keyboard(ui, response.id, context.commands);
         }
+        let selected = context.selected_span;
+        let selects = (self.span_pointer).follow(ui, context.commands, &response, &scale, selected);
         let pointer = response.interact_pointer_pos().or(response.hover_pos());
         if let Some(pointer) = pointer {
             let time = scale.time(pointer.x);
-            if response.dragged() || response.clicked() {
+            if selects {
+                let text = span_text(selected, span.0);
+                paint_label(&painter, &scale, pointer.x, text, tokens);
+            } else if response.dragged() || response.clicked() {
                 context.commands.push(Command::SeekTo(time));
             } else {
                 paint_hover(&painter, &scale, time, context, tokens);
@@ -214,6 +222,15 @@ impl TimeScale {
     }
 }
 
+impl TimeOnScreen for TimeScale {
+    fn x_of(&self, time: f64) -> f32 {
+        self.x(time)
+    }
+    fn time_of(&self, x: f32) -> f64 {
+        self.time(x)
+    }
+}
+
 fn paint_streamed(
     painter: &Painter,
     scale: &TimeScale,
@@ -278,6 +295,19 @@ fn paint_hover(
             text = format!("{text}   {accepted} accepted, {refused} refused");
         }
     }
+    paint_label(painter, scale, x, text, tokens);
+}
+
+/// When the selected span begins and ends, and how long it is.
+fn span_text(selected: Option<Span>, first: f64) -> String {
+    let Some((from, to)) = selected else {
+        return "Drag to select a span of time".to_owned();
+    };
+    let [begin, end] = [from, to].map(|time| clock_text(time - first));
+    format!("{begin} – {end}   {:.1} s", to - from)
+}
+
+fn paint_label(painter: &Painter, scale: &TimeScale, x: f32, text: String, tokens: &Tokens) {
     let galley = painter.layout_no_wrap(text, tokens.small(), tokens.text);
     let half = 0.5 * galley.size().x + 6.0;
     let middle = x.clamp(

@@ -46,22 +46,35 @@ impl Axes {
         self.x.0 + fraction * (self.x.1 - self.x.0)
     }
 
-    /// Grid lines and tick labels of the y axis, at the left, outside the area.
-    pub fn draw_y(&self, painter: &Painter, tokens: &Tokens) {
+    /// Values with a grid line across, and their labels.
+    pub fn y_ticks(&self, tokens: &Tokens) -> Vec<(f64, String)> {
         let most = ((self.rect.height() / (3.2 * tokens.text_sizes[0])) as usize).clamp(2, 6);
         let ticks = if self.log {
             decades(self.y.0, self.y.1)
         } else {
             few_or_ends(ticks(self.y.0, self.y.1, most), self.y)
         };
-        let text = if self.log {
+        let texts = if self.log {
             ticks.iter().map(|t| decade_label(*t)).collect()
         } else {
             labels(&ticks)
         };
-        for (tick, text) in ticks.iter().zip(text) {
-            let y = self.screen_y(*tick);
-            let width = if *tick == 0.0 { 1.0 } else { 0.5 };
+        ticks.into_iter().zip(texts).collect()
+    }
+
+    /// Values with a mark below, and their labels.
+    pub fn x_ticks(&self, tokens: &Tokens) -> Vec<(f64, String)> {
+        let most = ((self.rect.width() / (6.0 * tokens.text_sizes[0])) as usize).clamp(2, 10);
+        let ticks = ticks(self.x.0, self.x.1, most);
+        let texts = labels(&ticks);
+        ticks.into_iter().zip(texts).collect()
+    }
+
+    /// Grid lines and tick labels of the y axis, at the left, outside the area.
+    pub fn draw_y(&self, painter: &Painter, tokens: &Tokens) {
+        for (tick, text) in self.y_ticks(tokens) {
+            let y = self.screen_y(tick);
+            let width = if tick == 0.0 { 1.0 } else { 0.5 };
             painter.hline(self.rect.x_range(), y, Stroke::new(width, tokens.line));
             let y = y.clamp(
                 self.rect.top() + 0.4 * tokens.text_sizes[0],
@@ -79,8 +92,6 @@ impl Axes {
 
     /// Tick labels of the x axis below the area, with the axis' name at the right end.
     pub fn draw_x(&self, painter: &Painter, tokens: &Tokens, name: &str) {
-        let most = ((self.rect.width() / (6.0 * tokens.text_sizes[0])) as usize).clamp(2, 10);
-        let ticks = ticks(self.x.0, self.x.1, most);
         let top = self.rect.bottom() + 0.25 * tokens.space;
         let name_rect = painter.text(
             pos2(self.rect.right(), top),
@@ -89,8 +100,8 @@ impl Axes {
             parts::small(tokens),
             tokens.muted,
         );
-        for (tick, text) in ticks.iter().zip(labels(&ticks)) {
-            let x = self.screen_x(*tick);
+        for (tick, text) in self.x_ticks(tokens) {
+            let x = self.screen_x(tick);
             painter.vline(
                 x,
                 self.rect.bottom()..=self.rect.bottom() + 0.25 * tokens.space,

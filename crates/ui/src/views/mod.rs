@@ -19,6 +19,7 @@ mod picking;
 mod pictures;
 mod plots;
 mod sights;
+pub(crate) mod table;
 mod time_axis;
 mod tour;
 
@@ -28,7 +29,7 @@ pub use evaluation::{EvaluationFile, EvaluationScene, EvaluationView};
 pub use inspector::InspectorView;
 pub use matching::MatchView;
 pub use plots::PlotsView;
-pub(crate) use plots::draw::{Curve, line as curve_line};
+pub(crate) use plots::draw::{Curve, line as curve_line, polylines as curve_points};
 pub(crate) use plots::pyramid::Pyramid;
 pub(crate) use time_axis::TimeAxis;
 pub use tour::Tour;

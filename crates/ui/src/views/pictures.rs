@@ -155,6 +155,7 @@ impl Scene {
                         run: Some(&self.run),
                         ghost: self.ghost.as_ref(),
                         time,
+                        selected_span: None,
                         playing: false,
                         selection,
                         pictures: &*self.pictures,

@@ -6,6 +6,7 @@ use super::chart::Axes;
 use super::parts;
 use crate::command::Command;
 use crate::context::ViewContext;
+use crate::timeline::{SpanPointer, TimeOnScreen};
 use crate::tokens::Tokens;
 
 /// Shortest stretch of time that can be shown, seconds.
@@ -18,6 +19,16 @@ pub(crate) struct TimeAxis {
     pub zoom: Option<(f64, f64)>,
     /// Time under the pointer, from the last frame.
     pub hover: Option<f64>,
+    span_pointer: SpanPointer,
+}
+
+impl TimeOnScreen for Axes {
+    fn x_of(&self, time: f64) -> f32 {
+        self.screen_x(time)
+    }
+    fn time_of(&self, x: f32) -> f64 {
+        self.x_at(x)
+    }
 }
 
 impl TimeAxis {
@@ -26,20 +37,26 @@ impl TimeAxis {
         self.zoom.unwrap_or(whole)
     }
 
-    /// Chips for less time, more, and all of it; `time` is the cursor's.
-    pub fn chips(&mut self, ui: &mut Ui, tokens: &Tokens, time: f64, whole: (f64, f64)) {
+    /// Chips for less time, more, the selected span, and all of it.
+    pub fn chips(&mut self, ui: &mut Ui, context: &ViewContext<'_>, whole: (f64, f64)) {
+        let (tokens, time) = (context.tokens, context.time);
         let span = self.span(whole);
         for (text, name, factor) in [("+", "Less time", 0.5), ("−", "More time", 2.0)] {
             if parts::chip(ui, tokens, false, text, name).clicked() {
                 self.zoom = zoomed(span, time, factor, whole);
             }
         }
+        if let Some(selected) = context.selected_span.filter(|s| Some(*s) != self.zoom)
+            && parts::chip(ui, tokens, false, "Selected", "Selected time").clicked()
+        {
+            self.zoom = Some(wide_enough(selected, whole));
+        }
         if self.zoom.is_some() && parts::chip(ui, tokens, false, "All", "All time").clicked() {
             self.zoom = None;
         }
     }
 
-    /// Click and drag seek, wheel with Ctrl zooms, sideways wheel moves; returns the hovered time.
+    /// Click and drag seek, with Shift or at an edge they select a span, wheel with Ctrl zooms, sideways wheel moves; returns the hovered time.
     pub fn interact(
         &mut self,
         ui: &Ui,
@@ -48,7 +65,10 @@ impl TimeAxis {
         axes: &Axes,
         whole: (f64, f64),
     ) -> Option<f64> {
-        if (response.clicked() || response.dragged())
+        let selected = context.selected_span;
+        let selects = (self.span_pointer).follow(ui, context.commands, response, axes, selected);
+        if !selects
+            && (response.clicked() || response.dragged())
             && let Some(pointer) = response.interact_pointer_pos()
         {
             let time = axes.x_at(pointer.x).clamp(whole.0, whole.1);
@@ -97,6 +117,15 @@ impl TimeAxis {
             pos2(outer.right() - tokens.space, outer.bottom() - 1.0),
         )
     }
+}
+
+/// The span, or where it is too short to be shown alone, one around its middle.
+fn wide_enough(span: (f64, f64), whole: (f64, f64)) -> (f64, f64) {
+    let missing = 0.5 * (LEAST_SPAN - (span.1 - span.0)).max(0.0);
+    (
+        (span.0 - missing).max(whole.0),
+        (span.1 + missing).min(whole.1),
+    )
 }
 
 /// The span scaled around `time`; `None` for all of it.

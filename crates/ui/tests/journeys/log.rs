@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 use pilotage_ui::host::OpenedFile;
 use serde_json::Value;
@@ -29,7 +30,8 @@ fn eastward() -> Vec<u8> {
     log.into_bytes()
 }
 
-fn rig_with_a_log() -> Rig {
+/// The app with that log read and its first fields plotted.
+pub fn rig_with_a_log() -> Rig {
     let mut rig = rig();
     rig.host().really_open = true;
     rig.host().opened.push(vec![OpenedFile {
@@ -40,7 +42,8 @@ fn rig_with_a_log() -> Rig {
     rig
 }
 
-fn panels(rig: &Rig) -> Vec<Vec<String>> {
+/// The fields of each panel.
+pub fn panels(rig: &Rig) -> Vec<Vec<String>> {
     let state = rig.state();
     let panels = state["log"]["panels"].as_array().expect("panels").iter();
     let names = |panel: &Value| -> Vec<String> {
@@ -105,4 +108,91 @@ fn a_field_is_searched_plotted_alone_taken_away_and_colours_the_track() {
     rig.harness.get_by_label("Take Pitch away").click();
     rig.frames(3);
     assert_eq!(panels(&rig)[1], ["Roll"]);
+}
+
+/// The field for expressions, with the keyboard.
+fn at_expressions(rig: &mut Rig) {
+    rig.harness.get_by_label("Fields of the log").click();
+    rig.frames(3);
+    rig.harness.get_by_label("Expression over fields").focus();
+    rig.frames(2);
+}
+
+fn type_expression(rig: &mut Rig, text: &str) {
+    rig.harness
+        .get_by_label("Expression over fields")
+        .type_text(text);
+    rig.frames(3);
+}
+
+fn written(rig: &Rig) -> String {
+    let field = rig.harness.get_by_label("Expression over fields");
+    field.value().unwrap_or_default()
+}
+
+#[test]
+fn a_name_in_an_expression_is_completed_by_keys_and_the_expression_is_plotted() {
+    let mut rig = rig_with_a_log();
+    at_expressions(&mut rig);
+    type_expression(&mut rig, "2 * att.r");
+    rig.harness.get_by_label("Write ATT.Roll");
+    rig.key(Key::Tab);
+    assert_eq!(written(&rig), "2 * ATT.Roll");
+    type_expression(&mut rig, " - pitc");
+    rig.key(Key::ArrowDown);
+    rig.key(Key::Enter);
+    assert_eq!(written(&rig), "2 * ATT.Roll - ATT.Pitch");
+    let before = panels(&rig).len();
+    rig.key(Key::Enter);
+    rig.settle();
+    let after = panels(&rig);
+    assert_eq!(after.len(), before + 1);
+    assert_eq!(after[before], ["2 * ATT.Roll - ATT.Pitch"]);
+    assert_eq!(written(&rig), "");
+    rig.harness.get_by_label("Plot of 2 * ATT.Roll - ATT.Pitch");
+    rig.harness.get_by_label("Forget 2 * ATT.Roll - ATT.Pitch");
+}
+
+#[test]
+fn a_proposed_name_is_taken_by_a_click_and_refused_by_escape() {
+    let mut rig = rig_with_a_log();
+    at_expressions(&mut rig);
+    type_expression(&mut rig, "abs(groun");
+    rig.harness.get_by_label("Write {Ground speed}").click();
+    rig.frames(4);
+    assert_eq!(written(&rig), "abs({Ground speed}");
+    type_expression(&mut rig, " + at");
+    rig.key(Key::Escape);
+    assert!(rig.harness.query_by_label("Write ATT.Roll").is_none());
+    assert_eq!(written(&rig), "abs({Ground speed} + at");
+}
+
+#[test]
+fn what_is_wrong_with_an_expression_is_said_with_its_place() {
+    let mut rig = rig_with_a_log();
+    at_expressions(&mut rig);
+    type_expression(&mut rig, "ATT.Rol + 1");
+    rig.harness
+        .get_by_label("Letter 1: no series is called ATT.Rol; did you mean ATT.Roll?");
+    let before = panels(&rig).len();
+    rig.key(Key::Enter);
+    rig.frames(3);
+    assert_eq!(panels(&rig).len(), before);
+    assert_eq!(written(&rig), "ATT.Rol + 1");
+}
+
+#[test]
+fn an_expression_is_plotted_beside_other_fields_with_shift() {
+    let mut rig = rig_with_a_log();
+    at_expressions(&mut rig);
+    type_expression(&mut rig, "smooth(ATT.Roll, 1)");
+    rig.key_with(Modifiers::SHIFT, Key::Enter);
+    rig.settle();
+    let panels = panels(&rig);
+    assert_eq!(panels.len(), 2);
+    assert!(
+        panels
+            .iter()
+            .any(|p| p.last().is_some_and(|f| f == "smooth(ATT.Roll, 1)"))
+    );
 }

@@ -51,3 +51,27 @@ fn opening_the_settings_changes_nothing() {
     assert_eq!(rig.host().flights(), before);
     assert_eq!(rig.state()["undo"], 0);
 }
+
+#[test]
+fn another_estimator_is_chosen_and_flown_with() {
+    let mut rig = rig();
+    rig.harness.get_by_label("Filter settings").click();
+    rig.frames(3);
+    rig.harness.get_by_label("Estimator").click();
+    rig.frames(3);
+    rig.harness.get_by_label("Extended Kalman filter").click();
+    rig.frames(2);
+    rig.settle();
+    let Some((
+        _,
+        Job::Fly {
+            mission: Some(mission),
+            ..
+        },
+    )) = rig.host().last_flight().cloned()
+    else {
+        panic!("no mission was flown");
+    };
+    let chosen = mission.navigator.estimator.choice;
+    assert_eq!(chosen.label(), "Extended Kalman filter");
+}

@@ -1,5 +1,6 @@
 //! The filter against mathematics it must reproduce.
 
+mod estimators;
 mod honesty;
 mod invariants;
 mod linear;

@@ -15,6 +15,9 @@ pub enum TimeFormat {
     /// Microseconds in the flight's time base.
     #[serde(rename = "us")]
     Microseconds,
+    /// Nanoseconds in the flight's time base.
+    #[serde(rename = "ns")]
+    Nanoseconds,
     /// Date and time as cameras write them, `2016:06:23 16:31:59`.
     #[serde(rename = "YYYY:MM:DD HH:MM:SS")]
     Camera,
@@ -54,6 +57,7 @@ impl TimeFormat {
             Self::Seconds => scaled(1.0),
             Self::Milliseconds => scaled(1e-3),
             Self::Microseconds => scaled(1e-6),
+            Self::Nanoseconds => scaled(1e-9),
             Self::Camera | Self::Iso => date_and_time(text).ok_or_else(|| {
                 format!(
                     "\"{}\" is not a date and time such as 2016:06:23 16:31:59 or \
@@ -85,7 +89,7 @@ pub(super) fn shortened(text: &str) -> String {
 
 /// Reads `YYYY-MM-DD HH:MM:SS` with `:` or `-` in the date, `T` or a blank between, an optional
 /// fraction and an optional zone; times without a zone are taken as they are.
-pub(super) fn date_and_time(text: &str) -> Option<Moment> {
+pub(in crate::flight) fn date_and_time(text: &str) -> Option<Moment> {
     let text = text.trim();
     if !text.is_ascii() || text.len() < 19 {
         return None;

@@ -9,11 +9,11 @@ use crate::camera::{CameraModel, Distortion, Lens, Mount};
 use crate::frames::Geodetic;
 
 /// Version of the layout that is written.
-pub(super) const VERSION: u32 = 1;
+pub(in crate::flight) const VERSION: u32 = 1;
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct FlightFile {
+pub(in crate::flight) struct FlightFile {
     pub pilotage_flight: u32,
     pub name: String,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -80,7 +80,7 @@ pub(crate) struct MountFile {
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct StartFile {
+pub(in crate::flight) struct StartFile {
     /// Seconds; the first frame's time if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub time_s: Option<f64>,
@@ -98,7 +98,7 @@ pub(super) struct StartFile {
 /// How a column of times is read.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct TimeColumn {
+pub(in crate::flight) struct TimeColumn {
     pub column: String,
     #[serde(default)]
     pub format: TimeFormat,
@@ -110,7 +110,7 @@ pub(super) struct TimeColumn {
 /// How a column of values is read: (cell · scale + offset) in `unit`.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct ValueColumn {
+pub(in crate::flight) struct ValueColumn {
     pub column: String,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
@@ -122,7 +122,7 @@ pub(super) struct ValueColumn {
 
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct ChannelFile {
+pub(in crate::flight) struct ChannelFile {
     /// A channel's name, or `gps` for latitude and longitude, or `gps_velocity` for speed and course.
     pub name: String,
     pub file: String,
@@ -141,7 +141,7 @@ pub(super) struct ChannelFile {
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct FramesFile {
+pub(in crate::flight) struct FramesFile {
     pub file: String,
     /// Column with the names of the pictures.
     pub name: String,
@@ -156,7 +156,7 @@ pub(super) struct FramesFile {
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct TruthFile {
+pub(in crate::flight) struct TruthFile {
     /// Series of the true state.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub states: Option<TruthStatesFile>,
@@ -167,7 +167,7 @@ pub(super) struct TruthFile {
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct TruthStatesFile {
+pub(in crate::flight) struct TruthStatesFile {
     pub file: String,
     pub time: TimeColumn,
     pub position: PositionColumns,
@@ -179,7 +179,7 @@ pub(super) struct TruthStatesFile {
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct TruthFramesFile {
+pub(in crate::flight) struct TruthFramesFile {
     pub file: String,
     /// Column with the names of the pictures.
     pub name: String,
@@ -191,7 +191,7 @@ pub(super) struct TruthFramesFile {
 /// A position in one of three ways, and its height.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
-pub(super) struct PositionColumns {
+pub(in crate::flight) struct PositionColumns {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub north: Option<ValueColumn>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -213,7 +213,7 @@ pub(super) struct PositionColumns {
 /// A place given as pixel of a map picture.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct MapPixelColumns {
+pub(in crate::flight) struct MapPixelColumns {
     pub x: ValueColumn,
     pub y: ValueColumn,
     /// World file or fitted similarity of the map picture.
@@ -225,7 +225,7 @@ pub(super) struct MapPixelColumns {
 /// Where the centre of the top-left pixel lies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub(super) enum PixelCentres {
+pub(in crate::flight) enum PixelCentres {
     /// At (½, ½).
     #[default]
     HalfIntegers,
@@ -235,7 +235,7 @@ pub(super) enum PixelCentres {
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct AttitudeColumns {
+pub(in crate::flight) struct AttitudeColumns {
     pub roll: ValueColumn,
     pub pitch: ValueColumn,
     pub yaw: ValueColumn,
@@ -243,7 +243,7 @@ pub(super) struct AttitudeColumns {
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct WindColumns {
+pub(in crate::flight) struct WindColumns {
     pub north: ValueColumn,
     pub east: ValueColumn,
 }

@@ -16,8 +16,13 @@ mod tests;
 mod units;
 mod write;
 
+pub(super) use clock::{Moment, TimeFormat, date_and_time};
 pub use error::FolderError;
 pub(crate) use layout::{CameraFile, OriginFile};
+pub(super) use layout::{ChannelFile, FlightFile, StartFile, TimeColumn, VERSION, ValueColumn};
 pub use pictures::FolderFrames;
+pub(super) use read::read_tables;
 pub use read::{FLIGHT_FILE, FlightFolder, read_flight};
+pub(super) use table::{Table, decoded};
+pub(super) use units::Dimension;
 pub use write::{WriteError, write_flight};

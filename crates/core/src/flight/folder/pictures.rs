@@ -16,7 +16,7 @@ pub struct FolderFrames {
 
 impl FolderFrames {
     /// Pictures of the given names in `directory`, which is looked up in `folders`.
-    pub(super) fn new(
+    pub(in crate::flight) fn new(
         files: Arc<dyn FileSet>,
         folders: Vec<String>,
         directory: &str,

@@ -109,11 +109,29 @@ pub fn read_flight(files: Arc<dyn FileSet>) -> Result<FlightFolder, FolderError>
     read_layout(files, &layout, base)
 }
 
+/// Reads a flight whose layout is known, of tables that are read already.
+pub(in crate::flight) fn read_tables(
+    files: Arc<dyn FileSet>,
+    layout: &FlightFile,
+    tables: BTreeMap<String, Arc<Table>>,
+) -> Result<FlightFolder, FolderError> {
+    read_with(files, layout, String::new(), tables)
+}
+
 /// Reads a flight whose layout is known.
 pub(super) fn read_layout(
     files: Arc<dyn FileSet>,
     layout: &FlightFile,
     base: String,
+) -> Result<FlightFolder, FolderError> {
+    read_with(files, layout, base, BTreeMap::new())
+}
+
+fn read_with(
+    files: Arc<dyn FileSet>,
+    layout: &FlightFile,
+    base: String,
+    tables: BTreeMap<String, Arc<Table>>,
 ) -> Result<FlightFolder, FolderError> {
     if layout.pilotage_flight != VERSION {
         return Err(contents(
@@ -128,7 +146,7 @@ pub(super) fn read_layout(
     let mut folder = Folder {
         files: Arc::clone(&files),
         folders: data.into_iter().chain([base]).collect(),
-        tables: BTreeMap::new(),
+        tables,
         notes: Vec::new(),
     };
     let frame_on_globe = layout

@@ -6,73 +6,131 @@ use super::clock::{Moment, shortened};
 use super::error::FolderError;
 use super::layout::{TimeColumn, ValueColumn};
 use super::units::Dimension;
+use crate::flight::columns::{Separator, TableShape, number};
 
 /// A CSV file, as text cells.
-pub(super) struct Table {
+pub(in crate::flight) struct Table {
     file: String,
     header: Vec<String>,
     /// Line in the file and cells.
     rows: Vec<(u64, csv::StringRecord)>,
+    /// Whether cells that are no numbers count as empty.
+    is_lenient: bool,
+    has_decimal_comma: bool,
 }
 
 impl Table {
     /// Reads a table; the separator is a comma, semicolon, tabulator or blanks, as the first line has
     /// it. Where that line is all numbers, it is the first row, and the columns are called #1, #2 ….
     pub(super) fn parse(file: &str, bytes: &[u8]) -> Result<Self, FolderError> {
-        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        let bytes = without_mark(bytes);
         let first_line = bytes.split(|b| *b == b'\n').next().unwrap_or_default();
         let header_line = String::from_utf8_lossy(first_line);
         let count = |separator: u8| header_line.matches(char::from(separator)).count();
-        let separator = [b',', b';', b'\t']
+        let separator = [Separator::Comma, Separator::Semicolon, Separator::Tab]
             .into_iter()
             .rev()
-            .max_by_key(|s| count(*s))
-            .unwrap_or(b',');
-        let blanks = count(separator) == 0 && header_line.split_whitespace().nth(1).is_some();
-        let bytes = if blanks {
-            Cow::Owned(with_commas_for_blanks(bytes))
-        } else {
-            Cow::Borrowed(bytes)
+            .max_by_key(|s| count(s.byte()))
+            .unwrap_or(Separator::Comma);
+        let blanks =
+            count(separator.byte()) == 0 && header_line.split_whitespace().nth(1).is_some();
+        let separator = if blanks { Separator::Blanks } else { separator };
+        let mut rows = records(file, bytes, separator, None, 0)?;
+        let is_header =
+            |row: &csv::StringRecord| row.iter().any(|cell| cell.parse::<f64>().is_err());
+        let header: Vec<String> = match rows.first() {
+            Some((_, row)) if is_header(row) => {
+                let (_, row) = rows.remove(0);
+                row.iter().map(str::to_owned).collect()
+            }
+            Some((_, row)) => (1..=row.len()).map(|i| format!("#{i}")).collect(),
+            None => Vec::new(),
         };
-        let mut reader = csv::ReaderBuilder::new()
-            .delimiter(separator)
-            .flexible(true)
-            .has_headers(false)
-            .trim(csv::Trim::All)
-            .from_reader(bytes.as_ref());
-        let mut header = None;
-        let mut rows = Vec::new();
-        for record in reader.records() {
-            let record = record.map_err(|e| FolderError::File {
-                file: file.to_owned(),
-                cause: e.to_string(),
-            })?;
-            let line = record.position().map_or(0, csv::Position::line);
-            if header.is_none() {
-                if record.iter().any(|cell| cell.parse::<f64>().is_err()) {
-                    header = Some(record.iter().map(str::to_owned).collect());
-                    continue;
-                }
-                header = Some((1..=record.len()).map(|i| format!("#{i}")).collect());
-            }
-            if record.iter().any(|cell| !cell.is_empty()) {
-                rows.push((line, record));
-            }
-        }
+        rows.retain(|(_, row)| row.iter().any(|cell| !cell.is_empty()));
         Ok(Self {
             file: file.to_owned(),
-            header: header.unwrap_or_default(),
+            header,
             rows,
+            is_lenient: false,
+            has_decimal_comma: false,
         })
     }
 
+    /// Reads a table of that shape whose columns are called so. Cells that make no sense count as empty.
+    pub(in crate::flight) fn shaped(
+        file: &str,
+        bytes: &[u8],
+        shape: &TableShape,
+        header: Vec<String>,
+    ) -> Result<Self, FolderError> {
+        let bytes = decoded(bytes);
+        let skipped = shape.skipped_lines + shape.head_lines();
+        let mut rest = bytes.as_ref();
+        for _ in 0..skipped {
+            let end = rest
+                .iter()
+                .position(|b| *b == b'\n')
+                .map_or(rest.len(), |end| end + 1);
+            rest = &rest[end..];
+        }
+        let mut rows = records(file, rest, shape.separator, Some(b'#'), skipped as u64)?;
+        rows.retain(|(_, row)| row.iter().any(|cell| !cell.is_empty()));
+        Ok(Self {
+            file: file.to_owned(),
+            header,
+            rows,
+            is_lenient: true,
+            has_decimal_comma: shape.has_decimal_comma,
+        })
+    }
+
+    /// Adds a column `name` of times, seconds: rows are `step` apart.
+    pub(in crate::flight) fn number_rows(&mut self, name: &str, step: f64) {
+        let width = self.header.len();
+        self.header.push(name.to_owned());
+        for (index, (_, row)) in self.rows.iter_mut().enumerate() {
+            row.truncate(width);
+            while row.len() < width {
+                row.push_field("");
+            }
+            row.push_field(&(index as f64 * step).to_string());
+        }
+    }
+
+    /// Leaves out the rows whose time is missing or before that of a row before them; returns how many.
+    pub(in crate::flight) fn keep_rows_in_time(&mut self, map: &TimeColumn) -> usize {
+        let Ok(index) = self.index(&map.column) else {
+            return 0;
+        };
+        let total = self.rows.len();
+        let has_comma = self.has_decimal_comma;
+        let mut last: Option<Moment> = None;
+        self.rows.retain(|(_, row)| {
+            let cell = point(row.get(index).unwrap_or(""), has_comma);
+            let Ok(moment) = map.format.parse(&cell) else {
+                return false;
+            };
+            let origin = match last {
+                Some(Moment::Absolute(whole, fraction)) => Some((whole, fraction)),
+                _ => None,
+            };
+            let before = last.map_or(f64::NEG_INFINITY, |last| last.since(origin));
+            let is_later = moment.since(origin) >= before;
+            if is_later {
+                last = Some(moment);
+            }
+            is_later
+        });
+        total - self.rows.len()
+    }
+
     /// Whether there is a column of that name.
-    pub(super) fn has(&self, column: &str) -> bool {
+    pub(in crate::flight) fn has(&self, column: &str) -> bool {
         self.header.iter().any(|name| name == column)
     }
 
     /// Number of rows.
-    pub(super) fn len(&self) -> usize {
+    pub(in crate::flight) fn len(&self) -> usize {
         self.rows.len()
     }
 
@@ -103,7 +161,7 @@ impl Table {
     }
 
     /// Text cells of a column, empty where a row is short.
-    pub(super) fn texts(&self, column: &str) -> Result<Vec<&str>, FolderError> {
+    pub(in crate::flight) fn texts(&self, column: &str) -> Result<Vec<&str>, FolderError> {
         let index = self.index(column)?;
         Ok(self
             .rows
@@ -113,20 +171,20 @@ impl Table {
     }
 
     /// Moments of a column before they are counted from an origin, with the map's offset to add.
-    pub(super) fn moments(&self, map: &TimeColumn) -> Result<Vec<Moment>, FolderError> {
+    pub(in crate::flight) fn moments(&self, map: &TimeColumn) -> Result<Vec<Moment>, FolderError> {
         self.texts(&map.column)?
             .into_iter()
             .enumerate()
             .map(|(row, text)| {
                 map.format
-                    .parse(text)
+                    .parse(&point(text, self.has_decimal_comma))
                     .map_err(|cause| self.cell_error(row, &map.column, cause))
             })
             .collect()
     }
 
     /// Times of a column in seconds, which must not go back.
-    pub(super) fn times(
+    pub(in crate::flight) fn times(
         &self,
         map: &TimeColumn,
         origin: Option<(i64, f64)>,
@@ -151,7 +209,7 @@ impl Table {
     }
 
     /// Values of a column in SI and radians; `None` where the cell is empty or says nan.
-    pub(super) fn values(
+    pub(in crate::flight) fn values(
         &self,
         map: &ValueColumn,
         dimension: Dimension,
@@ -171,18 +229,75 @@ impl Table {
                 if text.is_empty() || text.eq_ignore_ascii_case("nan") {
                     return Ok(None);
                 }
-                let value: f64 = text.parse().map_err(|_| {
-                    let cause = format!("\"{}\" is not a number", shortened(text));
-                    self.cell_error(row, &map.column, cause)
-                })?;
-                let value = (value * map.scale + map.offset) * factor;
-                if value.is_finite() {
-                    Ok(Some(value))
-                } else {
-                    Err(self.cell_error(row, &map.column, "the value is not finite"))
+                let value = number(text, self.has_decimal_comma);
+                let value = value.map(|value| (value * map.scale + map.offset) * factor);
+                match value {
+                    Some(value) if value.is_finite() => Ok(Some(value)),
+                    _ if self.is_lenient => Ok(None),
+                    None => {
+                        let cause = format!("\"{}\" is not a number", shortened(text));
+                        Err(self.cell_error(row, &map.column, cause))
+                    }
+                    Some(_) => Err(self.cell_error(row, &map.column, "the value is not finite")),
                 }
             })
             .collect()
+    }
+}
+
+/// Line in the file and cells of each row, `before` lines of which were taken already.
+fn records(
+    file: &str,
+    bytes: &[u8],
+    separator: Separator,
+    remark: Option<u8>,
+    before: u64,
+) -> Result<Vec<(u64, csv::StringRecord)>, FolderError> {
+    let (bytes, byte) = match separator {
+        Separator::Blanks => (Cow::Owned(with_commas_for_blanks(bytes)), b','),
+        separator => (Cow::Borrowed(bytes), separator.byte()),
+    };
+    let mut reader = csv::ReaderBuilder::new()
+        .delimiter(byte)
+        .flexible(true)
+        .has_headers(false)
+        .comment(remark)
+        .trim(csv::Trim::All)
+        .from_reader(bytes.as_ref());
+    let record = |record: csv::Result<csv::StringRecord>| {
+        let record = record.map_err(|e| FolderError::File {
+            file: file.to_owned(),
+            cause: e.to_string(),
+        })?;
+        let line = record.position().map_or(0, csv::Position::line);
+        Ok((before + line, record))
+    };
+    reader.records().map(record).collect()
+}
+
+/// A cell with a point before decimals.
+fn point(cell: &str, has_decimal_comma: bool) -> Cow<'_, str> {
+    if has_decimal_comma {
+        Cow::Owned(cell.replacen(',', ".", 1))
+    } else {
+        Cow::Borrowed(cell)
+    }
+}
+
+fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
+}
+
+/// The text in UTF-8: what is no such is taken for Latin-1, in which degrees are one byte.
+pub(in crate::flight) fn decoded(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let bytes = without_mark(bytes);
+    match str::from_utf8(bytes) {
+        // At the end a letter may be cut off.
+        Err(error) if error.error_len().is_some() => {
+            let text: String = bytes.iter().copied().map(char::from).collect();
+            Cow::Owned(text.into_bytes())
+        }
+        _ => Cow::Borrowed(bytes),
     }
 }
 

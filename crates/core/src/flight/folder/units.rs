@@ -5,7 +5,7 @@ use crate::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
 
 /// What a column measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Dimension {
+pub(in crate::flight) enum Dimension {
     Length,
     Speed,
     Angle,
@@ -43,6 +43,16 @@ const ACCELERATIONS: &[(&str, f64)] = &[("m/s2", 1.0), ("g", GRAVITY), ("mg", 1e
 const NUMBERS: &[(&str, f64)] = &[("px", 1.0), ("", 1.0)];
 
 impl Dimension {
+    /// That of a quantity.
+    pub(in crate::flight) fn of(quantity: Quantity) -> Self {
+        quantity.into()
+    }
+
+    /// Names of the units that there are.
+    pub(in crate::flight) fn names(self) -> Vec<&'static str> {
+        self.units().iter().map(|(name, _)| *name).collect()
+    }
+
     fn units(self) -> &'static [(&'static str, f64)] {
         match self {
             Self::Length => LENGTHS,
@@ -56,7 +66,7 @@ impl Dimension {
 
     /// Factor from `unit` to SI and radians; without a unit values are in SI already. The error
     /// names the units that there are.
-    pub(super) fn factor(self, unit: Option<&str>) -> Result<f64, String> {
+    pub(in crate::flight) fn factor(self, unit: Option<&str>) -> Result<f64, String> {
         let Some(unit) = unit else { return Ok(1.0) };
         let known = self.units();
         known

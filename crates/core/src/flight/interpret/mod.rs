@@ -2,6 +2,7 @@
 
 mod flight;
 mod role;
+mod ros;
 mod series;
 mod source;
 #[cfg(test)]

@@ -32,7 +32,8 @@ impl RoleSeries {
     }
 }
 
-/// A field and its factor to SI: the stated unit's, else the one that is usual there.
+/// A field and its factor to SI: the stated unit's, else the one that is usual there. The sign is that of the usual
+/// one: no unit tells which way an axis points.
 struct Scaled<'a> {
     field: &'a FieldLayout,
     factor: f64,
@@ -41,7 +42,8 @@ struct Scaled<'a> {
 impl<'a> Scaled<'a> {
     fn new(topic: &'a Topic, name: &str, usual: f64) -> Option<Self> {
         let field = topic.field(name).filter(|f| f.kind.is_number())?;
-        let factor = factor_of_unit(&field.unit).unwrap_or(usual);
+        let known = factor_of_unit(&field.unit);
+        let factor = known.map_or(usual, |factor| factor.copysign(usual));
         Some(Self { field, factor })
     }
 
@@ -76,6 +78,32 @@ fn reader<'a>(source: &Source, topic: &'a Topic) -> Option<Reader<'a>> {
             };
             (Box::new(angle), name.to_owned())
         }
+        Reading::RosQuaternion(name) => {
+            let part = |part: &str| Scaled::new(topic, &format!("{name}.{part}"), 1.0);
+            let parts = [part("w")?, part("x")?, part("y")?, part("z")?];
+            let angle = move |row: &[u8]| {
+                let [w, x, y, z] = [0, 1, 2, 3].map(|i| parts[i].value(row));
+                let attitude = UnitQuaternion::try_new(Quaternion::new(w?, x?, y?, z?), 1e-6)?;
+                // About the same forward axis, but a left axis and one up in place of right and down.
+                let (roll, pitch, yaw) = attitude.euler_angles();
+                Some(match role {
+                    Role::Roll => roll,
+                    Role::Pitch => -pitch,
+                    _ => std::f64::consts::FRAC_PI_2 - yaw,
+                })
+            };
+            (Box::new(angle), name.to_owned())
+        }
+        Reading::RosFix(name) => {
+            let status = Scaled::new(topic, name, 1.0)?;
+            let fix = move |row: &[u8]| Some(if status.value(row)? < 0.0 { 0.0 } else { 3.0 });
+            (Box::new(fix), name.to_owned())
+        }
+        Reading::Pressure(name) => {
+            let pressure = Scaled::new(topic, name, 1.0)?;
+            let height = move |row: &[u8]| Some(standard_height(pressure.value(row)?));
+            (Box::new(height), name.to_owned())
+        }
         Reading::Course(speed, speed_factor, course, course_factor) => {
             let name = format!("{speed}, {course}");
             let speed = Scaled::new(topic, speed, speed_factor)?;
@@ -99,9 +127,31 @@ fn reader<'a>(source: &Source, topic: &'a Topic) -> Option<Reader<'a>> {
     })
 }
 
-/// The series that `source` names, or `None` if the log has no such fields or no row of them.
-fn read(log: &Log, source: &Source) -> Option<RoleSeries> {
-    let topic = log.first(source.topic).filter(|t| !t.is_empty())?;
+/// Height at which the standard atmosphere (ISO 2533) has a pressure in Pa, metres.
+///
+/// Where temperature falls by L = 6.5 K/km from T = 288.15 K: p/p₀ = (1 - L h / T)^(g M / (R L)).
+fn standard_height(pressure: f64) -> f64 {
+    const TEMPERATURE: f64 = 288.15;
+    const LAPSE: f64 = 0.0065;
+    const EXPONENT: f64 = 5.255_876;
+    TEMPERATURE / LAPSE * (1.0 - (pressure / 101_325.0).powf(1.0 / EXPONENT))
+}
+
+/// Topics that `source` names: the first of that name, or else all of that kind.
+fn topics<'a>(log: &'a Log, source: &Source) -> Vec<&'a Topic> {
+    if let Some(topic) = log.first(source.topic) {
+        return vec![topic];
+    }
+    let (kind, part) = source.topic.split_once('@').unwrap_or((source.topic, ""));
+    let is_it = |topic: &&Topic| topic.kind() == kind && topic.name.name.contains(part);
+    log.topics.iter().filter(is_it).collect()
+}
+
+/// The series that `source` names in a topic, or `None` if it has no such fields or no row of them.
+fn read(topic: &Topic, source: &Source) -> Option<RoleSeries> {
+    if topic.is_empty() {
+        return None;
+    }
     let (value_of, name) = reader(source, topic)?;
     let mut series = RoleSeries {
         role: source.role,
@@ -142,16 +192,18 @@ fn is_alive(series: &RoleSeries) -> bool {
 
 /// The series of a role: from the best place that says anything, else from the best that is there.
 pub fn series(log: &Log, role: Role) -> Option<RoleSeries> {
-    let places = sources(log.format).iter().filter(|s| s.role == role);
+    let places = sources(log.format).filter(|s| s.role == role);
     let mut dead = None;
     for source in places {
-        let Some(found) = read(log, source) else {
-            continue;
-        };
-        if is_alive(&found) {
-            return Some(found);
+        for found in topics(log, source)
+            .into_iter()
+            .filter_map(|topic| read(topic, source))
+        {
+            if is_alive(&found) {
+                return Some(found);
+            }
+            dead.get_or_insert(found);
         }
-        dead.get_or_insert(found);
     }
     dead
 }

@@ -1,12 +1,15 @@
 //! Where formats keep the roles: tables to be read, one line a place.
 
 use super::Role;
+use super::ros::ROS;
 use crate::flight::log::LogFormat;
 
-const DEGREE: f64 = std::f64::consts::PI / 180.0;
+pub(super) const DEGREE: f64 = std::f64::consts::PI / 180.0;
 const GRAVITY: f64 = crate::frames::units::GRAVITY;
 
 /// How a value is made of the fields of a row.
+///
+/// Those of ROS have the world's axes east, north, up and the body's forward, left, up (REP 103, REP 105).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reading {
     /// A field; the factor to SI counts where the log states no unit itself.
@@ -19,6 +22,13 @@ pub enum Reading {
     /// The north or east part of the air's velocity from the direction that wind comes from, with the
     /// factor of the direction, and its speed.
     WindFrom(&'static str, f64, &'static str),
+    /// An angle of the attitude that takes body to world after ROS, as a quaternion in the fields `name.x` to
+    /// `name.w`.
+    RosQuaternion(&'static str),
+    /// A kind of fix: none where the field is negative.
+    RosFix(&'static str),
+    /// The height at which the standard atmosphere has the pressure of a field, Pa.
+    Pressure(&'static str),
 }
 
 /// A place where a role may be found.
@@ -26,13 +36,19 @@ pub enum Reading {
 pub struct Source {
     /// The role.
     pub role: Role,
-    /// Name of the topic, whichever instance comes first.
+    /// Name of the topic, whichever instance comes first; or the [kind](crate::flight::log::Topic::kind) of its
+    /// rows, and after an `@` what has to stand in its name.
     pub topic: &'static str,
     /// How a row is read.
     pub reading: Reading,
 }
 
-const fn field(role: Role, topic: &'static str, name: &'static str, factor: f64) -> Source {
+pub(super) const fn field(
+    role: Role,
+    topic: &'static str,
+    name: &'static str,
+    factor: f64,
+) -> Source {
     Source {
         role,
         topic,
@@ -40,7 +56,7 @@ const fn field(role: Role, topic: &'static str, name: &'static str, factor: f64)
     }
 }
 
-const fn of(role: Role, topic: &'static str, reading: Reading) -> Source {
+pub(super) const fn of(role: Role, topic: &'static str, reading: Reading) -> Source {
     Source {
         role,
         topic,
@@ -49,13 +65,15 @@ const fn of(role: Role, topic: &'static str, reading: Reading) -> Source {
 }
 
 /// Places of a format, for each role the best first.
-pub fn sources(format: LogFormat) -> &'static [Source] {
-    match format {
-        LogFormat::Dataflash | LogFormat::DataflashText => DATAFLASH,
-        LogFormat::Ulog => ULOG,
-        LogFormat::Tlog => TLOG,
-        LogFormat::Mcap => &[],
-    }
+pub fn sources(format: LogFormat) -> impl Iterator<Item = &'static Source> {
+    let tables: &[&[Source]] = match format {
+        LogFormat::Dataflash | LogFormat::DataflashText => &[DATAFLASH],
+        LogFormat::Ulog => &[ULOG],
+        LogFormat::Tlog => &[TLOG],
+        // PX4's messages tell more plainly what they are.
+        LogFormat::Mcap => &[ULOG, ROS],
+    };
+    tables.iter().copied().flatten()
 }
 
 const DATAFLASH: &[Source] = &[
@@ -303,7 +321,7 @@ pub fn factor_of_unit(unit: &str) -> Option<f64> {
         "deg" | "degheading" | "deglatitude" | "deglongitude" | "deg/s" | "degrees" => DEGREE,
         "cdeg" | "cdeg/s" => 0.01 * DEGREE,
         "degE7" => 1e-7 * DEGREE,
-        "rad" | "rad/s" | "m" | "m/s" | "m/s/s" | "m/s^2" | "s" | "satellites" => 1.0,
+        "rad" | "rad/s" | "m" | "m/s" | "m/s/s" | "m/s^2" | "m/s²" | "s" | "satellites" => 1.0,
         "mrad/s" | "mm" | "mm/s" => 1e-3,
         "cm" | "cm/s" => 0.01,
         "km" => 1e3,

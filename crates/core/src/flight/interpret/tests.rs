@@ -2,6 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use nalgebra::UnitQuaternion;
+
 use super::*;
 use crate::flight::ChannelName;
 use crate::flight::log::{FieldKind, FieldLayout, Log, LogFormat, TopicName};
@@ -134,4 +136,106 @@ fn a_wind_from_the_west_blows_east() {
     assert!((east.values[0] - 8.0).abs() < 1e-12);
     let north = series(&log, Role::WindNorth).unwrap();
     assert!(north.values[0].abs() < 1e-12);
+}
+
+/// A flight of messages of ROS: eastward, nose down, right wing down, in its axes.
+fn of_ros() -> Log {
+    let mut log = Log::new("bag.mcap", LogFormat::Mcap);
+    let mut add_kind = |name: &str, schema: &str, fields: &[(&str, &str)], row: Vec<f64>| {
+        let later: Vec<_> = row.iter().map(|v| v + 1e-3).collect();
+        add(&mut log, name, fields, &[row, later]);
+        schema.clone_into(&mut log.topics.last_mut().unwrap().schema);
+    };
+    let quaternion = [
+        "orientation.x",
+        "orientation.y",
+        "orientation.z",
+        "orientation.w",
+    ];
+    let quaternion = quaternion.map(|name| (name, ""));
+    add_kind("/raw", "sensor_msgs/msg/Imu", &quaternion, vec![0.0; 5]);
+    // East is forward along the world's first axis; nose down is positive about the left axis.
+    let attitude = UnitQuaternion::from_euler_angles(0.2, 0.1, 0.0);
+    let q = attitude.coords;
+    add_kind(
+        "/imu",
+        "sensor_msgs/msg/Imu",
+        &quaternion,
+        vec![0.0, q.x, q.y, q.z, q.w],
+    );
+    let rates = [
+        ("angular_velocity.y", "rad/s"),
+        ("linear_acceleration.z", "m/s²"),
+    ];
+    add_kind("/rates", "sensor_msgs/Imu", &rates, vec![0.0, 0.3, 9.8]);
+    let fix = [
+        ("latitude", "deg"),
+        ("longitude", "deg"),
+        ("status.status", ""),
+    ];
+    add_kind(
+        "/fix",
+        "sensor_msgs/msg/NavSatFix",
+        &fix,
+        vec![0.0, 47.0, 8.0, 0.0],
+    );
+    let velocity = [("twist.linear.x", "m/s"), ("twist.linear.y", "m/s")];
+    add_kind(
+        "/cmd_vel",
+        "geometry_msgs/TwistStamped",
+        &velocity,
+        vec![0.0, 99.0, 99.0],
+    );
+    add_kind(
+        "/gps/velocity",
+        "geometry_msgs/TwistStamped",
+        &velocity,
+        vec![0.0, 20.0, 1.0],
+    );
+    let pressure = [("fluid_pressure", "Pa")];
+    add_kind(
+        "/air",
+        "sensor_msgs/msg/FluidPressure",
+        &pressure,
+        vec![0.0, 89_874.57],
+    );
+    log
+}
+
+#[test]
+fn axes_of_ros_become_those_of_aircraft() {
+    let log = of_ros();
+    let first = |role| {
+        series(&log, role)
+            .unwrap_or_else(|| panic!("no {role:?}"))
+            .values[0]
+    };
+    assert!((first(Role::Heading) - FRAC_PI_2).abs() < 1e-12);
+    assert!((first(Role::Roll) - 0.2).abs() < 1e-12);
+    assert!((first(Role::Pitch) + 0.1).abs() < 1e-12);
+    assert_eq!(first(Role::PitchRate), -0.3);
+    assert_eq!(first(Role::AccelerationDown), -9.8);
+    assert_eq!(
+        [first(Role::GpsVelocityNorth), first(Role::GpsVelocityEast)],
+        [1.0, 20.0]
+    );
+    // ISO 2533 has 89 874.57 Pa at 1000 m.
+    assert!((first(Role::BarometricHeight) - 1000.0).abs() < 0.1);
+    assert!(flight_from_log(&log).flight.is_ok());
+}
+
+#[test]
+fn messages_of_px4_are_known_by_what_they_are_wherever_they_come_from() {
+    let mut log = Log::new("bag.mcap", LogFormat::Mcap);
+    let fields = [("q[0]", ""), ("q[1]", ""), ("q[2]", ""), ("q[3]", "")];
+    let half = 0.5 * FRAC_PI_2;
+    let rows = [
+        vec![0.0, half.cos(), 0.0, 0.0, half.sin()],
+        vec![1.0, 1.0, 0.0, 0.0, 0.0],
+    ];
+    add(&mut log, "/fmu/out/vehicle_attitude", &fields, &rows);
+    "px4_msgs/msg/VehicleAttitude".clone_into(&mut log.topics[0].schema);
+    let heading = series(&log, Role::Heading).unwrap();
+    assert!((heading.values[0] - FRAC_PI_2).abs() < 1e-12);
+    assert_eq!(heading.source, "/fmu/out/vehicle_attitude.q");
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Log, dataflash, tlog, ulog};
+use super::{Log, dataflash, mcap, tlog, ulog};
 
 /// A format of logs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -63,6 +63,7 @@ pub fn all_formats() -> &'static [FormatInfo] {
             reader: || Box::new(dataflash::DataflashTextReader::new()),
         },
         ulog::INFO,
+        mcap::INFO,
         tlog::INFO,
     ]
 }

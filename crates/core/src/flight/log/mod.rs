@@ -8,7 +8,9 @@
 mod dataflash;
 mod formats;
 mod gps_time;
+mod growing;
 mod layout;
+mod mcap;
 mod model;
 mod outline;
 mod px4_modes;
@@ -16,6 +18,7 @@ mod release;
 mod report;
 mod rows;
 mod scale;
+mod schema;
 mod stepping;
 #[cfg(test)]
 mod testing;

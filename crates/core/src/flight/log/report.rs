@@ -37,6 +37,8 @@ pub struct ReadReport {
     /// Bytes that made sense. With [`skipped_bytes`](Self::skipped_bytes) they are all the bytes of a
     /// file that is over.
     pub used_bytes: u64,
+    /// Bytes that came out of parts of the file that were packed.
+    pub unpacked_bytes: u64,
     /// The first thousand places that were skipped, in the order of the file.
     pub skipped: Vec<Skipped>,
     /// All bytes that were skipped.

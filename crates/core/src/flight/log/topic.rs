@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use super::{FieldLayout, Rows};
+use super::{FieldLayout, Rows, schema};
 
 /// What a topic is called: `GPS`, or `GPS` of the second receiver.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
@@ -39,6 +39,9 @@ impl fmt::Display for TopicName {
 pub struct Topic {
     /// What it is called.
     pub name: TopicName,
+    /// Name of the kind of message that its rows are, where the log tells that beside the topic's own name
+    /// (`sensor_msgs/msg/Imu`), or empty.
+    pub schema: String,
     /// Its fields, in the order of the file.
     pub fields: Vec<FieldLayout>,
     /// Time of each row, seconds in the log's time base. As the file has them: they may stand still or
@@ -55,10 +58,17 @@ impl Topic {
         let width = ends.max().unwrap_or(0);
         Self {
             name,
+            schema: String::new(),
             fields,
             times: Vec::new(),
             rows: Rows::new(width),
         }
+    }
+
+    /// Name of the kind of message that its rows are, whichever ROS or encoding they came by:
+    /// `sensor_msgs/Imu`, `foxglove/LocationFix`, `vehicle_attitude`. Empty where the log tells none.
+    pub fn kind(&self) -> String {
+        schema::plain(&self.schema)
     }
 
     /// Number of rows.

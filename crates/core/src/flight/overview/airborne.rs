@@ -3,11 +3,11 @@
 use super::super::interpret::{Role, RoleSeries};
 
 /// Speeds below this are those of something that stands, m/s.
-const STANDING: f64 = 3.0;
+pub(crate) const STANDING: f64 = 3.0;
 /// Share of the fast speeds of the flight from which on it flies.
-const FLYING_SHARE: f64 = 0.35;
+pub(crate) const FLYING_SHARE: f64 = 0.35;
 /// Height above the start from which on it hovers at least, metres.
-const HOVERING: f64 = 3.0;
+pub(crate) const HOVERING: f64 = 3.0;
 /// Shortest stretch that counts, and longest pause inside one, seconds.
 const LEAST: f64 = 3.0;
 
@@ -41,7 +41,7 @@ pub fn airborne(found: &[RoleSeries]) -> Vec<(f64, f64)> {
             }
         }
     }
-    stretches(&flying)
+    stretches(flying)
 }
 
 fn pairs(series: &RoleSeries) -> impl Iterator<Item = (f64, f64)> + '_ {
@@ -60,12 +60,12 @@ fn fast(speeds: &[(f64, f64)]) -> f64 {
 }
 
 /// Joins what is less than a pause apart and leaves out what is shorter than that.
-fn stretches(flying: &[(f64, bool)]) -> Vec<(f64, f64)> {
+pub(crate) fn stretches(flying: impl IntoIterator<Item = (f64, bool)>) -> Vec<(f64, f64)> {
     let mut found: Vec<(f64, f64)> = Vec::new();
-    for (time, _) in flying.iter().filter(|(_, is_flying)| *is_flying) {
+    for (time, _) in flying.into_iter().filter(|(_, is_flying)| *is_flying) {
         match found.last_mut() {
-            Some(last) if time - last.1 <= LEAST => last.1 = *time,
-            _ => found.push((*time, *time)),
+            Some((_, to)) if time - *to <= LEAST => *to = time,
+            _ => found.push((time, time)),
         }
     }
     found.retain(|(from, to)| to - from >= LEAST);

@@ -14,6 +14,7 @@ use serde::{Deserialize, Serialize};
 pub use ability::Ability;
 pub use air_data::{AirDataFit, fit_air_data};
 pub use airborne::airborne;
+pub(crate) use airborne::{FLYING_SHARE, HOVERING, STANDING, stretches};
 pub use finding::{Finding, Severity};
 pub use sensor::{Gap, Sensor};
 

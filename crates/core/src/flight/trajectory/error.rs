@@ -27,25 +27,28 @@ pub struct Pair {
     pub reference: Point3<f64>,
 }
 
+/// Where something was at `time`, interpolated between places that are at most `longest_gap` seconds apart;
+/// `None` before, after and in longer gaps. In order of time.
+pub fn place_at(places: &[TimedPlace], time: f64, longest_gap: f64) -> Option<Point3<f64>> {
+    let after = places.partition_point(|p| p.time <= time);
+    let before = places.get(after.checked_sub(1)?)?;
+    if before.time == time {
+        return Some(before.place);
+    }
+    let next = places.get(after)?;
+    let gap = next.time - before.time;
+    let share = (time - before.time) / gap;
+    (gap <= longest_gap).then(|| before.place + share * (next.place - before.place))
+}
+
 /// Pairs every estimate with the reference at its time, interpolated between samples that are at most
 /// `longest_gap` seconds apart. Both in order of time; what has no reference is left out.
 pub fn associate(estimate: &[TimedPlace], reference: &[TimedPlace], longest_gap: f64) -> Vec<Pair> {
-    let at = |time: f64| {
-        let after = reference.partition_point(|r| r.time <= time);
-        let before = reference.get(after.checked_sub(1)?)?;
-        if before.time == time {
-            return Some(before.place);
-        }
-        let next = reference.get(after)?;
-        let gap = next.time - before.time;
-        let share = (time - before.time) / gap;
-        (gap <= longest_gap).then(|| before.place + share * (next.place - before.place))
-    };
     let pair = |e: &TimedPlace| {
         Some(Pair {
             time: e.time,
             estimate: e.place,
-            reference: at(e.time)?,
+            reference: place_at(reference, e.time, longest_gap)?,
         })
     };
     estimate.iter().filter_map(pair).collect()

@@ -1,12 +1,16 @@
 //! How far one trajectory is from another, as evo (Grupp 2017) defines it.
 
 mod alignment;
+mod comparison;
 mod error;
 mod statistics;
+mod track;
 
 pub use alignment::{Alignment, Similarity, align};
-pub use error::{Delta, Pair, absolute_errors, associate, relative_errors};
+pub use comparison::{Clock, Comparison, ComparisonSettings, NotComparable, compare, shift_to};
+pub use error::{Delta, Pair, absolute_errors, associate, place_at, relative_errors};
 pub use statistics::ErrorStatistics;
+pub use track::Track;
 
 use nalgebra::Point3;
 use serde::{Deserialize, Serialize};

@@ -153,6 +153,7 @@ impl State {
             run: Some(&self.fixture.run),
             ghost: None,
             time: self.time,
+            selected_span: None,
             playing: false,
             selection,
             pictures: &|_| None,

@@ -31,6 +31,7 @@ fn harness(time: f64) -> Harness<'static, State> {
                     run: Some(&fixture.run),
                     ghost: None,
                     time: state.time,
+                    selected_span: None,
                     playing: false,
                     selection: None,
                     pictures: &|_| None,

@@ -131,7 +131,7 @@ pub(crate) fn dashed(shapes: &mut Vec<Shape>, axes: &Axes, curve: &Curve<'_>, st
 }
 
 /// Screen points of the unbroken parts of a curve.
-fn polylines(axes: &Axes, curve: &Curve<'_>) -> Vec<Vec<Pos2>> {
+pub(crate) fn polylines(axes: &Axes, curve: &Curve<'_>) -> Vec<Vec<Pos2>> {
     let mut lines = vec![Vec::new()];
     for place in curve.places(axes) {
         let Some(place) = place else {

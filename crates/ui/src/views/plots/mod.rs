@@ -12,6 +12,7 @@ use super::parts;
 use super::time_axis::{LEAST_SPAN, TimeAxis};
 use crate::context::{Drawn, ViewContext};
 use crate::still::Still;
+use crate::timeline::paint_span;
 use crate::tokens::Tokens;
 use panel::{Layer, PanelKind};
 pub(crate) use series::DEAD_RECKONING_AFTER;
@@ -214,7 +215,7 @@ impl PlotsView {
                 }
             }
             ui.add_space(tokens.space);
-            self.time_axis.chips(ui, tokens, context.time, whole);
+            self.time_axis.chips(ui, context, whole);
         });
     }
 
@@ -279,6 +280,7 @@ impl PlotsView {
                 tokens.muted,
             );
         }
+        paint_span(&inside, axes.rect, &axes, context.selected_span, tokens);
         let cursor = axes.screen_x(context.time);
         inside.vline(cursor, axes.rect.y_range(), Stroke::new(1.0, tokens.accent));
         if let Some(time) = self.time_axis.hover {

@@ -83,6 +83,35 @@ impl Pyramid {
         }
     }
 
+    /// Appends many values: each level once over what is new, instead of every level for each value.
+    pub fn extend(&mut self, values: impl IntoIterator<Item = f32>) {
+        let mut from = self.values.len();
+        self.values.extend(values);
+        let mut below = self.values.len();
+        let mut level = 0;
+        while below > FAN {
+            from /= FAN;
+            if level == self.levels.len() {
+                self.levels.push(Vec::new());
+                from = 0;
+            }
+            let (lower, upper) = self.levels.split_at_mut(level);
+            let blocks = &mut upper[0];
+            blocks.truncate(from);
+            for block in from..below.div_ceil(FAN) {
+                let members = FAN * block..(FAN * (block + 1)).min(below);
+                let mut all = Extent::EMPTY;
+                match lower.last() {
+                    Some(below) => below[members].iter().for_each(|e| all.include(*e)),
+                    None => (self.values[members].iter()).for_each(|v| all.include(Extent::of(*v))),
+                }
+                blocks.push(all);
+            }
+            below = blocks.len();
+            level += 1;
+        }
+    }
+
     /// Number of values.
     pub fn len(&self) -> usize {
         self.values.len()
@@ -167,6 +196,22 @@ mod tests {
             let finite = values[..=i].iter().copied().filter(|v| v.is_finite());
             let high = finite.fold(f32::NEG_INFINITY, f32::max);
             assert_eq!(pyramid.extent(0, i + 1).map(|e| e.high), Some(high));
+        }
+    }
+
+    #[test]
+    fn values_appended_in_pieces_give_the_same_pyramid_as_one_by_one() {
+        let values = series(1300);
+        for piece in [1, 3, 4, 17, 64, 1000, 1300] {
+            let (mut single, mut pieces) = (Pyramid::default(), Pyramid::default());
+            for values in values.chunks(piece) {
+                for value in values {
+                    single.push(*value);
+                }
+                pieces.extend(values.iter().copied());
+                assert_eq!(single.levels, pieces.levels, "{piece}");
+            }
+            assert_eq!(pieces.len(), 1300);
         }
     }
 

@@ -27,6 +27,7 @@ fn harness() -> Harness<'static, State> {
                 run: Some(&fixture.run),
                 ghost: None,
                 time: 5.0,
+                selected_span: None,
                 playing: false,
                 selection: None,
                 pictures: &|_| None,

@@ -33,6 +33,7 @@ fn harness_while(playing: bool) -> Harness<'static, State> {
                 run: Some(&fixture.run),
                 ghost: None,
                 time: 5.0,
+                selected_span: None,
                 playing: state.playing,
                 selection: None,
                 pictures: &|_| None,

@@ -100,6 +100,15 @@ impl Rig {
         self.frames(2);
     }
 
+    /// Drags the pointer with modifiers.
+    pub fn drag_with(&mut self, modifiers: Modifiers, from: Pos2, to: Pos2) {
+        let change = egui::Event::ModifiersChanged;
+        self.harness.event(change(modifiers));
+        self.drag(from, to);
+        self.harness.event(change(Modifiers::NONE));
+        self.frames(1);
+    }
+
     /// The app's state.
     pub fn state(&self) -> Value {
         let app = self.harness.state().app.as_ref().expect("drawn once");

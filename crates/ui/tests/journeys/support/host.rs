@@ -11,8 +11,9 @@ use pilotage_core::plan::{
 use pilotage_core::raster::Raster;
 use pilotage_ui::host::{Host, OpenedFile};
 use pilotage_ui::jobs::{
-    Assessment, AssessmentOrder, DetectorSearch, Distinctness, ExplainedBy, FieldOrder, Glance,
-    HeightsOrder, Job, JobEvent, JobId, JobRunner, MapInfo, Opened, Reply, Request, SuggestOrder,
+    Assessment, AssessmentOrder, DetectorSearch, Distinctness, ExplainedBy, FieldOrder,
+    FlightSource, Glance, HeightsOrder, Job, JobEvent, JobId, JobRunner, MapInfo, Opened, Reply,
+    Request, SuggestOrder,
 };
 
 use super::flight::{flight, mission, run, run_head};
@@ -36,6 +37,8 @@ pub struct ScriptedHost {
     pub stored: HashMap<String, Vec<u8>>,
     /// Files offered to the user.
     pub saved: Vec<(String, Vec<u8>)>,
+    /// Pictures offered to the user: name, drawing, and size in pixels.
+    pub pictures: Vec<(String, String, [u32; 2])>,
     /// How often the file dialog was asked for.
     pub file_dialogs: usize,
     /// The fragment of the last link that was copied.
@@ -66,6 +69,7 @@ fn is_real(job: &Job) -> bool {
         job,
         Job::ReadLog { .. }
             | Job::LogSeries { .. }
+            | Job::AskLog(_)
             | Job::Find(_)
             | Job::Pack(_)
             | Job::Export(_)
@@ -135,6 +139,20 @@ impl ScriptedHost {
         }
     }
 
+    /// Whether a job is about the flight that a log tells of, which is really read.
+    fn is_of_a_log(&self, job: &Job) -> bool {
+        let flight = match job {
+            Job::Fly { flight, .. } if !self.silent_flights => flight,
+            Job::Cut(order) => &order.flight,
+            _ => return false,
+        };
+        let is_it = |j: &Job| match (j, flight) {
+            (Job::ReadLog { key, .. }, FlightSource::Files(flown)) => key == flown,
+            _ => false,
+        };
+        self.jobs.iter().any(|(_, j)| is_it(j))
+    }
+
     /// Does what a worker would do.
     fn carry_out(&mut self, id: JobId, job: &Job) {
         let mut runner = JobRunner::new();
@@ -155,7 +173,7 @@ impl ScriptedHost {
     }
 
     fn answer(&mut self, id: JobId, job: &Job) {
-        if is_real(job) {
+        if is_real(job) || self.is_of_a_log(job) {
             return self.carry_out(id, job);
         }
         let mut say = |event| self.events.push((id, event));
@@ -414,6 +432,10 @@ impl Host for ScriptedHost {
 
     fn save_file(&mut self, name: &str, bytes: &[u8]) {
         self.saved.push((name.into(), bytes.into()));
+    }
+
+    fn save_picture(&mut self, name: &str, svg: &str, size: [u32; 2]) {
+        self.pictures.push((name.into(), svg.into(), size));
     }
 
     fn store(&mut self, key: &str, bytes: &[u8]) {

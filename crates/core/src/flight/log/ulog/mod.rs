@@ -16,6 +16,8 @@ mod tests;
 mod units;
 mod value;
 
+pub(super) use units::unit_and_scale;
+
 use super::stepping::Stepping;
 use super::{FormatInfo, LogFormat};
 

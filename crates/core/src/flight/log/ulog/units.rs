@@ -24,7 +24,11 @@ const ENDINGS: [(&str, &str); 13] = [
 ];
 
 /// Unit of the field's values, and what the stored number is multiplied by to have it.
-pub(super) fn unit_and_scale(topic: &str, field: &str, kind: FieldKind) -> (&'static str, Scale) {
+pub(in super::super) fn unit_and_scale(
+    topic: &str,
+    field: &str,
+    kind: FieldKind,
+) -> (&'static str, Scale) {
     if !kind.is_number() {
         return ("", Scale::One);
     }

@@ -1,0 +1,317 @@
+//! `pilotage compare`: the same flights by several estimators and vehicle models, in one table.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Instant;
+
+use pilotage_core::filter::ConsistencySummary;
+use pilotage_core::flight::{Flight, FrameSource, read_flight};
+use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::mission::Mission;
+use pilotage_core::navigator::{EstimatorChoice, VehicleChoice};
+use pilotage_core::simulate::{Overrides, Scenario};
+use pilotage_core::study::{Comparison, ComparisonRow, Contender, Tally};
+
+use crate::Outcome;
+use crate::files::{Directory, open_map};
+use crate::filter_options::{VEHICLES, vehicle};
+use crate::mission_file::OpenMission;
+use crate::replay::{MAP_CACHE, navigate, seed_range};
+use crate::simulate::{Day, scenario};
+
+/// What to compare.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// A built-in scenario, or a flight folder (then with --mission and --map).
+    flight: String,
+    /// Estimators, by comma: ukf, ekf, particle.
+    #[arg(long, default_value = "ukf,ekf,particle")]
+    estimators: String,
+    /// Vehicle models, by comma; that of the mission if none is said.
+    #[arg(long, default_value = "")]
+    vehicles: String,
+    /// The estimates after the flight too, by the smoother.
+    #[arg(long)]
+    smooth: bool,
+    /// Seeds of the scenario, A..B with B left out.
+    #[arg(long, value_name = "A..B", default_value = "1..2")]
+    seeds: String,
+    /// Day on which the camera sees the ground of the scenario.
+    #[arg(long, value_enum, default_value_t = Day::Other)]
+    day: Day,
+    /// Mission file (GeoJSON).
+    #[arg(long)]
+    mission: Option<PathBuf>,
+    /// Map picture with its georeference beside it.
+    #[arg(long)]
+    map: Option<PathBuf>,
+    /// Changes to the filter, e.g. alpha=0.5,particles=5000.
+    #[arg(long, default_value = "")]
+    filter: String,
+    /// Where to write the table as JSON.
+    #[arg(long)]
+    out: Option<PathBuf>,
+}
+
+/// Compares what the arguments say.
+pub fn run(arguments: &Arguments) -> Outcome {
+    let comparison = if Path::new(&arguments.flight).exists() {
+        recorded(arguments)?
+    } else {
+        simulated(arguments, &scenario(&arguments.flight)?)?
+    };
+    print(&comparison);
+    if let Some(path) = &arguments.out {
+        crate::files::write_whole(path, serde_json::to_string_pretty(&comparison)?)?;
+    }
+    Ok(())
+}
+
+/// Who takes part; `usual` is the vehicle model of the mission.
+fn contenders(arguments: &Arguments, usual: VehicleChoice) -> Result<Vec<Contender>, String> {
+    let named = |text: &str| -> Vec<String> {
+        let names = text.split(',').map(str::trim);
+        names.filter(|n| !n.is_empty()).map(str::to_owned).collect()
+    };
+    let estimator = |name: &String| {
+        EstimatorChoice::from_key(name).ok_or_else(|| {
+            let keys = EstimatorChoice::ALL.map(EstimatorChoice::key);
+            format!(
+                "--estimators: there is no \"{name}\"; there are {}",
+                keys.join(", ")
+            )
+        })
+    };
+    let estimators = named(&arguments.estimators);
+    let estimators = estimators
+        .iter()
+        .map(estimator)
+        .collect::<Result<Vec<_>, _>>()?;
+    let vehicles = named(&arguments.vehicles);
+    let vehicles = vehicles
+        .iter()
+        .map(|name| vehicle(name).map_err(|e| format!("--vehicles: {e}")));
+    let mut vehicles = vehicles.collect::<Result<Vec<_>, _>>()?;
+    if vehicles.is_empty() {
+        vehicles.push(usual);
+    }
+    Ok(Contender::all(&estimators, &vehicles))
+}
+
+/// What all contenders share: how they see.
+struct Sight<'a> {
+    arguments: &'a Arguments,
+    mission: Mission,
+    map: Arc<dyn Imagery>,
+}
+
+impl Sight<'_> {
+    /// Every contender over one flight; `frames` gives its pictures anew for each.
+    fn compare<F: FrameSource>(
+        &self,
+        flight: &Arc<Flight>,
+        seed: u64,
+        frames: impl Fn() -> F,
+    ) -> Result<Vec<Tally>, String> {
+        let begun = Instant::now();
+        let stopwatch = || begun.elapsed().as_secs_f64() * 1e3;
+        let mut base = self.mission.navigator.clone();
+        crate::filter_options::apply(&mut base, &self.arguments.filter)?;
+        let one = |contender: Contender| -> Result<Tally, String> {
+            let mut tally = Tally::new(contender, self.arguments.smooth);
+            let settings = contender.settings(&base, seed);
+            let map = Arc::clone(&self.map);
+            match navigate(flight, &self.mission, map, &settings, &mut frames(), true) {
+                Ok(run) => tally
+                    .add(flight, &run, &stopwatch)
+                    .map_err(|e| e.to_string())?,
+                Err(error) => {
+                    eprintln!("seed {seed}, {}: {error}", name(contender));
+                    tally.fail();
+                }
+            }
+            Ok(tally)
+        };
+        let all = contenders(self.arguments, self.mission.navigator.vehicle)?;
+        all.into_iter().map(one).collect()
+    }
+}
+
+fn simulated(
+    arguments: &Arguments,
+    scenario: &Scenario,
+) -> Result<Comparison, Box<dyn std::error::Error>> {
+    let overrides = Overrides {
+        day: Some(arguments.day.into()),
+        ..Overrides::default()
+    };
+    let sight = Sight {
+        arguments,
+        mission: match &arguments.mission {
+            Some(path) => OpenMission::read(path)?.package.mission,
+            None => scenario.mission(),
+        },
+        map: Arc::new(CachedImagery::new(Arc::new(Scenario::map()), MAP_CACHE)),
+    };
+    let seen = scenario.simulate(0, &overrides).frames.imagery();
+    let (first, end) = seed_range(&arguments.seeds)?;
+    let next = AtomicU64::new(first);
+    let worker = || -> Result<Vec<(u64, Vec<Tally>)>, String> {
+        let mut done = Vec::new();
+        loop {
+            let seed = next.fetch_add(1, Ordering::Relaxed);
+            if seed >= end {
+                return Ok(done);
+            }
+            let flown = scenario.simulate(seed, &overrides);
+            let frames = flown.frames.over(Arc::clone(&seen));
+            let flight = Arc::new(flown.flight);
+            done.push((seed, sight.compare(&flight, seed, || frames.clone())?));
+            eprintln!("seed {seed} is done");
+        }
+    };
+    let workers = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let mut all = Vec::new();
+    std::thread::scope(|scope| -> Result<(), String> {
+        let handles: Vec<_> = (0..workers).map(|_| scope.spawn(worker)).collect();
+        for handle in handles {
+            all.extend(handle.join().map_err(|_| "a run panicked".to_owned())??);
+        }
+        Ok(())
+    })?;
+    all.sort_by_key(|(seed, _)| *seed);
+    let mut tallies: Vec<Tally> = Vec::new();
+    for (_, of_seed) in all {
+        if tallies.is_empty() {
+            tallies = of_seed;
+        } else {
+            tallies
+                .iter_mut()
+                .zip(of_seed)
+                .for_each(|(t, o)| t.merge(o));
+        }
+    }
+    Ok(Comparison::of(&tallies))
+}
+
+fn recorded(arguments: &Arguments) -> Result<Comparison, Box<dyn std::error::Error>> {
+    let (Some(mission), Some(map)) = (&arguments.mission, &arguments.map) else {
+        return Err("a flight folder needs --mission FILE and --map FILE".into());
+    };
+    let path = Path::new(&arguments.flight);
+    let folder = read_flight(Arc::new(Directory::open(path)?))?;
+    let map = open_map(map, folder.flight.frame_on_globe, MAP_CACHE)?;
+    let sight = Sight {
+        arguments,
+        mission: OpenMission::read(mission)?.package.mission,
+        map,
+    };
+    let flight = Arc::new(folder.flight);
+    Ok(Comparison::of(
+        &sight.compare(&flight, 1, || folder.frames.clone())?,
+    ))
+}
+
+/// Name of a contender on the command line.
+fn name(contender: Contender) -> String {
+    let vehicle = VEHICLES.iter().find(|(_, v)| *v == contender.vehicle);
+    let vehicle = vehicle.map_or("?", |(name, _)| name);
+    format!("{} {vehicle}", contender.estimator.key())
+}
+
+/// Prints the table for people.
+fn print(comparison: &Comparison) {
+    println!(
+        "{:36} {:>7} {:>8} {:>8} {:>8}  {:>22}  {:>22} {:>8} {:>8} {:>10}",
+        "position error, m:",
+        "flights",
+        "rms",
+        "median",
+        "max",
+        "NEES [95 % of honest]",
+        "NIS/dof [95 %]",
+        "accepted",
+        "refused",
+        "ms a step"
+    );
+    for row in &comparison.rows {
+        println!("{}", line(row));
+    }
+}
+
+fn line(row: &ComparisonRow) -> String {
+    let mut title = name(row.contender);
+    if row.smoothed {
+        title.push_str(", smoothed");
+    }
+    let error = row.position_error_m.unwrap_or_default();
+    let consistency = |summary: &Option<ConsistencySummary>, per_degree: bool| {
+        summary.map_or_else(String::new, |s| {
+            let unit = if per_degree { s.dof } else { 1.0 };
+            format!(
+                "{:.2} [{:.2}, {:.2}]{}",
+                s.mean / unit,
+                s.lower_95 / unit,
+                s.upper_95 / unit,
+                if s.is_consistent() { " " } else { "!" }
+            )
+        })
+    };
+    let failed = if row.failed > 0 {
+        format!("  {} stopped", row.failed)
+    } else {
+        String::new()
+    };
+    format!(
+        "{title:36} {:>7} {:8.3} {:8.3} {:8.3}  {:>22}  {:>22} {:>8} {:>8} {:10.4}{failed}",
+        row.flights,
+        error.rms,
+        error.median,
+        error.max,
+        consistency(&row.nees, false),
+        consistency(&row.nis, true),
+        row.updates_accepted,
+        row.updates_refused,
+        row.ms_per_step,
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_names_every_contender_and_marks_what_is_not_honest() {
+        let contender = Contender {
+            estimator: EstimatorChoice::Particles,
+            vehicle: VehicleChoice::RandomWalk,
+        };
+        let summary = ConsistencySummary {
+            count: 10,
+            mean: 9.0,
+            dof: 2.0,
+            lower_95: 1.0,
+            upper_95: 3.0,
+            inside_95: 0.2,
+        };
+        let row = ComparisonRow {
+            contender,
+            smoothed: true,
+            flights: 3,
+            failed: 1,
+            position_error_m: None,
+            nees: Some(summary),
+            nis: Some(summary),
+            frames_with_update: 1,
+            updates_accepted: 2,
+            updates_refused: 3,
+            ms_per_step: 0.5,
+        };
+        let line = line(&row);
+        assert!(line.starts_with("particle random-walk, smoothed"), "{line}");
+        assert!(line.contains("9.00 [1.00, 3.00]!"), "{line}");
+        assert!(line.contains("4.50 [0.50, 1.50]!"), "{line}");
+        assert!(line.ends_with("1 stopped"), "{line}");
+    }
+}

@@ -1,0 +1,284 @@
+//! Names of columns taken apart: words and unit.
+
+use crate::flight::folder::Dimension;
+
+/// Ways of writing the units that are known, besides their own names.
+const SPELLINGS: [(&str, &[&str]); 22] = [
+    ("m", &["meter", "meters", "metre", "metres", "mtr"]),
+    ("ft", &["feet", "foot"]),
+    (
+        "km",
+        &["kilometer", "kilometers", "kilometre", "kilometres"],
+    ),
+    (
+        "cm",
+        &["centimeter", "centimeters", "centimetre", "centimetres"],
+    ),
+    (
+        "mm",
+        &["millimeter", "millimeters", "millimetre", "millimetres"],
+    ),
+    (
+        "m/s",
+        &[
+            "mps",
+            "ms",
+            "m s",
+            "m/sec",
+            "m s 1",
+            "ms 1",
+            "meters/second",
+            "metres/second",
+        ],
+    ),
+    ("kt", &["kts", "knot", "knots", "kn"]),
+    ("km/h", &["kmh", "kph", "kmph", "km h", "km/hr"]),
+    ("ft/s", &["fps", "ft s", "ft/sec", "feet/second"]),
+    ("mph", &["mi/h", "miles/hour"]),
+    ("cm/s", &["cm s", "cmps"]),
+    ("rad", &["radian", "radians"]),
+    (
+        "deg",
+        &[
+            "degree",
+            "degrees",
+            "°",
+            "d",
+            "degheading",
+            "deglatitude",
+            "deglongitude",
+        ],
+    ),
+    ("cdeg", &["centideg", "centidegrees", "deg*100", "deg100"]),
+    (
+        "deg1e7",
+        &["dege7", "1e7deg", "1e7", "deg*1e7", "1e 7deg", "e7"],
+    ),
+    (
+        "rad/s",
+        &["rad s", "radps", "rps", "rad/sec", "radians/second"],
+    ),
+    (
+        "deg/s",
+        &["deg s", "dps", "°/s", "degps", "deg/sec", "degrees/second"],
+    ),
+    (
+        "m/s2",
+        &[
+            "m/s/s", "m/s^2", "m/s²", "m s2", "mps2", "mss", "m/s**2", "m s 2",
+        ],
+    ),
+    ("g", &["gee", "gs", "g0"]),
+    ("mg", &["milli g", "millig"]),
+    ("s", &["sec", "secs", "second", "seconds"]),
+    (
+        "ms",
+        &["msec", "millis", "millisecond", "milliseconds", "msecs"],
+    ),
+];
+
+/// Times are units of nothing that a flight measures.
+const TIMES: [(&str, &[&str]); 4] = [
+    ("s", &["sec", "secs", "second", "seconds"]),
+    (
+        "ms",
+        &["msec", "millis", "millisecond", "milliseconds", "msecs"],
+    ),
+    (
+        "us",
+        &[
+            "µs",
+            "μs",
+            "usec",
+            "micros",
+            "microsecond",
+            "microseconds",
+            "usecs",
+        ],
+    ),
+    (
+        "ns",
+        &["nsec", "nanos", "nanosecond", "nanoseconds", "nsecs"],
+    ),
+];
+
+/// A name taken apart.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Parts {
+    /// Its words in small letters, without what stands in brackets.
+    pub words: Vec<String>,
+    /// What stands in brackets, or in the line of units, in small letters.
+    pub unit: String,
+}
+
+/// Takes a name apart: `GyrX [rad/s]` is `gyr`, `x` in `rad/s`.
+pub(super) fn parts(name: &str, unit: &str) -> Parts {
+    let (plain, in_name) = brackets(name);
+    let beside = brackets(unit).1.unwrap_or_else(|| unit.to_owned());
+    let unit = if beside.trim().is_empty() {
+        in_name.unwrap_or_default()
+    } else {
+        beside
+    };
+    let bare = unit
+        .trim()
+        .to_lowercase()
+        .trim_matches(|c: char| "[](){} -".contains(c))
+        .to_owned();
+    Parts {
+        words: words(&plain),
+        unit: bare,
+    }
+}
+
+/// A text without what stands in brackets, and that.
+fn brackets(text: &str) -> (String, Option<String>) {
+    for (open, close) in [('[', ']'), ('(', ')'), ('{', '}')] {
+        if let Some((before, rest)) = text.split_once(open) {
+            let (inside, after) = rest.split_once(close).unwrap_or((rest, ""));
+            return (format!("{before} {after}"), Some(inside.to_owned()));
+        }
+    }
+    (text.to_owned(), None)
+}
+
+/// Words of a name in small letters: `GPSAlt_m` is `gps`, `alt`, `m`.
+fn words(name: &str) -> Vec<String> {
+    let mut words: Vec<String> = vec![String::new()];
+    let letters: Vec<char> = name.chars().collect();
+    for (i, letter) in letters.iter().enumerate() {
+        if !letter.is_alphanumeric() && *letter != '°' && *letter != 'µ' {
+            words.push(String::new());
+            continue;
+        }
+        let before = i.checked_sub(1).and_then(|i| letters.get(i));
+        let after = letters.get(i + 1);
+        let rises = before.is_some_and(|b| b.is_lowercase()) && letter.is_uppercase();
+        let ends_run = before.is_some_and(|b| b.is_uppercase())
+            && letter.is_uppercase()
+            && after.is_some_and(|a| a.is_lowercase());
+        if rises || ends_run {
+            words.push(String::new());
+        }
+        if let Some(word) = words.last_mut() {
+            word.extend(letter.to_lowercase());
+        }
+    }
+    words.retain(|word| !word.is_empty());
+    words
+}
+
+impl Parts {
+    /// Whether the name itself says its unit, and how many of its last words that takes.
+    fn suffix(&self, find: impl Fn(&str) -> Option<&'static str>) -> Option<(&'static str, usize)> {
+        (1..=2).rev().find_map(|count| {
+            let start = self
+                .words
+                .len()
+                .checked_sub(count)
+                .filter(|start| *start > 0)?;
+            let last = &self.words[start..];
+            find(&last.join("/"))
+                .or_else(|| find(&last.join(" ")))
+                .map(|unit| (unit, count))
+        })
+    }
+
+    /// The unit that is stated for a column of that dimension; `None` if none is, or none that is known.
+    pub fn unit(&self, dimension: Dimension) -> Option<&'static str> {
+        let find = |text: &str| unit_in(text, dimension);
+        find(&self.unit).or_else(|| self.suffix(find).map(|(unit, _)| unit))
+    }
+
+    /// The unit of time that is stated.
+    pub fn time_unit(&self) -> Option<&'static str> {
+        find_in(&TIMES, &self.unit).or_else(|| {
+            self.suffix(|text| find_in(&TIMES, text))
+                .map(|(unit, _)| unit)
+        })
+    }
+
+    /// Words without those that say a unit.
+    pub fn plain_words(&self) -> &[String] {
+        let known = |text: &str| {
+            let of_any = SPELLINGS.iter().chain(&TIMES).find(|(name, others)| {
+                *name == text && name.len() > 1 || others.contains(&text) && text.len() > 1
+            });
+            of_any.map(|(name, _)| *name).or(match text {
+                "m" => Some("m"),
+                _ => None,
+            })
+        };
+        let count = self.suffix(known).map_or(0, |(_, count)| count);
+        &self.words[..self.words.len() - count]
+    }
+}
+
+fn find_in(spellings: &[(&'static str, &[&str])], text: &str) -> Option<&'static str> {
+    let is_it = |(name, others): &&(&'static str, &[&str])| *name == text || others.contains(&text);
+    spellings.iter().find(is_it).map(|(name, _)| *name)
+}
+
+/// The unit of that dimension which `text` says, in any spelling.
+pub(in crate::flight) fn unit_in(text: &str, dimension: Dimension) -> Option<&'static str> {
+    let text = text.trim().to_lowercase();
+    let of_dimension = |name: &str| dimension.factor(Some(name)).is_ok();
+    // The same letters may be units of several dimensions.
+    let known = SPELLINGS.iter().filter(|(name, _)| of_dimension(name));
+    let is_it = |(name, others): &&(&'static str, &[&str])| {
+        *name == text || others.contains(&text.as_str())
+    };
+    let mut found = known.filter(is_it).map(|(name, _)| *name);
+    found.next().filter(|_| !text.is_empty())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn words_of(name: &str) -> String {
+        parts(name, "").words.join(" ")
+    }
+
+    #[test]
+    fn names_are_taken_apart_at_every_seam() {
+        assert_eq!(words_of("GPSAlt_m"), "gps alt m");
+        assert_eq!(words_of("TimeUS"), "time us");
+        assert_eq!(words_of("rel_alt (m)"), "rel alt");
+        assert_eq!(words_of("rollRate"), "roll rate");
+        assert_eq!(
+            words_of("/imu/angular_velocity.x"),
+            "imu angular velocity x"
+        );
+    }
+
+    #[test]
+    fn units_stand_in_brackets_below_or_at_the_end_of_the_name() {
+        let unit = |name, beside, dimension| parts(name, beside).unit(dimension);
+        assert_eq!(unit("speed [km/h]", "", Dimension::Speed), Some("km/h"));
+        assert_eq!(unit("Speed(KTS)", "", Dimension::Speed), Some("kt"));
+        assert_eq!(unit("speed_m_s", "", Dimension::Speed), Some("m/s"));
+        assert_eq!(unit("speed_ms", "", Dimension::Speed), Some("m/s"));
+        assert_eq!(unit("roll", "[deg]", Dimension::Angle), Some("deg"));
+        assert_eq!(unit("Yaw (°)", "", Dimension::Angle), Some("deg"));
+        assert_eq!(unit("lat_degE7", "", Dimension::Angle), Some("deg1e7"));
+        assert_eq!(
+            unit("gyro_x (dps)", "", Dimension::AngularRate),
+            Some("deg/s")
+        );
+        assert_eq!(unit("alt_ft", "", Dimension::Angle), None);
+        assert_eq!(unit("m", "", Dimension::Length), None);
+        assert_eq!(parts("TimeUS", "").time_unit(), Some("us"));
+        assert_eq!(parts("time [s]", "").time_unit(), Some("s"));
+        assert_eq!(parts("t", "ms").time_unit(), Some("ms"));
+    }
+
+    #[test]
+    fn words_of_a_unit_are_no_words_of_the_name() {
+        let plain = |name: &str| parts(name, "").plain_words().join(" ");
+        assert_eq!(plain("alt_agl_ft"), "alt agl");
+        assert_eq!(plain("true_airspeed_m_s"), "true airspeed");
+        assert_eq!(plain("velocity_n"), "velocity n");
+        assert_eq!(plain("GyrX"), "gyr x");
+    }
+}

@@ -1,0 +1,170 @@
+//! What the columns of a table mean.
+
+use serde::{Deserialize, Serialize};
+
+use super::TableShape;
+use crate::flight::{ChannelName, Quantity};
+
+/// What a column means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ColumnRole {
+    /// Nothing that a flight has a place for.
+    Nothing,
+    /// When the row was measured; one column has to be it.
+    Time,
+    /// Latitude by satellite navigation.
+    Latitude,
+    /// Longitude by satellite navigation.
+    Longitude,
+    /// Speed over ground by satellite navigation.
+    SpeedOverGround,
+    /// Direction of the way over ground, clockwise from true north.
+    Course,
+    /// A channel of the flight.
+    Channel(ChannelName),
+}
+
+impl ColumnRole {
+    /// Every role, in the order in which people read them.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let first = [
+            Self::Nothing,
+            Self::Time,
+            Self::Latitude,
+            Self::Longitude,
+            Self::SpeedOverGround,
+            Self::Course,
+        ];
+        first.into_iter().chain(ChannelName::ALL.map(Self::Channel))
+    }
+
+    /// Name for people.
+    pub fn label(self) -> String {
+        match self {
+            Self::Nothing => "not used".to_owned(),
+            Self::Time => "time".to_owned(),
+            Self::Latitude => "latitude".to_owned(),
+            Self::Longitude => "longitude".to_owned(),
+            Self::SpeedOverGround => "speed over ground".to_owned(),
+            Self::Course => "course over ground".to_owned(),
+            Self::Channel(name) => name.key().replace('_', " ").replace("gps", "GPS"),
+        }
+    }
+
+    /// What it measures; `None` for times and for nothing.
+    pub fn quantity(self) -> Option<Quantity> {
+        match self {
+            Self::Nothing | Self::Time => None,
+            Self::Latitude | Self::Longitude | Self::Course => Some(Quantity::Angle),
+            Self::SpeedOverGround => Some(Quantity::Speed),
+            Self::Channel(name) => Some(name.quantity()),
+        }
+    }
+
+    /// Units that a column of it may be in, as a [`MappedColumn`] names them.
+    pub fn units(self) -> Vec<&'static str> {
+        match self {
+            Self::Nothing => Vec::new(),
+            Self::Time => super::time::UNITS.to_vec(),
+            role => {
+                let dimension = role.quantity().map(crate::flight::folder::Dimension::from);
+                dimension.map_or_else(Vec::new, crate::flight::folder::Dimension::names)
+            }
+        }
+    }
+}
+
+/// Another meaning that a column may have.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Alternative {
+    /// What it may mean.
+    pub role: ColumnRole,
+    /// The unit that it would have then.
+    pub unit: String,
+    /// How likely that is, 0 to 1.
+    pub confidence: f64,
+}
+
+/// What one column means: (cell · scale + offset) in `unit`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MappedColumn {
+    /// Name as the table has it, `#1` for the first of a table without names.
+    pub name: String,
+    /// What it means.
+    pub role: ColumnRole,
+    /// Unit of its values, one of [`ColumnRole::units`]; empty where there is none.
+    pub unit: String,
+    /// What cells are multiplied by before they are in that unit; -1 turns a sign.
+    pub scale: f64,
+    /// What is added then.
+    pub offset: f64,
+    /// How likely this is right, 0 to 1. What people chose is 1.
+    pub confidence: f64,
+    /// Why it was guessed, in words.
+    pub reason: String,
+    /// What else it may be, the likeliest first.
+    pub alternatives: Vec<Alternative>,
+}
+
+/// What the columns of a table mean, to be corrected by people.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ColumnMap {
+    /// Name of the table's file.
+    pub file: String,
+    /// How the table is written.
+    pub shape: TableShape,
+    /// Its columns in their order.
+    pub columns: Vec<MappedColumn>,
+    /// Rows a second where no column is the time; then rows are that far apart.
+    pub rows_per_second: Option<f64>,
+}
+
+impl ColumnMap {
+    /// The first column of that role.
+    pub fn column(&self, role: ColumnRole) -> Option<&MappedColumn> {
+        self.columns.iter().find(|column| column.role == role)
+    }
+
+    /// Why no flight can be made of it yet, in words; `None` if one can.
+    pub fn lacks(&self) -> Option<String> {
+        let has = |role| self.column(role).is_some();
+        let twice = self.columns.iter().find(|column| {
+            let same = self
+                .columns
+                .iter()
+                .filter(|other| other.role == column.role)
+                .count();
+            column.role != ColumnRole::Nothing && same > 1
+        });
+        if let Some(column) = twice {
+            return Some(format!("two columns are {}", column.role.label()));
+        }
+        if !has(ColumnRole::Time) && self.rows_per_second.is_none() {
+            return Some(
+                "no column is the time; say which, or how many rows a second has".to_owned(),
+            );
+        }
+        for (one, other) in [
+            (ColumnRole::Latitude, ColumnRole::Longitude),
+            (ColumnRole::SpeedOverGround, ColumnRole::Course),
+        ] {
+            if has(ColumnRole::Course) && one == ColumnRole::SpeedOverGround && !has(one)
+                || one == ColumnRole::Latitude && has(one) != has(other)
+            {
+                let (has_one, lacks) = if has(one) { (one, other) } else { (other, one) };
+                return Some(format!(
+                    "{} is of no use without {}",
+                    has_one.label(),
+                    lacks.label()
+                ));
+            }
+        }
+        let is_used =
+            |column: &&MappedColumn| !matches!(column.role, ColumnRole::Nothing | ColumnRole::Time);
+        if self.columns.iter().find(is_used).is_none() {
+            return Some("no column is anything that a flight has a place for".to_owned());
+        }
+        None
+    }
+}

@@ -1,0 +1,25 @@
+//! Anybody's tables: what their columns mean, guessed from names, units and values, and open to correction.
+//!
+//! [`guess_table`] makes a [`ColumnMap`] of a table, each column with a confidence and a reason; a [`Preview`] shows
+//! the first rows beside it; [`flight_of_tables`] makes a flight of tables by their maps, as corrected.
+
+mod build;
+mod guess;
+mod header;
+mod map;
+mod names;
+mod preview;
+mod sample;
+mod shape;
+#[cfg(test)]
+mod tests;
+mod time;
+mod values;
+
+pub use build::flight_of_tables;
+pub use guess::guess_table;
+pub use map::{Alternative, ColumnMap, ColumnRole, MappedColumn};
+pub use preview::{Preview, preview};
+pub(super) use sample::Sample;
+pub(super) use shape::number;
+pub use shape::{Separator, TableShape};

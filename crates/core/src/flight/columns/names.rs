@@ -1,0 +1,312 @@
+//! What names of columns say.
+
+use super::ColumnRole;
+use crate::flight::ChannelName;
+
+/// Words that a column may be called by, what it is then, how surely, and the sign of its values.
+struct Rule {
+    role: ColumnRole,
+    sign: f64,
+    confidence: f64,
+    /// Names, their words apart; several between bars.
+    names: &'static str,
+}
+
+const fn rule(role: ColumnRole, confidence: f64, names: &'static str) -> Rule {
+    Rule {
+        role,
+        sign: 1.0,
+        confidence,
+        names,
+    }
+}
+
+const fn turned(role: ColumnRole, confidence: f64, names: &'static str) -> Rule {
+    Rule {
+        role,
+        sign: -1.0,
+        confidence,
+        names,
+    }
+}
+
+use ColumnRole::{Channel, Course, Latitude, Longitude, SpeedOverGround, Time};
+
+const RULES: &[Rule] = &[
+    rule(
+        Time,
+        0.95,
+        "time|timestamp|time stamp|datetime|date time|log time|utc time|gps time|t|elapsed|elapsed time",
+    ),
+    rule(
+        Time,
+        0.8,
+        "utc|clock|seconds|secs|sec|millis|milliseconds|micros|s|ms|us|flight time|boot time|time boot|date",
+    ),
+    rule(Latitude, 0.98, "latitude|lat|gps lat|gps latitude"),
+    rule(
+        Longitude,
+        0.98,
+        "longitude|lon|lng|long|gps lon|gps lng|gps longitude",
+    ),
+    rule(
+        SpeedOverGround,
+        0.9,
+        "ground speed|groundspeed|speed over ground|sog|gspd|gs|gps speed|gps spd",
+    ),
+    rule(SpeedOverGround, 0.5, "spd|speed|velocity"),
+    rule(
+        Course,
+        0.9,
+        "course|cog|ground course|course over ground|gcrs|crs|track|ground track|gps course|track angle",
+    ),
+    rule(
+        Channel(ChannelName::Airspeed),
+        0.95,
+        "airspeed|air speed|tas|true airspeed|true air speed|arspd|aspd|vtas",
+    ),
+    rule(
+        Channel(ChannelName::EquivalentAirspeed),
+        0.9,
+        "ias|cas|eas|indicated airspeed|calibrated airspeed|equivalent airspeed|indicated air speed|veas|vias",
+    ),
+    rule(
+        Channel(ChannelName::Heading),
+        0.95,
+        "heading|yaw|hdg|true heading|psi|yaw angle|heading angle|bearing",
+    ),
+    rule(
+        Channel(ChannelName::Heading),
+        0.7,
+        "azimuth|compass|mag heading|magnetic heading|gimbal yaw|flight yaw",
+    ),
+    rule(
+        Channel(ChannelName::Roll),
+        0.95,
+        "roll|roll angle|bank|bank angle|phi",
+    ),
+    rule(Channel(ChannelName::Pitch), 0.95, "pitch|pitch angle|theta"),
+    rule(
+        Channel(ChannelName::HeightAboveGround),
+        0.9,
+        "height above ground|agl|alt agl|altitude agl|height agl|altitude above ground|rangefinder|range finder|sonar|lidar",
+    ),
+    rule(
+        Channel(ChannelName::HeightAboveGround),
+        0.7,
+        "rel alt|relative alt|relative altitude|altitude relative|height above takeoff|height above take off|height|dist bottom",
+    ),
+    rule(
+        Channel(ChannelName::BarometricHeight),
+        0.9,
+        "baro alt|baro altitude|baro height|barometric altitude|barometric height|baro|pressure altitude|press alt",
+    ),
+    rule(
+        Channel(ChannelName::GpsHeight),
+        0.9,
+        "gps alt|gps altitude|gps height|alt msl|altitude msl|amsl|alt amsl|msl|height msl|altitude amsl",
+    ),
+    rule(
+        Channel(ChannelName::GpsHeight),
+        0.6,
+        "alt|altitude|elevation|abs alt|absolute altitude|ellipsoid height",
+    ),
+    rule(
+        Channel(ChannelName::GpsNorth),
+        0.8,
+        "gps north|north|position north|pos n|pn|x north|north position",
+    ),
+    rule(
+        Channel(ChannelName::GpsEast),
+        0.8,
+        "gps east|east|position east|pos e|pe|y east|east position",
+    ),
+    rule(
+        Channel(ChannelName::GpsVelocityNorth),
+        0.9,
+        "velocity north|vel n|velocity n|vn|north velocity|vel north|gps velocity north|v n|v north|speed north",
+    ),
+    rule(
+        Channel(ChannelName::GpsVelocityEast),
+        0.9,
+        "velocity east|vel e|velocity e|ve|east velocity|vel east|gps velocity east|v e|v east|speed east",
+    ),
+    rule(
+        Channel(ChannelName::GpsVelocityDown),
+        0.9,
+        "velocity down|vel d|velocity d|vd|down velocity|vel down|gps velocity down|sink rate|v d|v down|speed down",
+    ),
+    turned(
+        Channel(ChannelName::GpsVelocityDown),
+        0.8,
+        "climb|climb rate|vertical speed|vspeed|vario|vspd|vel u|velocity up|vel up|roc|v up",
+    ),
+    rule(
+        Channel(ChannelName::RollRate),
+        0.9,
+        "roll rate|p|gyr x|gyro x|gyros x|rollspeed|roll speed|angular velocity x|omega x|wx|xgyro|rate x|gx|w x|phi dot",
+    ),
+    rule(
+        Channel(ChannelName::PitchRate),
+        0.9,
+        "pitch rate|q|gyr y|gyro y|gyros y|pitchspeed|pitch speed|angular velocity y|omega y|wy|ygyro|rate y|gy|w y",
+    ),
+    rule(
+        Channel(ChannelName::YawRate),
+        0.9,
+        "yaw rate|r|gyr z|gyro z|gyros z|yawspeed|yaw speed|angular velocity z|omega z|wz|zgyro|rate z|gz|w z|turn rate",
+    ),
+    rule(
+        Channel(ChannelName::AccelerationForward),
+        0.9,
+        "acc x|accel x|acceleration x|accelerometer x|linear acceleration x|ax|xacc|a x|acceleration forward|accx",
+    ),
+    rule(
+        Channel(ChannelName::AccelerationRight),
+        0.9,
+        "acc y|accel y|acceleration y|accelerometer y|linear acceleration y|ay|yacc|a y|acceleration right|accy",
+    ),
+    rule(
+        Channel(ChannelName::AccelerationDown),
+        0.9,
+        "acc z|accel z|acceleration z|accelerometer z|linear acceleration z|az|zacc|a z|acceleration down|accz",
+    ),
+    rule(
+        Channel(ChannelName::WindNorth),
+        0.9,
+        "wind north|wind n|wn|vwn|wind velocity north|wind vel n",
+    ),
+    rule(
+        Channel(ChannelName::WindEast),
+        0.9,
+        "wind east|wind e|we|vwe|wind velocity east|wind vel e",
+    ),
+];
+
+/// Words with which a column is about something else than what was measured.
+const OTHERWISE: [&str; 30] = [
+    "desired",
+    "des",
+    "target",
+    "setpoint",
+    "sp",
+    "cmd",
+    "command",
+    "commanded",
+    "demanded",
+    "dem",
+    "ref",
+    "reference",
+    "error",
+    "err",
+    "std",
+    "stddev",
+    "sigma",
+    "var",
+    "variance",
+    "cov",
+    "accuracy",
+    "bias",
+    "offset",
+    "min",
+    "max",
+    "trim",
+    "home",
+    "count",
+    "status",
+    "nav",
+];
+
+/// What a name may mean.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct NameGuess {
+    pub role: ColumnRole,
+    /// -1 where values count the other way.
+    pub sign: f64,
+    /// How surely, 0 to 1.
+    pub confidence: f64,
+}
+
+/// Everything that a name of these words may mean, the likeliest first.
+pub(super) fn meanings(words: &[String]) -> Vec<NameGuess> {
+    let is_otherwise = words.iter().any(|word| OTHERWISE.contains(&word.as_str()));
+    let mut found: Vec<NameGuess> = RULES
+        .iter()
+        .filter_map(|rule| {
+            let matched = rule.names.split('|').filter_map(|name| share(words, name));
+            let share = matched.fold(0.0, f64::max);
+            let doubt = if is_otherwise { 0.3 } else { 1.0 };
+            (share > 0.0).then_some(NameGuess {
+                role: rule.role,
+                sign: rule.sign,
+                confidence: rule.confidence * doubt * (0.5 + 0.5 * share),
+            })
+        })
+        .collect();
+    found.sort_by(|a, b| b.confidence.total_cmp(&a.confidence));
+    let mut seen = Vec::new();
+    found.retain(|guess| {
+        let is_new = !seen.contains(&guess.role);
+        seen.push(guess.role);
+        is_new
+    });
+    found
+}
+
+/// Which share of the letters of `words` is `name`, whose words have to stand together; `None` if it is not among
+/// them. Single letters have to be all there is.
+fn share(words: &[String], name: &str) -> Option<f64> {
+    let wanted: Vec<&str> = name.split(' ').collect();
+    let found = words
+        .windows(wanted.len())
+        .any(|window| window.iter().zip(&wanted).all(|(a, b)| a == b));
+    let letters = |words: &mut dyn Iterator<Item = usize>| words.sum::<usize>() as f64;
+    let of_name = letters(&mut wanted.iter().map(|word| word.len()));
+    let all = letters(&mut words.iter().map(String::len));
+    let is_enough = of_name > 2.0 || wanted.len() == words.len() || wanted.len() > 1;
+    (found && is_enough).then(|| of_name / all)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn best(words: &str) -> Option<ColumnRole> {
+        let words: Vec<String> = words.split(' ').map(str::to_owned).collect();
+        meanings(&words).first().map(|guess| guess.role)
+    }
+
+    #[test]
+    fn the_longest_name_says_what_a_column_is() {
+        assert_eq!(best("roll"), Some(Channel(ChannelName::Roll)));
+        assert_eq!(best("imu roll rate"), Some(Channel(ChannelName::RollRate)));
+        assert_eq!(best("gps ground speed"), Some(SpeedOverGround));
+        assert_eq!(best("true airspeed"), Some(Channel(ChannelName::Airspeed)));
+        assert_eq!(
+            best("indicated airspeed"),
+            Some(Channel(ChannelName::EquivalentAirspeed))
+        );
+        assert_eq!(
+            best("rel alt"),
+            Some(Channel(ChannelName::HeightAboveGround))
+        );
+        assert_eq!(best("gps alt"), Some(Channel(ChannelName::GpsHeight)));
+        assert_eq!(
+            best("velocity north"),
+            Some(Channel(ChannelName::GpsVelocityNorth))
+        );
+        assert_eq!(best("p"), Some(Channel(ChannelName::RollRate)));
+        assert_eq!(best("servo p"), None);
+        assert_eq!(best("battery voltage"), None);
+    }
+
+    #[test]
+    fn what_was_wanted_is_less_likely_than_what_was_measured() {
+        let confidence = |words: &str| {
+            let words: Vec<String> = words.split(' ').map(str::to_owned).collect();
+            meanings(&words)[0].confidence
+        };
+        assert!(confidence("des roll") < 0.5 * confidence("roll"));
+        assert!(confidence("att roll") < confidence("roll"));
+    }
+}

@@ -1,0 +1,65 @@
+//! What is looked at of a column.
+
+/// A column: its name, its unit, and some of its cells in their order.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(in crate::flight) struct Sample {
+    /// Name as the table has it.
+    pub name: String,
+    /// Unit as the table says it beside the name, or empty.
+    pub unit: String,
+    /// Numbers of the cells that are numbers.
+    pub numbers: Vec<f64>,
+    /// Cells that are no numbers and not empty.
+    pub texts: Vec<String>,
+    /// Cells that are empty.
+    pub empty: usize,
+}
+
+impl Sample {
+    /// Whether nearly all cells that are not empty are numbers.
+    pub fn is_numeric(&self) -> bool {
+        !self.numbers.is_empty() && self.numbers.len() >= 19 * self.texts.len()
+    }
+
+    /// Smallest and largest number.
+    pub fn range(&self) -> Option<(f64, f64)> {
+        let finite = self.numbers.iter().copied().filter(|v| v.is_finite());
+        finite.fold(None, |range, v| {
+            let (low, high) = range.unwrap_or((v, v));
+            Some((v.min(low), v.max(high)))
+        })
+    }
+
+    /// Largest amount of a number.
+    pub fn reach(&self) -> f64 {
+        self.range()
+            .map_or(0.0, |(low, high)| low.abs().max(high.abs()))
+    }
+
+    /// Whether all numbers are the same.
+    pub fn is_constant(&self) -> bool {
+        self.range().is_none_or(|(low, high)| low == high)
+    }
+
+    /// Whether all numbers are whole.
+    pub fn is_whole(&self) -> bool {
+        self.numbers.iter().all(|v| v.fract() == 0.0)
+    }
+
+    /// The number in the middle.
+    pub fn median(&self) -> Option<f64> {
+        let mut sorted = self.numbers.clone();
+        sorted.retain(|v| v.is_finite());
+        sorted.sort_by(f64::total_cmp);
+        sorted.get(sorted.len() / 2).copied()
+    }
+
+    /// Whether the numbers hardly ever stand still or go back.
+    pub fn grows(&self) -> bool {
+        let steps = self.numbers.windows(2).filter(|w| w[1] > w[0]).count();
+        let back = self.numbers.windows(2).filter(|w| w[1] < w[0]).count();
+        self.numbers.len() > 1
+            && 10 * steps >= 5 * (self.numbers.len() - 1)
+            && 50 * back < self.numbers.len()
+    }
+}

@@ -1,0 +1,343 @@
+//! How a table is written: what separates its cells, where its rows begin.
+
+use std::borrow::Cow;
+
+use serde::{Deserialize, Serialize};
+
+use crate::flight::folder::date_and_time;
+
+/// Lines that are looked at.
+const LINES: usize = 200;
+/// Longest text before the rows, in lines.
+const LONGEST_TALK: usize = 100;
+/// Letters that lines begin with which are remarks.
+const REMARKS: [char; 3] = ['#', '%', '!'];
+
+/// What separates the cells of a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Separator {
+    /// `,`
+    Comma,
+    /// `;`
+    Semicolon,
+    /// A tabulator.
+    Tab,
+    /// `|`
+    Bar,
+    /// Any number of blanks.
+    Blanks,
+}
+
+impl Separator {
+    /// Every one, the likeliest first.
+    pub const ALL: [Self; 5] = [
+        Self::Comma,
+        Self::Semicolon,
+        Self::Tab,
+        Self::Bar,
+        Self::Blanks,
+    ];
+
+    /// The byte that it is; a blank for any number of them.
+    pub fn byte(self) -> u8 {
+        match self {
+            Self::Comma => b',',
+            Self::Semicolon => b';',
+            Self::Tab => b'\t',
+            Self::Bar => b'|',
+            Self::Blanks => b' ',
+        }
+    }
+
+    /// The cells of a line, without blanks and quotes around them.
+    pub fn cells(self, line: &str) -> Vec<Cow<'_, str>> {
+        if self == Self::Blanks {
+            return line.split_whitespace().map(Cow::Borrowed).collect();
+        }
+        let mut cells = Vec::new();
+        let mut rest = line;
+        loop {
+            let (cell, after) = next_cell(rest, char::from(self.byte()));
+            cells.push(cell);
+            match after {
+                Some(after) => rest = after,
+                None => return cells,
+            }
+        }
+    }
+}
+
+/// The first cell of what is left of a line, and what is left behind it.
+fn next_cell(line: &str, separator: char) -> (Cow<'_, str>, Option<&str>) {
+    let Some(quoted) = line.trim_start_matches(' ').strip_prefix('"') else {
+        return match line.split_once(separator) {
+            Some((cell, rest)) => (Cow::Borrowed(cell.trim()), Some(rest)),
+            None => (Cow::Borrowed(line.trim()), None),
+        };
+    };
+    let mut cell = String::new();
+    let mut letters = quoted.char_indices().peekable();
+    while let Some((place, letter)) = letters.next() {
+        if letter != '"' {
+            cell.push(letter);
+        } else if letters.next_if(|(_, next)| *next == '"').is_some() {
+            cell.push('"');
+        } else {
+            let behind = &quoted[place + 1..];
+            let rest = behind.split_once(separator).map(|(_, rest)| rest);
+            return (Cow::Owned(cell.trim().to_owned()), rest);
+        }
+    }
+    (Cow::Owned(cell.trim().to_owned()), None)
+}
+
+/// How a table is written.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct TableShape {
+    /// What separates cells.
+    pub separator: Separator,
+    /// Lines before the first that belongs to the table.
+    pub skipped_lines: usize,
+    /// Whether the first line of the table has the names of its columns.
+    pub has_header: bool,
+    /// Whether the line behind it has their units.
+    pub has_units: bool,
+    /// Whether a comma stands before decimals.
+    pub has_decimal_comma: bool,
+}
+
+impl TableShape {
+    /// How the table that begins so is written; `None` if it is none: fewer than two columns or two rows, or no column
+    /// of numbers.
+    ///
+    /// The last line is left out, as it may be cut off.
+    pub fn of(text: &str) -> Option<Self> {
+        let lines: Vec<&str> = text.lines().take(LINES).collect();
+        let whole = if text.ends_with('\n') {
+            lines.len()
+        } else {
+            lines.len().saturating_sub(1)
+        };
+        let lines = if whole >= 3 { &lines[..whole] } else { &lines };
+        let found = Separator::ALL
+            .into_iter()
+            .filter_map(|separator| Trial::of(lines, separator));
+        let best = found.fold(None, |best: Option<Trial>, trial| match best {
+            Some(best) if best.score >= trial.score => Some(best),
+            _ => Some(trial),
+        })?;
+        best.shape(lines)
+    }
+
+    /// Lines of the table before its first row: names and units.
+    pub fn head_lines(&self) -> usize {
+        usize::from(self.has_header) + usize::from(self.has_units)
+    }
+
+    /// The number in a cell.
+    pub fn number(&self, cell: &str) -> Option<f64> {
+        number(cell, self.has_decimal_comma)
+    }
+}
+
+/// The number in a cell: with a decimal comma where told so, else with a point.
+pub(in crate::flight) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
+    if has_decimal_comma && cell.contains(',') {
+        return cell.replacen(',', ".", 1).parse().ok();
+    }
+    cell.parse().ok()
+}
+
+fn is_remark(line: &str) -> bool {
+    line.trim().is_empty() || line.starts_with(REMARKS) || line.starts_with("//")
+}
+
+fn has_decimal_comma(cell: &str) -> bool {
+    let digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+    cell.trim_start_matches(['-', '+'])
+        .split_once(',')
+        .is_some_and(|(a, b)| digits(a) && digits(b))
+}
+
+/// What a cell is, as far as one can see.
+fn is_value(cell: &str) -> bool {
+    cell.is_empty() || number(cell, true).is_some() || date_and_time(cell).is_some()
+}
+
+/// How a table would look with a separator.
+struct Trial {
+    separator: Separator,
+    /// Cells of most rows.
+    count: usize,
+    /// First line with so many.
+    start: usize,
+    score: f64,
+}
+
+impl Trial {
+    fn of(lines: &[&str], separator: Separator) -> Option<Self> {
+        let counts: Vec<usize> = lines
+            .iter()
+            .map(|line| {
+                if is_remark(line) {
+                    0
+                } else {
+                    separator.cells(line).len()
+                }
+            })
+            .collect();
+        let told: Vec<usize> = counts.iter().copied().filter(|count| *count > 0).collect();
+        // The number of cells that most lines have; of equals the larger.
+        let mut sorted = told.clone();
+        sorted.sort_unstable();
+        let runs = sorted.chunk_by(|a, b| a == b);
+        let (_, count) = runs
+            .map(|run| (run.len(), run[0]))
+            .filter(|(_, c)| *c > 1)
+            .max()?;
+        let fitting = told.iter().filter(|c| **c == count).count();
+        let start = counts
+            .iter()
+            .position(|c| *c == count)
+            .filter(|start| *start <= LONGEST_TALK)?;
+        if fitting < 2 || 2 * fitting < told.len() {
+            return None;
+        }
+        // The first may be a header.
+        let rows = lines[start + 1..]
+            .iter()
+            .zip(&counts[start + 1..])
+            .filter(|(_, c)| **c == count);
+        let (mut numbers, mut cells) = (0_usize, 0_usize);
+        for (line, _) in rows {
+            let found = separator.cells(line);
+            cells += found.len();
+            numbers += found
+                .iter()
+                .filter(|cell| !cell.is_empty() && is_value(cell))
+                .count();
+        }
+        if numbers == 0 {
+            return None;
+        }
+        let share = |part: usize, of: usize| part as f64 / of.max(1) as f64;
+        Some(Self {
+            separator,
+            count,
+            start,
+            score: share(fitting, told.len()) * (0.25 + share(numbers, cells)),
+        })
+    }
+
+    fn shape(&self, lines: &[&str]) -> Option<TableShape> {
+        let cells = |at: usize| lines.get(at).map(|line| self.separator.cells(line));
+        let fits = |at: &usize| {
+            !is_remark(lines[*at]) && self.separator.cells(lines[*at]).len() == self.count
+        };
+        // Lines that are a row or may be.
+        let rows: Vec<usize> = (self.start..lines.len()).filter(fits).collect();
+        let is_number = |cell: &Cow<str>| !cell.is_empty() && is_value(cell);
+        let last = self.separator.cells(lines[*rows.last()?]);
+        // Where later rows have numbers, a name of a column has none.
+        let is_head = |row: &[Cow<str>]| {
+            let pairs = row.iter().zip(&last).filter(|(_, later)| is_number(later));
+            let (heads, all) = pairs.fold((0, 0), |(heads, all), (cell, _)| {
+                (heads + usize::from(!is_value(cell)), all + 1)
+            });
+            all > 0 && 2 * heads > all
+        };
+        let mut start = rows[0];
+        let mut has_header = is_head(&cells(start)?);
+        if !has_header && start > 0 {
+            // A header that has one name more or less than there are cells, or is a remark.
+            let before = lines[start - 1].trim_start_matches(REMARKS).trim();
+            let names = self.separator.cells(before);
+            if names.len().abs_diff(self.count) <= 1 && names.len() > 1 && is_head(&names) {
+                start -= 1;
+                has_header = true;
+            }
+        }
+        let second = rows.iter().find(|row| **row > start).copied();
+        let has_units =
+            has_header && second.is_some_and(|row| cells(row).is_some_and(|cells| is_head(&cells)));
+        let values = rows.iter().skip(1).filter_map(|row| cells(*row)).flatten();
+        let values: Vec<Cow<str>> = values.filter(|cell| is_number(cell)).collect();
+        let commas = values.iter().filter(|cell| has_decimal_comma(cell)).count();
+        let shape = TableShape {
+            separator: self.separator,
+            skipped_lines: start,
+            has_header,
+            has_units,
+            has_decimal_comma: self.separator != Separator::Comma && 4 * commas > values.len(),
+        };
+        (rows.len() > shape.head_lines() + 1).then_some(shape)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shape(text: &str) -> TableShape {
+        TableShape::of(text).unwrap_or_else(|| panic!("no table: {text}"))
+    }
+
+    #[test]
+    fn separators_and_headers_are_found() {
+        let found = shape("t,a,b\n0,1,2\n1,2,3\n");
+        assert_eq!(
+            (found.separator, found.has_header, found.skipped_lines),
+            (Separator::Comma, true, 0)
+        );
+        let found = shape("0\t1\t2\n1\t2\t3\n2\t3\t4\n");
+        assert_eq!((found.separator, found.has_header), (Separator::Tab, false));
+        let found = shape("  0.0e+00  1.5   -2\r\n  2.0e+01  2.5   -3\r\n");
+        assert_eq!(
+            (found.separator, found.has_header),
+            (Separator::Blanks, false)
+        );
+        let found = shape("time|alt\n2024-05-01 10:00:00|5\n2024-05-01 10:00:01|6\n");
+        assert_eq!((found.separator, found.has_header), (Separator::Bar, true));
+    }
+
+    #[test]
+    fn a_comma_before_decimals_is_no_separator() {
+        let found = shape("t;v\n0,5;1,25\n1,0;2,5\n1,5;3\n");
+        assert_eq!(found.separator, Separator::Semicolon);
+        assert!(found.has_decimal_comma);
+        assert_eq!(found.number("-1,5"), Some(-1.5));
+        assert!(!shape("t,v\n0.5,1\n1.0,2\n").has_decimal_comma);
+    }
+
+    #[test]
+    fn talk_before_the_table_and_units_below_the_names_are_passed_over() {
+        let found = shape("Log of Friday\nby hand\n\ntime,alt\n[s],[m]\n0,5\n1,6\n2,7\n");
+        assert_eq!(
+            (found.skipped_lines, found.has_header, found.has_units),
+            (3, true, true)
+        );
+        let found = shape("# time alt\n0 5\n1 6\n2 7\n");
+        assert_eq!((found.skipped_lines, found.has_header), (0, true));
+    }
+
+    #[test]
+    fn letters_are_no_tables() {
+        for text in [
+            "",
+            "Dear engineer, this is no log.\n",
+            "Dear engineer,\n\nyours, truly,\nme, myself\n",
+            "0.5\n0\n0\n-0.5\n100.25\n199.75\n",
+            "name,colour\na,red\nb,blue\n",
+        ] {
+            assert_eq!(TableShape::of(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn quotes_hold_separators_and_quotes() {
+        let cells = Separator::Comma.cells(r#""a, b", 2 ,"say ""so""",,"open"#);
+        assert_eq!(cells, ["a, b", "2", "say \"so\"", "", "open"]);
+        assert_eq!(Separator::Tab.cells("a\t"), ["a", ""]);
+    }
+}

@@ -1,0 +1,378 @@
+//! From record to record through a file.
+
+use crc32fast::Hasher;
+
+use super::MAGIC;
+use super::bytes::Cursor;
+use super::chunk::{self, Packing};
+use super::contents::Contents;
+use super::inside::Inside;
+use super::record::{
+    ATTACHMENT, CHUNK, FRAME, MESSAGE, Record, frame, is_known, parse, whole_length,
+};
+use super::search::{followed, next_sure};
+use crate::flight::log::stepping::{Step, Steps};
+use crate::flight::log::{Fact, Log};
+
+/// Longest name and media type of an attachment, in bytes.
+const LONGEST_NAME: usize = 1 << 12;
+const TOO_EARLY: &str = "the file ends too early";
+
+/// The state of reading.
+#[derive(Default)]
+pub(super) struct Mcap {
+    contents: Contents,
+    /// Why the next record has to be looked for, if it has.
+    lost: Option<&'static str>,
+    attachment: Option<Attachment>,
+    /// Checksum of the section of the file that is being read.
+    section: Hasher,
+    /// Whether another section begins behind the record at hand.
+    is_section_over: bool,
+    stage: Stage,
+}
+
+#[derive(Clone, Copy, Default, PartialEq, Eq)]
+enum Stage {
+    #[default]
+    Before,
+    Within,
+    /// Behind the footer.
+    Footed,
+    /// Behind the mark that ends a file.
+    Closed,
+}
+
+/// A file within the file, of which only its name is kept.
+pub(super) struct Attachment {
+    name: String,
+    media: String,
+    /// Bytes of the record before the attached file.
+    head: usize,
+    /// Bytes that the record has behind them.
+    left: u64,
+    checksum: Hasher,
+    last: [u8; 4],
+}
+
+impl Steps for Mcap {
+    fn step(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> Step {
+        let step = match (&mut self.attachment, self.lost) {
+            _ if self.stage == Stage::Before => self.begin(bytes, over, log),
+            (Some(_), _) => self.go_on_attaching(bytes, log),
+            (None, Some(cause)) => self.search(bytes, offset, over, cause, log),
+            (None, None) => self.next(bytes, offset, over, log),
+        };
+        if let Step::Took(count) = step {
+            self.section.update(&bytes[..count.min(bytes.len())]);
+            if self.is_section_over {
+                self.is_section_over = false;
+                self.section = Hasher::new();
+            }
+        }
+        step
+    }
+
+    fn end(&mut self, log: &mut Log) {
+        if let Some(attachment) = &self.attachment {
+            let name = &attachment.name;
+            log.report
+                .remark(format!("the file ends within what is attached as {name}"));
+        }
+        if self.stage == Stage::Within {
+            log.report.remark(
+                "the file has no end: it was cut off, or whoever wrote it did not close it",
+            );
+        }
+        self.contents.end(log);
+    }
+}
+
+impl Mcap {
+    fn begin(&mut self, bytes: &[u8], over: bool, log: &mut Log) -> Step {
+        if bytes.len() < MAGIC.len() && !over {
+            return Step::Wait;
+        }
+        self.stage = Stage::Within;
+        if bytes.starts_with(&MAGIC) {
+            log.report.used_bytes += MAGIC.len() as u64;
+            return Step::Took(MAGIC.len());
+        }
+        log.report.remark("the file does not begin as MCAP does");
+        self.lose(0, "no beginning of MCAP", log)
+    }
+
+    fn lose(&mut self, offset: u64, cause: &'static str, log: &mut Log) -> Step {
+        self.lost = Some(cause);
+        log.report.skip(offset, 1, cause);
+        Step::Took(1)
+    }
+
+    /// Takes the record that begins here.
+    fn next(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> Step {
+        if bytes.starts_with(&MAGIC) {
+            return self.mark(offset, log);
+        }
+        let wait = |reader: &mut Self, log: &mut Log| {
+            if over {
+                reader.lose(offset, TOO_EARLY, log)
+            } else {
+                Step::Wait
+            }
+        };
+        if MAGIC.starts_with(bytes) {
+            return wait(self, log);
+        }
+        let Some((kind, length)) = frame(bytes) else {
+            return wait(self, log);
+        };
+        match kind {
+            CHUNK => match chunk::head(bytes) {
+                None => return wait(self, log),
+                Some(Err(cause)) => return self.lose(offset, cause, log),
+                Some(Ok(head)) => {
+                    if bytes.len() < head.length + head.packed && !over {
+                        return Step::Wait;
+                    }
+                    return self.chunk(&head, bytes, offset, log);
+                }
+            },
+            ATTACHMENT => match attachment(bytes) {
+                None => return wait(self, log),
+                Some(Err(cause)) => return self.lose(offset, cause, log),
+                Some(Ok(attachment)) => return self.attach(attachment, log),
+            },
+            _ => {}
+        }
+        let Some(length) = whole_length(length) else {
+            return self.lose(offset, "a record of impossible length", log);
+        };
+        let Some(contents) = bytes.get(FRAME..length) else {
+            return wait(self, log);
+        };
+        // What is known by little needs another record behind it.
+        if kind == MESSAGE || !is_known(kind) {
+            match followed(&bytes[length..], over) {
+                None => return Step::Wait,
+                Some(false) => return self.lose(offset, "no record follows", log),
+                Some(true) => {}
+            }
+        }
+        if !is_known(kind) {
+            let cause = "a record of a kind that is not known";
+            log.report.skip(offset, length as u64, cause);
+            return Step::Took(length);
+        }
+        match parse(kind, contents) {
+            Ok(record) => self.take(record, bytes, length, offset, log),
+            Err(cause) => self.lose(offset, cause, log),
+        }
+    }
+
+    /// Takes what every file begins and ends with.
+    fn mark(&mut self, offset: u64, log: &mut Log) -> Step {
+        log.report.used_bytes += MAGIC.len() as u64;
+        if self.stage == Stage::Footed {
+            self.stage = Stage::Closed;
+        } else {
+            log.report
+                .remark(format!("another file begins at byte {offset}"));
+            self.contents.forget(log);
+            self.stage = Stage::Within;
+            self.section = Hasher::new();
+        }
+        Step::Took(MAGIC.len())
+    }
+
+    fn take(
+        &mut self,
+        record: Record,
+        bytes: &[u8],
+        length: usize,
+        offset: u64,
+        log: &mut Log,
+    ) -> Step {
+        match record {
+            Record::DataEnd { checksum } => {
+                let found = self.section.clone().finalize();
+                compare(checksum, found, "the checksum of the data", log);
+                self.is_section_over = true;
+            }
+            Record::Footer { checksum, .. } => {
+                let mut summary = self.section.clone();
+                summary.update(&bytes[..length - 4]);
+                compare(
+                    checksum,
+                    summary.finalize(),
+                    "the checksum of the summary",
+                    log,
+                );
+                self.stage = Stage::Footed;
+            }
+            record => {
+                if let Err(cause) = self.contents.take(record, log) {
+                    log.report.skip(offset, length as u64, cause);
+                    return Step::Took(length);
+                }
+            }
+        }
+        log.report.used_bytes += length as u64;
+        Step::Took(length)
+    }
+
+    /// Takes a chunk, or what there is of it.
+    fn chunk(&mut self, head: &chunk::Head, bytes: &[u8], offset: u64, log: &mut Log) -> Step {
+        let end = head.length + head.packed;
+        let is_whole = bytes.len() >= end;
+        let length = end.min(bytes.len());
+        if let Packing::Unknown(name) = &head.packing {
+            log.report
+                .remark(format!("chunks packed as {name} cannot be read"));
+            let cause = "a chunk is packed in a way that is not known";
+            log.report.skip(offset, length as u64, cause);
+            return Step::Took(length);
+        }
+        let (records, trouble) = chunk::unpack(head, &bytes[head.length..length]);
+        let mut is_sound = false;
+        if is_whole && trouble.is_none() && head.checksum != 0 {
+            is_sound = crc32fast::hash(&records) == head.checksum;
+            if !is_sound {
+                log.report.remark(format!(
+                    "the checksum of the chunk at byte {offset} does not fit: what was read of it may be \
+                     wrong"
+                ));
+            }
+        }
+        let is_packed = head.packing != Packing::Not;
+        if is_packed {
+            log.report.unpacked_bytes += records.len() as u64;
+        }
+        let inside = Inside {
+            records: &records,
+            offset: (!is_packed).then_some(offset + head.length as u64),
+            is_sound,
+        };
+        let nonsense = inside.walk(&mut self.contents, log);
+        if !is_packed {
+            log.report.used_bytes += head.length as u64;
+        } else if let Some(cause) = trouble.filter(|_| is_whole) {
+            log.report.skip(offset, length as u64, cause);
+        } else if !is_whole {
+            log.report.skip(offset, length as u64, TOO_EARLY);
+        } else if nonsense > 0 {
+            let cause = "parts of a packed chunk make no sense";
+            log.report.skip(offset, length as u64, cause);
+        } else {
+            log.report.used_bytes += length as u64;
+        }
+        Step::Took(length)
+    }
+
+    fn attach(&mut self, attachment: Attachment, log: &mut Log) -> Step {
+        let head = attachment.head;
+        log.report.used_bytes += head as u64;
+        log.facts.push(Fact {
+            name: format!("attached: {}", attachment.name),
+            text: format!("{}, {} bytes", attachment.media, attachment.left - 4),
+        });
+        self.attachment = Some(attachment);
+        Step::Took(head)
+    }
+
+    fn go_on_attaching(&mut self, bytes: &[u8], log: &mut Log) -> Step {
+        let Some(attachment) = &mut self.attachment else {
+            return Step::Wait;
+        };
+        let count = usize::try_from(attachment.left)
+            .unwrap_or(usize::MAX)
+            .min(bytes.len());
+        let file = usize::try_from(attachment.left - attachment.left.min(4)).unwrap_or(usize::MAX);
+        let (file, checksum) = bytes[..count].split_at(file.min(count));
+        attachment.checksum.update(file);
+        for byte in checksum {
+            attachment.last.rotate_left(1);
+            attachment.last[3] = *byte;
+        }
+        attachment.left -= count as u64;
+        log.report.used_bytes += count as u64;
+        if attachment.left == 0 {
+            let found = attachment.checksum.clone().finalize();
+            let what = format!("the checksum of what is attached as {}", attachment.name);
+            compare(u32::from_le_bytes(attachment.last), found, &what, log);
+            self.attachment = None;
+        }
+        Step::Took(count)
+    }
+
+    /// Looks for the next record that is surely one.
+    fn search(
+        &mut self,
+        bytes: &[u8],
+        offset: u64,
+        over: bool,
+        cause: &'static str,
+        log: &mut Log,
+    ) -> Step {
+        let (count, is_found) = next_sure(&self.contents, bytes, over);
+        if is_found {
+            self.lost = None;
+        }
+        if count > 0 {
+            log.report.skip(offset, count as u64, cause);
+            Step::Took(count)
+        } else if is_found {
+            self.next(bytes, offset, over, log)
+        } else {
+            Step::Wait
+        }
+    }
+}
+
+/// Notes a checksum that does not fit; zero says that nobody computed one.
+fn compare(said: u32, found: u32, what: &str, log: &mut Log) {
+    if said != 0 && said != found {
+        log.report.remark(format!(
+            "{what} does not fit: values may be wrong that look right"
+        ));
+    }
+}
+
+/// The attachment that `bytes` begin with; `None` if more are needed to tell.
+pub(super) fn attachment(bytes: &[u8]) -> Option<Result<Attachment, &'static str>> {
+    const WRONG: Option<Result<Attachment, &str>> = Some(Err("an attachment contradicts itself"));
+    let mut cursor = Cursor::new(bytes);
+    cursor.byte()?;
+    let contents = cursor.long()?;
+    let before = cursor.rest().len();
+    cursor.take(8 + 8)?;
+    let mut texts = [""; 2];
+    for text in &mut texts {
+        let mut ahead = cursor;
+        if ahead.word()? as usize > LONGEST_NAME {
+            return WRONG;
+        }
+        ahead = cursor;
+        let letters = ahead.counted()?;
+        let Ok(letters) = str::from_utf8(letters) else {
+            return WRONG;
+        };
+        *text = letters;
+        cursor = ahead;
+    }
+    let size = cursor.long()?;
+    let head = before - cursor.rest().len();
+    let expected = size.checked_add(head as u64 + 4);
+    if expected != Some(contents) {
+        return WRONG;
+    }
+    let mut checksum = Hasher::new();
+    checksum.update(&bytes[FRAME..FRAME + head]);
+    Some(Ok(Attachment {
+        name: texts[0].to_owned(),
+        media: texts[1].to_owned(),
+        head: FRAME + head,
+        left: size + 4,
+        checksum,
+        last: [0; 4],
+    }))
+}

@@ -1,0 +1,5 @@
+//! Sound files and damaged ones.
+
+mod damage;
+mod reading;
+mod written;

@@ -1,0 +1,210 @@
+//! EXIF: directories of tags as in TIFF. What makes no sense is passed over tag by tag.
+
+/// Most tags of a directory.
+const MOST_TAGS: usize = 1000;
+
+pub(super) const MAKE: u16 = 0x010f;
+pub(super) const MODEL: u16 = 0x0110;
+pub(super) const ORIENTATION: u16 = 0x0112;
+pub(super) const SOFTWARE: u16 = 0x0131;
+pub(super) const DATE_TIME: u16 = 0x0132;
+const EXIF_DIRECTORY: u16 = 0x8769;
+const GPS_DIRECTORY: u16 = 0x8825;
+pub(super) const DATE_TIME_ORIGINAL: u16 = 0x9003;
+pub(super) const DATE_TIME_DIGITIZED: u16 = 0x9004;
+pub(super) const OFFSET_TIME: u16 = 0x9010;
+pub(super) const OFFSET_TIME_ORIGINAL: u16 = 0x9011;
+pub(super) const OFFSET_TIME_DIGITIZED: u16 = 0x9012;
+pub(super) const SUB_SECONDS: u16 = 0x9290;
+pub(super) const SUB_SECONDS_ORIGINAL: u16 = 0x9291;
+pub(super) const SUB_SECONDS_DIGITIZED: u16 = 0x9292;
+pub(super) const FOCAL_LENGTH: u16 = 0x920a;
+pub(super) const FOCAL_PLANE_X: u16 = 0xa20e;
+pub(super) const FOCAL_PLANE_UNIT: u16 = 0xa210;
+pub(super) const PIXEL_WIDTH: u16 = 0xa002;
+pub(super) const FOCAL_LENGTH_35: u16 = 0xa405;
+pub(super) const LATITUDE_REF: u16 = 1;
+pub(super) const LATITUDE: u16 = 2;
+pub(super) const LONGITUDE_REF: u16 = 3;
+pub(super) const LONGITUDE: u16 = 4;
+pub(super) const ALTITUDE_REF: u16 = 5;
+pub(super) const ALTITUDE: u16 = 6;
+pub(super) const GPS_TIME: u16 = 7;
+pub(super) const DIRECTION_REF: u16 = 0x10;
+pub(super) const DIRECTION: u16 = 0x11;
+pub(super) const GPS_DATE: u16 = 0x1d;
+
+/// One tag: its number, the type of its values, and their bytes.
+#[derive(Clone, Copy, Debug)]
+struct Entry<'a> {
+    tag: u16,
+    kind: u16,
+    values: &'a [u8],
+}
+
+/// The tags of a directory.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Directory<'a> {
+    is_little: bool,
+    entries: Vec<Entry<'a>>,
+}
+
+/// The directories of a photo.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Exif<'a> {
+    pub image: Directory<'a>,
+    pub photo: Directory<'a>,
+    pub gps: Directory<'a>,
+}
+
+impl<'a> Exif<'a> {
+    /// The tags in a TIFF; none where it is none.
+    pub fn read(tiff: &'a [u8]) -> Self {
+        let is_little = match tiff.first_chunk() {
+            Some(b"II*\0") => true,
+            Some(b"MM\0*") => false,
+            _ => return Self::default(),
+        };
+        let directory = |offset| Directory::read(tiff, offset, is_little);
+        let image = number(tiff.get(4..8).unwrap_or_default(), is_little);
+        let image = directory(Some(image));
+        let photo = directory(image.whole(EXIF_DIRECTORY));
+        let gps = directory(image.whole(GPS_DIRECTORY));
+        Self { image, photo, gps }
+    }
+}
+
+impl<'a> Directory<'a> {
+    fn read(tiff: &'a [u8], offset: Option<u64>, is_little: bool) -> Self {
+        let mut entries = Vec::new();
+        let table = offset.and_then(|offset| tiff.get(usize::try_from(offset).ok()?..));
+        let count = table
+            .and_then(|table| table.get(..2))
+            .map_or(0, |b| number(b, is_little));
+        let table = table.and_then(|table| table.get(2..)).unwrap_or_default();
+        for bytes in table.chunks_exact(12).take((count as usize).min(MOST_TAGS)) {
+            let [tag, kind] = [0, 2].map(|at| number(&bytes[at..at + 2], is_little) as u16);
+            let count = number(&bytes[4..8], is_little);
+            let length = count.saturating_mul(size_of_kind(kind));
+            let values = if length <= 4 {
+                bytes.get(8..8 + length as usize)
+            } else {
+                let start = number(&bytes[8..12], is_little) as usize;
+                let end = usize::try_from(length)
+                    .ok()
+                    .and_then(|length| start.checked_add(length));
+                end.and_then(|end| tiff.get(start..end))
+            };
+            if let Some(values) = values {
+                entries.push(Entry { tag, kind, values });
+            }
+        }
+        Self { is_little, entries }
+    }
+
+    fn entry(&self, tag: u16) -> Option<Entry<'a>> {
+        self.entries.iter().find(|entry| entry.tag == tag).copied()
+    }
+
+    /// The first whole number of a tag.
+    pub fn whole(&self, tag: u16) -> Option<u64> {
+        let entry = self.entry(tag)?;
+        let size = match entry.kind {
+            1 | 7 => 1,
+            3 => 2,
+            4 | 13 => 4,
+            _ => return None,
+        };
+        Some(number(entry.values.get(..size)?, self.is_little))
+    }
+
+    /// The numbers of a tag; those over zero are left out.
+    pub fn reals(&self, tag: u16) -> Vec<f64> {
+        let Some(entry) = self.entry(tag) else {
+            return Vec::new();
+        };
+        let whole = |bytes: &[u8]| number(bytes, self.is_little);
+        let signed = |bytes: &[u8]| f64::from(whole(bytes) as u32 as i32);
+        let values = entry.values;
+        let reals: Vec<f64> = match entry.kind {
+            3 => values.chunks_exact(2).map(|v| whole(v) as f64).collect(),
+            4 => values.chunks_exact(4).map(|v| whole(v) as f64).collect(),
+            5 => values
+                .chunks_exact(8)
+                .map(|v| whole(&v[..4]) as f64 / whole(&v[4..]) as f64)
+                .collect(),
+            10 => values
+                .chunks_exact(8)
+                .map(|v| signed(&v[..4]) / signed(&v[4..]))
+                .collect(),
+            _ => Vec::new(),
+        };
+        reals.into_iter().filter(|v| v.is_finite()).collect()
+    }
+
+    /// The first number of a tag.
+    pub fn real(&self, tag: u16) -> Option<f64> {
+        self.reals(tag).first().copied()
+    }
+
+    /// The letters of a tag up to the first zero, without blanks around them; `None` where nothing is left.
+    pub fn text(&self, tag: u16) -> Option<String> {
+        let entry = self
+            .entry(tag)
+            .filter(|entry| matches!(entry.kind, 2 | 7))?;
+        let letters = entry.values.split(|b| *b == 0).next().unwrap_or_default();
+        let text = String::from_utf8_lossy(letters).trim().to_owned();
+        (!text.is_empty()).then_some(text)
+    }
+}
+
+fn number(bytes: &[u8], is_little: bool) -> u64 {
+    let join = |sum: u64, byte: &u8| sum << 8 | u64::from(*byte);
+    if is_little {
+        bytes.iter().rev().fold(0, join)
+    } else {
+        bytes.iter().fold(0, join)
+    }
+}
+
+/// Bytes of a value of a TIFF type; so many for one that is not known that no tag of it is read.
+fn size_of_kind(kind: u16) -> u64 {
+    match kind {
+        1 | 2 | 6 | 7 => 1,
+        3 | 8 => 2,
+        4 | 9 | 11 | 13 => 4,
+        5 | 10 | 12 => 8,
+        _ => u64::MAX,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tag_that_points_out_of_the_file_is_passed_over_and_the_others_read() {
+        let mut tiff = b"MM\0*\0\0\0\x08\0\x03".to_vec();
+        tiff.extend([0x01, 0x0f, 0, 2, 0, 0, 0, 4, b'D', b'J', b'I', 0]);
+        tiff.extend([0x01, 0x10, 0, 2, 0, 0, 0, 9, 0xff, 0xff, 0xff, 0xf0]);
+        tiff.extend([0x01, 0x12, 0, 3, 0, 0, 0, 1, 0, 6, 0, 0]);
+        let exif = Exif::read(&tiff);
+        assert_eq!(exif.image.text(MAKE).as_deref(), Some("DJI"));
+        assert_eq!(exif.image.text(MODEL), None);
+        assert_eq!(exif.image.whole(ORIENTATION), Some(6));
+        for end in 0..tiff.len() {
+            Exif::read(&tiff[..end]);
+        }
+    }
+
+    #[test]
+    fn fractions_over_zero_are_no_numbers() {
+        let mut tiff = b"II*\0\x08\0\0\0\x01\0".to_vec();
+        tiff.extend([2, 0, 5, 0, 3, 0, 0, 0, 22, 0, 0, 0]);
+        for part in [46_u32, 1, 50, 2, 7, 0] {
+            tiff.extend(part.to_le_bytes());
+        }
+        let directory = Directory::read(&tiff, Some(8), true);
+        assert_eq!(directory.reals(LATITUDE), [46.0, 25.0]);
+    }
+}

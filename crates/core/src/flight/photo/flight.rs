@@ -1,0 +1,355 @@
+//! The flight that a folder of photos tells of.
+
+use std::collections::BTreeMap;
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
+
+use nalgebra::Point3;
+
+use super::camera::focal_in_pixels;
+use super::read::{Photo, PhotoPlace, read_photo};
+use crate::camera::CameraModel;
+use crate::flight::files::FileSet;
+use crate::flight::folder::{FlightFolder, FolderFrames};
+use crate::flight::{Channel, ChannelName, Flight, Frame, StartFix, Truth, TruthState};
+use crate::frames::{Attitude, Geodetic, GroundPoint, LocalFrame, wrap_pi};
+
+/// Fewest photos that make a flight.
+const FEWEST: usize = 2;
+/// Standard deviation per axis of the position of a photo, metres.
+const GPS_DEVIATION: f64 = 5.0;
+
+/// The flight of the photos among the files that say where they were taken; `None` if there are fewer than two.
+///
+/// Frames are the photos in the order of their times, counted in seconds from the first. Heading, pitch and roll are
+/// those of the camera where it tells them (zero looks straight down with the picture's top forward), else those of
+/// the aircraft. World is the tangent plane at the first photo, the ground where the aircraft took off. The track
+/// of the photos counts as the truth: it is what there is, and no better than it.
+pub fn read_photos(files: &Arc<dyn FileSet>) -> Option<FlightFolder> {
+    let mut notes = Vec::new();
+    let photos = photos(files.as_ref(), &mut notes);
+    let (first, origin) = photos.iter().find_map(|p| Some((p, p.photo.place?)))?;
+    if photos.iter().filter(|p| p.photo.place.is_some()).count() < FEWEST {
+        return None;
+    }
+    let altitude = origin.altitude.unwrap_or(0.0);
+    let take_off = altitude - first.photo.height_above_take_off.unwrap_or(0.0);
+    let frame = LocalFrame::new(Geodetic {
+        latitude: origin.latitude,
+        longitude: origin.longitude,
+        height: take_off,
+    });
+    let camera = camera(&photos[0].photo, &mut notes);
+    let states = states(&photos, &frame);
+    let start = states.first()?;
+    let start = StartFix {
+        time: start.time,
+        position: GroundPoint::new(start.position.x, start.position.y),
+        standard_deviation: GPS_DEVIATION,
+    };
+    let frames = photos.iter().map(|p| Frame {
+        time: p.time,
+        name: p.photo.name.clone(),
+        stored_turn: 0.0,
+    });
+    let flight = Flight {
+        name: name(&photos[0].photo.name),
+        frame_on_globe: Some(frame),
+        camera,
+        ground_down: 0.0,
+        channels: channels(&photos, &states, &mut notes),
+        frames: frames.collect(),
+        start,
+        truth: Some(Truth {
+            states,
+            frames: Vec::new(),
+        }),
+    };
+    tell(&photos, &mut notes);
+    let names = flight
+        .frames
+        .iter()
+        .map(|frame| frame.name.clone())
+        .collect();
+    Some(FlightFolder {
+        frames: FolderFrames::new(Arc::clone(files), vec![String::new()], "", names),
+        flight,
+        notes,
+    })
+}
+
+/// A photo with its time in the flight, seconds.
+struct Timed {
+    time: f64,
+    photo: Photo,
+}
+
+/// Photos of one size, in the order of their times.
+fn photos(files: &dyn FileSet, notes: &mut Vec<String>) -> Vec<Timed> {
+    let mut names = files.names();
+    names.retain(|name| is_photo(name));
+    names.sort();
+    let mut photos = Vec::new();
+    let mut unread = Vec::new();
+    for name in names {
+        match files
+            .source(&name)
+            .map(|source| read_photo(source.as_ref()))
+        {
+            Some(Ok(photo)) => photos.push(Photo { name, ..photo }),
+            Some(Err(cause)) => unread.push(cause.to_string()),
+            None => {}
+        }
+    }
+    if let Some(first) = unread.first() {
+        notes.push(format!(
+            "{} files could not be read as photos: {first}",
+            unread.len()
+        ));
+    }
+    let mut sizes: BTreeMap<(usize, usize), usize> = BTreeMap::new();
+    for photo in photos.iter().filter(|p| p.place.is_some()) {
+        *sizes.entry((photo.width, photo.height)).or_default() += 1;
+    }
+    let Some((size, _)) = sizes.into_iter().max_by_key(|(_, count)| *count) else {
+        return Vec::new();
+    };
+    let total = photos.len();
+    photos.retain(|photo| (photo.width, photo.height) == size);
+    if photos.len() < total {
+        notes.push(format!(
+            "{} of {total} photos are of another size than {} x {} and were left out",
+            total - photos.len(),
+            size.0,
+            size.1
+        ));
+    }
+    timed(photos, notes)
+}
+
+fn is_photo(name: &str) -> bool {
+    let file = name.rsplit('/').next().unwrap_or(name);
+    let ending = file.rsplit('.').next().unwrap_or_default();
+    let is_jpeg = ["jpg", "jpeg"]
+        .iter()
+        .any(|e| ending.eq_ignore_ascii_case(e));
+    // What macOS leaves in zips begins with a dot.
+    is_jpeg && !file.starts_with('.')
+}
+
+fn timed(photos: Vec<Photo>, notes: &mut Vec<String>) -> Vec<Timed> {
+    let first = photos
+        .iter()
+        .filter_map(|photo| photo.taken)
+        .min_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let Some(first) = first else {
+        notes.push(
+            "no photo says when it was taken: they count as a second apart, by name".to_owned(),
+        );
+        let numbered = photos.into_iter().enumerate();
+        return numbered
+            .map(|(i, photo)| Timed {
+                time: i as f64,
+                photo,
+            })
+            .collect();
+    };
+    let total = photos.len();
+    let since = |photo: &Photo| {
+        let (whole, fraction) = photo.taken?;
+        Some(whole.saturating_sub(first.0) as f64 + (fraction - first.1))
+    };
+    let timed = photos.into_iter().filter_map(|photo| {
+        Some(Timed {
+            time: since(&photo)?,
+            photo,
+        })
+    });
+    let mut timed: Vec<Timed> = timed.collect();
+    if timed.len() < total {
+        notes.push(format!(
+            "{} of {total} photos do not say when they were taken and were left out",
+            total - timed.len()
+        ));
+    }
+    timed.sort_by(|a, b| a.time.total_cmp(&b.time));
+    spread_seconds(&mut timed, notes);
+    timed
+}
+
+/// Photos taken within the same second by a clock of whole seconds are spread over it.
+fn spread_seconds(photos: &mut [Timed], notes: &mut Vec<String>) {
+    let has_fractions = photos
+        .iter()
+        .any(|p| p.photo.taken.is_some_and(|(_, part)| part != 0.0));
+    if has_fractions {
+        return;
+    }
+    let mut spread = 0;
+    for group in photos.chunk_by_mut(|a, b| a.time == b.time) {
+        let count = group.len();
+        for (i, photo) in group.iter_mut().enumerate().skip(1) {
+            photo.time += i as f64 / count as f64;
+            spread += 1;
+        }
+    }
+    if spread > 0 {
+        notes.push(format!(
+            "the camera's clock counts whole seconds: {spread} photos were taken in the same second as another \
+             and are spread over it"
+        ));
+    }
+}
+
+fn name(photo: &str) -> String {
+    let folder = photo.rsplit_once('/').map_or("", |(folder, _)| folder);
+    let folder = folder.rsplit('/').next().unwrap_or_default();
+    let name = if folder.is_empty() { "Photos" } else { folder };
+    name.to_owned()
+}
+
+fn camera(photo: &Photo, notes: &mut Vec<String>) -> CameraModel {
+    let (focal, whence) = focal_in_pixels(photo);
+    let camera = CameraModel {
+        focal,
+        ..CameraModel::pinhole(photo.width, photo.height, 1.0)
+    };
+    let across = 2.0 * (0.5 * photo.width as f64 / focal).atan();
+    notes.push(format!(
+        "the focal length of {focal:.0} pixels ({:.0}° across) is {whence}",
+        across.to_degrees()
+    ));
+    camera
+}
+
+fn states(photos: &[Timed], frame: &LocalFrame) -> Vec<TruthState> {
+    let mut states: Vec<TruthState> = Vec::new();
+    for Timed { time, photo } in photos {
+        let Some(PhotoPlace {
+            latitude,
+            longitude,
+            altitude,
+        }) = photo.place
+        else {
+            continue;
+        };
+        let height = photo
+            .height_above_take_off
+            .or(altitude.map(|a| a - frame.origin.height));
+        let ground = frame.ground_from_geodetic(&Geodetic {
+            latitude,
+            longitude,
+            height: frame.origin.height,
+        });
+        let is_later = states.last().is_none_or(|last| *time > last.time);
+        if is_later {
+            states.push(TruthState {
+                time: *time,
+                position: Point3::new(ground.north, ground.east, -height.unwrap_or(0.0)),
+                attitude: None,
+                wind: None,
+            });
+        }
+    }
+    states
+}
+
+/// The attitude of a camera that looks straight down where it is level, from one that looks level.
+fn looking_down(gimbal: Attitude) -> Attitude {
+    Attitude {
+        pitch: wrap_pi(gimbal.pitch + FRAC_PI_2),
+        ..gimbal
+    }
+}
+
+fn channels(photos: &[Timed], states: &[TruthState], notes: &mut Vec<String>) -> Vec<Channel> {
+    let series = |name: ChannelName, value: &dyn Fn(&Photo) -> Option<f64>| {
+        let samples = photos
+            .iter()
+            .filter_map(|p| Some((p.time, value(&p.photo)?)));
+        let (times, values): (Vec<f64>, Vec<f64>) = samples.unzip();
+        (!times.is_empty()).then_some(Channel {
+            name,
+            times,
+            values,
+        })
+    };
+    let track = |name: ChannelName, part: fn(&Point3<f64>) -> f64| Channel {
+        name,
+        times: states.iter().map(|s| s.time).collect(),
+        values: states.iter().map(|s| part(&s.position)).collect(),
+    };
+    let mut channels = vec![
+        track(ChannelName::GpsNorth, |p| p.x),
+        track(ChannelName::GpsEast, |p| p.y),
+    ];
+    channels.extend(series(ChannelName::GpsHeight, &|p| p.place?.altitude));
+    let height = series(ChannelName::HeightAboveGround, &|p| p.height_above_take_off);
+    if height.is_none() {
+        notes.push("no photo says how high it was taken above the ground".to_owned());
+    }
+    channels.extend(height);
+    let of_gimbal = photos.iter().any(|p| p.photo.gimbal.is_some());
+    let attitude = |photo: &Photo| {
+        if of_gimbal {
+            photo.gimbal.map(looking_down)
+        } else {
+            photo.aircraft
+        }
+    };
+    let heading = series(ChannelName::Heading, &|p| {
+        let yaw = attitude(p).map(|a| a.yaw);
+        let yaw = if of_gimbal { yaw } else { yaw.or(p.direction) };
+        yaw.map(wrap_pi)
+    });
+    notes.push(match (of_gimbal, &heading) {
+        (true, _) => "heading, pitch and roll are those of the camera's gimbal".to_owned(),
+        (false, Some(_)) => {
+            "heading, pitch and roll are those of the aircraft, to which the camera counts as \
+                             fixed, looking straight down"
+                .to_owned()
+        }
+        (false, None) => "no photo says which way it was turned".to_owned(),
+    });
+    channels.extend(heading);
+    channels.extend(series(ChannelName::Pitch, &|p| Some(attitude(p)?.pitch)));
+    channels.extend(series(ChannelName::Roll, &|p| {
+        Some(wrap_pi(attitude(p)?.roll))
+    }));
+    channels
+}
+
+/// Says what else people should know.
+fn tell(photos: &[Timed], notes: &mut Vec<String>) {
+    let count = |is: &dyn Fn(&Photo) -> bool| photos.iter().filter(|p| is(&p.photo)).count();
+    let total = photos.len();
+    let nowhere = count(&|p| p.place.is_none());
+    if nowhere > 0 {
+        notes.push(format!(
+            "{nowhere} of {total} photos do not say where they were taken"
+        ));
+    }
+    let oblique = count(&|p| {
+        p.gimbal
+            .is_some_and(|g| (g.pitch + FRAC_PI_2).abs() > 0.1 * PI)
+    });
+    if oblique > 0 {
+        notes.push(format!(
+            "{oblique} of {total} photos look far from straight down"
+        ));
+    }
+    let turned = count(&|p| p.orientation != 1);
+    if turned > 0 {
+        notes.push(format!(
+            "{turned} of {total} photos are marked as to be turned for people: they are taken as they are stored"
+        ));
+    }
+    let saved = photos.iter().filter(|p| p.photo.saved_again_by.is_some());
+    let saved: Vec<&Timed> = saved.collect();
+    if let Some(program) = saved.first().and_then(|p| p.photo.saved_again_by.as_ref()) {
+        notes.push(format!(
+            "{} of {total} photos were saved again by {program}, which may have turned them against their heading",
+            saved.len()
+        ));
+    }
+}

@@ -1,0 +1,320 @@
+//! One photo.
+
+use super::exif::{self, Directory, Exif};
+use super::head::{Found, head};
+use super::xmp::Xmp;
+use crate::flight::folder::{Moment, date_and_time};
+use crate::frames::Attitude;
+use crate::imagery::ByteSource;
+
+/// Bytes that mostly hold the head of a photo, and those that always do.
+const HEAD: u64 = 1 << 17;
+const LONGEST_HEAD: u64 = 1 << 24;
+
+/// Where a photo was taken.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PhotoPlace {
+    /// Radians, north positive.
+    pub latitude: f64,
+    /// Radians, east positive.
+    pub longitude: f64,
+    /// Metres above sea level, or what the camera takes for it, where it says so.
+    pub altitude: Option<f64>,
+}
+
+/// What a photo says of itself.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Photo {
+    /// Name of its file.
+    pub name: String,
+    /// Width in pixels, as stored.
+    pub width: usize,
+    /// Height in pixels, as stored.
+    pub height: usize,
+    /// Maker and model of the camera, or empty.
+    pub camera: String,
+    /// Whole seconds since 1970 and a fraction at which it was taken, by the clock of the camera.
+    pub taken: Option<(i64, f64)>,
+    /// Whether that clock says how far it is from UTC, and that is heeded.
+    pub is_utc: bool,
+    /// Where it was taken.
+    pub place: Option<PhotoPlace>,
+    /// Height above take-off, metres.
+    pub height_above_take_off: Option<f64>,
+    /// Attitude of the camera: pitch 0 looks level, -π/2 straight down.
+    pub gimbal: Option<Attitude>,
+    /// Attitude of the aircraft.
+    pub aircraft: Option<Attitude>,
+    /// Direction in which it was taken, radians clockwise from true north.
+    pub direction: Option<f64>,
+    /// Focal length, metres.
+    pub focal_length: Option<f64>,
+    /// Focal length that would show as much on film of 36 by 24 mm, metres.
+    pub focal_length_35: Option<f64>,
+    /// Distance between neighbouring pixels on the sensor, metres.
+    pub pixel_pitch: Option<f64>,
+    /// Focal length as calibrated by the maker, pixels of the stored picture.
+    pub calibrated_focal: Option<f64>,
+    /// How the stored picture is to be turned for people, as EXIF counts it: 1 not at all, 3 half round, 6 a quarter
+    /// clockwise, 8 a quarter the other way, the even ones between also mirrored.
+    pub orientation: u8,
+    /// The program that saved it again after it was taken, where one did: it may have turned the picture.
+    pub saved_again_by: Option<String>,
+}
+
+/// Why a file is no photo.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum PhotoError {
+    /// It cannot be read.
+    #[error("{file}: {cause}")]
+    Read {
+        /// File.
+        file: String,
+        /// Why, in words.
+        cause: String,
+    },
+    /// It is no JPEG.
+    #[error("{file}: it is no JPEG picture")]
+    NoJpeg {
+        /// File.
+        file: String,
+    },
+    /// It does not say how large its picture is.
+    #[error("{file}: its picture is missing or cut off")]
+    NoPicture {
+        /// File.
+        file: String,
+    },
+}
+
+/// Reads what a photo says of itself; of its picture nothing but its size.
+pub fn read_photo(source: &dyn ByteSource) -> Result<Photo, PhotoError> {
+    let file = || source.name().to_owned();
+    let length = source.length();
+    let fetch = |count: u64| {
+        let bytes = source.read(0, count.min(length) as usize);
+        bytes.map_err(|cause| PhotoError::Read {
+            file: file(),
+            cause,
+        })
+    };
+    let mut bytes = fetch(HEAD)?;
+    if matches!(head(&bytes), Found::Part(_)) && length > HEAD {
+        bytes = fetch(LONGEST_HEAD)?;
+    }
+    match head(&bytes) {
+        Found::None => Err(PhotoError::NoJpeg { file: file() }),
+        Found::Whole(head) | Found::Part(head) => {
+            let (width, height) = head
+                .size
+                .ok_or_else(|| PhotoError::NoPicture { file: file() })?;
+            let exif = Exif::read(head.exif.unwrap_or_default());
+            let xmp = Xmp::read(head.xmp.unwrap_or_default());
+            Ok(photo(file(), (width, height), &exif, &xmp))
+        }
+    }
+}
+
+fn photo(name: String, (width, height): (usize, usize), exif: &Exif, xmp: &Xmp) -> Photo {
+    let image = &exif.image;
+    let words = [exif::MAKE, exif::MODEL].map(|tag| image.text(tag).unwrap_or_default());
+    let [make, model] = words;
+    // Some models begin with the name of their maker.
+    let camera = if model.starts_with(&make) {
+        model
+    } else {
+        format!("{make} {model}")
+    };
+    let (taken, is_utc) = taken(exif);
+    let dji = |name: &str| xmp.number(&[&format!("drone-dji:{name}")]);
+    let millimetres = |value: f64| value / 1e3;
+    Photo {
+        name,
+        width,
+        height,
+        camera: camera.trim().to_owned(),
+        taken,
+        is_utc,
+        place: place(&exif.gps, xmp),
+        height_above_take_off: dji("RelativeAltitude"),
+        gimbal: attitude(xmp, "Gimbal").or_else(|| camera_attitude(xmp)),
+        aircraft: attitude(xmp, "Flight"),
+        direction: direction(&exif.gps),
+        focal_length: positive(exif.photo.real(exif::FOCAL_LENGTH)).map(millimetres),
+        focal_length_35: positive(exif.photo.real(exif::FOCAL_LENGTH_35)).map(millimetres),
+        pixel_pitch: pixel_pitch(&exif.photo, width),
+        calibrated_focal: positive(dji("CalibratedFocalLength")),
+        orientation: image
+            .whole(exif::ORIENTATION)
+            .filter(|o| (1..=8).contains(o))
+            .unwrap_or(1) as u8,
+        saved_again_by: saved_again(exif),
+    }
+}
+
+fn positive(value: Option<f64>) -> Option<f64> {
+    value.filter(|value| *value > 0.0)
+}
+
+/// When a photo was taken, and whether that is UTC.
+fn taken(exif: &Exif) -> (Option<(i64, f64)>, bool) {
+    let clocks = [
+        (
+            &exif.photo,
+            exif::DATE_TIME_ORIGINAL,
+            exif::SUB_SECONDS_ORIGINAL,
+            exif::OFFSET_TIME_ORIGINAL,
+        ),
+        (
+            &exif.photo,
+            exif::DATE_TIME_DIGITIZED,
+            exif::SUB_SECONDS_DIGITIZED,
+            exif::OFFSET_TIME_DIGITIZED,
+        ),
+        (
+            &exif.image,
+            exif::DATE_TIME,
+            exif::SUB_SECONDS,
+            exif::OFFSET_TIME,
+        ),
+    ];
+    for (directory, moment, fraction, offset) in clocks {
+        let Some(text) = directory.text(moment) else {
+            continue;
+        };
+        let digits = exif
+            .photo
+            .text(fraction)
+            .filter(|f| f.bytes().all(|b| b.is_ascii_digit()));
+        let text = digits.map_or(text.clone(), |digits| format!("{text}.{digits}"));
+        let offset = exif.photo.text(offset);
+        let with_offset = offset.and_then(|offset| date_and_time(&format!("{text}{offset}")));
+        let is_utc = with_offset.is_some();
+        if let Some(Moment::Absolute(whole, part)) = with_offset.or_else(|| date_and_time(&text)) {
+            return (Some((whole, part)), is_utc);
+        }
+    }
+    let (Some(date), &[hours, minutes, seconds]) = (
+        exif.gps.text(exif::GPS_DATE),
+        exif.gps.reals(exif::GPS_TIME).as_slice(),
+    ) else {
+        return (None, false);
+    };
+    match date_and_time(&format!("{date} 00:00:00")) {
+        Some(Moment::Absolute(day, _)) => {
+            let seconds = hours * 3600.0 + minutes * 60.0 + seconds;
+            (Some((day + seconds.floor() as i64, seconds.fract())), true)
+        }
+        _ => (None, false),
+    }
+}
+
+/// Degrees, minutes and seconds together, radians; negative where `reference` says so.
+fn angle(gps: &Directory, tag: u16, reference: u16, negative: &str) -> Option<f64> {
+    let parts = gps.reals(tag);
+    let degrees = match parts[..] {
+        [degrees] => degrees,
+        [degrees, minutes] => degrees + minutes / 60.0,
+        [degrees, minutes, seconds, ..] => degrees + minutes / 60.0 + seconds / 3600.0,
+        [] => return None,
+    };
+    let sign = if gps.text(reference).is_some_and(|r| r.starts_with(negative)) {
+        -1.0
+    } else {
+        1.0
+    };
+    Some(sign * degrees.to_radians())
+}
+
+fn place(gps: &Directory, xmp: &Xmp) -> Option<PhotoPlace> {
+    let of_exif = angle(gps, exif::LATITUDE, exif::LATITUDE_REF, "S").zip(angle(
+        gps,
+        exif::LONGITUDE,
+        exif::LONGITUDE_REF,
+        "W",
+    ));
+    let of_xmp = || {
+        let latitude = xmp.number(&["drone-dji:GpsLatitude"])?;
+        // Written so by older firmware.
+        let longitude = xmp.number(&["drone-dji:GpsLongitude", "drone-dji:GpsLongtitude"])?;
+        Some((latitude.to_radians(), longitude.to_radians()))
+    };
+    let (latitude, longitude) = of_exif.or_else(of_xmp)?;
+    let is_on_globe = latitude.abs() <= std::f64::consts::FRAC_PI_2
+        && longitude.abs() <= std::f64::consts::PI
+        && (latitude, longitude) != (0.0, 0.0);
+    let below = gps.whole(exif::ALTITUDE_REF) == Some(1);
+    let altitude = gps.real(exif::ALTITUDE).map(|a| if below { -a } else { a });
+    let altitude = altitude.or_else(|| xmp.number(&["drone-dji:AbsoluteAltitude"]));
+    is_on_globe.then_some(PhotoPlace {
+        latitude,
+        longitude,
+        altitude,
+    })
+}
+
+fn attitude(xmp: &Xmp, of: &str) -> Option<Attitude> {
+    let angle = |name: &str| {
+        let degrees = xmp.number(&[&format!("drone-dji:{of}{name}Degree")])?;
+        Some(degrees.to_radians())
+    };
+    Some(Attitude {
+        roll: angle("Roll").unwrap_or(0.0),
+        pitch: angle("Pitch")?,
+        yaw: angle("Yaw")?,
+    })
+}
+
+/// The attitude as `Pix4D`'s properties have it, which other makers use: pitch 0 looks straight down.
+fn camera_attitude(xmp: &Xmp) -> Option<Attitude> {
+    let angle = |name: &str| {
+        xmp.number(&[&format!("Camera:{name}")])
+            .map(f64::to_radians)
+    };
+    Some(Attitude {
+        roll: angle("Roll")?,
+        pitch: angle("Pitch")? - std::f64::consts::FRAC_PI_2,
+        yaw: angle("Yaw")?,
+    })
+}
+
+fn direction(gps: &Directory) -> Option<f64> {
+    // Directions from magnetic north are of no use without knowing how far that is from true north.
+    let is_true = gps
+        .text(exif::DIRECTION_REF)
+        .is_none_or(|r| r.starts_with('T'));
+    gps.real(exif::DIRECTION)
+        .filter(|_| is_true)
+        .map(f64::to_radians)
+}
+
+/// Distance between pixels of the stored picture, which may be smaller than the one that was taken.
+fn pixel_pitch(photo: &Directory, width: usize) -> Option<f64> {
+    let per_unit = positive(photo.real(exif::FOCAL_PLANE_X))?;
+    let unit = match photo.whole(exif::FOCAL_PLANE_UNIT).unwrap_or(2) {
+        2 => 0.0254,
+        3 => 0.01,
+        4 => 0.001,
+        5 => 1e-6,
+        _ => return None,
+    };
+    let taken = photo
+        .whole(exif::PIXEL_WIDTH)
+        .filter(|w| *w > 0)
+        .unwrap_or(width as u64);
+    Some(unit / per_unit * taken as f64 / width as f64)
+}
+
+/// The program that changed a photo later than it was taken.
+fn saved_again(exif: &Exif) -> Option<String> {
+    let changed = exif.image.text(exif::DATE_TIME)?;
+    let taken = exif.photo.text(exif::DATE_TIME_ORIGINAL)?;
+    if changed == taken {
+        return None;
+    }
+    Some(
+        exif.image
+            .text(exif::SOFTWARE)
+            .unwrap_or_else(|| "a program without a name".to_owned()),
+    )
+}

@@ -1,0 +1,205 @@
+//! Photos that are made here.
+
+use crate::flight::FrameSource as _;
+use std::sync::Arc;
+
+use super::*;
+use crate::flight::ChannelName;
+use crate::flight::files::{FileSet, MemoryFiles};
+use crate::imagery::MemoryBytes;
+
+fn segment(kind: u8, contents: &[u8]) -> Vec<u8> {
+    let length = u16::try_from(contents.len() + 2).unwrap();
+    [&[0xff, kind][..], &length.to_be_bytes(), contents].concat()
+}
+
+/// A tag with its type, count and values.
+type Tag = (u16, u16, u32, Vec<u8>);
+
+fn ratio(numbers: &[(u32, u32)]) -> Vec<u8> {
+    numbers
+        .iter()
+        .flat_map(|(a, b)| [a.to_le_bytes(), b.to_le_bytes()].concat())
+        .collect()
+}
+
+/// A directory at `offset` with the values behind it.
+fn directory(offset: usize, tags: &[Tag]) -> Vec<u8> {
+    let mut table = (tags.len() as u16).to_le_bytes().to_vec();
+    let mut values: Vec<u8> = Vec::new();
+    let behind = offset + 2 + 12 * tags.len() + 4;
+    for (tag, kind, count, bytes) in tags {
+        table.extend(tag.to_le_bytes());
+        table.extend(kind.to_le_bytes());
+        table.extend(count.to_le_bytes());
+        if bytes.len() <= 4 {
+            let mut bytes = bytes.clone();
+            bytes.resize(4, 0);
+            table.extend(bytes);
+        } else {
+            table.extend(((behind + values.len()) as u32).to_le_bytes());
+            values.extend(bytes);
+        }
+    }
+    table.extend([0; 4]);
+    [table, values].concat()
+}
+
+fn text(tag: u16, text: &str) -> Tag {
+    let bytes = [text.as_bytes(), &[0]].concat();
+    (tag, 2, bytes.len() as u32, bytes)
+}
+
+/// A photo of 400 by 300 pixels (which it does not have) at a second of a minute, so many seconds of arc north.
+fn photo(time: &str, fraction: &str, north: u32, xmp: &str) -> Vec<u8> {
+    let photo_tags = [
+        text(
+            exif::DATE_TIME_ORIGINAL,
+            &format!("2024:05:01 10:20:{time}"),
+        ),
+        text(exif::SUB_SECONDS_ORIGINAL, fraction),
+        text(exif::OFFSET_TIME_ORIGINAL, "+02:00"),
+        (exif::FOCAL_LENGTH_35, 3, 1, 24_u16.to_le_bytes().to_vec()),
+    ];
+    let gps_tags = [
+        text(exif::LATITUDE_REF, "S"),
+        (exif::LATITUDE, 5, 3, ratio(&[(30, 1), (0, 1), (north, 1)])),
+        text(exif::LONGITUDE_REF, "W"),
+        (exif::LONGITUDE, 5, 3, ratio(&[(60, 1), (30, 1), (0, 1)])),
+        (exif::ALTITUDE, 5, 1, ratio(&[(1505, 10)])),
+    ];
+    let mut tiff = b"II*\0\x08\0\0\0".to_vec();
+    let pointers = |photo: u32, gps: u32| {
+        [
+            text(exif::MODEL, "Test"),
+            (0x8769, 4, 1, photo.to_le_bytes().to_vec()),
+            (0x8825, 4, 1, gps.to_le_bytes().to_vec()),
+        ]
+    };
+    let length = directory(8, &pointers(0, 0)).len();
+    let at = 8 + length;
+    let of_photo = directory(at, &photo_tags);
+    let of_gps = directory(at + of_photo.len(), &gps_tags);
+    tiff.extend(directory(
+        8,
+        &pointers(at as u32, (at + of_photo.len()) as u32),
+    ));
+    tiff.extend(of_photo);
+    tiff.extend(of_gps);
+    let xmp = format!("<x:xmpmeta><rdf:Description {xmp}/></x:xmpmeta>");
+    [
+        b"\xff\xd8".to_vec(),
+        segment(0xe1, &[b"Exif\0\0", &*tiff].concat()),
+        segment(
+            0xe1,
+            &[b"http://ns.adobe.com/xap/1.0/\0", xmp.as_bytes()].concat(),
+        ),
+        segment(0xc0, &[8, 1, 44, 1, 144, 3, 0, 0, 0]),
+        segment(0xda, &[0]),
+    ]
+    .concat()
+}
+
+fn gimbal(yaw: f64, pitch: f64) -> String {
+    format!(
+        "drone-dji:GimbalYawDegree=\"{yaw:+}\" drone-dji:GimbalPitchDegree=\"{pitch:+}\" \
+         drone-dji:GimbalRollDegree=\"+0.5\" drone-dji:RelativeAltitude=\"+40.5\""
+    )
+}
+
+fn files(photos: &[(&str, Vec<u8>)]) -> Arc<dyn FileSet> {
+    let photos = photos
+        .iter()
+        .map(|(name, bytes)| ((*name).to_owned(), bytes.clone()));
+    Arc::new(MemoryFiles(photos.collect()))
+}
+
+#[test]
+fn a_photo_says_when_and_where_it_was_taken() {
+    let bytes = photo("30", "25", 10, &gimbal(90.0, -90.0));
+    let photo = read_photo(&MemoryBytes::new("a.jpg", bytes)).unwrap();
+    // date -u -d '2024-05-01 08:20:30' +%s
+    assert_eq!(
+        (photo.taken, photo.is_utc),
+        (Some((1_714_551_630, 0.25)), true)
+    );
+    let place = photo.place.unwrap();
+    assert!((place.latitude.to_degrees() + 30.0 + 10.0 / 3600.0).abs() < 1e-12);
+    assert!((place.longitude.to_degrees() + 60.5).abs() < 1e-12);
+    assert_eq!(place.altitude, Some(150.5));
+    assert_eq!(
+        (photo.width, photo.height, photo.orientation),
+        (400, 300, 1)
+    );
+    assert_eq!(
+        (photo.camera.as_str(), photo.focal_length_35),
+        ("Test", Some(0.024))
+    );
+}
+
+#[test]
+fn a_folder_of_photos_is_a_flight_in_the_order_of_their_times() {
+    let files = files(&[
+        ("shots/a.jpg", photo("32", "5", 8, &gimbal(180.0, -80.0))),
+        ("shots/b.JPG", photo("30", "25", 10, &gimbal(90.0, -90.0))),
+        ("shots/c.jpg", photo("31", "5", 9, &gimbal(-179.0, -90.0))),
+        ("shots/._b.JPG", vec![1, 2, 3]),
+        ("shots/notes.txt", b"none".to_vec()),
+    ]);
+    let mut folder = read_photos(&files).unwrap();
+    let flight = &folder.flight;
+    assert_eq!(flight.name, "shots");
+    let frames: Vec<_> = flight
+        .frames
+        .iter()
+        .map(|f| (f.time, f.name.as_str()))
+        .collect();
+    assert_eq!(
+        frames,
+        [
+            (0.0, "shots/b.JPG"),
+            (1.25, "shots/c.jpg"),
+            (2.25, "shots/a.jpg")
+        ]
+    );
+    let value = |name, time| flight.value(name, time).unwrap();
+    // A second of arc is 30.79 m there, and they go north.
+    assert!((value(ChannelName::GpsNorth, 2.25) - 2.0 * 30.79).abs() < 0.05);
+    assert!(value(ChannelName::GpsEast, 2.25).abs() < 1e-6);
+    assert_eq!(value(ChannelName::HeightAboveGround, 0.0), 40.5);
+    assert_eq!(value(ChannelName::GpsHeight, 0.0), 150.5);
+    assert!((value(ChannelName::Heading, 0.0).to_degrees() - 90.0).abs() < 1e-9);
+    assert!((value(ChannelName::Pitch, 2.25).to_degrees() - 10.0).abs() < 1e-9);
+    assert!((value(ChannelName::Roll, 0.0).to_degrees() - 0.5).abs() < 1e-9);
+    let origin = flight.frame_on_globe.unwrap().origin;
+    assert_eq!(origin.height, 110.0);
+    assert!((flight.camera.focal - 24.0 * 500.0 / 43.2666).abs() < 0.01);
+    assert!(folder.frames.encoded(1).unwrap().starts_with(&[0xff, 0xd8]));
+}
+
+#[test]
+fn photos_without_a_place_are_no_flight() {
+    let plain = [b"\xff\xd8".to_vec(), segment(0xc0, &[8, 1, 44, 1, 144, 3])].concat();
+    assert!(read_photos(&files(&[("a.jpg", plain.clone()), ("b.jpg", plain)])).is_none());
+    let one = files(&[("a.jpg", photo("30", "25", 10, ""))]);
+    assert!(read_photos(&one).is_none());
+}
+
+#[test]
+fn photos_of_one_second_are_spread_over_it() {
+    let files = files(&[
+        ("a.jpg", photo("30", "", 10, "")),
+        ("b.jpg", photo("30", "", 9, "")),
+        ("c.jpg", photo("31", "", 8, "")),
+    ]);
+    let folder = read_photos(&files).unwrap();
+    let times: Vec<_> = folder.flight.frames.iter().map(|f| f.time).collect();
+    assert_eq!(times, [0.0, 0.5, 1.0]);
+    assert!(
+        folder
+            .notes
+            .iter()
+            .any(|note| note.contains("whole seconds"))
+    );
+    assert!(folder.flight.channel(ChannelName::Heading).is_none());
+}

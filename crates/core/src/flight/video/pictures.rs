@@ -1,0 +1,54 @@
+//! Pictures of a video as the frames of a flight.
+
+use serde::{Deserialize, Serialize};
+
+use crate::camera::CameraModel;
+use crate::flight::{Flight, Frame};
+
+/// How the clock of a video goes beside that of a flight: flight time = `offset` + `rate` · video time.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct VideoClock {
+    /// When the video begins, seconds in the flight's time base.
+    pub offset: f64,
+    /// Seconds of the flight in a second of the video.
+    pub rate: f64,
+}
+
+impl Default for VideoClock {
+    fn default() -> Self {
+        Self {
+            offset: 0.0,
+            rate: 1.0,
+        }
+    }
+}
+
+impl VideoClock {
+    /// A time of the video in the flight's time base, seconds.
+    pub fn flight_time(&self, video_time: f64) -> f64 {
+        self.offset + self.rate * video_time
+    }
+}
+
+/// The flight with the pictures of a video as its frames, taken by `camera`: one at each of `times`, seconds of the
+/// video, in its order. Pictures are called `name` and their number, counted from one.
+///
+/// Whoever gives the pictures themselves has to give those of the same order.
+pub fn with_pictures(
+    flight: Flight,
+    name: &str,
+    times: &[f64],
+    clock: VideoClock,
+    camera: CameraModel,
+) -> Flight {
+    let frames = times.iter().enumerate().map(|(index, time)| Frame {
+        time: clock.flight_time(*time),
+        name: format!("{name} {}", index + 1),
+        stored_turn: 0.0,
+    });
+    Flight {
+        camera,
+        frames: frames.collect(),
+        ..flight
+    }
+}

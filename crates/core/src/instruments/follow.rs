@@ -1,0 +1,89 @@
+//! A filter led through the measurements of a flight in the order in which they were true.
+
+use nalgebra::{Matrix2, Vector2};
+use serde::{Deserialize, Serialize};
+
+use super::models::Airplane;
+use super::readings::Readings;
+use super::walker::{AirInputs, Walker};
+use crate::filter::FilterError;
+use crate::frames::GroundPoint;
+
+/// A position from elsewhere than satellite navigation, such as a landmark that was seen.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PositionFix {
+    /// When the vehicle was there, seconds in the flight's time base.
+    pub time: f64,
+    /// Where it was.
+    pub position: GroundPoint,
+    /// Covariance (north, east), m².
+    pub covariance: Matrix2<f64>,
+}
+
+/// What a filter meets on its way.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Event {
+    Position(Vector2<f64>),
+    Velocity(Vector2<f64>),
+    Fix(PositionFix),
+    /// Somebody wants to know.
+    Report,
+}
+
+/// Events with their true times, in order: what satellite navigation stamped with t was true `delay` seconds
+/// before.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Events(Vec<(f64, Event)>);
+
+impl Events {
+    /// Positions and velocities with stamps after `from` and up to `to`.
+    pub(super) fn gps(mut self, readings: &Readings, (from, to): (f64, f64), delay: f64) -> Self {
+        let positions = readings.positions.between(from, to);
+        self.0
+            .extend(positions.map(|(stamp, p)| (stamp - delay, Event::Position(p))));
+        let velocities = readings.velocities.between(from, to);
+        self.0
+            .extend(velocities.map(|(stamp, v)| (stamp - delay, Event::Velocity(v))));
+        self
+    }
+
+    /// Fixes after `from` and up to `to`.
+    pub(super) fn fixes(mut self, fixes: &[PositionFix], (from, to): (f64, f64)) -> Self {
+        let inside = fixes.iter().filter(|f| f.time > from && f.time <= to);
+        self.0.extend(inside.map(|f| (f.time, Event::Fix(*f))));
+        self
+    }
+
+    /// Reports at these times.
+    pub(super) fn reports(mut self, times: impl IntoIterator<Item = f64>) -> Self {
+        self.0
+            .extend(times.into_iter().map(|time| (time, Event::Report)));
+        self
+    }
+
+    /// Leads `walker` through all of them; `report` is told the walker at every report, after whatever was
+    /// measured at that time.
+    pub(super) fn lead<const N: usize, V: Airplane<N>>(
+        mut self,
+        walker: &mut Walker<N, V>,
+        inputs: &AirInputs<'_>,
+        mut report: impl FnMut(&Walker<N, V>),
+    ) -> Result<(), FilterError> {
+        let rank = |event: &Event| u8::from(matches!(event, Event::Report));
+        self.0
+            .sort_by(|a, b| a.0.total_cmp(&b.0).then(rank(&a.1).cmp(&rank(&b.1))));
+        for (time, event) in self.0 {
+            walker.advance(inputs, time)?;
+            match event {
+                Event::Position(place) => walker.take_position(place)?,
+                Event::Velocity(velocity) => walker.take_velocity(inputs, velocity)?,
+                Event::Fix(fix) => {
+                    let place = Vector2::new(fix.position.north, fix.position.east);
+                    walker.take_fix(place, &fix.covariance)?;
+                }
+                Event::Report => report(walker),
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,131 @@
+//! Instruments that stand still or fall silent in the air.
+
+use super::series::{LONGEST_GAP, Sample, Series};
+use super::statistics::quantile;
+use crate::flight::overview::{Finding, Severity};
+
+/// Shortest time for which a sensor that moves shows the same number when it is stuck, seconds.
+const STUCK: f64 = 3.0;
+/// Times the longest usual stand-still from which on it is unusual.
+const UNUSUAL: f64 = 4.0;
+/// Fewest samples of a stuck stretch.
+const FEWEST: usize = 5;
+
+/// Stretches of `series` in the air with one and the same number: from when it could be noticed to the last
+/// sample that shows it, seconds.
+///
+/// A sensor read out more often than it measures repeats itself as well, and a coarse one stands still in calm
+/// air: what is usual is learnt from the series.
+pub fn stuck(series: &Series, airborne: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let is_up = |time: f64| airborne.iter().any(|(a, b)| (*a..=*b).contains(&time));
+    let mut runs: Vec<(f64, f64, usize)> = Vec::new();
+    let mut last = None;
+    for (time, value) in series.iter().filter(|(time, _)| is_up(*time)) {
+        match runs.last_mut() {
+            Some(run) if last == Some(value) => (run.1, run.2) = (time, run.2 + 1),
+            _ => runs.push((time, time, 1)),
+        }
+        last = Some(value);
+    }
+    let lengths = runs.iter().map(|(from, to, _)| to - from).collect();
+    let longest = (UNUSUAL * quantile(lengths, 0.99)).max(STUCK);
+    let stuck = runs
+        .iter()
+        .filter(|(from, to, count)| to - from >= longest && *count >= FEWEST);
+    stuck.map(|(from, to, _)| (from + longest, *to)).collect()
+}
+
+/// Pauses of `series` in the air that are longer than it is held, seconds.
+pub fn gaps<T: Sample>(series: &Series<T>, airborne: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let mut gaps = Vec::new();
+    for (from, to) in airborne.iter().copied() {
+        let mut last = from;
+        let times = series.between(from, to).map(|(time, _)| time);
+        for time in times.chain([to]) {
+            if time - last > LONGEST_GAP {
+                gaps.push((last, time));
+            }
+            last = time;
+        }
+    }
+    gaps
+}
+
+/// What there is to say of stretches in which an instrument is not used.
+pub fn stuck_findings(what: &str, spans: &[(f64, f64)]) -> Vec<Finding> {
+    let finding = |(from, to): &(f64, f64)| Finding {
+        severity: Severity::Warning,
+        title: format!("{what} is stuck"),
+        text: format!(
+            "It shows one and the same number until {to:.1} s and is refused from {from:.1} s on, when that \
+             could be noticed."
+        ),
+        span: Some((*from, *to)),
+    };
+    spans.iter().map(finding).collect()
+}
+
+/// What there is to say of pauses.
+pub fn gap_findings(what: &str, spans: &[(f64, f64)]) -> Vec<Finding> {
+    let longest = spans
+        .iter()
+        .max_by(|a, b| (a.1 - a.0).total_cmp(&(b.1 - b.0)));
+    let Some((from, to)) = longest else {
+        return Vec::new();
+    };
+    let all: f64 = spans.iter().map(|(from, to)| to - from).sum();
+    let more = match spans.len() {
+        1 => String::new(),
+        n => format!(" {n} pauses in the air take {all:.1} s together."),
+    };
+    vec![Finding {
+        severity: Severity::Warning,
+        title: format!("{what} is missing for {:.1} s in the air", to - from),
+        text: format!("There is no sample between {from:.1} and {to:.1} s.{more}"),
+        span: Some((*from, *to)),
+    }]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn series(value: impl Fn(f64) -> f64) -> Series {
+        let mut series = Series::new();
+        for i in 0..600 {
+            let time = 0.1 * f64::from(i);
+            series.push(time, value(time));
+        }
+        series
+    }
+
+    #[test]
+    fn a_number_that_stays_is_refused_once_that_can_be_noticed() {
+        let stays = |t: f64| {
+            if (20.0..32.0).contains(&t) {
+                17.0
+            } else {
+                18.0 + t.sin()
+            }
+        };
+        let spans = stuck(&series(stays), &[(0.0, 60.0)]);
+        assert_eq!(spans.len(), 1);
+        assert!((spans[0].0 - 23.0).abs() < 0.11 && (spans[0].1 - 31.9).abs() < 0.11);
+        assert_eq!(stuck(&series(stays), &[(0.0, 20.0), (40.0, 60.0)]), []);
+    }
+
+    #[test]
+    fn a_sensor_that_is_read_out_too_often_is_not_stuck() {
+        let held = |t: f64| (t / 2.0).floor().sin();
+        assert_eq!(stuck(&series(held), &[(0.0, 60.0)]), []);
+    }
+
+    #[test]
+    fn pauses_count_in_the_air_only() {
+        let with_pause = series(|t| t).without(&[(10.0, 15.0), (40.0, 42.0)]);
+        let found = gaps(&with_pause, &[(5.0, 30.0)]);
+        assert_eq!(found.len(), 1);
+        let title = &gap_findings("Airspeed", &found)[0].title;
+        assert_eq!(title, "Airspeed is missing for 5.2 s in the air");
+    }
+}

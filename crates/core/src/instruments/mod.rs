@@ -1,0 +1,43 @@
+//! What the instruments of a real flight read, and where it is by them when satellite navigation fails.
+//!
+//! A flight becomes [`Instruments`]: readings cleaned of what cannot be, with what was refused in words. From the
+//! flight up to a cut, and from nothing later, [`Instruments::calibrate`] finds how late airspeed and satellite
+//! navigation come, by what factor the airspeed reads wrong, which heading to believe and by what angle to turn
+//! it. [`reckon`] flies through one cut in several ways side by side, [`study_cuts`] through cuts all along.
+
+mod airborne;
+mod calibration;
+mod fit;
+mod follow;
+mod heading;
+mod health;
+mod models;
+mod nose;
+mod prepared;
+mod readings;
+mod reckon;
+mod refusal;
+mod series;
+mod settings;
+mod statistics;
+mod study;
+mod track;
+mod tuning;
+mod walker;
+
+pub use airborne::airborne;
+pub use calibration::{Calibration, CalibrationSettings, Delays, HeadingSource};
+pub use fit::{AirFit, FitPrior};
+pub use follow::PositionFix;
+pub use heading::HeadingCheck;
+pub use models::Airplane;
+pub use prepared::{Instruments, ReckonError};
+pub use readings::Readings;
+pub use reckon::{Reckoning, Way, reckon, rolling_track};
+pub use refusal::{Refusal, Source};
+pub use series::{Sample, Series};
+pub use settings::{HeadingChoice, Method, ReckonSettings};
+pub use statistics::quantile;
+pub use study::{CutOutcome, CutPlan, CutStudy, study_cuts};
+pub use track::{Growth, Track, TrackPoint};
+pub use tuning::likeliest;

@@ -1,0 +1,235 @@
+//! A flight made ready for dead reckoning.
+
+use nalgebra::{Matrix2, Vector2};
+
+use super::airborne::airborne;
+use super::calibration::{Calibration, CalibrationSettings, Delays, HeadingSource, calibrate};
+use super::heading::HeadingCheck;
+use super::health;
+use super::nose::{bridged, gyro_nose, logged_nose};
+use super::readings::Readings;
+use super::series::Series;
+use super::settings::HeadingChoice;
+use super::walker::AirInputs;
+use crate::filter::{FilterError, Gaussian};
+use crate::flight::Flight;
+use crate::flight::overview::{Finding, Severity};
+
+/// Why a flight cannot be reckoned.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ReckonError {
+    /// There is no satellite navigation to start from, to learn from and to compare with.
+    #[error("{flight}: no position by satellite navigation, so that there is nothing to cut")]
+    NoPosition {
+        /// Name of the flight.
+        flight: String,
+    },
+    /// There is neither a heading nor a set of gyros.
+    #[error("{flight}: neither a heading nor turn rates, so that dead reckoning has no direction")]
+    NoHeading {
+        /// Name of the flight.
+        flight: String,
+    },
+    /// It never flew.
+    #[error("{flight}: it was never in the air")]
+    NeverAirborne {
+        /// Name of the flight.
+        flight: String,
+    },
+    /// The cut lies outside the time in the air.
+    #[error(
+        "the cut from {from:.1} to {to:.1} s does not lie within a stretch in the air: choose it within {begin:.1} \
+         to {end:.1} s"
+    )]
+    CutOutside {
+        /// Beginning of the cut, seconds.
+        from: f64,
+        /// End of the cut, seconds.
+        to: f64,
+        /// Beginning of the longest stretch in the air, seconds.
+        begin: f64,
+        /// Its end, seconds.
+        end: f64,
+    },
+    /// The filter refused a step.
+    #[error(transparent)]
+    Filter(#[from] FilterError),
+}
+
+/// A flight whose readings are cleaned, with a stretch in the air that is to be navigated.
+#[derive(Clone, Debug)]
+pub struct Instruments {
+    /// What the instruments read, without what cannot be believed.
+    pub readings: Readings,
+    /// All stretches in the air, seconds.
+    pub airborne: Vec<(f64, f64)>,
+    /// The one that is navigated, seconds.
+    pub stretch: (f64, f64),
+    /// What was noticed and refused.
+    pub findings: Vec<Finding>,
+    logged: Series<Vector2<f64>>,
+    gyros: Series<Vector2<f64>>,
+}
+
+impl Instruments {
+    /// Cleans the readings of `flight` and takes the stretch in the air that holds `time`, or the longest.
+    pub fn of(flight: &Flight, time: Option<f64>) -> Result<Self, ReckonError> {
+        let name = || flight.name.clone();
+        let mut readings = Readings::of(flight);
+        if readings.positions.is_empty() {
+            return Err(ReckonError::NoPosition { flight: name() });
+        }
+        let airborne = airborne(&readings);
+        let holds = |(from, to): &(f64, f64)| time.is_some_and(|t| (*from..=*to).contains(&t));
+        let longest = || {
+            let stretches = airborne.iter().copied();
+            stretches.max_by(|a, b| (a.1 - a.0).total_cmp(&(b.1 - b.0)))
+        };
+        let stretch = airborne.iter().copied().find(holds).or_else(longest);
+        let stretch = stretch.ok_or_else(|| ReckonError::NeverAirborne { flight: name() })?;
+        let mut findings = std::mem::take(&mut readings.findings);
+        findings.extend(refuse_unhealthy(&mut readings, &airborne));
+        let gyros = gyro_nose(&readings, stretch.0);
+        let logged = bridged(&logged_nose(&readings), &gyros);
+        if logged.is_empty() && gyros.is_empty() {
+            return Err(ReckonError::NoHeading { flight: name() });
+        }
+        Ok(Self {
+            readings,
+            airborne,
+            stretch,
+            findings,
+            logged,
+            gyros,
+        })
+    }
+
+    /// The nose by a source.
+    pub(super) fn nose(&self, source: HeadingSource) -> &Series<Vector2<f64>> {
+        match source {
+            HeadingSource::Logged => &self.logged,
+            HeadingSource::Gyros => &self.gyros,
+        }
+    }
+
+    /// What a filter is driven by under a calibration.
+    pub(super) fn inputs<'a>(&'a self, calibration: &'a Calibration) -> AirInputs<'a> {
+        AirInputs {
+            airspeed: &self.readings.airspeed,
+            nose: self.nose(calibration.heading),
+            calibration,
+        }
+    }
+
+    /// The position where the stretch begins, with standard deviation `deviation` (m) per axis.
+    pub(super) fn start(&self, deviation: f64) -> Gaussian<2> {
+        let positions = &self.readings.positions;
+        let after = positions
+            .between(self.stretch.0, f64::INFINITY)
+            .map(|(_, p)| p)
+            .next();
+        let last = positions.values().last().copied();
+        let place = positions.at(self.stretch.0).or(after).or(last);
+        Gaussian::new(
+            place.unwrap_or_default(),
+            Matrix2::identity() * (deviation * deviation),
+        )
+    }
+
+    /// What is known of the instruments at `as_of` seconds, by nothing later than that.
+    pub fn calibrate(
+        &self,
+        as_of: f64,
+        choice: HeadingChoice,
+        settings: &CalibrationSettings,
+    ) -> Calibration {
+        let span = (self.stretch.0, as_of);
+        let by = |source| calibrate(&self.readings, self.nose(source), source, span, settings);
+        match choice {
+            HeadingChoice::Logged => by(HeadingSource::Logged),
+            HeadingChoice::Gyros => by(HeadingSource::Gyros),
+            HeadingChoice::Best => {
+                let (logged, gyros) = (by(HeadingSource::Logged), by(HeadingSource::Gyros));
+                if takes_gyros(&logged, &gyros, self.logged.is_empty()) {
+                    gyros
+                } else {
+                    logged
+                }
+            }
+        }
+    }
+
+    /// The readings as they are: no delays, no offset, the logged heading.
+    pub(super) fn uncalibrated(&self, as_of: f64, settings: &CalibrationSettings) -> Calibration {
+        let settings = CalibrationSettings {
+            given_delays: Some(Delays::default()),
+            ..*settings
+        };
+        Calibration {
+            fit: None,
+            ..self.calibrate(as_of, HeadingChoice::Logged, &settings)
+        }
+    }
+
+    /// What the flight up to `as_of` says of its instruments, in words: heading against gyros, airspeed scale,
+    /// compass, delays.
+    pub fn remarks(
+        &self,
+        as_of: f64,
+        choice: HeadingChoice,
+        settings: &CalibrationSettings,
+    ) -> Vec<Finding> {
+        let taken = self.calibrate(as_of, choice, settings);
+        let fit_of = |choice| self.calibrate(as_of, choice, settings).fit;
+        let residuals = fit_of(HeadingChoice::Logged).zip(fit_of(HeadingChoice::Gyros));
+        let residuals = residuals.map(|(logged, gyros)| (logged.residual, gyros.residual));
+        let check = HeadingCheck::of(&self.logged, &self.gyros, (self.stretch.0, as_of));
+        let is_gyros = taken.heading == HeadingSource::Gyros;
+        let check = check.and_then(|check| check.finding(residuals, is_gyros));
+        check.into_iter().chain(taken.findings()).collect()
+    }
+}
+
+/// Whether the gyros' heading explains the flight better.
+fn takes_gyros(logged: &Calibration, gyros: &Calibration, no_logged: bool) -> bool {
+    match (logged.fit, gyros.fit) {
+        (Some(logged), Some(gyros)) => {
+            // Likelihoods per velocity, since one heading may be there for longer than the other.
+            let each = |fit: super::fit::AirFit| {
+                fit.log_likelihood / (fit.samples + fit.outliers).max(1) as f64
+            };
+            each(gyros) > each(logged)
+        }
+        (None, Some(_)) => true,
+        (Some(_), None) => false,
+        (None, None) => no_logged,
+    }
+}
+
+/// Takes out what is stuck, and says what is stuck or missing.
+fn refuse_unhealthy(readings: &mut Readings, airborne: &[(f64, f64)]) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    let mut refuse = |what: &str, series: &mut Series| {
+        let spans = health::stuck(series, airborne);
+        findings.extend(health::stuck_findings(what, &spans));
+        if !series.is_empty() {
+            let gaps = health::gaps(series, airborne);
+            findings.extend(health::gap_findings(what, &gaps));
+        }
+        *series = series.without(&spans);
+    };
+    refuse("Airspeed", &mut readings.airspeed);
+    refuse("Heading", &mut readings.heading);
+    let gaps = health::gaps(&readings.positions, airborne);
+    findings.extend(health::gap_findings("GPS position", &gaps));
+    if readings.airspeed.is_empty() {
+        findings.push(Finding {
+            severity: Severity::Warning,
+            title: "There is no airspeed".to_owned(),
+            text: "The mean speed over ground so far is taken for it, with the doubt that it deserves."
+                .to_owned(),
+            span: None,
+        });
+    }
+    findings
+}

@@ -1,0 +1,120 @@
+//! Measurements that were refused, and why.
+
+use serde::{Deserialize, Serialize};
+
+use crate::flight::overview::{Finding, Severity};
+
+/// Longest pause between two refusals of one stretch, seconds.
+const LONGEST_PAUSE: f64 = 2.0;
+
+/// What was refused.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Source {
+    /// A position by satellite navigation.
+    Position,
+    /// A velocity by satellite navigation.
+    Velocity,
+    /// A position from elsewhere: a landmark.
+    Fix,
+}
+
+impl Source {
+    fn label(self) -> (&'static str, &'static str) {
+        match self {
+            Self::Position => ("GPS position", "m"),
+            Self::Velocity => ("GPS velocity", "m/s"),
+            Self::Fix => ("Position fix", "m"),
+        }
+    }
+}
+
+/// A stretch in which measurements of one kind were refused.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Refusal {
+    /// What was refused.
+    pub source: Source,
+    /// First and last refusal, seconds.
+    pub span: (f64, f64),
+    /// How many.
+    pub count: usize,
+    /// Largest distance from where it was expected, m or m/s.
+    pub largest: f64,
+    /// Whether they were believed in the end, because they did not cease.
+    pub believed: bool,
+}
+
+impl Refusal {
+    /// In words.
+    pub fn finding(&self) -> Finding {
+        let (what, unit) = self.source.label();
+        let (from, to) = self.span;
+        let end = if self.believed {
+            " They did not cease, and were believed in the end with as much doubt as they cast."
+        } else {
+            ""
+        };
+        Finding {
+            severity: Severity::Warning,
+            title: format!("{what} refused"),
+            text: format!(
+                "{} between {from:.1} and {to:.1} s, up to {:.1} {unit} from where airspeed, heading and wind \
+                 put it, which is more than the doubt about them allows.{end}",
+                match self.count {
+                    1 => "One measurement".to_owned(),
+                    n => format!("{n} measurements"),
+                },
+                self.largest
+            ),
+            span: Some(self.span),
+        }
+    }
+}
+
+/// Refusals of a run, put together by stretch.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Refusals {
+    all: Vec<Refusal>,
+    /// Since when each source has been refused without a break, seconds.
+    since: [Option<f64>; 3],
+}
+
+impl Refusals {
+    /// The stretches so far, in the order of their first refusals.
+    pub(super) fn all(&self) -> &[Refusal] {
+        &self.all
+    }
+
+    /// Notes that a measurement was taken in.
+    pub(super) fn accept(&mut self, source: Source, _time: f64) {
+        self.since[source as usize] = None;
+    }
+
+    /// Notes a refusal; for how many seconds they have gone on.
+    pub(super) fn refuse(&mut self, source: Source, time: f64, distance: f64) -> f64 {
+        let since = *self.since[source as usize].get_or_insert(time);
+        let open = self.all.iter_mut().rev().find(|r| r.source == source);
+        match open {
+            Some(refusal) if time - refusal.span.1 <= LONGEST_PAUSE => {
+                refusal.span.1 = time;
+                refusal.count += 1;
+                refusal.largest = refusal.largest.max(distance);
+            }
+            _ => self.all.push(Refusal {
+                source,
+                span: (time, time),
+                count: 1,
+                largest: distance,
+                believed: false,
+            }),
+        }
+        time - since
+    }
+
+    /// Notes that the refused ones are believed from now on.
+    pub(super) fn believe(&mut self, source: Source, time: f64) {
+        self.accept(source, time);
+        if let Some(refusal) = self.all.iter_mut().rev().find(|r| r.source == source) {
+            refusal.believed = true;
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! A cleaned series of one instrument.
+
+use nalgebra::Vector2;
+
+/// Longest pause over which a series is still interpolated or held, seconds.
+pub const LONGEST_GAP: f64 = 1.0;
+
+/// Samples of something that can be interpolated, in strictly increasing order of time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Series<T = f64> {
+    times: Vec<f64>,
+    values: Vec<T>,
+}
+
+/// What a series may hold: numbers, and vectors in the plane.
+pub trait Sample: Copy {
+    /// The value at `fraction` of the way from `self` to `other`.
+    #[must_use]
+    fn towards(self, other: Self, fraction: f64) -> Self;
+}
+
+impl Sample for f64 {
+    fn towards(self, other: Self, fraction: f64) -> Self {
+        self + fraction * (other - self)
+    }
+}
+
+impl Sample for Vector2<f64> {
+    fn towards(self, other: Self, fraction: f64) -> Self {
+        self + fraction * (other - self)
+    }
+}
+
+impl<T: Sample> Series<T> {
+    /// An empty series.
+    pub fn new() -> Self {
+        Self {
+            times: Vec::new(),
+            values: Vec::new(),
+        }
+    }
+
+    /// Adds a sample unless it is not later than the last one; whether it did.
+    pub fn push(&mut self, time: f64, value: T) -> bool {
+        let is_later = self.times.last().is_none_or(|last| time > *last) && time.is_finite();
+        if is_later {
+            self.times.push(time);
+            self.values.push(value);
+        }
+        is_later
+    }
+
+    /// Times of the samples, seconds.
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// Values of the samples.
+    pub fn values(&self) -> &[T] {
+        &self.values
+    }
+
+    /// Whether there is no sample.
+    pub fn is_empty(&self) -> bool {
+        self.times.is_empty()
+    }
+
+    /// Times with their values.
+    pub fn iter(&self) -> impl Iterator<Item = (f64, T)> + '_ {
+        self.times.iter().copied().zip(self.values.iter().copied())
+    }
+
+    /// Those samples after `from` and up to `to`, seconds.
+    pub fn between(&self, from: f64, to: f64) -> impl Iterator<Item = (f64, T)> + '_ {
+        let first = self.times.partition_point(|t| *t <= from);
+        let end = self.times.partition_point(|t| *t <= to).max(first);
+        let times = self.times[first..end].iter().copied();
+        times.zip(self.values[first..end].iter().copied())
+    }
+
+    /// The value at `time`: by linear interpolation over pauses of at most `LONGEST_GAP`, held as long as
+    /// that at the edges of longer ones, `None` inside them.
+    pub fn at(&self, time: f64) -> Option<T> {
+        let after = self.times.partition_point(|t| *t <= time);
+        let earlier = after
+            .checked_sub(1)
+            .map(|i| (self.times[i], self.values[i]));
+        let later = self.times.get(after).map(|t| (*t, self.values[after]));
+        match (earlier, later) {
+            (Some((t0, v0)), Some((t1, v1))) if t1 - t0 <= LONGEST_GAP => {
+                Some(v0.towards(v1, (time - t0) / (t1 - t0)))
+            }
+            (Some((t0, v0)), _) if time - t0 <= LONGEST_GAP => Some(v0),
+            (_, Some((t1, v1))) if t1 - time <= LONGEST_GAP => Some(v1),
+            _ => None,
+        }
+    }
+
+    /// The same series without the samples inside the spans (seconds).
+    #[must_use]
+    pub fn without(&self, spans: &[(f64, f64)]) -> Self {
+        let is_outside = |time: f64| !spans.iter().any(|(from, to)| (*from..=*to).contains(&time));
+        let (times, values) = self.iter().filter(|(time, _)| is_outside(*time)).unzip();
+        Self { times, values }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn series() -> Series {
+        let mut series = Series::new();
+        for (time, value) in [(0.0, 1.0), (0.5, 2.0), (5.0, 4.0), (5.5, 6.0)] {
+            assert!(series.push(time, value));
+        }
+        series
+    }
+
+    #[test]
+    fn values_between_samples_lie_on_a_line_and_long_pauses_have_none() {
+        let series = series();
+        assert_eq!(series.at(0.25), Some(1.5));
+        assert_eq!(series.at(5.25), Some(5.0));
+        assert_eq!(series.at(1.4), Some(2.0));
+        assert_eq!(series.at(2.5), None);
+        assert_eq!(series.at(4.5), Some(4.0));
+        assert_eq!(series.at(-2.0), None);
+        assert_eq!(series.at(9.0), None);
+    }
+
+    #[test]
+    fn samples_that_do_not_come_later_are_turned_away() {
+        let mut series = series();
+        assert!(!series.push(5.5, 7.0));
+        assert!(!series.push(1.0, 7.0));
+        assert!(!series.push(f64::NAN, 7.0));
+        assert_eq!(series.times().len(), 4);
+    }
+
+    #[test]
+    fn a_stretch_is_open_at_its_beginning_and_closed_at_its_end() {
+        let series = series();
+        let times: Vec<f64> = series.between(0.0, 5.0).map(|(time, _)| time).collect();
+        assert_eq!(times, [0.5, 5.0]);
+        assert_eq!(series.between(3.0, 2.0).count(), 0);
+        assert_eq!(series.without(&[(0.4, 5.1)]).times(), [0.0, 5.5]);
+    }
+}

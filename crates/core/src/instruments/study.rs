@@ -1,0 +1,196 @@
+//! Cuts all along a flight.
+
+use nalgebra::{Matrix2, Vector2};
+use serde::{Deserialize, Serialize};
+
+use super::calibration::Calibration;
+use super::follow::Events;
+use super::models::Airplane;
+use super::prepared::{Instruments, ReckonError};
+use super::reckon::{Way, begin, calibration, calibration_times, trust};
+use super::settings::{Method, ReckonSettings};
+use super::statistics::quantile;
+use super::walker::Trust;
+use crate::filter::{FilterError, chi_square_quantile};
+
+/// Which cuts.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CutPlan {
+    /// Length of each, seconds.
+    pub length: f64,
+    /// From the beginning of one to the beginning of the next, seconds.
+    pub every: f64,
+    /// From the beginning of the stretch in the air to that of the first cut, seconds.
+    pub warm_up: f64,
+}
+
+impl Default for CutPlan {
+    fn default() -> Self {
+        Self {
+            length: 60.0,
+            every: 2.0,
+            warm_up: 30.0,
+        }
+    }
+}
+
+/// How one cut ended.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CutOutcome {
+    /// Beginning, seconds: stamp of the last position that may have been used.
+    pub from: f64,
+    /// End, seconds: stamp of the position that it is compared with.
+    pub to: f64,
+    /// Position by satellite navigation minus the estimate (north, east), m.
+    pub error: Vector2<f64>,
+    /// Covariance of the estimate, m².
+    pub covariance: Matrix2<f64>,
+}
+
+impl CutOutcome {
+    /// Normalised squared error.
+    pub fn squared(&self) -> f64 {
+        self.covariance
+            .try_inverse()
+            .map_or(f64::INFINITY, |inverse| {
+                (inverse * self.error).dot(&self.error)
+            })
+    }
+}
+
+/// How all of them ended, for one way to navigate.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CutStudy {
+    /// What people call the way.
+    pub label: String,
+    /// In order of time.
+    pub cuts: Vec<CutOutcome>,
+    /// Logarithm of the likelihood of all measurements of satellite navigation, each as it was predicted.
+    pub log_likelihood: f64,
+}
+
+impl CutStudy {
+    /// The error at the end that the share `share` of the cuts stays below, m.
+    pub fn error_quantile(&self, share: f64) -> f64 {
+        quantile(self.cuts.iter().map(|c| c.error.norm()).collect(), share)
+    }
+
+    /// Share of the cuts whose 95 % ellipse holds the position by satellite navigation.
+    pub fn covered(&self) -> f64 {
+        let limit = chi_square_quantile(0.95, 2.0);
+        let inside = self.cuts.iter().filter(|c| c.squared() <= limit).count();
+        inside as f64 / self.cuts.len().max(1) as f64
+    }
+
+    /// Logarithm of the likelihood of the positions at the ends of the cuts, as they were predicted at their
+    /// beginnings, but for a constant.
+    pub fn end_log_likelihood(&self) -> f64 {
+        let term = |c: &CutOutcome| -0.5 * (c.covariance.determinant().ln() + c.squared());
+        self.cuts.iter().map(term).sum()
+    }
+}
+
+/// Cuts satellite navigation again and again and navigates through each cut by `way`.
+///
+/// Every cut is made by a filter that has seen nothing later, with a calibration that rests on nothing later: the
+/// latest of a few along the flight, as [`super::rolling_track`] has them. `goes_on` is told the share that is
+/// done and ends the work by answering false.
+pub fn study_cuts(
+    instruments: &Instruments,
+    way: &Way,
+    plan: &CutPlan,
+    settings: &ReckonSettings,
+    goes_on: &mut dyn FnMut(f64) -> bool,
+) -> Result<CutStudy, ReckonError> {
+    let (start, end) = instruments.stretch;
+    let mut study = CutStudy {
+        label: way.label.clone(),
+        cuts: Vec::new(),
+        log_likelihood: 0.0,
+    };
+    let times = calibration_times(start, end, start + plan.warm_up);
+    for (number, as_of) in times.iter().enumerate() {
+        if !goes_on(number as f64 / times.len() as f64) {
+            break;
+        }
+        let until = times.get(number + 1).copied().unwrap_or(end);
+        let known = calibration(instruments, *as_of, way, settings);
+        let trust = trust(way.method, settings);
+        let part = Part {
+            instruments,
+            known: &known,
+            trust,
+            plan,
+            span: (*as_of, until),
+        };
+        match way.method {
+            Method::Scaled => part.cut(&settings.airplane, &mut study)?,
+            Method::Plain => part.cut(&settings.plain, &mut study)?,
+        }
+    }
+    Ok(study)
+}
+
+/// The cuts that begin while one calibration is the latest.
+struct Part<'a> {
+    instruments: &'a Instruments,
+    known: &'a Calibration,
+    trust: Trust,
+    plan: &'a CutPlan,
+    span: (f64, f64),
+}
+
+impl Part<'_> {
+    /// Beginnings of the cuts, seconds.
+    fn beginnings(&self) -> Vec<f64> {
+        let (start, end) = self.instruments.stretch;
+        let first = start + self.plan.warm_up;
+        let count = ((end - first) / self.plan.every).floor().max(0.0) as usize;
+        let all = (0..=count).map(|i| first + i as f64 * self.plan.every);
+        all.filter(|t| *t >= self.span.0 && *t < self.span.1 && t + self.plan.length <= end)
+            .collect()
+    }
+
+    fn cut<const N: usize, V: Airplane<N>>(
+        &self,
+        model: &V,
+        study: &mut CutStudy,
+    ) -> Result<(), FilterError> {
+        let delay = self.known.delays.gps;
+        let start = self.instruments.stretch.0;
+        let readings = &self.instruments.readings;
+        let inputs = self.instruments.inputs(self.known);
+        let mut walker = begin(self.instruments, self.known, model, self.trust)?;
+        // A report at its beginning marks a part whose measurements count for the likelihood.
+        let marks = std::iter::once(self.span.0).chain(self.beginnings());
+        let events = Events::default()
+            .gps(readings, (start, self.span.1), delay)
+            .reports(marks.map(|stamp| stamp - delay));
+        let mut before = None;
+        let mut trouble = None;
+        events.lead(&mut walker, &inputs, |walker| {
+            if before.is_none() {
+                before = Some(walker.log_likelihood);
+                return;
+            }
+            let from = walker.time() + delay;
+            let to = from + self.plan.length;
+            let mut coasting = walker.clone();
+            if let Err(error) = coasting.advance(&inputs, to - delay) {
+                trouble = Some(error);
+                return;
+            }
+            let place = coasting.state().marginal::<0, 2>();
+            if let Some(there) = readings.positions.at(to) {
+                study.cuts.push(CutOutcome {
+                    from,
+                    to,
+                    error: there - place.mean,
+                    covariance: place.covariance,
+                });
+            }
+        })?;
+        study.log_likelihood += walker.log_likelihood - before.unwrap_or(walker.log_likelihood);
+        trouble.map_or(Ok(()), Err)
+    }
+}

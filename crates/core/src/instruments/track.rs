@@ -1,0 +1,125 @@
+//! What was believed along the way.
+
+use nalgebra::{Matrix2, Vector2};
+use serde::{Deserialize, Serialize};
+
+use super::calibration::Calibration;
+use super::prepared::Instruments;
+use crate::filter::{Gaussian, chi_square_quantile};
+use crate::frames::GroundPoint;
+use crate::vehicle::VehicleModel;
+
+/// What was believed at one time.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TrackPoint {
+    /// Seconds in the flight's time base, of the attitude.
+    pub time: f64,
+    /// Estimated position in the world frame, m.
+    pub position: GroundPoint,
+    /// Covariance of the position (north, east), m².
+    pub covariance: Matrix2<f64>,
+    /// Position by satellite navigation at that time minus the estimate (north, east), m, where known.
+    pub error: Option<Vector2<f64>>,
+    /// Steady wind: velocity of the air (north, east), m/s.
+    pub wind: Vector2<f64>,
+    /// Covariance of the wind, (m/s)².
+    pub wind_covariance: Matrix2<f64>,
+    /// True airspeed over measured airspeed, and its standard deviation; `None` for the plain filter.
+    pub scale: Option<(f64, f64)>,
+    /// Reading of the heading minus truth, and its standard deviation, radians; `None` for the plain filter.
+    pub heading_bias: Option<(f64, f64)>,
+    /// Whether satellite navigation was used at that time.
+    pub is_aided: bool,
+}
+
+impl TrackPoint {
+    /// Reads a belief.
+    pub(super) fn of<const N: usize>(
+        belief: &Gaussian<N>,
+        model: &impl VehicleModel<N>,
+        time: f64,
+        instruments: &Instruments,
+        calibration: &Calibration,
+    ) -> Self {
+        let place = belief.marginal::<0, 2>();
+        let names = model.state_names();
+        let of = |name: &str| {
+            let index = names.iter().position(|n| *n == name)?;
+            let deviation = belief.covariance[(index, index)].max(0.0).sqrt();
+            Some((belief.mean[index], deviation))
+        };
+        let wind = model.wind_index();
+        let wind_covariance = wind.map(|i| belief.covariance.fixed_view::<2, 2>(i, i).into_owned());
+        let correction = calibration.heading_correction(time).angle();
+        // What satellite navigation says of this time it says later.
+        let there = instruments
+            .readings
+            .positions
+            .at(time + calibration.delays.gps);
+        Self {
+            time,
+            position: GroundPoint::new(place.mean.x, place.mean.y),
+            covariance: place.covariance,
+            error: there.map(|there| there - place.mean),
+            wind: model.wind(&belief.mean).unwrap_or_default(),
+            wind_covariance: wind_covariance.unwrap_or_default(),
+            scale: of("airspeed scale"),
+            heading_bias: of("heading bias")
+                .map(|(bias, deviation)| (bias - correction, deviation)),
+            is_aided: false,
+        }
+    }
+
+    /// Longer half axis of the ellipse that holds the truth in 95 of 100 cases, m.
+    pub fn radius(&self) -> f64 {
+        let largest = self.covariance.symmetric_eigenvalues().max().max(0.0);
+        (largest * chi_square_quantile(0.95, 2.0)).sqrt()
+    }
+
+    /// Whether that ellipse holds the position by satellite navigation; `None` where that is unknown.
+    pub fn holds_truth(&self) -> Option<bool> {
+        let error = self.error?;
+        let inverse = self.covariance.try_inverse()?;
+        Some((inverse * error).dot(&error) <= chi_square_quantile(0.95, 2.0))
+    }
+}
+
+/// What one way to navigate believed along the way.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Track {
+    /// What people call the way.
+    pub label: String,
+    /// In order of time.
+    pub points: Vec<TrackPoint>,
+    /// Measurements that it refused, in words.
+    pub findings: Vec<crate::flight::overview::Finding>,
+    /// What was known of the instruments at the cut (or at the end).
+    pub calibration: Calibration,
+}
+
+/// How far off a way to navigate is a while after the cut.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Growth {
+    /// Seconds since the cut.
+    pub since: f64,
+    /// Distance from the position by satellite navigation, m, where known.
+    pub error: Option<f64>,
+    /// Longer half axis of the 95 % ellipse, m.
+    pub radius: f64,
+}
+
+impl Track {
+    /// Error and doubt against the time since the cut, for the points within it (seconds).
+    pub fn growth(&self, (from, to): (f64, f64)) -> Vec<Growth> {
+        let inside = self
+            .points
+            .iter()
+            .filter(|p| p.time >= from && p.time <= to);
+        let growth = |p: &TrackPoint| Growth {
+            since: p.time - from,
+            error: p.error.map(|e| e.norm()),
+            radius: p.radius(),
+        };
+        inside.map(growth).collect()
+    }
+}

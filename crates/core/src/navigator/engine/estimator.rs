@@ -1,0 +1,198 @@
+//! One engine for every kind of filter.
+
+use nalgebra::{DMatrix, DVector, Dyn, SVector};
+
+use super::{CorrectedStep, Engine, Expectation, MeasurementModel, PredictedStep};
+use crate::filter::{Correction, FilterError, Gaussian, Prediction, SigmaPoints};
+use crate::navigator::Estimate;
+use crate::vehicle::{ControlInput, VehicleModel};
+
+/// A measurement model over the whole state, and which components it looks at.
+pub struct StateModel<'a, const N: usize> {
+    /// What is measured in a state.
+    pub of: &'a dyn Fn(&SVector<f64, N>) -> Option<DVector<f64>>,
+    /// The components on which it depends: the others have no slope.
+    pub depends_on: &'a [usize],
+}
+
+/// What a correction did, in sizes known at run time only.
+pub struct Corrected<const N: usize> {
+    /// N × m.
+    pub gain: DMatrix<f64>,
+    pub innovation: DVector<f64>,
+    pub innovation_covariance: DMatrix<f64>,
+    pub after: Gaussian<N>,
+}
+
+impl<const N: usize> From<Correction<N, Dyn>> for Corrected<N> {
+    fn from(step: Correction<N, Dyn>) -> Self {
+        Self {
+            gain: DMatrix::from_column_slice(N, step.innovation.len(), step.gain.as_slice()),
+            innovation: step.innovation,
+            innovation_covariance: step.innovation_covariance,
+            after: step.after,
+        }
+    }
+}
+
+/// What a filter must do to be an engine.
+pub trait Estimator<const N: usize>: Clone + Send {
+    fn belief(&self) -> Gaussian<N>;
+
+    /// Sigma points of the present belief.
+    fn points(&self) -> SigmaPoints<N>;
+
+    /// Those that the next correction begins with.
+    fn measurement_points(&self) -> SigmaPoints<N>;
+
+    fn predict<V: VehicleModel<N>>(
+        &mut self,
+        model: &V,
+        input: &ControlInput,
+        dt: f64,
+    ) -> Result<Prediction<N>, FilterError>;
+
+    /// Widens the belief to `factor` times its covariance.
+    fn fade(&mut self, factor: f64) -> Result<(), FilterError>;
+
+    fn expect(
+        &self,
+        model: &StateModel<'_, N>,
+        noise: &DMatrix<f64>,
+    ) -> Result<Expectation, FilterError>;
+
+    fn correct(
+        &mut self,
+        model: &StateModel<'_, N>,
+        noise: &DMatrix<f64>,
+        measurement: &DVector<f64>,
+    ) -> Result<Corrected<N>, FilterError>;
+}
+
+/// A filter with its vehicle model.
+#[derive(Clone)]
+pub struct FilterEngine<const N: usize, V, F> {
+    filter: F,
+    model: V,
+    heading_bias_index: Option<usize>,
+    depends_on: Vec<usize>,
+}
+
+impl<const N: usize, V: VehicleModel<N>, F: Estimator<N>> FilterEngine<N, V, F> {
+    pub fn new(filter: F, model: V) -> Self {
+        let heading_bias_index = model
+            .state_names()
+            .iter()
+            .position(|n| *n == "heading bias");
+        Self {
+            filter,
+            model,
+            heading_bias_index,
+            depends_on: [0, 1].into_iter().chain(heading_bias_index).collect(),
+        }
+    }
+
+    fn measure<'a>(
+        &self,
+        model: &'a MeasurementModel<'a>,
+    ) -> impl Fn(&SVector<f64, N>) -> Option<DVector<f64>> + 'a + use<'a, N, V, F>
+    where
+        V: Clone + 'a,
+    {
+        let (vehicle, bias_index) = (self.model.clone(), self.heading_bias_index);
+        move |x| {
+            let bias = bias_index.map_or(0.0, |i| x[i]);
+            model(vehicle.position(x), bias)
+        }
+    }
+}
+
+fn matrix<const N: usize>(points: &SigmaPoints<N>) -> DMatrix<f64> {
+    let columns: Vec<DVector<f64>> = points
+        .iter()
+        .map(|p| DVector::from_column_slice(p.as_slice()))
+        .collect();
+    DMatrix::from_columns(&columns)
+}
+
+impl<const N: usize, V, F> Engine for FilterEngine<N, V, F>
+where
+    V: VehicleModel<N> + Clone + Send + 'static,
+    F: Estimator<N> + 'static,
+{
+    fn state(&self) -> Estimate {
+        (&self.filter.belief()).into()
+    }
+
+    fn components(&self) -> Vec<(String, String)> {
+        let names = self
+            .model
+            .state_names()
+            .into_iter()
+            .zip(self.model.state_units());
+        names
+            .map(|(name, unit)| (name.to_owned(), unit.to_owned()))
+            .collect()
+    }
+
+    fn heading_bias(&self) -> f64 {
+        self.heading_bias_index
+            .map_or(0.0, |i| self.filter.belief().mean[i])
+    }
+
+    fn predict(&mut self, input: &ControlInput, dt: f64) -> Result<PredictedStep, FilterError> {
+        let step = self.filter.predict(&self.model, input, dt)?;
+        Ok(PredictedStep {
+            before: (&step.before).into(),
+            after: (&step.after).into(),
+            sigma_before: matrix(&step.sigma_points_before),
+            sigma_after: matrix(&step.sigma_points_after),
+        })
+    }
+
+    fn faded(&self, factor: f64) -> Result<Box<dyn Engine>, FilterError> {
+        let mut faded = self.clone();
+        faded.filter.fade(factor)?;
+        Ok(Box::new(faded))
+    }
+
+    fn dead_reckon(&self, state: &DVector<f64>, input: &ControlInput, dt: f64) -> DVector<f64> {
+        let state = SVector::<f64, N>::from_column_slice(state.as_slice());
+        DVector::from_column_slice(self.model.propagate(&state, input, dt).as_slice())
+    }
+
+    fn expect(
+        &self,
+        model: &MeasurementModel<'_>,
+        noise: &DMatrix<f64>,
+    ) -> Result<Expectation, FilterError> {
+        let model = StateModel {
+            of: &self.measure(model),
+            depends_on: &self.depends_on,
+        };
+        self.filter.expect(&model, noise)
+    }
+
+    fn correct(
+        &mut self,
+        model: &MeasurementModel<'_>,
+        noise: &DMatrix<f64>,
+        measurement: &DVector<f64>,
+    ) -> Result<CorrectedStep, FilterError> {
+        let sigma_before = matrix(&self.filter.measurement_points());
+        let measure = self.measure(model);
+        let model = StateModel {
+            of: &measure,
+            depends_on: &self.depends_on,
+        };
+        let step = self.filter.correct(&model, noise, measurement)?;
+        Ok(CorrectedStep {
+            gain: step.gain,
+            innovation: step.innovation,
+            innovation_covariance: step.innovation_covariance,
+            sigma_before,
+            sigma_after: matrix(&self.filter.points()),
+            after: (&step.after).into(),
+        })
+    }
+}

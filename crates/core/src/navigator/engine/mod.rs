@@ -1,0 +1,133 @@
+//! The filter behind one door, whatever the size of its state.
+
+mod estimator;
+mod extended;
+mod particles;
+#[cfg(test)]
+mod tests;
+mod unscented;
+mod vehicle;
+
+use nalgebra::{DMatrix, DVector};
+
+use self::estimator::FilterEngine;
+use super::{Estimate, EstimatorChoice, NavigatorSettings};
+use crate::filter::{Ekf, FilterError, ParticleFilter, Redraw, Ukf, UnscentedSettings};
+use crate::frames::GroundPoint;
+use crate::vehicle::{ControlInput, VehicleModel, VehicleVisitor};
+
+pub use vehicle::vehicle;
+
+/// What a measurement model may know of a state: position and the heading's bias, radians.
+pub type MeasurementModel<'a> = dyn Fn(GroundPoint, f64) -> Option<DVector<f64>> + 'a;
+
+/// A prediction, for the report.
+pub struct PredictedStep {
+    pub before: Estimate,
+    pub after: Estimate,
+    pub sigma_before: DMatrix<f64>,
+    pub sigma_after: DMatrix<f64>,
+}
+
+/// What a measurement should be.
+pub struct Expectation {
+    pub mean: DVector<f64>,
+    pub covariance: DMatrix<f64>,
+}
+
+/// A correction, for the report.
+pub struct CorrectedStep {
+    pub gain: DMatrix<f64>,
+    pub innovation: DVector<f64>,
+    pub innovation_covariance: DMatrix<f64>,
+    pub sigma_before: DMatrix<f64>,
+    pub sigma_after: DMatrix<f64>,
+    pub after: Estimate,
+}
+
+/// A filter with its vehicle model.
+pub trait Engine: Send {
+    fn state(&self) -> Estimate;
+
+    /// Names and units of the state's components.
+    fn components(&self) -> Vec<(String, String)>;
+
+    /// Bias of the heading in the present state, radians; zero without such a state.
+    fn heading_bias(&self) -> f64;
+
+    fn predict(&mut self, input: &ControlInput, dt: f64) -> Result<PredictedStep, FilterError>;
+
+    /// The same filter with `factor` times its covariance.
+    fn faded(&self, factor: f64) -> Result<Box<dyn Engine>, FilterError>;
+
+    /// Moves a state by the process model alone.
+    fn dead_reckon(&self, state: &DVector<f64>, input: &ControlInput, dt: f64) -> DVector<f64>;
+
+    fn expect(
+        &self,
+        model: &MeasurementModel<'_>,
+        noise: &DMatrix<f64>,
+    ) -> Result<Expectation, FilterError>;
+
+    fn correct(
+        &mut self,
+        model: &MeasurementModel<'_>,
+        noise: &DMatrix<f64>,
+        measurement: &DVector<f64>,
+    ) -> Result<CorrectedStep, FilterError>;
+}
+
+/// The settings of the sigma points, which every estimator shows.
+pub fn unscented(settings: &NavigatorSettings) -> UnscentedSettings {
+    UnscentedSettings {
+        alpha: settings.alpha,
+        beta: settings.beta,
+        redraw: if settings.redraw {
+            Redraw::AfterProcessNoise
+        } else {
+            Redraw::CarriedThrough
+        },
+    }
+}
+
+/// The estimator that the settings ask for, at the start of a flight.
+pub fn engine(
+    settings: &NavigatorSettings,
+    position: GroundPoint,
+    deviation: f64,
+) -> Result<Box<dyn Engine>, FilterError> {
+    struct Build<'a> {
+        settings: &'a NavigatorSettings,
+        position: GroundPoint,
+        deviation: f64,
+    }
+    impl VehicleVisitor for Build<'_> {
+        type Output = Result<Box<dyn Engine>, FilterError>;
+
+        fn visit<const N: usize, V>(self, model: V) -> Self::Output
+        where
+            V: VehicleModel<N> + Clone + Send + Sync + 'static,
+        {
+            let prior = model.prior(self.position, self.deviation);
+            let unscented = unscented(self.settings);
+            let estimator = &self.settings.estimator;
+            Ok(match estimator.choice {
+                EstimatorChoice::Unscented => {
+                    Box::new(FilterEngine::new(Ukf::new(prior, unscented)?, model))
+                }
+                EstimatorChoice::Extended => {
+                    Box::new(FilterEngine::new(Ekf::new(prior, unscented)?, model))
+                }
+                EstimatorChoice::Particles => {
+                    let filter = ParticleFilter::new(&prior, estimator.particles, unscented)?;
+                    Box::new(FilterEngine::new(filter, model))
+                }
+            })
+        }
+    }
+    vehicle(settings).visit(Build {
+        settings,
+        position,
+        deviation,
+    })
+}

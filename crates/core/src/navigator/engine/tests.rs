@@ -1,0 +1,160 @@
+//! Every estimator on every vehicle model behind the same door.
+
+use nalgebra::{DMatrix, DVector, Vector2, dvector};
+
+use super::*;
+use crate::frames::Attitude;
+use crate::navigator::{EstimatorSettings, VehicleChoice};
+
+fn settings(choice: EstimatorChoice, vehicle: VehicleChoice) -> NavigatorSettings {
+    let mut settings = NavigatorSettings {
+        vehicle,
+        estimator: EstimatorSettings {
+            choice,
+            ..EstimatorSettings::default()
+        },
+        ..NavigatorSettings::default()
+    };
+    if vehicle == VehicleChoice::RandomWalk {
+        // Without it a random walk stands still.
+        settings.process.position = 3.0;
+    }
+    settings
+}
+
+fn begun(choice: EstimatorChoice, vehicle: VehicleChoice) -> Box<dyn Engine> {
+    engine(
+        &settings(choice, vehicle),
+        GroundPoint::new(10.0, -20.0),
+        3.0,
+    )
+    .unwrap()
+}
+
+#[expect(
+    clippy::unnecessary_wraps,
+    reason = "a measurement model may see nothing"
+)]
+/// Distance and direction of a mast, and the direction of another seen from a turned vehicle.
+fn seen(position: GroundPoint, bias: f64) -> Option<DVector<f64>> {
+    let (north, east) = (120.0 - position.north, 80.0 - position.east);
+    let other = (-60.0 - position.east).atan2(300.0 - position.north) - bias;
+    Some(dvector![
+        north.hypot(east),
+        100.0 * east.atan2(north),
+        100.0 * other
+    ])
+}
+
+fn noise() -> DMatrix<f64> {
+    DMatrix::from_diagonal(&dvector![1.0, 0.5, 0.5])
+}
+
+/// Flies a bent way in a wind and sees the masts every second; the end.
+fn flown(choice: EstimatorChoice, vehicle: VehicleChoice) -> Estimate {
+    let mut engine = begun(choice, vehicle);
+    let mut truth = GroundPoint::new(8.0, -19.0);
+    for k in 0..60_i32 {
+        let attitude = Attitude::level(0.02 * f64::from(k));
+        let north = 3.0 * attitude.yaw.cos() + 1.0;
+        let east = 3.0 * attitude.yaw.sin() - 0.5;
+        let input = ControlInput {
+            // What nobody measures, particles forget by chance.
+            ground_velocity: Some(Vector2::new(north, east)),
+            ..ControlInput::new(3.0, attitude)
+        };
+        engine.predict(&input, 0.5).unwrap();
+        truth.north += 0.5 * north;
+        truth.east += 0.5 * east;
+        if k % 2 == 0 {
+            let off = 0.5 * f64::from(k).sin();
+            let z = seen(truth, 0.0).unwrap() + dvector![off, -off, off];
+            let expected = engine.expect(&seen, &noise()).unwrap();
+            let step = engine.correct(&seen, &noise(), &z).unwrap();
+            assert_eq!(step.innovation_covariance, expected.covariance);
+            assert!((&step.innovation - (z - expected.mean)).norm() < 1e-9);
+            let n = step.after.mean.len();
+            assert_eq!(step.gain.shape(), (n, 3));
+            assert_eq!(step.sigma_after.shape(), (n, 2 * n + 1));
+            assert_eq!(step.after, engine.state());
+        }
+    }
+    engine.state()
+}
+
+#[test]
+fn all_estimators_come_to_the_same_end_on_every_vehicle_model() {
+    for vehicle in VehicleChoice::ALL {
+        let unscented = flown(EstimatorChoice::Unscented, vehicle);
+        for (choice, allowed) in [
+            (EstimatorChoice::Extended, 0.1),
+            (EstimatorChoice::Particles, 0.5),
+        ] {
+            let other = flown(choice, vehicle);
+            for i in 0..unscented.mean.len() {
+                let deviation = unscented.covariance[(i, i)].sqrt();
+                let off = (unscented.mean[i] - other.mean[i]).abs() / deviation;
+                assert!(
+                    off < allowed,
+                    "{vehicle:?} {choice:?}, component {i}: {off}"
+                );
+                let ratio = other.covariance[(i, i)].sqrt() / deviation;
+                assert!(
+                    (0.75..1.35).contains(&ratio),
+                    "{vehicle:?} {choice:?}, component {i}: deviation × {ratio}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_faded_engine_has_the_factor_of_the_covariance_and_the_same_mean() {
+    for choice in EstimatorChoice::ALL {
+        let engine = begun(choice, VehicleChoice::AirplaneFull);
+        let (before, after) = (engine.state(), engine.faded(4.0).unwrap().state());
+        assert!((&after.mean - &before.mean).norm() < 1e-9, "{choice:?}");
+        let off = (&after.covariance - before.covariance.clone() * 4.0).norm();
+        assert!(off < 1e-9 * before.covariance.norm(), "{choice:?}: {off}");
+    }
+}
+
+#[test]
+fn every_estimator_shows_sigma_points_from_which_the_step_can_be_told() {
+    for choice in EstimatorChoice::ALL {
+        let mut engine = begun(choice, VehicleChoice::AirplaneFull);
+        let step = engine
+            .predict(&ControlInput::new(20.0, Attitude::level(0.4)), 0.5)
+            .unwrap();
+        let n = step.before.mean.len();
+        for (points, mean) in [
+            (&step.sigma_before, &step.before.mean),
+            (&step.sigma_after, &step.after.mean),
+        ] {
+            assert_eq!(points.shape(), (n, 2 * n + 1));
+            assert!((points.column(0) - mean).norm() < 0.05, "{choice:?}");
+        }
+        // Pairs about the mean before, √n deviations away: their squares are the covariance.
+        let pairs = (step.sigma_before.columns(1, n) - step.sigma_before.columns(n + 1, n))
+            / (2.0 * (n as f64).sqrt());
+        let off = (&pairs * pairs.transpose() - &step.before.covariance).norm();
+        assert!(off < 1e-9 * step.before.covariance.norm(), "{choice:?}");
+    }
+}
+
+#[test]
+fn estimators_have_names_and_old_settings_mean_the_unscented_one() {
+    let mut keys: Vec<_> = EstimatorChoice::ALL.map(EstimatorChoice::key).to_vec();
+    for choice in EstimatorChoice::ALL {
+        assert_eq!(EstimatorChoice::from_key(choice.key()), Some(choice));
+        assert!(!choice.label().is_empty() && choice.description().ends_with('.'));
+    }
+    keys.dedup();
+    assert_eq!(keys.len(), EstimatorChoice::ALL.len());
+    assert_eq!(EstimatorChoice::from_key("oracle"), None);
+    let mut stored = serde_json::to_value(NavigatorSettings::default()).unwrap();
+    stored.as_object_mut().unwrap().remove("estimator");
+    let read: NavigatorSettings = serde_json::from_value(stored).unwrap();
+    assert_eq!(read.estimator.choice, EstimatorChoice::Unscented);
+    assert_eq!(read, NavigatorSettings::default());
+}

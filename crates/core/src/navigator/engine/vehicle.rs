@@ -1,0 +1,71 @@
+//! The vehicle model that the settings ask for.
+
+use super::super::{NavigatorSettings, VehicleChoice};
+use crate::vehicle::{
+    AirData, AirDataBiases, AirplaneFull, AirplaneWind, AirplaneWindGust, ConstantVelocity, Gusts,
+    Multirotor, RandomWalk, ThesisNoise, VehicleSettings, VelocityDriven,
+};
+
+/// The vehicle model that the settings ask for.
+pub fn vehicle(settings: &NavigatorSettings) -> VehicleSettings {
+    let p = &settings.process;
+    let air_data = AirData {
+        airspeed_noise_density: p.airspeed,
+        heading_noise_density: p.heading,
+        position_noise_density: p.position,
+        ..AirData::default()
+    };
+    let gusts = Gusts {
+        deviation: p.gust,
+        per_wind: p.gust_per_wind,
+        correlation_time: p.gust_time,
+    };
+    let start_wind_deviation = settings.start.wind;
+    match settings.vehicle {
+        VehicleChoice::AirplaneWind => VehicleSettings::AirplaneWind(AirplaneWind {
+            air_data,
+            wind_noise_density: p.wind,
+            start_wind_deviation,
+            thesis_noise: p.thesis_per_step.then_some(ThesisNoise::DistinctLandmarks),
+        }),
+        VehicleChoice::AirplaneGust => VehicleSettings::AirplaneWindGust(AirplaneWindGust {
+            air_data,
+            wind_noise_density: p.wind,
+            start_wind_deviation,
+            gusts,
+        }),
+        VehicleChoice::AirplaneFull => VehicleSettings::AirplaneFull(AirplaneFull {
+            air_data,
+            wind_noise_density: p.wind,
+            start_wind_deviation,
+            gusts,
+            biases: AirDataBiases {
+                start_airspeed_bias_deviation: p.airspeed_bias,
+                start_heading_bias_deviation: p.heading_bias,
+                airspeed_bias_noise_density: 0.0,
+                heading_bias_noise_density: 0.0,
+            },
+        }),
+        VehicleChoice::RandomWalk => VehicleSettings::RandomWalk(RandomWalk {
+            position_noise_density: p.position,
+        }),
+        VehicleChoice::ConstantVelocity => VehicleSettings::ConstantVelocity(ConstantVelocity {
+            velocity_noise_density: p.acceleration,
+            start_velocity_deviation: start_wind_deviation,
+        }),
+        VehicleChoice::Multirotor => VehicleSettings::Multirotor(Multirotor {
+            drag: p.drag,
+            acceleration_noise_density: p.acceleration,
+            position_noise_density: p.position,
+            wind_noise_density: p.wind,
+            start_wind_deviation,
+            ..Multirotor::default()
+        }),
+        VehicleChoice::VelocityDriven => VehicleSettings::VelocityDriven(VelocityDriven {
+            velocity_noise_density: p.velocity,
+            bias_noise_density: p.wind,
+            start_bias_deviation: start_wind_deviation,
+            ..VelocityDriven::default()
+        }),
+    }
+}

@@ -1,0 +1,193 @@
+//! What one frame teaches about the next.
+
+use serde::{Deserialize, Serialize};
+
+use super::look::Look;
+use super::prior::{HeadingPrior, PosePrior};
+use super::register::{NotRegistered, Registration, register};
+use super::shape::MapShape;
+use crate::frames::GroundPoint;
+
+/// What is assumed about a flight over a map; deviations are standard ones.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FollowSettings {
+    /// Height above the ground before anything is known of it, metres.
+    pub height: f64,
+    /// Deviation of its natural logarithm.
+    pub log_height_deviation: f64,
+    /// Deviation of the logarithm of a measured height: the ground is not level, and barometers drift.
+    pub measured_log_height_deviation: f64,
+    /// How fast the logarithm of the height wanders, 1/√s.
+    pub log_height_walk: f64,
+    /// Deviation of a measured heading against the camera, the mount's error included, radians.
+    pub heading_deviation: f64,
+    /// Whether pictures may have been stored turned by quarter turns against the measured heading.
+    pub may_be_turned: bool,
+    /// Deviation of roll and pitch, measured or, where nothing measures them, assumed level, radians.
+    pub tilt_deviation: f64,
+    /// Deviation of the slope of the ground in view, along each axis: to a camera it looks like a tilt.
+    pub slope_deviation: f64,
+    /// Deviation of how the map is stretched, before a frame has shown it.
+    pub shape_deviation: f64,
+}
+
+impl Default for FollowSettings {
+    fn default() -> Self {
+        Self {
+            height: 60.0,
+            log_height_deviation: 0.4,
+            measured_log_height_deviation: 0.05,
+            log_height_walk: 0.03,
+            heading_deviation: 3_f64.to_radians(),
+            may_be_turned: true,
+            tilt_deviation: 1.05_f64.to_radians(),
+            slope_deviation: 3_f64.to_radians(),
+            shape_deviation: 0.1,
+        }
+    }
+}
+
+/// The least deviation of the shape of the map in view of one frame: relief stretches it as well.
+const LEAST_SHAPE_DEVIATION: f64 = 0.01;
+
+/// What instruments say when a frame is taken; radians and metres.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Measured {
+    /// Heading of the body, clockwise from north.
+    pub heading: Option<f64>,
+    /// Roll of the body.
+    pub roll: Option<f64>,
+    /// Pitch of the body.
+    pub pitch: Option<f64>,
+    /// Height above the ground.
+    pub height: Option<f64>,
+}
+
+/// A mean with its variance.
+#[derive(Clone, Copy, Debug)]
+struct Belief {
+    mean: f64,
+    variance: f64,
+}
+
+impl Belief {
+    fn corrected(self, value: f64, variance: f64) -> Self {
+        let gain = self.variance / (self.variance + variance);
+        Self {
+            mean: self.mean + gain * (value - self.mean),
+            variance: (1.0 - gain) * self.variance,
+        }
+    }
+}
+
+/// Lays the frames of a flight on the map one after the other, and remembers how high it flew and how
+/// the map is stretched. Where the aircraft is the caller says, who has a filter for that.
+#[derive(Clone, Debug)]
+pub struct Follower {
+    settings: FollowSettings,
+    /// Natural logarithm of the height, when.
+    height: Option<(Belief, f64)>,
+    along: Belief,
+    across: Belief,
+}
+
+impl Follower {
+    /// Before the first frame.
+    pub fn new(settings: FollowSettings) -> Self {
+        let unknown = Belief {
+            mean: 0.0,
+            variance: settings.shape_deviation.powi(2),
+        };
+        Self {
+            settings,
+            height: None,
+            along: unknown,
+            across: unknown,
+        }
+    }
+
+    /// What is known of the pose at `time` when the vehicle is believed to be at `position`, with this
+    /// standard deviation per axis in metres.
+    pub fn prior(
+        &self,
+        time: f64,
+        position: GroundPoint,
+        position_deviation: f64,
+        measured: &Measured,
+    ) -> PosePrior {
+        let s = &self.settings;
+        let (height, log_height_deviation) = match (measured.height, self.height) {
+            (Some(height), _) => (height, s.measured_log_height_deviation),
+            (None, Some((belief, then))) => {
+                let wander = s.log_height_walk.powi(2) * (time - then).abs();
+                let deviation = (belief.variance + wander).sqrt();
+                (belief.mean.exp(), deviation.min(s.log_height_deviation))
+            }
+            (None, None) => (s.height, s.log_height_deviation),
+        };
+        let heading = match measured.heading {
+            None => HeadingPrior::Unknown,
+            Some(heading) => HeadingPrior::Around {
+                heading,
+                deviation: s.heading_deviation,
+                may_be_turned: s.may_be_turned,
+            },
+        };
+        PosePrior {
+            position,
+            position_deviation,
+            height,
+            log_height_deviation,
+            heading,
+            roll: measured.roll.unwrap_or(0.0),
+            pitch: measured.pitch.unwrap_or(0.0),
+            tilt_deviation: s.tilt_deviation,
+            slope_deviation: s.slope_deviation,
+            shape: self.shape(),
+            shape_deviation: self.along.variance.max(self.across.variance).sqrt(),
+        }
+    }
+
+    /// Lays a frame on the map and remembers what it shows.
+    pub fn follow(
+        &mut self,
+        time: f64,
+        look: &Look<'_>,
+        prior: &PosePrior,
+    ) -> Result<Registration, NotRegistered> {
+        let found = register(look, prior)?;
+        let fit = &found.fit;
+        let height = look.ground_down - fit.at.pose.position_in_world.z;
+        let variance = fit.covariance[(2, 2)] / (height * height);
+        self.height = Some((
+            Belief {
+                mean: height.ln(),
+                variance,
+            },
+            time,
+        ));
+        let least = LEAST_SHAPE_DEVIATION.powi(2);
+        let shape = fit.at.shape;
+        // The fit held the prior already; what it says beyond that is nearly all its own.
+        self.along = self
+            .along
+            .corrected(shape.along, fit.covariance[(6, 6)] + least);
+        self.across = self
+            .across
+            .corrected(shape.across, fit.covariance[(7, 7)] + least);
+        Ok(found)
+    }
+
+    /// How the map is stretched, as far as the frames have shown.
+    pub fn shape(&self) -> MapShape {
+        MapShape {
+            along: self.along.mean,
+            across: self.across.mean,
+        }
+    }
+
+    /// Standard deviations of the shape's two numbers.
+    pub fn shape_deviations(&self) -> [f64; 2] {
+        [self.along.variance.sqrt(), self.across.variance.sqrt()]
+    }
+}

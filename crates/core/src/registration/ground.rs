@@ -1,0 +1,57 @@
+//! Ground seen from above: the map's and the frame's, made alike.
+
+use super::look::{Look, MapPose};
+use super::texture::local_contrast;
+use crate::frames::GroundRect;
+use crate::imagery::{Imagery, Window};
+use crate::raster::{Gray, IntegralImage};
+
+/// A north-up picture of ground with what of it is covered.
+#[derive(Debug)]
+pub struct GroundPicture {
+    /// Which ground.
+    pub window: Window,
+    /// Local contrast, zero where nothing is covered.
+    pub texture: Gray,
+    /// Sums of the cover, for whole patches at a glance.
+    cover: IntegralImage,
+}
+
+impl GroundPicture {
+    fn new(window: Window, luminance: &Gray, covered: &Gray, radius: usize) -> Self {
+        Self {
+            window,
+            texture: local_contrast(luminance, covered, radius),
+            cover: IntegralImage::new(covered),
+        }
+    }
+
+    /// `map` over `rect`, `radius` pixels of surroundings on each side deciding what is bright.
+    pub fn of_map(map: &dyn Imagery, rect: &GroundRect, gsd: f64, radius: usize) -> Self {
+        let window = Window::covering(rect, gsd);
+        let pixels = map.window(&window);
+        let covered = pixels.map(|p| if p[3] == 255 { 1.0 } else { 0.0 });
+        Self::new(window, &pixels.to_gray(), &covered, radius)
+    }
+
+    /// The part of `window` that a frame shows, under its assumed pose.
+    pub fn of_frame(look: &Look<'_>, place: &MapPose, window: &Window, radius: usize) -> Self {
+        let seen = look.rectified(place, window);
+        let covered = if seen.complete {
+            Gray::filled(window.width, window.height, 1.0)
+        } else {
+            seen.seen
+        };
+        Self::new(*window, &seen.luminance, &covered, radius)
+    }
+
+    /// Share of a rectangle of pixels that is covered, 0 where it reaches outside.
+    pub fn covered(&self, column: usize, row: usize, width: usize, height: usize) -> f64 {
+        let inside = column + width <= self.window.width && row + height <= self.window.height;
+        if inside && width * height > 0 {
+            self.cover.sum(column, row, width, height) / (width * height) as f64
+        } else {
+            0.0
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! A picture, its camera and the map on which it is laid.
+
+use nalgebra::{Point2, Point3, Rotation3, Vector2, Vector3};
+
+use super::MapShape;
+use crate::camera::CameraModel;
+use crate::frames::{GroundPoint, GroundRect, Pose};
+use crate::imagery::{Imagery, Window};
+use crate::landmark::{GroundView, rectify_plane};
+use crate::raster::Pyramid;
+
+/// A pose over a map that may be stretched. The position below is a place on the map; the height is
+/// that above the real ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MapPose {
+    /// Pose of the body; north and east on the map.
+    pub pose: Pose,
+    /// How the map is stretched around it.
+    pub shape: MapShape,
+}
+
+/// A picture and what is needed to lay it on the map.
+#[derive(Clone, Copy)]
+pub struct Look<'a> {
+    /// The camera, any turn of the stored picture included.
+    pub camera: &'a CameraModel,
+    /// Down coordinate of the ground plane, metres.
+    pub ground_down: f64,
+    /// Luminance of the picture.
+    pub luminance: &'a Pyramid,
+    /// The map.
+    pub map: &'a dyn Imagery,
+}
+
+/// Brings ground points of the map into camera coordinates.
+struct CameraFromMap {
+    rotation: Rotation3<f64>,
+    below: Vector2<f64>,
+    height: f64,
+    ground_from_map: nalgebra::Matrix2<f64>,
+}
+
+impl CameraFromMap {
+    fn new(look: &Look<'_>, place: &MapPose) -> Self {
+        let position = place.pose.position_in_world;
+        Self {
+            rotation: look.camera.camera_from_world(&place.pose),
+            below: position.xy().coords,
+            height: look.ground_down - position.z,
+            ground_from_map: place.shape.ground_from_map(),
+        }
+    }
+
+    fn of(&self, ground: GroundPoint) -> Vector3<f64> {
+        let real = self.ground_from_map * (ground.to_vector() - self.below);
+        self.rotation * Vector3::new(real.x, real.y, self.height)
+    }
+}
+
+impl Look<'_> {
+    /// Pixel at which a place of the map appears.
+    pub fn pixel(&self, place: &MapPose, ground: &GroundPoint) -> Option<Point2<f64>> {
+        self.camera
+            .pixel_from_camera(&CameraFromMap::new(self, place).of(*ground))
+    }
+
+    /// Place of the map that is seen at `pixel`.
+    pub fn ground(&self, place: &MapPose, pixel: &Point2<f64>) -> Option<GroundPoint> {
+        let mut at_origin = place.pose;
+        at_origin.position_in_world = Point3::new(0.0, 0.0, place.pose.position_in_world.z);
+        let real = self.camera.ground_at(&at_origin, pixel, self.ground_down)?;
+        let on_map = place.shape.map_from_ground() * real.to_vector();
+        Some(GroundPoint::from(
+            on_map + place.pose.position_in_world.xy().coords,
+        ))
+    }
+
+    /// Place of the map in the middle of the picture.
+    pub fn centre(&self, place: &MapPose) -> Option<GroundPoint> {
+        let middle = Point2::new(
+            0.5 * self.camera.width as f64,
+            0.5 * self.camera.height as f64,
+        );
+        self.ground(place, &middle)
+    }
+
+    /// The smallest rectangle of the map that holds what the picture shows.
+    pub fn footprint(&self, place: &MapPose) -> Option<GroundRect> {
+        let corners = self.camera.corners();
+        let seen: Option<Vec<GroundPoint>> =
+            corners.iter().map(|c| self.ground(place, c)).collect();
+        GroundRect::around(seen?)
+    }
+
+    /// The picture laid on `window` of the map.
+    pub fn rectified(&self, place: &MapPose, window: &Window) -> GroundView {
+        let from_map = CameraFromMap::new(self, place);
+        rectify_plane(self.camera, self.luminance, window, |g| from_map.of(g))
+    }
+}

@@ -1,0 +1,119 @@
+//! What is known of a camera's pose before its picture is laid on the map.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::MapShape;
+use crate::frames::{Attitude, GroundPoint, wrap_pi};
+
+/// Standard deviations to each side that are searched.
+pub(super) const REACH: f64 = 2.5;
+
+/// What is known of the heading.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum HeadingPrior {
+    /// Nothing: all around is searched.
+    Unknown,
+    /// A measured heading.
+    Around {
+        /// Radians clockwise from north.
+        heading: f64,
+        /// Standard deviation, radians.
+        deviation: f64,
+        /// Whether the picture may have been stored turned by any number of quarter turns.
+        may_be_turned: bool,
+    },
+}
+
+impl HeadingPrior {
+    /// Headings to try, at most `step` radians apart.
+    pub(super) fn candidates(&self, step: f64) -> Vec<f64> {
+        match *self {
+            Self::Unknown => {
+                let count = (std::f64::consts::TAU / step).ceil();
+                let spacing = std::f64::consts::TAU / count;
+                (0..count as usize)
+                    .map(|i| wrap_pi(i as f64 * spacing))
+                    .collect()
+            }
+            Self::Around {
+                heading, deviation, ..
+            } => spread(REACH * deviation, step)
+                .map(|off| wrap_pi(heading + off))
+                .collect(),
+        }
+    }
+
+    /// Turns of the stored picture to try, radians clockwise.
+    pub(super) fn turns(&self) -> &'static [f64] {
+        const QUARTERS: [f64; 4] = [0.0, FRAC_PI_2, PI, -FRAC_PI_2];
+        match self {
+            Self::Around {
+                may_be_turned: true,
+                ..
+            } => &QUARTERS,
+            _ => &QUARTERS[..1],
+        }
+    }
+}
+
+/// Values from -`half` to `half`, evenly and at most `step` apart, zero among them.
+fn spread(half: f64, step: f64) -> impl Iterator<Item = f64> {
+    let count = (half / step).ceil() as i32;
+    let spacing = half / f64::from(count.max(1));
+    (-count..=count).map(move |i| f64::from(i) * spacing)
+}
+
+/// What is known of a camera's pose, as standard deviations around a mean.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PosePrior {
+    /// Place below the camera.
+    pub position: GroundPoint,
+    /// Standard deviation of the place per axis, metres.
+    pub position_deviation: f64,
+    /// Height above the ground plane, metres.
+    pub height: f64,
+    /// Standard deviation of the height's natural logarithm.
+    pub log_height_deviation: f64,
+    /// Heading of the body.
+    pub heading: HeadingPrior,
+    /// Roll of the body, radians.
+    pub roll: f64,
+    /// Pitch of the body, radians.
+    pub pitch: f64,
+    /// Standard deviation of roll and of pitch, radians.
+    pub tilt_deviation: f64,
+    /// Standard deviation of the ground's slope along each axis, radians: to the camera it is a tilt.
+    pub slope_deviation: f64,
+    /// How the map is stretched.
+    pub shape: MapShape,
+    /// Standard deviation of both of the shape's numbers.
+    pub shape_deviation: f64,
+}
+
+impl PosePrior {
+    /// Heights to try, metres, at most a factor of exp(`step`) apart.
+    pub(super) fn heights(&self, step: f64) -> Vec<f64> {
+        spread(REACH * self.log_height_deviation, step)
+            .map(|off| self.height * off.exp())
+            .collect()
+    }
+
+    /// Standard deviation of the tilt that the camera seems to have against the ground, radians.
+    pub(super) fn apparent_tilt_deviation(&self) -> f64 {
+        self.tilt_deviation.hypot(self.slope_deviation)
+    }
+
+    /// Share of an apparent tilt that is the camera's: the rest is the ground's slope.
+    pub(super) fn share_of_tilt(&self) -> f64 {
+        (self.tilt_deviation / self.apparent_tilt_deviation()).powi(2)
+    }
+
+    /// Attitude with this heading.
+    pub(super) fn attitude(&self, heading: f64) -> Attitude {
+        Attitude {
+            roll: self.roll,
+            pitch: self.pitch,
+            yaw: heading,
+        }
+    }
+}

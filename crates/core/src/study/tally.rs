@@ -1,0 +1,164 @@
+//! What became of one contender, flight by flight.
+
+use nalgebra::Vector2;
+
+use super::{ComparisonRow, Contender};
+use crate::filter::{Consistency, FilterError};
+use crate::flight::Flight;
+use crate::navigator::{ErrorFigures, Estimate, Outcome, Run, smooth};
+
+/// Gathers the runs of one contender.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tally {
+    contender: Contender,
+    flights: usize,
+    failed: usize,
+    in_flight: Errors,
+    smoothed: Option<Errors>,
+    nis: Consistency,
+    frames_with_update: usize,
+    accepted: usize,
+    refused: usize,
+    steps: usize,
+    milliseconds: f64,
+    smoothing_milliseconds: f64,
+}
+
+/// Errors of positions.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Errors {
+    distances: Vec<f64>,
+    nees: Consistency,
+}
+
+impl Errors {
+    fn push(&mut self, estimate: &Estimate, truth: &Vector2<f64>) {
+        let off = estimate.position().to_vector() - truth;
+        self.distances.push(off.norm());
+        let covariance = estimate.position_covariance();
+        // A covariance that cannot be inverted is no honest one: it counts as outside.
+        let nees = covariance
+            .cholesky()
+            .map_or(f64::INFINITY, |root| root.solve(&off).dot(&off));
+        self.nees.push(nees, 2);
+    }
+
+    fn merge(&mut self, other: Self) {
+        self.distances.extend(other.distances);
+        self.nees.merge(&other.nees);
+    }
+}
+
+impl Tally {
+    /// Nothing yet; with the smoothed estimates too, if so asked.
+    pub fn new(contender: Contender, with_smoothed: bool) -> Self {
+        Self {
+            contender,
+            flights: 0,
+            failed: 0,
+            in_flight: Errors::default(),
+            smoothed: with_smoothed.then(Errors::default),
+            nis: Consistency::default(),
+            frames_with_update: 0,
+            accepted: 0,
+            refused: 0,
+            steps: 0,
+            milliseconds: 0.0,
+            smoothing_milliseconds: 0.0,
+        }
+    }
+
+    /// Whose it is.
+    pub fn contender(&self) -> Contender {
+        self.contender
+    }
+
+    /// Counts a flight that could not be navigated to its end.
+    pub fn fail(&mut self) {
+        self.failed += 1;
+    }
+
+    /// Adds the run of a flight, held against its truth where there is one. `stopwatch` gives
+    /// milliseconds of any clock that never goes back.
+    pub fn add(
+        &mut self,
+        flight: &Flight,
+        run: &Run,
+        stopwatch: &dyn Fn() -> f64,
+    ) -> Result<(), FilterError> {
+        self.flights += 1;
+        self.steps += run.steps.len();
+        let truth = |time: f64| {
+            let position = flight.truth.as_ref()?.position(time)?;
+            Some(Vector2::new(position.x, position.y))
+        };
+        for step in &run.steps {
+            self.milliseconds += step.timing.predict + step.timing.update;
+            if let Some(truth) = truth(step.time) {
+                self.in_flight.push(&step.after, &truth);
+            }
+            let Some(frame) = &step.frame else { continue };
+            let accepted = frame.candidates.iter();
+            let accepted = accepted.filter(|c| c.outcome == Outcome::Accepted).count();
+            self.accepted += accepted;
+            self.refused += frame.candidates.len() - accepted;
+            if let Some(joint) = &frame.joint {
+                self.frames_with_update += 1;
+                self.nis.push(joint.nis, joint.degrees_of_freedom);
+            }
+        }
+        if let Some(errors) = &mut self.smoothed {
+            let begun = stopwatch();
+            let smoothed = smooth(run)?;
+            self.smoothing_milliseconds += stopwatch() - begun;
+            for (step, estimate) in run.steps.iter().zip(&smoothed) {
+                if let Some(truth) = truth(step.time) {
+                    errors.push(estimate, &truth);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds what another gathered of the same contender.
+    pub fn merge(&mut self, other: Self) {
+        self.flights += other.flights;
+        self.failed += other.failed;
+        self.in_flight.merge(other.in_flight);
+        if let Some((ours, theirs)) = self.smoothed.as_mut().zip(other.smoothed) {
+            ours.merge(theirs);
+        }
+        self.nis.merge(&other.nis);
+        self.frames_with_update += other.frames_with_update;
+        self.accepted += other.accepted;
+        self.refused += other.refused;
+        self.steps += other.steps;
+        self.milliseconds += other.milliseconds;
+        self.smoothing_milliseconds += other.smoothing_milliseconds;
+    }
+
+    /// The lines of the table: in flight, and smoothed if that was asked for.
+    pub fn rows(&self) -> Vec<ComparisonRow> {
+        let row = |errors: &Errors, smoothed: bool| ComparisonRow {
+            contender: self.contender,
+            smoothed,
+            flights: self.flights,
+            failed: self.failed,
+            position_error_m: ErrorFigures::of(errors.distances.clone()),
+            nees: errors.nees.summary_of_runs(self.flights),
+            nis: (!smoothed).then(|| self.nis.summary()).flatten(),
+            frames_with_update: self.frames_with_update,
+            updates_accepted: self.accepted,
+            updates_refused: self.refused,
+            ms_per_step: (if smoothed {
+                self.smoothing_milliseconds
+            } else {
+                self.milliseconds
+            }) / self.steps.max(1) as f64,
+        };
+        let smoothed = self.smoothed.iter().map(|errors| row(errors, true));
+        std::iter::once(row(&self.in_flight, false))
+            .chain(smoothed)
+            .collect()
+    }
+}

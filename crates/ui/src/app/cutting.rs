@@ -1,0 +1,93 @@
+//! Satellite navigation cut out of the flight that is open.
+
+use super::{App, SideTab};
+use crate::command::Workspace;
+use crate::cut::{CutCommand, Cuts};
+use crate::host::Host;
+use crate::jobs::{Cut, CutOrder, Job, JobEvent, JobId};
+
+impl App {
+    /// Does what was asked about cuts.
+    pub(super) fn cut(&mut self, command: &CutCommand, host: &mut dyn Host) {
+        match *command {
+            CutCommand::Show => self.show_cut(),
+            CutCommand::Clear => {
+                self.stop_cutting(host);
+                self.documents.cuts = Cuts::default();
+            }
+            CutCommand::Selected => match self.playback.selected_span {
+                Some((from, to)) => self.begin_cut(host, Cut::Stretch(from, to)),
+                None => self.toasts.note(
+                    host.now(),
+                    "No stretch is selected",
+                    "Hold Shift and drag over a plot or the time line.",
+                ),
+            },
+            CutCommand::Of(from, to) => self.begin_cut(host, Cut::Stretch(from, to)),
+            CutCommand::Study(length) => self.begin_cut(host, Cut::AllAlong(length)),
+        }
+    }
+
+    fn show_cut(&mut self) {
+        self.view.workspace = Workspace::Replay;
+        self.view.side_open = true;
+        self.dialogs.settings = false;
+        self.side_tab = SideTab::Cut;
+    }
+
+    fn begin_cut(&mut self, host: &mut dyn Host, cut: Cut) {
+        if self.documents.flight.is_none() {
+            let text = "Open a flight log first.";
+            self.toasts.note(host.now(), "Nothing to cut", text);
+            return;
+        }
+        self.stop_cutting(host);
+        self.show_cut();
+        let words = match cut {
+            Cut::Stretch(..) => "Navigating without GPS".to_owned(),
+            Cut::AllAlong(length) => format!("Cutting {length:.0} s all along the flight"),
+        };
+        self.documents.cuts.at_work = Some(words);
+        self.documents.cuts.trouble = None;
+        let order = CutOrder {
+            flight: self.documents.flight_source.clone(),
+            cut,
+        };
+        self.desk.cutting = Some(host.start(Job::Cut(Box::new(order))));
+    }
+
+    /// Stops what is computed of a cut; whether something was.
+    pub(super) fn stop_cutting(&mut self, host: &mut dyn Host) -> bool {
+        let job = self.desk.cutting.take();
+        if let Some(job) = job {
+            host.cancel(job);
+            self.documents.cuts.at_work = None;
+        }
+        job.is_some()
+    }
+
+    /// Takes what a worker says of a cut; whether `id` was about one.
+    pub(super) fn cut_event(&mut self, id: JobId, event: &JobEvent) -> bool {
+        if self.desk.cutting != Some(id) {
+            return false;
+        }
+        let cuts = &mut self.documents.cuts;
+        match event {
+            JobEvent::Progress(share, words) => {
+                cuts.at_work = Some(format!("{words}: {:.0} %", 100.0 * share));
+            }
+            JobEvent::CutMade(report) => cuts.report = Some((**report).clone()),
+            JobEvent::CutsStudied(report) => cuts.study = Some((**report).clone()),
+            JobEvent::Failed(why) => cuts.trouble = Some(why.clone()),
+            _ => {}
+        }
+        if matches!(
+            event,
+            JobEvent::Finished | JobEvent::Cancelled | JobEvent::Failed(_)
+        ) {
+            cuts.at_work = None;
+            self.desk.cutting = None;
+        }
+        true
+    }
+}

@@ -1,0 +1,38 @@
+//! Runs and flights beside each other: errors against one of them, on one clock.
+
+mod chart;
+mod panel;
+mod results;
+mod shelf;
+
+pub use panel::CompareView;
+pub use results::{CompareScene, open_tracks};
+pub use shelf::{KeptTrack, Shelf};
+
+/// Which trajectory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum TrackId {
+    /// Where the flight that is open really was.
+    Truth,
+    /// Where its run believes it to be.
+    Run,
+    /// Where dead reckoning alone believes it to be.
+    Unaided,
+    /// The run before the last change.
+    Ghost,
+    /// One that was kept, by its number.
+    Kept(u32),
+}
+
+/// Something to do about trajectories.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CompareCommand {
+    /// Show them.
+    Show,
+    /// Keep one of what is open while other flights are opened and flown.
+    Keep(TrackId),
+    /// Let go of one.
+    Discard(u32),
+    /// Draw one on the map, or not.
+    ToggleShown(u32),
+}

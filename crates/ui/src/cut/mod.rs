@@ -1,0 +1,37 @@
+//! Satellite navigation cut out of a flight: what would have been known of its position all the same.
+
+mod chart;
+mod panel;
+
+pub(crate) use chart::colour;
+pub use panel::{CutScene, cut_panel};
+
+use crate::jobs::{CutReport, StudyReport};
+
+/// Something to do about a cut.
+#[derive(Clone, Debug, PartialEq)]
+pub enum CutCommand {
+    /// Show it.
+    Show,
+    /// Cut satellite navigation out of the selected stretch of time.
+    Selected,
+    /// Cut it out of this stretch, seconds in the flight's time base.
+    Of(f64, f64),
+    /// Cut it again and again, for so many seconds each.
+    Study(f64),
+    /// Let go of the cut.
+    Clear,
+}
+
+/// What came of cuts, until another flight is opened.
+#[derive(Clone, Debug, Default)]
+pub struct Cuts {
+    /// The cut that is shown.
+    pub report: Option<CutReport>,
+    /// Cuts all along the flight.
+    pub study: Option<StudyReport>,
+    /// Why there is none.
+    pub trouble: Option<String>,
+    /// What is being computed, in words.
+    pub at_work: Option<String>,
+}

@@ -1,0 +1,210 @@
+//! Choose a stretch, cut it, and read what would have been known.
+
+use egui::{RichText, Stroke, Ui, vec2};
+
+use super::chart::{colour, growth_chart};
+use super::{CutCommand, Cuts};
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::jobs::{CutReport, StudyReport};
+use crate::shell::text_button;
+use crate::views::{parts, table};
+
+/// Lengths of cuts that are offered, seconds.
+const LENGTHS: [f64; 3] = [30.0, 60.0, 120.0];
+/// Times since the cut at which errors are told, seconds.
+const TOLD: [f64; 2] = [10.0, 30.0];
+
+/// What the view is drawn from.
+pub struct CutScene<'a> {
+    /// What came of cuts.
+    pub cuts: &'a Cuts,
+    /// The selected stretch of time, seconds in the flight's time base.
+    pub selected: Option<(f64, f64)>,
+    /// First time of the log, from which people count.
+    pub first: f64,
+}
+
+/// Draws the view of a cut.
+pub fn cut_panel(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &CutScene<'_>) {
+    let tokens = context.tokens;
+    ui.spacing_mut().item_spacing.y = 0.75 * tokens.space;
+    wrapped(
+        ui,
+        tokens.muted,
+        "What would be known of the position had satellite navigation failed: the program learns from the \
+             flight up to the cut, goes on by airspeed and heading alone, and is compared with the receiver.",
+    );
+    choose(ui, context, scene);
+    if let Some(words) = &scene.cuts.at_work {
+        ui.horizontal(|ui| {
+            ui.add(egui::Spinner::new().size(14.0));
+            ui.label(RichText::new(words).color(tokens.accent));
+            if text_button(ui, tokens, None, "Stop", false).clicked() {
+                context.commands.push(Command::CancelJob);
+            }
+        });
+    }
+    if let Some(trouble) = &scene.cuts.trouble {
+        wrapped(ui, tokens.warning, trouble);
+    }
+    if let Some(report) = &scene.cuts.report {
+        one_cut(ui, context, report, scene.first);
+    }
+    study(ui, context, scene);
+}
+
+fn choose(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &CutScene<'_>) {
+    let tokens = context.tokens;
+    let now = context.time;
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(0.5 * tokens.space, 0.5 * tokens.space);
+        if let Some((from, to)) = scene.selected {
+            let text = format!(
+                "Cut GPS from {} to {}",
+                crate::log::clock(from, scene.first),
+                crate::log::clock(to, scene.first)
+            );
+            if text_button(ui, tokens, None, &text, true).clicked() {
+                context.commands.push(Command::Cut(CutCommand::Selected));
+            }
+        } else {
+            for length in LENGTHS {
+                let text = format!("Cut {length:.0} s from here");
+                if text_button(ui, tokens, None, &text, false).clicked() {
+                    let of = CutCommand::Of(now, now + length);
+                    context.commands.push(Command::Cut(of));
+                }
+            }
+        }
+        if scene.cuts.report.is_some() && text_button(ui, tokens, None, "Clear", false).clicked() {
+            context.commands.push(Command::Cut(CutCommand::Clear));
+        }
+    });
+    if scene.selected.is_none() {
+        let hint = "Or hold Shift and drag over a plot or the time line.";
+        ui.label(
+            RichText::new(hint)
+                .size(tokens.text_sizes[0])
+                .color(tokens.muted),
+        );
+    }
+}
+
+/// A sentence that may take several lines.
+fn wrapped(ui: &mut Ui, colour: egui::Color32, text: &str) {
+    ui.add(egui::Label::new(RichText::new(text).color(colour)).wrap());
+}
+
+/// Numbers and the growth of the error of one cut.
+fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &CutReport, first: f64) {
+    let tokens = context.tokens;
+    let (factor, unit) = context.units.length();
+    ui.add_space(0.5 * tokens.space);
+    let (from, to) = report.span;
+    let title = format!(
+        "No GPS from {} to {} ({:.0} s)",
+        crate::log::clock(from, first),
+        crate::log::clock(to, first),
+        to - from
+    );
+    ui.label(RichText::new(title).color(tokens.text).strong());
+    let small = |text: String| {
+        RichText::new(text)
+            .size(tokens.text_sizes[0])
+            .color(tokens.muted)
+    };
+    let titles: Vec<String> = TOLD
+        .map(|t| format!("{t:.0} s"))
+        .into_iter()
+        .chain(["end".to_owned(), "95 %".to_owned()])
+        .collect();
+    table::row(ui, tokens, &titles, tokens.muted, |ui| {
+        ui.label(small(format!("error, {unit}")));
+    });
+    for (number, result) in report.results.iter().enumerate() {
+        let at = |since: f64| {
+            let reached = result.growth.iter().find(|p| p.since >= since);
+            reached.and_then(|p| p.error)
+        };
+        let end = result.growth.last();
+        let ends = [end.and_then(|p| p.error), end.map(|p| p.radius)];
+        let cells: Vec<String> = (TOLD.map(at).into_iter().chain(ends))
+            .map(|value| value.map_or_else(|| "–".into(), |v| parts::figures(factor * v)))
+            .collect();
+        table::row(ui, tokens, &cells, tokens.text, |ui| {
+            let (rect, _) = ui.allocate_exact_size(vec2(12.0, 12.0), egui::Sense::hover());
+            let stroke = Stroke::new(2.5, colour(tokens, number));
+            let ends = [rect.left_center(), rect.right_center()];
+            ui.painter().line_segment(ends, stroke);
+            let label = RichText::new(&result.label).color(tokens.text);
+            ui.add(egui::Label::new(label).truncate());
+        });
+    }
+    let since = context.time - from;
+    growth_chart(
+        ui,
+        tokens,
+        &report.results,
+        context.units.length(),
+        Some(since),
+    );
+    let caption = "Lines: distance from the receiver's position. Dashes: the radius that should hold it in 95 of \
+                   100 cases.";
+    ui.add(egui::Label::new(small(caption.into())).wrap());
+    for remark in &report.remarks {
+        wrapped(ui, tokens.warning, remark);
+    }
+}
+
+/// Cuts all along the flight.
+fn study(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &CutScene<'_>) {
+    let tokens = context.tokens;
+    ui.add_space(tokens.space);
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = vec2(0.5 * tokens.space, 0.5 * tokens.space);
+        ui.label(RichText::new("All along the flight:").color(tokens.muted));
+        for length in LENGTHS {
+            let name = format!("Cuts of {length:.0} s all along");
+            let on = scene
+                .cuts
+                .study
+                .as_ref()
+                .is_some_and(|s| s.length == length);
+            if parts::chip(ui, tokens, on, &format!("{length:.0} s"), &name).clicked() {
+                let study = CutCommand::Study(length);
+                context.commands.push(Command::Cut(study));
+            }
+        }
+    });
+    let Some(StudyReport { studies, .. }) = &scene.cuts.study else {
+        return;
+    };
+    let cuts = studies.first().map_or(0, |s| s.cuts.len());
+    let (factor, unit) = context.units.length();
+    let small = |text: &str| {
+        RichText::new(text)
+            .size(tokens.text_sizes[0])
+            .color(tokens.muted)
+    };
+    let titles = ["median", "9 of 10", "in 95 %"].map(str::to_owned);
+    table::row(ui, tokens, &titles, tokens.muted, |ui| {
+        ui.label(small(&format!("{cuts} cuts, end error, {unit}")));
+    });
+    for row in studies {
+        let cells = [
+            parts::figures(factor * row.error_quantile(0.5)),
+            parts::figures(factor * row.error_quantile(0.9)),
+            format!("{:.0} %", 100.0 * row.covered()),
+        ];
+        table::row(ui, tokens, &cells, tokens.text, |ui| {
+            let label = RichText::new(&row.label).color(tokens.text);
+            ui.add(egui::Label::new(label).truncate());
+        });
+    }
+    wrapped(
+        ui,
+        tokens.muted,
+        "The 95 % ellipse is honest where it holds the truth in about 95 of 100 cuts.",
+    );
+}

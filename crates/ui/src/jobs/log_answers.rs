@@ -1,0 +1,139 @@
+//! What is asked of a log beside its series: figures and tables of a span of time, from every sample.
+
+use std::rc::Rc;
+
+use pilotage_core::flight::expression::Samples;
+use pilotage_core::flight::{SpanStatistics, SpanTable};
+use serde::{Deserialize, Serialize};
+
+use super::running::slice;
+use super::{Advance, JobEvent, RunningJob, SeriesName, Workshop, whole_bytes};
+
+/// Rows of a table written at a time.
+const ROWS: usize = 4096;
+
+/// Something to find out about a log.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LogOrder {
+    /// Key of the files.
+    pub key: String,
+    /// Name of the log among them.
+    pub file: String,
+    /// Of which series, each with its name for people.
+    pub series: Vec<(SeriesName, String)>,
+    /// From when to when, seconds in the log's time base, both included.
+    pub span: (f64, f64),
+    /// What.
+    pub question: LogQuestion,
+}
+
+/// What to find out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum LogQuestion {
+    /// Figures of each series: answers `Statistics`, one by one.
+    Statistics,
+    /// A table of comma-separated values: answer `Table`.
+    Table,
+}
+
+/// What was found out.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum LogAnswer {
+    /// Figures of a series: none if it has no number in the span, or why there is no such series.
+    Statistics(SeriesName, Result<Option<SpanStatistics>, String>),
+    /// A table.
+    Table {
+        /// Comma-separated values with a heading.
+        #[serde(with = "whole_bytes")]
+        text: Vec<u8>,
+        /// Why series are not in it, of those that are not.
+        lacks: Vec<String>,
+    },
+}
+
+/// A log that is looked through: events `LogAnswer`.
+pub struct AnswerLog {
+    order: LogOrder,
+    /// Series looked at.
+    next: usize,
+    columns: Vec<(String, Rc<Samples>)>,
+    lacks: Vec<String>,
+    table: Option<(SpanTable<Rc<Samples>>, String)>,
+}
+
+impl AnswerLog {
+    /// Nothing found out yet.
+    pub fn new(order: LogOrder) -> Self {
+        Self {
+            order,
+            next: 0,
+            columns: Vec::new(),
+            lacks: Vec::new(),
+            table: None,
+        }
+    }
+
+    /// Looks at the next series; whether there was one.
+    fn look(
+        &mut self,
+        workshop: &mut Workshop,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Result<bool, String> {
+        let LogOrder { key, file, .. } = &self.order;
+        let Some((series, name)) = self.order.series.get(self.next) else {
+            return Ok(false);
+        };
+        self.next += 1;
+        let samples = workshop.samples(key, file, series)?;
+        match (self.order.question, samples) {
+            (LogQuestion::Statistics, samples) => {
+                let span = self.order.span;
+                let found = samples.map(|samples| SpanStatistics::of(&samples, span));
+                let answer = LogAnswer::Statistics(series.clone(), found);
+                emit(JobEvent::LogAnswer(Box::new(answer)));
+            }
+            (LogQuestion::Table, Ok(samples)) => self.columns.push((name.clone(), samples)),
+            (LogQuestion::Table, Err(why)) => self.lacks.push(why),
+        }
+        Ok(true)
+    }
+
+    /// Writes rows for a slice of time; whether there are more.
+    fn write(&mut self, clock: &dyn Fn() -> f64, emit: &mut dyn FnMut(JobEvent)) -> bool {
+        let (columns, span) = (&mut self.columns, self.order.span);
+        let (table, text) = self.table.get_or_insert_with(|| {
+            let table = SpanTable::new(std::mem::take(columns), span);
+            let heading = table.heading();
+            (table, heading)
+        });
+        if slice(clock, || table.write(ROWS, text)) {
+            let words = "Writing the table".to_owned();
+            emit(JobEvent::Progress(table.progress(), words));
+            return true;
+        }
+        let answer = LogAnswer::Table {
+            text: std::mem::take(text).into_bytes(),
+            lacks: std::mem::take(&mut self.lacks),
+        };
+        emit(JobEvent::LogAnswer(Box::new(answer)));
+        false
+    }
+}
+
+impl RunningJob for AnswerLog {
+    fn advance(
+        &mut self,
+        workshop: &mut Workshop,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Result<Advance, String> {
+        if self.look(workshop, emit)? {
+            return Ok(Advance::More);
+        }
+        if self.order.question == LogQuestion::Table && self.write(clock, emit) {
+            return Ok(Advance::More);
+        }
+        emit(JobEvent::Finished);
+        Ok(Advance::Done)
+    }
+}

@@ -1,0 +1,166 @@
+//! Satellite navigation cut out of a flight, in a worker.
+
+use pilotage_core::instruments::{
+    CutPlan, CutStudy, Growth, Instruments, ReckonSettings, Reckoning, Track, Way, reckon,
+    study_cuts,
+};
+use serde::{Deserialize, Serialize};
+
+use super::{Advance, FlightSource, JobEvent, RunningJob, Workshop};
+
+/// What to cut.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Cut {
+    /// One stretch, seconds in the flight's time base.
+    Stretch(f64, f64),
+    /// Stretches of so many seconds, all along the time in the air.
+    AllAlong(f64),
+}
+
+/// A cut to be made.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CutOrder {
+    /// The flight.
+    pub flight: FlightSource,
+    /// What to cut.
+    pub cut: Cut,
+}
+
+/// One way to navigate through the cut.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct AidedResult {
+    /// What it is called.
+    pub label: String,
+    /// Error and doubt against the time since the cut.
+    pub growth: Vec<Growth>,
+    /// Estimated places: seconds in the flight's time base, metres north and east.
+    pub places: Vec<[f64; 3]>,
+}
+
+/// What came of a cut.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CutReport {
+    /// The stretch, seconds in the flight's time base.
+    pub span: (f64, f64),
+    /// Each way to navigate.
+    pub results: Vec<AidedResult>,
+    /// What the program noticed, in sentences.
+    pub remarks: Vec<String>,
+}
+
+/// What came of cuts all along a flight.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StudyReport {
+    /// How long each was, seconds.
+    pub length: f64,
+    /// Each way to navigate.
+    pub studies: Vec<CutStudy>,
+}
+
+/// The ways that are shown side by side.
+fn ways(with_gps: bool) -> Vec<Way> {
+    let mut ways = vec![Way::air_and_wind(), Way::by_gyros(), Way::plain()];
+    if with_gps {
+        ways.push(Way::gps_throughout());
+    }
+    ways
+}
+
+/// A cut that is being made: events `Progress`, at the end `CutMade` or `CutsStudied`. Of cuts all along the flight
+/// one way to navigate is a slice.
+pub struct MakeCut {
+    order: CutOrder,
+    instruments: Option<Instruments>,
+    studies: Vec<CutStudy>,
+}
+
+impl MakeCut {
+    /// Nothing done yet.
+    pub fn new(order: CutOrder) -> Self {
+        Self {
+            order,
+            instruments: None,
+            studies: Vec::new(),
+        }
+    }
+}
+
+/// All ways through one cut.
+fn report(span: (f64, f64), made: Reckoning) -> CutReport {
+    let mut remarks: Vec<String> = Vec::new();
+    let of_ways = made.tracks.iter().flat_map(|t| &t.findings);
+    for finding in made.findings.iter().chain(of_ways) {
+        let words = format!("{}. {}", finding.title, finding.text);
+        if !remarks.contains(&words) {
+            remarks.push(words);
+        }
+    }
+    let result = |track: Track| {
+        let inside = track.points.iter();
+        let inside = inside.filter(|p| (span.0..=span.1).contains(&p.time));
+        AidedResult {
+            growth: track.growth(span),
+            places: inside
+                .map(|p| [p.time, p.position.north, p.position.east])
+                .collect(),
+            label: track.label,
+        }
+    };
+    CutReport {
+        span,
+        results: made.tracks.into_iter().map(result).collect(),
+        remarks,
+    }
+}
+
+impl RunningJob for MakeCut {
+    fn advance(
+        &mut self,
+        workshop: &mut Workshop,
+        _clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Result<Advance, String> {
+        let Some(instruments) = &self.instruments else {
+            let flight = workshop.flight(&self.order.flight)?;
+            let flight = flight.borrow().flight.clone();
+            let time = match self.order.cut {
+                Cut::Stretch(from, _) => Some(from),
+                Cut::AllAlong(_) => None,
+            };
+            let found = Instruments::of(&flight, time).map_err(|cause| cause.to_string())?;
+            self.instruments = Some(found);
+            return Ok(Advance::More);
+        };
+        let settings = ReckonSettings::default();
+        let mut tell = |share: f64, words: &str| {
+            emit(JobEvent::Progress(share as f32, words.to_owned()));
+            true
+        };
+        let made = match self.order.cut {
+            Cut::Stretch(from, to) => {
+                let span = (from, to);
+                let goes_on = |share| tell(share, "Navigating without GPS");
+                let made = reckon(instruments, span, &ways(true), &settings, goes_on);
+                let made = made.map_err(|cause| cause.to_string())?;
+                JobEvent::CutMade(Box::new(report(span, made)))
+            }
+            Cut::AllAlong(length) => {
+                if let Some(way) = ways(false).get(self.studies.len()) {
+                    let plan = CutPlan {
+                        length,
+                        ..CutPlan::default()
+                    };
+                    let mut goes_on = |share| tell(share, &way.label);
+                    let study = study_cuts(instruments, way, &plan, &settings, &mut goes_on);
+                    self.studies.push(study.map_err(|cause| cause.to_string())?);
+                    return Ok(Advance::More);
+                }
+                let studies = std::mem::take(&mut self.studies);
+                JobEvent::CutsStudied(Box::new(StudyReport { length, studies }))
+            }
+        };
+        emit(made);
+        emit(JobEvent::Finished);
+        Ok(Advance::Done)
+    }
+}

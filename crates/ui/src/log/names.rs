@@ -1,0 +1,31 @@
+//! The names of a log's series, as expressions write them.
+
+use super::OpenLog;
+
+/// A series by name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Named {
+    /// Its name: `ATT.Roll`, `Ground speed`.
+    pub name: String,
+    /// Its unit, or empty.
+    pub unit: String,
+}
+
+/// Every series of a log: what it means first, then every field of numbers.
+pub(super) fn names(log: &OpenLog) -> Vec<Named> {
+    let sensors = log.overview.iter().flat_map(|overview| &overview.sensors);
+    let mut names: Vec<Named> = sensors
+        .map(|sensor| Named {
+            name: sensor.role.label().to_owned(),
+            unit: sensor.role.unit().0.to_owned(),
+        })
+        .collect();
+    for topic in log.outline.iter().flat_map(|outline| &outline.topics) {
+        let numbers = topic.fields.iter().filter(|field| field.is_number);
+        names.extend(numbers.map(|field| Named {
+            name: format!("{}.{}", topic.name, field.name),
+            unit: field.unit.clone(),
+        }));
+    }
+    names
+}

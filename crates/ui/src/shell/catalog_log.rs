@@ -1,0 +1,47 @@
+//! What is known of the commands about the open log.
+
+use egui::Key;
+
+use super::catalog::{Entry, Group, entry, shift};
+use crate::command::Command;
+use crate::log::LogCommand::{self, ShowPreset};
+use crate::log::{LogTab, Preset};
+
+/// The part of the table that is about the open log.
+pub(super) fn log() -> Vec<Entry> {
+    let of =
+        |label, shortcuts, command| entry(Group::View, label, shortcuts, Command::Log(command));
+    vec![
+        of("Show the flight log", vec![shift(Key::L)], LogCommand::Show),
+        of(
+            "Fields of the log, expressions over them",
+            vec![shift(Key::X)],
+            LogCommand::ShowTab(LogTab::Fields),
+        ),
+        of(
+            "Statistics of the selected time",
+            vec![shift(Key::S)],
+            LogCommand::ShowTab(LogTab::Statistics),
+        ),
+        of("Plot the attitude", vec![], ShowPreset(Preset::Attitude)),
+        of(
+            "Plot speeds and wind",
+            vec![],
+            ShowPreset(Preset::SpeedsAndWind),
+        ),
+        of("Plot the heights", vec![], ShowPreset(Preset::Height)),
+        of(
+            "Plot the navigation",
+            vec![],
+            ShowPreset(Preset::Navigation),
+        ),
+        of("Plot the vibration", vec![], ShowPreset(Preset::Vibration)),
+        of(
+            "Save the plotted fields as CSV",
+            vec![],
+            LogCommand::SaveTable,
+        ),
+        of("Save the plots as SVG", vec![], LogCommand::SaveSvg),
+        of("Save the plots as PNG", vec![], LogCommand::SavePng),
+    ]
+}

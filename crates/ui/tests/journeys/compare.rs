@@ -1,0 +1,87 @@
+//! Runs and flights are kept, and compared with each other.
+
+use egui_kittest::kittest::Queryable as _;
+use serde_json::Value;
+
+use super::support::{Rig, rig};
+
+fn errors(rig: &Rig) -> Vec<(String, Option<f64>)> {
+    let state = rig.state();
+    let rows = state["compare"]["errors"].as_array().expect("rows").iter();
+    let row = |row: &Value| {
+        let name = row["name"].as_str().unwrap_or_default().to_owned();
+        (name, row["rms"].as_f64())
+    };
+    rows.map(row).collect()
+}
+
+fn names(rig: &Rig) -> Vec<String> {
+    errors(rig).into_iter().map(|e| e.0).collect()
+}
+
+fn rig_with_a_kept_run() -> Rig {
+    let mut rig = rig();
+    rig.open_tab("Compare");
+    rig.harness.get_by_label("Keep this run").click();
+    rig.frames(3);
+    rig
+}
+
+#[test]
+fn the_run_is_compared_with_the_truth() {
+    let mut rig = rig();
+    rig.open_tab("Compare");
+    let errors = errors(&rig);
+    assert_eq!(errors[0], ("Truth".to_owned(), None));
+    assert_eq!(errors[1].0, "This run");
+    assert!(errors[1].1 > Some(0.0), "{errors:?}");
+}
+
+#[test]
+fn another_trajectory_can_be_what_all_are_compared_with() {
+    let mut rig = rig_with_a_kept_run();
+    let kept = names(&rig).pop().expect("a kept run");
+    let label = format!("Compare with {kept}");
+    rig.harness.get_by_label(&label).click();
+    rig.frames(3);
+    let errors = errors(&rig);
+    assert_eq!(errors.last(), Some(&(kept, None)));
+    let same = errors.iter().find(|e| e.0 == "This run");
+    assert_eq!(same.and_then(|e| e.1), Some(0.0), "{errors:?}");
+}
+
+#[test]
+fn a_kept_run_stays_when_another_flight_is_flown_and_goes_when_it_is_let_go() {
+    let mut rig = rig_with_a_kept_run();
+    let kept = names(&rig).pop().expect("a kept run");
+    rig.harness.get_by_label("Simulate…").click();
+    rig.frames(8);
+    rig.harness.get_by_label("Fly").click();
+    rig.settle();
+    assert_eq!(names(&rig).last(), Some(&kept));
+    rig.harness
+        .get_by_label(&format!("Let go of {kept}"))
+        .click();
+    rig.frames(3);
+    assert!(!names(&rig).contains(&kept));
+}
+
+#[test]
+fn a_kept_run_is_hidden_on_the_map() {
+    let mut rig = rig_with_a_kept_run();
+    let kept = names(&rig).pop().expect("a kept run");
+    rig.harness
+        .get_by_label(&format!("{kept} on the map"))
+        .click();
+    rig.frames(3);
+    assert_eq!(rig.state()["compare"]["kept"][0]["shown"], false);
+}
+
+#[test]
+fn the_column_keeps_its_width() {
+    let mut rig = rig_with_a_kept_run();
+    let left = |rig: &Rig| rig.harness.get_by_label("Keep this run").rect().left();
+    let before = left(&rig);
+    rig.frames(10);
+    assert_eq!(left(&rig), before);
+}

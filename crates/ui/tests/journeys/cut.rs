@@ -1,0 +1,87 @@
+//! Satellite navigation is cut out of a recorded flight.
+
+use std::fmt::Write as _;
+
+use egui_kittest::kittest::Queryable as _;
+use pilotage_ui::host::OpenedFile;
+
+use super::support::{Rig, rig};
+
+/// Rounds at 20 m/s through the air in a wind of 5 m/s from the west, three minutes long, as a text log.
+fn rounds() -> Vec<u8> {
+    let mut log = String::from(
+        "FMT, 128, 89, FMT, BBnNZ, Type,Length,Name,Format,Columns\n\
+         FMT, 1, 23, ATT, Qfff, TimeUS,Roll,Pitch,Yaw\n\
+         FMT, 2, 27, GPS, QBLLfff, TimeUS,Status,Lat,Lng,Alt,Spd,GCrs\n\
+         FMT, 3, 27, ARSP, Qf, TimeUS,Airspeed\n",
+    );
+    let (mut north, mut east) = (0.0_f64, 0.0_f64);
+    for i in 0..1800_u32 {
+        let time = 0.1 * f64::from(i);
+        let heading = 0.09 * time;
+        let (vn, ve) = (20.0 * heading.cos(), 20.0 * heading.sin() + 5.0);
+        (north, east) = (north + 0.1 * vn, east + 0.1 * ve);
+        let stamp = 1_000_000 + 100_000 * i;
+        let yaw = heading.to_degrees().rem_euclid(360.0);
+        let latitude = 47.0 + north / 111_170.0;
+        let longitude = 8.0 + east / 76_050.0;
+        let (speed, course) = (vn.hypot(ve), ve.atan2(vn).to_degrees().rem_euclid(360.0));
+        writeln!(log, "ATT, {stamp}, 0, 0, {yaw:.4}").expect("memory");
+        writeln!(log, "ARSP, {stamp}, 20").expect("memory");
+        writeln!(
+            log,
+            "GPS, {stamp}, 3, {latitude:.8}, {longitude:.8}, 600, {speed:.4}, {course:.4}"
+        )
+        .expect("memory");
+    }
+    log.into_bytes()
+}
+
+fn rig_with_rounds() -> Rig {
+    let mut rig = rig();
+    rig.host().really_open = true;
+    rig.host().opened.push(vec![OpenedFile {
+        path: "rounds.log".to_owned(),
+        content: rounds().into(),
+    }]);
+    rig.settle();
+    rig.open_tab("GPS cut");
+    rig
+}
+
+#[test]
+fn a_cut_from_the_cursor_says_how_the_error_grows() {
+    let mut rig = rig_with_rounds();
+    let strip = rig.rect("/timeline");
+    let middle = strip.center();
+    rig.drag(middle - egui::vec2(20.0, 0.0), middle);
+    rig.harness.get_by_label("Cut 30 s from here").click();
+    rig.settle();
+    let state = rig.state();
+    let results = state["cut"]["results"].as_array().expect("results");
+    assert!(results.len() >= 3, "{}", state["cut"]);
+    let alone = &results[0];
+    assert_eq!(alone["label"], "Airspeed and wind");
+    assert!(alone["end_error"].as_f64() < Some(15.0), "{alone}");
+    assert!(
+        alone["radius"].as_f64() > alone["end_error"].as_f64(),
+        "{alone}"
+    );
+    rig.harness.get_by_label("Clear").click();
+    rig.frames(3);
+    assert!(rig.state()["cut"].is_null());
+}
+
+#[test]
+fn the_selected_stretch_is_cut() {
+    let mut rig = rig_with_rounds();
+    let strip = rig.rect("/timeline");
+    let at = |share: f32| egui::pos2(strip.left() + share * strip.width(), strip.center().y);
+    rig.drag_with(egui::Modifiers::SHIFT, at(0.4), at(0.6));
+    rig.frames(3);
+    let selected = rig.state()["selected"].clone();
+    rig.harness.get_by_label_contains("Cut GPS from").click();
+    rig.settle();
+    assert!(selected.is_array());
+    assert_eq!(rig.state()["cut"]["span"], selected);
+}

@@ -1,0 +1,30 @@
+// A run is kept, another flight is flown, and both are compared from take-off on.
+export const name = "a kept run is compared with the run of another flight, on the map and in numbers";
+
+export async function run(page, tools) {
+  await tools.waitReady();
+  await tools.waitFor((s) => s.run_complete, "the demo to be flown", 150_000);
+  await page.keyboard.press("Shift+C");
+  await tools.waitFor((s) => s.side_tab === "Compare", "the comparison");
+  const rows = (s) => s.compare.errors;
+  const first = await tools.waitFor((s) => rows(s).some((r) => r.name === "This run" && r.rms > 0), "errors of the run");
+  const own = rows(first).find((r) => r.name === "This run");
+  await tools.click(await tools.find(null, "Keep this run"));
+  const kept = await tools.waitFor((s) => s.compare.kept.length === 1, "the run to be kept");
+  const name = kept.compare.kept[0].name;
+
+  await tools.click(await tools.find(null, "Simulate…"));
+  await tools.click(await tools.find(null, "Fly"));
+  await tools.waitFor((s) => s.run_generation > kept.run_generation && s.run_complete, "another flight", 150_000);
+  await tools.click(await tools.find(null, "Times: From take-off"));
+  const both = await tools.waitFor((s) => rows(s).find((r) => r.name === name)?.rms != null, "the kept run among the rows");
+  const again = rows(both).find((r) => r.name === name);
+  console.log(`        ${name}: ${own.rms.toFixed(2)} m RMS of its own truth, ${again.rms.toFixed(1)} m of the other flight's`);
+  await page.waitForTimeout(500);
+  await tools.screenshot("compare");
+
+  await tools.click(await tools.find(null, `Compare with ${name}`));
+  await tools.waitFor((s) => rows(s).find((r) => r.name === name)?.rms === null, "the kept run as the reference");
+  await tools.click(await tools.find(null, `Let go of ${name}`));
+  await tools.waitFor((s) => s.compare.kept.length === 0, "the kept run to go");
+}

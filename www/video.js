@@ -1,0 +1,66 @@
+// Frames of a film, taken by the browser's own decoder: JPEG files and a table of their times.
+
+const FILM = /\.(mp4|m4v|mov|webm|mkv)$/i;
+/** Seconds between two frames, and how many frames are taken of a film at most. */
+const INTERVAL = 0.5, MOST = 1200;
+/** Milliseconds to wait for a frame before the film counts as unreadable. */
+const PATIENCE = 20_000;
+
+export const isFilm = (path) => FILM.test(path);
+
+/** Waits for an event of the film, or throws what went wrong with it. */
+function next(film, event) {
+  return new Promise((resolve, reject) => {
+    const end = (act) => (value) => { clearTimeout(timer); film.onerror = null; act(value); };
+    const refuse = end(() => reject(new Error(film.error?.message || "this browser has no decoder for it")));
+    const timer = setTimeout(refuse, PATIENCE);
+    film.addEventListener(event, end(resolve), { once: true });
+    film.onerror = refuse;
+  });
+}
+
+/** A line above the page that tells how far it is, with a button that ends it. */
+function progress(name) {
+  const line = document.getElementById("film");
+  const stop = line.querySelector("button");
+  const told = { isStopped: false, tell(text) { line.querySelector("span").textContent = `${name}: ${text}`; }, end() { line.hidden = true; } };
+  stop.onclick = () => { told.isStopped = true; };
+  line.hidden = false;
+  return told;
+}
+
+/** [path, bytes] of the frames of a film and of `frames.csv` beside them; what was taken before a stop stays. */
+export async function framesOf(path, file) {
+  const told = progress(path);
+  const film = document.createElement("video");
+  const address = URL.createObjectURL(file);
+  try {
+    Object.assign(film, { muted: true, preload: "auto", src: address });
+    await next(film, "loadeddata");
+    if (!Number.isFinite(film.duration)) { // a recording whose head does not say how long it is
+      film.currentTime = 1e9;
+      await next(film, "seeked");
+    }
+    const step = Math.max(INTERVAL, film.duration / MOST);
+    const canvas = new OffscreenCanvas(film.videoWidth, film.videoHeight);
+    const context = canvas.getContext("2d");
+    const found = [];
+    let table = "time,file\n";
+    for (let i = 0; i * step < film.duration && !told.isStopped; i += 1) {
+      told.tell(`frame ${i + 1} of ${Math.ceil(film.duration / step)}`);
+      film.currentTime = i * step;
+      await next(film, "seeked");
+      context.drawImage(film, 0, 0);
+      const picture = await canvas.convertToBlob({ type: "image/jpeg", quality: 0.92 });
+      const frame = `frame-${String(i).padStart(5, "0")}.jpg`;
+      found.push([`${path}.frames/${frame}`, new Uint8Array(await picture.arrayBuffer())]);
+      table += `${film.currentTime.toFixed(3)},${frame}\n`;
+    }
+    found.push([`${path}.frames/frames.csv`, new TextEncoder().encode(table)]);
+    return found;
+  } finally {
+    told.end();
+    URL.revokeObjectURL(address);
+    film.removeAttribute("src");
+  }
+}
