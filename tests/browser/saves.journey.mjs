@@ -26,7 +26,10 @@ export async function run(page, tools) {
     for await (const name of (await root.getDirectoryHandle("documents")).keys()) names.push(name);
     return names;
   });
+  // How the page was left is stored as well, and may come first.
+  for (let i = 0; i < 120 && !(await files()).includes("session"); i += 1) await page.waitForTimeout(250);
   tools.check((await files()).includes("session"), `the session is no file of its own: ${await files()}`);
+  await idle(page);
 
   // A full disk: what was stored before stays, and once there is room again the edit is stored too.
   await page.evaluate(() => {

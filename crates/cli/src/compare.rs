@@ -122,7 +122,14 @@ impl Sight<'_> {
             let mut tally = Tally::new(contender, self.arguments.smooth);
             let settings = contender.settings(&base, seed);
             let map = Arc::clone(&self.map);
-            match navigate(flight, &self.mission, map, &settings, &mut frames(), true) {
+            match navigate(
+                flight,
+                &self.mission.landmarks,
+                map,
+                &settings,
+                &mut frames(),
+                true,
+            ) {
                 Ok(run) => tally
                     .add(flight, &run, &stopwatch)
                     .map_err(|e| e.to_string())?,

@@ -79,6 +79,13 @@ fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), S
         "score" => settings.detector.least_score = number()?,
         "ambiguity" => settings.detector.greatest_ambiguity = number()?,
         "start" => settings.start.position = number()?,
+        "whole-frames" => {
+            settings.whole_frames = switch()?.then(|| settings.whole_frames.unwrap_or_default());
+        }
+        "frame-height" => {
+            let frames = settings.whole_frames.get_or_insert_default();
+            frames.height = number()?;
+        }
         "start-wind" => settings.start.wind = number()?,
         _ => return Err(format!("--filter: there is no setting \"{key}\"")),
     }
@@ -95,6 +102,10 @@ mod tests {
         apply(&mut settings, "alpha=0.5, vehicle=random-walk").unwrap();
         assert_eq!(settings.alpha, 0.5);
         assert_eq!(settings.vehicle, VehicleChoice::RandomWalk);
+        apply(&mut settings, "frame-height=45").unwrap();
+        assert_eq!(settings.whole_frames.unwrap().height, 45.0);
+        apply(&mut settings, "whole-frames=false").unwrap();
+        assert!(settings.whole_frames.is_none());
         assert!(
             apply(&mut settings, "alhpa=1")
                 .unwrap_err()

@@ -1,5 +1,6 @@
 //! `pilotage`: the jobs of the app without a screen.
 
+mod align;
 mod bench;
 mod compare;
 mod convert;
@@ -40,6 +41,8 @@ enum Job {
     Replay(replay::Arguments),
     /// The same flights by several estimators and vehicle models, in one table.
     Compare(compare::Arguments),
+    /// Put a camera in time and place beside a log: clock, mount and focal length, from the pictures.
+    Align(align::Arguments),
     /// Suggest landmarks, predict the uncertainty along a route.
     Plan(Box<plan::Arguments>),
     /// Train a detector for each landmark from the map alone.
@@ -70,6 +73,7 @@ fn main() -> ExitCode {
         Job::Simulate(arguments) => simulate::run(&arguments),
         Job::Replay(arguments) => replay::run(&arguments),
         Job::Compare(arguments) => compare::run(&arguments),
+        Job::Align(arguments) => align::run(&arguments),
         Job::Plan(arguments) => plan::run(&arguments),
         Job::Train(arguments) => train::run(&arguments),
         Job::Evaluate(arguments) => evaluate::run(&arguments),

@@ -7,8 +7,12 @@ use std::time::Instant;
 
 use pilotage_core::flight::{Flight, FrameSource, read_flight};
 use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Mission;
-use pilotage_core::navigator::{Navigator, NavigatorSettings, Run, Summary, summarize};
+use pilotage_core::navigator::{
+    Navigator, NavigatorSettings, Run, Summary, VehicleChoice, summarize,
+};
+use pilotage_core::registration::FollowSettings;
 use pilotage_core::simulate::{Overrides, Scenario};
 use serde::Serialize;
 
@@ -37,11 +41,11 @@ pub struct Arguments {
     /// Day on which the camera sees the ground.
     #[arg(long, value_enum, default_value_t = Day::Other)]
     day: Day,
-    /// Mission file (GeoJSON).
+    /// Mission file (GeoJSON); a flight without one is navigated by whole frames alone.
     #[arg(long)]
     mission: Option<PathBuf>,
     /// Flight folder, or its flight.json.
-    #[arg(long, requires_all = ["mission", "map"])]
+    #[arg(long, requires = "map")]
     flight: Option<PathBuf>,
     /// Map picture with its georeference beside it.
     #[arg(long)]
@@ -74,30 +78,42 @@ pub fn run(arguments: &Arguments) -> Outcome {
     if let Some(name) = &arguments.scenario {
         return replay_scenario(&scenario(name)?, arguments);
     }
-    let (Some(mission), Some(flight), Some(map)) =
-        (&arguments.mission, &arguments.flight, &arguments.map)
-    else {
-        return Err("say --scenario NAME, or --mission FILE --flight DIR --map FILE".into());
+    let (Some(flight), Some(map)) = (&arguments.flight, &arguments.map) else {
+        return Err("say --scenario NAME, or --flight DIR --map FILE".into());
     };
-    let mission = OpenMission::read(mission)?.package.mission;
+    let (landmarks, mut settings) = match &arguments.mission {
+        Some(path) => {
+            let mission = OpenMission::read(path)?.package.mission;
+            (mission.landmarks, mission.navigator)
+        }
+        None => (Vec::new(), by_whole_frames()),
+    };
     let folder = read_flight(Arc::new(Directory::open(flight)?))?;
     for note in &folder.notes {
         eprintln!("note: {note}");
     }
-    let mut settings = mission.navigator.clone();
     crate::filter_options::apply(&mut settings, &arguments.filter)?;
     let imagery = open_map(map, folder.flight.frame_on_globe, MAP_CACHE)?;
     let mut frames = folder.frames;
     let flight = Arc::new(folder.flight);
-    let run = navigate(&flight, &mission, imagery, &settings, &mut frames, false)?;
+    let run = navigate(&flight, &landmarks, imagery, &settings, &mut frames, false)?;
     let summary = summarize(&flight, &run, None);
     report(arguments, &flight, &run, &summary)
+}
+
+/// Settings for a flight of which no mission is known: nothing but its pictures and the map.
+pub fn by_whole_frames() -> NavigatorSettings {
+    NavigatorSettings {
+        vehicle: VehicleChoice::ConstantVelocity,
+        whole_frames: Some(FollowSettings::default()),
+        ..NavigatorSettings::default()
+    }
 }
 
 /// Navigates a flight to its end; a `sparing` one takes no pictures in which nothing may lie.
 pub fn navigate(
     flight: &Arc<Flight>,
-    mission: &Mission,
+    landmarks: &[Landmark],
     map: Arc<dyn Imagery>,
     settings: &NavigatorSettings,
     frames: &mut dyn FrameSource,
@@ -105,7 +121,7 @@ pub fn navigate(
 ) -> Result<Run, Box<dyn std::error::Error>> {
     let begun = Instant::now();
     let stopwatch = || begun.elapsed().as_secs_f64() * 1e3;
-    let mut navigator = Navigator::new(Arc::clone(flight), &mission.landmarks, map, settings)?;
+    let mut navigator = Navigator::new(Arc::clone(flight), landmarks, map, settings)?;
     if sparing {
         navigator = navigator.sparing();
     }
@@ -149,7 +165,7 @@ fn replay_scenario(scenario: &Scenario, arguments: &Arguments) -> Outcome {
         let map = Arc::clone(&ground.map);
         let run = navigate(
             &flight,
-            &ground.mission,
+            &ground.mission.landmarks,
             map,
             &settings,
             &mut frames,

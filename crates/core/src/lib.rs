@@ -4,6 +4,7 @@
 //! Modules are listed from the bottom up; a lower one never imports a higher one, and none of them
 //! reaches a screen, a clock, a file system or a thread. `cargo xtask test` checks both.
 
+pub mod alignment;
 pub mod camera;
 pub mod exchange;
 pub mod filter;

@@ -7,7 +7,7 @@ use super::{
 };
 
 /// The folders of `crates/core/src` from the bottom up.
-pub const ORDER: [&str; 17] = [
+pub const ORDER: [&str; 18] = [
     "frames",
     "raster",
     "camera",
@@ -19,6 +19,7 @@ pub const ORDER: [&str; 17] = [
     "flight",
     "instruments",
     "navigator",
+    "alignment",
     "mission",
     "exchange",
     "simulate",

@@ -73,6 +73,20 @@ impl CameraModel {
         }
     }
 
+    /// The camera of pictures that were stored turned by `turn`, radians clockwise: the mount stays as it is,
+    /// and the picture turns about the camera's own axis.
+    #[must_use]
+    pub fn stored_turned(&self, turn: f64) -> Self {
+        let mount = &self.mount;
+        let mounted = Rotation3::from_euler_angles(mount.roll, mount.pitch, mount.yaw)
+            * Rotation3::from_euler_angles(0.0, 0.0, turn);
+        let (roll, pitch, yaw) = mounted.euler_angles();
+        Self {
+            mount: Mount { roll, pitch, yaw },
+            ..self.clone()
+        }
+    }
+
     /// Rotation that takes body vectors to camera vectors.
     ///
     /// DeAngelo 2016, eq 37, with the mount angles before it; a mount pitch is his rotation of a

@@ -61,9 +61,10 @@ impl Flight {
     /// The camera as it took frame `index`: a picture stored turned is one from a turned mount. The camera
     /// as it is if there is no such frame.
     pub fn camera_of_frame(&self, index: usize) -> CameraModel {
-        let mut camera = self.camera.clone();
-        camera.mount.yaw += self.frames.get(index).map_or(0.0, |f| f.stored_turn);
-        camera
+        match self.frames.get(index) {
+            Some(frame) if frame.stored_turn != 0.0 => self.camera.stored_turned(frame.stored_turn),
+            _ => self.camera.clone(),
+        }
     }
 
     /// First and last time at which anything was measured, seconds.

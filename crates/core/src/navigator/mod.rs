@@ -17,6 +17,7 @@ mod see;
 mod settings;
 mod smooth;
 mod summary;
+mod whole_frames;
 
 pub use crate::landmark::Refusal;
 pub use bound::position_bound;
@@ -26,8 +27,8 @@ pub use explain::{explain, explain_cascade};
 pub(crate) use pipeline::PYRAMID_LEVELS;
 pub use pipeline::{Navigator, NavigatorError};
 pub use report::{
-    CandidateReport, Control, Estimate, FrameReport, JointReport, Outcome, SigmaSets, StepReport,
-    StepTiming,
+    CandidateReport, Control, Estimate, FrameReport, JointReport, LaidPlace, LaidReport, Outcome,
+    SigmaSets, StepReport, StepTiming,
 };
 pub use run::Run;
 pub use run_file::{RunFileError, decode_run, encode_run};

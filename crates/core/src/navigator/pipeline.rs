@@ -8,6 +8,7 @@ use super::engine::{Engine, engine};
 use super::expected::AppearanceModel;
 use super::second_opinion::{Opinion, SecondOpinion, reconsider};
 use super::see::{Measurement, Seer, degrees, stack};
+use super::whole_frames::WholeFrames;
 use super::{
     CandidateReport, Control, FrameReport, JointReport, NavigatorSettings, Outcome, Run, SigmaSets,
     StepReport, StepTiming,
@@ -64,6 +65,7 @@ pub struct Navigator {
     engine: Box<dyn Engine>,
     second: Option<SecondOpinion>,
     detector: Box<dyn Detector>,
+    whole_frames: Option<WholeFrames>,
     ticks: Vec<Tick>,
     next: usize,
     time: f64,
@@ -80,22 +82,36 @@ impl Navigator {
         map: Arc<dyn Imagery>,
         settings: &NavigatorSettings,
     ) -> Result<Self, NavigatorError> {
-        let detector = Box::new(ChosenDetector::new(map, settings.detector, landmarks));
-        Self::with_detector(flight, landmarks, detector, settings)
+        let detector = ChosenDetector::new(Arc::clone(&map), settings.detector, landmarks);
+        let mut navigator = Self::with_detector(flight, landmarks, Box::new(detector), settings)?;
+        navigator.whole_frames = settings
+            .whole_frames
+            .map(|assumed| WholeFrames::new(map, assumed));
+        Ok(navigator)
     }
 
-    /// As [`Navigator::new`], with another detector.
+    /// As [`Navigator::new`], with another detector and without a map on which whole frames could be laid.
     pub fn with_detector(
         flight: Arc<Flight>,
         landmarks: &[Landmark],
         detector: Box<dyn Detector>,
         settings: &NavigatorSettings,
     ) -> Result<Self, NavigatorError> {
-        for (name, remedy) in [
-            (ChannelName::Heading, "add a heading channel"),
-            (ChannelName::HeightAboveGround, "add a height channel"),
+        let is_found_by_frames = settings.whole_frames.is_some();
+        for (name, remedy, is_needed) in [
+            (
+                ChannelName::Heading,
+                "add a heading channel, or lay whole frames on the map by a vehicle model without airspeed",
+                settings.vehicle.needs_heading() || !is_found_by_frames,
+            ),
+            (
+                ChannelName::HeightAboveGround,
+                "add a height channel, or lay whole frames on the map",
+                !is_found_by_frames,
+            ),
         ] {
-            if flight.channel(name).is_none_or(|c| c.times.is_empty()) {
+            let has_none = flight.channel(name).is_none_or(|c| c.times.is_empty());
+            if is_needed && has_none {
                 return Err(NavigatorError::Missing {
                     flight: flight.name.clone(),
                     what: format!("channel {}", name.key()),
@@ -120,6 +136,7 @@ impl Navigator {
             engine,
             second: None,
             detector,
+            whole_frames: None,
             ticks,
             next: 0,
             time: start.time,
@@ -214,17 +231,18 @@ impl Navigator {
             },
         };
         if let Some(index) = tick.frame {
-            let trouble = if !self.sparing || self.may_see(index, &report) {
-                match frames.picture(index) {
-                    Ok(picture) => {
-                        self.look(index, &picture, &mut report, stopwatch)?;
-                        return Ok(report);
+            let trouble =
+                if !self.sparing || self.whole_frames.is_some() || self.may_see(index, &report) {
+                    match frames.picture(index) {
+                        Ok(picture) => {
+                            self.look(index, &picture, &mut report, stopwatch)?;
+                            return Ok(report);
+                        }
+                        Err(trouble) => Some(trouble.to_string()),
                     }
-                    Err(trouble) => Some(trouble.to_string()),
-                }
-            } else {
-                None
-            };
+                } else {
+                    None
+                };
             report.frame = Some(self.blind(index, &report, trouble));
         }
         Ok(report)
@@ -292,6 +310,7 @@ impl Navigator {
             footprint: self.footprint(&model, report),
             candidates: Vec::new(),
             joint: None,
+            laid: None,
             trouble,
         }
     }
@@ -304,6 +323,9 @@ impl Navigator {
         report: &mut StepReport,
         stopwatch: &dyn Fn() -> f64,
     ) -> Result<(), FilterError> {
+        if self.lay(index, picture, report, stopwatch)? {
+            return Ok(());
+        }
         let begun = stopwatch();
         let camera = self.flight.camera_of_frame(index);
         let model = self.appearance_model(&camera, &report.control);
@@ -377,17 +399,60 @@ impl Navigator {
                 recovered,
             });
         }
+        let laid = report.frame.take().and_then(|frame| frame.laid);
         report.frame = Some(FrameReport {
             index,
             assumed_pose: pose,
             footprint: self.footprint(&model, report),
             candidates: reports,
             joint,
+            laid,
             trouble: None,
         });
-        report.timing.see = seen - begun;
+        report.timing.see += seen - begun;
         report.timing.update = stopwatch() - seen;
         Ok(())
+    }
+
+    /// Lays the whole frame on the map, if that is wanted; whether it corrected the estimate.
+    fn lay(
+        &mut self,
+        index: usize,
+        picture: &Picture,
+        report: &mut StepReport,
+        stopwatch: &dyn Fn() -> f64,
+    ) -> Result<bool, FilterError> {
+        let Some(whole_frames) = self.whole_frames.as_mut() else {
+            return Ok(false);
+        };
+        let begun = stopwatch();
+        let mut laid = whole_frames.lay(&self.flight, index, picture, &report.predicted);
+        let seen = stopwatch();
+        let believed = laid.correct(&self.settings, &mut self.engine)?;
+        let corrected = believed.is_some();
+        let mut joint = None;
+        match believed {
+            Some(believed) => {
+                report.predicted = believed.predicted;
+                report.after = believed.step.after;
+                report.sigma.before_correct = Some(believed.step.sigma_before);
+                report.sigma.after_correct = Some(believed.step.sigma_after);
+                joint = Some(believed.joint);
+                self.second = None;
+            }
+            None => whole_frames.forget_last(),
+        }
+        let mut frame = self.blind(index, report, None);
+        if let (true, Some(place)) = (corrected, &laid.report.place) {
+            frame.assumed_pose = place.pose;
+            frame.footprint = laid.footprint;
+        }
+        frame.joint = joint;
+        frame.laid = Some(laid.report);
+        report.frame = Some(frame);
+        report.timing.see = seen - begun;
+        report.timing.update = stopwatch() - seen;
+        Ok(corrected)
     }
 }
 

@@ -1,11 +1,12 @@
 //! What one step concluded, complete enough to explain itself.
 
-use nalgebra::{DMatrix, DVector, Matrix2, Matrix4, Point2, Vector2};
+use nalgebra::{DMatrix, DVector, Matrix2, Matrix4, Matrix6, Point2, Vector2};
 use serde::{Deserialize, Serialize};
 
 use crate::filter::Gaussian;
 use crate::frames::{GroundPoint, GroundRect, Pose};
 use crate::landmark::Refusal;
+use crate::registration::MapShape;
 
 /// What drove the prediction.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -121,7 +122,8 @@ pub struct CandidateReport {
     pub outcome: Outcome,
 }
 
-/// The correction by all accepted landmarks together.
+/// The correction by all accepted landmarks together, or by the place of a whole frame: then its numbers
+/// are north and east, metres, and no landmark of the frame is looked for, lest its pixels count twice.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct JointReport {
     /// Normalized innovation squared of the stacked innovation.
@@ -136,8 +138,8 @@ pub struct JointReport {
     pub innovation: DVector<f64>,
     /// Innovation covariance, 4m × 4m, pixels and radians.
     pub innovation_covariance: DMatrix<f64>,
-    /// Where landmarks that the filter had refused agreed with each other against it, and it gave way:
-    /// the factor by which its covariance had been too small.
+    /// Where what was seen spoke against the filter, surely enough, and it gave way: the factor by which its
+    /// covariance had been too small.
     pub recovered: Option<f64>,
 }
 
@@ -152,10 +154,45 @@ pub struct FrameReport {
     pub footprint: Vec<GroundPoint>,
     /// Landmarks looked for.
     pub candidates: Vec<CandidateReport>,
-    /// The correction, if any landmark was accepted.
+    /// The correction, if any landmark was accepted or the whole frame was.
     pub joint: Option<JointReport>,
+    /// What came of laying the whole frame on the map, where that was tried.
+    #[serde(default)]
+    pub laid: Option<LaidReport>,
     /// Why the frame could not be used at all, if so.
     pub trouble: Option<String>,
+}
+
+/// A whole frame laid on the map.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LaidReport {
+    /// Where it lies; `None` if it could not be laid.
+    pub place: Option<LaidPlace>,
+    /// Why it did not correct the estimate, in words; `None` if it did.
+    pub refusal: Option<String>,
+    /// Patches that could have been found on the map.
+    pub tried: usize,
+    /// Logarithm (base 10) of the agreements as good as this one that chance would give on other ground.
+    pub log_false_alarms: f64,
+}
+
+/// Where a whole frame lies on the map.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LaidPlace {
+    /// Pose of the body, the slope of the ground told from its tilt.
+    pub pose: Pose,
+    /// Covariance of north, east, down (metres), roll, pitch, yaw (radians).
+    pub covariance: Matrix6<f64>,
+    /// Place of the map in the middle of the picture.
+    pub centre: GroundPoint,
+    /// Covariance of that place (north, east), m².
+    pub centre_covariance: Matrix2<f64>,
+    /// Patches that agree: pixel, and place on the map.
+    pub matches: Vec<(Point2<f64>, GroundPoint)>,
+    /// Turn of the stored picture beyond the known one, radians clockwise, a multiple of a quarter turn.
+    pub stored_turn: f64,
+    /// How the map is stretched there.
+    pub shape: MapShape,
 }
 
 impl FrameReport {
@@ -194,7 +231,7 @@ pub struct StepReport {
 }
 
 impl StepReport {
-    /// Whether a landmark corrected the estimate in this step.
+    /// Whether a picture corrected the estimate in this step.
     pub fn corrected(&self) -> bool {
         self.frame.as_ref().is_some_and(|f| f.joint.is_some())
     }

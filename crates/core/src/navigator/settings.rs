@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::EstimatorSettings;
 use crate::landmark::TemplateSettings;
+use crate::registration::FollowSettings;
 use crate::vehicle::{Multirotor, VelocityDriven};
 
 /// Which process model the filter uses.
@@ -37,6 +38,14 @@ impl VehicleChoice {
         Self::Multirotor,
         Self::VelocityDriven,
     ];
+
+    /// Whether its prediction needs a measured heading.
+    pub fn needs_heading(self) -> bool {
+        !matches!(
+            self,
+            Self::RandomWalk | Self::ConstantVelocity | Self::VelocityDriven
+        )
+    }
 
     /// Name for people.
     pub fn label(self) -> &'static str {
@@ -151,6 +160,9 @@ pub struct NavigatorSettings {
     /// Which filter works on the process model; files that say nothing mean the unscented one.
     #[serde(default)]
     pub estimator: EstimatorSettings,
+    /// Lay whole frames on the map, with what is assumed of them; `None` looks for landmarks alone.
+    #[serde(default)]
+    pub whole_frames: Option<FollowSettings>,
 }
 
 impl Default for NavigatorSettings {
@@ -192,6 +204,7 @@ impl Default for NavigatorSettings {
             detector: TemplateSettings::default(),
             most_landmarks: 8,
             estimator: EstimatorSettings::default(),
+            whole_frames: None,
         }
     }
 }

@@ -10,7 +10,7 @@ use super::patches::{PatchMatch, PatchPlan, PatchSearch, find_patches};
 use super::prior::PosePrior;
 use super::sweep::{Guess, are_beside, sweep};
 use crate::camera::CameraModel;
-use crate::frames::{GroundPoint, wrap_pi};
+use crate::frames::GroundPoint;
 
 /// Guesses of the sweep that are refined at first.
 const GUESSES: usize = 6;
@@ -196,11 +196,7 @@ pub fn register(look: &Look<'_>, prior: &PosePrior) -> Result<Registration, NotR
     let turns = prior.heading.turns();
     let cameras: Vec<CameraModel> = turns
         .iter()
-        .map(|turn| {
-            let mut camera = look.camera.clone();
-            camera.mount.yaw = wrap_pi(camera.mount.yaw + turn);
-            camera
-        })
+        .map(|turn| look.camera.stored_turned(*turn))
         .collect();
     let looks: Vec<Look<'_>> = cameras
         .iter()

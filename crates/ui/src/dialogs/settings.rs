@@ -2,6 +2,7 @@
 
 use egui::{Response, Slider, SliderClamping, Ui};
 use pilotage_core::navigator::{EstimatorChoice, NavigatorSettings, VehicleChoice};
+use pilotage_core::registration::FollowSettings;
 
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -28,6 +29,7 @@ pub fn settings_sheet(
         .show(ui, |ui| {
             estimator(ui, tokens, &mut settings);
             vehicle(ui, tokens, &mut settings);
+            whole_frames(ui, tokens, &mut settings, context.units);
             spread(ui, tokens, &mut settings);
             process(ui, tokens, &mut settings, context.units);
             measurement(ui, tokens, &mut settings, context.units);
@@ -78,6 +80,48 @@ fn vehicle(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings) {
         ui,
         tokens,
         "How the filter believes the vehicle to move between two pictures.",
+    );
+}
+
+fn whole_frames(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings, units: Units) {
+    caption(ui, tokens, "Whole pictures");
+    let mut wanted = settings.whole_frames.is_some();
+    if ui
+        .checkbox(&mut wanted, "Lay whole pictures on the map")
+        .changed()
+    {
+        settings.whole_frames = wanted.then(FollowSettings::default);
+    }
+    meaning(
+        ui,
+        tokens,
+        "Finds where a picture lies from many places in it at once, before landmarks are looked for: needs a map \
+         that looks like the ground, and neither landmarks nor, without airspeed, a heading.",
+    );
+    let Some(assumed) = &mut settings.whole_frames else {
+        return;
+    };
+    let (length, length_unit) = units.length();
+    scaled(
+        ui,
+        "Height if not logged",
+        length_unit,
+        &mut assumed.height,
+        length,
+        5.0..=1000.0,
+    );
+    let degrees = 1.0_f64.to_degrees();
+    scaled(
+        ui,
+        "Heading σ",
+        "°",
+        &mut assumed.heading_deviation,
+        degrees,
+        0.01..=0.5,
+    );
+    ui.checkbox(
+        &mut assumed.may_be_turned,
+        "Pictures may be stored turned by quarter turns",
     );
 }
 

@@ -2,6 +2,7 @@
 
 use pilotage_core::exchange::labels::{FoundLabels, LabelFormat, read_labels};
 use pilotage_core::exchange::{Format, Imported, read_any};
+use pilotage_core::flight::beside_log::PICTURE_TABLE;
 use pilotage_core::flight::files::FileSet as _;
 use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame};
 use pilotage_core::landmark::Landmark;
@@ -48,7 +49,8 @@ pub fn imports(
     for name in names {
         let plausible = has_ending(&name, &["plan", "waypoints", "wpl", "kml", "kmz", "gpx"])
             || !is_flight && has_ending(&name, &["csv", "tsv", "geojson", "json", "txt"]);
-        if !plausible {
+        // The table that says when pictures beside a log were taken is no table of places.
+        if !plausible || name.rsplit('/').next() == Some(PICTURE_TABLE) {
             continue;
         }
         let bytes = pool.read(&name).unwrap_or_default();
@@ -155,6 +157,8 @@ mod tests {
     fn any_text_and_missions_of_our_own_are_left_alone() {
         assert_eq!(look("notes.txt", "dear diary, today", 47.0), Ok(Vec::new()));
         assert_eq!(look("flight.json", "{ \"a\": 1 }", 47.0), Ok(Vec::new()));
+        let times = "time,file\n0.5,0001.jpg\n";
+        assert_eq!(look("film/frames.csv", times, 47.0), Ok(Vec::new()));
         let own = "{ \"type\": \"FeatureCollection\", \"pilotage_mission\": 1, \"features\": [] }";
         assert_eq!(look("own.geojson", own, 47.0), Ok(Vec::new()));
     }

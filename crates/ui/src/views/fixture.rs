@@ -465,6 +465,7 @@ impl Flier {
             footprint: Vec::new(),
             candidates,
             joint,
+            laid: None,
             trouble: None,
         }
     }

@@ -1,6 +1,7 @@
 //! The filter inspector: everything one step concluded, in numbers and in words.
 
 mod candidates;
+mod laid;
 mod matrix;
 pub(crate) mod sentence;
 mod sigma;
@@ -175,6 +176,11 @@ impl InspectorView {
 /// The camera frame: landmarks looked for, and the correction by those accepted.
 fn frame(ui: &mut Ui, context: &mut ViewContext<'_>, run: &Run, frame: &FrameReport, age: f64) {
     let tokens = context.tokens;
+    if let Some(laid) = &frame.laid {
+        parts::section(ui, tokens, "WHOLE PICTURE ON THE MAP", true, |ui| {
+            laid::show(ui, context, laid);
+        });
+    }
     let title = format!("LANDMARKS IN PICTURE {}", frame.index + 1);
     parts::section(ui, tokens, "LANDMARKS IN THE PICTURE", true, |ui| {
         ui.label(
@@ -233,6 +239,9 @@ fn correction(
         let value = parts::brief(factor * joint.innovation[i]);
         let reading = Reading::new(format!("{name}, {what}"), value, unit);
         parts::reading(ui, tokens, &reading.deviation(figures(factor * sigma)));
+    }
+    if landmarks.is_empty() {
+        return laid::correction(ui, context, run, joint);
     }
     ui.add_space(0.5 * tokens.space);
     ui.label(

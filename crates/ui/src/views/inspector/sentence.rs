@@ -4,7 +4,9 @@ use std::fmt::Write;
 
 use nalgebra::Vector2;
 use pilotage_core::flight::Flight;
-use pilotage_core::navigator::{CandidateReport, Estimate, FrameReport, Outcome, Run, StepReport};
+use pilotage_core::navigator::{
+    CandidateReport, Estimate, FrameReport, LaidReport, Outcome, Run, StepReport,
+};
 
 use super::super::parts::figures;
 use super::super::plots::DEAD_RECKONING_AFTER;
@@ -26,7 +28,17 @@ fn what_happened(run: &Run, index: usize, flight: Option<&Flight>, units: Units)
             return format!("This picture could not be used: {trouble}.");
         }
         if frame.joint.is_some() {
-            return correction(run, step, frame, flight, units);
+            return match frame.laid.as_ref().filter(|laid| laid.refusal.is_none()) {
+                Some(laid) => whole_picture(step, frame, laid, units),
+                None => correction(run, step, frame, flight, units),
+            };
+        }
+        if let Some(cause) = frame.laid.as_ref().and_then(|laid| laid.refusal.as_ref()) {
+            let rest = refusals(run, frame);
+            return format!(
+                "The whole picture was not used: {cause}. {rest} The estimate stays as predicted."
+            )
+            .replace("  ", " ");
         }
         if !frame.candidates.is_empty() {
             let verdicts = refusals(run, frame);
@@ -34,6 +46,34 @@ fn what_happened(run: &Run, index: usize, flight: Option<&Flight>, units: Units)
         }
     }
     dead_reckoning(run, index, step, units)
+}
+
+/// Where a whole picture was laid, and what that did to the estimate.
+fn whole_picture(
+    step: &StepReport,
+    frame: &FrameReport,
+    laid: &LaidReport,
+    units: Units,
+) -> String {
+    let (factor, unit) = units.length();
+    let off = frame.joint.as_ref().map_or(0.0, |j| j.innovation.norm());
+    let agreeing = laid.place.as_ref().map_or(0, |place| place.matches.len());
+    let mut text = format!(
+        "The whole picture lies {} {unit} from where expected, {agreeing} of {} patches agreeing: the 1σ of the estimate goes from {} to {} {unit}.",
+        figures(factor * off),
+        laid.tried,
+        figures(factor * sigma(&step.predicted)),
+        figures(factor * sigma(&step.after))
+    );
+    if frame.joint.as_ref().is_some_and(|j| j.recovered.is_some()) {
+        text.push_str(
+            " That is more than the filter expected and cannot be chance, so the filter gave way.",
+        );
+    }
+    if laid.place.as_ref().is_some_and(|p| p.stored_turn != 0.0) {
+        text.push_str(" The picture was stored turned.");
+    }
+    text
 }
 
 /// Who was found how far from where expected, and what that did to the estimate.

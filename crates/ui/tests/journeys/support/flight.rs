@@ -235,6 +235,7 @@ fn frame_report(mission: &Mission, time: f64, truth: GroundPoint, heading: f64) 
             recovered: None,
         }),
         candidates,
+        laid: None,
         trouble: None,
     }
 }

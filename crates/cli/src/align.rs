@@ -1,0 +1,120 @@
+//! `pilotage align`: a camera beside a log.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use pilotage_core::alignment::{CameraPrior, CameraToLog, Estimated, camera_to_log};
+use pilotage_core::flight::read_flight;
+use pilotage_core::navigator::{Summary, summarize};
+use serde::Serialize;
+
+use crate::Outcome;
+use crate::files::{Directory, open_map};
+use crate::replay::{MAP_CACHE, by_whole_frames, navigate};
+
+/// What to put beside what.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Flight folder, or its flight.json.
+    #[arg(long)]
+    flight: PathBuf,
+    /// Map picture with its georeference beside it.
+    #[arg(long)]
+    map: PathBuf,
+    /// Times that the flight is flown again with what was found.
+    #[arg(long, default_value_t = 2)]
+    rounds: usize,
+    /// Standard deviation of the camera's clock against the log's, seconds; three of them are searched.
+    #[arg(long, default_value_t = 1.0)]
+    clock: f64,
+    /// Changes to the filter, e.g. frame-height=50,acceleration=3.
+    #[arg(long, default_value = "")]
+    filter: String,
+    /// Where to write what was found.
+    #[arg(long)]
+    out: Option<PathBuf>,
+}
+
+/// What a round found.
+#[derive(Serialize)]
+struct Round {
+    camera_to_log: CameraToLog,
+    /// The flight before it was changed so.
+    summary: Summary,
+}
+
+/// Puts the camera of a flight beside its log.
+pub fn run(arguments: &Arguments) -> Outcome {
+    let folder = read_flight(Arc::new(Directory::open(&arguments.flight)?))?;
+    for note in &folder.notes {
+        eprintln!("note: {note}");
+    }
+    let mut settings = by_whole_frames();
+    crate::filter_options::apply(&mut settings, &arguments.filter)?;
+    let map = open_map(&arguments.map, folder.flight.frame_on_globe, MAP_CACHE)?;
+    let mut frames = folder.frames;
+    let mut flight = Arc::new(folder.flight);
+    let believed = CameraPrior {
+        offset: arguments.clock,
+        ..CameraPrior::default()
+    };
+    let mut rounds = Vec::new();
+    for _ in 0..arguments.rounds.max(1) {
+        let run = navigate(
+            &flight,
+            &[],
+            Arc::clone(&map),
+            &settings,
+            &mut frames,
+            false,
+        )?;
+        let found = camera_to_log(&flight, &run, &believed)?;
+        rounds.push(Round {
+            camera_to_log: found,
+            summary: summarize(&flight, &run, None),
+        });
+        flight = Arc::new(found.apply(&flight));
+    }
+    for (number, round) in rounds.iter().enumerate() {
+        print(number + 1, round);
+    }
+    if let Some(path) = &arguments.out {
+        crate::files::write_whole(path, serde_json::to_string_pretty(&rounds)?)?;
+    }
+    Ok(())
+}
+
+fn print(number: usize, round: &Round) {
+    let found = &round.camera_to_log;
+    println!(
+        "round {number}: {} of {} frames on the map; satellite navigation {:.2} m about them, then {:.2} m",
+        found.frames, round.summary.frames, found.place_deviation[0], found.place_deviation[1]
+    );
+    let degree = 1_f64.to_degrees();
+    let line = |name: &str, number: &Estimated, factor: f64, unit: &str| {
+        let told = if number.is_told {
+            ""
+        } else {
+            "   (not told by this flight)"
+        };
+        println!(
+            "  {name:<14} {:>9.3} ± {:<8.3} {unit}{told}",
+            factor * number.value,
+            factor * number.deviation
+        );
+    };
+    line("time offset", &found.offset, 1.0, "s");
+    line("clock drift", &found.drift, 1e6, "µs/s");
+    line("mount roll", &found.roll, degree, "°");
+    line("mount pitch", &found.pitch, degree, "°");
+    line("mount yaw", &found.yaw, degree, "°");
+    line("focal length", &found.log_focal, 100.0, "%");
+    line("fixes north", &found.bias[0], 1.0, "m");
+    line("fixes east", &found.bias[1], 1.0, "m");
+    if let Some(error) = round.summary.corrected_position_error_m {
+        println!(
+            "  position before: median {:.2} m, largest {:.2} m",
+            error.median, error.max
+        );
+    }
+}

@@ -1,0 +1,12 @@
+//! A camera put in time and place beside a log: when its clock stands against the log's, how it is mounted,
+//! and how long its lens is, each with what is known of it.
+//!
+//! It is told from frames that were laid on the map ([`crate::navigator::LaidPlace`]) against satellite
+//! navigation, heading and height of the log: the place in the middle of each picture should be the one that
+//! the mounted camera sees from where and how the log says that the aircraft was.
+
+mod estimate;
+mod residual;
+mod solve;
+
+pub use estimate::{AlignmentError, CameraPrior, CameraToLog, Estimated, camera_to_log};

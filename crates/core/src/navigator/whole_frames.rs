@@ -1,0 +1,223 @@
+//! Whole frames laid on the map, as a measurement of the position.
+//!
+//! A frame laid on the map says itself how likely chance would have laid it so. Where its place lies outside
+//! the filter's gate, one of the two is wrong, and the likelier one gives way: the frame if chance explains
+//! it more readily than the filter's own distribution explains such an innovation, else the filter, whose
+//! covariance is faded as much as makes the innovation likeliest ([`fading_factor`]).
+
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::engine::{CorrectedStep, Engine, MeasurementModel};
+use super::pipeline::PYRAMID_LEVELS;
+use super::see::Surprise;
+use super::{Estimate, JointReport, LaidPlace, LaidReport, NavigatorSettings};
+use crate::filter::{FilterError, chi_square_quantile, fading_factor};
+use crate::flight::{ChannelName, Flight};
+use crate::frames::GroundPoint;
+use crate::imagery::Imagery;
+use crate::raster::{Picture, Pyramid};
+use crate::registration::{FollowSettings, Follower, Look, Measured, NotRegistered, Registration};
+
+/// Numbers of a place: north and east.
+const COMPONENTS: usize = 2;
+
+/// Lays one frame after the other.
+pub struct WholeFrames {
+    map: Arc<dyn Imagery>,
+    follower: Follower,
+    /// The follower before the last frame.
+    before: Follower,
+}
+
+/// A frame, laid or not.
+pub struct Laid {
+    pub report: LaidReport,
+    /// Outline of the picture on the map.
+    pub footprint: Vec<GroundPoint>,
+}
+
+/// What a frame that was believed did.
+pub struct Believed {
+    /// The belief that it corrected.
+    pub predicted: Estimate,
+    pub step: CorrectedStep,
+    pub joint: JointReport,
+}
+
+impl WholeFrames {
+    pub fn new(map: Arc<dyn Imagery>, assumed: FollowSettings) -> Self {
+        let follower = Follower::new(assumed);
+        Self {
+            map,
+            before: follower.clone(),
+            follower,
+        }
+    }
+
+    /// Lays frame `index` on the map around where the aircraft is believed to be.
+    pub fn lay(
+        &mut self,
+        flight: &Flight,
+        index: usize,
+        picture: &Picture,
+        predicted: &Estimate,
+    ) -> Laid {
+        self.before = self.follower.clone();
+        let time = flight.frames[index].time;
+        let camera = flight.camera_of_frame(index);
+        let luminance = Pyramid::new(picture.to_gray(), PYRAMID_LEVELS);
+        let look = Look {
+            camera: &camera,
+            ground_down: flight.ground_down,
+            luminance: &luminance,
+            map: self.map.as_ref(),
+        };
+        let spread = predicted
+            .position_covariance()
+            .symmetric_eigenvalues()
+            .max();
+        let prior = self.follower.prior(
+            time,
+            predicted.position(),
+            spread.max(0.0).sqrt(),
+            &measured(flight, time),
+        );
+        match self.follower.follow(time, &look, &prior) {
+            Ok(found) => Laid {
+                footprint: footprint(&look, &found),
+                report: report(&found),
+            },
+            Err(cause) => Laid {
+                footprint: Vec::new(),
+                report: not_laid(&cause),
+            },
+        }
+    }
+
+    /// Forgets what the last frame taught: it was not believed.
+    pub fn forget_last(&mut self) {
+        self.follower = self.before.clone();
+    }
+}
+
+/// What the flight's own instruments say at `time`.
+fn measured(flight: &Flight, time: f64) -> Measured {
+    let value = |name| flight.value(name, time);
+    Measured {
+        heading: flight
+            .channel(ChannelName::Heading)
+            .and_then(|_| flight.attitude(time))
+            .map(|attitude| attitude.yaw),
+        roll: value(ChannelName::Roll),
+        pitch: value(ChannelName::Pitch),
+        height: value(ChannelName::HeightAboveGround).filter(|height| *height > 0.0),
+    }
+}
+
+fn footprint(look: &Look<'_>, found: &Registration) -> Vec<GroundPoint> {
+    let camera = look.camera.stored_turned(found.stored_turn);
+    let look = Look {
+        camera: &camera,
+        ..*look
+    };
+    let corners = camera.corners();
+    let seen = corners.iter().filter_map(|c| look.ground(&found.fit.at, c));
+    seen.collect()
+}
+
+fn report(found: &Registration) -> LaidReport {
+    LaidReport {
+        place: Some(LaidPlace {
+            pose: found.camera.pose,
+            covariance: found.camera.covariance,
+            centre: found.centre,
+            centre_covariance: found.centre_covariance,
+            matches: found.matches.iter().map(|m| (m.pixel, m.ground)).collect(),
+            stored_turn: found.stored_turn,
+            shape: found.fit.at.shape,
+        }),
+        refusal: None,
+        tried: found.tried,
+        log_false_alarms: found.log_false_alarms,
+    }
+}
+
+fn not_laid(cause: &NotRegistered) -> LaidReport {
+    let (tried, log_false_alarms) = match *cause {
+        NotRegistered::Disagreement {
+            tried,
+            log_false_alarms,
+        } => (tried, log_false_alarms),
+        NotRegistered::NothingAlike | NotRegistered::Ambiguous { .. } => (0, 0.0),
+    };
+    LaidReport {
+        place: None,
+        refusal: Some(cause.to_string()),
+        tried,
+        log_false_alarms,
+    }
+}
+
+impl Laid {
+    /// Corrects `engine` by the place of the frame, if it can be believed; says why not otherwise.
+    pub fn correct(
+        &mut self,
+        settings: &NavigatorSettings,
+        engine: &mut Box<dyn Engine>,
+    ) -> Result<Option<Believed>, FilterError> {
+        let Some(place) = &self.report.place else {
+            return Ok(None);
+        };
+        let position = place.pose.position_in_world;
+        let seen = DVector::from_column_slice(&[position.x, position.y]);
+        let own = place.covariance.fixed_view::<2, 2>(0, 0);
+        let noise = DMatrix::from_fn(COMPONENTS, COMPONENTS, |i, j| {
+            settings.measurement_scale * own[(i, j)]
+        });
+        let model: &MeasurementModel<'_> =
+            &|position, _| Some(DVector::from_column_slice(&[position.north, position.east]));
+        let expected = engine.expect(model, &noise)?;
+        let surprise = Surprise {
+            innovation: &seen - expected.mean,
+            covariance: expected.covariance,
+            noise,
+        };
+        let nis = surprise.nis()?;
+        let threshold = chi_square_quantile(settings.gate_confidence, COMPONENTS as f64);
+        let mut recovered = None;
+        if nis > threshold {
+            // The filter expects such an innovation or a larger one with the probability exp(-NIS / 2).
+            let log_expected = -0.5 * nis / std::f64::consts::LN_10;
+            let factor = fading_factor(&surprise.innovation, &surprise.covariance, &surprise.noise);
+            let Some(factor) = factor.filter(|_| self.report.log_false_alarms < log_expected)
+            else {
+                self.report.refusal = Some(format!(
+                    "it lies {:.1} m from where it was expected, outside the gate (NIS {nis:.0} of at most \
+                     {threshold:.0}), and may be chance",
+                    surprise.innovation.norm()
+                ));
+                return Ok(None);
+            };
+            *engine = engine.faded(factor)?;
+            recovered = Some(factor);
+        }
+        let predicted = engine.state();
+        let step = engine.correct(model, &surprise.noise, &seen)?;
+        let joint = JointReport {
+            nis,
+            degrees_of_freedom: COMPONENTS,
+            threshold,
+            gain: step.gain.clone(),
+            innovation: step.innovation.clone(),
+            innovation_covariance: step.innovation_covariance.clone(),
+            recovered,
+        };
+        Ok(Some(Believed {
+            predicted,
+            step,
+            joint,
+        }))
+    }
+}
