@@ -9,7 +9,7 @@ export function crc32(bytes) {
   return ~crc >>> 0;
 }
 
-/** A zip of these files: pairs of name and text. */
+/** A zip of these files: pairs of name and text or bytes. */
 export function zip(files) {
   const local = [], central = [];
   let offset = 0;

@@ -18,6 +18,7 @@ use pilotage_core::imagery::{
 };
 use pilotage_core::navigator::{FrameReport, Navigator, NavigatorSettings, Run, VehicleChoice};
 use pilotage_core::registration::FollowSettings;
+use pilotage_core::simulate::{FlightDay, Overrides, Scenario};
 use pilotage_tests::{data::shared, recorded};
 
 /// White noise of the acceleration of a multirotor that surveys, (m/s²)/√Hz: with it the mean of the normalized
@@ -327,4 +328,41 @@ fn the_lag_of_the_receiver_over_caliterra_is_found() {
     let error = found.offset.value - 1.0;
     assert!(error.abs() < 2.0 * found.offset.deviation, "{found:?}");
     assert!(found.offset.deviation < 0.8, "{found:?}");
+}
+
+/// The generated countryside on another day than the map's, whose truth is exact: without any landmark the
+/// filter is right and says how sure it may be.
+#[test]
+fn a_simulated_airplane_is_navigated_by_whole_frames_with_an_honest_covariance() {
+    let scenario = Scenario::named("distinct-400ft-wind").unwrap();
+    let overrides = Overrides {
+        day: Some(FlightDay::Other),
+        ..Overrides::default()
+    };
+    let mut simulated = scenario.simulate(3, &overrides);
+    let mut flight = simulated.flight.clone();
+    let begin = flight.frames[0].time;
+    flight.frames.retain(|frame| frame.time < begin + 30.0);
+    let mut settings = scenario.navigator();
+    settings.whole_frames = Some(FollowSettings::default());
+    let map: Arc<dyn Imagery> = Arc::new(CachedImagery::new(Arc::new(Scenario::map()), 128));
+    let frames = flight.frames.len();
+    let run = navigate(flight.clone(), map, &mut simulated.frames, &settings);
+    let truth = flight.truth.unwrap();
+    let (mut errors, mut nees) = (Vec::new(), Vec::new());
+    for step in run.steps.iter().filter(|s| s.frame.is_some()) {
+        let place = truth.position(step.time).unwrap();
+        let off = step.after.position().to_vector() - place.xy().coords;
+        errors.push(off.norm());
+        let covariance = step.after.position_covariance();
+        nees.push(off.dot(&(covariance.try_inverse().unwrap() * off)));
+    }
+    let laid = laid(&run).len();
+    let mean = nees.iter().sum::<f64>() / nees.len() as f64;
+    println!("simulated: {laid} of {frames} laid, NEES {mean:.2}");
+    let errors = Errors::of(errors.into_iter());
+    println!("{}", errors.told("simulated"));
+    assert!(4 * laid >= 3 * frames, "{laid} of {frames}");
+    assert!(errors.median() < 3.5);
+    assert!(mean < 4.0, "mean NEES {mean}");
 }

@@ -322,3 +322,25 @@ fn the_ray_table_holds_the_rays_of_all_pixels() {
         assert!((f64::from(x) - ray.x).abs() < 1e-6 && (f64::from(y) - ray.y).abs() < 1e-6);
     }
 }
+
+/// A picture stored turned shows the same ground at turned pixels, however the camera is mounted.
+#[test]
+fn a_turned_picture_turns_about_its_own_axis() {
+    let mut camera = camera();
+    camera.mount = Mount {
+        roll: 0.1,
+        pitch: -0.2,
+        yaw: 0.7,
+    };
+    let pose = level(50.0);
+    let point = Point3::new(4.0, -9.0, 0.0);
+    let upright = camera.project(&pose, &point).unwrap() - camera.principal;
+    let turned = camera.stored_turned(PI).project(&pose, &point).unwrap() - camera.principal;
+    assert!((upright + turned).norm() < 1e-9, "{upright} {turned}");
+    // A picture turned clockwise by a quarter shows to the right what was up.
+    let quarter = camera.stored_turned(PI / 2.0);
+    let turned = quarter.project(&pose, &point).unwrap() - camera.principal;
+    let expected = nalgebra::Vector2::new(upright.y, -upright.x);
+    assert!((turned - expected).norm() < 1e-9, "{upright} {turned}");
+    assert_eq!(quarter.focal, camera.focal);
+}

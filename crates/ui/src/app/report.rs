@@ -142,6 +142,7 @@ impl App {
             "run_generation": documents.run_generation,
             "run_landmarks": run.map_or(0, |r| r.landmarks.iter().filter(|l| l.enabled).count()),
             "accepted": frames().map(|f| f.accepted().count()).sum::<usize>(),
+            "laid": frames().filter(|f| f.laid.as_ref().is_some_and(|l| l.refusal.is_none())).count(),
             "candidates": frames().map(|f| f.candidates.len()).sum::<usize>(),
             "ghost_steps": documents.ghost.as_ref().map_or(0, |r| r.steps.len()),
             "step": step.map(|s| json!({

@@ -1,7 +1,23 @@
 use egui_kittest::kittest::Queryable as _;
+use pilotage_core::navigator::NavigatorSettings;
 use pilotage_ui::jobs::Job;
 
-use super::support::rig;
+use super::support::{Rig, rig};
+
+/// The settings of the last flight.
+fn flown_with(rig: &Rig) -> NavigatorSettings {
+    let Some((
+        _,
+        Job::Fly {
+            mission: Some(mission),
+            ..
+        },
+    )) = rig.host().last_flight().cloned()
+    else {
+        panic!("no mission was flown");
+    };
+    mission.navigator
+}
 
 #[test]
 fn a_changed_setting_flies_again_and_undo_takes_it_back() {
@@ -15,30 +31,12 @@ fn a_changed_setting_flies_again_and_undo_takes_it_back() {
     rig.frames(2);
     rig.settle();
     assert_eq!(rig.host().flights(), before + 1);
-    let Some((
-        _,
-        Job::Fly {
-            mission: Some(mission),
-            ..
-        },
-    )) = rig.host().last_flight().cloned()
-    else {
-        panic!("no mission was flown");
-    };
-    assert!(!mission.navigator.redraw);
+    let flown = flown_with(&rig);
+    assert!(!flown.redraw);
     rig.key_with(egui::Modifiers::COMMAND, egui::Key::Z);
     rig.settle();
-    let Some((
-        _,
-        Job::Fly {
-            mission: Some(mission),
-            ..
-        },
-    )) = rig.host().last_flight().cloned()
-    else {
-        panic!("no mission was flown");
-    };
-    assert!(mission.navigator.redraw);
+    let flown = flown_with(&rig);
+    assert!(flown.redraw);
 }
 
 #[test]
@@ -62,16 +60,26 @@ fn another_estimator_is_chosen_and_flown_with() {
     rig.harness.get_by_label("Extended Kalman filter").click();
     rig.frames(2);
     rig.settle();
-    let Some((
-        _,
-        Job::Fly {
-            mission: Some(mission),
-            ..
-        },
-    )) = rig.host().last_flight().cloned()
-    else {
-        panic!("no mission was flown");
-    };
-    let chosen = mission.navigator.estimator.choice;
+    let flown = flown_with(&rig);
+    let chosen = flown.estimator.choice;
     assert_eq!(chosen.label(), "Extended Kalman filter");
+}
+
+#[test]
+fn whole_pictures_are_laid_on_the_map_when_that_is_wanted() {
+    let mut rig = rig();
+    rig.harness.get_by_label("Filter settings").click();
+    rig.frames(3);
+    rig.harness
+        .get_by_label("Lay whole pictures on the map")
+        .click();
+    rig.frames(2);
+    rig.settle();
+    assert!(flown_with(&rig).whole_frames.unwrap().may_be_turned);
+    rig.harness
+        .get_by_label("Pictures may be stored turned by quarter turns")
+        .click();
+    rig.frames(2);
+    rig.settle();
+    assert!(!flown_with(&rig).whole_frames.unwrap().may_be_turned);
 }

@@ -323,6 +323,36 @@ mod tests {
     }
 
     #[test]
+    fn a_whole_picture_is_told_and_a_refused_one_with_its_cause() {
+        let mut fixture = Fixture::lasting(15.0);
+        let index = first_correction(&fixture.run);
+        let frame = fixture.run.steps[index].frame.as_mut().unwrap();
+        frame.candidates.clear();
+        frame.joint.as_mut().unwrap().innovation = nalgebra::dvector![3.0, 4.0];
+        let mut laid = LaidReport {
+            place: None,
+            refusal: None,
+            tried: 60,
+            log_false_alarms: -30.0,
+        };
+        frame.laid = Some(laid.clone());
+        let text = of(&fixture, index);
+        assert!(
+            text.starts_with("The whole picture lies 5.00 m from where expected"),
+            "{text}"
+        );
+        laid.refusal = Some("nothing within reach looks like the picture".to_owned());
+        let frame = fixture.run.steps[index].frame.as_mut().unwrap();
+        frame.joint = None;
+        frame.laid = Some(laid);
+        assert_eq!(
+            of(&fixture, index),
+            "The whole picture was not used: nothing within reach looks like the picture. The estimate stays as \
+             predicted."
+        );
+    }
+
+    #[test]
     fn a_frame_of_refusals_says_why_and_that_nothing_changed() {
         let mut fixture = Fixture::lasting(15.0);
         let index = first_correction(&fixture.run);

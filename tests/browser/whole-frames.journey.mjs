@@ -1,0 +1,39 @@
+// A recorded flight out of a zip, navigated by whole pictures: no landmark, its turned pictures noticed.
+import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+import { zip } from "./zip.mjs";
+
+export const name = "a recorded flight opens from a zip and is navigated by whole pictures laid on its map";
+
+const repository = fileURLToPath(new URL("../../", import.meta.url));
+const folder = join(repository, "../shared/data/brighton_beach");
+const flight = join(repository, "tests/flights/brighton/flight.json");
+
+export async function run(page, tools) {
+  if (!existsSync(folder)) {
+    console.log("        skipped: no shared data");
+    return;
+  }
+  await tools.waitReady();
+  const before = await tools.waitFor((s) => s.run_complete, "the demo", 150_000);
+  const layout = { ...JSON.parse(readFileSync(flight, "utf8")), data: undefined };
+  delete layout.frames.stored_turn_deg;
+  const files = [["flight.json", JSON.stringify(layout)]];
+  for (const name of ["frames.csv", "ortho.jpg", "ortho_georef.json"]) files.push([name, readFileSync(join(folder, name))]);
+  for (const name of readdirSync(join(folder, "frames"))) files.push([`frames/${name}`, readFileSync(join(folder, "frames", name))]);
+  await page.setInputFiles("#files", [{ name: "brighton.zip", mimeType: "application/zip", buffer: zip(files) }]);
+  await tools.waitFor((s) => s.flight !== before.flight || s.toasts.some((t) => t.trouble), "the flight to open", 120_000);
+  const opened = await tools.waitFor((s) => s.flight !== before.flight, "the flight");
+  const trouble = opened.toasts.find((t) => t.trouble);
+  tools.check(!trouble, `${trouble?.title}: ${trouble?.text}`);
+
+  await tools.click(await tools.find(null, "Filter settings"));
+  await tools.click(await tools.find(null, "Vehicle model"));
+  await tools.click(await tools.find(null, "No airspeed, nearly constant velocity"));
+  await tools.click(await tools.find(null, "Lay whole pictures on the map"));
+  const flown = await tools.waitFor((s) => s.run_complete && s.laid >= 17, "the flight by whole pictures", 200_000);
+  console.log(`        ${flown.laid} of ${flown.frames} pictures laid on the map`);
+  await page.waitForTimeout(800);
+  await tools.screenshot("whole-frames");
+}
