@@ -3,6 +3,7 @@
 use egui::{
     Button, DragValue, Frame, Id, Key, Modal, Modifiers, Popup, RichText, ScrollArea, Ui, vec2,
 };
+use pilotage_core::flight::ChannelName;
 use pilotage_core::flight::columns::{ColumnMap, ColumnRole, GuessedTable, tables_lack};
 
 use super::columns_rows::{rows, short};
@@ -96,7 +97,25 @@ impl ColumnsDraft {
 
     /// Why no flight can be made of them yet, in words; `None` if one can.
     pub fn lacks(&self) -> Option<String> {
-        tables_lack(&self.used().collect::<Vec<_>>())
+        let maps: Vec<&ColumnMap> = self.used().collect();
+        let has = |name| {
+            let role = ColumnRole::Channel(name);
+            maps.iter().any(|map| map.column(role).is_some())
+        };
+        let heights = [
+            ChannelName::HeightAboveGround,
+            ChannelName::BarometricHeight,
+            ChannelName::GpsHeight,
+        ];
+        tables_lack(&maps).or_else(|| {
+            if !has(ChannelName::Heading) {
+                Some("no column is the heading, without which nothing can be navigated".to_owned())
+            } else if !heights.into_iter().any(has) {
+                Some("no column is a height, without which nothing can be navigated".to_owned())
+            } else {
+                None
+            }
+        })
     }
 }
 
@@ -272,11 +291,12 @@ fn columns(ui: &mut Ui, tokens: &Tokens, units: Units, draft: &mut ColumnsDraft,
             }
         });
     }
-    ScrollArea::vertical()
+    let width = ui.available_width();
+    ScrollArea::both()
         .id_salt(("columns", shown))
         .max_height(height - if is_timeless { 32.0 } else { 0.0 })
         .auto_shrink([false, true])
-        .show(ui, |ui| rows(ui, tokens, units, &mut table.guess));
+        .show(ui, |ui| rows(ui, tokens, units, width, &mut table.guess));
     if table.guess.map != before {
         table.is_used = true;
         draft.failed = None;

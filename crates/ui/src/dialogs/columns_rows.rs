@@ -21,11 +21,17 @@ pub(super) fn short(file: &str) -> &str {
     file.rsplit('/').next().unwrap_or(file)
 }
 
-/// Draws the columns of a table; what people choose is put into its map.
-pub(super) fn rows(ui: &mut Ui, tokens: &Tokens, units: Units, table: &mut GuessedTable) {
+/// Draws the columns of a table, at least `width` points wide; what people choose is put into its map.
+pub(super) fn rows(
+    ui: &mut Ui,
+    tokens: &Tokens,
+    units: Units,
+    width: f32,
+    table: &mut GuessedTable,
+) {
     let gap = tokens.space;
     let fixed: f32 = WIDTHS.iter().sum::<f32>() + 6.0 * gap;
-    let reason = (ui.available_width() - fixed - gap).max(LEAST_REASON);
+    let reason = (width - fixed - gap).max(LEAST_REASON);
     Grid::new(("columns of", &table.map.file))
         .num_columns(6)
         .spacing([gap, 0.75 * gap])
@@ -182,9 +188,12 @@ fn reads_as(column: &MappedColumn, range: Option<(f64, f64)>, units: Units) -> S
         Quantity::Acceleration => (1.0, "m/s²"),
     };
     let is_place = matches!(column.role, ColumnRole::Latitude | ColumnRole::Longitude);
-    let figure = |value: f64| match is_place {
-        true => format!("{:.4}", value * shown),
-        false => figure(value * shown),
+    let figure = |value: f64| {
+        if is_place {
+            format!("{:.4}", value * shown)
+        } else {
+            figure(value * shown)
+        }
     };
     if low == high {
         format!("{} {unit}", figure(low))

@@ -5,13 +5,14 @@ use std::sync::Arc;
 
 use nalgebra::Point3;
 
+use super::together::common_name;
 use super::{ColumnMap, ColumnRole, MappedColumn, time};
 use crate::flight::files::FileSet;
 use crate::flight::folder::{
     ChannelFile, FlightFile, FlightFolder, FolderError, OriginFile, StartFile, Table, TimeColumn,
     TimeFormat, VERSION, ValueColumn, read_tables,
 };
-use crate::flight::{ChannelName, Truth, TruthState};
+use crate::flight::{Channel, ChannelName, Truth, TruthState};
 
 /// Standard deviation per axis of the first position, metres.
 const GPS_DEVIATION: f64 = 5.0;
@@ -94,10 +95,7 @@ pub fn flight_of_tables(
     let at_origin = (first.is_some() || !is_placed).then_some(0.0);
     let layout = FlightFile {
         pilotage_flight: VERSION,
-        name: maps
-            .first()
-            .map_or("Flight", |map| map.file.as_str())
-            .to_owned(),
+        name: common_name(maps),
         description: None,
         data: None,
         origin: first.map(|(origin, _)| origin),
@@ -118,6 +116,7 @@ pub fn flight_of_tables(
     };
     let mut folder = read_tables(Arc::clone(files), &layout, tables)?;
     leave_out_strays(&mut folder, &mut notes);
+    notes.extend(height_above_start(&mut folder));
     notes.extend(apart(&folder, maps, &layout));
     folder.notes.splice(0..0, notes);
     folder.flight.truth = track(&folder);
@@ -257,6 +256,29 @@ fn leave_out_strays(folder: &mut FlightFolder, notes: &mut Vec<String>) {
         "{strays} places were left out, as they lie over {:.0} km from the first",
         1e-3 * FARTHEST
     ));
+}
+
+/// Where no table tells the height above ground, that above where the flight began stands for it: by air pressure
+/// where it was measured, else by the receiver. Says so.
+fn height_above_start(folder: &mut FlightFolder) -> Option<String> {
+    let flight = &mut folder.flight;
+    if flight.channel(ChannelName::HeightAboveGround).is_some() {
+        return None;
+    }
+    let measured = [ChannelName::BarometricHeight, ChannelName::GpsHeight];
+    let known = measured.into_iter().find_map(|name| flight.channel(name));
+    let known = known.filter(|channel| !channel.times.is_empty())?;
+    let start = known.interpolated(flight.start.time)?;
+    let channel = Channel {
+        name: ChannelName::HeightAboveGround,
+        times: known.times.clone(),
+        values: known.values.iter().map(|value| value - start).collect(),
+    };
+    let name = super::ColumnRole::Channel(known.name).label();
+    flight.channels.push(channel);
+    Some(format!(
+        "no column is the height above ground: the {name} above the start stands for it"
+    ))
 }
 
 /// Which tables tell of another time than all others.

@@ -97,6 +97,7 @@ fn a_flight_of_a_written_table_has_its_origin_channels_and_values() {
     let folder = flight_of_tables(&files, &maps).unwrap();
     assert_eq!(folder.notes, Vec::<String>::new());
     let flight = folder.flight;
+    assert_eq!(flight.name, "east");
     let origin = flight.frame_on_globe.unwrap().origin;
     assert!((origin.latitude.to_degrees() - 47.0).abs() < 1e-12);
     assert!((origin.longitude.to_degrees() - 8.0).abs() < 1e-9);
@@ -251,6 +252,9 @@ fn the_text_tables_of_the_swiss_flight_are_understood() {
     let maps: Vec<ColumnMap> = tables.into_iter().map(|table| table.map).collect();
     assert_eq!(tables_lack(&maps.iter().collect::<Vec<_>>()), None);
     let flight = flight_of_tables(&files, &maps).unwrap().flight;
+    // Nothing but air pressure tells the height: that above the start.
+    let height = flight.channel(ChannelName::HeightAboveGround).unwrap();
+    assert!(height.values[0].abs() < 1.0 && height.values.len() > 1000);
     let origin = flight.frame_on_globe.unwrap().origin;
     assert!((origin.latitude.to_degrees() - 47.389_156).abs() < 1e-9);
     assert!((origin.longitude.to_degrees() - 8.033_634).abs() < 1e-9);
@@ -296,6 +300,7 @@ fn the_tables_of_a_log_agree_on_one_clock_and_share_the_channels_out() {
     let folder = flight_of_tables(&files, &maps).unwrap();
     assert_eq!(folder.notes, Vec::<String>::new());
     let flight = folder.flight;
+    assert_eq!(flight.name, "TestLog2");
     let (first, last) = flight.span();
     assert!((first - 13.178).abs() < 1e-9 && (last - first - 613.1).abs() < 0.1);
     // A line of the file: 316080 ms, 11.68 m/s towards 84.64°.

@@ -42,7 +42,7 @@ impl GuessedTable {
         time.is_some_and(|time| time.confidence >= SURE_TIME) && self.map.lacks().is_none()
     }
 
-    /// Rows a second, by its times; `None` without any.
+    /// Rows a second, by its times; 0 without any.
     fn rate(&self) -> f64 {
         let time = |column: &super::MappedColumn| column.role == ColumnRole::Time;
         let index = self.map.columns.iter().position(time);
@@ -288,6 +288,23 @@ fn settle(tables: &mut [GuessedTable]) {
 /// The last part of a file's name.
 fn short(file: &str) -> &str {
     file.rsplit('/').next().unwrap_or(file)
+}
+
+/// What tables are called together: what their names begin with, or else the name of the first without its ending.
+pub(super) fn common_name(maps: &[ColumnMap]) -> String {
+    let Some(first) = maps.first() else {
+        return "Flight".to_owned();
+    };
+    let start = beginning(&first.file);
+    let is_common = maps.len() > 1 && maps.iter().all(|map| beginning(&map.file) == start);
+    let start = short(start.trim_end_matches('/'));
+    if is_common && !start.is_empty() {
+        return start.to_owned();
+    }
+    let name = short(&first.file);
+    name.rsplit_once('.')
+        .map_or(name, |(stem, _)| stem)
+        .to_owned()
 }
 
 /// Why no flight can be made of these tables together, in words; `None` if one can.
