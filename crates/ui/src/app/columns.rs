@@ -59,7 +59,7 @@ impl App {
 
     pub(super) fn columns_event(&mut self, host: &mut dyn Host, event: JobEvent) {
         match event {
-            JobEvent::FlightMade(made) => self.take_flight_of_tables(host, *made),
+            JobEvent::FlightMade(made) => self.take_flight_of_tables(host, &made),
             JobEvent::Failed(why) => {
                 if let Some(draft) = self.dialogs.columns.draft_mut() {
                     draft.job = None;
@@ -75,7 +75,7 @@ impl App {
         }
     }
 
-    fn take_flight_of_tables(&mut self, host: &mut dyn Host, made: MadeFlight) {
+    fn take_flight_of_tables(&mut self, host: &mut dyn Host, made: &MadeFlight) {
         let Some(draft) = self.dialogs.columns.close() else {
             return;
         };

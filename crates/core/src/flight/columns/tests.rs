@@ -1,3 +1,4 @@
+use std::fmt::Write as _;
 use std::sync::Arc;
 
 use proptest::prelude::*;
@@ -26,10 +27,8 @@ fn eastward() -> String {
         let time = 0.1 * f64::from(row);
         let longitude = 8.0 + time * 20.0 / 76_058.0;
         let roll = f64::from(row % 40 - 20);
-        table += &format!(
-            "{time:.1};47.0;{longitude:.7};{roll};72;0.5;{}\n",
-            11.1 + time
-        );
+        let volts = 11.1 + time;
+        writeln!(table, "{time:.1};47.0;{longitude:.7};{roll};72;0.5;{volts}").unwrap();
     }
     table
 }
@@ -193,7 +192,7 @@ fn places_of_a_receiver_without_a_fix_are_left_out() {
     let mut table = String::from("t,lat,lon,roll_deg\n");
     for row in 0..20 {
         let place = if row < 5 { "0,0" } else { "47.0,8.0" };
-        table += &format!("{row},{place},{row}\n");
+        writeln!(table, "{row},{place},{row}").unwrap();
     }
     let files = files(&[("a.csv", &table)]);
     let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
