@@ -6,7 +6,7 @@ use pilotage_core::navigator::NavigatorSettings;
 
 use crate::compare::CompareCommand;
 use crate::cut::CutCommand;
-use crate::dialogs::WebMapCommand;
+use crate::dialogs::{ColumnsCommand, WebMapCommand};
 use crate::georeference::GeoreferenceCommand;
 use crate::jobs::SimulationOptions;
 use crate::labelling::LabelCommand;
@@ -148,6 +148,8 @@ pub enum Command {
     ShowMatch,
     /// Something about a map of the web.
     WebMap(WebMapCommand),
+    /// Something about the columns of tables that were opened.
+    Columns(ColumnsCommand),
     /// Something about the picture that is put on the ground.
     Georeference(GeoreferenceCommand),
     /// Something about labels.

@@ -27,6 +27,7 @@ impl App {
             Command::Cut(command) => self.cut(&command, host),
             Command::Compare(command) => self.compare(&command, host),
             Command::WebMap(command) => self.web_map(command, host),
+            Command::Columns(command) => self.columns(command, host),
             Command::Georeference(command) => self.georeference(&command, host),
             Command::Undo | Command::Redo if self.views.georeferencer.is_some() => {
                 if let Some(georeferencer) = &mut self.views.georeferencer {

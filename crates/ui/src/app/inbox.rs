@@ -74,6 +74,8 @@ impl App {
             self.fly_event(host, event);
         } else if self.desk.logs.has(id) {
             self.log_event(host, id, event);
+        } else if self.dialogs.columns.job() == Some(id) {
+            self.columns_event(host, event);
         } else if self.desk.tiles.contains_key(&id) {
             self.tile_event(context, host, id, event);
         } else if self.is_georeferencing(id) {
@@ -306,6 +308,7 @@ impl App {
             run,
             unplaced,
             imports,
+            tables,
             labels,
             beside,
             remarks,
@@ -370,7 +373,10 @@ impl App {
                 self.documents.run_complete = true;
             }
         }
-        let adds = !imports.is_empty() || labels.is_some() || is_log;
+        let adds = !imports.is_empty() || labels.is_some() || is_log || !tables.is_empty();
+        if !tables.is_empty() {
+            self.ask_for_columns(opening, tables);
+        }
         self.add_imports(now, imports);
         if let Some(labels) = labels {
             self.add_labels(now, &opening.name, labels);

@@ -229,6 +229,7 @@ impl App {
                 .map(|opening| opening.key.clone()),
         );
         used.extend(self.views.georeferencer.as_ref().map(|g| g.key.clone()));
+        used.extend(self.dialogs.columns.key().map(str::to_owned));
         host.let_go(&used);
     }
 

@@ -167,6 +167,7 @@ impl App {
             self.dialogs.help = false;
         }
         self.web_map_dialog(ui, commands);
+        self.dialogs.columns.show(ui.ctx(), tokens, units, commands);
         self.evaluation_dialog(ui, commands);
         let bottom = if narrow { 112.0 } else { 80.0 };
         self.toasts.show(ui, tokens, now, bottom);

@@ -233,7 +233,7 @@ impl App {
     }
 
     /// The map that is open, if it lies where a flight is; else none.
-    fn map_under(&self, flight: &Flight) -> MapSource {
+    pub(super) fn map_under(&self, flight: &Flight) -> MapSource {
         let open = &self.documents.map_source;
         let map = self.documents.map.as_ref();
         let at = open.origin().or_else(|| map.and_then(|map| map.origin));
@@ -353,7 +353,7 @@ impl App {
 }
 
 /// A map among the log's own files, put into the world of the flight.
-fn with_origin(map: MapSource, flight: &Flight) -> MapSource {
+pub(super) fn with_origin(map: MapSource, flight: &Flight) -> MapSource {
     let frame: Option<LocalFrame> = flight.frame_on_globe;
     match (map, frame) {
         (MapSource::Files(key), Some(frame)) => MapSource::Placed {

@@ -1,6 +1,7 @@
 //! The app: one object that the shell draws every frame.
 
 mod brief;
+mod columns;
 mod comparing;
 mod cutting;
 mod desk;
@@ -29,7 +30,7 @@ mod work;
 
 use crate::command::{Command, Workspace};
 use crate::compare::CompareView;
-use crate::dialogs::{SimulateDialog, WebMapDialog};
+use crate::dialogs::{ColumnsDialog, SimulateDialog, WebMapDialog};
 use crate::documents::{Documents, ViewState};
 use crate::georeference::Georeferencer;
 use crate::host::Host;
@@ -75,6 +76,7 @@ struct Dialogs {
     palette: Palette,
     simulate: SimulateDialog,
     web_map: WebMapDialog,
+    columns: ColumnsDialog,
     help: bool,
     settings: bool,
 }
@@ -144,7 +146,8 @@ impl App {
         for command in commands {
             self.execute(command, ui.ctx(), host);
         }
-        ShortcutListener::hold(ui.ctx(), self.dialogs.palette.is_open());
+        let takes_letters = self.dialogs.palette.is_open() || self.dialogs.columns.is_open();
+        ShortcutListener::hold(ui.ctx(), takes_letters);
         if !ui.input(|i| i.pointer.any_down()) {
             let documents = &mut self.documents;
             documents.history.finish_drag(&documents.mission);
@@ -166,6 +169,7 @@ impl App {
             || dialogs.palette.is_open()
             || dialogs.simulate.is_open()
             || dialogs.web_map.is_open()
+            || dialogs.columns.is_open()
             || dialogs.help
             || views.map.picking
             || views.georeferencer.is_some()

@@ -269,6 +269,7 @@ impl App {
                 "simulate": self.dialogs.simulate.is_open(),
                 "settings": self.dialogs.settings,
                 "web_map": self.dialogs.web_map.is_open(),
+                "columns": self.columns_json(),
             },
             "map": {
                 "rect": rect_json(map.rect()),

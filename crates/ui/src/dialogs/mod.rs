@@ -1,9 +1,12 @@
-//! Dialogs: simulate a flight, set the filter.
+//! Dialogs: simulate a flight, set the filter, say what the columns of tables mean.
 
+mod columns;
+mod columns_rows;
 mod settings;
 mod simulate;
 mod web_map;
 
+pub use columns::{ColumnsCommand, ColumnsDialog, ColumnsDraft, DraftTable};
 pub use settings::settings_sheet;
 pub use simulate::SimulateDialog;
 pub use web_map::{Download, WebMapCommand, WebMapDialog, WebMapScene};

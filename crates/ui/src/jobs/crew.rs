@@ -415,6 +415,7 @@ fn seat_for(job: &Job) -> usize {
         Job::AssessShare(_, share) | Job::SuggestShare(_, share) => share.part,
         Job::Fly { .. }
         | Job::ReadLog { .. }
+        | Job::MakeFlight { .. }
         | Job::Cut(_)
         | Job::LogSeries { .. }
         | Job::AskLog(_)
@@ -471,6 +472,7 @@ fn file_keys(job: &Job) -> Vec<&str> {
         Job::Pack(order) => (None, Some(&order.map)),
         Job::Open { key, .. }
         | Job::ReadPlaces { key }
+        | Job::MakeFlight { key }
         | Job::ReadLog { key, .. }
         | Job::LogSeries { key, .. } => {
             keys.push(key.as_str());

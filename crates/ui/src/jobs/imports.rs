@@ -3,6 +3,7 @@
 use pilotage_core::exchange::labels::{FoundLabels, LabelFormat, read_labels};
 use pilotage_core::exchange::{Format, Imported, read_any};
 use pilotage_core::flight::beside_log::PICTURE_TABLE;
+use pilotage_core::flight::columns::{ColumnRole, GuessedTable};
 use pilotage_core::flight::files::FileSet as _;
 use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame};
 use pilotage_core::landmark::Landmark;
@@ -37,12 +38,17 @@ pub fn is_mission(name: &str, bytes: &[u8]) -> bool {
 }
 
 /// Reads every file that other programs write, placed around `origin`. `is_flight` says whether the
-/// files are a flight, whose tables and JSON are its own.
+/// files are a flight, whose tables and JSON are its own; `tables` are those among them that may be of a flight.
 pub fn imports(
     pool: &FilePool,
     origin: Geodetic,
     is_flight: bool,
+    tables: &[GuessedTable],
 ) -> Result<Vec<ImportedFile>, String> {
+    let is_flown = tables.iter().any(|table| table.is_proposed);
+    let is_placed = |table: &GuessedTable| table.map.column(ColumnRole::Latitude).is_some();
+    let may_be_other = |name: &str| tables.iter().any(|t| t.map.file == name && !is_placed(t));
+    let mut refused = None;
     let mut names = pool.names();
     names.sort();
     let mut found = Vec::new();
@@ -50,18 +56,27 @@ pub fn imports(
         let plausible = has_ending(&name, &["plan", "waypoints", "wpl", "kml", "kmz", "gpx"])
             || !is_flight && has_ending(&name, &["csv", "tsv", "geojson", "json", "txt"]);
         // The table that says when pictures beside a log were taken is no table of places.
-        if !plausible || name.rsplit('/').next() == Some(PICTURE_TABLE) {
+        let is_of_flight = is_flown && has_ending(&name, &["csv", "tsv", "txt"])
+            || name.rsplit('/').next() == Some(PICTURE_TABLE);
+        if !plausible || is_of_flight {
             continue;
         }
         let bytes = pool.read(&name).unwrap_or_default();
         if is_mission(&name, &bytes) || !is_exchange(&name, &bytes) {
             continue;
         }
-        let imported =
-            read_any(&name, &bytes, Some(LocalFrame::new(origin))).map_err(|e| e.to_string())?;
-        found.push(placed(name, imported)?);
+        match read_any(&name, &bytes, Some(LocalFrame::new(origin))) {
+            Ok(imported) => found.push(placed(name, imported)?),
+            Err(cause) if may_be_other(&name) => {
+                refused.get_or_insert(cause.to_string());
+            }
+            Err(cause) => return Err(cause.to_string()),
+        }
     }
-    Ok(found)
+    match refused {
+        Some(cause) if !found.is_empty() => Err(cause),
+        _ => Ok(found),
+    }
 }
 
 /// Reads every file of labels, in either format.
@@ -131,7 +146,12 @@ mod tests {
     fn look(name: &str, text: &str, latitude: f64) -> Result<Vec<ImportedFile>, String> {
         let files = [(name.to_owned(), text.as_bytes().to_vec().into())];
         let pool = FilePool::new(&files, &LentFiles::default())?;
-        imports(&pool, Geodetic::from_degrees(latitude, 8.0, 0.0), false)
+        imports(
+            &pool,
+            Geodetic::from_degrees(latitude, 8.0, 0.0),
+            false,
+            &[],
+        )
     }
 
     #[test]

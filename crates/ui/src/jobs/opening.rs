@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use pilotage_core::exchange::read_any;
+use pilotage_core::flight::columns::GuessedTable;
 use pilotage_core::flight::files::FileSet as _;
 use pilotage_core::flight::{FLIGHT_FILE, FolderError, read_flight};
 use pilotage_core::frames::{Geodetic, LocalFrame};
@@ -19,6 +20,7 @@ use super::flights::{KeptFrames, OpenFlight};
 use super::heights::describe_terrain;
 use super::imports::{imports, is_mission, labels};
 use super::logs::{flight_of_log, log_among};
+use super::tables::{flight_of_maps, tables_among};
 use super::workshop::{MAP_MEMORY, describe};
 use super::{MapInfo, Opened, Unplaced};
 use crate::documents::decode_run;
@@ -54,10 +56,16 @@ pub fn look_through(
     let terrain = terrain(pool, None)?;
     let mission = mission(pool, flight.is_some())?;
     let run = run(pool)?;
-    let imports = imports(pool, origin, flight.is_some())?;
-    let labels = labels(pool)?;
     let mut remarks = Vec::new();
     let log = flight.is_none().then(|| log_among(pool)).flatten();
+    let is_told = flight.is_some() || log.is_some() || mission.is_some() || run.is_some();
+    let mut tables = if is_told {
+        Vec::new()
+    } else {
+        tables_among(pool)
+    };
+    let imports = imports(pool, origin, flight.is_some(), &tables)?;
+    let labels = labels(pool)?;
     let nothing = flight.is_none()
         && log.is_none()
         && map.is_none()
@@ -65,6 +73,13 @@ pub fn look_through(
         && run.is_none()
         && labels.is_none()
         && imports.is_empty();
+    // Tables that may be anything are asked about where there is nothing else.
+    if !nothing && !tables.iter().any(|table| table.is_proposed) {
+        let is_other = |table: &GuessedTable| imports.iter().all(|i| i.name != table.map.file);
+        let others = tables.drain(..).filter(is_other);
+        remarks.extend(others.map(|table| format!("{} was left out.", table.map.file)));
+    }
+    let nothing = nothing && tables.is_empty();
     let unplaced = if nothing && terrain.is_none() {
         Some(unplaced(pool).ok_or_else(|| unknown(pool))?)
     } else {
@@ -92,6 +107,7 @@ pub fn look_through(
         run,
         unplaced,
         imports,
+        tables,
         labels,
         beside,
         remarks,
@@ -139,8 +155,12 @@ pub fn places(pool: &FilePool) -> Result<Vec<(String, Geodetic)>, String> {
     Ok(places)
 }
 
-/// The flight folder among the files, and what was skipped, in words.
+/// The flight folder among the files, or the flight of tables with maps of their columns beside them, and what was
+/// skipped, in words.
 pub fn flight_folder(pool: &Arc<FilePool>) -> Result<Option<(OpenFlight, Vec<String>)>, String> {
+    if let Some(made) = flight_of_maps(pool)? {
+        return Ok(Some(made));
+    }
     let folder = match read_flight(pool.clone()) {
         Ok(folder) => folder,
         Err(FolderError::NoFlightFile) => return Ok(None),
@@ -255,7 +275,7 @@ fn unknown(pool: &FilePool) -> String {
          route and no run among them. Drop a log (.bin, .log, .ulg, .tlog), a flight folder, a zip of \
          either, a map picture with its world file, a \
          GeoTIFF, PMTiles or an elevation model (.hgt), a mission or a run saved here, or routes and \
-         landmarks as .plan, .waypoints, KML, GPX, GeoJSON or CSV."
+         landmarks as .plan, .waypoints, KML, GPX, GeoJSON or CSV, or tables of a flight as CSV."
     )
 }
 
@@ -334,6 +354,31 @@ mod tests {
             cause.contains("flight.json") && cause.contains("line 2"),
             "{cause}"
         );
+    }
+
+    const AIR: &[u8] = b"t,airspeed [kt],roll_deg\n0,40,1\n1,41,2\n2,42,3\n3,40,4\n";
+    const NUMBERS: &[u8] = b"a,b,c\n1,2,3\n4,5,7\n7,8,9\n";
+    const ROUTE: &[u8] = b"lat,lon,alt\n47.0,8.0,80\n47.001,8.0,80\n47.002,8.001,80\n";
+
+    #[test]
+    fn tables_of_a_flight_are_asked_about_and_those_of_a_route_are_not() {
+        let opened = look(&[("x/air.csv", AIR), ("x/odd.csv", NUMBERS)]).unwrap();
+        let names: Vec<_> = opened.tables.iter().map(|t| t.map.file.as_str()).collect();
+        assert_eq!(names, ["x/air.csv", "x/odd.csv"]);
+        let proposed: Vec<_> = opened.tables.iter().map(|t| t.is_proposed).collect();
+        assert_eq!(proposed, [true, false]);
+        let opened = look(&[("route.csv", ROUTE)]).unwrap();
+        assert!(opened.tables.is_empty());
+        assert_eq!(opened.imports.len(), 1);
+    }
+
+    #[test]
+    fn a_table_of_anything_is_asked_about_if_there_is_nothing_else() {
+        let opened = look(&[("odd.csv", NUMBERS)]).unwrap();
+        assert_eq!(opened.tables.len(), 1);
+        assert!(!opened.tables[0].is_proposed);
+        let opened = look(&[("odd.csv", NUMBERS), ("route.csv", ROUTE)]).unwrap_err();
+        assert!(opened.starts_with("odd.csv"), "{opened}");
     }
 
     #[test]

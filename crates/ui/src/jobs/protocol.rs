@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use pilotage_core::exchange::labels::FoundLabels;
 use pilotage_core::flight::Flight;
+use pilotage_core::flight::columns::GuessedTable;
 use pilotage_core::flight::log::Outline;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
 use pilotage_core::imagery::terrain::HeightGrid;
@@ -18,9 +19,9 @@ use serde::{Deserialize, Serialize};
 use super::{
     Assessment, AssessmentOrder, Beside, BriefOrder, BriefPictures, CutOrder, CutReport,
     EvaluationOrder, EvaluationReport, ExportOrder, FieldOrder, FileContent, FindOrder, FoundPlan,
-    HeightsOrder, ImportedFile, LogAnswer, LogOrder, LogSeries, PackOrder, PredictionOrder,
-    ReadLog, SeriesName, Share, StudyReport, SuggestOrder, TerrainInfo, TrainOrder,
-    TrainingOutcome, TrainingReport, WebMap, whole_bytes,
+    HeightsOrder, ImportedFile, LogAnswer, LogOrder, LogSeries, MadeFlight, PackOrder,
+    PredictionOrder, ReadLog, SeriesName, Share, StudyReport, SuggestOrder, TerrainInfo,
+    TrainOrder, TrainingOutcome, TrainingReport, WebMap, whole_bytes,
 };
 
 /// Number of a job, unique within a page.
@@ -147,6 +148,12 @@ pub enum Job {
         key: String,
         /// Its name among them.
         file: String,
+    },
+    /// Make the flight of tables among provided files by the maps beside them: events `FlightMade`. Kept by the
+    /// worker for [`Job::Fly`].
+    MakeFlight {
+        /// Key of the files.
+        key: String,
     },
     /// A series of a log that is being read or was: events `LogSeries`, each with some of its samples.
     LogSeries {
@@ -359,6 +366,8 @@ pub struct Opened {
     pub unplaced: Option<Unplaced>,
     /// Routes and landmarks of other programs, to be added to the mission.
     pub imports: Vec<ImportedFile>,
+    /// Tables of a flight, if it is to be asked what their columns mean.
+    pub tables: Vec<GuessedTable>,
     /// Labels of pictures, to be added to the mission.
     pub labels: Option<FoundLabels>,
     /// What was open beside the mission when it was saved.
@@ -378,6 +387,8 @@ pub enum JobEvent {
     LogOutline(Box<Outline>),
     /// A log that was read.
     LogRead(Box<ReadLog>),
+    /// A flight made of tables.
+    FlightMade(Box<MadeFlight>),
     /// Samples of a series of a log.
     LogSeries(Box<LogSeries>),
     /// Something that was asked of a log.

@@ -138,6 +138,7 @@ fn urgency(job: &Job) -> u8 {
         | Job::Pack(_)
         | Job::Export(_) => 2,
         Job::ReadLog { .. }
+        | Job::MakeFlight { .. }
         | Job::Cut(_)
         | Job::TakeHeights(_)
         | Job::Assess(_)

@@ -127,6 +127,7 @@ pub fn wanted_addresses(job: &Job) -> Vec<String> {
         | Job::Open { .. }
         | Job::ReadPlaces { .. }
         | Job::ReadLog { .. }
+        | Job::MakeFlight { .. }
         | Job::Cut(_)
         | Job::LogSeries { .. }
         | Job::AskLog(_)

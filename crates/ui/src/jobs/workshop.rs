@@ -39,6 +39,7 @@ use super::prepare::PrepareMap;
 use super::reckon::MakeCut;
 use super::running::Once;
 use super::suggest::{Suggest, choose};
+use super::tables::make_flight;
 use super::train::Train;
 use super::web_map::{FetchedTiles, WEB_TILES};
 use super::{
@@ -115,6 +116,9 @@ impl Workshop {
                 Ok(())
             }),
             Job::ReadLog { key, file } => Box::new(ReadingLog::new(key, file)),
+            Job::MakeFlight { key } => {
+                once(move |workshop, emit| make_flight(workshop, &key, emit))
+            }
             Job::LogSeries { key, file, series } => Box::new(SendSeries::new(key, file, series)),
             Job::AskLog(order) => Box::new(AnswerLog::new(*order)),
             Job::Fly {

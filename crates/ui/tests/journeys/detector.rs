@@ -38,6 +38,7 @@ fn open_trained(rig: &mut Rig) {
         run: None,
         unplaced: None,
         imports: Vec::new(),
+        tables: Vec::new(),
         labels: None,
         beside: None,
         remarks: Vec::new(),

@@ -22,6 +22,7 @@ fn rig_with_a_picture() -> Rig {
             points: None,
         }),
         imports: Vec::new(),
+        tables: Vec::new(),
         labels: None,
         beside: None,
         remarks: Vec::new(),

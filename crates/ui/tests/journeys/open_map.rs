@@ -24,6 +24,7 @@ fn a_map(origin: Option<Geodetic>) -> Opened {
         run: None,
         unplaced: None,
         imports: Vec::new(),
+        tables: Vec::new(),
         labels: None,
         beside: None,
         remarks: Vec::new(),

@@ -40,6 +40,7 @@ fn nothing() -> Opened {
         mission: None,
         run: None,
         imports: Vec::new(),
+        tables: Vec::new(),
         labels: None,
         beside: None,
         remarks: Vec::new(),

@@ -5,7 +5,7 @@ use pilotage_ui::jobs::Job;
 use super::support::{Rig, rig};
 
 /// The settings of the last flight.
-fn flown_with(rig: &Rig) -> NavigatorSettings {
+fn flown_with(rig: &mut Rig) -> NavigatorSettings {
     let Some((
         _,
         Job::Fly {
@@ -31,11 +31,11 @@ fn a_changed_setting_flies_again_and_undo_takes_it_back() {
     rig.frames(2);
     rig.settle();
     assert_eq!(rig.host().flights(), before + 1);
-    let flown = flown_with(&rig);
+    let flown = flown_with(&mut rig);
     assert!(!flown.redraw);
     rig.key_with(egui::Modifiers::COMMAND, egui::Key::Z);
     rig.settle();
-    let flown = flown_with(&rig);
+    let flown = flown_with(&mut rig);
     assert!(flown.redraw);
 }
 
@@ -60,7 +60,7 @@ fn another_estimator_is_chosen_and_flown_with() {
     rig.harness.get_by_label("Extended Kalman filter").click();
     rig.frames(2);
     rig.settle();
-    let flown = flown_with(&rig);
+    let flown = flown_with(&mut rig);
     let chosen = flown.estimator.choice;
     assert_eq!(chosen.label(), "Extended Kalman filter");
 }
@@ -75,11 +75,11 @@ fn whole_pictures_are_laid_on_the_map_when_that_is_wanted() {
         .click();
     rig.frames(2);
     rig.settle();
-    assert!(flown_with(&rig).whole_frames.unwrap().may_be_turned);
+    assert!(flown_with(&mut rig).whole_frames.unwrap().may_be_turned);
     rig.harness
         .get_by_label("Pictures may be stored turned by quarter turns")
         .click();
     rig.frames(2);
     rig.settle();
-    assert!(!flown_with(&rig).whole_frames.unwrap().may_be_turned);
+    assert!(!flown_with(&mut rig).whole_frames.unwrap().may_be_turned);
 }

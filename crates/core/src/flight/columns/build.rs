@@ -5,16 +5,19 @@ use std::sync::Arc;
 
 use nalgebra::Point3;
 
+use super::together::common_name;
 use super::{ColumnMap, ColumnRole, MappedColumn, time};
 use crate::flight::files::FileSet;
 use crate::flight::folder::{
     ChannelFile, FlightFile, FlightFolder, FolderError, OriginFile, StartFile, Table, TimeColumn,
     TimeFormat, VERSION, ValueColumn, read_tables,
 };
-use crate::flight::{ChannelName, Truth, TruthState};
+use crate::flight::{Channel, ChannelName, Truth, TruthState};
 
 /// Standard deviation per axis of the first position, metres.
 const GPS_DEVIATION: f64 = 5.0;
+/// Places further than this from the first are none, metres: a receiver without a fix says 0° north, 0° east.
+const FARTHEST: f64 = 1e6;
 /// Times beyond this are counted from elsewhere than the flight, seconds: they are counted from the first.
 const LONGEST: f64 = 1e6;
 /// Name of the column of times that rows are given where none is measured.
@@ -80,7 +83,7 @@ pub fn flight_of_tables(
             channel.time.offset_s = -start_of_time;
         }
     }
-    let origin = origin(maps, &tables);
+    let first = first_place(maps, &tables, &channels);
     let is_placed = channels
         .iter()
         .any(|c| matches!(c.name.as_str(), "gps" | "gps_north"));
@@ -89,21 +92,18 @@ pub fn flight_of_tables(
             "no column says where the flight was: it begins at the world's origin".to_owned(),
         );
     }
-    let at_origin = (!is_placed).then_some(0.0);
+    let at_origin = (first.is_some() || !is_placed).then_some(0.0);
     let layout = FlightFile {
         pilotage_flight: VERSION,
-        name: maps
-            .first()
-            .map_or("Flight", |map| map.file.as_str())
-            .to_owned(),
+        name: common_name(maps),
         description: None,
         data: None,
-        origin,
+        origin: first.map(|(origin, _)| origin),
         ground_down_m: 0.0,
         camera: None,
         time_origin: None,
         start: StartFile {
-            time_s: None,
+            time_s: first.and_then(|(_, time)| time),
             north_m: at_origin,
             east_m: at_origin,
             latitude_deg: None,
@@ -115,6 +115,9 @@ pub fn flight_of_tables(
         truth: None,
     };
     let mut folder = read_tables(Arc::clone(files), &layout, tables)?;
+    leave_out_strays(&mut folder, &mut notes);
+    notes.extend(height_above_start(&mut folder));
+    notes.extend(apart(&folder, maps, &layout));
     folder.notes.splice(0..0, notes);
     folder.flight.truth = track(&folder);
     Ok(folder)
@@ -187,8 +190,12 @@ fn of_map(map: &ColumnMap, time: &TimeColumn) -> Vec<ChannelFile> {
     channels
 }
 
-/// The first place on the globe that a table has.
-fn origin(maps: &[ColumnMap], tables: &BTreeMap<String, Arc<Table>>) -> Option<OriginFile> {
+/// The first place on the globe that a table has, and when, seconds, where times have no date.
+fn first_place(
+    maps: &[ColumnMap],
+    tables: &BTreeMap<String, Arc<Table>>,
+    channels: &[ChannelFile],
+) -> Option<(OriginFile, Option<f64>)> {
     maps.iter().find_map(|map| {
         let table = tables.get(&map.file)?;
         let angles = |role| {
@@ -198,17 +205,118 @@ fn origin(maps: &[ColumnMap], tables: &BTreeMap<String, Arc<Table>>) -> Option<O
         let pairs = angles(ColumnRole::Latitude)?
             .into_iter()
             .zip(angles(ColumnRole::Longitude)?);
-        // A receiver without a fix says that it is in the Gulf of Guinea.
+        let is_place = |(latitude, longitude): &(f64, f64)| {
+            latitude.abs() <= std::f64::consts::FRAC_PI_2
+                && longitude.abs() <= std::f64::consts::TAU
+                && (*latitude, *longitude) != (0.0, 0.0)
+        };
         let mut places = pairs
-            .filter_map(|(a, b)| Some((a?, b?)))
-            .filter(|p| *p != (0.0, 0.0));
-        let (latitude, longitude) = places.next()?;
-        Some(OriginFile {
+            .enumerate()
+            .filter_map(|(row, (a, b))| Some((row, Some((a?, b?)).filter(is_place)?)));
+        let (row, (latitude, longitude)) = places.next()?;
+        let origin = OriginFile {
             latitude_deg: latitude.to_degrees(),
             longitude_deg: longitude.to_degrees(),
             height_m: 0.0,
-        })
+        };
+        let channel = channels.iter().find(|c| c.file == map.file);
+        let time = channel.map(|c| &c.time);
+        let time = time.filter(|time| !time.format.is_absolute());
+        let time = time.and_then(|time| table.times(time, None).ok()?.get(row).copied());
+        Some((origin, time))
     })
+}
+
+/// Leaves out what a receiver without a fix told.
+fn leave_out_strays(folder: &mut FlightFolder, notes: &mut Vec<String>) {
+    if folder.flight.frame_on_globe.is_none() {
+        return;
+    }
+    let channels = &folder.flight.channels;
+    let find = |name| channels.iter().position(|channel| channel.name == name);
+    let pair = find(ChannelName::GpsNorth).zip(find(ChannelName::GpsEast));
+    let Some((north, east)) = pair else { return };
+    let values = |index: usize| channels[index].values.iter();
+    let is_near: Vec<bool> = values(north)
+        .zip(values(east))
+        .map(|(north, east)| north.hypot(*east) <= FARTHEST)
+        .collect();
+    let strays = is_near.iter().filter(|is_near| !**is_near).count();
+    if strays == 0 {
+        return;
+    }
+    for index in [north, east] {
+        let channel = &mut folder.flight.channels[index];
+        for kept in [&mut channel.times, &mut channel.values] {
+            let mut near = is_near.iter().copied();
+            kept.retain(|_| near.next().unwrap_or(true));
+        }
+    }
+    notes.push(format!(
+        "{strays} places were left out, as they lie over {:.0} km from the first",
+        1e-3 * FARTHEST
+    ));
+}
+
+/// Where no table tells the height above ground, that above where the flight began stands for it: by air pressure
+/// where it was measured, else by the receiver. Says so.
+fn height_above_start(folder: &mut FlightFolder) -> Option<String> {
+    let flight = &mut folder.flight;
+    if flight.channel(ChannelName::HeightAboveGround).is_some() {
+        return None;
+    }
+    let measured = [ChannelName::BarometricHeight, ChannelName::GpsHeight];
+    let known = measured.into_iter().find_map(|name| flight.channel(name));
+    let known = known.filter(|channel| !channel.times.is_empty())?;
+    let start = known.interpolated(flight.start.time)?;
+    let channel = Channel {
+        name: ChannelName::HeightAboveGround,
+        times: known.times.clone(),
+        values: known.values.iter().map(|value| value - start).collect(),
+    };
+    let name = super::ColumnRole::Channel(known.name).label();
+    flight.channels.push(channel);
+    Some(format!(
+        "no column is the height above ground: the {name} above the start stands for it"
+    ))
+}
+
+/// Which tables tell of another time than all others.
+fn apart(folder: &FlightFolder, maps: &[ColumnMap], layout: &FlightFile) -> Vec<String> {
+    let span_of = |file: &str| {
+        let of_file = |map: &&ChannelFile| map.file == file;
+        let is_known = |map: &ChannelFile| {
+            let name = match map.name.as_str() {
+                "gps" => ChannelName::GpsNorth.key(),
+                "gps_velocity" => ChannelName::GpsVelocityNorth.key(),
+                name => name,
+            };
+            let channels = &folder.flight.channels;
+            let channel = channels.iter().find(|c| c.name.key() == name)?;
+            Some((*channel.times.first()?, *channel.times.last()?))
+        };
+        layout
+            .channels
+            .iter()
+            .filter(of_file)
+            .find_map(is_known)
+            .map(|span| (file.to_owned(), span))
+    };
+    let spans: Vec<_> = maps.iter().filter_map(|map| span_of(&map.file)).collect();
+    let is_apart = |index: usize| {
+        let (_, (first, last)) = &spans[index];
+        let mut others = spans
+            .iter()
+            .enumerate()
+            .filter(|(other, _)| *other != index);
+        spans.len() > 1 && others.all(|(_, (_, (a, b)))| b < first || a > last)
+    };
+    let told = (0..spans.len()).filter(|index| is_apart(*index));
+    told.map(|index| {
+        let (file, (first, last)) = &spans[index];
+        format!("{file}: its times, {first:.1} s to {last:.1} s, are those of no other table")
+    })
+    .collect()
 }
 
 /// The track of the satellite receiver as the truth.

@@ -1,6 +1,7 @@
 //! What the columns of a table mean, guessed.
 
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 
 use super::header::{Parts, parts};
 use super::names::{NameGuess, meanings};
@@ -25,16 +26,41 @@ const NUMBERS: [&str; 10] = [
 ///
 /// Looks at its beginning and at some places all over it, so that it takes no longer for a long one.
 pub fn guess_table(file: &str, bytes: &[u8]) -> Option<ColumnMap> {
+    guess_with_samples(file, bytes).map(|(map, ..)| map)
+}
+
+/// What the columns of a table mean, with samples of them all and which share of its rows they are, about.
+pub(super) fn guess_with_samples(
+    file: &str,
+    bytes: &[u8],
+) -> Option<(ColumnMap, Vec<Sample>, f64)> {
     let head = text(&bytes[..bytes.len().min(HEAD)]);
     let shape = TableShape::of(&head)?;
-    let (samples, share) = samples(&head, bytes, &shape);
-    let columns = guess_columns(&samples, share);
-    Some(ColumnMap {
+    let (mut samples, share) = samples(&head, bytes, &shape);
+    tell_apart(&mut samples);
+    let map = ColumnMap {
         file: file.to_owned(),
         shape,
-        columns,
+        columns: guess_columns(&samples, share),
         rows_per_second: None,
-    })
+    };
+    Some((map, samples, share))
+}
+
+/// Gives every column a name of its own: `Alt`, `Alt (2)`; `#3` where the third has none.
+fn tell_apart(samples: &mut [Sample]) {
+    let mut taken = BTreeSet::new();
+    for (index, sample) in samples.iter_mut().enumerate() {
+        if sample.name.is_empty() {
+            sample.name = format!("#{}", index + 1);
+        }
+        let plain = sample.name.clone();
+        let mut number = 1;
+        while !taken.insert(sample.name.clone()) {
+            number += 1;
+            sample.name = format!("{plain} ({number})");
+        }
+    }
 }
 
 /// Text of bytes that may end within a letter.
@@ -113,13 +139,33 @@ fn samples(head: &str, bytes: &[u8], shape: &TableShape) -> (Vec<Sample>, f64) {
     (samples, share.clamp(1e-9, 1.0))
 }
 
-/// The column that is the time, its unit, how surely, and why.
-pub(in crate::flight) fn guess_time(
-    samples: &[Sample],
-    share: f64,
-) -> Option<(usize, &'static str, f64, String)> {
+/// A column that may be the time.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::flight) struct TimeGuess {
+    /// Which column.
+    pub column: usize,
+    /// Its unit.
+    pub unit: &'static str,
+    /// How surely, 0 to 1.
+    pub confidence: f64,
+    /// Why, in words.
+    pub reason: String,
+}
+
+/// The column that is the time.
+pub(in crate::flight) fn guess_time(samples: &[Sample], share: f64) -> Option<TimeGuess> {
+    let candidates = times(samples, share).into_iter();
+    // Of equals the first.
+    candidates.fold(None, |best: Option<TimeGuess>, found| match best {
+        Some(best) if best.confidence >= found.confidence => Some(best),
+        _ => Some(found),
+    })
+}
+
+/// Every column that may be the time, in the order of the columns.
+pub(super) fn times(samples: &[Sample], share: f64) -> Vec<TimeGuess> {
     let has_names = samples.iter().any(|sample| !sample.name.starts_with('#'));
-    let candidates = samples.iter().enumerate().filter_map(|(index, sample)| {
+    let candidate = |(column, sample): (usize, &Sample)| {
         let parts = parts(&sample.name, &sample.unit);
         let named = meanings(&parts.words)
             .into_iter()
@@ -141,13 +187,14 @@ pub(in crate::flight) fn guess_time(
             0.0 => 0.6,
             named => named,
         };
-        Some((index, unit, by_name * confidence, reason))
-    });
-    // Of equals the first.
-    candidates.fold(None, |best: Option<(usize, _, f64, _)>, found| match best {
-        Some(best) if best.2 >= found.2 => Some(best),
-        _ => Some(found),
-    })
+        Some(TimeGuess {
+            column,
+            unit,
+            confidence: by_name * confidence,
+            reason,
+        })
+    };
+    samples.iter().enumerate().filter_map(candidate).collect()
 }
 
 /// What columns mean of which these are samples, `share` of all rows.
@@ -167,13 +214,7 @@ pub(in crate::flight) fn guess_columns(samples: &[Sample], share: f64) -> Vec<Ma
         .zip(&taken)
         .enumerate()
         .map(|(index, (sample, (parts, guesses)))| match &time {
-            Some((place, unit, confidence, reason)) if *place == index => MappedColumn {
-                role: ColumnRole::Time,
-                unit: (*unit).to_owned(),
-                confidence: *confidence,
-                reason: reason.clone(),
-                ..unused(&sample.name, "")
-            },
+            Some(time) if time.column == index => time_column(&sample.name, time),
             _ => column(sample, parts, guesses, has_degrees),
         })
         .collect();
@@ -199,6 +240,17 @@ fn has_degrees(samples: &[Sample], taken: &[(Parts, Vec<NameGuess>)]) -> Option<
         })
         .collect();
     said.iter().find(|said| **said).or(said.first()).copied()
+}
+
+/// The column called so as the time.
+pub(super) fn time_column(name: &str, time: &TimeGuess) -> MappedColumn {
+    MappedColumn {
+        role: ColumnRole::Time,
+        unit: time.unit.to_owned(),
+        confidence: time.confidence,
+        reason: time.reason.clone(),
+        ..unused(name, "")
+    }
 }
 
 fn unused(name: &str, reason: &str) -> MappedColumn {
@@ -330,7 +382,8 @@ fn settle(columns: &mut [MappedColumn]) {
     }
 }
 
-fn give_up(column: &mut MappedColumn, reason: String) {
+/// Takes its role from a column, and keeps it as the first of what else it may be.
+pub(super) fn give_up(column: &mut MappedColumn, reason: String) {
     column.alternatives.insert(
         0,
         Alternative {

@@ -73,6 +73,13 @@ impl ColumnRole {
             }
         }
     }
+
+    /// What a value in `unit` is multiplied by to be in SI and radians; `None` for what has no quantity, and for
+    /// units that are none of its own.
+    pub fn factor(self, unit: &str) -> Option<f64> {
+        let dimension = crate::flight::folder::Dimension::of(self.quantity()?);
+        dimension.factor(Some(unit)).ok()
+    }
 }
 
 /// Another meaning that a column may have.
@@ -140,7 +147,8 @@ impl ColumnMap {
         if let Some(column) = twice {
             return Some(format!("two columns are {}", column.role.label()));
         }
-        if !has(ColumnRole::Time) && self.rows_per_second.is_none() {
+        let is_rate = |rate: f64| rate.is_finite() && rate > 0.0;
+        if !has(ColumnRole::Time) && !self.rows_per_second.is_some_and(is_rate) {
             return Some(
                 "no column is the time; say which, or how many rows a second has".to_owned(),
             );

@@ -1,7 +1,8 @@
 //! Anybody's tables: what their columns mean, guessed from names, units and values, and open to correction.
 //!
 //! [`guess_table`] makes a [`ColumnMap`] of a table, each column with a confidence and a reason; a [`Preview`] shows
-//! the first rows beside it; [`flight_of_tables`] makes a flight of tables by their maps, as corrected.
+//! the first rows beside it; [`guess_tables`] does so for tables that were written together;
+//! [`flight_of_tables`] makes a flight of tables by their maps, as corrected.
 
 mod build;
 mod guess;
@@ -14,6 +15,7 @@ mod shape;
 #[cfg(test)]
 mod tests;
 mod time;
+mod together;
 mod values;
 
 pub use build::flight_of_tables;
@@ -23,3 +25,4 @@ pub use preview::{Preview, preview};
 pub(super) use sample::Sample;
 pub(super) use shape::number;
 pub use shape::{Separator, TableShape};
+pub use together::{GuessedTable, guess_tables, tables_lack};

@@ -36,7 +36,7 @@ const RULES: &[Rule] = &[
     rule(
         Time,
         0.95,
-        "time|timestamp|time stamp|datetime|date time|log time|utc time|gps time|t|elapsed|elapsed time",
+        "time|timestamp|time stamp|datetime|date time|log time|utc time|gps time|t|t s|t ms|t us|t ns|t sec|elapsed|elapsed time",
     ),
     rule(
         Time,
@@ -52,7 +52,7 @@ const RULES: &[Rule] = &[
     rule(
         SpeedOverGround,
         0.9,
-        "ground speed|groundspeed|speed over ground|sog|gspd|gs|gps speed|gps spd",
+        "ground speed|groundspeed|gnd spd|gnd speed|speed over ground|sog|gspd|gs|gps speed|gps spd",
     ),
     rule(SpeedOverGround, 0.5, "spd|speed|velocity"),
     rule(
@@ -109,7 +109,7 @@ const RULES: &[Rule] = &[
     rule(
         Channel(ChannelName::GpsHeight),
         0.6,
-        "alt|altitude|elevation|abs alt|absolute altitude|ellipsoid height",
+        "alt|altitude|hgt|elevation|abs alt|absolute altitude|ellipsoid height",
     ),
     rule(
         Channel(ChannelName::GpsNorth),
@@ -135,6 +135,11 @@ const RULES: &[Rule] = &[
         Channel(ChannelName::GpsVelocityDown),
         0.9,
         "velocity down|vel d|velocity d|vd|down velocity|vel down|gps velocity down|sink rate|v d|v down|speed down",
+    ),
+    rule(
+        Channel(ChannelName::GpsVelocityDown),
+        0.6,
+        "vz|v z|vel z|velocity z",
     ),
     turned(
         Channel(ChannelName::GpsVelocityDown),

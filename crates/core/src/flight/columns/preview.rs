@@ -1,5 +1,7 @@
 //! The beginning of a table, as people are shown it.
 
+use serde::{Deserialize, Serialize};
+
 use super::ColumnMap;
 use crate::flight::folder::decoded;
 
@@ -7,7 +9,7 @@ use crate::flight::folder::decoded;
 const HEAD: usize = 1 << 18;
 
 /// The first rows of a table, read as a map says.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Preview {
     /// Cells of the first rows, as many as there are columns in the map; empty where a row is short.
     pub rows: Vec<Vec<String>>,

@@ -1,1 +1,415 @@
+use std::fmt::Write as _;
+use std::sync::Arc;
 
+use proptest::prelude::*;
+
+use super::*;
+use crate::flight::ChannelName;
+use crate::flight::files::{FileSet, MemoryFiles};
+
+use ColumnRole::{Channel, Course, Latitude, Longitude, Nothing, SpeedOverGround, Time};
+
+/// What a column of a table was guessed to be, and in which unit.
+fn guessed(map: &ColumnMap, column: &str) -> (ColumnRole, String) {
+    let column = map.columns.iter().find(|c| c.name == column);
+    let column = column.unwrap_or_else(|| panic!("no such column in {}", map.file));
+    (column.role, column.unit.clone())
+}
+
+fn is(role: ColumnRole, unit: &str) -> (ColumnRole, String) {
+    (role, unit.to_owned())
+}
+
+/// Ten seconds eastward at 20 m/s along 47° north, ten rows a second.
+fn eastward() -> String {
+    let mut table = String::from("time [s];Lat;Lon;roll (deg);Airspeed [km/h];Climb;battery\n");
+    for row in 0..100 {
+        let time = 0.1 * f64::from(row);
+        let longitude = 8.0 + time * 20.0 / 76_058.0;
+        let roll = f64::from(row % 40 - 20);
+        let volts = 11.1 + time;
+        writeln!(table, "{time:.1};47.0;{longitude:.7};{roll};72;0.5;{volts}").unwrap();
+    }
+    table
+}
+
+fn files(tables: &[(&str, &str)]) -> Arc<dyn FileSet> {
+    let entry = |(name, text): &(&str, &str)| ((*name).to_owned(), text.as_bytes().to_vec());
+    Arc::new(MemoryFiles(tables.iter().map(entry).collect()))
+}
+
+/// Tables of the flying wing X-8, or `None`, said aloud, where they are not beside the repository.
+fn recorded(names: &[&str]) -> Option<Arc<dyn FileSet>> {
+    let folder = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../../shared/data/inertialnav_x8"
+    );
+    let mut found = MemoryFiles::default();
+    for name in names {
+        let Ok(bytes) = std::fs::read(format!("{folder}/{name}")) else {
+            println!("skipped: no shared data (inertialnav_x8/{name})");
+            return None;
+        };
+        found.0.insert((*name).to_owned(), bytes);
+    }
+    Some(Arc::new(found))
+}
+
+fn tables(files: &Arc<dyn FileSet>) -> Vec<GuessedTable> {
+    guess_tables(files.as_ref(), &files.names())
+}
+
+fn map_of<'a>(tables: &'a [GuessedTable], file: &str) -> &'a ColumnMap {
+    let table = tables.iter().find(|table| table.map.file == file);
+    &table.unwrap_or_else(|| panic!("{file} was no table")).map
+}
+
+#[test]
+fn a_written_table_is_understood_with_its_units_and_reasons() {
+    let map = guess_table("east.csv", eastward().as_bytes()).unwrap();
+    assert_eq!(guessed(&map, "time [s]"), is(Time, "s"));
+    assert_eq!(guessed(&map, "Lat"), is(Latitude, "deg"));
+    assert_eq!(guessed(&map, "Lon"), is(Longitude, "deg"));
+    let roll = Channel(ChannelName::Roll);
+    assert_eq!(guessed(&map, "roll (deg)"), is(roll, "deg"));
+    let airspeed = Channel(ChannelName::Airspeed);
+    assert_eq!(guessed(&map, "Airspeed [km/h]"), is(airspeed, "km/h"));
+    let down = Channel(ChannelName::GpsVelocityDown);
+    assert_eq!(guessed(&map, "Climb"), is(down, "m/s"));
+    assert_eq!(guessed(&map, "battery"), is(Nothing, ""));
+    assert_eq!(map.column(down).map(|c| c.scale), Some(-1.0));
+    assert_eq!(map.lacks(), None);
+    for column in &map.columns {
+        assert!((0.0..=1.0).contains(&column.confidence), "{column:?}");
+        assert!(!column.reason.is_empty(), "{column:?}");
+        assert!(
+            column.role == Nothing || column.role.units().contains(&column.unit.as_str()),
+            "{column:?}"
+        );
+    }
+}
+
+#[test]
+fn a_flight_of_a_written_table_has_its_origin_channels_and_values() {
+    let files = files(&[("east.csv", &eastward())]);
+    let maps = [guess_table("east.csv", eastward().as_bytes()).unwrap()];
+    let folder = flight_of_tables(&files, &maps).unwrap();
+    assert_eq!(folder.notes, Vec::<String>::new());
+    let flight = folder.flight;
+    assert_eq!(flight.name, "east");
+    let origin = flight.frame_on_globe.unwrap().origin;
+    assert!((origin.latitude.to_degrees() - 47.0).abs() < 1e-12);
+    assert!((origin.longitude.to_degrees() - 8.0).abs() < 1e-9);
+    assert_eq!(flight.start.time, 0.0);
+    assert!(
+        flight
+            .start
+            .position
+            .north
+            .hypot(flight.start.position.east)
+            < 1e-9
+    );
+    let value = |name, time| flight.value(name, time).unwrap();
+    assert!((value(ChannelName::GpsEast, 9.9) - 198.0).abs() < 0.5);
+    assert!(value(ChannelName::GpsNorth, 9.9).abs() < 0.1);
+    assert!((value(ChannelName::Airspeed, 5.0) - 20.0).abs() < 1e-12);
+    assert!((value(ChannelName::Roll, 0.0) + 20_f64.to_radians()).abs() < 1e-12);
+    assert!((value(ChannelName::GpsVelocityDown, 5.0) + 0.5).abs() < 1e-12);
+    assert_eq!(flight.channels.len(), 5);
+    assert_eq!(flight.truth.unwrap().states.len(), 100);
+}
+
+#[test]
+fn what_people_correct_is_done() {
+    let files = files(&[("east.csv", &eastward())]);
+    let mut map = guess_table("east.csv", eastward().as_bytes()).unwrap();
+    for column in &mut map.columns {
+        match column.name.as_str() {
+            "Airspeed [km/h]" => column.unit = "kt".to_owned(),
+            "Climb" | "Lat" | "Lon" => column.role = Nothing,
+            _ => {}
+        }
+    }
+    let folder = flight_of_tables(&files, &[map]).unwrap();
+    let airspeed = folder.flight.value(ChannelName::Airspeed, 5.0).unwrap();
+    assert!((airspeed - 72.0 * 1852.0 / 3600.0).abs() < 1e-9);
+    assert_eq!(folder.flight.channels.len(), 2);
+    assert_eq!(folder.flight.frame_on_globe, None);
+    assert!(folder.notes[0].contains("begins at the world's origin"));
+}
+
+#[test]
+fn a_map_says_what_it_lacks() {
+    let whole = guess_table("east.csv", eastward().as_bytes()).unwrap();
+    let with = |name: &str, role: ColumnRole| {
+        let mut map = whole.clone();
+        let column = map.columns.iter_mut().find(|c| c.name == name).unwrap();
+        column.role = role;
+        map
+    };
+    let lacks = |map: &ColumnMap| map.lacks().unwrap_or_default();
+    let mut timeless = with("time [s]", Nothing);
+    assert!(lacks(&timeless).contains("no column is the time"));
+    for rate in [0.0, -1.0, f64::NAN] {
+        timeless.rows_per_second = Some(rate);
+        assert!(lacks(&timeless).contains("no column is the time"));
+    }
+    timeless.rows_per_second = Some(10.0);
+    assert_eq!(timeless.lacks(), None);
+    let flight = flight_of_tables(&files(&[("east.csv", &eastward())]), &[timeless]);
+    let (first, last) = flight.unwrap().flight.span();
+    assert!(first == 0.0 && (last - 9.9).abs() < 1e-9);
+    assert!(lacks(&with("Lon", Nothing)).contains("latitude is of no use without longitude"));
+    assert!(lacks(&with("Climb", Course)).contains("course over ground is of no use"));
+    assert!(lacks(&with("battery", Latitude)).contains("two columns are latitude"));
+    assert_eq!(tables_lack(&[&whole]), None);
+    let mut other = whole.clone();
+    other.file = "folder/other.csv".to_owned();
+    assert_eq!(
+        tables_lack(&[&whole, &other]).unwrap(),
+        "east.csv and other.csv both tell the roll; let one of them not be used"
+    );
+    assert_eq!(tables_lack(&[]).unwrap(), "no table is to be used");
+}
+
+#[test]
+fn columns_of_one_name_and_of_none_are_told_apart() {
+    let table = "t,alt,alt,\n0,1,10,5\n1,2,20,6\n2,3,30,7\n3,4,40,8\n";
+    let map = guess_table("a.csv", table.as_bytes()).unwrap();
+    let names: Vec<&str> = map.columns.iter().map(|c| c.name.as_str()).collect();
+    assert_eq!(names, ["t", "alt", "alt (2)", "#4"]);
+    let mut map = map;
+    map.columns[1].role = Nothing;
+    map.columns[2].role = Channel(ChannelName::BarometricHeight);
+    map.columns[2].unit = "m".to_owned();
+    let folder = flight_of_tables(&files(&[("a.csv", table)]), &[map]).unwrap();
+    let height = folder.flight.value(ChannelName::BarometricHeight, 3.0);
+    assert_eq!(height, Some(40.0));
+}
+
+#[test]
+fn places_of_a_receiver_without_a_fix_are_left_out() {
+    let mut table = String::from("t,lat,lon,roll_deg\n");
+    for row in 0..20 {
+        let place = if row < 5 { "0,0" } else { "47.0,8.0" };
+        writeln!(table, "{row},{place},{row}").unwrap();
+    }
+    let files = files(&[("a.csv", &table)]);
+    let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+    let folder = flight_of_tables(&files, &maps).unwrap();
+    let north = folder.flight.channel(ChannelName::GpsNorth).unwrap();
+    assert_eq!(north.values.len(), 15);
+    assert_eq!(folder.flight.start.time, 5.0);
+    assert!(
+        folder.notes[0].starts_with("5 places were left out"),
+        "{:?}",
+        folder.notes
+    );
+}
+
+#[test]
+fn a_preview_shows_the_first_rows_as_the_map_reads_them() {
+    let map = guess_table("east.csv", eastward().as_bytes()).unwrap();
+    let shown = preview(eastward().as_bytes(), &map, 3);
+    assert_eq!(shown.rows.len(), 3);
+    assert_eq!(shown.rows[1][0], "0.1");
+    assert_eq!(shown.ranges[5], Some((-0.5, -0.5)));
+    assert!(shown.before[0].starts_with("time [s];Lat"));
+}
+
+#[test]
+fn the_text_tables_of_the_swiss_flight_are_understood() {
+    let names = [
+        "SwissLog1_airdata.csv",
+        "SwissLog1_att.csv",
+        "SwissLog1_gps.csv",
+        "SwissLog1_imu.csv",
+    ];
+    let Some(files) = recorded(&names) else {
+        return;
+    };
+    let tables = tables(&files);
+    let gps = map_of(&tables, "SwissLog1_gps.csv");
+    assert_eq!(guessed(gps, "t_s"), is(Time, "s"));
+    assert_eq!(guessed(gps, "lat"), is(Latitude, "deg"));
+    assert_eq!(guessed(gps, "course_rad"), is(Course, "rad"));
+    assert_eq!(guessed(gps, "gnd_spd"), is(SpeedOverGround, "m/s"));
+    let height = Channel(ChannelName::GpsHeight);
+    assert_eq!(guessed(gps, "hgt"), is(height, "m"));
+    let att = map_of(&tables, "SwissLog1_att.csv");
+    let heading = Channel(ChannelName::Heading);
+    assert_eq!(guessed(att, "yaw"), is(heading, "deg"));
+    let imu = map_of(&tables, "SwissLog1_imu.csv");
+    let rate = Channel(ChannelName::RollRate);
+    assert_eq!(guessed(imu, "gx"), is(rate, "rad/s"));
+    let down = Channel(ChannelName::AccelerationDown);
+    assert_eq!(guessed(imu, "az"), is(down, "m/s2"));
+    let air = map_of(&tables, "SwissLog1_airdata.csv");
+    let airspeed = Channel(ChannelName::EquivalentAirspeed);
+    assert_eq!(guessed(air, "Veas"), is(airspeed, "m/s"));
+    assert!(tables.iter().all(GuessedTable::is_of_a_flight));
+    let maps: Vec<ColumnMap> = tables.into_iter().map(|table| table.map).collect();
+    assert_eq!(tables_lack(&maps.iter().collect::<Vec<_>>()), None);
+    let flight = flight_of_tables(&files, &maps).unwrap().flight;
+    // Nothing but air pressure tells the height: that above the start.
+    let height = flight.channel(ChannelName::HeightAboveGround).unwrap();
+    assert!(height.values[0].abs() < 1.0 && height.values.len() > 1000);
+    let origin = flight.frame_on_globe.unwrap().origin;
+    assert!((origin.latitude.to_degrees() - 47.389_156).abs() < 1e-9);
+    assert!((origin.longitude.to_degrees() - 8.033_634).abs() < 1e-9);
+    let (first, last) = flight.span();
+    assert!(first.abs() < 0.2 && (last - 100.0).abs() < 2.0, "{last}");
+}
+
+#[test]
+fn the_tables_of_a_log_agree_on_one_clock_and_share_the_channels_out() {
+    let kinds = ["ATT", "CMD", "GPS", "IMU", "MAG", "MODE", "NTUN"];
+    let names = kinds.map(|kind| format!("TestLog2_{kind}.csv"));
+    let Some(files) = recorded(&names.each_ref().map(String::as_str)) else {
+        return;
+    };
+    let tables = tables(&files);
+    let used = |table: &&GuessedTable| table.is_of_a_flight();
+    let used: Vec<&GuessedTable> = tables.iter().filter(used).collect();
+    let files_used: Vec<&str> = used.iter().map(|t| t.map.file.as_str()).collect();
+    assert_eq!(
+        files_used,
+        [
+            "TestLog2_ATT.csv",
+            "TestLog2_GPS.csv",
+            "TestLog2_IMU.csv",
+            "TestLog2_NTUN.csv"
+        ]
+    );
+    let gps = map_of(&tables, "TestLog2_GPS.csv");
+    // Its TimeMS is that of the satellites; the others count from the start of the autopilot.
+    assert_eq!(guessed(gps, "T"), is(Time, "ms"));
+    assert_eq!(guessed(gps, "TimeMS"), is(Nothing, ""));
+    let height = Channel(ChannelName::GpsHeight);
+    assert_eq!(guessed(gps, "Alt"), is(height, "m"));
+    let heading = Channel(ChannelName::Heading);
+    let att = map_of(&tables, "TestLog2_ATT.csv");
+    assert_eq!(guessed(att, "Yaw"), is(heading, "deg"));
+    let ntun = map_of(&tables, "TestLog2_NTUN.csv");
+    assert_eq!(guessed(ntun, "Yaw"), is(Nothing, ""));
+    let airspeed = Channel(ChannelName::Airspeed);
+    assert_eq!(guessed(ntun, "Arspd"), is(airspeed, "m/s"));
+    let maps: Vec<ColumnMap> = used.into_iter().map(|t| t.map.clone()).collect();
+    assert_eq!(tables_lack(&maps.iter().collect::<Vec<_>>()), None);
+    let folder = flight_of_tables(&files, &maps).unwrap();
+    assert_eq!(folder.notes, Vec::<String>::new());
+    let flight = folder.flight;
+    assert_eq!(flight.name, "TestLog2");
+    let (first, last) = flight.span();
+    assert!((first - 13.178).abs() < 1e-9 && (last - first - 613.1).abs() < 0.1);
+    // A line of the file: 316080 ms, 11.68 m/s towards 84.64°.
+    let course = 84.64_f64.to_radians();
+    let value = |name| flight.value(name, 316.08).unwrap();
+    assert!((value(ChannelName::GpsVelocityNorth) - 11.68 * course.cos()).abs() < 1e-9);
+    assert!((value(ChannelName::GpsVelocityEast) - 11.68 * course.sin()).abs() < 1e-9);
+}
+
+#[test]
+fn tables_of_two_flights_are_told_apart() {
+    let attitude = |rows: u32| {
+        let row = |row: u32| format!("{row},{},{}\n", row % 7, row % 5);
+        "t,roll_deg,pitch_deg\n".to_owned() + &(0..rows).map(row).collect::<String>()
+    };
+    let air = |rows: u32| {
+        let row = |row: u32| format!("{row},{}\n", 20 + row % 3);
+        "t,airspeed\n".to_owned() + &(0..rows).map(row).collect::<String>()
+    };
+    let files = files(&[
+        ("x/one_att.csv", &attitude(50)),
+        ("x/one_air.csv", &air(50)),
+        ("x/two_att.csv", &attitude(90)),
+        ("x/two_air.csv", &air(90)),
+    ]);
+    let tables = tables(&files);
+    let proposed = tables.iter().filter(|table| table.is_proposed);
+    let proposed: Vec<&str> = proposed.map(|t| t.map.file.as_str()).collect();
+    assert_eq!(proposed, ["x/two_air.csv", "x/two_att.csv"]);
+    let roll = Channel(ChannelName::Roll);
+    let first = map_of(&tables, "x/one_att.csv");
+    assert_eq!(guessed(first, "roll_deg"), is(roll, "deg"));
+}
+
+/// Bytes that begin like a table and are damaged.
+fn damaged() -> impl Strategy<Value = Vec<u8>> {
+    let change = (0_usize..6000, any::<u8>());
+    (
+        prop::collection::vec(change, 0..40),
+        0_usize..6000,
+        any::<bool>(),
+    )
+        .prop_map(|(changes, length, swaps)| {
+            let mut bytes = eastward().into_bytes();
+            if swaps {
+                bytes
+                    .iter_mut()
+                    .filter(|b| **b == b';')
+                    .for_each(|b| *b = b',');
+            }
+            for (at, byte) in changes {
+                let at = at % bytes.len();
+                bytes[at] = byte;
+            }
+            bytes.truncate(length.max(1));
+            bytes
+        })
+}
+
+/// Does everything that is done with a table.
+fn go_through(bytes: &[u8]) {
+    let files: Arc<dyn FileSet> = Arc::new(MemoryFiles(
+        [
+            ("a.csv".to_owned(), bytes.to_vec()),
+            ("b.csv".to_owned(), bytes.to_vec()),
+        ]
+        .into(),
+    ));
+    for mut table in tables(&files) {
+        let _ = preview(bytes, &table.map, 5);
+        if let Ok(folder) = flight_of_tables(&files, &[table.map.clone()]) {
+            assert!(folder.flight.channels.iter().all(|c| {
+                c.times.len() == c.values.len() && c.times.windows(2).all(|w| w[0] <= w[1])
+            }));
+        }
+        for column in &mut table.map.columns {
+            column.role = match column.role {
+                Time => Nothing,
+                _ => Channel(ChannelName::Roll),
+            };
+            column.unit = "deg".to_owned();
+        }
+        table.map.rows_per_second = Some(3.0);
+        let _ = flight_of_tables(&files, &[table.map]);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn bytes_of_any_kind_never_panic(bytes in prop::collection::vec(any::<u8>(), 0..3000)) {
+        go_through(&bytes);
+    }
+
+    #[test]
+    fn damaged_tables_never_panic(bytes in damaged()) {
+        go_through(&bytes);
+    }
+
+    #[test]
+    fn long_tables_are_looked_at_in_places_and_never_panic(
+        seed in prop::collection::vec(any::<u8>(), 1..40),
+        length in 60_000_usize..200_000,
+    ) {
+        let mut bytes = eastward().into_bytes();
+        while bytes.len() < length {
+            bytes.extend_from_slice(b"1.0;47.0;8.0;3;72;0.5;");
+            bytes.extend_from_slice(&seed);
+        }
+        let _ = guess_table("a.csv", &bytes);
+    }
+}

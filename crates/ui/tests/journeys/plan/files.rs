@@ -20,6 +20,7 @@ fn opened(rig: &mut Rig, file: ImportedFile) {
         run: None,
         unplaced: None,
         imports: vec![file],
+        tables: Vec::new(),
         labels: None,
         beside: None,
         remarks: Vec::new(),

@@ -33,6 +33,7 @@ fn open_heights(rig: &mut Rig) {
         run: None,
         unplaced: None,
         imports: Vec::new(),
+        tables: Vec::new(),
         labels: None,
         beside: None,
         remarks: Vec::new(),

@@ -68,6 +68,7 @@ fn is_real(job: &Job) -> bool {
     matches!(
         job,
         Job::ReadLog { .. }
+            | Job::MakeFlight { .. }
             | Job::LogSeries { .. }
             | Job::AskLog(_)
             | Job::Find(_)
@@ -139,7 +140,7 @@ impl ScriptedHost {
         }
     }
 
-    /// Whether a job is about the flight that a log tells of, which is really read.
+    /// Whether a job is about the flight that a log or tables tell of, which are really read.
     fn is_of_a_log(&self, job: &Job) -> bool {
         let flight = match job {
             Job::Fly { flight, .. } if !self.silent_flights => flight,
@@ -147,7 +148,9 @@ impl ScriptedHost {
             _ => return false,
         };
         let is_it = |j: &Job| match (j, flight) {
-            (Job::ReadLog { key, .. }, FlightSource::Files(flown)) => key == flown,
+            (Job::ReadLog { key, .. } | Job::MakeFlight { key }, FlightSource::Files(flown)) => {
+                key == flown
+            }
             _ => false,
         };
         self.jobs.iter().any(|(_, j)| is_it(j))

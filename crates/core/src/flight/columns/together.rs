@@ -1,0 +1,336 @@
+//! Tables that were written together: one clock for all, and each channel from one of them.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::guess::{TimeGuess, give_up, guess_with_samples, time_column, times};
+use super::{ColumnMap, ColumnRole, Preview, Sample, preview};
+use crate::flight::ChannelName;
+use crate::flight::files::FileSet;
+
+/// Rows that are shown of a table.
+const SHOWN: usize = 4;
+/// Units of times that are counted, and their seconds.
+const SECONDS: [(&str, f64); 4] = [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9)];
+/// How surely a column is the time in a table that is one of a flight.
+const SURE_TIME: f64 = 0.4;
+/// What the receiver's own table has over others in what satellites tell.
+const RECEIVER: f64 = 0.3;
+/// Confidences nearer to each other than this are equal.
+const EQUAL: f64 = 0.05;
+
+/// A table whose columns were guessed, with what is shown beside the guess.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GuessedTable {
+    /// What its columns mean.
+    pub map: ColumnMap,
+    /// Its first rows.
+    pub preview: Preview,
+    /// Smallest and largest number of each column as it stands in the cells, at places all over the table.
+    pub ranges: Vec<Option<(f64, f64)>>,
+    /// Rows that it has, about.
+    pub rows: f64,
+    /// Whether a flight is likely to be made of it, together with the others that are proposed.
+    pub is_proposed: bool,
+}
+
+impl GuessedTable {
+    /// Whether it is surely one of a flight: it has a time and something that was measured.
+    pub fn is_of_a_flight(&self) -> bool {
+        let time = self.map.column(ColumnRole::Time);
+        time.is_some_and(|time| time.confidence >= SURE_TIME) && self.map.lacks().is_none()
+    }
+
+    /// Rows a second, by its times; 0 without any.
+    fn rate(&self) -> f64 {
+        let time = |column: &super::MappedColumn| column.role == ColumnRole::Time;
+        let index = self.map.columns.iter().position(time);
+        let span = index.and_then(|index| {
+            let (first, last) = (*self.ranges.get(index)?)?;
+            Some((last - first) * seconds(&self.map.columns[index].unit)?)
+        });
+        span.filter(|span| *span > 0.0)
+            .map_or(0.0, |span| self.rows / span)
+    }
+}
+
+fn seconds(unit: &str) -> Option<f64> {
+    let found = SECONDS.iter().find(|(name, _)| *name == unit);
+    found.map(|(_, seconds)| *seconds)
+}
+
+/// What the columns of the tables `names` mean that were written together; what is no table is left out.
+///
+/// Tables of several flights, as the beginnings of their names tell, are told apart; those of the flight with most of
+/// them are proposed.
+///
+/// Where one table counts its time from elsewhere than the others, and has a second column of times that agrees with
+/// theirs, that one is taken. Where several have the same channel, it is left to the likeliest, or else to the one with
+/// most rows a second.
+pub fn guess_tables(files: &dyn FileSet, names: &[String]) -> Vec<GuessedTable> {
+    let read = |name: &String| {
+        let bytes = files.read(name)?;
+        let (map, samples, share) = guess_with_samples(name, &bytes)?;
+        let cells = |sample: &Sample| sample.numbers.len() + sample.texts.len() + sample.empty;
+        let table = GuessedTable {
+            preview: preview(&bytes, &map, SHOWN),
+            ranges: samples.iter().map(Sample::range).collect(),
+            rows: (samples.iter().map(cells).max().unwrap_or(0) as f64 / share).round(),
+            map,
+            is_proposed: false,
+        };
+        Some((table, Clock::all(&samples, share)))
+    };
+    let found: Vec<_> = names.iter().filter_map(read).collect();
+    let mut flights: BTreeMap<String, (Vec<GuessedTable>, Vec<Vec<Clock>>)> = BTreeMap::new();
+    let is_several = are_of_several_flights(found.iter().map(|(table, _)| table));
+    for (table, clocks) in found {
+        let flight = if is_several {
+            beginning(&table.map.file)
+        } else {
+            ""
+        };
+        let of_flight = flights.entry(flight.to_owned()).or_default();
+        of_flight.0.push(table);
+        of_flight.1.push(clocks);
+    }
+    let together = |(mut tables, clocks): (Vec<GuessedTable>, Vec<Vec<Clock>>)| {
+        agree_on_time(&mut tables, &clocks);
+        settle(&mut tables);
+        tables
+    };
+    let mut flights: Vec<Vec<GuessedTable>> = flights.into_values().map(together).collect();
+    let worth = |tables: &Vec<GuessedTable>| {
+        let of_flight = tables.iter().filter(|table| table.is_of_a_flight());
+        let of_flight = of_flight.map(|table| table.rows);
+        of_flight.fold((0, 0), |(count, rows), more| {
+            (count + 1, rows + more as u64)
+        })
+    };
+    if let Some(best) = flights.iter_mut().max_by_key(|tables| worth(tables)) {
+        for table in best.iter_mut() {
+            table.is_proposed = table.is_of_a_flight();
+        }
+    }
+    flights.into_iter().flatten().collect()
+}
+
+/// Whether at least two flights have two tables each.
+fn are_of_several_flights<'a>(tables: impl Iterator<Item = &'a GuessedTable>) -> bool {
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    for table in tables.filter(|table| table.is_of_a_flight()) {
+        *counts.entry(beginning(&table.map.file)).or_default() += 1;
+    }
+    counts.values().filter(|count| **count > 1).count() > 1
+}
+
+/// What the names of tables of one flight have in common: the folder, and what stands before the last `_` or `-`.
+fn beginning(file: &str) -> &str {
+    let name = file.rfind('/').map_or(0, |at| at + 1);
+    let end = file[name..].rfind(['_', '-']).map_or(name, |at| name + at);
+    &file[..end]
+}
+
+/// A column of times that are counted: when it begins and ends, seconds.
+struct Clock {
+    guess: TimeGuess,
+    span: (f64, f64),
+}
+
+impl Clock {
+    /// Those of a table.
+    fn all(samples: &[Sample], share: f64) -> Vec<Self> {
+        let clock = |guess: TimeGuess| {
+            let (first, last) = samples.get(guess.column)?.range()?;
+            let seconds = seconds(guess.unit)?;
+            let span = (first * seconds, last * seconds);
+            Some(Self { guess, span })
+        };
+        times(samples, share)
+            .into_iter()
+            .filter_map(clock)
+            .collect()
+    }
+
+    /// Whether two run together for at least half of the shorter.
+    fn agrees(&self, other: &Self) -> bool {
+        let ((a, b), (c, d)) = (self.span, other.span);
+        let shorter = (b - a).min(d - c);
+        b.min(d) - a.max(c) >= 0.5 * shorter
+    }
+}
+
+/// Has every table count its time as most of them do, where it can.
+fn agree_on_time(tables: &mut [GuessedTable], clocks: &[Vec<Clock>]) {
+    let agreeing = |clock: &Clock| {
+        let agrees = |others: &&Vec<Clock>| others.iter().any(|other| clock.agrees(other));
+        clocks.iter().filter(agrees).count()
+    };
+    let all = clocks.iter().flatten();
+    let best = all.fold(None, |best: Option<(usize, &Clock)>, clock| {
+        let count = agreeing(clock);
+        match best {
+            Some((most, _)) if most >= count => best,
+            _ => Some((count, clock)),
+        }
+    });
+    let Some((_, reference)) = best.filter(|(count, _)| *count > 1) else {
+        return;
+    };
+    for (table, clocks) in tables.iter_mut().zip(clocks) {
+        let columns = &mut table.map.columns;
+        let taken = columns.iter().position(|c| c.role == ColumnRole::Time);
+        let is_taken = |clock: &&Clock| Some(clock.guess.column) == taken;
+        let Some(present) = clocks.iter().find(is_taken) else {
+            continue;
+        };
+        let other = clocks.iter().find(|clock| clock.agrees(reference));
+        let Some(other) = other.filter(|_| !present.agrees(reference)) else {
+            continue;
+        };
+        let before = &mut columns[present.guess.column];
+        give_up(
+            before,
+            "its times are not those of the other tables".to_owned(),
+        );
+        let column = &mut columns[other.guess.column];
+        *column = time_column(&column.name, &other.guess);
+        column.reason += "; it runs with the times of the other tables";
+    }
+}
+
+/// The channels that a table gives, and the columns that each is made of.
+fn channels(map: &ColumnMap) -> Vec<(ChannelName, Vec<usize>)> {
+    let place = |role: ColumnRole| map.columns.iter().position(|column| column.role == role);
+    let numbered = map.columns.iter().enumerate();
+    let single = numbered.filter_map(|(index, column)| match column.role {
+        ColumnRole::Channel(name) => Some((name, vec![index])),
+        _ => None,
+    });
+    let mut channels: Vec<_> = single.collect();
+    let pairs = [
+        (
+            [ColumnRole::Latitude, ColumnRole::Longitude],
+            [ChannelName::GpsNorth, ChannelName::GpsEast],
+        ),
+        (
+            [ColumnRole::SpeedOverGround, ColumnRole::Course],
+            [ChannelName::GpsVelocityNorth, ChannelName::GpsVelocityEast],
+        ),
+    ];
+    for ([first, second], names) in pairs {
+        let Some((first, second)) = place(first).zip(place(second)) else {
+            continue;
+        };
+        // Velocities north and east say more than speed and course.
+        let is_told = channels.iter().any(|(name, _)| *name == names[0]);
+        if !is_told || names[0] == ChannelName::GpsNorth {
+            channels.extend(names.map(|name| (name, vec![first, second])));
+        }
+    }
+    channels
+}
+
+/// How much a table is to be preferred for a channel.
+fn preference(table: &GuessedTable, name: ChannelName, columns: &[usize]) -> f64 {
+    let columns = columns.iter().map(|index| &table.map.columns[*index]);
+    let confidence = columns.map(|column| column.confidence).fold(1.0, f64::min);
+    let is_receiver = table.map.column(ColumnRole::Latitude).is_some();
+    let of_satellites = matches!(
+        name,
+        ChannelName::GpsHeight
+            | ChannelName::GpsVelocityNorth
+            | ChannelName::GpsVelocityEast
+            | ChannelName::GpsVelocityDown
+    );
+    confidence
+        + if is_receiver && of_satellites {
+            RECEIVER
+        } else {
+            0.0
+        }
+}
+
+/// Leaves each channel to one of the tables that a flight can be made of.
+fn settle(tables: &mut [GuessedTable]) {
+    for name in ChannelName::ALL {
+        let of_table = |(index, table): (usize, &GuessedTable)| {
+            let found = channels(&table.map).into_iter().find(|(n, _)| *n == name);
+            let (_, columns) = found.filter(|_| table.map.lacks().is_none())?;
+            Some((index, preference(table, name, &columns), columns))
+        };
+        let claims: Vec<_> = tables.iter().enumerate().filter_map(of_table).collect();
+        let better = |(a, of_a): (usize, f64), (b, of_b): (usize, f64)| {
+            if (of_a - of_b).abs() < EQUAL {
+                tables[b].rate() > 1.2 * tables[a].rate()
+            } else {
+                of_b > of_a
+            }
+        };
+        let best = claims.iter().fold(None, |best, (index, claim, _)| {
+            let claim = (*index, *claim);
+            match best {
+                Some(best) if !better(best, claim) => Some(best),
+                _ => Some(claim),
+            }
+        });
+        let Some((best, _)) = best else { continue };
+        let reason = format!("{} has it, too", short(&tables[best].map.file));
+        for (index, _, columns) in claims.iter().filter(|(index, ..)| *index != best) {
+            for column in columns {
+                give_up(&mut tables[*index].map.columns[*column], reason.clone());
+            }
+        }
+    }
+}
+
+/// The last part of a file's name.
+fn short(file: &str) -> &str {
+    file.rsplit('/').next().unwrap_or(file)
+}
+
+/// What tables are called together: what their names begin with, or else the name of the first without its ending.
+pub(super) fn common_name(maps: &[ColumnMap]) -> String {
+    let Some(first) = maps.first() else {
+        return "Flight".to_owned();
+    };
+    let start = beginning(&first.file);
+    let is_common = maps.len() > 1 && maps.iter().all(|map| beginning(&map.file) == start);
+    let start = short(start.trim_end_matches('/'));
+    if is_common && !start.is_empty() {
+        return start.to_owned();
+    }
+    let name = short(&first.file);
+    name.rsplit_once('.')
+        .map_or(name, |(stem, _)| stem)
+        .to_owned()
+}
+
+/// Why no flight can be made of these tables together, in words; `None` if one can.
+pub fn tables_lack(maps: &[&ColumnMap]) -> Option<String> {
+    if maps.is_empty() {
+        return Some("no table is to be used".to_owned());
+    }
+    let alone = maps.iter().find_map(|map| Some((map, map.lacks()?)));
+    if let Some((map, why)) = alone {
+        return Some(format!("{}: {why}", short(&map.file)));
+    }
+    let mut known: Vec<(ChannelName, &str)> = Vec::new();
+    for map in maps {
+        for (name, _) in channels(map) {
+            let other = known.iter().find(|(other, _)| *other == name);
+            if let Some((_, other)) = other {
+                let what = ColumnRole::Channel(name).label();
+                let (other, file) = (short(other), short(&map.file));
+                return Some(if other == file {
+                    format!("{file} tells the {what} twice; let one column not be used")
+                } else {
+                    format!("{other} and {file} both tell the {what}; let one of them not be used")
+                });
+            }
+            known.push((name, &map.file));
+        }
+    }
+    None
+}

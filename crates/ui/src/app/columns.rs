@@ -1,0 +1,121 @@
+//! Tables of a flight: asked about, made a flight in a worker, and flown.
+
+use pilotage_core::flight::columns::GuessedTable;
+use serde_json::{Value, json};
+
+use super::App;
+use super::desk::Opening;
+use super::logs::with_origin;
+use crate::dialogs::{ColumnsCommand, ColumnsDraft};
+use crate::host::{Host, OpenedFile};
+use crate::jobs::{COLUMNS_FILE, FlightSource, Job, JobEvent, MadeFlight, write_columns};
+
+impl App {
+    /// Asks what the columns of tables mean.
+    pub(super) fn ask_for_columns(&mut self, opening: &Opening, tables: Vec<GuessedTable>) {
+        let mut files = opening.files.clone();
+        files.retain(|file| file.path != COLUMNS_FILE);
+        let draft = ColumnsDraft::new(opening.key.clone(), opening.name.clone(), files, tables);
+        self.dialogs.columns.open(draft);
+        self.playback.playing = false;
+    }
+
+    /// Does what was asked in the dialog.
+    pub(super) fn columns(&mut self, command: ColumnsCommand, host: &mut dyn Host) {
+        match command {
+            ColumnsCommand::Cancel => {
+                if let Some(job) = self.dialogs.columns.close().and_then(|draft| draft.job) {
+                    host.cancel(job);
+                }
+            }
+            ColumnsCommand::OpenFlight => self.make_flight_of_tables(host),
+        }
+    }
+
+    /// Gives the workers the maps beside the tables, and has the flight made.
+    fn make_flight_of_tables(&mut self, host: &mut dyn Host) {
+        let Some(draft) = self.dialogs.columns.draft_mut() else {
+            return;
+        };
+        if draft.job.is_some() || draft.lacks().is_some() {
+            return;
+        }
+        let maps = OpenedFile {
+            path: COLUMNS_FILE.to_owned(),
+            content: write_columns(&draft.maps()).into(),
+        };
+        draft.files.retain(|file| file.path != COLUMNS_FILE);
+        draft.files.push(maps);
+        let files = draft.files.iter();
+        let files = files.map(|f| (f.path.clone(), f.content.clone())).collect();
+        let key = draft.key.clone();
+        host.start(Job::Provide {
+            key: key.clone(),
+            files,
+        });
+        draft.failed = None;
+        draft.job = Some(host.start(Job::MakeFlight { key }));
+    }
+
+    pub(super) fn columns_event(&mut self, host: &mut dyn Host, event: JobEvent) {
+        match event {
+            JobEvent::FlightMade(made) => self.take_flight_of_tables(host, &made),
+            JobEvent::Failed(why) => {
+                if let Some(draft) = self.dialogs.columns.draft_mut() {
+                    draft.job = None;
+                    draft.failed = Some(why);
+                }
+            }
+            JobEvent::Finished | JobEvent::Cancelled => {
+                if let Some(draft) = self.dialogs.columns.draft_mut() {
+                    draft.job = None;
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn take_flight_of_tables(&mut self, host: &mut dyn Host, made: &MadeFlight) {
+        let Some(draft) = self.dialogs.columns.close() else {
+            return;
+        };
+        self.keep_files(host, &draft.key, &draft.name, &draft.files);
+        let map = with_origin(self.map_under(&made.flight), &made.flight);
+        let title = format!("Opened a flight from {}", draft.name);
+        self.toasts.note(host.now(), title, sentences(&made.notes));
+        self.fly_new(host, FlightSource::Files(draft.key), map, None);
+    }
+
+    /// The tables that are asked about.
+    pub(super) fn columns_json(&self) -> Value {
+        let Some(draft) = self.dialogs.columns.draft() else {
+            return Value::Null;
+        };
+        let tables = draft.tables.iter().map(|table| {
+            let columns = table.guess.map.columns.iter().map(|column| {
+                json!({"name": column.name, "role": column.role.label(), "unit": column.unit})
+            });
+            json!({
+                "file": table.guess.map.file,
+                "used": table.is_used,
+                "columns": columns.collect::<Vec<_>>(),
+            })
+        });
+        json!({
+            "tables": tables.collect::<Vec<_>>(),
+            "lacks": draft.lacks(),
+            "failed": draft.failed,
+            "making": draft.job.is_some(),
+        })
+    }
+}
+
+/// Notes as one text.
+fn sentences(notes: &[String]) -> String {
+    let sentence = |note: &String| {
+        let mut letters = note.chars();
+        let first = letters.next().map(char::to_uppercase).into_iter().flatten();
+        format!("{}{}.", first.collect::<String>(), letters.as_str())
+    };
+    notes.iter().map(sentence).collect::<Vec<_>>().join(" ")
+}

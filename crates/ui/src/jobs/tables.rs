@@ -1,0 +1,117 @@
+//! Tables of a flight: what their columns mean, and the flight that they tell of by their maps.
+
+use std::sync::Arc;
+
+use pilotage_core::flight::Flight;
+use pilotage_core::flight::columns::{ColumnMap, GuessedTable, flight_of_tables, guess_tables};
+use pilotage_core::flight::files::FileSet;
+use serde::{Deserialize, Serialize};
+
+use super::file_pool::FilePool;
+use super::flights::{KeptFrames, OpenFlight};
+use super::{JobEvent, Workshop};
+
+/// Name of the file, beside the tables, that says what their columns mean.
+pub const COLUMNS_FILE: &str = "columns.json";
+
+/// Endings of tables.
+const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
+
+/// A flight made of tables.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MadeFlight {
+    /// The flight.
+    pub flight: Flight,
+    /// What was left out or assumed, in words.
+    pub notes: Vec<String>,
+}
+
+/// What people said of the columns, as the file [`COLUMNS_FILE`] has it.
+pub fn write_columns(maps: &[ColumnMap]) -> Vec<u8> {
+    serde_json::to_vec_pretty(maps).unwrap_or_default()
+}
+
+/// Names of the files that may be tables, in order.
+pub(super) fn table_names(pool: &FilePool) -> Vec<String> {
+    pool.ending_in(&TABLES)
+}
+
+/// The tables among files, with what their columns are guessed to mean.
+pub(super) fn tables_among(pool: &FilePool) -> Vec<GuessedTable> {
+    guess_tables(pool, &table_names(pool))
+}
+
+/// The flight of the tables whose maps lie beside them, and what was skipped, in words; `None` without maps.
+pub(super) fn flight_of_maps(
+    pool: &Arc<FilePool>,
+) -> Result<Option<(OpenFlight, Vec<String>)>, String> {
+    let Some(bytes) = pool.read(COLUMNS_FILE) else {
+        return Ok(None);
+    };
+    let maps: Vec<ColumnMap> = serde_json::from_slice(&bytes)
+        .map_err(|cause| format!("{COLUMNS_FILE}: {cause}. Leave it out to be asked again."))?;
+    let files: Arc<dyn FileSet> = pool.clone();
+    let folder = flight_of_tables(&files, &maps).map_err(|cause| cause.to_string())?;
+    let open = OpenFlight {
+        frames: KeptFrames::stored(&folder.flight, Box::new(folder.frames)),
+        flight: Arc::new(folder.flight),
+        mission: None,
+    };
+    Ok(Some((open, folder.notes)))
+}
+
+/// Makes the flight of the tables under a key and keeps it: event `FlightMade`.
+pub(super) fn make_flight(
+    workshop: &mut Workshop,
+    key: &str,
+    emit: &mut dyn FnMut(JobEvent),
+) -> Result<(), String> {
+    let pool = workshop.files(key)?;
+    let made = flight_of_maps(&pool)?;
+    let (open, notes) = made.ok_or("nobody said what the columns of the tables mean")?;
+    let flight = Flight::clone(&open.flight);
+    workshop.keep_flight(key, open);
+    emit(JobEvent::FlightMade(Box::new(MadeFlight { flight, notes })));
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use pilotage_core::flight::ChannelName;
+    use pilotage_core::flight::columns::guess_table;
+
+    use super::super::LentFiles;
+    use super::*;
+
+    const AIR: &str = "t,airspeed [kt],roll_deg\n0,40,1\n1,41,2\n2,42,3\n3,40,4\n";
+
+    fn pool(files: &[(&str, Vec<u8>)]) -> Arc<FilePool> {
+        let files: Vec<_> = (files.iter())
+            .map(|(name, bytes)| ((*name).to_owned(), bytes.clone().into()))
+            .collect();
+        Arc::new(FilePool::new(&files, &LentFiles::default()).unwrap())
+    }
+
+    #[test]
+    fn maps_beside_tables_make_them_a_flight_at_every_reading() {
+        let map = guess_table("a/air.csv", AIR.as_bytes()).unwrap();
+        let maps = write_columns(&[map]);
+        let pool = pool(&[("a/air.csv", AIR.into()), (COLUMNS_FILE, maps)]);
+        let (open, notes) = flight_of_maps(&pool).unwrap().unwrap();
+        let airspeed = open.flight.value(ChannelName::Airspeed, 1.0).unwrap();
+        assert!((airspeed - 41.0 * 1852.0 / 3600.0).abs() < 1e-9);
+        assert_eq!(notes.len(), 1, "{notes:?}");
+    }
+
+    #[test]
+    fn damaged_maps_and_lost_tables_are_named() {
+        let damaged = pool(&[("air.csv", AIR.into()), (COLUMNS_FILE, b"[{]".to_vec())]);
+        let cause = flight_of_maps(&damaged).err().unwrap();
+        assert!(cause.starts_with("columns.json: "), "{cause}");
+        let map = guess_table("air.csv", AIR.as_bytes()).unwrap();
+        let lost = pool(&[(COLUMNS_FILE, write_columns(&[map]))]);
+        let cause = flight_of_maps(&lost).err().unwrap();
+        assert!(cause.contains("air.csv"), "{cause}");
+        assert!(flight_of_maps(&pool(&[])).unwrap().is_none());
+    }
+}

@@ -1,0 +1,40 @@
+// Satellite navigation is cut out of a real flight by dragging over the timeline.
+import { existsSync } from "node:fs";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+export const name = "GPS is cut out of a real flight where the mouse drags, and the error grows within its radius";
+
+const repository = fileURLToPath(new URL("../../", import.meta.url));
+const folder = join(repository, "../shared/data/inertialnav_x8");
+
+export async function run(page, tools) {
+  if (!existsSync(folder)) {
+    console.log("        skipped: no shared data");
+    return;
+  }
+  await tools.waitReady();
+  const before = await tools.waitFor((s) => s.flight !== null, "the demo", 120_000);
+  const kinds = ["ATT", "GPS", "IMU", "NTUN", "MAG"];
+  await page.setInputFiles("#files", kinds.map((kind) => join(folder, `TestLog2_${kind}.csv`)));
+  await tools.waitFor((s) => s.dialogs.columns, "the question what the columns mean", 60_000);
+  await page.keyboard.press("Enter");
+  await tools.waitFor((s) => s.flight !== before.flight && s.run_complete, "the flight", 150_000);
+  await page.keyboard.press("Shift+G");
+  const { timeline: [left, top, right, bottom], span } = await tools.waitFor((s) => s.side_tab === "Cut", "the cut's panel");
+  const at = (share) => ({ x: left + share * (right - left), y: (top + bottom) / 2 });
+  await page.keyboard.down("Shift");
+  await tools.drag(at(0.55), at(0.62));
+  await page.keyboard.up("Shift");
+  const { selected } = await tools.waitFor((s) => s.selected, "a selected stretch");
+  tools.check(selected[0] > span[0] && selected[1] < span[1], `${selected}`);
+  await tools.click(await tools.find("Button", /^Cut GPS from/));
+  const cut = await tools.waitFor((s) => s.cut?.results.length >= 3, "the ways through the cut", 120_000);
+  for (const way of cut.cut.results) {
+    console.log(`        ${way.label}: ${way.end_error?.toFixed(1)} m at the end, 95 % radius ${way.radius?.toFixed(1)} m`);
+  }
+  const [alone] = cut.cut.results;
+  tools.check(alone.end_error < 3 * alone.radius, "the error is far outside its radius");
+  await page.waitForTimeout(800);
+  await tools.screenshot("cut");
+}
