@@ -31,6 +31,8 @@ export async function run(page, tools) {
   await tools.click(await tools.find(null, "Filter settings"));
   await tools.click(await tools.find(null, "Vehicle model"));
   await tools.click(await tools.find(null, "No airspeed, nearly constant velocity"));
+  await tools.waitFor((s) => s.run_generation > opened.run_generation && s.run_complete, "the flight by nothing", 150_000);
+  await page.waitForTimeout(500);
   await tools.click(await tools.find(null, "Lay whole pictures on the map"));
   const flown = await tools.waitFor((s) => s.run_complete && s.laid >= 17, "the flight by whole pictures", 200_000);
   console.log(`        ${flown.laid} of ${flown.frames} pictures laid on the map`);
