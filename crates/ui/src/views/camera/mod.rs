@@ -115,6 +115,10 @@ impl CameraView {
             );
             return;
         };
+        if flight.frames.is_empty() {
+            let hint = "This flight was recorded without a camera.";
+            return parts::empty(ui, tokens, "No pictures", hint);
+        }
         let Some(index) = flight
             .frames
             .partition_point(|f| f.time <= context.time + 1e-9)

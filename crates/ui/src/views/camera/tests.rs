@@ -96,6 +96,14 @@ fn before_the_first_frame_the_view_says_so() {
 }
 
 #[test]
+fn a_flight_without_a_camera_promises_no_picture() {
+    let mut harness = harness(5.0);
+    harness.state_mut().fixture.flight.frames.clear();
+    harness.run();
+    harness.get_by_label("No pictures");
+}
+
+#[test]
 fn a_frame_with_a_used_landmark_is_described_by_its_name() {
     let (time, _) = telling_time(&Fixture::lasting(20.0));
     let mut harness = harness(time);

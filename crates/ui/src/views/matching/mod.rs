@@ -131,8 +131,19 @@ fn past(
 
 /// Before the first landmark: nothing to explain yet, but something to wait for.
 fn waiting(ui: &mut Ui, context: &mut ViewContext<'_>, next: Option<&StepReport>) {
-    let hint = "Matches appear with the first landmark that comes into view.";
-    parts::empty(ui, context.tokens, "No landmark looked for yet", hint);
+    let has_pictures = context.flight.is_none_or(|f| !f.frames.is_empty());
+    let (title, hint) = if has_pictures {
+        (
+            "No landmark looked for yet",
+            "Matches appear with the first landmark that comes into view.",
+        )
+    } else {
+        (
+            "No pictures",
+            "Without a camera there is nothing to look for; see what it finds by airspeed under GPS cut.",
+        )
+    };
+    parts::empty(ui, context.tokens, title, hint);
     ui.add_space(context.tokens.space);
     ui.vertical_centered(|ui| upcoming(ui, context, next));
 }
