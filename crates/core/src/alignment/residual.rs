@@ -4,7 +4,7 @@ use nalgebra::{Point2, Point3, SVector};
 
 use crate::flight::{ChannelName, Flight};
 use crate::frames::{Attitude, GroundPoint, Pose, wrap_pi};
-use crate::navigator::{LaidPlace, Run};
+use crate::navigator::Run;
 
 /// Unknowns: time offset (s), drift of the clock, mount's roll, pitch and yaw (rad), natural logarithm of the
 /// focal length's factor, satellite navigation's bias north and east (m).
@@ -36,8 +36,8 @@ pub struct Laid {
 pub fn laid_frames(flight: &Flight, run: &Run) -> Vec<Laid> {
     let frames = run.steps.iter().filter_map(|step| {
         let frame = step.frame.as_ref()?;
-        frame.joint.as_ref()?;
-        let place: &LaidPlace = frame.laid.as_ref()?.place.as_ref()?;
+        let laid = frame.laid.as_ref().filter(|laid| laid.is_believed())?;
+        let place = laid.place.as_ref()?;
         Some(Laid {
             index: frame.index,
             time: flight.frames.get(frame.index)?.time,

@@ -1,5 +1,6 @@
 //! The navigator: one call a step.
 
+use std::cell::LazyCell;
 use std::sync::Arc;
 
 use nalgebra::{DVector, Vector2};
@@ -323,10 +324,11 @@ impl Navigator {
         report: &mut StepReport,
         stopwatch: &dyn Fn() -> f64,
     ) -> Result<(), FilterError> {
-        if self.lay(index, picture, report, stopwatch)? {
+        let begun = stopwatch();
+        let luminance = LazyCell::new(|| Pyramid::new(picture.to_gray(), PYRAMID_LEVELS));
+        if self.whole_frames.is_some() && self.lay(index, &luminance, report, begun, stopwatch)? {
             return Ok(());
         }
-        let begun = stopwatch();
         let camera = self.flight.camera_of_frame(index);
         let model = self.appearance_model(&camera, &report.control);
         let seer = Seer::new(&self.settings, self.engine.as_ref(), model, index);
@@ -335,23 +337,19 @@ impl Navigator {
         let mut reports: Vec<CandidateReport> = Vec::with_capacity(candidates.len());
         let mut measurements: Vec<Measurement<'_>> = Vec::new();
         let (mut doubtful, mut refused) = (Vec::new(), Vec::new());
-        let luminance =
-            (!candidates.is_empty()).then(|| Pyramid::new(picture.to_gray(), PYRAMID_LEVELS));
-        if let Some(luminance) = &luminance {
-            for (landmark, mut candidate) in candidates {
-                let place = seer.look(landmark, &mut candidate, luminance, self.detector.as_mut());
-                let is_doubtful = candidate.outcome == Outcome::Refused(Refusal::LookAlike);
-                let number = reports.len();
-                match place {
-                    Some(place) if is_doubtful => doubtful.push((landmark, number, place)),
-                    Some(place) => match seer.judge(landmark, &mut candidate, number, place) {
-                        Some(found) => measurements.push(found),
-                        None => refused.push((landmark, number, place)),
-                    },
-                    None => {}
-                }
-                reports.push(candidate);
+        for (landmark, mut candidate) in candidates {
+            let place = seer.look(landmark, &mut candidate, &luminance, self.detector.as_mut());
+            let is_doubtful = candidate.outcome == Outcome::Refused(Refusal::LookAlike);
+            let number = reports.len();
+            match place {
+                Some(place) if is_doubtful => doubtful.push((landmark, number, place)),
+                Some(place) => match seer.judge(landmark, &mut candidate, number, place) {
+                    Some(found) => measurements.push(found),
+                    None => refused.push((landmark, number, place)),
+                },
+                None => {}
             }
+            reports.push(candidate);
         }
         let seen = stopwatch();
         let agreed = seer.agree(measurements, &mut reports)?;
@@ -409,7 +407,7 @@ impl Navigator {
             laid,
             trouble: None,
         });
-        report.timing.see += seen - begun;
+        report.timing.see = seen - begun;
         report.timing.update = stopwatch() - seen;
         Ok(())
     }
@@ -418,15 +416,15 @@ impl Navigator {
     fn lay(
         &mut self,
         index: usize,
-        picture: &Picture,
+        luminance: &Pyramid,
         report: &mut StepReport,
+        begun: f64,
         stopwatch: &dyn Fn() -> f64,
     ) -> Result<bool, FilterError> {
         let Some(whole_frames) = self.whole_frames.as_mut() else {
             return Ok(false);
         };
-        let begun = stopwatch();
-        let mut laid = whole_frames.lay(&self.flight, index, picture, &report.predicted);
+        let mut laid = whole_frames.lay(&self.flight, index, luminance, &report.predicted);
         let seen = stopwatch();
         let believed = laid.correct(&self.settings, &mut self.engine)?;
         let corrected = believed.is_some();

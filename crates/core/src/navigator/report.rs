@@ -176,6 +176,13 @@ pub struct LaidReport {
     pub log_false_alarms: f64,
 }
 
+impl LaidReport {
+    /// Whether its place corrected the estimate.
+    pub fn is_believed(&self) -> bool {
+        self.refusal.is_none()
+    }
+}
+
 /// Where a whole frame lies on the map.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LaidPlace {

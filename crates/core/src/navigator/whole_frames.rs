@@ -10,14 +10,13 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 
 use super::engine::{CorrectedStep, Engine, MeasurementModel};
-use super::pipeline::PYRAMID_LEVELS;
 use super::see::Surprise;
 use super::{Estimate, JointReport, LaidPlace, LaidReport, NavigatorSettings};
 use crate::filter::{FilterError, chi_square_quantile, fading_factor};
 use crate::flight::{ChannelName, Flight};
 use crate::frames::GroundPoint;
 use crate::imagery::Imagery;
-use crate::raster::{Picture, Pyramid};
+use crate::raster::Pyramid;
 use crate::registration::{FollowSettings, Follower, Look, Measured, NotRegistered, Registration};
 
 /// Numbers of a place: north and east.
@@ -61,17 +60,16 @@ impl WholeFrames {
         &mut self,
         flight: &Flight,
         index: usize,
-        picture: &Picture,
+        luminance: &Pyramid,
         predicted: &Estimate,
     ) -> Laid {
         self.before = self.follower.clone();
         let time = flight.frames[index].time;
         let camera = flight.camera_of_frame(index);
-        let luminance = Pyramid::new(picture.to_gray(), PYRAMID_LEVELS);
         let look = Look {
             camera: &camera,
             ground_down: flight.ground_down,
-            luminance: &luminance,
+            luminance,
             map: self.map.as_ref(),
         };
         let spread = predicted

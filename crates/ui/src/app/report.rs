@@ -2,7 +2,7 @@
 
 use egui::Rect;
 use pilotage_core::imagery::terrain::Terrain as _;
-use pilotage_core::navigator::{Run, StepReport};
+use pilotage_core::navigator::{LaidReport, Run, StepReport};
 use serde_json::{Value, json};
 
 use super::App;
@@ -142,7 +142,7 @@ impl App {
             "run_generation": documents.run_generation,
             "run_landmarks": run.map_or(0, |r| r.landmarks.iter().filter(|l| l.enabled).count()),
             "accepted": frames().map(|f| f.accepted().count()).sum::<usize>(),
-            "laid": frames().filter(|f| f.laid.as_ref().is_some_and(|l| l.refusal.is_none())).count(),
+            "laid": frames().filter(|f| f.laid.as_ref().is_some_and(LaidReport::is_believed)).count(),
             "candidates": frames().map(|f| f.candidates.len()).sum::<usize>(),
             "ghost_steps": documents.ghost.as_ref().map_or(0, |r| r.steps.len()),
             "step": step.map(|s| json!({

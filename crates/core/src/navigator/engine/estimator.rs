@@ -3,7 +3,9 @@
 use nalgebra::{DMatrix, DVector, Dyn, SVector};
 
 use super::{CorrectedStep, Engine, Expectation, MeasurementModel, PredictedStep};
-use crate::filter::{Correction, FilterError, Gaussian, Prediction, SigmaPoints};
+use crate::filter::{
+    Correction, FilterError, Gaussian, PredictedMeasurement, Prediction, SigmaPoints,
+};
 use crate::navigator::Estimate;
 use crate::vehicle::{ControlInput, VehicleModel};
 
@@ -22,6 +24,15 @@ pub struct Corrected<const N: usize> {
     pub innovation: DVector<f64>,
     pub innovation_covariance: DMatrix<f64>,
     pub after: Gaussian<N>,
+}
+
+impl<const N: usize> From<PredictedMeasurement<N, Dyn>> for Expectation {
+    fn from(predicted: PredictedMeasurement<N, Dyn>) -> Self {
+        Self {
+            mean: predicted.mean,
+            covariance: predicted.innovation_covariance,
+        }
+    }
 }
 
 impl<const N: usize> From<Correction<N, Dyn>> for Corrected<N> {
@@ -43,7 +54,9 @@ pub trait Estimator<const N: usize>: Clone + Send {
     fn points(&self) -> SigmaPoints<N>;
 
     /// Those that the next correction begins with.
-    fn measurement_points(&self) -> SigmaPoints<N>;
+    fn measurement_points(&self) -> SigmaPoints<N> {
+        self.points()
+    }
 
     fn predict<V: VehicleModel<N>>(
         &mut self,

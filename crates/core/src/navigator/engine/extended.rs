@@ -32,10 +32,6 @@ impl<const N: usize> Estimator<N> for Ekf<N> {
         self.sigma_points()
     }
 
-    fn measurement_points(&self) -> SigmaPoints<N> {
-        self.sigma_points()
-    }
-
     fn predict<V: VehicleModel<N>>(
         &mut self,
         model: &V,
@@ -59,11 +55,7 @@ impl<const N: usize> Estimator<N> for Ekf<N> {
         model: &StateModel<'_, N>,
         noise: &DMatrix<f64>,
     ) -> Result<Expectation, FilterError> {
-        let predicted = model.expected_by(self, noise)?;
-        Ok(Expectation {
-            mean: predicted.mean,
-            covariance: predicted.innovation_covariance,
-        })
+        Ok(model.expected_by(self, noise)?.into())
     }
 
     fn correct(

@@ -16,10 +16,6 @@ impl<const N: usize> Estimator<N> for ParticleFilter<N> {
         self.sigma_points()
     }
 
-    fn measurement_points(&self) -> SigmaPoints<N> {
-        self.sigma_points()
-    }
-
     fn predict<V: VehicleModel<N>>(
         &mut self,
         model: &V,

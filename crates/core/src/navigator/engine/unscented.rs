@@ -41,11 +41,7 @@ impl<const N: usize> Estimator<N> for Ukf<N> {
         model: &StateModel<'_, N>,
         noise: &DMatrix<f64>,
     ) -> Result<Expectation, FilterError> {
-        let predicted = self.predict_measurement::<Dyn>(model.of, noise)?;
-        Ok(Expectation {
-            mean: predicted.mean,
-            covariance: predicted.innovation_covariance,
-        })
+        Ok(self.predict_measurement::<Dyn>(model.of, noise)?.into())
     }
 
     fn correct(

@@ -28,7 +28,7 @@ fn what_happened(run: &Run, index: usize, flight: Option<&Flight>, units: Units)
             return format!("This picture could not be used: {trouble}.");
         }
         if frame.joint.is_some() {
-            return match frame.laid.as_ref().filter(|laid| laid.refusal.is_none()) {
+            return match frame.laid.as_ref().filter(|laid| laid.is_believed()) {
                 Some(laid) => whole_picture(step, frame, laid, units),
                 None => correction(run, step, frame, flight, units),
             };
