@@ -78,6 +78,7 @@ fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), S
         "pixel" => settings.sensors.pixel = number()?,
         "score" => settings.detector.least_score = number()?,
         "ambiguity" => settings.detector.greatest_ambiguity = number()?,
+        "shortest-step" => settings.shortest_step = number()?,
         "start" => settings.start.position = number()?,
         "whole-frames" => {
             settings.whole_frames = switch()?.then(|| settings.whole_frames.unwrap_or_default());

@@ -138,7 +138,7 @@ mod tests {
         let mut log = Log::new("a.log", recognise(text.as_bytes()).unwrap().format);
         reader.feed(text.as_bytes(), &mut log);
         reader.finish(&mut log);
-        flight_from_log(&log).flight.unwrap()
+        flight_from_log(&log).into_flight().unwrap()
     }
 
     fn files(table: &str) -> Arc<dyn FileSet> {

@@ -112,6 +112,14 @@ channels! {
 }
 
 impl ChannelName {
+    /// Whether it is of an inertial sensor: much faster than everything else, and nothing to look at.
+    pub fn is_inertial(self) -> bool {
+        matches!(
+            self.quantity(),
+            Quantity::AngularRate | Quantity::Acceleration
+        )
+    }
+
     /// Whether values are angles that wrap.
     pub fn is_angle(self) -> bool {
         self.quantity() == Quantity::Angle

@@ -49,6 +49,23 @@ impl Flight {
         self.channel(name)?.interpolated(time)
     }
 
+    /// The flight without the series of inertial sensors, which are most of its bytes: for those who look at
+    /// it and do not navigate it.
+    #[must_use]
+    pub fn without_inertial(&self) -> Self {
+        let kept = |channel: &&Channel| !channel.name.is_inertial();
+        Self {
+            name: self.name.clone(),
+            frame_on_globe: self.frame_on_globe,
+            camera: self.camera.clone(),
+            ground_down: self.ground_down,
+            channels: self.channels.iter().filter(kept).cloned().collect(),
+            frames: self.frames.clone(),
+            start: self.start,
+            truth: self.truth.clone(),
+        }
+    }
+
     /// Measured attitude at `time`; missing roll and pitch count as level.
     pub fn attitude(&self, time: f64) -> Option<Attitude> {
         Some(Attitude {

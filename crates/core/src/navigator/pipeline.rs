@@ -130,7 +130,7 @@ impl Navigator {
                 cause,
             })?;
         let unaided = engine.state().mean;
-        let ticks = ticks(&flight);
+        let ticks = ticks(&flight, settings.shortest_step);
         Ok(Self {
             landmarks: landmarks.to_vec(),
             settings: settings.clone(),
@@ -471,8 +471,9 @@ pub(super) fn input_between(flight: &Flight, begin: f64, end: f64) -> ControlInp
     }
 }
 
-/// Every time at which a measurement or a frame arrives after the start.
-fn ticks(flight: &Flight) -> Vec<Tick> {
+/// Every time at which a frame arrives after the start, or a measurement no sooner than `shortest` seconds
+/// after what came before.
+fn ticks(flight: &Flight, shortest: f64) -> Vec<Tick> {
     let start = flight.start.time;
     let mut ticks: Vec<Tick> = flight
         .frames
@@ -497,6 +498,66 @@ fn ticks(flight: &Flight) -> Vec<Tick> {
             .total_cmp(&b.time)
             .then(b.frame.is_some().cmp(&a.frame.is_some()))
     });
-    ticks.dedup_by(|later, kept| later.frame.is_none() && later.time - kept.time < SAME_TIME);
+    let apart = shortest.max(SAME_TIME);
+    ticks.dedup_by(|later, kept| later.frame.is_none() && later.time - kept.time < apart);
     ticks
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::flight::{Channel, Frame, StartFix};
+
+    /// Two sensors, of 100 and of 20 samples a second, for ten seconds, and a frame every second.
+    fn flight() -> Flight {
+        let series = |name, rate: f64| Channel {
+            name,
+            times: (0..(10.0 * rate) as usize)
+                .map(|i| i as f64 / rate)
+                .collect(),
+            values: vec![1.0; (10.0 * rate) as usize],
+        };
+        let frame = |i: u32| Frame {
+            time: f64::from(i) + 0.003,
+            name: String::new(),
+            stored_turn: 0.0,
+        };
+        Flight {
+            name: "test".to_owned(),
+            frame_on_globe: None,
+            camera: CameraModel::pinhole(64, 48, 1.0),
+            ground_down: 0.0,
+            channels: vec![
+                series(ChannelName::Heading, 100.0),
+                series(ChannelName::Airspeed, 20.0),
+            ],
+            frames: (0..10).map(frame).collect(),
+            start: StartFix {
+                time: 0.0,
+                position: GroundPoint::default(),
+                standard_deviation: 1.0,
+            },
+            truth: None,
+        }
+    }
+
+    #[test]
+    fn every_measurement_is_a_step_unless_steps_have_a_shortest_length() {
+        let flight = flight();
+        let all = ticks(&flight, 0.0);
+        assert_eq!(
+            all.len(),
+            1010,
+            "those of airspeed are also those of heading"
+        );
+        let apart = ticks(&flight, 0.05);
+        let frames: Vec<_> = apart.iter().filter_map(|tick| tick.frame).collect();
+        assert_eq!(frames, (0..10).collect::<Vec<_>>(), "no frame is left out");
+        let is_apart = |pair: &[Tick]| {
+            pair[1].frame.is_some() || pair[1].time - pair[0].time > 0.05 - SAME_TIME
+        };
+        assert!(apart.windows(2).all(is_apart));
+        assert!((180..=220).contains(&apart.len()), "{}", apart.len());
+        assert!(apart.last().unwrap().time > 9.9);
+    }
 }

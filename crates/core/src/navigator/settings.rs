@@ -157,6 +157,10 @@ pub struct NavigatorSettings {
     pub detector: TemplateSettings,
     /// Most landmarks looked for in one frame.
     pub most_landmarks: usize,
+    /// Shortest step from one picture-less moment to the next, seconds: measurements that follow each other
+    /// faster are taken together. Zero makes a step of each.
+    #[serde(default)]
+    pub shortest_step: f64,
     /// Which filter works on the process model; files that say nothing mean the unscented one.
     #[serde(default)]
     pub estimator: EstimatorSettings,
@@ -203,6 +207,7 @@ impl Default for NavigatorSettings {
             measurement_scale: 1.0,
             detector: TemplateSettings::default(),
             most_landmarks: 8,
+            shortest_step: 0.0,
             estimator: EstimatorSettings::default(),
             whole_frames: None,
         }

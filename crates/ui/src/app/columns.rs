@@ -80,7 +80,8 @@ impl App {
             return;
         };
         self.keep_files(host, &draft.key, &draft.name, &draft.files);
-        let map = with_origin(self.map_under(&made.flight), &made.flight);
+        let frame = made.flight.frame_on_globe;
+        let map = with_origin(self.map_under(frame), frame);
         let title = format!("Opened a flight from {}", draft.name);
         self.toasts.note(host.now(), title, sentences(&made.notes));
         self.fly_new(host, FlightSource::Files(draft.key), map, None);

@@ -3,7 +3,6 @@
 
 use std::collections::HashMap;
 
-use pilotage_core::flight::Flight;
 use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::mission::Mission;
 
@@ -213,10 +212,10 @@ impl App {
             self.toasts.trouble(host.now(), title.to_owned(), why);
         }
         match read.flight {
-            Ok(flight) => {
+            Ok(frame) => {
                 let map = reading.map.clone();
-                let map = map.unwrap_or_else(|| self.map_under(&flight));
-                let map = with_origin(map, &flight);
+                let map = map.unwrap_or_else(|| self.map_under(frame));
+                let map = with_origin(map, frame);
                 let source = FlightSource::Files(reading.key);
                 self.fly_new(host, source, map, reading.mission);
             }
@@ -232,14 +231,13 @@ impl App {
         }
     }
 
-    /// The map that is open, if it lies where a flight is; else none.
-    pub(super) fn map_under(&self, flight: &Flight) -> MapSource {
+    /// The map that is open, if it lies where a flight is whose world frame is `frame`; else none.
+    pub(super) fn map_under(&self, frame: Option<LocalFrame>) -> MapSource {
         let open = &self.documents.map_source;
         let map = self.documents.map.as_ref();
         let at = open.origin().or_else(|| map.and_then(|map| map.origin));
         let is_near = |at: Geodetic| {
-            let frame = flight.frame_on_globe?;
-            let away = frame.world_from_geodetic(&at);
+            let away = frame?.world_from_geodetic(&at);
             Some(away.x.hypot(away.y) < NEAR)
         };
         match at.and_then(is_near) {
@@ -353,8 +351,7 @@ impl App {
 }
 
 /// A map among the log's own files, put into the world of the flight.
-pub(super) fn with_origin(map: MapSource, flight: &Flight) -> MapSource {
-    let frame: Option<LocalFrame> = flight.frame_on_globe;
+pub(super) fn with_origin(map: MapSource, frame: Option<LocalFrame>) -> MapSource {
     match (map, frame) {
         (MapSource::Files(key), Some(frame)) => MapSource::Placed {
             key,

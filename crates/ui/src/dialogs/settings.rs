@@ -217,6 +217,15 @@ fn process(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings, units
             "How fast the wind may change: more learns faster and forgets faster.",
         );
     });
+    let slider = Slider::new(&mut settings.shortest_step, 0.0..=1.0)
+        .clamping(SliderClamping::Edits)
+        .max_decimals(3);
+    named(ui, "Shortest step", "s", |ui| ui.add(slider));
+    meaning(
+        ui,
+        tokens,
+        "Measurements that follow each other faster are taken together; 0 makes a step of each.",
+    );
 }
 
 fn measurement(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings, units: Units) {

@@ -28,6 +28,8 @@ struct Seat<P> {
     port: Option<P>,
     /// Keys of the files that this worker holds.
     holds: BTreeSet<String>,
+    /// Key of the files of the log that it read last.
+    log: Option<String>,
     /// When the unanswered ping was sent, and ticks since.
     unanswered: Option<(f64, u32)>,
     /// Whether it is to end with its last job.
@@ -65,6 +67,7 @@ impl<P: WorkerPort> Crew<P> {
         let seat = || Seat {
             port: None,
             holds: BTreeSet::new(),
+            log: None,
             unanswered: None,
             is_leaving: false,
         };
@@ -229,14 +232,19 @@ impl<P: WorkerPort> Crew<P> {
 
     /// Lets go of all files but those under the keys `in_use`, and ends every worker once it has
     /// nothing to do: what it made for what was open goes with it, because the memory of a program
-    /// never shrinks. It is opened again when needed.
+    /// never shrinks. It is opened again when needed. Who has read the log that is in use stays: reading
+    /// it once more would take longer than what is asked about it.
     pub fn let_go(&mut self, in_use: &BTreeSet<String>) {
         self.files.retain(|key, _| in_use.contains(key));
         for seat in 0..self.seats.len() {
-            self.end_if_idle(seat);
+            let log = self.seats[seat].log.as_ref();
+            let has_log = log.is_some_and(|key| in_use.contains(key));
+            if !has_log {
+                self.end_if_idle(seat);
+            }
             let it = &mut self.seats[seat];
             let Some(port) = &mut it.port else { continue };
-            it.is_leaving = true;
+            it.is_leaving = !has_log;
             it.holds.retain(|key| in_use.contains(key));
             let keys = in_use.iter().cloned().collect();
             port.send(Request::Start(0, Job::LetGo { keys }));
@@ -252,6 +260,7 @@ impl<P: WorkerPort> Crew<P> {
         it.is_leaving = false;
         it.unanswered = None;
         it.holds.clear();
+        it.log = None;
         if let Some(mut port) = it.port.take() {
             port.close();
         }
@@ -288,6 +297,7 @@ impl<P: WorkerPort> Crew<P> {
         };
         port.close();
         self.seats[seat].holds.clear();
+        self.seats[seat].log = None;
         self.seats[seat].unanswered = None;
         self.seats[seat].is_leaving = false;
         self.lost += 1;
@@ -378,6 +388,9 @@ impl<P: WorkerPort> Crew<P> {
         let seat = self.free_seat_for(&job);
         self.open_seat(seat);
         self.seats[seat].is_leaving = false;
+        if let Job::ReadLog { key, .. } = &job {
+            self.seats[seat].log = Some(key.clone());
+        }
         for key in file_keys(&job) {
             if let Some(files) = self.files.get(key)
                 && self.seats[seat].holds.insert(key.to_owned())

@@ -218,6 +218,26 @@ fn workers_that_have_nothing_to_do_end_with_what_was_open_and_begin_again_when_n
 }
 
 #[test]
+fn the_worker_that_has_read_the_log_in_use_stays_to_be_asked_about_it() {
+    let (mut crew, notes) = crew();
+    let read = |key: &str| Job::ReadLog {
+        key: key.to_owned(),
+        file: "flight.bin".to_owned(),
+    };
+    let id = crew.start(read("drop"));
+    crew.receive(0, Reply::Event(id, JobEvent::Finished));
+    crew.let_go(&["drop".to_owned()].into());
+    let id = crew.start(fly());
+    crew.receive(0, Reply::Event(id, JobEvent::Finished));
+    assert!(!notes.borrow().contains(&Note::Closed(0)), "it has the log");
+    let keys = vec!["drop".to_owned()];
+    let told = Request::Start(0, Job::LetGo { keys });
+    assert!(sent_to(&notes, 0).contains(&told));
+    crew.let_go(&["another".to_owned()].into());
+    assert!(notes.borrow().contains(&Note::Closed(0)), "nobody asks");
+}
+
+#[test]
 fn a_worker_with_a_new_job_stays_without_the_files_that_nobody_needs() {
     let (mut crew, notes) = crew();
     crew.start(provide());

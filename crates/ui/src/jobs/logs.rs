@@ -10,6 +10,7 @@ use pilotage_core::flight::files::FileSet;
 use pilotage_core::flight::interpret::flight_from_log;
 use pilotage_core::flight::log::{HEAD, Log, LogReader, Outline, read_log, recognise};
 use pilotage_core::flight::overview::{Overview, overview};
+use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::ByteSource;
 use serde::{Deserialize, Serialize};
 
@@ -30,8 +31,9 @@ pub struct ReadLog {
     pub outline: Outline,
     /// The flight at a glance.
     pub overview: Overview,
-    /// The flight that it tells of, or why it tells of none.
-    pub flight: Result<Flight, String>,
+    /// The world frame on the globe of the flight that it tells of, or why it tells of none. The flight stays
+    /// where it is navigated: that of a long log is large.
+    pub flight: Result<Option<LocalFrame>, String>,
     /// Why the pictures beside it are not part of that.
     pub lost_pictures: Option<String>,
 }
@@ -160,15 +162,18 @@ impl RunningJob for ReadingLog {
         let mut read = ReadLog {
             outline: Outline::of(&log),
             overview: overview(&log, &interpreted),
-            flight: interpreted.flight.map_err(|cause| cause.to_string()),
+            flight: Ok(None),
             lost_pictures: None,
         };
-        if let Ok(flight) = &mut read.flight {
-            let pool = workshop.files(&self.key)?;
-            let (open, lost) = with_pictures(flight.clone(), pool);
-            *flight = Flight::clone(&open.flight);
-            read.lost_pictures = lost;
-            workshop.keep_flight(&self.key, open);
+        match interpreted.into_flight() {
+            Ok(flight) => {
+                read.flight = Ok(flight.frame_on_globe);
+                let pool = workshop.files(&self.key)?;
+                let (open, lost) = with_pictures(flight, pool);
+                read.lost_pictures = lost;
+                workshop.keep_flight(&self.key, open);
+            }
+            Err(cause) => read.flight = Err(cause.to_string()),
         }
         emit(JobEvent::LogRead(Box::new(read)));
         emit(JobEvent::Finished);
@@ -208,7 +213,7 @@ pub fn flight_of_log(pool: &Arc<FilePool>) -> Result<Option<OpenFlight>, String>
     let Some(log) = read_log(source.as_ref()).map_err(blame)? else {
         return Ok(None);
     };
-    let flight = flight_from_log(&log).flight;
+    let flight = flight_from_log(&log).into_flight();
     let flight = flight.map_err(|cause| cause.to_string())?;
     Ok(Some(with_pictures(flight, pool.clone()).0))
 }

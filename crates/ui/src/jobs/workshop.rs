@@ -245,8 +245,10 @@ impl Workshop {
         }
         self.days = None;
         self.rehearsal = None;
-        // A flight that is flown stays with its job.
-        self.flights.clear();
+        // A flight that is flown stays with its job; one that was made of a log is not made twice.
+        let of_files = |key: &String| cache_key(&FlightSource::Files(key.clone()));
+        let flights_in_use: BTreeSet<Vec<u8>> = in_use.iter().map(of_files).collect();
+        self.flights.retain(|key, _| flights_in_use.contains(key));
     }
 
     /// Keeps a log that is being read in place of the one before.

@@ -13,13 +13,51 @@ const GPS_DEVIATION: f64 = 5.0;
 /// Kinds of fix from which on a position counts.
 const FLAT_FIX: f64 = 2.0;
 
-/// A flight, and the series that it was made of.
+/// What the series of a log mean, and where it flew.
 #[derive(Clone, Debug)]
 pub struct Interpreted {
-    /// The flight, or why there is none to be navigated.
-    pub flight: Result<Flight, InterpretError>,
     /// Every role that was found.
     pub found: Vec<RoleSeries>,
+    /// The flight without its measured series, or why there is none to be navigated.
+    bare: Result<Flight, InterpretError>,
+}
+
+impl Interpreted {
+    /// Why there is no flight to be navigated, if so.
+    pub fn trouble(&self) -> Option<&InterpretError> {
+        self.bare.as_ref().err()
+    }
+
+    /// The track of the satellite receiver.
+    pub fn track(&self) -> &[TruthState] {
+        let truth = self.bare.as_ref().ok().and_then(|f| f.truth.as_ref());
+        truth.map_or(&[], |truth| &truth.states)
+    }
+
+    /// The flight. The series become its channels without being copied: those of a long log are large.
+    ///
+    /// # Errors
+    /// What a flight needs and the log has not.
+    pub fn into_flight(self) -> Result<Flight, InterpretError> {
+        let mut flight = self.bare?;
+        let states = flight.truth.as_ref().map_or(&[][..], |t| &t.states);
+        let track = |name, part: fn(&Point3<f64>) -> f64| Channel {
+            name,
+            times: states.iter().map(|s| s.time).collect(),
+            values: states.iter().map(|s| part(&s.position)).collect(),
+        };
+        let mut derived = vec![
+            track(ChannelName::GpsNorth, |p| p.x),
+            track(ChannelName::GpsEast, |p| p.y),
+        ];
+        let has_height = |s: &RoleSeries| s.role == Role::HeightAboveGround;
+        if !self.found.iter().any(has_height) {
+            derived.push(height_above_start(&self.found, states));
+        }
+        flight.channels = self.found.into_iter().filter_map(channel).collect();
+        flight.channels.extend(derived);
+        Ok(flight)
+    }
 }
 
 /// Why a log tells of no flight that can be navigated.
@@ -41,7 +79,7 @@ pub enum InterpretError {
     },
 }
 
-/// Reads the series of every role and makes a flight of them.
+/// Reads the series of every role, of which [`Interpreted::into_flight`] makes a flight.
 ///
 /// World is the tangent plane at the first fix; heights are above the ground there. The truth is the track
 /// of the satellite receiver: it is what there is, and no better than it.
@@ -51,12 +89,12 @@ pub fn flight_from_log(log: &Log) -> Interpreted {
         .filter_map(|role| series(log, role))
         .collect();
     Interpreted {
-        flight: flight(log, &found),
+        bare: bare_flight(log, &found),
         found,
     }
 }
 
-fn flight(log: &Log, found: &[RoleSeries]) -> Result<Flight, InterpretError> {
+fn bare_flight(log: &Log, found: &[RoleSeries]) -> Result<Flight, InterpretError> {
     let of = |role| found.iter().find(|s| s.role == role);
     let name = || log.name.clone();
     if of(Role::Heading).is_none() {
@@ -67,7 +105,7 @@ fn flight(log: &Log, found: &[RoleSeries]) -> Result<Flight, InterpretError> {
         return Err(InterpretError::NoPosition { log: name() });
     };
     let frame = LocalFrame::new(first);
-    let states: Vec<TruthState> = fixes
+    let states = fixes
         .iter()
         .map(|(time, place)| {
             let ground = frame.ground_from_geodetic(place);
@@ -80,23 +118,12 @@ fn flight(log: &Log, found: &[RoleSeries]) -> Result<Flight, InterpretError> {
             }
         })
         .collect();
-    let mut channels: Vec<Channel> = found.iter().filter_map(channel).collect();
-    let track = |name, part: fn(&Point3<f64>) -> f64| Channel {
-        name,
-        times: states.iter().map(|s| s.time).collect(),
-        values: states.iter().map(|s| part(&s.position)).collect(),
-    };
-    channels.push(track(ChannelName::GpsNorth, |p| p.x));
-    channels.push(track(ChannelName::GpsEast, |p| p.y));
-    if of(Role::HeightAboveGround).is_none() {
-        channels.push(height_above_start(found, &states));
-    }
     Ok(Flight {
         name: name(),
         frame_on_globe: Some(frame),
         camera: CameraModel::pinhole(640, 480, 60.0_f64.to_radians()),
         ground_down: 0.0,
-        channels,
+        channels: Vec::new(),
         frames: Vec::new(),
         start: StartFix {
             time: first_time,
@@ -134,7 +161,7 @@ fn fixes(found: &[RoleSeries]) -> Vec<(f64, Geodetic)> {
     pairs.filter_map(fix).collect()
 }
 
-fn channel(series: &RoleSeries) -> Option<Channel> {
+fn channel(series: RoleSeries) -> Option<Channel> {
     let name = match series.role {
         Role::Airspeed => ChannelName::Airspeed,
         Role::Heading => ChannelName::Heading,
@@ -163,8 +190,8 @@ fn channel(series: &RoleSeries) -> Option<Channel> {
     };
     Some(Channel {
         name,
-        times: series.times.clone(),
-        values: series.values.clone(),
+        times: series.times,
+        values: series.values,
     })
 }
 

@@ -55,7 +55,7 @@ fn eastward() -> Log {
 #[test]
 fn a_flight_begins_at_its_first_fix_and_goes_where_its_fixes_go() {
     let log = eastward();
-    let flight = flight_from_log(&log).flight.unwrap();
+    let flight = flight_from_log(&log).into_flight().unwrap();
     let truth = flight.truth.as_ref().unwrap();
     let last = truth.states.last().unwrap().position;
     assert!((last.y - 100.0).abs() < 0.2 && last.x.abs() < 0.1, "{last}");
@@ -74,7 +74,7 @@ fn fixes_without_a_fix_do_not_count() {
     let fields = [("Status", ""), ("Lat", "deg"), ("Lng", "deg")];
     add(&mut log, "GPS", &fields, &[vec![0.0, 1.0, 47.0, 8.0]]);
     add(&mut log, "ATT", &[("Yaw", "deg")], &[vec![0.0, 10.0]]);
-    let cause = flight_from_log(&log).flight.unwrap_err();
+    let cause = flight_from_log(&log).into_flight().unwrap_err();
     assert!(matches!(cause, InterpretError::NoPosition { .. }));
     assert!(cause.to_string().starts_with("none.bin: "));
 }
@@ -221,7 +221,7 @@ fn axes_of_ros_become_those_of_aircraft() {
     );
     // ISO 2533 has 89 874.57 Pa at 1000 m.
     assert!((first(Role::BarometricHeight) - 1000.0).abs() < 0.1);
-    assert!(flight_from_log(&log).flight.is_ok());
+    assert!(flight_from_log(&log).into_flight().is_ok());
 }
 
 #[test]

@@ -17,7 +17,7 @@ pub struct Ability {
 /// Every ability in the order in which people need them.
 pub fn abilities(interpreted: &Interpreted, air_data: Option<&AirDataFit>) -> Vec<Ability> {
     let has = |role| interpreted.found.iter().any(|s| s.role == role);
-    let trouble = interpreted.flight.as_ref().err().map(ToString::to_string);
+    let trouble = interpreted.trouble().map(ToString::to_string);
     let missing = |roles: &[Role]| {
         let missing: Vec<&str> = roles
             .iter()

@@ -57,22 +57,17 @@ pub fn overview(log: &Log, interpreted: &Interpreted) -> Overview {
         let both = north.values.iter().zip(&east.values);
         both.map(|(n, e)| n.hypot(*e)).fold(0.0, f64::max)
     });
-    let flight = interpreted.flight.as_ref().ok();
-    let states = flight.and_then(|f| f.truth.as_ref()).map(|t| &t.states);
-    let greatest_height = states.map(|states| {
-        let heights = states.iter().map(|s| -s.position.z);
-        heights.fold(f64::NEG_INFINITY, f64::max)
-    });
+    let states = interpreted.track();
+    let heights = states.iter().map(|s| -s.position.z);
+    let greatest_height = heights.reduce(f64::max);
     let is_up = |time: f64| airborne.iter().any(|(a, b)| (*a..=*b).contains(&time));
-    let distance = states.map_or(0.0, |states| {
-        let steps = states.windows(2).filter(|w| is_up(w[1].time));
-        steps
-            .map(|w| (w[1].position - w[0].position).xy().norm())
-            .sum()
-    });
+    let steps = states.windows(2).filter(|w| is_up(w[1].time));
+    let distance = steps
+        .map(|w| (w[1].position - w[0].position).xy().norm())
+        .sum();
     let mut findings = finding::of_reading(log, found);
     findings.extend(sensors.iter().flat_map(Sensor::findings));
-    findings.extend(glitch::findings(found, states.map_or(&[], Vec::as_slice)));
+    findings.extend(glitch::findings(found, states));
     findings.extend(air_data.iter().flat_map(AirDataFit::findings));
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
     Overview {
