@@ -1,6 +1,7 @@
 //! When it was in the air.
 
 use super::readings::Readings;
+use super::series::LONGEST_GAP;
 use super::statistics::quantile;
 use crate::flight::overview::{FLYING_SHARE, HOVERING, STANDING, stretches};
 
@@ -12,12 +13,6 @@ use crate::flight::overview::{FLYING_SHARE, HOVERING, STANDING, stretches};
 /// airspeed.
 pub fn airborne(readings: &Readings) -> Vec<(f64, f64)> {
     let ground_speed = |time| readings.velocities.at(time).map(|v| v.norm());
-    let has_ground = !readings.velocities.is_empty();
-    let times = if has_ground {
-        readings.velocities.times()
-    } else {
-        readings.airspeed.times()
-    };
     let speed = |time: f64| {
         let (ground, air) = (ground_speed(time), readings.airspeed.at(time));
         match ground {
@@ -25,9 +20,9 @@ pub fn airborne(readings: &Readings) -> Vec<(f64, f64)> {
             _ => [ground, air].into_iter().flatten().reduce(f64::max),
         }
     };
-    let speeds: Vec<(f64, f64)> = times
-        .iter()
-        .filter_map(|time| Some((*time, speed(*time)?)))
+    let speeds: Vec<(f64, f64)> = times(readings)
+        .into_iter()
+        .filter_map(|time| Some((time, speed(time)?)))
         .collect();
     let sorted = speeds.iter().map(|(_, speed)| *speed).collect();
     let least = (FLYING_SHARE * quantile(sorted, 0.9)).max(STANDING);
@@ -40,4 +35,52 @@ pub fn airborne(readings: &Readings) -> Vec<(f64, f64)> {
         .iter()
         .map(|(time, speed)| (*time, *speed > least || hovers(*time)));
     stretches(flying)
+}
+
+/// When a speed is known: at the velocities over ground, and while they pause at the airspeeds.
+fn times(readings: &Readings) -> Vec<f64> {
+    let (velocities, airspeed) = (&readings.velocities, &readings.airspeed);
+    let mut times = Vec::new();
+    let mut last: Option<f64> = None;
+    for time in velocities.times() {
+        if let Some(last) = last.filter(|last| time - last > LONGEST_GAP) {
+            times.extend(airspeed.between(last, *time).map(|(time, _)| time));
+        }
+        times.push(*time);
+        last = Some(*time);
+    }
+    if times.is_empty() {
+        times.extend_from_slice(airspeed.times());
+    }
+    times
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::Vector2;
+
+    use super::*;
+
+    #[test]
+    fn a_flight_goes_on_while_satellite_navigation_pauses() {
+        let mut readings = Readings::default();
+        for i in 0..600 {
+            let time = 0.1 * f64::from(i);
+            readings.airspeed.push(time + 0.03, 17.0);
+            if !(20.0..45.0).contains(&time) {
+                readings.velocities.push(time, Vector2::new(15.0, 0.0));
+            }
+        }
+        let whole = airborne(&readings);
+        assert!(
+            whole.len() == 1 && whole[0].1 - whole[0].0 > 59.0,
+            "{whole:?}"
+        );
+        readings.airspeed = crate::instruments::Series::new();
+        assert_eq!(
+            airborne(&readings).len(),
+            2,
+            "nothing tells of the time between"
+        );
+    }
 }

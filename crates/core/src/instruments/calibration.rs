@@ -150,24 +150,37 @@ impl Calibration {
                 ),
             );
         }
+        findings
+    }
+
+    /// What there is to say of the logged heading, if this is a calibration of it and the track wants it turned;
+    /// `is_used` says whether navigation goes by it.
+    pub fn compass_finding(&self, is_used: bool) -> Option<Finding> {
+        let fit = self.fit.filter(|_| self.heading == HeadingSource::Logged)?;
         let offset = fit.heading_offset;
         let is_sure = offset.abs() > 3.0 * fit.offset_deviation;
-        if self.heading == HeadingSource::Logged && offset.abs() > COMPASS_OFF && is_sure {
-            let side = if offset < 0.0 { "right" } else { "left" };
-            say(
-                Severity::Warning,
-                format!(
-                    "The compass is {:.0}° off to the {side}",
-                    offset.to_degrees().abs()
-                ),
-                format!(
-                    "The track fits the heading best when {:.1}° ± {:.1}° are added to it, and so they are.",
-                    offset.to_degrees(),
-                    fit.offset_deviation.to_degrees()
-                ),
-            );
+        if offset.abs() <= COMPASS_OFF || !is_sure {
+            return None;
         }
-        findings
+        let side = if offset < 0.0 { "right" } else { "left" };
+        let remedy = if is_used {
+            ", and so they are."
+        } else {
+            "; the gyros' heading is used in its place."
+        };
+        Some(Finding {
+            severity: Severity::Warning,
+            title: format!(
+                "The compass is {:.0}° off to the {side}",
+                offset.to_degrees().abs()
+            ),
+            text: format!(
+                "The track fits the heading best when {:.1}° ± {:.1}° are added to it{remedy}",
+                offset.to_degrees(),
+                fit.offset_deviation.to_degrees()
+            ),
+            span: None,
+        })
     }
 }
 

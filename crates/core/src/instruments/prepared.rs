@@ -180,13 +180,17 @@ impl Instruments {
         settings: &CalibrationSettings,
     ) -> Vec<Finding> {
         let taken = self.calibrate(as_of, choice, settings);
-        let fit_of = |choice| self.calibrate(as_of, choice, settings).fit;
-        let residuals = fit_of(HeadingChoice::Logged).zip(fit_of(HeadingChoice::Gyros));
-        let residuals = residuals.map(|(logged, gyros)| (logged.residual, gyros.residual));
+        let logged = self.calibrate(as_of, HeadingChoice::Logged, settings);
+        let gyros = self.calibrate(as_of, HeadingChoice::Gyros, settings);
+        let residuals = logged.fit.zip(gyros.fit);
+        let residuals =
+            residuals.map(|(by_logged, by_gyros)| (by_logged.residual, by_gyros.residual));
         let check = HeadingCheck::of(&self.logged, &self.gyros, (self.stretch.0, as_of));
         let is_gyros = taken.heading == HeadingSource::Gyros;
         let check = check.and_then(|check| check.finding(residuals, is_gyros));
-        check.into_iter().chain(taken.findings()).collect()
+        let compass = logged.compass_finding(!is_gyros);
+        let check = check.into_iter().chain(compass);
+        check.chain(taken.findings()).collect()
     }
 }
 

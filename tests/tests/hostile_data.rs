@@ -1,0 +1,233 @@
+//! Recorded and simulated flights whose instruments fail, jump, stick and lie: navigation goes on, says what it
+//! refused, and knows how uncertain it has become.
+
+use pilotage_core::flight::{Channel, ChannelName, Flight};
+use pilotage_core::frames::wrap_pi;
+use pilotage_core::instruments::{CutPlan, Instruments, ReckonSettings, Way, reckon, study_cuts};
+use pilotage_tests::recorded;
+
+/// The flight of a Skywalker X-8, or `None` where the shared data are absent.
+fn x8() -> Option<Flight> {
+    let folder = recorded::flight("testlog2", "inertialnav_x8")?.expect("the flight reads");
+    Some(folder.flight)
+}
+
+fn channels<'a>(
+    flight: &'a mut Flight,
+    names: &'a [ChannelName],
+) -> impl Iterator<Item = &'a mut Channel> {
+    flight
+        .channels
+        .iter_mut()
+        .filter(|channel| names.contains(&channel.name))
+}
+
+/// Takes the samples out of a stretch of time.
+fn drop_samples(flight: &mut Flight, names: &[ChannelName], span: (f64, f64)) {
+    for channel in channels(flight, names) {
+        let samples = channel
+            .times
+            .iter()
+            .copied()
+            .zip(channel.values.iter().copied());
+        let kept = samples.filter(|(time, _)| !(span.0..=span.1).contains(time));
+        (channel.times, channel.values) = kept.unzip();
+    }
+}
+
+/// Changes the samples of a stretch of time.
+fn change(
+    flight: &mut Flight,
+    names: &[ChannelName],
+    span: (f64, f64),
+    to: impl Fn(ChannelName, f64) -> f64,
+) {
+    for channel in channels(flight, names) {
+        let name = channel.name;
+        for (time, value) in channel.times.iter().zip(&mut channel.values) {
+            if (span.0..=span.1).contains(time) {
+                *value = to(name, *value);
+            }
+        }
+    }
+}
+
+/// What cuts of 30 s through the flight came to.
+struct Outcome {
+    median: f64,
+    covered: f64,
+    cuts: usize,
+    titles: Vec<String>,
+}
+
+/// Cuts that end outside `without`, where what is held against them is wrong itself.
+fn outcome(what: &str, flight: &Flight, without: (f64, f64)) -> Outcome {
+    let instruments = Instruments::of(flight, None).expect("it has instruments");
+    let plan = CutPlan {
+        length: 30.0,
+        every: 5.0,
+        ..CutPlan::default()
+    };
+    let settings = ReckonSettings::default();
+    let way = Way::air_and_wind();
+    let mut study = study_cuts(&instruments, &way, &plan, &settings, &mut |_| true)
+        .expect("the filter goes on");
+    study
+        .cuts
+        .retain(|cut| !(without.0..=without.1).contains(&cut.to));
+    let (begin, end) = instruments.stretch;
+    let middle = 0.5 * (begin + end);
+    let found = reckon(
+        &instruments,
+        (middle, middle + 30.0),
+        &[way, Way::gps_throughout()],
+        &settings,
+        |_| true,
+    )
+    .expect("the filter goes on");
+    let all = found
+        .findings
+        .iter()
+        .chain(found.tracks.iter().flat_map(|t| &t.findings));
+    let titles = all.map(|finding| finding.title.clone()).collect();
+    let outcome = Outcome {
+        median: study.error_quantile(0.5),
+        covered: study.covered(),
+        cuts: study.cuts.len(),
+        titles,
+    };
+    println!(
+        "{what}: {} cuts, median {:.1} m, {:.0} % inside; {:?}",
+        outcome.cuts,
+        outcome.median,
+        100.0 * outcome.covered,
+        outcome.titles
+    );
+    outcome
+}
+
+const NOWHERE: (f64, f64) = (f64::INFINITY, f64::INFINITY);
+const ALWAYS: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
+const POSITION: [ChannelName; 2] = [ChannelName::GpsNorth, ChannelName::GpsEast];
+
+/// The middle of the stretch in the air, seconds.
+fn middle(flight: &Flight) -> f64 {
+    let (begin, end) = Instruments::of(flight, None)
+        .expect("it has instruments")
+        .stretch;
+    0.5 * (begin + end)
+}
+
+/// A case: its name, what is done to the flight around its middle, where its positions are wrong then, and what
+/// has to be said.
+type Case = (
+    &'static str,
+    fn(&mut Flight, f64),
+    Option<(f64, f64)>,
+    &'static str,
+);
+
+#[test]
+fn dead_reckoning_by_failing_instruments_goes_on_says_so_and_stays_honest() {
+    let Some(whole) = x8() else { return };
+    let middle = middle(&whole);
+    let sound = outcome("as it was", &whole, NOWHERE);
+    let cases: [Case; 8] = [
+        (
+            "airspeed dropped for a minute",
+            |flight, t| drop_samples(flight, &[ChannelName::Airspeed], (t - 20.0, t + 40.0)),
+            None,
+            "Airspeed is missing",
+        ),
+        (
+            "airspeed stuck for a minute",
+            |flight, t| {
+                change(
+                    flight,
+                    &[ChannelName::Airspeed],
+                    (t - 20.0, t + 40.0),
+                    |_, _| 11.0,
+                )
+            },
+            None,
+            "Airspeed is stuck",
+        ),
+        (
+            "heading dropped for twenty seconds",
+            |flight, t| drop_samples(flight, &[ChannelName::Heading], (t, t + 20.0)),
+            None,
+            "Heading is missing",
+        ),
+        (
+            "heading stuck for twenty seconds",
+            |flight, t| change(flight, &[ChannelName::Heading], (t, t + 20.0), |_, _| 1.0),
+            None,
+            "Heading is stuck",
+        ),
+        (
+            "GPS 150 m off for eight seconds",
+            |flight, t| change(flight, &POSITION, (t - 12.0, t - 4.0), |_, p| p + 150.0),
+            Some((-12.0, -4.0)),
+            "GPS position refused",
+        ),
+        (
+            "GPS gone for half a minute",
+            |flight, t| {
+                let names = [
+                    POSITION[0],
+                    POSITION[1],
+                    ChannelName::GpsVelocityNorth,
+                    ChannelName::GpsVelocityEast,
+                ];
+                drop_samples(flight, &names, (t - 40.0, t - 10.0));
+            },
+            Some((-40.0, -10.0)),
+            "GPS position is missing",
+        ),
+        (
+            "compass 20 degrees off",
+            |flight, _| {
+                let turn = 20.0_f64.to_radians();
+                change(flight, &[ChannelName::Heading], ALWAYS, |_, h| {
+                    wrap_pi(h + turn)
+                });
+            },
+            None,
+            "The compass is 2",
+        ),
+        (
+            "times that repeat and go back, and numbers that are none",
+            |flight, _| {
+                for channel in &mut flight.channels {
+                    for i in (5..channel.times.len()).step_by(97) {
+                        channel.times[i] = channel.times[i - 5];
+                    }
+                    for i in (7..channel.times.len()).step_by(89) {
+                        channel.times[i] = channel.times[i - 1];
+                    }
+                    for value in channel.values.iter_mut().skip(3).step_by(101) {
+                        *value = f64::NAN;
+                    }
+                }
+            },
+            None,
+            "left out",
+        ),
+    ];
+    for (what, damage, wrong, said) in cases {
+        let mut flight = whole.clone();
+        damage(&mut flight, middle);
+        let wrong = wrong.map_or(NOWHERE, |(from, to)| (middle + from, middle + to));
+        let found = outcome(what, &flight, wrong);
+        let is_said = found.titles.iter().any(|title| title.contains(said));
+        assert!(
+            is_said,
+            "{what}: nothing of \"{said}\" in {:?}",
+            found.titles
+        );
+        // Cuts of 30 s every 5 s overlap: about nine of them are independent.
+        assert!(found.covered >= 0.8, "{what}: {} inside", found.covered);
+        assert!(found.median < 30.0, "{what}: {} m", found.median);
+        assert!(found.cuts + 12 > sound.cuts, "{what}: {} cuts", found.cuts);
+    }
+}
