@@ -1,9 +1,15 @@
 //! Recorded and simulated flights whose instruments fail, jump, stick and lie: navigation goes on, says what it
 //! refused, and knows how uncertain it has become.
 
-use pilotage_core::flight::{Channel, ChannelName, Flight};
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use pilotage_core::flight::{Channel, ChannelName, Flight, FrameError, FrameSource};
 use pilotage_core::frames::wrap_pi;
 use pilotage_core::instruments::{CutPlan, Instruments, ReckonSettings, Way, reckon, study_cuts};
+use pilotage_core::navigator::{Doubt, Navigator, NavigatorSettings, Run};
+use pilotage_core::raster::Picture;
+use pilotage_core::simulate::{Overrides, Scenario, SimulatedFlight};
 use pilotage_tests::recorded;
 
 /// The flight of a Skywalker X-8, or `None` where the shared data are absent.
@@ -229,5 +235,147 @@ fn dead_reckoning_by_failing_instruments_goes_on_says_so_and_stays_honest() {
         assert!(found.covered >= 0.8, "{what}: {} inside", found.covered);
         assert!(found.median < 30.0, "{what}: {} m", found.median);
         assert!(found.cuts + 12 > sound.cuts, "{what}: {} cuts", found.cuts);
+    }
+}
+
+/// The first built-in flight by its landmarks, with its real pictures, after `damage`.
+struct Flown {
+    run: Run,
+    flight: Flight,
+}
+
+fn fly(damage: impl Fn(&mut Flight)) -> Flown {
+    let scenario = Scenario::named("distinct-400ft-wind").expect("a scenario");
+    let SimulatedFlight {
+        mut flight,
+        mut frames,
+        ..
+    } = scenario.simulate(3, &Overrides::default());
+    damage(&mut flight);
+    let mission = scenario.mission();
+    let map = Arc::new(Scenario::map());
+    let given = Arc::new(flight.clone());
+    let mut navigator = Navigator::new(given, &mission.landmarks, map, &mission.navigator)
+        .expect("the flight has what it takes")
+        .sparing();
+    let mut run = navigator.run_head();
+    while let Some(step) = navigator.advance(&mut frames, &|| 0.0) {
+        run.steps.push(step.expect("the filter goes on"));
+    }
+    Flown { run, flight }
+}
+
+impl Flown {
+    /// Share of the steps whose true position lies in the 95 % ellipse, and the largest error, metres.
+    fn honesty(&self) -> (f64, f64) {
+        let truth = self.flight.truth.as_ref().expect("a truth");
+        let (mut inside, mut steps, mut largest) = (0, 0, 0.0_f64);
+        for step in &self.run.steps {
+            let Some(place) = truth.position(step.time) else {
+                continue;
+            };
+            let off = step.after.position().to_vector() - place.xy().coords;
+            let inverse = step.after.position_covariance().try_inverse();
+            let squared = (inverse.expect("it can be inverted") * off).dot(&off);
+            inside += usize::from(squared < CHI_SQUARE_95);
+            steps += 1;
+            largest = largest.max(off.norm());
+        }
+        (f64::from(inside as u32) / f64::from(steps), largest)
+    }
+
+    /// Everything that was doubted, in words.
+    fn doubts(&self) -> BTreeSet<String> {
+        let doubts = self.run.steps.iter().flat_map(|step| &step.doubts);
+        doubts.map(Doubt::words).collect()
+    }
+
+    /// Why frames could not be used, in words.
+    fn troubles(&self) -> BTreeSet<String> {
+        let frames = self.run.steps.iter().filter_map(|s| s.frame.as_ref());
+        frames.filter_map(|f| f.trouble.clone()).collect()
+    }
+}
+
+/// What 95 % of the squared errors of two dimensions stay below.
+const CHI_SQUARE_95: f64 = 5.991;
+
+#[test]
+fn landmarks_and_failing_instruments_go_on_say_so_and_stay_honest() {
+    let from = (60.0, f64::INFINITY);
+    let (sound, _) = fly(|_| {}).honesty();
+    let stuck = fly(|flight| change(flight, &[ChannelName::Airspeed], from, |_, _| 12.0));
+    let mute = fly(|flight| drop_samples(flight, &[ChannelName::Heading], (60.0, 75.0)));
+    let blind = fly(|flight| drop_samples(flight, &[ChannelName::HeightAboveGround], from));
+    for (what, flown, largest, doubt) in [
+        ("airspeed stuck", &stuck, 30.0, "airspeed is stuck since 6"),
+        (
+            "heading silent",
+            &mute,
+            120.0,
+            "heading is silent since 61.5",
+        ),
+        (
+            "height silent",
+            &blind,
+            30.0,
+            "height above ground is silent since 61.5",
+        ),
+    ] {
+        let (inside, worst) = flown.honesty();
+        let doubts = flown.doubts();
+        println!(
+            "{what}: {:.0} % inside (sound {:.0}), at most {worst:.1} m off; {doubts:?}",
+            100.0 * inside,
+            100.0 * sound
+        );
+        assert!(inside >= 0.85, "{what}: {inside}");
+        assert!(worst < largest, "{what}: {worst} m");
+        assert!(
+            doubts.iter().any(|d| d.starts_with(doubt)),
+            "{what}: {doubts:?}"
+        );
+    }
+    let troubles = blind.troubles();
+    assert!(
+        troubles
+            .iter()
+            .any(|t| t.contains("height above ground is silent")),
+        "{troubles:?}"
+    );
+    assert!(stuck.troubles().is_empty());
+}
+
+/// No pictures.
+struct NoFrames;
+
+impl FrameSource for NoFrames {
+    fn picture(&mut self, index: usize) -> Result<Picture, FrameError> {
+        Err(FrameError::OutOfRange(index))
+    }
+
+    fn encoded(&mut self, index: usize) -> Result<Vec<u8>, FrameError> {
+        Err(FrameError::OutOfRange(index))
+    }
+}
+
+#[test]
+fn the_instruments_of_real_flights_are_believed() {
+    for name in ["testlog2", "inputfiles_px4"] {
+        let Some(folder) = recorded::flight(name, "inertialnav_x8") else {
+            return;
+        };
+        let flight = Arc::new(folder.expect("the flight reads").flight);
+        let map = Arc::new(Scenario::map());
+        let settings = NavigatorSettings {
+            shortest_step: 0.1,
+            ..NavigatorSettings::default()
+        };
+        let navigator = Navigator::new(flight, &[], map, &settings);
+        let mut navigator = navigator.expect("it has a heading");
+        while let Some(step) = navigator.advance(&mut NoFrames, &|| 0.0) {
+            let step = step.expect("the filter goes on");
+            assert_eq!(step.doubts, [], "{name} at {} s", step.time);
+        }
     }
 }

@@ -30,6 +30,7 @@ pub use calibration::{Calibration, CalibrationSettings, Delays, HeadingSource};
 pub use fit::{AirFit, FitPrior};
 pub use follow::PositionFix;
 pub use heading::HeadingCheck;
+pub use health::stuck;
 pub use models::Airplane;
 pub use prepared::{Instruments, ReckonError};
 pub use readings::Readings;

@@ -1,9 +1,6 @@
 //! What dead reckoning asks of a process model beyond what every vehicle promises.
 
-use crate::vehicle::{AirplaneScaled, AirplaneWind, Gusts, VehicleModel};
-
-/// Time for which a strayed airspeed stays strayed, seconds.
-const AIRSPEED_MEMORY: f64 = 10.0;
+use crate::vehicle::{AIRSPEED_MEMORY, AirplaneScaled, AirplaneWind, Gusts, VehicleModel};
 
 /// An airplane whose airspeed may be missing.
 pub trait Airplane<const N: usize>: VehicleModel<N> + Clone {
@@ -32,8 +29,7 @@ impl Airplane<4> for AirplaneWind {
     /// in the long run: σ √(2τ).
     fn cruising(&self, speed: f64, deviation: f64) -> Self {
         let mut model = *self;
-        model.air_data.cruise_airspeed = speed;
-        model.air_data.cruise_airspeed_noise_density = deviation * (2.0 * AIRSPEED_MEMORY).sqrt();
+        model.air_data = model.air_data.cruising(speed, deviation);
         model
     }
 }

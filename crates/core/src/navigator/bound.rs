@@ -5,7 +5,7 @@ use nalgebra::{Dyn, Matrix4, OVector, SVector};
 use super::engine::vehicle;
 use super::expected::{Anchor, AppearanceModel};
 use super::geometry::{joint_noise, pose_covariance};
-use super::pipeline::input_between;
+use super::inputs::Inputs;
 use super::{NavigatorSettings, Run, StepReport};
 use crate::filter::{CramerRao, FilterError, numerical_jacobian};
 use crate::flight::Flight;
@@ -48,6 +48,7 @@ impl VehicleVisitor for Bound<'_> {
         let deviation = start.standard_deviation;
         let prior = model.prior(start.position, deviation);
         let mut bound = CramerRao::from_prior(&prior.covariance)?;
+        let inputs = Inputs::of(self.flight);
         let (mut sum, mut count) = (0.0, 0_usize);
         for step in &self.run.steps {
             let Some(truth) = self
@@ -66,7 +67,7 @@ impl VehicleVisitor for Bound<'_> {
                 state[i] = wind.x;
                 state[i + 1] = wind.y;
             }
-            let input = input_between(self.flight, step.time - step.dt, step.time);
+            let input = inputs.between(self.flight, step.time - step.dt, step.time);
             let transition = numerical_jacobian(
                 |x: &SVector<f64, N>| Some(model.propagate(x, &input, step.dt)),
                 &state,

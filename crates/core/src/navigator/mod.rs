@@ -7,6 +7,7 @@ mod estimator;
 mod expected;
 mod explain;
 pub(crate) mod geometry;
+mod inputs;
 mod pipeline;
 mod region;
 mod report;
@@ -24,6 +25,7 @@ pub use bound::position_bound;
 pub(crate) use engine::vehicle;
 pub use estimator::{EstimatorChoice, EstimatorSettings};
 pub use explain::{explain, explain_cascade};
+pub use inputs::{Disbelief, Doubt};
 pub(crate) use pipeline::PYRAMID_LEVELS;
 pub use pipeline::{Navigator, NavigatorError};
 pub use report::{
@@ -32,7 +34,9 @@ pub use report::{
 };
 pub use run::Run;
 pub use run_file::{RunFileError, decode_run, encode_run};
-pub use settings::{NavigatorSettings, ProcessNoise, SensorNoise, StartError, VehicleChoice};
+pub use settings::{
+    Cruise, NavigatorSettings, ProcessNoise, SensorNoise, StartError, VehicleChoice,
+};
 pub use smooth::smooth;
 pub use summary::{
     ConsistencyFigures, ErrorFigures, FrameTiming, Summary, is_wrong, place_error, summarize,

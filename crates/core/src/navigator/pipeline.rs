@@ -3,12 +3,14 @@
 use std::cell::LazyCell;
 use std::sync::Arc;
 
-use nalgebra::{DVector, Vector2};
+use nalgebra::DVector;
 
 use super::engine::{Engine, engine};
 use super::expected::AppearanceModel;
+use super::inputs::Inputs;
 use super::second_opinion::{Opinion, SecondOpinion, reconsider};
 use super::see::{Measurement, Seer, degrees, stack};
+use super::settings::Cruise;
 use super::whole_frames::WholeFrames;
 use super::{
     CandidateReport, Control, FrameReport, JointReport, NavigatorSettings, Outcome, Run, SigmaSets,
@@ -17,11 +19,10 @@ use super::{
 use crate::camera::CameraModel;
 use crate::filter::FilterError;
 use crate::flight::{ChannelName, Flight, FrameSource};
-use crate::frames::{Attitude, GroundPoint, wrap_pi};
+use crate::frames::{Attitude, GroundPoint};
 use crate::imagery::Imagery;
 use crate::landmark::{ChosenDetector, Detector, Landmark, Refusal};
 use crate::raster::{Picture, Pyramid};
-use crate::vehicle::ControlInput;
 
 /// Times closer than this are one step, seconds.
 const SAME_TIME: f64 = 1e-6;
@@ -61,6 +62,7 @@ struct Tick {
 /// Runs a flight through the estimator, one step a call.
 pub struct Navigator {
     flight: Arc<Flight>,
+    inputs: Inputs,
     landmarks: Vec<Landmark>,
     settings: NavigatorSettings,
     engine: Box<dyn Engine>,
@@ -120,20 +122,29 @@ impl Navigator {
                 });
             }
         }
+        let inputs = Inputs::of(&flight);
+        let mut settings = settings.clone();
+        if let Some((airspeed, deviation)) = inputs.cruise() {
+            settings.process.cruise = Cruise {
+                airspeed,
+                deviation,
+            };
+        }
         let start = flight.start;
         let [north, east] = settings.start.offset;
         let position = GroundPoint::new(start.position.north + north, start.position.east + east);
         let deviation = start.standard_deviation.max(settings.start.position);
         let engine =
-            engine(settings, position, deviation).map_err(|cause| NavigatorError::Filter {
+            engine(&settings, position, deviation).map_err(|cause| NavigatorError::Filter {
                 time: start.time,
                 cause,
             })?;
         let unaided = engine.state().mean;
         let ticks = ticks(&flight, settings.shortest_step);
         Ok(Self {
+            inputs,
             landmarks: landmarks.to_vec(),
-            settings: settings.clone(),
+            settings,
             engine,
             second: None,
             detector,
@@ -205,7 +216,8 @@ impl Navigator {
         let begun = stopwatch();
         let time = tick.time;
         let dt = time - self.time;
-        let (input, control) = self.control(self.time, time);
+        let input = self.inputs.between(&self.flight, self.time, time);
+        let control = self.control(time);
         let predicted = self.engine.predict(&input, dt)?;
         self.second = self.second.take().and_then(|s| s.moved(&input, dt));
         self.unaided = self.engine.dead_reckon(&self.unaided, &input, dt);
@@ -224,6 +236,7 @@ impl Navigator {
                 after_correct: None,
             },
             dead_reckoned: GroundPoint::new(self.unaided[0], self.unaided[1]),
+            doubts: self.inputs.doubts(time),
             frame: None,
             timing: StepTiming {
                 predict: stopwatch() - begun,
@@ -232,36 +245,49 @@ impl Navigator {
             },
         };
         if let Some(index) = tick.frame {
-            let trouble =
-                if !self.sparing || self.whole_frames.is_some() || self.may_see(index, &report) {
-                    match frames.picture(index) {
-                        Ok(picture) => {
-                            self.look(index, &picture, &mut report, stopwatch)?;
-                            return Ok(report);
-                        }
-                        Err(trouble) => Some(trouble.to_string()),
+            let trouble = self.blindness(time);
+            let trouble = if trouble.is_some() {
+                trouble
+            } else if !self.sparing || self.whole_frames.is_some() || self.may_see(index, &report) {
+                match frames.picture(index) {
+                    Ok(picture) => {
+                        self.look(index, &picture, &mut report, stopwatch)?;
+                        return Ok(report);
                     }
-                } else {
-                    None
-                };
+                    Err(trouble) => Some(trouble.to_string()),
+                }
+            } else {
+                None
+            };
             report.frame = Some(self.blind(index, &report, trouble));
         }
         Ok(report)
     }
 
-    /// Input for the prediction from `begin` to `end` (at the middle) and the control at the end.
-    fn control(&self, begin: f64, end: f64) -> (ControlInput, Control) {
-        let value = |name, time| self.flight.value(name, time);
-        let input = input_between(&self.flight, begin, end);
-        let now = self.flight.attitude(end).unwrap_or_default();
-        let control = Control {
-            airspeed: value(ChannelName::Airspeed, end),
+    /// What the instruments say at `time`.
+    fn control(&self, time: f64) -> Control {
+        let value = |name| self.flight.value(name, time);
+        let now = self.flight.attitude(time).unwrap_or_default();
+        Control {
+            airspeed: value(ChannelName::Airspeed),
             heading: now.yaw,
             roll: now.roll,
             pitch: now.pitch,
-            height: value(ChannelName::HeightAboveGround, end).unwrap_or(0.0),
-        };
-        (input, control)
+            height: value(ChannelName::HeightAboveGround).unwrap_or(0.0),
+        }
+    }
+
+    /// Why no landmark can be looked for at `time`, if so: nobody knows how the camera looks at the ground.
+    fn blindness(&self, time: f64) -> Option<String> {
+        let needed = [ChannelName::Heading, ChannelName::HeightAboveGround];
+        let doubt = needed
+            .into_iter()
+            .find_map(|name| self.inputs.doubt(name, time))
+            .filter(|_| self.whole_frames.is_none())?;
+        Some(format!(
+            "{}, so that nobody knows where the camera looks",
+            doubt.words()
+        ))
     }
 
     fn appearance_model<'a>(
@@ -424,7 +450,13 @@ impl Navigator {
         let Some(whole_frames) = self.whole_frames.as_mut() else {
             return Ok(false);
         };
-        let mut laid = whole_frames.lay(&self.flight, index, luminance, &report.predicted);
+        let mut laid = whole_frames.lay(
+            &self.flight,
+            &self.inputs,
+            index,
+            luminance,
+            &report.predicted,
+        );
         let seen = stopwatch();
         let believed = laid.correct(&self.settings, &mut self.engine)?;
         let corrected = believed.is_some();
@@ -451,23 +483,6 @@ impl Navigator {
         report.timing.see = seen - begun;
         report.timing.update = stopwatch() - seen;
         Ok(corrected)
-    }
-}
-
-/// What drives a prediction from `begin` to `end`: everything as it is in the middle of the step.
-pub(super) fn input_between(flight: &Flight, begin: f64, end: f64) -> ControlInput {
-    let (middle, dt) = (begin + 0.5 * (end - begin), end - begin);
-    let value = |name| flight.value(name, middle);
-    let heading = |time| flight.attitude(time).unwrap_or_default().yaw;
-    let turned = wrap_pi(heading(end) - heading(begin));
-    let north = value(ChannelName::VelocityNorth);
-    ControlInput {
-        airspeed: value(ChannelName::Airspeed),
-        attitude: flight.attitude(middle).unwrap_or_default(),
-        turn_rate: if dt > 0.0 { turned / dt } else { 0.0 },
-        ground_velocity: north
-            .zip(value(ChannelName::VelocityEast))
-            .map(|(north, east)| Vector2::new(north, east)),
     }
 }
 

@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector, Matrix2, Matrix4, Matrix6, Point2, Vector2};
 use serde::{Deserialize, Serialize};
 
+use super::Doubt;
 use crate::filter::Gaussian;
 use crate::frames::{GroundPoint, GroundRect, Pose};
 use crate::landmark::Refusal;
@@ -231,6 +232,9 @@ pub struct StepReport {
     pub sigma: SigmaSets,
     /// Where dead reckoning alone, without any landmark, would believe to be.
     pub dead_reckoned: GroundPoint,
+    /// Instruments that are not believed at the end of the step.
+    #[serde(default)]
+    pub doubts: Vec<Doubt>,
     /// The camera frame of this step, if any.
     pub frame: Option<FrameReport>,
     /// Time spent.

@@ -72,6 +72,24 @@ pub struct StartError {
     pub offset: [f64; 2],
 }
 
+/// Airspeed to assume while none can be believed.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Cruise {
+    /// The airspeed, m/s.
+    pub airspeed: f64,
+    /// Its standard deviation, m/s.
+    pub deviation: f64,
+}
+
+impl Default for Cruise {
+    fn default() -> Self {
+        Self {
+            airspeed: 18.0,
+            deviation: 0.7,
+        }
+    }
+}
+
 /// Process noise as continuous-time densities, unless the thesis' per-step Q is chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ProcessNoise {
@@ -104,6 +122,10 @@ pub struct ProcessNoise {
     /// White noise of a measured velocity over ground, (m/s)/√Hz.
     #[serde(default = "usual_velocity")]
     pub velocity: f64,
+    /// Airspeed to assume where none is measured; the navigator takes what a flight with failing instruments
+    /// flies usually.
+    #[serde(default)]
+    pub cruise: Cruise,
     /// Use DeAngelo's Table 4 (distinct landmarks) once per step, whatever the step.
     pub thesis_per_step: bool,
 }
@@ -195,6 +217,7 @@ impl Default for NavigatorSettings {
                 acceleration: 1.0,
                 drag: usual_drag(),
                 velocity: usual_velocity(),
+                cruise: Cruise::default(),
                 thesis_per_step: false,
             },
             sensors: SensorNoise {

@@ -148,6 +148,7 @@ mod tests {
                     after_correct: None,
                 },
                 dead_reckoned: GroundPoint::default(),
+                doubts: Vec::new(),
                 frame: None,
                 timing: StepTiming::default(),
             });

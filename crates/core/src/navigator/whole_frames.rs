@@ -10,6 +10,7 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector};
 
 use super::engine::{CorrectedStep, Engine, MeasurementModel};
+use super::inputs::Inputs;
 use super::see::Surprise;
 use super::{Estimate, JointReport, LaidPlace, LaidReport, NavigatorSettings};
 use crate::filter::{FilterError, chi_square_quantile, fading_factor};
@@ -59,6 +60,7 @@ impl WholeFrames {
     pub fn lay(
         &mut self,
         flight: &Flight,
+        inputs: &Inputs,
         index: usize,
         luminance: &Pyramid,
         predicted: &Estimate,
@@ -80,7 +82,7 @@ impl WholeFrames {
             time,
             predicted.position(),
             spread.max(0.0).sqrt(),
-            &measured(flight, time),
+            &measured(flight, inputs, time),
         );
         match self.follower.follow(time, &look, &prior) {
             Ok(found) => Laid {
@@ -100,14 +102,12 @@ impl WholeFrames {
     }
 }
 
-/// What the flight's own instruments say at `time`.
-fn measured(flight: &Flight, time: f64) -> Measured {
-    let value = |name| flight.value(name, time);
+/// What those of the flight's own instruments say at `time` that are believed then.
+fn measured(flight: &Flight, inputs: &Inputs, time: f64) -> Measured {
+    let is_believed = |name| inputs.doubt(name, time).is_none();
+    let value = |name| flight.value(name, time).filter(|_| is_believed(name));
     Measured {
-        heading: flight
-            .channel(ChannelName::Heading)
-            .and_then(|_| flight.attitude(time))
-            .map(|attitude| attitude.yaw),
+        heading: value(ChannelName::Heading),
         roll: value(ChannelName::Roll),
         pitch: value(ChannelName::Pitch),
         height: value(ChannelName::HeightAboveGround).filter(|height| *height > 0.0),

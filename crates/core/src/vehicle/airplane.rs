@@ -47,6 +47,8 @@ pub(super) struct AirMotion {
     pub(super) airspeed_noise_density: f64,
     /// Whether the airspeed is a reading, from which its bias was taken.
     pub(super) measured: bool,
+    /// Density of what a lost heading adds on each axis, m/√s.
+    pub(super) stray_noise_density: f64,
 }
 
 impl AirMotion {
@@ -61,7 +63,27 @@ impl AirMotion {
     }
 }
 
+/// Time for which a strayed airspeed stays strayed, seconds.
+pub const AIRSPEED_MEMORY: f64 = 10.0;
+
+/// White noise that moves a vehicle as far in the long run as a velocity that strays by `deviation` m/s for
+/// [`AIRSPEED_MEMORY`]: σ √(2τ), m/√s.
+fn density_of(deviation: f64) -> f64 {
+    deviation * (2.0 * AIRSPEED_MEMORY).sqrt()
+}
+
 impl AirData {
+    /// The same instruments, with `speed` assumed wherever no airspeed is measured, of standard deviation
+    /// `deviation`, m/s.
+    #[must_use]
+    pub fn cruising(self, speed: f64, deviation: f64) -> Self {
+        Self {
+            cruise_airspeed: speed,
+            cruise_airspeed_noise_density: density_of(deviation),
+            ..self
+        }
+    }
+
     /// Motion when the instruments read too much by these biases (m/s, radians).
     pub(super) fn motion(
         &self,
@@ -71,19 +93,20 @@ impl AirData {
     ) -> AirMotion {
         let (sin, cos) = (input.heading() - heading_bias).sin_cos();
         let ahead = Vector2::new(cos, sin);
-        match input.airspeed {
-            Some(reading) => AirMotion {
-                ahead,
-                airspeed: reading - airspeed_bias,
-                airspeed_noise_density: self.airspeed_noise_density,
-                measured: true,
-            },
-            None => AirMotion {
-                ahead,
-                airspeed: self.cruise_airspeed,
-                airspeed_noise_density: self.cruise_airspeed_noise_density,
-                measured: false,
-            },
+        let (airspeed, airspeed_noise_density) = match input.airspeed {
+            Some(reading) => (reading - airspeed_bias, self.airspeed_noise_density),
+            None => (self.cruise_airspeed, self.cruise_airspeed_noise_density),
+        };
+        // Of a heading that strays by a Gaussian angle, e^(-σ²/2) of the speed is left along it on average;
+        // the rest, of mean square (1 - e^(-σ²)) V², may point anywhere.
+        let left = (-0.5 * input.heading_deviation.powi(2)).exp();
+        let stray = airspeed.abs() * (0.5 * (1.0 - left * left)).sqrt();
+        AirMotion {
+            ahead,
+            airspeed: left * airspeed,
+            airspeed_noise_density,
+            stray_noise_density: density_of(stray),
+            measured: input.airspeed.is_some(),
         }
     }
 
@@ -92,7 +115,9 @@ impl AirData {
         let along = motion.airspeed_noise_density;
         let across = motion.airspeed * self.heading_noise_density;
         let (ahead, right) = (motion.ahead, motion.right());
-        let rest = self.position_noise_density;
+        let rest = self
+            .position_noise_density
+            .hypot(motion.stray_noise_density);
         (ahead * ahead.transpose() * (along * along)
             + right * right.transpose() * (across * across)
             + nalgebra::Matrix2::from_diagonal_element(rest * rest))

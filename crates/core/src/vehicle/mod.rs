@@ -18,7 +18,7 @@ mod tests;
 mod thesis_noise;
 mod velocity_driven;
 
-pub use airplane::AirData;
+pub use airplane::{AIRSPEED_MEMORY, AirData};
 pub use airplane_full::AirplaneFull;
 pub use airplane_scaled::{AirDataErrors, AirplaneScaled};
 pub use airplane_wind::AirplaneWind;

@@ -19,6 +19,9 @@ pub struct ControlInput {
     /// Velocity over ground, m/s north and east, where something other than satellites measures it:
     /// motion capture, optical flow.
     pub ground_velocity: Option<Vector2<f64>>,
+    /// Standard deviation of the heading while it is not read but held from earlier, radians; 0 where it is
+    /// read.
+    pub heading_deviation: f64,
 }
 
 impl ControlInput {

@@ -349,6 +349,7 @@ impl Flier {
                 after_correct: corrected.then(|| sigma_points(&self.mean, &self.covariance)),
             },
             dead_reckoned: self.dead_reckoned.into(),
+            doubts: Vec::new(),
             frame,
             timing: StepTiming {
                 predict: 0.01,

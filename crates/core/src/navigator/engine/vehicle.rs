@@ -14,7 +14,8 @@ pub fn vehicle(settings: &NavigatorSettings) -> VehicleSettings {
         heading_noise_density: p.heading,
         position_noise_density: p.position,
         ..AirData::default()
-    };
+    }
+    .cruising(p.cruise.airspeed, p.cruise.deviation);
     let gusts = Gusts {
         deviation: p.gust,
         per_wind: p.gust_per_wind,

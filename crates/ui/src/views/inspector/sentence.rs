@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use nalgebra::Vector2;
-use pilotage_core::flight::Flight;
+use pilotage_core::flight::{ChannelName, Flight};
 use pilotage_core::navigator::{
-    CandidateReport, Estimate, FrameReport, LaidReport, Outcome, Run, StepReport,
+    CandidateReport, Doubt, Estimate, FrameReport, LaidReport, Outcome, Run, StepReport,
 };
 
 use super::super::parts::figures;
@@ -15,7 +15,24 @@ use crate::units::Units;
 
 /// What step `index` of the run did, for people.
 pub(crate) fn sentence(run: &Run, index: usize, flight: Option<&Flight>, units: Units) -> String {
-    capitalised(&what_happened(run, index, flight, units))
+    let doubts = run.steps.get(index).map_or_else(String::new, disbelieved);
+    capitalised(&format!(
+        "{}{doubts}",
+        what_happened(run, index, flight, units)
+    ))
+}
+
+/// One sentence per instrument that is not believed, each after a space.
+fn disbelieved(step: &StepReport) -> String {
+    let sentence = |doubt: &Doubt| {
+        let instead = match doubt.channel {
+            ChannelName::Airspeed => "what it usually flies is assumed in its place",
+            ChannelName::Heading => "the last one is held, and doubted more and more",
+            _ => "landmarks are not looked for without it",
+        };
+        format!(" {} and not believed: {instead}.", doubt.words())
+    };
+    step.doubts.iter().map(sentence).collect()
 }
 
 /// The same with whatever first letter a landmark's name has.
@@ -198,7 +215,10 @@ fn dead_reckoning(run: &Run, index: usize, step: &StepReport, units: Units) -> S
     let elapsed = step.time - since;
     let growth = factor * (sigma(&step.after) - sigma(&run.steps[since_index].after));
     if elapsed <= DEAD_RECKONING_AFTER {
-        let speed = step.control.airspeed.map_or_else(String::new, |v| {
+        let is_believed = |name| step.doubts.iter().all(|doubt| doubt.channel != name);
+        let airspeed = step.control.airspeed;
+        let airspeed = airspeed.filter(|_| is_believed(ChannelName::Airspeed));
+        let speed = airspeed.map_or_else(String::new, |v| {
             let (factor, unit) = units.speed();
             format!(" at {} {unit}", figures(factor * v))
         });
@@ -273,7 +293,21 @@ fn compass(vector: &Vector2<f64>) -> &'static str {
 mod tests {
     use super::super::super::fixture::Fixture;
     use super::*;
-    use pilotage_core::navigator::Refusal;
+    use pilotage_core::navigator::{Disbelief, Refusal};
+
+    #[test]
+    fn an_instrument_that_is_not_believed_is_named_with_what_takes_its_place() {
+        let mut fixture = Fixture::lasting(15.0);
+        fixture.run.steps[3].doubts.push(Doubt {
+            channel: ChannelName::Airspeed,
+            why: Disbelief::Stuck,
+            since: 1.25,
+        });
+        let text = of(&fixture, 3);
+        let told = "Airspeed is stuck since 1.2 s and not believed: what it usually flies is assumed in its place.";
+        assert!(text.ends_with(told), "{text}");
+        assert!(!text.contains(" m/s on heading"), "{text}");
+    }
 
     fn of(fixture: &Fixture, index: usize) -> String {
         sentence(&fixture.run, index, Some(&fixture.flight), Units::Metric)

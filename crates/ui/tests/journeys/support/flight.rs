@@ -190,6 +190,7 @@ fn step_report(
         before,
         predicted,
         after,
+        doubts: Vec::new(),
         dead_reckoned: GroundPoint::new(truth.north + drift, truth.east - 0.6 * drift),
         frame,
         timing: StepTiming::default(),

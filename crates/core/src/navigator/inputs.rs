@@ -1,0 +1,292 @@
+//! What drives the predictions of a flight, and which readings of it are not believed.
+
+use nalgebra::Vector2;
+use serde::{Deserialize, Serialize};
+
+use crate::flight::{Channel, ChannelName, Flight};
+use crate::frames::wrap_pi;
+use crate::instruments::{Series, quantile, stuck};
+use crate::vehicle::ControlInput;
+
+/// Airspeeds that may stand still, since what stands on the ground has them, m/s.
+const STANDING: f64 = 3.0;
+/// Shortest pause of a channel that counts as silence, seconds …
+const SHORTEST_SILENCE: f64 = 1.5;
+/// … and how many of its usual intervals at least.
+const INTERVALS: f64 = 5.0;
+/// Fewest samples of a channel that can fall silent: what is told once or twice holds for all of the flight.
+const FEWEST: usize = 5;
+
+/// Time over which turns are looked at, seconds: as long as turns take.
+const WANDER: f64 = 5.0;
+
+/// Why a reading is not believed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Disbelief {
+    /// It shows one and the same number for longer than it ever did.
+    Stuck,
+    /// There is none for longer than usual.
+    Silent,
+}
+
+/// A reading that is not believed.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Doubt {
+    /// Which.
+    pub channel: ChannelName,
+    /// Why.
+    pub why: Disbelief,
+    /// Since when, seconds in the flight's time base: when it could be noticed.
+    pub since: f64,
+}
+
+impl Doubt {
+    /// In words: "airspeed is stuck since 12.3 s".
+    pub fn words(&self) -> String {
+        let channel = self.channel.key().replace('_', " ");
+        let why = match self.why {
+            Disbelief::Stuck => "stuck",
+            Disbelief::Silent => "silent",
+        };
+        format!("{channel} is {why} since {:.1} s", self.since)
+    }
+}
+
+/// What the instruments of a flight are worth at any time.
+///
+/// A stretch is noticed by what was read before it ends; only what is usual is learnt from the whole flight.
+pub(super) struct Inputs {
+    /// With the ends of their stretches, seconds.
+    doubts: Vec<(Doubt, f64)>,
+    /// Airspeed that is flown usually, and its standard deviation, m/s.
+    cruise: Option<(f64, f64)>,
+    /// How fast the square of the angle grows by which it turns, rad²/s.
+    wander: f64,
+}
+
+impl Inputs {
+    /// Looks a flight over.
+    pub(super) fn of(flight: &Flight) -> Self {
+        let span = (flight.start.time, flight.span().1);
+        let mut doubts = Vec::new();
+        for name in [
+            ChannelName::Airspeed,
+            ChannelName::Heading,
+            ChannelName::HeightAboveGround,
+        ] {
+            let Some(channel) = flight.channel(name) else {
+                continue;
+            };
+            let mut say = |why, (since, until): (f64, f64)| {
+                let doubt = Doubt {
+                    channel: name,
+                    why,
+                    since,
+                };
+                doubts.push((doubt, until));
+            };
+            if name != ChannelName::HeightAboveGround {
+                for stretch in stretches_stuck(channel, span) {
+                    say(Disbelief::Stuck, stretch);
+                }
+            }
+            for stretch in silences(channel, span) {
+                say(Disbelief::Silent, stretch);
+            }
+        }
+        let airspeed = flight.channel(ChannelName::Airspeed);
+        let cruise = airspeed.and_then(|channel| {
+            let is_stuck = |time: f64| {
+                let doubted = |(doubt, until): &(Doubt, f64)| {
+                    doubt.channel == ChannelName::Airspeed && (doubt.since..=*until).contains(&time)
+                };
+                doubts.iter().any(doubted)
+            };
+            let samples = channel.times.iter().zip(&channel.values);
+            let flown = samples.filter(|(t, v)| **v > STANDING && !is_stuck(**t));
+            cruise(flown.map(|(_, v)| *v).collect())
+        });
+        let heading = flight.channel(ChannelName::Heading);
+        Self {
+            doubts,
+            cruise,
+            wander: heading.map_or(0.0, wander),
+        }
+    }
+
+    /// Why the channel is not believed at `time`, if so.
+    pub(super) fn doubt(&self, channel: ChannelName, time: f64) -> Option<Doubt> {
+        let here = |(doubt, until): &&(Doubt, f64)| {
+            doubt.channel == channel && (doubt.since..=*until).contains(&time)
+        };
+        self.doubts.iter().find(here).map(|(doubt, _)| *doubt)
+    }
+
+    /// Everything that is not believed at `time`.
+    pub(super) fn doubts(&self, time: f64) -> Vec<Doubt> {
+        let here = |(doubt, until): &&(Doubt, f64)| (doubt.since..=*until).contains(&time);
+        self.doubts
+            .iter()
+            .filter(here)
+            .map(|(doubt, _)| *doubt)
+            .collect()
+    }
+
+    /// Airspeed to assume while none can be believed, and its standard deviation, m/s: `None` where nothing
+    /// is ever doubted, or no flight was seen.
+    pub(super) fn cruise(&self) -> Option<(f64, f64)> {
+        let of_airspeed =
+            |(doubt, _): &(Doubt, f64)| doubt.channel != ChannelName::HeightAboveGround;
+        self.cruise.filter(|_| self.doubts.iter().any(of_airspeed))
+    }
+
+    /// What drives a prediction of `flight` from `begin` to `end`, seconds: everything as it is in the middle.
+    pub(super) fn between(&self, flight: &Flight, begin: f64, end: f64) -> ControlInput {
+        let (middle, dt) = (begin + 0.5 * (end - begin), end - begin);
+        let value = |name| flight.value(name, middle);
+        let is_believed = |name| self.doubt(name, middle).is_none();
+        let mut attitude = flight.attitude(middle).unwrap_or_default();
+        let mut heading_deviation = 0.0;
+        if let Some(doubt) = self.doubt(ChannelName::Heading, middle) {
+            // What comes after the stretch is not known in it.
+            let channel = flight.channel(ChannelName::Heading);
+            let last = channel.and_then(|c| c.latest(doubt.since));
+            attitude.yaw = last.unwrap_or(attitude.yaw);
+            heading_deviation = (self.wander * (middle - doubt.since)).sqrt();
+        }
+        let heading = |time| flight.attitude(time).unwrap_or_default().yaw;
+        let turned = wrap_pi(heading(end) - heading(begin));
+        let north = value(ChannelName::VelocityNorth);
+        let airspeed = value(ChannelName::Airspeed);
+        ControlInput {
+            airspeed: airspeed.filter(|_| is_believed(ChannelName::Airspeed)),
+            attitude,
+            turn_rate: if dt > 0.0 && heading_deviation == 0.0 {
+                turned / dt
+            } else {
+                0.0
+            },
+            ground_velocity: north
+                .zip(value(ChannelName::VelocityEast))
+                .map(|(north, east)| Vector2::new(north, east)),
+            heading_deviation,
+        }
+    }
+}
+
+fn stretches_stuck(channel: &Channel, span: (f64, f64)) -> Vec<(f64, f64)> {
+    let is_airspeed = channel.name == ChannelName::Airspeed;
+    let mut series = Series::new();
+    for (time, value) in channel.times.iter().zip(&channel.values) {
+        if !is_airspeed || *value > STANDING {
+            series.push(*time, *value);
+        }
+    }
+    stuck(&series, &[span])
+}
+
+/// Pauses of a channel and the time after its end: from when each could be noticed to the next sample, seconds.
+fn silences(channel: &Channel, span: (f64, f64)) -> Vec<(f64, f64)> {
+    if channel.times.len() < FEWEST {
+        return Vec::new();
+    }
+    let steps = channel.times.windows(2).map(|pair| pair[1] - pair[0]);
+    let longest = (INTERVALS * quantile(steps.collect(), 0.9)).max(SHORTEST_SILENCE);
+    let nexts = channel.times.iter().skip(1).copied().chain([span.1]);
+    let pauses = channel.times.iter().copied().zip(nexts);
+    pauses
+        .filter(|(last, next)| next - last > longest && *next > span.0)
+        .map(|(last, next)| (last + longest, next))
+        .collect()
+}
+
+/// How fast the mean square of the angle grows by which a heading turns, rad²/s, as of a random walk.
+fn wander(heading: &Channel) -> f64 {
+    let turns = heading.times.iter().zip(&heading.values);
+    let turns = turns.filter_map(|(time, value)| {
+        let earlier = heading.times.partition_point(|t| *t <= time - WANDER);
+        let before = earlier.checked_sub(1)?;
+        let dt = time - heading.times[before];
+        Some(wrap_pi(value - heading.values[before]).powi(2) / dt)
+    });
+    let turns: Vec<f64> = turns.collect();
+    turns.iter().sum::<f64>() / turns.len().max(1) as f64
+}
+
+fn cruise(airspeeds: Vec<f64>) -> Option<(f64, f64)> {
+    if airspeeds.len() < FEWEST {
+        return None;
+    }
+    let usual = quantile(airspeeds.clone(), 0.5);
+    let deviations = airspeeds.iter().map(|v| (v - usual).powi(2)).sum::<f64>();
+    Some((usual, (deviations / airspeeds.len() as f64).sqrt()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simulate::{Overrides, Scenario};
+
+    fn flight() -> Flight {
+        let scenario = Scenario::named("distinct-400ft-wind").unwrap();
+        scenario.fly(1, &Overrides::default())
+    }
+
+    fn channel(flight: &mut Flight, name: ChannelName) -> &mut Channel {
+        flight.channels.iter_mut().find(|c| c.name == name).unwrap()
+    }
+
+    #[test]
+    fn sound_instruments_are_believed_all_along() {
+        let inputs = Inputs::of(&flight());
+        assert!(inputs.doubts.is_empty(), "{:?}", inputs.doubts);
+        assert_eq!(inputs.cruise(), None);
+    }
+
+    #[test]
+    fn what_sticks_or_falls_silent_is_noticed_and_not_believed() {
+        let mut flight = flight();
+        let airspeed = channel(&mut flight, ChannelName::Airspeed);
+        for (time, value) in airspeed.times.iter().zip(&mut airspeed.values) {
+            if (30.0..50.0).contains(time) {
+                *value = 12.0;
+            }
+        }
+        let heading = channel(&mut flight, ChannelName::Heading);
+        let end = heading.times.partition_point(|t| *t < 60.0);
+        heading.times.truncate(end);
+        heading.values.truncate(end);
+        let inputs = Inputs::of(&flight);
+        let input = |time| inputs.between(&flight, time - 0.05, time + 0.05);
+        assert!(input(29.0).airspeed.is_some() && input(29.0).heading_deviation == 0.0);
+        assert_eq!(input(45.0).airspeed, None);
+        assert!(input(52.0).airspeed.is_some());
+        let (soon, later) = (input(62.0).heading_deviation, input(80.0).heading_deviation);
+        assert!(
+            0.0 < soon && 4.0 * soon < later && later < 3.0,
+            "{soon} {later}"
+        );
+        let told = inputs.doubts(70.0);
+        assert_eq!(told.len(), 1);
+        assert_eq!(told[0].why, Disbelief::Silent);
+        assert!((told[0].since - 61.5).abs() < 0.5, "{told:?}");
+        let (cruise, deviation) = inputs.cruise().unwrap();
+        assert!((14.0..24.0).contains(&cruise) && deviation < 3.0);
+    }
+
+    #[test]
+    fn rare_readings_are_not_silent_and_what_stands_is_not_stuck() {
+        let mut flight = flight();
+        let heading = channel(&mut flight, ChannelName::Heading);
+        heading.times = (0..18).map(|i| 5.0 * f64::from(i)).collect();
+        heading.values = (0..18).map(f64::from).collect();
+        let airspeed = channel(&mut flight, ChannelName::Airspeed);
+        for (time, value) in airspeed.times.iter().zip(&mut airspeed.values) {
+            if *time < 30.0 {
+                *value = 0.0;
+            }
+        }
+        let inputs = Inputs::of(&flight);
+        assert!(inputs.doubts.is_empty(), "{:?}", inputs.doubts);
+    }
+}
