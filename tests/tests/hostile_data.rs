@@ -153,7 +153,7 @@ fn dead_reckoning_by_failing_instruments_goes_on_says_so_and_stays_honest() {
                     &[ChannelName::Airspeed],
                     (t - 20.0, t + 40.0),
                     |_, _| 11.0,
-                )
+                );
             },
             None,
             "Airspeed is stuck",

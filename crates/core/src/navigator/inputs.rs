@@ -104,7 +104,8 @@ impl Inputs {
             };
             let samples = channel.times.iter().zip(&channel.values);
             let flown = samples.filter(|(t, v)| **v > STANDING && !is_stuck(**t));
-            cruise(flown.map(|(_, v)| *v).collect())
+            let flown: Vec<f64> = flown.map(|(_, v)| *v).collect();
+            cruise(&flown)
         });
         let heading = flight.channel(ChannelName::Heading);
         Self {
@@ -213,11 +214,11 @@ fn wander(heading: &Channel) -> f64 {
     turns.iter().sum::<f64>() / turns.len().max(1) as f64
 }
 
-fn cruise(airspeeds: Vec<f64>) -> Option<(f64, f64)> {
+fn cruise(airspeeds: &[f64]) -> Option<(f64, f64)> {
     if airspeeds.len() < FEWEST {
         return None;
     }
-    let usual = quantile(airspeeds.clone(), 0.5);
+    let usual = quantile(airspeeds.to_vec(), 0.5);
     let deviations = airspeeds.iter().map(|v| (v - usual).powi(2)).sum::<f64>();
     Some((usual, (deviations / airspeeds.len() as f64).sqrt()))
 }

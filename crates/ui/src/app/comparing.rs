@@ -1,5 +1,8 @@
 //! Trajectories beside each other: kept, let go of, shown.
 
+use pilotage_core::flight::trajectory::Track;
+use pilotage_core::navigator::{EstimatorChoice, Run, smooth};
+
 use super::{App, SideTab};
 use crate::command::Workspace;
 use crate::compare::{CompareCommand, CompareScene, TrackId, open_tracks};
@@ -21,7 +24,45 @@ pub(super) fn compare_scene(documents: &Documents) -> CompareScene<'_> {
     }
 }
 
+/// Name of a kept run of the flight `of`: with its estimator where that is not the usual one.
+fn named_after(of: &str, run: Option<&Run>) -> String {
+    let estimator = run.map(|run| run.settings.estimator.choice);
+    match estimator.filter(|choice| *choice != EstimatorChoice::default()) {
+        Some(choice) => format!("{of}, {}", choice.label()),
+        None => of.to_owned(),
+    }
+}
+
 impl App {
+    /// Keeps the run with every step estimated from all of the flight.
+    fn keep_smoothed(&mut self, host: &mut dyn Host) {
+        let documents = &mut self.documents;
+        let run = documents.run.as_ref().filter(|_| documents.run_complete);
+        let (Some(flight), Some(run)) = (documents.flight.as_ref(), run) else {
+            let text = "Wait until the flight is flown to its end.";
+            self.toasts.note(host.now(), "Nothing to smooth yet", text);
+            return;
+        };
+        let estimates = match smooth(run) {
+            Ok(estimates) => estimates,
+            Err(cause) => {
+                let title = "The run cannot be smoothed";
+                self.toasts
+                    .trouble(host.now(), title.to_owned(), cause.to_string());
+                return;
+            }
+        };
+        let places = run.steps.iter().zip(&estimates).map(|(step, estimate)| {
+            let place = estimate.position();
+            (step.time, place.north, place.east)
+        });
+        let name = format!("{}, smoothed", named_after(&flight.name, Some(run)));
+        let mut track = Track::on_the_ground(name, flight.frame_on_globe, places);
+        track.utc_at_zero = utc_at_zero(documents);
+        let name = documents.shelf.keep(track).to_owned();
+        self.toasts.note(host.now(), "Kept for comparison", name);
+    }
+
     /// Does what was asked about trajectories.
     pub(super) fn compare(&mut self, command: &CompareCommand, host: &mut dyn Host) {
         let documents = &mut self.documents;
@@ -46,11 +87,12 @@ impl App {
                 track.name = match id {
                     TrackId::Truth => format!("{of}, true"),
                     TrackId::Unaided => format!("{of}, dead reckoning"),
-                    _ => of.to_owned(),
+                    _ => named_after(of, run),
                 };
                 let name = documents.shelf.keep(track).to_owned();
                 self.toasts.note(host.now(), "Kept for comparison", name);
             }
+            CompareCommand::KeepSmoothed => self.keep_smoothed(host),
             CompareCommand::Discard(number) => documents.shelf.discard(number),
             CompareCommand::ToggleShown(number) => documents.shelf.toggle_shown(number),
         }

@@ -31,6 +31,8 @@ pub enum CompareCommand {
     Show,
     /// Keep one of what is open while other flights are opened and flown.
     Keep(TrackId),
+    /// Keep the run that is open with every step estimated from all of the flight, before and after it.
+    KeepSmoothed,
     /// Let go of one.
     Discard(u32),
     /// Draw one on the map, or not.

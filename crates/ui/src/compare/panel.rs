@@ -86,7 +86,7 @@ impl CompareView {
         ui.spacing_mut().item_spacing.y = 0.5 * tokens.space;
         self.results
             .update(context, scene, self.settings, self.reference);
-        self.buttons(ui, context);
+        self.buttons(ui, context, scene.is_complete);
         if self.results.rows.is_empty() {
             let hint =
                 "Fly, or open a flight; keep its run and open another to see them side by side.";
@@ -131,9 +131,9 @@ impl CompareView {
         }
     }
 
-    fn buttons(&self, ui: &mut Ui, context: &mut ViewContext<'_>) {
+    fn buttons(&self, ui: &mut Ui, context: &mut ViewContext<'_>, is_complete: bool) {
         let tokens = context.tokens;
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             let can_keep = |id| self.results.rows.iter().any(|row| row.id == id);
             for (id, text) in [
                 (TrackId::Run, "Keep this run"),
@@ -143,6 +143,11 @@ impl CompareView {
                     let keep = CompareCommand::Keep(id);
                     context.commands.push(Command::Compare(keep));
                 }
+            }
+            let is_there = is_complete && can_keep(TrackId::Run);
+            if is_there && text_button(ui, tokens, None, "Keep it smoothed", false).clicked() {
+                let keep = CompareCommand::KeepSmoothed;
+                context.commands.push(Command::Compare(keep));
             }
         });
     }

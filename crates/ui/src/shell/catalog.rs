@@ -149,6 +149,12 @@ pub fn catalog() -> Vec<Entry> {
         Vec::new(),
         Command::Compare(CompareCommand::Keep(TrackId::Run)),
     ));
+    entries.push(entry(
+        Group::Document,
+        "Keep this run smoothed",
+        Vec::new(),
+        Command::Compare(CompareCommand::KeepSmoothed),
+    ));
     entries.extend(document());
     entries
 }

@@ -67,6 +67,20 @@ fn a_kept_run_stays_when_another_flight_is_flown_and_goes_when_it_is_let_go() {
 }
 
 #[test]
+fn a_run_is_kept_smoothed_beside_the_one_in_flight() {
+    let mut rig = rig();
+    rig.open_tab("Compare");
+    rig.harness.get_by_label("Keep it smoothed").click();
+    rig.frames(3);
+    let errors = errors(&rig);
+    let (name, error) = errors.last().expect("a smoothed run");
+    assert!(name.ends_with(", smoothed"), "{name}");
+    let flown = errors.iter().find(|e| e.0 == "This run");
+    assert_ne!(*error, flown.and_then(|e| e.1));
+    assert!(error.is_some_and(f64::is_finite), "{errors:?}");
+}
+
+#[test]
 fn a_kept_run_is_hidden_on_the_map() {
     let mut rig = rig_with_a_kept_run();
     let kept = names(&rig).pop().expect("a kept run");
