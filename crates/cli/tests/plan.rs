@@ -83,6 +83,7 @@ fn mission() -> Mission {
         no_fly: Vec::new(),
         labels: Vec::new(),
         camera: Some(CameraModel::pinhole(320, 240, 0.8)),
+        camera_to_log: None,
         navigator: NavigatorSettings::default(),
         properties: std::collections::BTreeMap::new(),
     }

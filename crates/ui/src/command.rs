@@ -4,6 +4,7 @@ use pilotage_core::exchange::Format;
 use pilotage_core::frames::GroundRect;
 use pilotage_core::navigator::NavigatorSettings;
 
+use crate::camera_log::CameraLogCommand;
 use crate::compare::CompareCommand;
 use crate::cut::CutCommand;
 use crate::dialogs::{ColumnsCommand, WebMapCommand};
@@ -160,6 +161,8 @@ pub enum Command {
     Compare(CompareCommand),
     /// Something about satellite navigation cut out of the flight.
     Cut(CutCommand),
+    /// Something about the camera beside its log.
+    CameraLog(CameraLogCommand),
     /// Something about the plan.
     Plan(PlanCommand),
 }

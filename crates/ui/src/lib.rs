@@ -1,6 +1,7 @@
 //! The views and commands of Pilotage, without a window system, so that tests drive them natively.
 
 pub mod app;
+pub mod camera_log;
 pub mod command;
 pub mod compare;
 pub mod context;

@@ -2,8 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::residual::{Laid, Log, Unknowns, laid_frames};
+use super::residual::{Log, Unknowns};
 use super::solve::{Solution, solve};
+use super::{CameraAdjustment, CameraEvidence};
 use crate::flight::Flight;
 use crate::navigator::Run;
 
@@ -100,51 +101,98 @@ pub enum AlignmentError {
 
 /// Estimates the camera of `flight` from the frames that `run` laid on the map, by robust least squares from
 /// every time offset that is possible. Deviations count the errors of neighbouring frames as alike as they are.
+///
+/// # Errors
+/// Too few frames, no satellite navigation, or nothing that explains the frames.
 pub fn camera_to_log(
     flight: &Flight,
     run: &Run,
     believed: &CameraPrior,
 ) -> Result<CameraToLog, AlignmentError> {
-    align(flight, &laid_frames(flight, run), believed)
+    CameraEvidence::of(flight, run).estimate(believed)
 }
 
-fn align(
-    flight: &Flight,
-    frames: &[Laid],
-    believed: &CameraPrior,
-) -> Result<CameraToLog, AlignmentError> {
-    let log = Log::new(flight, frames).ok_or(AlignmentError::NoFixes)?;
-    let few = |found| AlignmentError::TooFewFrames { found };
-    if frames.len() < FEWEST {
-        return Err(few(frames.len()));
+/// An estimate under way: a guess of the time offset after the other. The evidence has to be the same in every
+/// call.
+#[derive(Clone, Debug)]
+pub struct CameraSearch {
+    believed: CameraPrior,
+    prior: Unknowns,
+    /// Guesses of the time offset, and how many of them are done.
+    guesses: Vec<f64>,
+    done: usize,
+    likely: Option<Solution>,
+}
+
+impl CameraSearch {
+    /// Nothing tried yet.
+    ///
+    /// # Errors
+    /// Too few frames, or no satellite navigation.
+    pub fn new(evidence: &CameraEvidence, believed: &CameraPrior) -> Result<Self, AlignmentError> {
+        let log = evidence.log().ok_or(AlignmentError::NoFixes)?;
+        if evidence.frames() < FEWEST {
+            return Err(AlignmentError::TooFewFrames {
+                found: evidence.frames(),
+            });
+        }
+        let count = (3.0 * believed.offset / STEP).ceil() as i32;
+        Ok(Self {
+            believed: *believed,
+            prior: prior(&log, believed),
+            guesses: (-count..=count).map(|i| f64::from(i) * STEP).collect(),
+            done: 0,
+            likely: None,
+        })
     }
-    let prior = prior(&log, believed);
-    let reach = 3.0 * believed.offset;
-    let count = (reach / STEP).ceil() as i32;
-    let guesses = (-count..=count).map(|i| f64::from(i) * STEP);
-    // At first with the offset held: its valley is narrow where the aircraft turns.
-    let mut held = prior;
-    held[0] = 0.0;
-    held[1] = 0.0;
-    let first = guesses.filter_map(|offset| {
+
+    /// Share of the guesses that were tried, 0 to 1.
+    pub fn progress(&self) -> f64 {
+        self.done as f64 / self.guesses.len().max(1) as f64
+    }
+
+    /// Tries the next guess; false once there is none left.
+    pub fn advance(&mut self, evidence: &CameraEvidence) -> bool {
+        let (Some(log), Some(offset)) = (evidence.log(), self.guesses.get(self.done)) else {
+            return false;
+        };
+        // At first with the offset held: its valley is narrow where the aircraft turns.
+        let mut held = self.prior;
+        held[0] = 0.0;
+        held[1] = 0.0;
         let mut guess = Unknowns::zeros();
-        guess[0] = offset;
-        let solution = solve(&log, frames, &guess, &held)?;
-        let enough = 2 * solution.frames > frames.len() && solution.frames >= FEWEST;
-        enough.then_some(solution)
-    });
-    let likely = first
-        .min_by(|a, b| a.cost.total_cmp(&b.cost))
-        .ok_or(few(0))?;
-    let best = solve(&log, frames, &likely.unknowns, &prior).ok_or(AlignmentError::NoSolution)?;
-    let before = solve(&log, frames, &Unknowns::zeros(), &Unknowns::zeros());
-    let before = before.map_or(f64::NAN, |solution| solution.place_deviation);
-    let mut found = told(&best, &prior, log.middle, before);
-    // A longer lens and higher ground look alike.
-    let deviation = found.log_focal.deviation.hypot(believed.log_height);
-    found.log_focal.is_told &= 2.0 * deviation < believed.log_focal;
-    found.log_focal.deviation = deviation;
-    Ok(found)
+        guess[0] = *offset;
+        self.done += 1;
+        let frames = evidence.laid();
+        let solution = solve(&log, frames, &guess, &held);
+        let enough = |s: &Solution| 2 * s.frames > frames.len() && s.frames >= FEWEST;
+        let best = self.likely.as_ref().map_or(f64::INFINITY, |s| s.cost);
+        if let Some(found) = solution.filter(|s| enough(s) && s.cost < best) {
+            self.likely = Some(found);
+        }
+        true
+    }
+
+    /// The estimate around the likeliest guess.
+    ///
+    /// # Errors
+    /// Too few frames fall into the log, or nothing explains them.
+    pub fn finish(&self, evidence: &CameraEvidence) -> Result<CameraToLog, AlignmentError> {
+        let log = evidence.log().ok_or(AlignmentError::NoFixes)?;
+        let (frames, prior) = (evidence.laid(), &self.prior);
+        let likely = self.likely.as_ref();
+        let likely = likely.ok_or(AlignmentError::TooFewFrames { found: 0 })?;
+        let best =
+            solve(&log, frames, &likely.unknowns, prior).ok_or(AlignmentError::NoSolution)?;
+        let before = solve(&log, frames, &Unknowns::zeros(), &Unknowns::zeros());
+        let before = before.map_or(f64::NAN, |solution| solution.place_deviation);
+        let mut found = told(&best, prior, log.middle, before);
+        // A longer lens and higher ground look alike.
+        let deviation = found.log_focal.deviation.hypot(self.believed.log_height);
+        found.log_focal.is_told &= 2.0 * deviation < self.believed.log_focal;
+        found.log_focal.deviation = deviation;
+        Ok(found)
+    }
 }
 
 /// Standard deviations of the unknowns; zero for what the log cannot tell.
@@ -191,19 +239,28 @@ fn told(best: &Solution, prior: &Unknowns, middle: f64, before: f64) -> CameraTo
 }
 
 impl CameraToLog {
-    /// The flight with its frames at the log's times and its camera as estimated. What the flight does not tell
-    /// stays near what was believed, since the estimate does.
-    pub fn apply(&self, flight: &Flight) -> Flight {
-        let mut flight = flight.clone();
-        for frame in &mut flight.frames {
-            frame.time += self.offset.value + self.drift.value * (frame.time - self.middle);
+    /// What is to be changed of the camera. What the flight does not tell stays near what was believed, since
+    /// the estimate does.
+    pub fn adjustment(&self) -> CameraAdjustment {
+        CameraAdjustment {
+            offset: self.offset.value,
+            drift: self.drift.value,
+            middle: self.middle,
+            roll: self.roll.value,
+            pitch: self.pitch.value,
+            yaw: self.yaw.value,
+            log_focal: self.log_focal.value,
         }
-        let mount = &mut flight.camera.mount;
-        mount.roll += self.roll.value;
-        mount.pitch += self.pitch.value;
-        mount.yaw += self.yaw.value;
-        flight.camera.focal *= self.log_focal.value.exp();
-        flight
+    }
+
+    /// Satellite navigation's bias against the map: north, east, metres.
+    pub fn bias_values(&self) -> [f64; 2] {
+        self.bias.map(|axis| axis.value)
+    }
+
+    /// The flight with its frames at the log's times and its camera as estimated.
+    pub fn apply(&self, flight: &Flight) -> Flight {
+        self.adjustment().apply(flight)
     }
 }
 
@@ -212,11 +269,21 @@ mod tests {
     use nalgebra::{Point2, Point3};
 
     use super::*;
+    use crate::alignment::ResidualSummary;
+    use crate::alignment::residual::Laid;
     use crate::camera::CameraModel;
     use crate::flight::{Channel, ChannelName, Frame, StartFix};
     use crate::frames::{Attitude, GroundPoint, Pose};
 
     const HEIGHT: f64 = 80.0;
+
+    fn align(
+        flight: &Flight,
+        frames: &[Laid],
+        believed: &CameraPrior,
+    ) -> Result<CameraToLog, AlignmentError> {
+        CameraEvidence::from_frames(flight, frames.to_vec()).estimate(believed)
+    }
 
     /// A flight in eights at 15 m/s that banks in its turns, with fixes five times a second.
     fn flight() -> Flight {
@@ -346,6 +413,98 @@ mod tests {
         let mended = found.apply(&flight);
         assert!((mended.frames[0].time - flight.frames[0].time - 0.83).abs() < 0.1);
         assert!((mended.camera.mount.pitch + 0.035).abs() < 0.01);
+    }
+
+    /// Root mean squares with the time offset and the mount's pitch moved away from the estimate.
+    #[test]
+    fn residuals_are_least_at_the_estimate_and_grow_to_both_sides() {
+        let flight = flight();
+        let truth = Unknowns::from([0.83, 0.0, 0.02, -0.035, 0.05, -0.04, 1.2, -0.8]);
+        let mut frames = shown(&flight, &truth, 0.4);
+        frames.retain(|frame| frame.index % 10 != 3);
+        let evidence = CameraEvidence::from_frames(&flight, frames);
+        let found = evidence.estimate(&CameraPrior::default()).unwrap();
+        let at = |change: &CameraAdjustment| {
+            ResidualSummary::of(&evidence.residuals(change, found.bias_values()))
+        };
+        let best = found.adjustment();
+        let here = at(&best);
+        assert_eq!(here.frames, evidence.frames());
+        let none = at(&CameraAdjustment::none(best.middle));
+        assert!(none.place > 5.0 * here.place, "{none:?} {here:?}");
+        assert!(none.heading > here.heading && none.log_height > here.log_height);
+        for away in [-0.2, -0.1, 0.1, 0.2] {
+            let mut changed = best;
+            changed.offset += away;
+            assert!(at(&changed).place > here.place, "{away} s");
+            let mut changed = best;
+            changed.pitch += 0.2 * away;
+            assert!(at(&changed).place > here.place, "pitch {away}");
+            let mut changed = best;
+            changed.yaw += 0.2 * away;
+            assert!(at(&changed).heading > here.heading, "yaw {away}");
+            let mut changed = best;
+            changed.log_focal += 0.2 * away;
+            assert!(at(&changed).log_height > here.log_height, "lens {away}");
+        }
+    }
+
+    #[test]
+    fn frames_stamped_early_lie_ahead_along_the_track_until_time_is_added() {
+        let flight = flight();
+        let mut truth = Unknowns::zeros();
+        truth[0] = 1.0;
+        let mut frames = shown(&flight, &truth, 0.0);
+        frames.retain(|frame| frame.index % 10 != 3);
+        let evidence = CameraEvidence::from_frames(&flight, frames);
+        let seen = |offset: f64| {
+            let change = CameraAdjustment {
+                offset,
+                ..CameraAdjustment::none(0.0)
+            };
+            let residuals = evidence.residuals(&change, [0.0; 2]);
+            let along = residuals.iter().filter_map(|r| r.along_and_across);
+            let (mut sum, mut count) = (0.0, 0.0);
+            for (along, _) in along {
+                sum += along;
+                count += 1.0;
+            }
+            sum / count
+        };
+        // 15 m/s: a second is about 15 m, less where it turns and more or less where it pitches.
+        let ahead = seen(0.0);
+        assert!((10.0..18.0).contains(&ahead), "{ahead}");
+        assert!(seen(1.0).abs() < 0.1, "{}", seen(1.0));
+        assert!((-18.0..-10.0).contains(&seen(2.0)), "{}", seen(2.0));
+    }
+
+    #[test]
+    fn the_footprint_moves_with_the_time_offset_and_shrinks_under_a_longer_lens() {
+        let flight = flight();
+        let frames = shown(&flight, &Unknowns::zeros(), 0.0);
+        let evidence = CameraEvidence::from_frames(&flight, frames);
+        let none = CameraAdjustment::none(0.0);
+        let corners = |change: &CameraAdjustment| evidence.footprint(40, change).unwrap();
+        let middle = |c: &[GroundPoint]| {
+            let sum = c
+                .iter()
+                .fold((0.0, 0.0), |s, p| (s.0 + p.north, s.1 + p.east));
+            GroundPoint::new(sum.0 / 4.0, sum.1 / 4.0)
+        };
+        let later = CameraAdjustment {
+            offset: 1.0,
+            ..none
+        };
+        let moved = middle(&corners(&none)).distance(&middle(&corners(&later)));
+        assert!((8.0..25.0).contains(&moved), "{moved}");
+        let longer = CameraAdjustment {
+            log_focal: 0.5_f64.ln(),
+            ..none
+        };
+        let side = |c: &[GroundPoint]| c[0].distance(&c[1]);
+        let ratio = side(&corners(&longer)) / side(&corners(&none));
+        assert!((1.8..2.3).contains(&ratio), "{ratio}");
+        assert!(evidence.footprint(9999, &none).is_none());
     }
 
     #[test]

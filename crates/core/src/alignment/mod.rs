@@ -5,8 +5,14 @@
 //! navigation, heading and height of the log: the place in the middle of each picture should be the one that
 //! the mounted camera sees from where and how the log says that the aircraft was.
 
+mod adjustment;
 mod estimate;
+mod evidence;
 mod residual;
 mod solve;
 
-pub use estimate::{AlignmentError, CameraPrior, CameraToLog, Estimated, camera_to_log};
+pub use adjustment::CameraAdjustment;
+pub use estimate::{
+    AlignmentError, CameraPrior, CameraSearch, CameraToLog, Estimated, camera_to_log,
+};
+pub use evidence::{CameraEvidence, FrameResidual, ResidualSummary};

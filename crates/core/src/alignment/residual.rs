@@ -1,6 +1,7 @@
 //! What each laid frame says against the log.
 
 use nalgebra::{Point2, Point3, SVector};
+use serde::{Deserialize, Serialize};
 
 use crate::flight::{ChannelName, Flight};
 use crate::frames::{Attitude, GroundPoint, Pose, wrap_pi};
@@ -16,7 +17,7 @@ pub const SAID: usize = 4;
 pub type Unknowns = SVector<f64, UNKNOWNS>;
 
 /// A frame that was laid on the map.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Laid {
     /// Index in the flight.
     pub index: usize,

@@ -45,6 +45,9 @@ pub const OTHER_FEATURES: &str = "features";
 /// Member of the file with the labels. Programs that do not know it keep it as it stands.
 const LABELS: &str = "labels";
 
+/// Member of the file with what is changed of the camera so that it goes with the log.
+const CAMERA_TO_LOG: &str = "camera_to_log";
+
 /// Prefix of keys in a landmark's properties that stand for unknown members of the feature itself,
 /// beside its properties.
 pub const FEATURE_MEMBER: &str = "feature:";

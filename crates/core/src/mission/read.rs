@@ -8,7 +8,8 @@ use super::found::{self, FoundLandmark, FoundNoFly, FoundRoute};
 use super::read_feature::{Feature, feature};
 use super::text::{Members, Text};
 use super::way_point_file::kept;
-use super::{LABELS, MapReference, Mission, MissionError, OTHER_FEATURES, VERSION};
+use super::{CAMERA_TO_LOG, LABELS, MapReference, Mission, MissionError, OTHER_FEATURES, VERSION};
+use crate::alignment::CameraAdjustment;
 use crate::flight::{CameraFile, OriginFile};
 use crate::frames::{Geodetic, LocalFrame};
 use crate::navigator::NavigatorSettings;
@@ -34,6 +35,13 @@ pub fn read_mission(bytes: &[u8]) -> Result<Mission, MissionError> {
         .map(|camera| camera.camera())
         .transpose()
         .map_err(|cause| text.error(camera_place.unwrap_or(content), format!("camera: {cause}")))?;
+    let change_place = members.get(CAMERA_TO_LOG).map(|piece| piece.get());
+    let camera_to_log: Option<CameraAdjustment> = text.take(&mut members, CAMERA_TO_LOG)?;
+    if camera_to_log.is_some_and(|change| !change.is_sound()) {
+        let place = change_place.unwrap_or(content);
+        let words = "camera_to_log: no camera is that far beside its log";
+        return Err(text.error(place, words.to_owned()));
+    }
     let mut mission = Mission {
         name: text
             .take(&mut members, "name")?
@@ -45,6 +53,7 @@ pub fn read_mission(bytes: &[u8]) -> Result<Mission, MissionError> {
         no_fly: found::no_fly(found.no_fly, &frame),
         labels: text.take(&mut members, LABELS)?.unwrap_or_default(),
         camera,
+        camera_to_log,
         navigator: navigator(&text, &mut members)?,
         properties: kept(members),
     };

@@ -1,11 +1,14 @@
 //! The mission.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
 use super::{FrameLabels, NoFlyZone, Route};
+use crate::alignment::CameraAdjustment;
 use crate::camera::CameraModel;
+use crate::flight::Flight;
 use crate::frames::{AltitudeReference, Geodetic};
 use crate::landmark::Landmark;
 use crate::navigator::NavigatorSettings;
@@ -44,6 +47,9 @@ pub struct Mission {
     pub labels: Vec<FrameLabels>,
     /// Camera, where the mission states one (otherwise the flight's).
     pub camera: Option<CameraModel>,
+    /// What is changed of that camera and of the times of its pictures, so that they go with the flight's log.
+    #[serde(default)]
+    pub camera_to_log: Option<CameraAdjustment>,
     /// How to navigate.
     pub navigator: NavigatorSettings,
     /// Members of the file that we do not know, by name, as JSON text.
@@ -51,6 +57,19 @@ pub struct Mission {
 }
 
 impl Mission {
+    /// The flight as it is flown in this mission: with the mission's camera, put beside the log as the mission
+    /// says.
+    pub fn flown(&self, flight: &Arc<Flight>) -> Arc<Flight> {
+        let mut flown = Arc::clone(flight);
+        if let Some(camera) = &self.camera {
+            Arc::make_mut(&mut flown).camera = camera.clone();
+        }
+        match &self.camera_to_log {
+            Some(change) => Arc::new(change.apply(&flown)),
+            None => flown,
+        }
+    }
+
     /// Height of level ground that was stated for where no elevation model says it, metres above mean
     /// sea level.
     pub fn stated_ground(&self) -> Option<f64> {

@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::alignment::CameraAdjustment;
 use crate::camera::CameraModel;
 use crate::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint, GroundRect};
 use crate::landmark::Landmark;
@@ -56,6 +57,15 @@ fn mission() -> Mission {
             ),
         ],
         camera: Some(CameraModel::pinhole(640, 480, 1.0)),
+        camera_to_log: Some(CameraAdjustment {
+            offset: -0.66,
+            drift: 2e-5,
+            middle: 61.5,
+            roll: 0.01,
+            pitch: -0.02,
+            yaw: 0.07,
+            log_focal: 0.03,
+        }),
         navigator: NavigatorSettings {
             alpha: 0.1,
             vehicle: VehicleChoice::RandomWalk,
@@ -109,6 +119,13 @@ fn near(a: &GroundPoint, b: &GroundPoint) -> bool {
 }
 
 #[test]
+fn a_camera_beyond_reason_beside_its_log_is_refused() {
+    let text = write_mission(&mission()).replace("\"drift\":2e-5", "\"drift\":-2");
+    let refused = read_mission(text.as_bytes()).unwrap_err().to_string();
+    assert!(refused.contains("camera_to_log"), "{refused}");
+}
+
+#[test]
 fn a_mission_survives_its_file() {
     let (before, after) = (
         mission(),
@@ -118,6 +135,7 @@ fn a_mission_survives_its_file() {
     assert_eq!(after.map, before.map);
     assert_eq!(after.navigator, before.navigator);
     assert_eq!(after.camera, before.camera);
+    assert_eq!(after.camera_to_log, before.camera_to_log);
     assert_eq!(after.properties, before.properties);
     assert_eq!(after.routes.len(), 1);
     let (a, b) = (&after.no_fly[0], &before.no_fly[0]);

@@ -8,8 +8,8 @@ use serde_json::{Value, json};
 use super::globe;
 use super::way_point_file::write_way_point;
 use super::{
-    FEATURE_MEMBER, LABELS, MapReference, Mission, NO_FLY_MARK, NoFlyZone, OTHER_FEATURES,
-    ROUTE_MARK, Route, VERSION,
+    CAMERA_TO_LOG, FEATURE_MEMBER, LABELS, MapReference, Mission, NO_FLY_MARK, NoFlyZone,
+    OTHER_FEATURES, ROUTE_MARK, Route, VERSION,
 };
 use crate::flight::{CameraFile, OriginFile};
 use crate::frames::{GroundPoint, LocalFrame};
@@ -38,6 +38,9 @@ pub fn write_mission(mission: &Mission) -> String {
     }
     if let Some(camera) = &mission.camera {
         member("camera", &of(&CameraFile::of(camera)));
+    }
+    if let Some(change) = &mission.camera_to_log {
+        member(CAMERA_TO_LOG, &of(change));
     }
     member("navigator", &of(&mission.navigator));
     if !mission.labels.is_empty() {

@@ -247,6 +247,7 @@ impl Scenario {
             no_fly: Vec::new(),
             labels: Vec::new(),
             camera: Some(Self::camera()),
+            camera_to_log: None,
             navigator: self.navigator(),
             properties: BTreeMap::new(),
         }

@@ -73,6 +73,10 @@ pub struct Exporting {
 pub struct Desk {
     /// The cut that is being made.
     pub cutting: Option<JobId>,
+    /// The estimate of a camera beside its log.
+    pub aligning: Option<JobId>,
+    /// Whether that is to be estimated once the flight under way is over.
+    pub align_after_flight: bool,
     /// The flight being flown.
     pub fly: Option<FlyJob>,
     /// When to fly again after a change, milliseconds of the host's clock.

@@ -25,6 +25,7 @@ impl App {
             Command::Label(command) => self.label(command, host),
             Command::Log(command) => self.log(command, host),
             Command::Cut(command) => self.cut(&command, host),
+            Command::CameraLog(command) => self.camera_log(command, host),
             Command::Compare(command) => self.compare(&command, host),
             Command::WebMap(command) => self.web_map(command, host),
             Command::Columns(command) => self.columns(command, host),
@@ -257,6 +258,7 @@ impl App {
             Command::FlyAgain => self.fly_again(host),
             Command::CancelJob if self.desk.fly.is_none() => {
                 let _ = self.stop_cutting(host)
+                    || self.stop_aligning(host)
                     || self.stop_reading(host)
                     || self.stop_opening(host)
                     || self.stop_preparing(host);

@@ -69,6 +69,7 @@ impl App {
         if self.plan_event(id, &event, host.now())
             || self.evaluating.receive(id, &event)
             || self.cut_event(id, &event)
+            || self.align_event(id, &event)
         {
         } else if self.desk.fly.as_ref().is_some_and(|f| f.id == id) {
             self.fly_event(host, event);
@@ -155,7 +156,10 @@ impl App {
                 fly.words = words;
             }
             JobEvent::Flight(flight) => fly.staged.flight = Some(*flight),
-            JobEvent::Mission(mission) => fly.staged.mission = Some(*mission),
+            JobEvent::Mission(mission) => {
+                fly.staged.camera_to_log = mission.camera_to_log;
+                fly.staged.mission = Some(*mission);
+            }
             JobEvent::RunStarted(head) => {
                 let again = fly.again;
                 let given = fly.given;
@@ -198,11 +202,13 @@ impl App {
                 if !again && self.views.map.is_fitted() && !self.planning() {
                     self.fit_to_flight_and_map();
                 }
+                self.align_after_flight(host, true);
             }
             JobEvent::Cancelled => self.desk.fly = None,
             JobEvent::Failed(why) => {
                 let began = fly.began;
                 self.desk.fly = None;
+                self.align_after_flight(host, false);
                 self.documents.run_complete |= began;
                 let kept = if began {
                     "What had been computed stays."

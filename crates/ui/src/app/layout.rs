@@ -4,16 +4,18 @@ use std::sync::Arc;
 
 use egui::{Frame, Margin, Panel, Stroke, Ui, vec2};
 
-use pilotage_core::frames::LocalFrame;
+use pilotage_core::frames::{GroundPoint, LocalFrame};
 
 use super::comparing::compare_scene;
 use super::log_panels::{log_column, log_or_run_plots};
 use super::{App, SideTab, Views};
+use crate::camera_log::CameraLogScene;
 use crate::command::{Command, Workspace};
 use crate::context::ViewContext;
 use crate::cut::{CutScene, cut_panel};
 use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
+use crate::jobs::MapSource;
 use crate::labelling::LabelCommand;
 use crate::map::MapExtra;
 use crate::plan::plan_readouts;
@@ -38,6 +40,8 @@ struct Scene<'a> {
     settings: &'a mut bool,
     job_words: Option<String>,
     examined_in_vain: Option<&'a (u32, String)>,
+    /// The ground that the frame at the cursor would show with the camera that is tried.
+    tried_footprint: Option<Vec<GroundPoint>>,
     /// How far the reading of a log is, 0 to 1, if one is being read.
     reading: Option<f32>,
 }
@@ -94,6 +98,7 @@ impl App {
             };
             ui.horizontal_centered(|ui| top_bar(ui, &tokens, &bar, commands));
         });
+        let tried_footprint = self.tried_footprint();
         let Self {
             documents,
             playback,
@@ -115,6 +120,7 @@ impl App {
             settings: &mut dialogs.settings,
             job_words: desk.progress().map(|(_, words)| words.to_owned()),
             examined_in_vain: desk.examined_in_vain.as_ref(),
+            tried_footprint,
             reading: desk.logs.reading.as_ref().map(|r| r.progress),
         };
         let planning = scene.view.workspace == Workspace::Plan;
@@ -319,6 +325,9 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
                 return;
             }
             match scene.view.workspace {
+                Workspace::Replay if *scene.side_tab == SideTab::CameraLog => {
+                    inner.show(ui, |ui| camera_log(ui, scene, views, commands));
+                }
                 Workspace::Replay => {
                     let has_log = scene.documents.log.is_some();
                     if !has_log || scene.has_frames() {
@@ -377,6 +386,9 @@ fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
                 match scene.view.workspace {
                     Workspace::Learn => tour(ui, scene, views, commands),
                     Workspace::Plan => plan_panel(ui, scene, views, commands),
+                    Workspace::Replay if *scene.side_tab == SideTab::CameraLog => {
+                        camera_log(ui, scene, views, commands);
+                    }
                     Workspace::Replay => {
                         let tabs = [
                             SideTab::Log,
@@ -454,17 +466,7 @@ fn tabbed(
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 0.0;
         for choice in tabs {
-            let label = match choice {
-                SideTab::Match => "Match",
-                SideTab::Detector => "Detector",
-                SideTab::Filter => "Filter",
-                SideTab::Landmarks => "Landmarks",
-                SideTab::Log => "Log",
-                SideTab::Compare => "Compare",
-                SideTab::Cut => "GPS cut",
-                SideTab::Camera => "Camera",
-                SideTab::Plots => "Plots",
-            };
+            let label = choice.label();
             if tab(ui, tokens, label, choice == scene.side_tab, 32.0).clicked() {
                 *scene.side_tab = *choice;
             }
@@ -489,9 +491,21 @@ fn tabbed(
         }
         SideTab::Compare => compare(ui, scene, views, commands),
         SideTab::Cut => cut(ui, scene, commands),
+        SideTab::CameraLog => camera_log(ui, scene, views, commands),
         SideTab::Camera => scene.with_context(commands, |c| views.camera.show(ui, c)),
         SideTab::Plots => scene.with_context(commands, |c| views.plots.show(ui, c)),
     }
+}
+
+/// The camera put in time and place beside the log.
+fn camera_log(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+    let flies = !scene.documents.run_complete;
+    let shown = CameraLogScene {
+        work: &scene.documents.camera_log,
+        has_map: scene.documents.map_source != MapSource::Nothing,
+        flying: scene.job_words.as_deref().filter(|_| flies),
+    };
+    scene.with_context(commands, |c| views.camera_log.show(ui, c, &shown));
 }
 
 /// Satellite navigation cut out of the flight.
@@ -603,6 +617,7 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                 log: scene.documents.log.as_ref(),
                 kept: scene.documents.shelf.kept(),
                 cut: scene.documents.cuts.report.as_ref(),
+                tried_footprint: scene.tried_footprint.as_deref(),
             };
             scene.with_context(commands, |context| {
                 if planning || georeferencing {

@@ -1,5 +1,6 @@
 //! The app: one object that the shell draws every frame.
 
+mod aligning;
 mod brief;
 mod columns;
 mod comparing;
@@ -28,6 +29,7 @@ mod training;
 mod web_maps;
 mod work;
 
+use crate::camera_log::CameraLogView;
 use crate::command::{Command, Workspace};
 use crate::compare::CompareView;
 use crate::dialogs::{ColumnsDialog, SimulateDialog, WebMapDialog};
@@ -63,11 +65,31 @@ pub enum SideTab {
     Compare,
     /// Satellite navigation cut out of the flight.
     Cut,
+    /// The camera put in time and place beside the log.
+    CameraLog,
     /// The camera picture (narrow windows only).
     #[default]
     Camera,
     /// The plots (narrow windows only).
     Plots,
+}
+
+impl SideTab {
+    /// Name on the tab.
+    fn label(self) -> &'static str {
+        match self {
+            Self::Match => "Match",
+            Self::Detector => "Detector",
+            Self::Filter => "Filter",
+            Self::Landmarks => "Landmarks",
+            Self::Log => "Log",
+            Self::Compare => "Compare",
+            Self::Cut => "GPS cut",
+            Self::CameraLog => "Camera to log",
+            Self::Camera => "Camera",
+            Self::Plots => "Plots",
+        }
+    }
 }
 
 /// Which dialogs are open.
@@ -97,6 +119,7 @@ struct Views {
     georeferencer: Option<Georeferencer>,
     labeller: Option<Labeller>,
     comparison: CompareView,
+    camera_log: CameraLogView,
     log_tab: LogTab,
     log_fields: FieldList,
     log_plots: LogPlots,

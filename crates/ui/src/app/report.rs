@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 
 use super::App;
 use crate::context::Drawn;
+use crate::jobs::MapSource;
 use crate::timeline::clock_text;
 
 fn rect_json(rect: Option<Rect>) -> Value {
@@ -67,6 +68,7 @@ impl App {
             "log": self.log_json(),
             "compare": self.compare_json(),
             "cut": self.cut_json(),
+            "camera_log": self.camera_log_json(),
             "title": documents.title(),
             "origin": documents.world_origin().map(|o| {
                 [o.latitude.to_degrees(), o.longitude.to_degrees()]
@@ -190,6 +192,29 @@ impl App {
                 "study": study,
                 "trouble": cuts.trouble,
             })
+        })
+    }
+
+    /// Changes are told as in the file of a mission, root mean squares as opened, estimated and by hand.
+    fn camera_log_json(&self) -> Value {
+        let documents = &self.documents;
+        let work = &documents.camera_log;
+        let applied = documents.mission.camera_to_log;
+        let has_map = documents.map_source != MapSource::Nothing;
+        let (flight, run) = (documents.flight.as_ref(), documents.run.as_ref());
+        let missing = work.missing(flight, run, has_map);
+        let summaries = work.preview().map(|preview| preview.summaries);
+        let rms = summaries.map(|of| of.map(|s| s.map(|s| s.place)));
+        let frames = flight.map_or(&[][..], |f| &f.frames);
+        json!({
+            "missing": missing.map(|missing| format!("{missing:?}")),
+            "at_work": work.at_work.is_some(),
+            "trouble": work.trouble,
+            "estimate": work.found.map(|found| json!({"told": found.told, "change": found.change})),
+            "by_hand": work.change(applied.as_ref()),
+            "applied": applied,
+            "position_rms": rms,
+            "frame_times": [frames.first().map(|f| f.time), frames.last().map(|f| f.time)],
         })
     }
 

@@ -86,6 +86,10 @@ impl App {
             return;
         }
         let given = mission.is_some();
+        let staged = Staged {
+            camera_to_log: mission.as_ref().and_then(|m| m.camera_to_log),
+            ..staged
+        };
         let id = host.start(Job::Fly {
             flight: flight.clone(),
             map: map.clone(),
@@ -107,6 +111,7 @@ impl App {
     /// Stops what is being flown; what has streamed in stays.
     pub(super) fn stop_flying(&mut self, host: &mut dyn Host) {
         self.desk.fly_again_at = None;
+        self.desk.align_after_flight = false;
         if let Some(fly) = self.desk.fly.take() {
             host.cancel(fly.id);
         }
@@ -163,6 +168,7 @@ impl App {
             self.desk.examine_at = None;
             self.examine(host);
         }
+        self.tend_camera_log(context);
         self.fetch_series(host);
         self.ask_for_figures(host);
         self.follow_world(host);

@@ -1,5 +1,6 @@
 //! Edits of the mission. Each says whether the run must be computed again.
 
+use pilotage_core::alignment::CameraAdjustment;
 use pilotage_core::frames::GroundRect;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::navigator::NavigatorSettings;
@@ -87,6 +88,17 @@ impl Documents {
         true
     }
 
+    /// Flies with the camera changed so, or as it was opened; true if that differs.
+    pub fn set_camera_to_log(&mut self, change: Option<CameraAdjustment>) -> bool {
+        if self.mission.camera_to_log == change {
+            return false;
+        }
+        self.history.remember(&self.mission);
+        self.mission.camera_to_log = change;
+        self.mission_edited = true;
+        true
+    }
+
     /// Takes the last edit back; `None` if there was none, else whether the run is affected.
     pub fn undo(&mut self) -> Option<bool> {
         let before = self.history.undo(&self.mission)?;
@@ -100,7 +112,12 @@ impl Documents {
     }
 
     fn replace_mission(&mut self, mission: pilotage_core::mission::Mission) -> bool {
-        let affected = self.mission.navigator != mission.navigator
+        let camera_differs = self.mission.camera_to_log != mission.camera_to_log;
+        if camera_differs {
+            self.camera_log.by_hand = None;
+        }
+        let affected = camera_differs
+            || self.mission.navigator != mission.navigator
             || self.mission.landmarks.len() != mission.landmarks.len()
             || std::iter::zip(&self.mission.landmarks, &mission.landmarks).any(|(a, b)| {
                 let of = |l: &Landmark| (l.id, l.bounds, l.enabled, l.reference, l.height);

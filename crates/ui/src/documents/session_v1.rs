@@ -85,6 +85,7 @@ fn mission(old: MissionV1) -> Mission {
         map: old.map,
         landmarks: old.landmarks,
         camera: old.camera,
+        camera_to_log: None,
         navigator: NavigatorSettings {
             vehicle: it.vehicle,
             alpha: it.alpha,

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
+use pilotage_core::alignment::CameraAdjustment;
 use pilotage_core::flight::Flight;
 use pilotage_core::frames::Geodetic;
 use pilotage_core::mission::Mission;
@@ -10,6 +11,7 @@ use pilotage_core::navigator::{NavigatorSettings, Run};
 use pilotage_core::simulate::Scenario;
 
 use super::{Ground, History, Session};
+use crate::camera_log::CameraLog;
 use crate::compare::Shelf;
 use crate::cut::Cuts;
 use crate::jobs::{DetectorSearch, Distinctness, FlightSource, MapInfo, MapSource, MatchPictures};
@@ -23,6 +25,8 @@ pub struct Staged {
     pub flight: Option<Flight>,
     /// The mission.
     pub mission: Option<Mission>,
+    /// What of its camera and the times of its pictures it is flown with.
+    pub camera_to_log: Option<CameraAdjustment>,
     /// Whether what was edited meanwhile is added to it.
     pub keeps_edits: bool,
 }
@@ -68,6 +72,8 @@ pub struct Documents {
     pub log: Option<OpenLog>,
     /// What came of cuts of satellite navigation.
     pub cuts: Cuts,
+    /// The camera beside its log.
+    pub camera_log: CameraLog,
     /// Trajectories that were kept to be compared.
     pub shelf: Shelf,
     /// Bookmarks in time order, seconds in the flight's time base.
@@ -86,6 +92,7 @@ impl Documents {
             no_fly: Vec::new(),
             labels: Vec::new(),
             camera: None,
+            camera_to_log: None,
             navigator: NavigatorSettings::default(),
             properties: BTreeMap::new(),
         }
@@ -116,6 +123,7 @@ impl Documents {
                 _ => None,
             }),
             cuts: Cuts::default(),
+            camera_log: CameraLog::default(),
             shelf: Shelf::default(),
             bookmarks: session.bookmarks.clone(),
         }
@@ -187,11 +195,13 @@ impl Documents {
         } else {
             self.ghost = None;
             self.cuts = Cuts::default();
+            self.camera_log = CameraLog::default();
             self.distinctness.clear();
             self.pictures.clear();
         }
         if let Some(flight) = staged.flight {
             self.flight = Some(flight);
+            self.camera_log.flown = staged.camera_to_log.unwrap_or_default();
         }
         if let Some(mission) = staged.mission {
             let edited = staged.keeps_edits && self.mission_edited;
@@ -221,6 +231,7 @@ impl Documents {
     pub fn begin_log(&mut self, log: OpenLog, source: FlightSource) {
         (self.flight, self.run, self.ghost) = (None, None, None);
         self.cuts = Cuts::default();
+        self.camera_log = CameraLog::default();
         self.flight_source = source;
         self.log = Some(log);
         self.run_complete = false;
@@ -244,6 +255,7 @@ impl Documents {
         self.mission_edited = true;
         (self.flight, self.run, self.ghost) = (None, None, None);
         self.flight_source = FlightSource::Nothing;
+        self.camera_log = CameraLog::default();
         self.log = None;
         self.run_complete = false;
         self.run_generation += 1;

@@ -430,6 +430,7 @@ fn seat_for(job: &Job) -> usize {
         | Job::ReadLog { .. }
         | Job::MakeFlight { .. }
         | Job::Cut(_)
+        | Job::Align(_)
         | Job::LogSeries { .. }
         | Job::AskLog(_)
         | Job::Assess(_)
@@ -463,6 +464,7 @@ fn file_keys(job: &Job) -> Vec<&str> {
     let (flight, map) = match job {
         Job::Provide { .. }
         | Job::LetGo { .. }
+        | Job::Align(_)
         | Job::DecodePicture { .. }
         | Job::Predict(_)
         | Job::SumUp(..)

@@ -69,7 +69,8 @@ impl PastLook<'_> {
             .mission
             .landmark(self.landmark)
             .ok_or("the landmark is no longer in the mission")?;
-        look(&open.flight, map, marked, &picture)
+        let flown = self.mission.flown(&open.flight);
+        look(&flown, map, marked, &picture)
             .ok_or("the landmark was not looked for in this picture")?
             .map_err(|refusal| format!("{}: {}", marked.name, refusal.reason()))
     }

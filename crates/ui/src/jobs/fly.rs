@@ -2,7 +2,6 @@
 
 use std::cell::RefCell;
 use std::rc::Rc;
-use std::sync::Arc;
 
 use pilotage_core::flight::{ChannelName, Flight};
 use pilotage_core::mission::Mission;
@@ -58,14 +57,7 @@ impl Fly {
         let is_given = self.mission.is_some();
         let mission =
             (self.mission.take().or(own_mission)).unwrap_or_else(|| bare_mission(&flight));
-        let flown = mission.camera.as_ref().map_or_else(
-            || flight.clone(),
-            |camera| {
-                let mut flight = flight.as_ref().clone();
-                flight.camera = camera.clone();
-                Arc::new(flight)
-            },
-        );
+        let flown = mission.flown(&flight);
         let navigator = Navigator::new(flown.clone(), &mission.landmarks, map, &mission.navigator)
             .map_err(|cause| cause.to_string())?;
         emit(JobEvent::Flight(Box::new(flown.without_inertial())));
@@ -122,6 +114,7 @@ fn bare_mission(flight: &Flight) -> Mission {
         no_fly: Vec::new(),
         labels: Vec::new(),
         camera: None,
+        camera_to_log: None,
         navigator,
         properties: std::collections::BTreeMap::new(),
     }

@@ -4,6 +4,7 @@
 //! listen; a [`JobRunner`] holds the jobs of one worker; a [`Crew`] shares jobs out among workers
 //! and replaces one that died; [`InlineHost`] does all of it on the calling thread, for tests.
 
+mod align;
 mod assess;
 mod beside;
 mod brief;
@@ -43,6 +44,7 @@ mod web_map;
 mod whole_bytes;
 mod workshop;
 
+pub use align::AlignOrder;
 pub use assess::{Assessment, AssessmentOrder, Glance, Share};
 pub use beside::{BESIDE, Beside};
 pub use brief::{BriefOrder, BriefPictures, EncodedPicture};

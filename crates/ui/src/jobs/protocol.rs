@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use pilotage_core::alignment::CameraToLog;
 use pilotage_core::exchange::labels::FoundLabels;
 use pilotage_core::flight::Flight;
 use pilotage_core::flight::columns::GuessedTable;
@@ -17,9 +18,9 @@ use pilotage_core::raster::{Gray, Raster, Rgba};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    Assessment, AssessmentOrder, Beside, BriefOrder, BriefPictures, CutOrder, CutReport,
-    EvaluationOrder, EvaluationReport, ExportOrder, FieldOrder, FileContent, FindOrder, FoundPlan,
-    HeightsOrder, ImportedFile, LogAnswer, LogOrder, LogSeries, MadeFlight, PackOrder,
+    AlignOrder, Assessment, AssessmentOrder, Beside, BriefOrder, BriefPictures, CutOrder,
+    CutReport, EvaluationOrder, EvaluationReport, ExportOrder, FieldOrder, FileContent, FindOrder,
+    FoundPlan, HeightsOrder, ImportedFile, LogAnswer, LogOrder, LogSeries, MadeFlight, PackOrder,
     PredictionOrder, ReadLog, SeriesName, Share, StudyReport, SuggestOrder, TerrainInfo,
     TrainOrder, TrainingOutcome, TrainingReport, WebMap, whole_bytes,
 };
@@ -177,6 +178,8 @@ pub enum Job {
     },
     /// Cut satellite navigation out of a flight: events `CutMade` or `CutsStudied`.
     Cut(Box<CutOrder>),
+    /// Put a camera in time and place beside its log: event `CameraAligned`.
+    Align(Box<AlignOrder>),
     /// Describe a map: event `MapInfo`.
     DescribeMap(MapSource),
     /// The named places in a file of routes and landmarks: event `Places`.
@@ -397,6 +400,8 @@ pub enum JobEvent {
     CutMade(Box<CutReport>),
     /// What came of cuts all along a flight.
     CutsStudied(Box<StudyReport>),
+    /// A camera in time and place beside its log.
+    CameraAligned(Box<CameraToLog>),
     /// The mission that is flown.
     Mission(Box<Mission>),
     /// The run's head, without steps.

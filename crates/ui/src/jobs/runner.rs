@@ -140,6 +140,7 @@ fn urgency(job: &Job) -> u8 {
         Job::ReadLog { .. }
         | Job::MakeFlight { .. }
         | Job::Cut(_)
+        | Job::Align(_)
         | Job::TakeHeights(_)
         | Job::Assess(_)
         | Job::AssessShare(..)

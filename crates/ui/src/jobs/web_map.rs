@@ -129,6 +129,7 @@ pub fn wanted_addresses(job: &Job) -> Vec<String> {
         | Job::ReadLog { .. }
         | Job::MakeFlight { .. }
         | Job::Cut(_)
+        | Job::Align(_)
         | Job::LogSeries { .. }
         | Job::AskLog(_)
         | Job::DescribeMap(_)

@@ -18,6 +18,7 @@ use pilotage_core::raster::decode_picture;
 use pilotage_core::simulate::Scenario;
 use pilotage_core::simulate::scenery::Scenery;
 
+use super::align::Align;
 use super::assess::{Assess, Share, sum_up};
 use super::brief::Brief;
 use super::content::{LentFiles, OpenAddress};
@@ -127,6 +128,7 @@ impl Workshop {
                 mission,
             } => Box::new(Fly::new(flight, map, mission)),
             Job::Cut(order) => Box::new(MakeCut::new(*order)),
+            Job::Align(order) => Box::new(Align::new(*order)),
             Job::DescribeMap(source) => once(move |workshop, emit| {
                 let map = workshop.map(&source)?;
                 let mut info = describe(map.as_ref());

@@ -162,6 +162,26 @@ pub fn paint_footprint(
     painter.add(Shape::closed_line(points, Stroke::new(1.25, tokens.accent)));
 }
 
+/// Draws the outline that the picture would have on the ground with a camera that is tried, dashed, its top edge
+/// drawn through.
+pub fn paint_tried_footprint(
+    painter: &Painter,
+    view: &ScreenFromWorld,
+    corners: &[GroundPoint],
+    tokens: &Tokens,
+) {
+    let points: Vec<Pos2> = corners.iter().map(|p| view.apply(p)).collect();
+    let (Some(first), [left, right, ..]) = (points.first(), points.as_slice()) else {
+        return;
+    };
+    let closed: Vec<Pos2> = points.iter().chain([first]).copied().collect();
+    let under = Stroke::new(4.0, tokens.outline().gamma_multiply(0.5));
+    painter.add(Shape::line(closed.clone(), under));
+    let stroke = Stroke::new(2.0, tokens.warning);
+    painter.extend(Shape::dashed_line(&closed, stroke, 7.0, 5.0));
+    painter.line_segment([*left, *right], stroke);
+}
+
 /// A line with a dark one below it, to be seen on any ground.
 pub fn paint_lifted_line(
     painter: &Painter,

@@ -15,7 +15,7 @@ use super::picking::{Drag, box_between};
 use super::readouts::paint_readouts;
 use super::symbols::{
     paint_aircraft, paint_ellipses, paint_footprint, paint_halo_text, paint_lifted_line,
-    paint_sigma, sigma_points,
+    paint_sigma, paint_tried_footprint, sigma_points,
 };
 use super::tiles::TileCache;
 use super::tracks::{DrawnTrack, TrackStyle};
@@ -48,6 +48,8 @@ pub struct MapExtra<'a> {
     pub attribution: Option<&'a str>,
     /// A cut of satellite navigation.
     pub cut: Option<&'a CutReport>,
+    /// Corners of the ground that a picture would show with a camera that is tried.
+    pub tried_footprint: Option<&'a [GroundPoint]>,
     /// Trajectories that were kept to be compared.
     pub kept: &'a [KeptTrack],
     /// The log of the flight, by a field of which the track may be coloured.
@@ -339,6 +341,9 @@ impl MapView {
             && shows(Layer::Footprint)
         {
             paint_footprint(painter, view, &frame.footprint, tokens);
+        }
+        if let Some(corners) = extra.tried_footprint {
+            paint_tried_footprint(painter, view, corners, tokens);
         }
         let aircraft = step.map(|s| view.apply(&s.after.position()));
         let own = aircraft.map(|at| Rect::from_center_size(at, vec2(36.0, 36.0)));

@@ -5,6 +5,7 @@ use egui::{Key, KeyboardShortcut, Modifiers};
 use pilotage_core::exchange::Format;
 use pilotage_core::exchange::labels::LabelFormat;
 
+use crate::camera_log::CameraLogCommand;
 use crate::command::{Command, Workspace};
 use crate::compare::{CompareCommand, TrackId};
 use crate::cut::CutCommand;
@@ -142,6 +143,12 @@ pub fn catalog() -> Vec<Entry> {
         "Cut GPS out of the flight",
         vec![shift(Key::G)],
         Command::Cut(CutCommand::Show),
+    ));
+    entries.push(entry(
+        Group::View,
+        "Camera to log: time offset, mount, focal length",
+        vec![shift(Key::L)],
+        Command::CameraLog(CameraLogCommand::Show),
     ));
     entries.push(entry(
         Group::Document,

@@ -140,6 +140,7 @@ impl Fixture {
             no_fly: Vec::new(),
             labels: Vec::new(),
             camera: None,
+            camera_to_log: None,
             navigator: settings,
             properties: BTreeMap::new(),
         };

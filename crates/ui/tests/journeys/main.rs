@@ -6,6 +6,7 @@ mod add_landmark;
 mod autosave;
 mod bookmarks;
 mod broken_file;
+mod camera_log;
 mod column_map;
 mod compare;
 mod cut;

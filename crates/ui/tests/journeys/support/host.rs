@@ -1,6 +1,7 @@
 //! The scripted host.
 
 use std::collections::HashMap;
+use std::sync::Arc;
 
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::imagery::Window;
@@ -17,6 +18,7 @@ use pilotage_ui::jobs::{
 };
 
 use super::flight::{flight, mission, run, run_head};
+use super::laid::{early_flight, lay_frames};
 
 /// Answers jobs at once, unless told not to, and remembers what it was asked.
 #[derive(Default)]
@@ -51,6 +53,10 @@ pub struct ScriptedHost {
     pub interrupted: Vec<String>,
     /// Workers to report as lost.
     pub lost: usize,
+    /// Fly the invented flight with fixes, its pictures stamped too early and laid on the map.
+    pub lays_frames: bool,
+    /// Lay them only where the mission asks for whole frames.
+    pub lays_only_if_asked: bool,
     /// Leave flights without an answer.
     pub silent_flights: bool,
     /// What is said of opened files.
@@ -71,6 +77,7 @@ fn is_real(job: &Job) -> bool {
             | Job::MakeFlight { .. }
             | Job::LogSeries { .. }
             | Job::AskLog(_)
+            | Job::Align(_)
             | Job::Find(_)
             | Job::Pack(_)
             | Job::Export(_)
@@ -179,17 +186,27 @@ impl ScriptedHost {
         if is_real(job) || self.is_of_a_log(job) {
             return self.carry_out(id, job);
         }
+        let (lays_frames, lays_only_if_asked) = (self.lays_frames, self.lays_only_if_asked);
         let mut say = |event| self.events.push((id, event));
         match job {
             Job::Fly { mission: given, .. } if !self.silent_flights => {
                 let mission = given.clone().unwrap_or_else(mission);
                 say(JobEvent::Progress(0.1, "Flying".into()));
-                say(JobEvent::Flight(Box::new(flight())));
+                let mut flown = flight();
+                let mut steps = run(&mission).steps;
+                if lays_frames {
+                    let opened = early_flight();
+                    flown = mission.flown(&Arc::new(opened.clone())).as_ref().clone();
+                    if !lays_only_if_asked || mission.navigator.whole_frames.is_some() {
+                        lay_frames(&mut steps, &opened, &flown);
+                    }
+                }
+                say(JobEvent::Flight(Box::new(flown)));
                 if given.is_none() {
                     say(JobEvent::Mission(Box::new(mission.clone())));
                 }
                 say(JobEvent::RunStarted(Box::new(run_head(&mission))));
-                say(JobEvent::Steps(run(&mission).steps));
+                say(JobEvent::Steps(steps));
                 let picture = Raster::filled(8, 6, [90, 110, 70]);
                 let encoded = pilotage_core::raster::encode_png(&picture).unwrap_or_default();
                 for index in 0..flight().frames.len() {

@@ -1,0 +1,204 @@
+//! The estimate as a table, and the same numbers to be moved by hand.
+
+use egui::{RichText, Slider, SliderClamping, Ui, vec2};
+use pilotage_core::alignment::{CameraAdjustment, CameraToLog, Estimated};
+
+use super::work::FoundCamera;
+use crate::tokens::Tokens;
+use crate::units::Units;
+use crate::views::{parts, table};
+
+/// Farthest that the mount's angles are offered to be turned, degrees.
+const MOST_ANGLE: f64 = 20.0;
+/// Farthest that the focal length is offered to be changed, percent.
+const MOST_FOCAL: f64 = 30.0;
+/// Fastest drift that is offered, microseconds per second.
+const MOST_DRIFT: f64 = 2000.0;
+
+/// A number of the table: what it is with its unit, what is to be changed in all, the estimate's deviation in the
+/// same unit, and whether the flight tells it.
+struct Line {
+    name: String,
+    value: f64,
+    deviation: f64,
+    is_told: bool,
+}
+
+impl Line {
+    fn new(name: &str, unit: &str, value: f64, factor: f64, told: &Estimated) -> Self {
+        Self {
+            name: format!("{name}, {unit}"),
+            value: factor * value,
+            deviation: factor * told.deviation,
+            is_told: told.is_told,
+        }
+    }
+}
+
+/// A factor's logarithm as percent more.
+fn percent(log: f64) -> f64 {
+    100.0 * log.exp_m1()
+}
+
+fn lines(found: &FoundCamera, units: Units) -> Vec<Line> {
+    let FoundCamera { told, change } = found;
+    let degree = 1_f64.to_degrees();
+    let (length, length_unit) = units.length();
+    let focal = Line {
+        value: percent(change.log_focal),
+        deviation: 100.0 * change.log_focal.exp() * told.log_focal.deviation,
+        ..Line::new("Focal length", "%", 0.0, 1.0, &told.log_focal)
+    };
+    let bias = |name, axis: &Estimated| Line::new(name, length_unit, axis.value, length, axis);
+    vec![
+        Line::new("Time offset", "s", change.offset, 1.0, &told.offset),
+        Line::new("Clock drift", "µs/s", change.drift, 1e6, &told.drift),
+        Line::new("Mount roll", "°", change.roll, degree, &told.roll),
+        Line::new("Mount pitch", "°", change.pitch, degree, &told.pitch),
+        Line::new("Mount yaw", "°", change.yaw, degree, &told.yaw),
+        focal,
+        bias("GPS bias north", &told.bias[0]),
+        bias("GPS bias east", &told.bias[1]),
+    ]
+}
+
+/// A number with a sign where it is below zero, as its deviation deserves.
+fn rounded(value: f64, deviation: f64) -> String {
+    let decimals = match deviation {
+        d if d >= 10.0 => 0,
+        d if d >= 1.0 => 1,
+        d if d >= 0.1 => 2,
+        _ => 3,
+    };
+    format!("{value:.decimals$}").replace('-', "−")
+}
+
+/// Draws the estimate.
+pub(super) fn estimate(ui: &mut Ui, tokens: &Tokens, found: &FoundCamera, units: Units) {
+    let small = |text: &str| {
+        RichText::new(text)
+            .size(tokens.text_sizes[0])
+            .color(tokens.muted)
+    };
+    ui.spacing_mut().item_spacing.y = 0.0;
+    let titles = ["estimate", "± σ"].map(str::to_owned);
+    table::row(ui, tokens, &titles, tokens.muted, |ui| {
+        ui.label(small("to be added to the flight as opened"));
+    });
+    for line in lines(found, units) {
+        let colour = if line.is_told {
+            tokens.text
+        } else {
+            tokens.muted
+        };
+        let deviation = rounded(line.deviation, line.deviation);
+        let cells = [
+            rounded(line.value, line.deviation),
+            format!("± {deviation}"),
+        ];
+        table::row(ui, tokens, &cells, colour, |ui| {
+            ui.label(RichText::new(&line.name).color(colour));
+            if !line.is_told {
+                ui.label(small("not told by this flight"));
+            }
+        });
+    }
+    scatter(ui, tokens, &found.told, units);
+}
+
+/// Frames, and how the fixes scatter about them.
+fn scatter(ui: &mut Ui, tokens: &Tokens, told: &CameraToLog, units: Units) {
+    let (length, unit) = units.length();
+    let [before, after] = told.place_deviation.map(|d| parts::figures(length * d));
+    let words = format!(
+        "{} frames. GPS scatters about them by {before} {unit} before, {after} {unit} after (σ per axis).",
+        told.frames
+    );
+    let words = RichText::new(words)
+        .size(tokens.text_sizes[0])
+        .color(tokens.muted);
+    ui.add(egui::Label::new(words).wrap());
+}
+
+/// A slider; whether it was moved.
+fn slider(
+    ui: &mut Ui,
+    tokens: &Tokens,
+    (name, unit): (&str, &str),
+    (value, most): (&mut f64, f64),
+    decimals: usize,
+) -> bool {
+    ui.horizontal(|ui| {
+        let label = egui::Label::new(RichText::new(name).color(tokens.text));
+        let label = ui.add_sized(vec2(88.0, 20.0), label);
+        ui.spacing_mut().slider_width = (ui.available_width() - 116.0).max(60.0);
+        let slider = Slider::new(value, -most..=most)
+            .clamping(SliderClamping::Never)
+            .fixed_decimals(decimals)
+            .suffix(format!(" {unit}"));
+        let response = ui.add(slider).labelled_by(label.id);
+        response.changed()
+    })
+    .inner
+}
+
+/// Draws the numbers that the hand moves; the new ones if it did. Times are offered up to `most_offset`, seconds.
+pub(super) fn by_hand(
+    ui: &mut Ui,
+    tokens: &Tokens,
+    change: &CameraAdjustment,
+    most_offset: f64,
+) -> Option<CameraAdjustment> {
+    let mut moved = *change;
+    let mut offset = change.offset;
+    let mut drift = 1e6 * change.drift;
+    let mut angles = [change.roll, change.pitch, change.yaw].map(f64::to_degrees);
+    let mut focal = percent(change.log_focal);
+    if slider(
+        ui,
+        tokens,
+        ("Time offset", "s"),
+        (&mut offset, most_offset),
+        2,
+    ) {
+        moved.offset = offset;
+    }
+    let words = ("Clock drift", "µs/s");
+    if slider(ui, tokens, words, (&mut drift, MOST_DRIFT), 0) {
+        moved.drift = 1e-6 * drift;
+    }
+    let names = ["Mount roll", "Mount pitch", "Mount yaw"];
+    let into = [&mut moved.roll, &mut moved.pitch, &mut moved.yaw];
+    for ((name, angle), into) in names.into_iter().zip(&mut angles).zip(into) {
+        if slider(ui, tokens, (name, "°"), (angle, MOST_ANGLE), 2) {
+            *into = angle.to_radians();
+        }
+    }
+    if slider(
+        ui,
+        tokens,
+        ("Focal length", "%"),
+        (&mut focal, MOST_FOCAL),
+        1,
+    ) {
+        moved.log_focal = (0.01 * focal).max(-0.9).ln_1p();
+    }
+    (moved != *change && moved.is_sound()).then_some(moved)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_rounded_as_their_deviation_deserves() {
+        assert_eq!(rounded(-0.6612, 0.141), "−0.66");
+        assert_eq!(rounded(12.34, 23.0), "12");
+        assert_eq!(rounded(0.012_34, 0.004), "0.012");
+    }
+
+    #[test]
+    fn a_doubled_focal_length_is_a_hundred_percent_more() {
+        assert!((percent(2_f64.ln()) - 100.0).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,276 @@
+//! The sheet: what is missing, the estimate, the numbers under the hand, and what they would do.
+
+use egui::{Color32, RichText, ScrollArea, Ui, vec2};
+use pilotage_core::alignment::{CameraAdjustment, ResidualSummary};
+
+use super::CameraLogCommand as Do;
+use super::chart::{Shown, colours, residual_chart};
+use super::numbers;
+use super::work::{CameraLog, Missing, Preview};
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::shell::{caption, muted, text_button, title};
+use crate::views::{parts, table};
+
+/// What the sheet is drawn from.
+pub struct CameraLogScene<'a> {
+    /// What is known.
+    pub work: &'a CameraLog,
+    /// Whether there is a map.
+    pub has_map: bool,
+    /// What the flight that is being flown does, in words.
+    pub flying: Option<&'a str>,
+}
+
+/// The sheet's own state.
+#[derive(Debug, Default)]
+pub struct CameraLogView {
+    shown: Shown,
+}
+
+fn send(context: &mut ViewContext<'_>, what: Do) {
+    context.commands.push(Command::CameraLog(what));
+}
+
+/// A sentence that may take several lines.
+fn wrapped(ui: &mut Ui, colour: Color32, text: &str) {
+    ui.add(egui::Label::new(RichText::new(text).color(colour)).wrap());
+}
+
+impl CameraLogView {
+    /// Draws the sheet.
+    pub fn show(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, scene: &CameraLogScene<'_>) {
+        let tokens = context.tokens;
+        if title(ui, tokens, "Camera to log") {
+            send(context, Do::Close);
+        }
+        let width = ui.available_width();
+        ScrollArea::vertical()
+            .id_salt("camera to log")
+            .auto_shrink(false)
+            .show(ui, |ui| {
+                ui.set_max_width(width);
+                ui.spacing_mut().item_spacing.y = 0.75 * tokens.space;
+                let words = "When and whither the camera looked by the flight log: each picture is laid on the map \
+                             and compared with GPS, heading and height.";
+                ui.add(egui::Label::new(muted(tokens, words)).wrap());
+                if let Some((share, words)) = &scene.work.at_work {
+                    at_work(ui, context, &format!("{words}: {:.0} %", 100.0 * share));
+                }
+                if let Some(trouble) = &scene.work.trouble {
+                    wrapped(ui, tokens.warning, trouble);
+                }
+                let (flight, run) = (context.flight, context.run);
+                match scene.work.missing(flight, run, scene.has_map) {
+                    Some(missing) => lacking(ui, context, scene, &missing),
+                    None => self.tell(ui, context, scene.work),
+                }
+            });
+    }
+
+    fn tell(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, work: &CameraLog) {
+        let tokens = context.tokens;
+        let applied = context.mission.camera_to_log;
+        let change = work.change(applied.as_ref());
+        ui.horizontal(|ui| {
+            let is_first = work.found.is_none();
+            if text_button(ui, tokens, None, "Estimate", is_first).clicked() {
+                send(context, Do::Estimate);
+            }
+            let mut clock = work.clock;
+            let label = ui.label(muted(tokens, "clock right within σ"));
+            let value = egui::DragValue::new(&mut clock)
+                .range(0.1..=20.0)
+                .speed(0.02)
+                .fixed_decimals(1)
+                .suffix(" s");
+            if ui.add(value).labelled_by(label.id).changed() {
+                send(context, Do::Believe(clock));
+            }
+        });
+        if let Some(found) = &work.found {
+            ui.scope(|ui| numbers::estimate(ui, tokens, found, context.units));
+        }
+        ui.add_space(0.5 * tokens.space);
+        caption(ui, tokens, "By hand");
+        let most = (3.0 * work.clock).max(1.5 * change.offset.abs());
+        if let Some(moved) = numbers::by_hand(ui, tokens, &change, most) {
+            send(context, Do::Adjust(Box::new(moved)));
+        }
+        buttons(ui, context, work, &change);
+        if let Some(preview) = work.preview() {
+            self.preview(ui, context, preview);
+        }
+    }
+
+    /// What the numbers would do.
+    fn preview(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, preview: &Preview) {
+        let tokens = context.tokens;
+        ui.add_space(0.5 * tokens.space);
+        caption(ui, tokens, "Pictures minus log");
+        ui.scope(|ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            summaries(ui, context, preview);
+        });
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().item_spacing = vec2(0.5 * tokens.space, 0.5 * tokens.space);
+            for shown in Shown::ALL {
+                let on = self.shown == shown;
+                let name = format!("Residuals: {}", shown.label());
+                if parts::chip(ui, tokens, on, shown.label(), &name).clicked() {
+                    self.shown = shown;
+                }
+            }
+        });
+        residual_chart(ui, context, &preview.residuals, self.shown);
+        let (_, length) = context.units.length();
+        ui.horizontal_wrapped(|ui| {
+            for (name, colour) in self.shown.curves().iter().zip(colours(tokens)) {
+                let (rect, _) = ui.allocate_exact_size(vec2(10.0, 12.0), egui::Sense::hover());
+                ui.painter().circle_filled(rect.center(), 3.0, colour);
+                ui.label(muted(tokens, *name));
+            }
+            ui.label(muted(tokens, format!("in {}", self.shown.unit(length))));
+        });
+        let words = "On the map, the dashed outline is what the picture at the cursor would show by the log alone.";
+        ui.add(egui::Label::new(muted(tokens, words)).wrap());
+    }
+}
+
+fn at_work(ui: &mut Ui, context: &mut ViewContext<'_>, words: &str) {
+    let tokens = context.tokens;
+    ui.horizontal(|ui| {
+        ui.add(egui::Spinner::new().size(14.0));
+        ui.label(RichText::new(words).color(tokens.accent));
+        if text_button(ui, tokens, None, "Stop", false).clicked() {
+            context.commands.push(Command::CancelJob);
+        }
+    });
+}
+
+/// What is missing, and what can be done about it.
+fn lacking(
+    ui: &mut Ui,
+    context: &mut ViewContext<'_>,
+    scene: &CameraLogScene<'_>,
+    missing: &Missing,
+) {
+    let tokens = context.tokens;
+    let flying = scene.flying;
+    if let Some(words) = flying {
+        at_work(ui, context, words);
+    }
+    let found = match missing {
+        Missing::Laid { found } => *found,
+        _ => 0,
+    };
+    let words = match missing {
+        Missing::Flight => "Nothing is open: open a flight with pictures and its log.".to_owned(),
+        Missing::Frames => {
+            "This flight has no pictures: open its log together with them.".to_owned()
+        }
+        Missing::Fixes => {
+            "The log has no satellite navigation (GPS) to hold the pictures against.".to_owned()
+        }
+        Missing::Map => {
+            "There is no map to lay the pictures on: open an orthophoto of the ground.".to_owned()
+        }
+        Missing::Run if flying.is_some() => "The numbers come once the flight is over.".to_owned(),
+        Missing::Run => "This flight has not been flown.".to_owned(),
+        Missing::WholeFrames => {
+            "This run looked for landmarks only. Whole pictures have to be laid on the map: the \
+                                 filter settings are changed so, which can be undone."
+                .to_owned()
+        }
+        Missing::Laid { found } => format!(
+            "{found} pictures of this run lie on the map during the log; at least 6 are needed. Does the map show \
+             this ground, and are height and heading about right?"
+        ),
+    };
+    let colour = if found > 0 {
+        tokens.warning
+    } else {
+        tokens.text
+    };
+    wrapped(ui, colour, &words);
+    let can_fly = matches!(
+        missing,
+        Missing::Run | Missing::WholeFrames | Missing::Laid { .. }
+    );
+    if can_fly && flying.is_none() {
+        let words = "Lay whole pictures and estimate";
+        if text_button(ui, tokens, None, words, true).clicked() {
+            send(context, Do::FlyAndEstimate);
+        }
+    }
+    if context.mission.camera_to_log.is_some()
+        && text_button(ui, tokens, None, "Reset", false).clicked()
+    {
+        send(context, Do::Reset);
+    }
+}
+
+fn buttons(
+    ui: &mut Ui,
+    context: &mut ViewContext<'_>,
+    work: &CameraLog,
+    change: &CameraAdjustment,
+) {
+    let tokens = context.tokens;
+    let applied = context.mission.camera_to_log;
+    let is_new = applied.unwrap_or_else(|| CameraAdjustment::none(change.middle)) != *change;
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 0.5 * tokens.space;
+        ui.add_enabled_ui(is_new, |ui| {
+            if text_button(ui, tokens, None, "Apply", is_new && work.found.is_some()).clicked() {
+                send(context, Do::Apply);
+            }
+        });
+        let moved = work.found.is_some_and(|found| found.change != *change);
+        ui.add_enabled_ui(moved, |ui| {
+            if text_button(ui, tokens, None, "Use the estimate", false).clicked() {
+                send(context, Do::UseEstimate);
+            }
+        });
+        let is_changed = applied.is_some() || !change.is_none();
+        ui.add_enabled_ui(is_changed, |ui| {
+            if text_button(ui, tokens, None, "Reset", false).clicked() {
+                send(context, Do::Reset);
+            }
+        });
+    });
+    let words = match (applied.is_some(), is_new) {
+        (_, true) => "Apply changes the times of the pictures and the camera, and flies again.",
+        (true, false) => "The flight is flown with these numbers.",
+        (false, false) => "The flight is flown as it was opened.",
+    };
+    ui.add(egui::Label::new(muted(tokens, words)).wrap());
+}
+
+/// Root mean squares: as opened, with the estimate, as the hand has it.
+fn summaries(ui: &mut Ui, context: &ViewContext<'_>, preview: &Preview) {
+    let tokens = context.tokens;
+    let (factor, length) = context.units.length();
+    let titles = ["opened", "estimate", "by hand"].map(str::to_owned);
+    table::row(ui, tokens, &titles, tokens.muted, |ui| {
+        ui.label(muted(tokens, "RMS"));
+    });
+    let mut row = |name: String, of: &dyn Fn(&ResidualSummary) -> Option<f64>| {
+        let value = |summary: &Option<ResidualSummary>| {
+            let value = summary.as_ref().and_then(of);
+            value.map_or_else(|| "–".to_owned(), parts::figures)
+        };
+        let cells: Vec<String> = preview.summaries.iter().map(value).collect();
+        table::row(ui, tokens, &cells, tokens.text, |ui| {
+            ui.label(RichText::new(name).color(tokens.text));
+        });
+    };
+    row(format!("Position, {length}"), &|s| Some(factor * s.place));
+    row(format!("Position (median), {length}"), &|s| {
+        Some(factor * s.median_place)
+    });
+    row("Heading, °".to_owned(), &|s| {
+        s.heading.map(f64::to_degrees)
+    });
+    row("Height, %".to_owned(), &|s| s.log_height.map(|l| 100.0 * l));
+}

@@ -1,0 +1,65 @@
+//! A camera put in time and place beside its log, in a worker.
+
+use pilotage_core::alignment::{CameraEvidence, CameraPrior, CameraSearch};
+use serde::{Deserialize, Serialize};
+
+use super::running::SLICE;
+use super::{Advance, JobEvent, RunningJob, Workshop};
+
+/// A camera to be estimated.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct AlignOrder {
+    /// The frames that were laid on the map, and the log around them.
+    pub evidence: CameraEvidence,
+    /// What is believed before.
+    pub believed: CameraPrior,
+}
+
+/// An estimate under way: events `Progress`, at the end `CameraAligned`.
+pub struct Align {
+    order: AlignOrder,
+    search: Option<CameraSearch>,
+}
+
+impl Align {
+    /// Nothing done yet.
+    pub fn new(order: AlignOrder) -> Self {
+        Self {
+            order,
+            search: None,
+        }
+    }
+}
+
+impl RunningJob for Align {
+    fn advance(
+        &mut self,
+        _workshop: &mut Workshop,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Result<Advance, String> {
+        let AlignOrder { evidence, believed } = &self.order;
+        let search = match &mut self.search {
+            Some(search) => search,
+            empty => {
+                let search = CameraSearch::new(evidence, believed);
+                empty.insert(search.map_err(|cause| cause.to_string())?)
+            }
+        };
+        let begun = clock();
+        let mut more = search.advance(evidence);
+        while more && clock() - begun < SLICE {
+            more = search.advance(evidence);
+        }
+        let words = "Trying time offsets".to_owned();
+        emit(JobEvent::Progress(search.progress() as f32, words));
+        if more {
+            return Ok(Advance::More);
+        }
+        let found = search.finish(evidence);
+        let found = found.map_err(|cause| cause.to_string())?;
+        emit(JobEvent::CameraAligned(Box::new(found)));
+        emit(JobEvent::Finished);
+        Ok(Advance::Done)
+    }
+}
