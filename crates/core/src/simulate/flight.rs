@@ -9,7 +9,7 @@ use super::flight_airframe::{AircraftState, Airframe, Command};
 use super::guidance::{GuidanceSettings, PathFollower};
 use super::sensors::{self, SensorSpec, Stream};
 use crate::camera::CameraModel;
-use crate::flight::{Flight, Frame, FrameTruth, StartFix, Truth, TruthState};
+use crate::flight::{Channel, Flight, Frame, FrameTruth, StartFix, Truth, TruthState};
 use crate::frames::{GroundPoint, LocalFrame};
 
 /// Strongest wind in which anybody takes off, as a share of the airspeed.
@@ -17,9 +17,9 @@ const STRONGEST_WIND: f64 = 0.75;
 /// Winds drawn, at most, until one is weaker.
 const WINDS_DRAWN: usize = 100;
 /// Integration steps per second.
-const STEPS_PER_SECOND: usize = 100;
+pub(super) const STEPS_PER_SECOND: usize = 100;
 /// Steps between two recorded states; 20 Hz.
-const STEPS_PER_RECORD: usize = 5;
+pub(super) const STEPS_PER_RECORD: usize = 5;
 
 /// What to fly.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,25 +66,27 @@ pub struct TrueFlight {
     pub airspeeds: Vec<f64>,
 }
 
-impl FlightPlan {
-    /// Flies the plan and measures. The same plan and seed give the same flight to the bit.
-    ///
-    /// Returns `None` for a path of fewer than two different way-points.
-    pub fn simulate(&self, seed: u64) -> Option<Flight> {
-        let flown = self.fly(Some(seed))?;
-        let channels = sensors::measure(
-            &self.sensors,
-            seed,
-            &flown.states,
-            &flown.airspeeds,
-            self.ground_down,
-        );
+/// What turns a true flight into a measured one.
+pub(super) struct Recording<'a> {
+    pub name: &'a str,
+    pub sensors: &'a SensorSpec,
+    pub camera: &'a CameraModel,
+    pub frame_on_globe: LocalFrame,
+    /// Down coordinate of the ground plane, metres.
+    pub ground_down: f64,
+    pub seed: u64,
+}
+
+impl Recording<'_> {
+    /// The flight through `states`, recorded at 20 Hz, with what was measured on it, its frames and its
+    /// first position; `None` without any state.
+    pub fn flight(&self, states: Vec<TruthState>, channels: Vec<Channel>) -> Option<Flight> {
         let records_per_frame = (f64::from(STEPS_PER_SECOND as u32)
             / f64::from(STEPS_PER_RECORD as u32)
             / self.sensors.frame_rate)
             .round()
             .max(1.0) as usize;
-        let frame_states = || flown.states.iter().step_by(records_per_frame);
+        let frame_states = || states.iter().step_by(records_per_frame);
         let frames = frame_states()
             .enumerate()
             .map(|(number, state)| Frame {
@@ -99,13 +101,13 @@ impl FlightPlan {
                 position: state.position,
                 camera_attitude: state
                     .attitude
-                    .map(|body| sensors::camera_attitude(&self.sensors, seed, number, &body)),
+                    .map(|body| sensors::camera_attitude(self.sensors, self.seed, number, &body)),
             })
             .collect();
-        let first = flown.states.first()?;
+        let first = states.first()?;
         let begin = GroundPoint::new(first.position.x, first.position.y);
         Some(Flight {
-            name: self.name.clone(),
+            name: self.name.to_owned(),
             frame_on_globe: Some(self.frame_on_globe),
             camera: self.camera.clone(),
             ground_down: self.ground_down,
@@ -113,14 +115,39 @@ impl FlightPlan {
             frames,
             start: StartFix {
                 time: first.time,
-                position: sensors::start_fix(&self.sensors, seed, begin),
+                position: sensors::start_fix(self.sensors, self.seed, begin),
                 standard_deviation: self.sensors.start_position,
             },
             truth: Some(Truth {
-                states: flown.states,
+                states,
                 frames: frame_truth,
             }),
         })
+    }
+}
+
+impl FlightPlan {
+    /// Flies the plan and measures. The same plan and seed give the same flight to the bit.
+    ///
+    /// Returns `None` for a path of fewer than two different way-points.
+    pub fn simulate(&self, seed: u64) -> Option<Flight> {
+        let flown = self.fly(Some(seed))?;
+        let channels = sensors::measure(
+            &self.sensors,
+            seed,
+            &flown.states,
+            &flown.airspeeds,
+            self.ground_down,
+        );
+        Recording {
+            name: &self.name,
+            sensors: &self.sensors,
+            camera: &self.camera,
+            frame_on_globe: self.frame_on_globe,
+            ground_down: self.ground_down,
+            seed,
+        }
+        .flight(flown.states, channels)
     }
 
     /// The same plan in a wind drawn by `seed` about the plan's with `deviation` m/s per axis, for

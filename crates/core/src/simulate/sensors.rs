@@ -77,6 +77,8 @@ pub(super) enum Stream {
     Pitch,
     Height,
     Wind,
+    VelocityNorth,
+    VelocityEast,
     /// Vibration of the mount in frame number so-and-so.
     Vibration(usize),
 }
@@ -92,6 +94,8 @@ impl Stream {
             Self::Pitch => 6,
             Self::Height => 7,
             Self::Wind => 8,
+            Self::VelocityNorth => 9,
+            Self::VelocityEast => 10,
             Self::Vibration(frame) => (1 << 32) | frame as u64,
         }
     }
@@ -104,8 +108,8 @@ impl Stream {
     }
 }
 
-/// Measures one quantity of the truth.
-fn channel(
+/// Measures one quantity of the truth: times and true values.
+pub(super) fn channel(
     name: ChannelName,
     error: SensorError,
     stream: Stream,

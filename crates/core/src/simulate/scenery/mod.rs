@@ -17,7 +17,7 @@ mod labels;
 mod land;
 mod light;
 mod network;
-mod noise;
+pub(super) mod noise;
 mod paint;
 mod parcels;
 mod plan;

@@ -26,7 +26,7 @@ pub(super) fn floor(x: f32) -> i32 {
 
 /// Smooth value noise from -1 to 1 with features of about one unit.
 #[inline]
-pub(super) fn value_noise(x: f32, y: f32, seed: u32) -> f32 {
+pub(in crate::simulate) fn value_noise(x: f32, y: f32, seed: u32) -> f32 {
     let (ix, iy) = (floor(x), floor(y));
     let (tx, ty) = (x - ix as f32, y - iy as f32);
     let (sx, sy) = (tx * tx * (3.0 - 2.0 * tx), ty * ty * (3.0 - 2.0 * ty));
@@ -42,7 +42,14 @@ pub(super) fn value_noise(x: f32, y: f32, seed: u32) -> f32 {
 /// Octaves of value noise from `wavelength` metres downwards, each faded out before it aliases at
 /// `gsd` metres per pixel; about -1 to 1.
 #[inline]
-pub(super) fn fractal(x: f32, y: f32, wavelength: f32, octaves: u32, gsd: f32, seed: u32) -> f32 {
+pub(in crate::simulate) fn fractal(
+    x: f32,
+    y: f32,
+    wavelength: f32,
+    octaves: u32,
+    gsd: f32,
+    seed: u32,
+) -> f32 {
     let (mut sum, mut amplitude, mut length) = (0.0, 0.55, wavelength);
     for octave in 0..octaves {
         let keep = fade(length, gsd);
