@@ -166,6 +166,7 @@ impl IndoorHall {
             no_fly: Vec::new(),
             labels: Vec::new(),
             camera: Some(Self::camera()),
+            camera_to_log: None,
             navigator: self.navigator(vehicle),
             properties: BTreeMap::new(),
         }
