@@ -1,26 +1,27 @@
-//! Reads damaged logs without end and looks for what must never happen.
+//! Reads damaged files without end and looks for what must never happen.
 //!
-//! `cargo run --release -p pilotage-tests --example fuzz_logs -- --reader Dataflash --executions 10000000`
-//! takes small logs, real and made, does one to eight things to each that power cuts, bad storage and malice
-//! do, and reads it: no panic, every byte accounted for, memory in proportion, the same log whole and in
-//! pieces. Each execution is drawn from its own number, so that `--first NUMBER --executions 1` repeats it.
+//! `cargo run --release -p pilotage-tests --example fuzz -- --reader Dataflash --executions 10000000`
+//! takes small files, real and made, does one to eight things to each that power cuts, bad storage and malice
+//! do, and reads it: no panic, every byte accounted for, memory in proportion, the same whole and in pieces. Each execution is drawn from its own number, so that `--first NUMBER --executions 1` repeats it.
 //! What fails is kept in `target/fuzz`.
+
+mod readers;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use pilotage_core::flight::log::{FormatInfo, all_formats};
 use pilotage_tests::data::repository;
-use pilotage_tests::logs::check::{checked, same};
-use pilotage_tests::logs::corpus::{Sample, samples};
+use pilotage_tests::logs::corpus::Sample;
 use pilotage_tests::logs::damage::{apply, draw};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
+use readers::{Reader, all_readers};
+
 /// One in so many executions is read in pieces, too.
 const IN_PIECES: u64 = 8;
-/// Longest log that is read, bytes: damage may repeat much.
+/// Longest file that is read, bytes: damage may repeat much.
 const LONGEST: usize = 1 << 16;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -36,14 +37,13 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             _ => return Err("say: --reader NAME [--executions N] [--first N]".into()),
         }
     }
-    let name = |info: &FormatInfo| format!("{:?}", info.format);
-    let names: Vec<String> = all_formats().iter().map(name).collect();
+    let readers = all_readers();
+    let names: Vec<&str> = readers.iter().map(|reader| reader.name.as_str()).collect();
     let wanted = reader.ok_or_else(|| format!("say --reader and one of {}", names.join(", ")))?;
-    let info = all_formats()
-        .iter()
-        .find(|info| name(info).eq_ignore_ascii_case(&wanted));
-    let info = info.ok_or_else(|| format!("no reader {wanted}: there are {}", names.join(", ")))?;
-    fuzz(info, first, executions)
+    let named = |reader: &&Reader| reader.name.eq_ignore_ascii_case(&wanted);
+    let reader = readers.iter().find(named);
+    let reader = reader.ok_or_else(|| format!("no reader {wanted}: {}", names.join(", ")))?;
+    fuzz(reader, first, executions)
 }
 
 /// What the executions came to.
@@ -55,15 +55,15 @@ struct Tally {
     slowest: (Duration, u64),
 }
 
-fn fuzz(info: &FormatInfo, first: u64, executions: u64) -> Result<(), Box<dyn std::error::Error>> {
-    let samples = samples(info.format);
+fn fuzz(reader: &Reader, first: u64, executions: u64) -> Result<(), Box<dyn std::error::Error>> {
+    let samples = (reader.samples)();
     if samples.is_empty() {
-        return Err("there is no log of this format to begin with".into());
+        return Err("there is no file of this format to begin with".into());
     }
     let lengths: Vec<_> = samples.iter().map(|sample| sample.bytes.len()).collect();
     println!(
-        "{}: {executions} executions from {first} on, logs of {lengths:?} bytes",
-        info.label
+        "{}: {executions} executions from {first} on, files of {lengths:?} bytes",
+        reader.name
     );
     std::panic::set_hook(Box::new(|_| {}));
     let begun = Instant::now();
@@ -71,7 +71,7 @@ fn fuzz(info: &FormatInfo, first: u64, executions: u64) -> Result<(), Box<dyn st
     for number in first..first + executions {
         let (bytes, ends) = input(&samples, number);
         let start = Instant::now();
-        let outcome = catch_unwind(AssertUnwindSafe(|| execute(info, &bytes, &ends)));
+        let outcome = catch_unwind(AssertUnwindSafe(|| (reader.execute)(&bytes, &ends)));
         let taken = start.elapsed();
         let failure = match outcome {
             Ok(Ok((messages, is_clean))) => {
@@ -83,7 +83,7 @@ fn fuzz(info: &FormatInfo, first: u64, executions: u64) -> Result<(), Box<dyn st
             Err(panic) => Some(format!("panic: {}", words(&*panic))),
         };
         if let Some(wrong) = failure {
-            let place = keep(info, number, &bytes)?;
+            let place = keep(reader, number, &bytes)?;
             return Err(format!("execution {number}: {wrong}\nkept as {}", place.display()).into());
         }
         tally.bytes += bytes.len() as u64;
@@ -97,7 +97,7 @@ fn fuzz(info: &FormatInfo, first: u64, executions: u64) -> Result<(), Box<dyn st
         }
     }
     println!(
-        "{executions} executions without a fault in {:.0} s: {:.1} GB, {} messages read, {} logs still whole",
+        "{executions} executions without a fault in {:.0} s: {:.1} GB, {} messages read, {} files still whole",
         begun.elapsed().as_secs_f64(),
         tally.bytes as f64 / 1e9,
         tally.messages,
@@ -111,7 +111,7 @@ fn fuzz(info: &FormatInfo, first: u64, executions: u64) -> Result<(), Box<dyn st
     Ok(())
 }
 
-/// The damaged log of an execution, and where its pieces end if it is read in pieces.
+/// The damaged file of an execution, and where its pieces end if it is read in pieces.
 fn input(samples: &[Sample], number: u64) -> (Vec<u8>, Vec<usize>) {
     let mut random = ChaCha8Rng::seed_from_u64(number);
     let sample = &samples[random.random_range(0..samples.len())];
@@ -131,15 +131,6 @@ fn input(samples: &[Sample], number: u64) -> (Vec<u8>, Vec<usize>) {
     (bytes, ends)
 }
 
-/// Number of messages read, and whether every byte made sense.
-fn execute(info: &FormatInfo, bytes: &[u8], ends: &[usize]) -> Result<(u64, bool), String> {
-    let log = checked(info, bytes, &[])?;
-    if !ends.is_empty() {
-        same(&log, &checked(info, bytes, ends)?)?;
-    }
-    Ok((log.report.messages, log.report.is_clean()))
-}
-
 fn words(panic: &(dyn std::any::Any + Send)) -> String {
     let text = panic.downcast_ref::<String>().cloned();
     text.or_else(|| panic.downcast_ref::<&str>().map(ToString::to_string))
@@ -147,10 +138,10 @@ fn words(panic: &(dyn std::any::Any + Send)) -> String {
 }
 
 /// Keeps what failed for a closer look.
-fn keep(info: &FormatInfo, number: u64, bytes: &[u8]) -> std::io::Result<PathBuf> {
+fn keep(reader: &Reader, number: u64, bytes: &[u8]) -> std::io::Result<PathBuf> {
     let folder = repository().join("target/fuzz");
     std::fs::create_dir_all(&folder)?;
-    let place = folder.join(format!("{:?}-{number}", info.format));
+    let place = folder.join(format!("{}-{number}", reader.name));
     std::fs::write(&place, bytes)?;
     Ok(place)
 }
