@@ -12,6 +12,9 @@ const FEWEST: usize = 30;
 /// Least change of heading, radians, without which wind and scale cannot be told apart.
 const LEAST_TURN: f64 = 1.5;
 
+/// Scales beyond which it is no scale any more that is wrong.
+const PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.5..=2.0;
+
 /// One wind and one scale of the airspeed for the whole flight, by least squares:
 /// ground velocity = scale · airspeed · cos(pitch) · (cos heading, sin heading) + wind.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -29,6 +32,18 @@ pub struct AirDataFit {
 impl AirDataFit {
     /// What looks wrong about it.
     pub fn findings(&self) -> Vec<Finding> {
+        if !PLAUSIBLE.contains(&self.scale) {
+            return vec![Finding {
+                severity: Severity::Warning,
+                title: "Airspeed, heading and track contradict each other".to_owned(),
+                text: format!(
+                    "No wind and no scale of the airspeed explain the track over ground: the best leave \
+                     {:.1} m/s. One of the three measures something else, or nothing.",
+                    self.rms
+                ),
+                span: None,
+            }];
+        }
         let percent = 100.0 * (self.scale - 1.0);
         if percent.abs() < 3.0 {
             return Vec::new();

@@ -96,6 +96,18 @@ fn wind_and_scale_of_the_airspeed_are_found_over_a_circle() {
 }
 
 #[test]
+fn an_airspeed_that_has_nothing_to_do_with_the_track_is_no_scale() {
+    let mut found = circling(Vector2::zeros(), 1.0);
+    let airspeed = found.iter_mut().find(|s| s.role == Role::Airspeed).unwrap();
+    for value in &mut airspeed.values {
+        *value *= 0.01;
+    }
+    let fit = fit_air_data(&found, &airborne(&found)).unwrap();
+    let title = &fit.findings()[0].title;
+    assert_eq!(title, "Airspeed, heading and track contradict each other");
+}
+
+#[test]
 fn a_straight_flight_does_not_tell_wind_from_scale() {
     let mut found = circling(Vector2::zeros(), 1.0);
     for value in &mut found[1].values {
