@@ -5,9 +5,10 @@ use pilotage_core::navigator::{EstimatorChoice, Run, smooth};
 
 use super::{App, SideTab};
 use crate::command::Workspace;
-use crate::compare::{CompareCommand, CompareScene, TrackId, open_tracks};
+use crate::compare::{CompareCommand, CompareScene, Contest, TrackId, open_tracks};
 use crate::documents::Documents;
 use crate::host::Host;
+use crate::jobs::{ContestOrder, Job, JobEvent, JobId};
 
 /// Seconds since 1970 at time zero of the flight that is open, where its log says so.
 fn utc_at_zero(documents: &Documents) -> Option<f64> {
@@ -20,6 +21,7 @@ pub(super) fn compare_scene(documents: &Documents) -> CompareScene<'_> {
         shelf: &documents.shelf,
         generations: [documents.run_generation, documents.ghost_generation],
         is_complete: documents.run_complete,
+        contest: &documents.contest,
         utc_at_zero: utc_at_zero(documents),
     }
 }
@@ -63,6 +65,56 @@ impl App {
         self.toasts.note(host.now(), "Kept for comparison", name);
     }
 
+    /// Flies what is open by every estimator.
+    fn fly_by_all(&mut self, host: &mut dyn Host) {
+        self.stop_contest(host);
+        let documents = &mut self.documents;
+        documents.contest = Contest {
+            at_work: Some("Beginning".to_owned()),
+            ..Contest::default()
+        };
+        let order = ContestOrder {
+            flight: documents.flight_source.clone(),
+            map: documents.map_source.clone(),
+            mission: documents.mission.clone(),
+        };
+        self.desk.contest = Some(host.start(Job::Contest(Box::new(order))));
+    }
+
+    /// Stops flying by every estimator; whether somebody flew.
+    pub(super) fn stop_contest(&mut self, host: &mut dyn Host) -> bool {
+        let job = self.desk.contest.take();
+        if let Some(job) = job {
+            host.cancel(job);
+            self.documents.contest.at_work = None;
+        }
+        job.is_some()
+    }
+
+    /// Takes what a worker says of the contest; whether `id` was about it.
+    pub(super) fn contest_event(&mut self, id: JobId, event: &JobEvent) -> bool {
+        if self.desk.contest != Some(id) {
+            return false;
+        }
+        let contest = &mut self.documents.contest;
+        match event {
+            JobEvent::Progress(share, words) => {
+                contest.at_work = Some(format!("{words}: {:.0} %", 100.0 * share));
+            }
+            JobEvent::ContestJudged(found) => contest.found = Some((**found).clone()),
+            JobEvent::Failed(why) => contest.trouble = Some(why.clone()),
+            _ => {}
+        }
+        if matches!(
+            event,
+            JobEvent::Finished | JobEvent::Cancelled | JobEvent::Failed(_)
+        ) {
+            contest.at_work = None;
+            self.desk.contest = None;
+        }
+        true
+    }
+
     /// Does what was asked about trajectories.
     pub(super) fn compare(&mut self, command: &CompareCommand, host: &mut dyn Host) {
         let documents = &mut self.documents;
@@ -93,6 +145,7 @@ impl App {
                 self.toasts.note(host.now(), "Kept for comparison", name);
             }
             CompareCommand::KeepSmoothed => self.keep_smoothed(host),
+            CompareCommand::FlyAll => self.fly_by_all(host),
             CompareCommand::Discard(number) => documents.shelf.discard(number),
             CompareCommand::ToggleShown(number) => documents.shelf.toggle_shown(number),
         }

@@ -73,6 +73,8 @@ pub struct Exporting {
 pub struct Desk {
     /// The cut that is being made.
     pub cutting: Option<JobId>,
+    /// The flight by every estimator.
+    pub contest: Option<JobId>,
     /// The estimate of a camera beside its log.
     pub aligning: Option<JobId>,
     /// Whether that is to be estimated once the flight under way is over.

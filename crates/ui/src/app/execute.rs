@@ -259,6 +259,7 @@ impl App {
             Command::CancelJob if self.desk.fly.is_none() => {
                 let _ = self.stop_cutting(host)
                     || self.stop_aligning(host)
+                    || self.stop_contest(host)
                     || self.stop_reading(host)
                     || self.stop_opening(host)
                     || self.stop_preparing(host);

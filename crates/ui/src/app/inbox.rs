@@ -70,6 +70,7 @@ impl App {
             || self.evaluating.receive(id, &event)
             || self.cut_event(id, &event)
             || self.align_event(id, &event)
+            || self.contest_event(id, &event)
         {
         } else if self.desk.fly.as_ref().is_some_and(|f| f.id == id) {
             self.fly_event(host, event);

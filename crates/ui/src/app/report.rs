@@ -223,6 +223,7 @@ impl App {
         let found = self.views.comparison.found();
         json!({
             "kept": shelf.map(|k| json!({"name": k.track.name, "shown": k.is_shown})).collect::<Vec<_>>(),
+            "contest": self.documents.contest.found.as_ref().map(|found| found.rows.len()),
             "errors": found.map(|(name, errors)| json!({
                 "name": name,
                 "rms": errors.map(|e| e.0),

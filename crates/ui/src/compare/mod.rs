@@ -1,10 +1,12 @@
 //! Runs and flights beside each other: errors against one of them, on one clock.
 
 mod chart;
+mod contest;
 mod panel;
 mod results;
 mod shelf;
 
+pub use contest::Contest;
 pub use panel::CompareView;
 pub use results::{CompareScene, open_tracks};
 pub use shelf::{KeptTrack, Shelf};
@@ -33,6 +35,8 @@ pub enum CompareCommand {
     Keep(TrackId),
     /// Keep the run that is open with every step estimated from all of the flight, before and after it.
     KeepSmoothed,
+    /// Fly the flight that is open by every estimator.
+    FlyAll,
     /// Let go of one.
     Discard(u32),
     /// Draw one on the map, or not.

@@ -129,6 +129,10 @@ impl CompareView {
         if let Some(time) = clicked.filter(|_| is_open) {
             context.commands.push(Command::SeekTo(time));
         }
+        if context.run.is_some() {
+            ui.add_space(tokens.space);
+            scene.contest.show(ui, context);
+        }
     }
 
     fn buttons(&self, ui: &mut Ui, context: &mut ViewContext<'_>, is_complete: bool) {

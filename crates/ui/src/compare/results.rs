@@ -7,7 +7,7 @@ use pilotage_core::flight::trajectory::{
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::navigator::{Run, StepReport};
 
-use super::{Shelf, TrackId};
+use super::{Contest, Shelf, TrackId};
 use crate::context::ViewContext;
 
 /// Share by which a run grows before it is compared again while it goes on.
@@ -47,6 +47,8 @@ pub struct CompareScene<'a> {
     pub generations: [u64; 2],
     /// Whether the run is over.
     pub is_complete: bool,
+    /// Every estimator on the flight that is open.
+    pub contest: &'a Contest,
     /// Seconds since 1970 at the flight's time zero, where known.
     pub utc_at_zero: Option<f64>,
 }

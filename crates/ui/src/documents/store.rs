@@ -12,7 +12,7 @@ use pilotage_core::simulate::Scenario;
 
 use super::{Ground, History, Session};
 use crate::camera_log::CameraLog;
-use crate::compare::Shelf;
+use crate::compare::{Contest, Shelf};
 use crate::cut::Cuts;
 use crate::jobs::{DetectorSearch, Distinctness, FlightSource, MapInfo, MapSource, MatchPictures};
 use crate::log::OpenLog;
@@ -70,6 +70,8 @@ pub struct Documents {
     pub detector_search: Option<DetectorSearch>,
     /// The log that the flight was read from.
     pub log: Option<OpenLog>,
+    /// Every estimator on the flight that is open.
+    pub contest: Contest,
     /// What came of cuts of satellite navigation.
     pub cuts: Cuts,
     /// The camera beside its log.
@@ -122,6 +124,7 @@ impl Documents {
                 FlightSource::Files(key) => Some(OpenLog::new(key.clone(), file.clone())),
                 _ => None,
             }),
+            contest: Contest::default(),
             cuts: Cuts::default(),
             camera_log: CameraLog::default(),
             shelf: Shelf::default(),
@@ -194,6 +197,7 @@ impl Documents {
             }
         } else {
             self.ghost = None;
+            self.contest = Contest::default();
             self.cuts = Cuts::default();
             self.camera_log = CameraLog::default();
             self.distinctness.clear();
@@ -230,6 +234,7 @@ impl Documents {
     /// Leaves what was flown for a log, whose flight is yet to come. The mission stays.
     pub fn begin_log(&mut self, log: OpenLog, source: FlightSource) {
         (self.flight, self.run, self.ghost) = (None, None, None);
+        self.contest = Contest::default();
         self.cuts = Cuts::default();
         self.camera_log = CameraLog::default();
         self.flight_source = source;

@@ -430,6 +430,7 @@ fn seat_for(job: &Job) -> usize {
         | Job::ReadLog { .. }
         | Job::MakeFlight { .. }
         | Job::Cut(_)
+        | Job::Contest(_)
         | Job::Align(_)
         | Job::LogSeries { .. }
         | Job::AskLog(_)
@@ -483,6 +484,7 @@ fn file_keys(job: &Job) -> Vec<&str> {
             (labelled.map(|frames| &frames.flight), Some(&order.map))
         }
         Job::Cut(order) => (Some(&order.flight), None),
+        Job::Contest(order) => (Some(&order.flight), Some(&order.map)),
         Job::Brief(order) => (None, Some(&order.map)),
         Job::Pack(order) => (None, Some(&order.map)),
         Job::Open { key, .. }

@@ -15,13 +15,14 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Run, StepReport};
 use pilotage_core::plan::{Candidate, Envelope, Localizability, Prediction, Suggestion, View};
 use pilotage_core::raster::{Gray, Raster, Rgba};
+use pilotage_core::study::Comparison;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    AlignOrder, Assessment, AssessmentOrder, Beside, BriefOrder, BriefPictures, CutOrder,
-    CutReport, EvaluationOrder, EvaluationReport, ExportOrder, FieldOrder, FileContent, FindOrder,
-    FoundPlan, HeightsOrder, ImportedFile, LogAnswer, LogOrder, LogSeries, MadeFlight, PackOrder,
-    PredictionOrder, ReadLog, SeriesName, Share, StudyReport, SuggestOrder, TerrainInfo,
+    AlignOrder, Assessment, AssessmentOrder, Beside, BriefOrder, BriefPictures, ContestOrder,
+    CutOrder, CutReport, EvaluationOrder, EvaluationReport, ExportOrder, FieldOrder, FileContent,
+    FindOrder, FoundPlan, HeightsOrder, ImportedFile, LogAnswer, LogOrder, LogSeries, MadeFlight,
+    PackOrder, PredictionOrder, ReadLog, SeriesName, Share, StudyReport, SuggestOrder, TerrainInfo,
     TrainOrder, TrainingOutcome, TrainingReport, WebMap, whole_bytes,
 };
 
@@ -178,6 +179,8 @@ pub enum Job {
     },
     /// Cut satellite navigation out of a flight: events `CutMade` or `CutsStudied`.
     Cut(Box<CutOrder>),
+    /// Fly a flight by every estimator: event `ContestJudged`.
+    Contest(Box<ContestOrder>),
     /// Put a camera in time and place beside its log: event `CameraAligned`.
     Align(Box<AlignOrder>),
     /// Describe a map: event `MapInfo`.
@@ -402,6 +405,8 @@ pub enum JobEvent {
     CutsStudied(Box<StudyReport>),
     /// A camera in time and place beside its log.
     CameraAligned(Box<CameraToLog>),
+    /// Every estimator on one flight.
+    ContestJudged(Box<Comparison>),
     /// The mission that is flown.
     Mission(Box<Mission>),
     /// The run's head, without steps.

@@ -150,7 +150,7 @@ fn urgency(job: &Job) -> u8 {
         | Job::Find(_)
         | Job::Brief(_) => 3,
         Job::PrepareMap(_) | Job::Evaluate(_) => 5,
-        Job::Fly { .. } | Job::Field(_) => 4,
+        Job::Fly { .. } | Job::Field(_) | Job::Contest(_) => 4,
         // Takes a minute of which nobody waits for a second.
         Job::Train(_) => 6,
         // What was asked before may still need them.

@@ -183,6 +183,11 @@ pub fn wanted_addresses(job: &Job) -> Vec<String> {
             let areas = landmarks.map(|l| around(&l.bounds)).collect();
             (map, Reads::Areas(areas))
         }
+        Job::Contest(order) => {
+            let landmarks = order.mission.landmarks.iter();
+            let areas = landmarks.map(|l| around(&l.bounds)).collect();
+            (&order.map, Reads::Areas(areas))
+        }
         Job::ExplainMatch {
             map,
             mission,

@@ -22,6 +22,7 @@ use super::align::Align;
 use super::assess::{Assess, Share, sum_up};
 use super::brief::Brief;
 use super::content::{LentFiles, OpenAddress};
+use super::contest::Contest;
 use super::envelope::SurveyEnvelope;
 use super::evaluate::Evaluate;
 use super::explain::explained;
@@ -128,6 +129,7 @@ impl Workshop {
                 mission,
             } => Box::new(Fly::new(flight, map, mission)),
             Job::Cut(order) => Box::new(MakeCut::new(*order)),
+            Job::Contest(order) => Box::new(Contest::new(*order)),
             Job::Align(order) => Box::new(Align::new(*order)),
             Job::DescribeMap(source) => once(move |workshop, emit| {
                 let map = workshop.map(&source)?;
@@ -143,18 +145,9 @@ impl Workshop {
             }),
             Job::PrepareMap(source) => Box::new(PrepareMap::new(source)),
             Job::TakeHeights(order) => Box::new(TakeHeights::new(*order)),
-            Job::Tile { map, window } => once(move |workshop, emit| {
-                let (pixels, whole) = workshop.map(&map)?.window_so_far(&window);
-                emit(JobEvent::Tile {
-                    window,
-                    pixels,
-                    whole,
-                });
-                for problem in workshop.new_problems(&map) {
-                    emit(JobEvent::Remark(problem));
-                }
-                Ok(())
-            }),
+            Job::Tile { map, window } => {
+                once(move |workshop, emit| send_tile(workshop, &map, window, emit))
+            }
             Job::Distinctness {
                 map,
                 bounds,
@@ -498,3 +491,22 @@ pub fn describe(map: &dyn Imagery) -> MapInfo {
 fn cache_key(source: &impl serde::Serialize) -> Vec<u8> {
     postcard::to_stdvec(source).unwrap_or_default()
 }
+/// Pixels of a window of a map, and what went wrong with it.
+fn send_tile(
+    workshop: &mut Workshop,
+    map: &MapSource,
+    window: Window,
+    emit: &mut dyn FnMut(JobEvent),
+) -> Result<(), String> {
+    let (pixels, whole) = workshop.map(map)?.window_so_far(&window);
+    emit(JobEvent::Tile {
+        window,
+        pixels,
+        whole,
+    });
+    for problem in workshop.new_problems(map) {
+        emit(JobEvent::Remark(problem));
+    }
+    Ok(())
+}
+

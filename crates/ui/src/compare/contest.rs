@@ -1,0 +1,102 @@
+//! Every estimator on the flight that is open, in one table.
+
+use egui::{RichText, Ui};
+use pilotage_core::study::{Comparison, ComparisonRow};
+
+use super::CompareCommand;
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::shell::text_button;
+use crate::views::{parts, table};
+
+/// What is known of it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Contest {
+    /// Who flies and how far, while somebody does.
+    pub at_work: Option<String>,
+    /// What came of it.
+    pub found: Option<Comparison>,
+    /// Why nothing did, if so.
+    pub trouble: Option<String>,
+}
+
+impl Contest {
+    /// Draws it: a button, or how far it is, and the table.
+    pub(super) fn show(&self, ui: &mut Ui, context: &mut ViewContext<'_>) {
+        let tokens = context.tokens;
+        let small = |text: &str| {
+            let text = RichText::new(text).size(tokens.text_sizes[0]);
+            text.color(tokens.muted)
+        };
+        ui.label(small(
+            "The same flight by every estimator, in flight and smoothed afterwards",
+        ));
+        ui.horizontal(|ui| match &self.at_work {
+            Some(words) => {
+                ui.add(egui::Spinner::new().size(14.0));
+                ui.label(RichText::new(words).color(tokens.accent));
+                if text_button(ui, tokens, None, "Stop", false).clicked() {
+                    context.commands.push(Command::CancelJob);
+                }
+            }
+            None => {
+                if text_button(ui, tokens, None, "Fly by all estimators", false).clicked() {
+                    let fly = Command::Compare(CompareCommand::FlyAll);
+                    context.commands.push(fly);
+                }
+            }
+        });
+        if let Some(why) = &self.trouble {
+            ui.label(RichText::new(why).color(tokens.warning));
+        }
+        let Some(found) = &self.found else { return };
+        let (factor, unit) = context.units.length();
+        let titles = ["RMS", "median", "most", "NEES"].map(str::to_owned);
+        table::row(ui, tokens, &titles, tokens.muted, |ui| {
+            ui.label(small(&format!("error, {unit}")));
+        });
+        for row in &found.rows {
+            let cells = figures(row, factor);
+            table::row(ui, tokens, &cells, tokens.text, |ui| {
+                let label = RichText::new(name(row)).size(tokens.text_sizes[1]);
+                let hint = format!(
+                    "{}: {:.3} ms a step, {} landmarks accepted, {} refused",
+                    name(row),
+                    row.ms_per_step,
+                    row.updates_accepted,
+                    row.updates_refused
+                );
+                ui.add(egui::Label::new(label).truncate())
+                    .on_hover_text(hint);
+            });
+        }
+        let honest = found.rows.iter().filter_map(|row| row.nees);
+        if let Some(bounds) = honest.into_iter().next() {
+            ui.label(small(&format!(
+                "The NEES of an honest filter is {:.0} on average; one flight of one may lie between {:.2} and {:.1}.",
+                bounds.dof, bounds.lower_95, bounds.upper_95
+            )));
+        }
+    }
+}
+
+/// What a line is about.
+fn name(row: &ComparisonRow) -> String {
+    let smoothed = if row.smoothed { ", smoothed" } else { "" };
+    format!("{}{smoothed}", row.contender.estimator.key().to_uppercase())
+}
+
+/// The four numbers of a line.
+fn figures(row: &ComparisonRow, factor: f64) -> [String; 4] {
+    let error = row.position_error_m;
+    let length = |value: Option<f64>| {
+        value.map_or_else(|| "\u{2013}".to_owned(), |v| parts::figures(factor * v))
+    };
+    let nees = row.nees.map(|nees| nees.mean);
+    [
+        length(error.map(|e| e.rms)),
+        length(error.map(|e| e.median)),
+        length(error.map(|e| e.max)),
+        nees.map_or_else(|| "\u{2013}".to_owned(), parts::figures),
+    ]
+}
