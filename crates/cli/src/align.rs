@@ -39,7 +39,8 @@ pub struct Arguments {
 #[derive(Serialize)]
 struct Round {
     camera_to_log: CameraToLog,
-    /// The flight before it was changed so.
+    /// The run that it was found from, before the flight was changed so; errors in it are against the truth that
+    /// the flight states, whatever that is of.
     summary: Summary,
 }
 
@@ -111,10 +112,4 @@ fn print(number: usize, round: &Round) {
     line("focal length", &found.log_focal, 100.0, "%");
     line("fixes north", &found.bias[0], 1.0, "m");
     line("fixes east", &found.bias[1], 1.0, "m");
-    if let Some(error) = round.summary.corrected_position_error_m {
-        println!(
-            "  position before: median {:.2} m, largest {:.2} m",
-            error.median, error.max
-        );
-    }
 }

@@ -1,6 +1,6 @@
 //! How far the pictures are from the log, against time.
 
-use egui::{Color32, Sense, Stroke, Ui, vec2};
+use egui::{Color32, Pos2, Sense, Stroke, Ui, vec2};
 use pilotage_core::alignment::FrameResidual;
 
 use crate::command::Command;
@@ -80,6 +80,15 @@ pub(super) fn colours(tokens: &Tokens) -> [Color32; 2] {
     [tokens.accent, tokens.dead_reckoning]
 }
 
+/// The mark of a frame on a curve: full on the first, hollow on the second.
+pub(super) fn mark(painter: &egui::Painter, at: Pos2, curve: usize, colour: Color32) {
+    if curve == 0 {
+        painter.circle_filled(at, 2.75, colour);
+    } else {
+        painter.circle_stroke(at, 2.5, Stroke::new(1.25, colour));
+    }
+}
+
 /// Draws the residuals; a click goes to the time of the frame.
 pub(super) fn residual_chart(
     ui: &mut Ui,
@@ -137,7 +146,7 @@ pub(super) fn residual_chart(
         let faint = Stroke::new(1.0, colour.gamma_multiply(0.5));
         inside.line(points.clone(), faint);
         for point in points {
-            inside.circle_filled(point, 2.5, colour);
+            mark(&inside, point, curve, colour);
         }
     }
     if (axes.x.0..=axes.x.1).contains(&context.time) {

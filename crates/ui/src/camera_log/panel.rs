@@ -4,7 +4,7 @@ use egui::{Color32, RichText, ScrollArea, Ui, vec2};
 use pilotage_core::alignment::{CameraAdjustment, ResidualSummary};
 
 use super::CameraLogCommand as Do;
-use super::chart::{Shown, colours, residual_chart};
+use super::chart::{Shown, colours, mark, residual_chart};
 use super::numbers;
 use super::work::{CameraLog, Missing, Preview};
 use crate::command::Command;
@@ -78,7 +78,7 @@ impl CameraLogView {
                 send(context, Do::Estimate);
             }
             let mut clock = work.clock;
-            let label = ui.label(muted(tokens, "clock right within σ"));
+            let label = ui.label(muted(tokens, "camera clock known to, σ"));
             let value = egui::DragValue::new(&mut clock)
                 .range(0.1..=20.0)
                 .speed(0.02)
@@ -125,9 +125,9 @@ impl CameraLogView {
         residual_chart(ui, context, &preview.residuals, self.shown);
         let (_, length) = context.units.length();
         ui.horizontal_wrapped(|ui| {
-            for (name, colour) in self.shown.curves().iter().zip(colours(tokens)) {
+            for (curve, name) in self.shown.curves().iter().enumerate() {
                 let (rect, _) = ui.allocate_exact_size(vec2(10.0, 12.0), egui::Sense::hover());
-                ui.painter().circle_filled(rect.center(), 3.0, colour);
+                mark(ui.painter(), rect.center(), curve, colours(tokens)[curve]);
                 ui.label(muted(tokens, *name));
             }
             ui.label(muted(tokens, format!("in {}", self.shown.unit(length))));

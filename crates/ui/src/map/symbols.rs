@@ -177,7 +177,7 @@ pub fn paint_tried_footprint(
     let closed: Vec<Pos2> = points.iter().chain([first]).copied().collect();
     let under = Stroke::new(4.0, tokens.outline().gamma_multiply(0.5));
     painter.add(Shape::line(closed.clone(), under));
-    let stroke = Stroke::new(2.0, tokens.warning);
+    let stroke = Stroke::new(2.0, tokens.observed);
     painter.extend(Shape::dashed_line(&closed, stroke, 7.0, 5.0));
     painter.line_segment([*left, *right], stroke);
 }
