@@ -7,7 +7,7 @@ use pilotage_core::flight::log::read_log;
 use pilotage_core::flight::{Flight, read_flight};
 
 use crate::files::{Directory, DiskFile};
-use crate::{Outcome, inspect_log};
+use crate::{Outcome, inspect_log, inspect_wind};
 
 /// What to look at.
 #[derive(clap::Args)]
@@ -22,6 +22,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     if path.is_dir() || path.file_name().is_some_and(|n| n == "flight.json") {
         let folder = read_flight(Arc::new(Directory::open(path)?))?;
         describe(&folder.flight);
+        inspect_wind::describe(&folder.flight);
         for note in folder.notes {
             println!("note: {note}");
         }

@@ -39,6 +39,9 @@ pub fn describe(log: &Log) {
             fit.wind.x, fit.wind.y, fit.scale, fit.rms
         );
     }
+    if let Ok(flight) = &interpreted.flight {
+        crate::inspect_wind::describe(flight);
+    }
     for finding in &seen.findings {
         let word = match finding.severity {
             Severity::Note => "note",

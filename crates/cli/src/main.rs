@@ -11,6 +11,7 @@ mod filter_options;
 mod georef;
 mod inspect;
 mod inspect_log;
+mod inspect_wind;
 mod map;
 mod mission_file;
 mod plan;

@@ -3,8 +3,13 @@
 use std::path::PathBuf;
 
 use clap::ValueEnum;
+use pilotage_core::flight::files::FileSink;
 use pilotage_core::flight::write_flight;
-use pilotage_core::simulate::{FlightDay, Overrides, Scenario};
+use pilotage_core::imagery::{Georeference, Imagery, Window, WorldFile};
+use pilotage_core::mission::{place_files, write_mission};
+use pilotage_core::navigator::VehicleChoice;
+use pilotage_core::raster::encode_png;
+use pilotage_core::simulate::{FlightDay, IndoorHall, Overrides, Scenario};
 
 use crate::Outcome;
 use crate::files::Directory;
@@ -62,19 +67,32 @@ pub fn list() {
             scenario.name, scenario.title, scenario.description
         );
     }
+    println!(
+        "{}\n    {}\n    {}\n    Only for `pilotage simulate`, which writes its map and its mission beside it.\n",
+        IndoorHall::NAME,
+        IndoorHall::TITLE,
+        IndoorHall::DESCRIPTION
+    );
 }
 
 /// Flies a scenario and writes it.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let scenario = scenario(&arguments.scenario)?;
-    let overrides = Overrides {
-        day: Some(arguments.day.into()),
-        ..Overrides::default()
+    let hall = (arguments.scenario == IndoorHall::NAME).then(IndoorHall::default);
+    let mut flown = if let Some(hall) = &hall {
+        hall.simulate(arguments.seed)
+    } else {
+        let overrides = Overrides {
+            day: Some(arguments.day.into()),
+            ..Overrides::default()
+        };
+        scenario(&arguments.scenario)?.simulate(arguments.seed, &overrides)
     };
-    let mut flown = scenario.simulate(arguments.seed, &overrides);
     std::fs::create_dir_all(&arguments.out)
         .map_err(|e| format!("{}: {e}", arguments.out.display()))?;
     let mut sink = Directory::open(&arguments.out)?;
+    if let Some(hall) = &hall {
+        write_hall(hall, &mut sink)?;
+    }
     let mut shown = usize::MAX;
     write_flight(
         &flown.flight,
@@ -94,5 +112,32 @@ pub fn run(arguments: &Arguments) -> Outcome {
         arguments.out.display(),
         flown.flight.frames.len()
     );
+    Ok(())
+}
+
+/// Writes the drawing of the floor with its place, and a mission for each process model.
+fn write_hall(hall: &IndoorHall, sink: &mut dyn FileSink) -> Outcome {
+    const MAP: &str = "map.png";
+    let map = IndoorHall::map();
+    let (bounds, gsd) = (map.bounds(), map.native_gsd());
+    let pixels = map.window(&Window::covering(&bounds, gsd));
+    sink.write(MAP, &encode_png(&pixels.map(|[r, g, b, _]| [r, g, b]))?)?;
+    let place = Georeference::Metres(WorldFile {
+        a: gsd,
+        d: 0.0,
+        b: 0.0,
+        e: -gsd,
+        c: bounds.west + 0.5 * gsd,
+        f: bounds.north - 0.5 * gsd,
+    });
+    for (name, bytes) in place_files(MAP, &place) {
+        sink.write(&name, &bytes)?;
+    }
+    for (name, vehicle) in [
+        ("mission.geojson", VehicleChoice::Multirotor),
+        ("mission-velocity.geojson", VehicleChoice::VelocityDriven),
+    ] {
+        sink.write(name, write_mission(&hall.mission(vehicle)).as_bytes())?;
+    }
     Ok(())
 }
