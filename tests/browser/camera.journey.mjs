@@ -18,7 +18,7 @@ export async function run(page, tools) {
   }
   await tools.waitReady();
   const before = await tools.waitFor((s) => s.run_complete, "the demo", 150_000);
-  await page.keyboard.press("Shift+L");
+  await page.keyboard.press("Shift+T");
   await tools.waitFor((s) => s.side_tab === "CameraLog" && s.camera_log.missing, "the sheet that says what is missing");
   await page.waitForTimeout(500);
   await tools.screenshot("camera-missing");

@@ -221,7 +221,7 @@ fn logs_that_hold_an_autopilots_wind_but_no_flight_are_not_compared() {
         let Some(path) = shared(name) else { continue };
         let bytes = std::fs::read(path).unwrap();
         let log = read_log(&MemoryBytes::new(name, bytes)).unwrap().unwrap();
-        let flight = flight_from_log(&log).flight.unwrap();
+        let flight = flight_from_log(&log).into_flight().unwrap();
         let wind = flight.channel(ChannelName::WindNorth).unwrap();
         assert!(wind.values.iter().all(|w| w.abs() < 1e-9), "{wind:?}");
         let compared = compare_winds(&flight, &GpsWindSettings::default(), 0.0);

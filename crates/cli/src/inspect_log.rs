@@ -39,7 +39,7 @@ pub fn describe(log: &Log) {
             fit.wind.x, fit.wind.y, fit.scale, fit.rms
         );
     }
-    if let Ok(flight) = &interpreted.flight {
+    if let Ok(flight) = &interpreted.into_flight() {
         crate::inspect_wind::describe(flight);
     }
     for finding in &seen.findings {

@@ -9,7 +9,7 @@ use pilotage_core::exchange::Written;
 use pilotage_core::flight::expression::Samples;
 use pilotage_core::flight::log::Log;
 use pilotage_core::frames::LocalFrame;
-use pilotage_core::imagery::{Blank, ByteSource, CachedImagery, Imagery, MapMemory};
+use pilotage_core::imagery::{Blank, ByteSource, CachedImagery, Imagery, MapMemory, Window};
 use pilotage_core::mission::{MapOptions, open_map_with};
 use pilotage_core::plan::{
     EnvelopeSurvey, OtherDays, PictureDays, Proposal, Rehearsal, SceneryDays,
@@ -509,4 +509,3 @@ fn send_tile(
     }
     Ok(())
 }
-

@@ -147,7 +147,7 @@ pub fn catalog() -> Vec<Entry> {
     entries.push(entry(
         Group::View,
         "Camera to log: time offset, mount, focal length",
-        vec![shift(Key::L)],
+        vec![shift(Key::T)],
         Command::CameraLog(CameraLogCommand::Show),
     ));
     entries.push(entry(

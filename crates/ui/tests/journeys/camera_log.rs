@@ -6,12 +6,13 @@ use pilotage_core::alignment::CameraAdjustment;
 use pilotage_ui::jobs::Job;
 use serde_json::Value;
 
+use super::support::laid::Laying;
 use super::support::{Rig, ScriptedHost, rig, rig_on};
 
 /// The invented flight with fixes, its pictures stamped half a second early, all of them laid on the map.
 fn rig_with_laid_frames() -> Rig {
     let host = ScriptedHost {
-        lays_frames: true,
+        laying: Laying::Always,
         ..ScriptedHost::default()
     };
     rig_on(host, egui::vec2(1440.0, 900.0))
@@ -145,7 +146,7 @@ fn reset_restores_the_flight_as_it_was_opened() {
 #[test]
 fn a_run_without_whole_frames_is_flown_with_them_and_then_estimated() {
     let mut rig = rig_with_laid_frames();
-    rig.host().lays_only_if_asked = true;
+    rig.host().laying = Laying::IfAsked;
     rig.key(Key::R);
     rig.settle();
     open(&mut rig);

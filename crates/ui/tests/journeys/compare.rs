@@ -81,6 +81,28 @@ fn a_run_is_kept_smoothed_beside_the_one_in_flight() {
 }
 
 #[test]
+fn every_estimator_flies_the_flight_and_stands_in_one_table() {
+    let mut rig = rig();
+    rig.open_tab("Compare");
+    assert_eq!(rig.state()["compare"]["contest"], Value::Null);
+    rig.harness.get_by_label("Fly by all estimators").click();
+    rig.frames(3);
+    assert_eq!(rig.state()["compare"]["contest"], 3);
+    for name in ["UKF", "EKF", "PARTICLE"] {
+        assert!(rig.harness.query_by_label(name).is_some(), "{name}");
+    }
+    rig.harness.get_by_label("Simulate…").click();
+    rig.frames(8);
+    rig.harness.get_by_label("Fly").click();
+    rig.settle();
+    assert_eq!(
+        rig.state()["compare"]["contest"],
+        Value::Null,
+        "another flight"
+    );
+}
+
+#[test]
 fn a_kept_run_is_hidden_on_the_map() {
     let mut rig = rig_with_a_kept_run();
     let kept = names(&rig).pop().expect("a kept run");

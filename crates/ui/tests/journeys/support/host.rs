@@ -6,19 +6,22 @@ use std::sync::Arc;
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::imagery::Window;
 use pilotage_core::imagery::terrain::{HeightDatum, HeightGrid, Terrain};
+use pilotage_core::mission::Mission;
+use pilotage_core::navigator::EstimatorChoice;
 use pilotage_core::plan::{
     Breakdown, Candidate, Envelope, ExpectedDetection, Localizability, Suggestion, Tally,
 };
 use pilotage_core::raster::Raster;
+use pilotage_core::study::{Comparison, Contender, Tally as FlightTally};
 use pilotage_ui::host::{Host, OpenedFile};
 use pilotage_ui::jobs::{
-    Assessment, AssessmentOrder, DetectorSearch, Distinctness, ExplainedBy, FieldOrder,
-    FlightSource, Glance, HeightsOrder, Job, JobEvent, JobId, JobRunner, MapInfo, Opened, Reply,
-    Request, SuggestOrder,
+    Assessment, AssessmentOrder, ContestOrder, DetectorSearch, Distinctness, ExplainedBy,
+    FieldOrder, FlightSource, Glance, HeightsOrder, Job, JobEvent, JobId, JobRunner, MapInfo,
+    Opened, Reply, Request, SuggestOrder,
 };
 
 use super::flight::{flight, mission, run, run_head};
-use super::laid::{early_flight, lay_frames};
+use super::laid::{Laying, early_flight, lay_frames};
 
 /// Answers jobs at once, unless told not to, and remembers what it was asked.
 #[derive(Default)]
@@ -53,10 +56,8 @@ pub struct ScriptedHost {
     pub interrupted: Vec<String>,
     /// Workers to report as lost.
     pub lost: usize,
-    /// Fly the invented flight with fixes, its pictures stamped too early and laid on the map.
-    pub lays_frames: bool,
-    /// Lay them only where the mission asks for whole frames.
-    pub lays_only_if_asked: bool,
+    /// Whether pictures are laid on the map.
+    pub laying: Laying,
     /// Leave flights without an answer.
     pub silent_flights: bool,
     /// What is said of opened files.
@@ -182,37 +183,45 @@ impl ScriptedHost {
         }
     }
 
+    fn fly(&mut self, id: JobId, given: Option<&Mission>) {
+        let laying = self.laying;
+        let mut say = |event| self.events.push((id, event));
+        let mission = given.cloned().unwrap_or_else(mission);
+        say(JobEvent::Progress(0.1, "Flying".into()));
+        let mut flown = flight();
+        let mut steps = run(&mission).steps;
+        if laying != Laying::Never {
+            let opened = early_flight();
+            flown = mission.flown(&Arc::new(opened.clone())).as_ref().clone();
+            if laying == Laying::Always || mission.navigator.whole_frames.is_some() {
+                lay_frames(&mut steps, &opened, &flown);
+            }
+        }
+        say(JobEvent::Flight(Box::new(flown)));
+        if given.is_none() {
+            say(JobEvent::Mission(Box::new(mission.clone())));
+        }
+        say(JobEvent::RunStarted(Box::new(run_head(&mission))));
+        say(JobEvent::Steps(steps));
+        let picture = Raster::filled(8, 6, [90, 110, 70]);
+        let encoded = pilotage_core::raster::encode_png(&picture).unwrap_or_default();
+        for index in 0..flight().frames.len() {
+            let encoded = encoded.clone();
+            say(JobEvent::FramePicture { index, encoded });
+        }
+        say(JobEvent::Finished);
+    }
+
     fn answer(&mut self, id: JobId, job: &Job) {
         if is_real(job) || self.is_of_a_log(job) {
             return self.carry_out(id, job);
         }
-        let (lays_frames, lays_only_if_asked) = (self.lays_frames, self.lays_only_if_asked);
         let mut say = |event| self.events.push((id, event));
         match job {
-            Job::Fly { mission: given, .. } if !self.silent_flights => {
-                let mission = given.clone().unwrap_or_else(mission);
-                say(JobEvent::Progress(0.1, "Flying".into()));
-                let mut flown = flight();
-                let mut steps = run(&mission).steps;
-                if lays_frames {
-                    let opened = early_flight();
-                    flown = mission.flown(&Arc::new(opened.clone())).as_ref().clone();
-                    if !lays_only_if_asked || mission.navigator.whole_frames.is_some() {
-                        lay_frames(&mut steps, &opened, &flown);
-                    }
-                }
-                say(JobEvent::Flight(Box::new(flown)));
-                if given.is_none() {
-                    say(JobEvent::Mission(Box::new(mission.clone())));
-                }
-                say(JobEvent::RunStarted(Box::new(run_head(&mission))));
-                say(JobEvent::Steps(steps));
-                let picture = Raster::filled(8, 6, [90, 110, 70]);
-                let encoded = pilotage_core::raster::encode_png(&picture).unwrap_or_default();
-                for index in 0..flight().frames.len() {
-                    let encoded = encoded.clone();
-                    say(JobEvent::FramePicture { index, encoded });
-                }
+            Job::Fly { mission, .. } if !self.silent_flights => self.fly(id, mission.as_ref()),
+            Job::Contest(order) => {
+                say(JobEvent::Progress(0.5, "Extended Kalman filter".into()));
+                say(JobEvent::ContestJudged(Box::new(contest(order))));
                 say(JobEvent::Finished);
             }
             Job::DescribeMap(_) => {
@@ -293,6 +302,20 @@ impl ScriptedHost {
             _ => {}
         }
     }
+}
+
+/// The invented run as the judgement of every estimator.
+fn contest(order: &ContestOrder) -> Comparison {
+    let vehicle = order.mission.navigator.vehicle;
+    let contenders = Contender::all(&EstimatorChoice::ALL, &[vehicle]);
+    let judged = contenders.into_iter().map(|contender| {
+        let mut tally = FlightTally::new(contender, false);
+        tally
+            .add(&flight(), &run(&order.mission), &|| 0.0)
+            .expect("a run with its truth");
+        tally
+    });
+    Comparison::of(&judged.collect::<Vec<_>>())
 }
 
 /// The heights of ground of a shape.

@@ -8,6 +8,18 @@ use pilotage_core::registration::MapShape;
 
 use super::flight::flight;
 
+/// Whether pictures of the invented flight, stamped too early, are laid on the map.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Laying {
+    /// They are not, and the flight is the usual one.
+    #[default]
+    Never,
+    /// Where the mission asks for whole frames.
+    IfAsked,
+    /// In any case.
+    Always,
+}
+
 /// Seconds by which the pictures are stamped too early.
 pub const EARLY: f64 = 0.5;
 
