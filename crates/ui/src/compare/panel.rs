@@ -107,6 +107,10 @@ impl CompareView {
             ui.label(RichText::new(format!("{why}.")).color(tokens.warning));
         }
         ui.add_space(tokens.space);
+        if context.run.is_some() {
+            scene.contest.show(ui, context);
+            ui.add_space(tokens.space);
+        }
         choice(ui, context, "Times", &CLOCKS, &mut self.settings.clock);
         choice(
             ui,
@@ -128,10 +132,6 @@ impl CompareView {
         let clicked = error_chart(ui, tokens, &curves, context.units.length(), cursor);
         if let Some(time) = clicked.filter(|_| is_open) {
             context.commands.push(Command::SeekTo(time));
-        }
-        if context.run.is_some() {
-            ui.add_space(tokens.space);
-            scene.contest.show(ui, context);
         }
     }
 
