@@ -12,6 +12,19 @@ export async function run(page, tools) {
   await tools.click(await tools.find(null, "Keep this run"));
   const kept = await tools.waitFor((s) => s.compare.kept.length === 1, "the run to be kept");
   const name = kept.compare.kept[0].name;
+  await tools.click(await tools.find(null, "Keep it smoothed"));
+  const two = await tools.waitFor((s) => s.compare.kept.length === 2 && rows(s).length > rows(first).length + 1, "the smoothed run");
+  const smoothed = rows(two).find((r) => r.name.endsWith(", smoothed"));
+  console.log(`        RMS ${own.rms.toFixed(2)} m in flight, ${smoothed.rms.toFixed(2)} m smoothed`);
+  tools.check(smoothed.rms < own.rms, "all that was measured knows no more than what was measured so far");
+  await tools.click(await tools.find(null, `Let go of ${smoothed.name}`));
+  await tools.waitFor((s) => s.compare.kept.length === 1 && rows(s).length === rows(two).length - 1, "the smoothed run to go");
+  await page.waitForTimeout(300);
+
+  await tools.click(await tools.find(null, "Fly by all estimators"));
+  await tools.waitFor((s) => s.compare.contest === 6, "every estimator in flight and smoothed", 150_000);
+  await page.waitForTimeout(500);
+  await tools.screenshot("compare-estimators");
 
   await tools.click(await tools.find(null, "Simulate…"));
   await tools.click(await tools.find(null, "Fly"));
