@@ -226,11 +226,37 @@ fn cruise(airspeeds: &[f64]) -> Option<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simulate::{Overrides, Scenario};
+    use crate::camera::CameraModel;
+    use crate::flight::StartFix;
+    use crate::frames::GroundPoint;
 
+    /// An airplane on a racetrack for 90 s, read ten times a second.
     fn flight() -> Flight {
-        let scenario = Scenario::named("distinct-400ft-wind").unwrap();
-        scenario.fly(1, &Overrides::default())
+        let times: Vec<f64> = (0..900).map(|i| 0.1 * f64::from(i)).collect();
+        let channel = |name, value: fn(f64) -> f64| Channel {
+            name,
+            times: times.clone(),
+            values: times.iter().map(|t| value(*t)).collect(),
+        };
+        let turning = |t: f64| wrap_pi(0.06 * t + 0.8 * (0.2 * t).sin());
+        Flight {
+            name: "racetrack".to_owned(),
+            frame_on_globe: None,
+            camera: CameraModel::pinhole(64, 48, 1.0),
+            ground_down: 0.0,
+            channels: vec![
+                channel(ChannelName::Airspeed, |t| 18.0 + (1.7 * t).sin()),
+                channel(ChannelName::Heading, turning),
+                channel(ChannelName::HeightAboveGround, |t| 120.0 + t.sin()),
+            ],
+            frames: Vec::new(),
+            start: StartFix {
+                time: 0.0,
+                position: GroundPoint::default(),
+                standard_deviation: 1.0,
+            },
+            truth: None,
+        }
     }
 
     fn channel(flight: &mut Flight, name: ChannelName) -> &mut Channel {
