@@ -17,8 +17,12 @@ export async function run(page, tools) {
     return;
   }
   await tools.waitReady();
-  const before = await tools.waitFor((s) => s.run_complete, "the demo", 150_000);
-  await page.keyboard.press("Shift+T");
+  const before = await tools.waitFor((s) => s.flight !== null, "the demo", 120_000);
+  await page.keyboard.press("Control+K");
+  await tools.waitFor((s) => s.dialogs.palette, "the palette");
+  await page.keyboard.type("camera to log");
+  await page.waitForTimeout(500);
+  await page.keyboard.press("Enter");
   await tools.waitFor((s) => s.side_tab === "CameraLog" && s.camera_log.missing, "the sheet that says what is missing");
   await page.waitForTimeout(500);
   await tools.screenshot("camera-missing");

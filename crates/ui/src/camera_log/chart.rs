@@ -1,8 +1,9 @@
 //! How far the pictures are from the log, against time.
 
 use egui::{Color32, Pos2, Sense, Stroke, Ui, vec2};
-use pilotage_core::alignment::FrameResidual;
+use pilotage_core::alignment::{FrameResidual, ResidualSummary};
 
+use super::work::Preview;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::tokens::Tokens;
@@ -61,6 +62,15 @@ impl Shown {
         }
     }
 
+    /// Its root mean square over all frames, in that unit.
+    fn root_mean_square(self, summary: &ResidualSummary, length: f64) -> Option<f64> {
+        match self {
+            Self::Track | Self::North => Some(length * summary.place),
+            Self::Heading => summary.heading.map(f64::to_degrees),
+            Self::Height => summary.log_height.map(|l| 100.0 * l),
+        }
+    }
+
     /// Values of a frame, in that unit.
     fn values(self, residual: &FrameResidual, length: f64) -> [Option<f64>; 2] {
         match self {
@@ -93,9 +103,10 @@ pub(super) fn mark(painter: &egui::Painter, at: Pos2, curve: usize, colour: Colo
 pub(super) fn residual_chart(
     ui: &mut Ui,
     context: &mut ViewContext<'_>,
-    residuals: &[FrameResidual],
+    preview: &Preview,
     shown: Shown,
 ) {
+    let residuals = &preview.residuals;
     let tokens = context.tokens;
     let (factor, length) = context.units.length();
     let labels = 1.8 * tokens.text_sizes[0] + 4.0;
@@ -152,6 +163,15 @@ pub(super) fn residual_chart(
     if (axes.x.0..=axes.x.1).contains(&context.time) {
         let x = axes.screen_x(context.time);
         inside.vline(x, rect.y_range(), Stroke::new(1.0, tokens.text));
+    }
+    let rms = preview.summaries[2].and_then(|s| shown.root_mean_square(&s, factor));
+    if let Some(rms) = rms {
+        let words = format!("RMS {} {unit}", parts::figures(rms));
+        let at = rect.right_top() + vec2(-0.75 * tokens.space, 0.5 * tokens.space);
+        let galley = painter.layout_no_wrap(words, parts::normal(tokens), tokens.text);
+        let place = egui::Align2::RIGHT_TOP.anchor_size(at, galley.size());
+        painter.rect_filled(place.expand(2.0), 2.0, parts::shade(tokens));
+        painter.galley(place.min, galley, tokens.text);
     }
     if let Some(pointer) = response.interact_pointer_pos() {
         let time = axes.x_at(pointer.x).clamp(first, last);

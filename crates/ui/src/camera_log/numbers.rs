@@ -1,6 +1,6 @@
 //! The estimate as a table, and the same numbers to be moved by hand.
 
-use egui::{RichText, Slider, SliderClamping, Ui, vec2};
+use egui::{Align2, RichText, Role, Sense, Slider, SliderClamping, Ui, WidgetInfo, vec2};
 use pilotage_core::alignment::{CameraAdjustment, CameraToLog, Estimated};
 
 use super::work::FoundCamera;
@@ -8,6 +8,8 @@ use crate::tokens::Tokens;
 use crate::units::Units;
 use crate::views::{parts, table};
 
+/// Height of a row with a slider, points.
+const ROW: f32 = 20.0;
 /// Farthest that the mount's angles are offered to be turned, degrees.
 const MOST_ANGLE: f64 = 20.0;
 /// Farthest that the focal length is offered to be changed, percent.
@@ -129,15 +131,19 @@ fn slider(
     decimals: usize,
 ) -> bool {
     ui.horizontal(|ui| {
-        let label = egui::Label::new(RichText::new(name).color(tokens.text));
-        let label = ui.add_sized(vec2(88.0, 20.0), label);
+        let (rect, label) = ui.allocate_exact_size(vec2(88.0, ROW), Sense::hover());
+        label.widget_info(|| WidgetInfo::labeled(Role::Label, true, name));
+        let (at, font) = (rect.left_center(), parts::normal(tokens));
+        ui.painter()
+            .text(at, Align2::LEFT_CENTER, name, font, tokens.text);
+        ui.spacing_mut().interact_size.y = ROW;
+        ui.spacing_mut().button_padding.y = 1.0;
         ui.spacing_mut().slider_width = (ui.available_width() - 116.0).max(60.0);
         let slider = Slider::new(value, -most..=most)
             .clamping(SliderClamping::Never)
             .fixed_decimals(decimals)
             .suffix(format!(" {unit}"));
-        let response = ui.add(slider).labelled_by(label.id);
-        response.changed()
+        ui.add(slider).accessible_name(name).changed()
     })
     .inner
 }

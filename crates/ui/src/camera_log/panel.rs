@@ -94,7 +94,11 @@ impl CameraLogView {
         ui.add_space(0.5 * tokens.space);
         caption(ui, tokens, "By hand");
         let most = (3.0 * work.clock).max(1.5 * change.offset.abs());
-        if let Some(moved) = numbers::by_hand(ui, tokens, &change, most) {
+        let moved = ui.scope(|ui| {
+            ui.spacing_mut().item_spacing.y = 0.5 * tokens.space;
+            numbers::by_hand(ui, tokens, &change, most)
+        });
+        if let Some(moved) = moved.inner {
             send(context, Do::Adjust(Box::new(moved)));
         }
         buttons(ui, context, work, &change);
@@ -106,12 +110,7 @@ impl CameraLogView {
     /// What the numbers would do.
     fn preview(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, preview: &Preview) {
         let tokens = context.tokens;
-        ui.add_space(0.5 * tokens.space);
         caption(ui, tokens, "Pictures minus log");
-        ui.scope(|ui| {
-            ui.spacing_mut().item_spacing.y = 0.0;
-            summaries(ui, context, preview);
-        });
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing = vec2(0.5 * tokens.space, 0.5 * tokens.space);
             for shown in Shown::ALL {
@@ -122,7 +121,7 @@ impl CameraLogView {
                 }
             }
         });
-        residual_chart(ui, context, &preview.residuals, self.shown);
+        residual_chart(ui, context, preview, self.shown);
         let (_, length) = context.units.length();
         ui.horizontal_wrapped(|ui| {
             for (curve, name) in self.shown.curves().iter().enumerate() {
@@ -131,6 +130,10 @@ impl CameraLogView {
                 ui.label(muted(tokens, *name));
             }
             ui.label(muted(tokens, format!("in {}", self.shown.unit(length))));
+        });
+        ui.scope(|ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            summaries(ui, context, preview);
         });
         let words = "On the map, the dashed outline is what the picture at the cursor would show by the log alone.";
         ui.add(egui::Label::new(muted(tokens, words)).wrap());
@@ -156,7 +159,7 @@ fn lacking(
     missing: &Missing,
 ) {
     let tokens = context.tokens;
-    let flying = scene.flying;
+    let flying = scene.flying.filter(|_| *missing == Missing::Run);
     if let Some(words) = flying {
         at_work(ui, context, words);
     }
@@ -178,7 +181,7 @@ fn lacking(
         Missing::Run if flying.is_some() => "The numbers come once the flight is over.".to_owned(),
         Missing::Run => "This flight has not been flown.".to_owned(),
         Missing::WholeFrames => {
-            "This run looked for landmarks only. Whole pictures have to be laid on the map: the \
+            "This run looked for landmarks alone. Whole pictures have to be laid on the map: the \
                                  filter settings are changed so, which can be undone."
                 .to_owned()
         }
@@ -240,7 +243,7 @@ fn buttons(
         });
     });
     let words = match (applied.is_some(), is_new) {
-        (_, true) => "Apply changes the times of the pictures and the camera, and flies again.",
+        (_, true) => "Apply changes the pictures' times and the camera and flies again.",
         (true, false) => "The flight is flown with these numbers.",
         (false, false) => "The flight is flown as it was opened.",
     };
@@ -251,7 +254,7 @@ fn buttons(
 fn summaries(ui: &mut Ui, context: &ViewContext<'_>, preview: &Preview) {
     let tokens = context.tokens;
     let (factor, length) = context.units.length();
-    let titles = ["opened", "estimate", "by hand"].map(str::to_owned);
+    let titles = ["opened", "est.", "hand"].map(str::to_owned);
     table::row(ui, tokens, &titles, tokens.muted, |ui| {
         ui.label(muted(tokens, "RMS"));
     });

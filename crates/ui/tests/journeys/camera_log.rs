@@ -158,3 +158,11 @@ fn a_run_without_whole_frames_is_flown_with_them_and_then_estimated() {
     assert!(rig.state()["camera_log"]["estimate"].is_object());
     rig.harness.get_by_label("Time offset, s");
 }
+
+#[test]
+fn its_shortcut_is_its_own() {
+    let mut rig = rig();
+    rig.key_with(Modifiers::SHIFT, Key::T);
+    rig.frames(2);
+    assert_eq!(rig.state()["side_tab"], "CameraLog");
+}
