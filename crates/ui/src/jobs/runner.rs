@@ -59,6 +59,10 @@ impl JobRunner {
         match request {
             Request::Start(id, job) => {
                 let urgency = urgency(&job);
+                if matches!(job, Job::Provide { .. }) {
+                    // What was to be let go of was said before these files were known.
+                    self.entries.retain(|e| e.urgency != LEAVING);
+                }
                 let job = self.workshop.start(job);
                 let place = self.entries.partition_point(|e| e.urgency <= urgency);
                 let entry = Entry {
@@ -119,6 +123,9 @@ fn as_sentence(event: JobEvent) -> JobEvent {
     }
 }
 
+/// Urgency of letting go of files.
+const LEAVING: u8 = 7;
+
 /// Smaller is sooner: what people wait for with a finger on the map comes before a flight.
 fn urgency(job: &Job) -> u8 {
     match job {
@@ -154,13 +161,35 @@ fn urgency(job: &Job) -> u8 {
         // Takes a minute of which nobody waits for a second.
         Job::Train(_) => 6,
         // What was asked before may still need them.
-        Job::LetGo { .. } => 7,
+        Job::LetGo { .. } => LEAVING,
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn files_that_come_while_others_wait_to_be_let_go_stay() {
+        let mut runner = JobRunner::new();
+        let mut ignore = |_: Reply| {};
+        let provide = |key: &str| Job::Provide {
+            key: key.to_owned(),
+            files: Vec::new(),
+        };
+        let let_go = Job::LetGo { keys: Vec::new() };
+        for (id, job) in [provide("early"), let_go.clone(), provide("late")]
+            .into_iter()
+            .enumerate()
+        {
+            runner.receive(Request::Start(id as u64, job), &mut ignore);
+        }
+        while runner.turn(&|| 0.0, &mut ignore) {}
+        assert!(runner.workshop_mut().files("late").is_ok());
+        runner.receive(Request::Start(9, let_go), &mut ignore);
+        while runner.turn(&|| 0.0, &mut ignore) {}
+        assert!(runner.workshop_mut().files("late").is_err());
+    }
 
     #[test]
     fn progress_is_told_now_and_then_and_all_else_at_once() {
