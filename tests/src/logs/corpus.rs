@@ -7,6 +7,7 @@ use pilotage_core::flight::log::{LogFormat, recognise};
 use super::dataflash::Form;
 use super::made;
 use super::mcap::{self, Packing};
+use super::tlog;
 use crate::data::shared;
 
 /// Bytes of a real log that are taken from its beginning, its middle and its end.
@@ -47,7 +48,11 @@ pub fn samples(format: LogFormat) -> Vec<Sample> {
                 );
             }
         }
-        _ => {
+        LogFormat::Tlog => {
+            let file = |(version, count)| tlog::file(version, count);
+            files.extend([(1, 7), (1, 40), (2, 7), (2, 40)].map(file));
+        }
+        LogFormat::Ulog => {
             for log in real_logs(format) {
                 let middle = log.len() / 2;
                 files.push(log[..log.len().min(2 * PIECE)].to_vec());
@@ -92,8 +97,10 @@ fn seams(format: LogFormat, bytes: &[u8]) -> Vec<f64> {
             let upper = bytes.get(at + 3..at + 9);
             (1..16).contains(&bytes[at]) && upper.is_some_and(|upper| upper.iter().all(|b| *b == 0))
         }
+        // The upper bytes of a time before one of the two versions.
+        LogFormat::Tlog => bytes[at] == 0 && matches!(bytes.get(at + 8), Some(0xfd | 0xfe)),
         LogFormat::DataflashText => at > 0 && matches!(bytes[at - 1], b'\n' | b','),
-        _ => at.is_multiple_of(16),
+        LogFormat::Ulog => at.is_multiple_of(16),
     };
     let places = (0..bytes.len()).filter(|at| begins(*at));
     // A little behind the very part, so that no rounding falls short of it.
