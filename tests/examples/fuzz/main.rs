@@ -65,7 +65,9 @@ fn fuzz(reader: &Reader, first: u64, executions: u64) -> Result<(), Box<dyn std:
         "{}: {executions} executions from {first} on, files of {lengths:?} bytes",
         reader.name
     );
-    std::panic::set_hook(Box::new(|_| {}));
+    if std::env::var_os("RUST_BACKTRACE").is_none() {
+        std::panic::set_hook(Box::new(|_| {}));
+    }
     let begun = Instant::now();
     let mut tally = Tally::default();
     for number in first..first + executions {

@@ -84,7 +84,7 @@ pub(super) fn frame(bytes: &[u8]) -> Option<(u8, u64)> {
 /// Length of a whole record whose contents have that length; `None` if no record is so long.
 pub(super) fn whole_length(contents: u64) -> Option<usize> {
     let length = usize::try_from(contents).ok()?;
-    (contents <= LONGEST).then_some(FRAME + length)
+    (contents <= LONGEST).then(|| FRAME + length)
 }
 
 /// Whether a kind is one that the format defines.
@@ -233,6 +233,13 @@ mod tests {
         assert!(parse(HEADER, &header[..10]).is_err());
         assert!(parse(HEADER, &[&header[..], &[0]].concat()).is_err());
         assert!(parse(0x10, &[]).is_err());
+    }
+
+    #[test]
+    fn no_record_is_as_long_as_its_length_can_say() {
+        assert_eq!(whole_length(4), Some(FRAME + 4));
+        assert_eq!(whole_length(LONGEST + 1), None);
+        assert_eq!(whole_length(u64::MAX), None);
     }
 
     #[test]
