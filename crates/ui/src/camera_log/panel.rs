@@ -44,12 +44,10 @@ impl CameraLogView {
         if title(ui, tokens, "Camera to log") {
             send(context, Do::Close);
         }
-        let width = ui.available_width();
         ScrollArea::vertical()
             .id_salt("camera to log")
             .auto_shrink(false)
             .show(ui, |ui| {
-                ui.set_max_width(width);
                 ui.spacing_mut().item_spacing.y = 0.75 * tokens.space;
                 let words = "When and whither the camera looked by the flight log: each picture is laid on the map \
                              and compared with GPS, heading and height.";

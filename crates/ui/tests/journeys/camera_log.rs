@@ -166,3 +166,12 @@ fn its_shortcut_is_its_own() {
     rig.frames(2);
     assert_eq!(rig.state()["side_tab"], "CameraLog");
 }
+
+#[test]
+fn the_sheet_keeps_its_width() {
+    let mut rig = estimated();
+    let left = |rig: &Rig| rig.harness.get_by_label("Estimate").rect().left();
+    let before = left(&rig);
+    rig.frames(30);
+    assert_eq!(left(&rig), before);
+}
