@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::camera::CameraModel;
 use crate::flight::Flight;
 
 /// Fastest drift that a clock can be said to have, seconds per second.
@@ -111,12 +112,16 @@ impl CameraAdjustment {
         for frame in &mut flight.frames {
             frame.time = self.time(frame.time);
         }
-        let mount = &mut flight.camera.mount;
-        mount.roll += self.roll;
-        mount.pitch += self.pitch;
-        mount.yaw += self.yaw;
-        flight.camera.focal *= self.log_focal.exp();
+        self.change(&mut flight.camera);
         flight
+    }
+
+    /// Changes the mount and the focal length of a camera.
+    pub fn change(&self, camera: &mut CameraModel) {
+        camera.mount.roll += self.roll;
+        camera.mount.pitch += self.pitch;
+        camera.mount.yaw += self.yaw;
+        camera.focal *= self.log_focal.exp();
     }
 }
 

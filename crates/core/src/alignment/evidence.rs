@@ -175,10 +175,7 @@ impl CameraEvidence {
             attitude: self.flight.attitude(time)?,
         };
         let mut camera = self.flight.camera.clone();
-        camera.mount.roll += change.roll;
-        camera.mount.pitch += change.pitch;
-        camera.mount.yaw += change.yaw;
-        camera.focal *= change.log_focal.exp();
+        change.change(&mut camera);
         let turn = frame.stored_turn + laid.map_or(0.0, |laid| laid.stored_turn);
         let camera = camera.stored_turned(turn);
         let corner = |pixel: &Point2<f64>| camera.ground_at(&pose, pixel, self.flight.ground_down);

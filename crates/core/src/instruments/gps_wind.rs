@@ -80,11 +80,18 @@ pub struct WindAt {
 ///
 /// A flight without positions, without heading, or never in the air; a filter that cannot go on.
 pub fn gps_wind(flight: &Flight, settings: &GpsWindSettings) -> Result<Vec<WindAt>, ReckonError> {
-    let instruments = Instruments::of(flight, None)?;
+    along(&Instruments::of(flight, None)?, &flight.name, settings)
+}
+
+fn along(
+    instruments: &Instruments,
+    name: &str,
+    settings: &GpsWindSettings,
+) -> Result<Vec<WindAt>, ReckonError> {
     let readings = &instruments.readings;
     if readings.heading.is_empty() {
         return Err(ReckonError::NoHeading {
-            flight: flight.name.clone(),
+            flight: name.to_owned(),
         });
     }
     Ok(follow(readings, instruments.stretch, settings)?)
@@ -224,8 +231,8 @@ pub fn compare_winds(
     settings: &GpsWindSettings,
     settled: f64,
 ) -> Result<WindComparison, ReckonError> {
-    let by_gps = gps_wind(flight, settings)?;
     let instruments = Instruments::of(flight, None)?;
+    let by_gps = along(&instruments, &flight.name, settings)?;
     let (begin, end) = instruments.stretch;
     let calibration = CalibrationSettings::default();
     let fit = instruments.calibrate(end, HeadingChoice::Logged, &calibration);

@@ -143,8 +143,7 @@ impl Instruments {
         choice: HeadingChoice,
         settings: &CalibrationSettings,
     ) -> Calibration {
-        let span = (self.stretch.0, as_of);
-        let by = |source| calibrate(&self.readings, self.nose(source), source, span, settings);
+        let by = |source| self.calibrate_by(source, as_of, settings);
         match choice {
             HeadingChoice::Logged => by(HeadingSource::Logged),
             HeadingChoice::Gyros => by(HeadingSource::Gyros),
@@ -157,6 +156,16 @@ impl Instruments {
                 }
             }
         }
+    }
+
+    fn calibrate_by(
+        &self,
+        source: HeadingSource,
+        as_of: f64,
+        settings: &CalibrationSettings,
+    ) -> Calibration {
+        let span = (self.stretch.0, as_of);
+        calibrate(&self.readings, self.nose(source), source, span, settings)
     }
 
     /// The readings as they are: no delays, no offset, the logged heading.
@@ -179,17 +188,21 @@ impl Instruments {
         choice: HeadingChoice,
         settings: &CalibrationSettings,
     ) -> Vec<Finding> {
-        let taken = self.calibrate(as_of, choice, settings);
-        let logged = self.calibrate(as_of, HeadingChoice::Logged, settings);
-        let gyros = self.calibrate(as_of, HeadingChoice::Gyros, settings);
+        let by = |source| self.calibrate_by(source, as_of, settings);
+        let (logged, gyros) = (by(HeadingSource::Logged), by(HeadingSource::Gyros));
+        let is_gyros = match choice {
+            HeadingChoice::Logged => false,
+            HeadingChoice::Gyros => true,
+            HeadingChoice::Best => takes_gyros(&logged, &gyros, self.logged.is_empty()),
+        };
         let residuals = logged.fit.zip(gyros.fit);
         let residuals =
             residuals.map(|(by_logged, by_gyros)| (by_logged.residual, by_gyros.residual));
         let check = HeadingCheck::of(&self.logged, &self.gyros, (self.stretch.0, as_of));
-        let is_gyros = taken.heading == HeadingSource::Gyros;
         let check = check.and_then(|check| check.finding(residuals, is_gyros));
         let compass = logged.compass_finding(!is_gyros);
         let check = check.into_iter().chain(compass);
+        let taken = if is_gyros { gyros } else { logged };
         check.chain(taken.findings()).collect()
     }
 }

@@ -52,12 +52,31 @@ impl Doubt {
     }
 }
 
+/// Why a channel is not believed, and its stretches, seconds: they follow each other and do not overlap.
+#[derive(Debug)]
+struct Doubted {
+    channel: ChannelName,
+    why: Disbelief,
+    stretches: Vec<(f64, f64)>,
+}
+
+impl Doubted {
+    fn at(&self, time: f64) -> Option<Doubt> {
+        let begun = self.stretches.partition_point(|(since, _)| *since <= time);
+        let (since, until) = *self.stretches.get(begun.checked_sub(1)?)?;
+        (time <= until).then_some(Doubt {
+            channel: self.channel,
+            why: self.why,
+            since,
+        })
+    }
+}
+
 /// What the instruments of a flight are worth at any time.
 ///
 /// A stretch is noticed by what was read before it ends; only what is usual is learnt from the whole flight.
 pub(super) struct Inputs {
-    /// With the ends of their stretches, seconds.
-    doubts: Vec<(Doubt, f64)>,
+    doubted: Vec<Doubted>,
     /// Airspeed that is flown usually, and its standard deviation, m/s.
     cruise: Option<(f64, f64)>,
     /// How fast the square of the angle grows by which it turns, rad²/s.
@@ -68,7 +87,7 @@ impl Inputs {
     /// Looks a flight over.
     pub(super) fn of(flight: &Flight) -> Self {
         let span = (flight.start.time, flight.span().1);
-        let mut doubts = Vec::new();
+        let mut doubted = Vec::new();
         for name in [
             ChannelName::Airspeed,
             ChannelName::Heading,
@@ -77,39 +96,30 @@ impl Inputs {
             let Some(channel) = flight.channel(name) else {
                 continue;
             };
-            let mut say = |why, (since, until): (f64, f64)| {
-                let doubt = Doubt {
+            let mut say = |why, stretches: Vec<(f64, f64)>| {
+                doubted.push(Doubted {
                     channel: name,
                     why,
-                    since,
-                };
-                doubts.push((doubt, until));
+                    stretches,
+                });
             };
             if name != ChannelName::HeightAboveGround {
-                for stretch in stretches_stuck(channel, span) {
-                    say(Disbelief::Stuck, stretch);
-                }
+                say(Disbelief::Stuck, stretches_stuck(channel, span));
             }
-            for stretch in silences(channel, span) {
-                say(Disbelief::Silent, stretch);
-            }
+            say(Disbelief::Silent, silences(channel, span));
         }
+        doubted.retain(|doubted| !doubted.stretches.is_empty());
         let airspeed = flight.channel(ChannelName::Airspeed);
         let cruise = airspeed.and_then(|channel| {
-            let is_stuck = |time: f64| {
-                let doubted = |(doubt, until): &(Doubt, f64)| {
-                    doubt.channel == ChannelName::Airspeed && (doubt.since..=*until).contains(&time)
-                };
-                doubts.iter().any(doubted)
-            };
+            let is_believed = |time| doubt(&doubted, channel.name, time).is_none();
             let samples = channel.times.iter().zip(&channel.values);
-            let flown = samples.filter(|(t, v)| **v > STANDING && !is_stuck(**t));
+            let flown = samples.filter(|(t, v)| **v > STANDING && is_believed(**t));
             let flown: Vec<f64> = flown.map(|(_, v)| *v).collect();
             cruise(&flown)
         });
         let heading = flight.channel(ChannelName::Heading);
         Self {
-            doubts,
+            doubted,
             cruise,
             wander: heading.map_or(0.0, wander),
         }
@@ -117,28 +127,19 @@ impl Inputs {
 
     /// Why the channel is not believed at `time`, if so.
     pub(super) fn doubt(&self, channel: ChannelName, time: f64) -> Option<Doubt> {
-        let here = |(doubt, until): &&(Doubt, f64)| {
-            doubt.channel == channel && (doubt.since..=*until).contains(&time)
-        };
-        self.doubts.iter().find(here).map(|(doubt, _)| *doubt)
+        doubt(&self.doubted, channel, time)
     }
 
     /// Everything that is not believed at `time`.
     pub(super) fn doubts(&self, time: f64) -> Vec<Doubt> {
-        let here = |(doubt, until): &&(Doubt, f64)| (doubt.since..=*until).contains(&time);
-        self.doubts
-            .iter()
-            .filter(here)
-            .map(|(doubt, _)| *doubt)
-            .collect()
+        self.doubted.iter().filter_map(|d| d.at(time)).collect()
     }
 
     /// Airspeed to assume while none can be believed, and its standard deviation, m/s: `None` where nothing
     /// is ever doubted, or no flight was seen.
     pub(super) fn cruise(&self) -> Option<(f64, f64)> {
-        let of_airspeed =
-            |(doubt, _): &(Doubt, f64)| doubt.channel != ChannelName::HeightAboveGround;
-        self.cruise.filter(|_| self.doubts.iter().any(of_airspeed))
+        let matters = |doubted: &Doubted| doubted.channel != ChannelName::HeightAboveGround;
+        self.cruise.filter(|_| self.doubted.iter().any(matters))
     }
 
     /// What drives a prediction of `flight` from `begin` to `end`, seconds: everything as it is in the middle.
@@ -173,6 +174,11 @@ impl Inputs {
             heading_deviation,
         }
     }
+}
+
+fn doubt(doubted: &[Doubted], channel: ChannelName, time: f64) -> Option<Doubt> {
+    let mut of_channel = doubted.iter().filter(|doubted| doubted.channel == channel);
+    of_channel.find_map(|doubted| doubted.at(time))
 }
 
 fn stretches_stuck(channel: &Channel, span: (f64, f64)) -> Vec<(f64, f64)> {
@@ -266,7 +272,7 @@ mod tests {
     #[test]
     fn sound_instruments_are_believed_all_along() {
         let inputs = Inputs::of(&flight());
-        assert!(inputs.doubts.is_empty(), "{:?}", inputs.doubts);
+        assert!(inputs.doubted.is_empty(), "{:?}", inputs.doubted);
         assert_eq!(inputs.cruise(), None);
     }
 
@@ -314,6 +320,6 @@ mod tests {
             }
         }
         let inputs = Inputs::of(&flight);
-        assert!(inputs.doubts.is_empty(), "{:?}", inputs.doubts);
+        assert!(inputs.doubted.is_empty(), "{:?}", inputs.doubted);
     }
 }

@@ -155,10 +155,7 @@ impl App {
             JobEvent::Failed(why) => work.trouble = Some(why.clone()),
             _ => {}
         }
-        if matches!(
-            event,
-            JobEvent::Finished | JobEvent::Cancelled | JobEvent::Failed(_)
-        ) {
+        if event.is_last() {
             work.at_work = None;
             self.desk.aligning = None;
         }

@@ -105,10 +105,7 @@ impl App {
             JobEvent::Failed(why) => contest.trouble = Some(why.clone()),
             _ => {}
         }
-        if matches!(
-            event,
-            JobEvent::Finished | JobEvent::Cancelled | JobEvent::Failed(_)
-        ) {
+        if event.is_last() {
             contest.at_work = None;
             self.desk.contest = None;
         }

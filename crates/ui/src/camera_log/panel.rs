@@ -9,7 +9,7 @@ use super::numbers;
 use super::work::{CameraLog, Missing, Preview};
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::shell::{caption, muted, text_button, title};
+use crate::shell::{at_work, caption, muted, text_button, title};
 use crate::views::{parts, table};
 
 /// What the sheet is drawn from.
@@ -53,7 +53,10 @@ impl CameraLogView {
                              and compared with GPS, heading and height.";
                 ui.add(egui::Label::new(muted(tokens, words)).wrap());
                 if let Some((share, words)) = &scene.work.at_work {
-                    at_work(ui, context, &format!("{words}: {:.0} %", 100.0 * share));
+                    let words = format!("{words}: {:.0} %", 100.0 * share);
+                    if at_work(ui, tokens, &words) {
+                        context.commands.push(Command::CancelJob);
+                    }
                 }
                 if let Some(trouble) = &scene.work.trouble {
                     wrapped(ui, tokens.warning, trouble);
@@ -138,17 +141,6 @@ impl CameraLogView {
     }
 }
 
-fn at_work(ui: &mut Ui, context: &mut ViewContext<'_>, words: &str) {
-    let tokens = context.tokens;
-    ui.horizontal(|ui| {
-        ui.add(egui::Spinner::new().size(14.0));
-        ui.label(RichText::new(words).color(tokens.accent));
-        if text_button(ui, tokens, None, "Stop", false).clicked() {
-            context.commands.push(Command::CancelJob);
-        }
-    });
-}
-
 /// What is missing, and what can be done about it.
 fn lacking(
     ui: &mut Ui,
@@ -158,8 +150,10 @@ fn lacking(
 ) {
     let tokens = context.tokens;
     let flying = scene.flying.filter(|_| *missing == Missing::Run);
-    if let Some(words) = flying {
-        at_work(ui, context, words);
+    if let Some(words) = flying
+        && at_work(ui, tokens, words)
+    {
+        context.commands.push(Command::CancelJob);
     }
     let found = match missing {
         Missing::Laid { found } => *found,

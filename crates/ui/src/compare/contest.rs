@@ -6,7 +6,7 @@ use pilotage_core::study::{Comparison, ComparisonRow};
 use super::CompareCommand;
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::shell::text_button;
+use crate::shell::{at_work, text_button};
 use crate::views::{parts, table};
 
 /// What is known of it.
@@ -31,21 +31,14 @@ impl Contest {
         ui.label(small(
             "The same flight by every estimator, in flight and smoothed afterwards",
         ));
-        ui.horizontal(|ui| match &self.at_work {
-            Some(words) => {
-                ui.add(egui::Spinner::new().size(14.0));
-                ui.label(RichText::new(words).color(tokens.accent));
-                if text_button(ui, tokens, None, "Stop", false).clicked() {
-                    context.commands.push(Command::CancelJob);
-                }
+        if let Some(words) = &self.at_work {
+            if at_work(ui, tokens, words) {
+                context.commands.push(Command::CancelJob);
             }
-            None => {
-                if text_button(ui, tokens, None, "Fly by all estimators", false).clicked() {
-                    let fly = Command::Compare(CompareCommand::FlyAll);
-                    context.commands.push(fly);
-                }
-            }
-        });
+        } else if text_button(ui, tokens, None, "Fly by all estimators", false).clicked() {
+            let fly = Command::Compare(CompareCommand::FlyAll);
+            context.commands.push(fly);
+        }
         if let Some(why) = &self.trouble {
             ui.label(RichText::new(why).color(tokens.warning));
         }

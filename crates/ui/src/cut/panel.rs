@@ -7,7 +7,7 @@ use super::{CutCommand, Cuts};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::jobs::{CutReport, StudyReport};
-use crate::shell::text_button;
+use crate::shell::{at_work, text_button};
 use crate::views::{parts, table};
 
 /// Lengths of cuts that are offered, seconds.
@@ -36,14 +36,10 @@ pub fn cut_panel(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &CutScene<'_
              flight up to the cut, goes on by airspeed and heading alone, and is compared with the receiver.",
     );
     choose(ui, context, scene);
-    if let Some(words) = &scene.cuts.at_work {
-        ui.horizontal(|ui| {
-            ui.add(egui::Spinner::new().size(14.0));
-            ui.label(RichText::new(words).color(tokens.accent));
-            if text_button(ui, tokens, None, "Stop", false).clicked() {
-                context.commands.push(Command::CancelJob);
-            }
-        });
+    if let Some(words) = &scene.cuts.at_work
+        && at_work(ui, tokens, words)
+    {
+        context.commands.push(Command::CancelJob);
     }
     if let Some(trouble) = &scene.cuts.trouble {
         wrapped(ui, tokens.warning, trouble);

@@ -190,7 +190,7 @@ impl<P: WorkerPort> Crew<P> {
             // Another worker would go on from there.
             order.left.clone_from(&report.left);
         }
-        if is_last(&event) {
+        if event.is_last() {
             self.jobs.remove(&id);
             self.held.remove(&id);
             if self.seats[seat].is_leaving {
@@ -217,7 +217,7 @@ impl<P: WorkerPort> Crew<P> {
                 self.assign(part, *job, 0);
             }
             Follows::Say(event) => {
-                if is_last(&event)
+                if event.is_last()
                     && let Some(whole) = self.shared.remove(&whole_id)
                 {
                     // Of those that go on nothing is heard any more.
@@ -413,14 +413,6 @@ impl<P: WorkerPort> Crew<P> {
         };
         self.jobs.insert(id, assigned);
     }
-}
-
-/// Whether nothing more comes of a job after this.
-fn is_last(event: &JobEvent) -> bool {
-    matches!(
-        event,
-        JobEvent::Finished | JobEvent::Cancelled | JobEvent::Failed(_)
-    )
 }
 
 fn seat_for(job: &Job) -> usize {

@@ -506,3 +506,10 @@ pub enum JobEvent {
     /// Impossible; the text names the file, the place, and what to do.
     Failed(String),
 }
+
+impl JobEvent {
+    /// Whether nothing more comes of a job after this.
+    pub fn is_last(&self) -> bool {
+        matches!(self, Self::Finished | Self::Cancelled | Self::Failed(_))
+    }
+}

@@ -48,6 +48,16 @@ pub fn icon_toggle(ui: &mut Ui, tokens: &Tokens, icon: Icon, label: &str, on: bo
     response.on_hover_text(label)
 }
 
+/// What is being done, and a button that stops it; whether that was pressed.
+pub fn at_work(ui: &mut Ui, tokens: &Tokens, words: &str) -> bool {
+    let row = ui.horizontal(|ui| {
+        ui.add(egui::Spinner::new().size(14.0));
+        ui.label(RichText::new(words).color(tokens.accent));
+        text_button(ui, tokens, None, "Stop", false).clicked()
+    });
+    row.inner
+}
+
 /// A button with an icon and words; `strong` for the one that matters most.
 pub fn text_button(
     ui: &mut Ui,
