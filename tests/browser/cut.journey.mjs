@@ -14,13 +14,23 @@ export async function run(page, tools) {
     return;
   }
   await tools.waitReady();
-  const before = await tools.waitFor((s) => s.flight !== null, "the demo", 120_000);
+  const before = await tools.waitFor((s) => s.flight !== null && s.run_complete, "the demo", 150_000);
+  await page.keyboard.press("Shift+G");
+  const { timeline: line } = await tools.waitFor((s) => s.side_tab === "Cut", "the cut's panel");
+  await page.mouse.click(line[0] + 0.4 * (line[2] - line[0]), (line[1] + line[3]) / 2);
+  await tools.click(await tools.find("Button", "Cut 30 s from here"));
+  const demo = await tools.waitFor((s) => s.cut?.results.length >= 5, "the ways through the demo's cut", 60_000);
+  const seen = demo.cut.results.find((way) => way.label === "Airspeed, wind, landmarks");
+  tools.check(seen && seen.end_error < 60, `landmarks: ${JSON.stringify(demo.cut.results)}`);
+  await page.waitForTimeout(500);
+  await tools.screenshot("cut-landmarks");
   const kinds = ["ATT", "GPS", "IMU", "NTUN", "MAG"];
   await page.setInputFiles("#files", kinds.map((kind) => join(folder, `TestLog2_${kind}.csv`)));
   await tools.waitFor((s) => s.dialogs.columns, "the question what the columns mean", 60_000);
   await page.keyboard.press("Enter");
   await tools.waitFor((s) => s.flight !== before.flight && s.run_complete, "the flight", 150_000);
   await page.keyboard.press("Shift+G");
+  await tools.waitFor((s) => s.cut === null, "the other flight's cut gone");
   const { timeline: [left, top, right, bottom], span } = await tools.waitFor((s) => s.side_tab === "Cut", "the cut's panel");
   const at = (share) => ({ x: left + share * (right - left), y: (top + bottom) / 2 });
   await page.keyboard.down("Shift");

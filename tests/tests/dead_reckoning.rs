@@ -67,6 +67,19 @@ fn by_the_gyros_heading_it_costs_less_than_52() {
 }
 
 #[test]
+fn delays_pitch_and_gusts_halve_the_errors_of_the_plain_filter() {
+    let Some(flight) = flight("testlog2") else {
+        return;
+    };
+    let full = study(&flight, &Way::air_and_wind(), 60.0, 2.0);
+    let plain = study(&flight, &Way::plain(), 60.0, 2.0);
+    let ratio = |share| full.error_quantile(share) / plain.error_quantile(share);
+    let (median, ninety) = (ratio(0.5), ratio(0.9));
+    println!("full beside plain: median {median:.2}, 90 % {ninety:.2}");
+    assert!(median <= 0.8 && ninety <= 0.6, "{median} {ninety}");
+}
+
+#[test]
 fn a_heading_that_its_gyros_contradict_is_told_and_not_believed() {
     let Some(flight) = flight("inputfiles_px4") else {
         return;

@@ -119,15 +119,17 @@ impl Calibration {
                 span: None,
             });
         };
-        say(
-            Severity::Note,
-            format!("GPS comes {:.2} s late", self.delays.gps),
-            format!(
-                "Against the attitude, satellite navigation comes {:.2} s and airspeed {:.2} s late; each is \
-                 taken for the time at which it was true.",
-                self.delays.gps, self.delays.airspeed
-            ),
-        );
+        if self.delays != Delays::default() {
+            say(
+                Severity::Note,
+                format!("GPS comes {:.2} s late", self.delays.gps),
+                format!(
+                    "Against the attitude, satellite navigation comes {:.2} s and airspeed {:.2} s late; each is \
+                     taken for the time at which it was true.",
+                    self.delays.gps, self.delays.airspeed
+                ),
+            );
+        }
         let Some(fit) = self.fit else {
             return findings;
         };
@@ -214,7 +216,8 @@ pub fn calibrate(
         let unlikely = 0.5 * off.norm_squared() / settings.delay_deviation.powi(2);
         Some((fit.log_likelihood - unlikely, fit))
     };
-    let (delays, fit) = match settings.given_delays {
+    let none = readings.are_true.then(Delays::default);
+    let (delays, fit) = match settings.given_delays.or(none) {
         Some(delays) => (delays, score(delays).map(|(_, fit)| fit)),
         None => search(expected, &score),
     };

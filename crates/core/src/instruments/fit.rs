@@ -1,18 +1,24 @@
 //! Wind, airspeed scale and heading by least squares from what satellite navigation says of the velocity.
 
-use nalgebra::{Rotation2, SMatrix, SVector, Vector2};
+use nalgebra::{Matrix2, Rotation2, SMatrix, SVector, Vector2};
 use serde::{Deserialize, Serialize};
 
 use super::series::Series;
 
-/// Unknowns of the fit: a and b of the air velocity's factor, wind north and east, drift.
+/// Unknowns of the fit: a and b of the factor on the velocity over ground, what the wind adds north and east, drift.
 const UNKNOWNS: usize = 5;
+/// Times about that of a velocity over ground at which the air data are read for it, seconds: receivers tell means,
+/// and noise is less.
+const AVERAGED: [f64; 5] = [-0.1, -0.05, 0.0, 0.05, 0.1];
 /// Fewest velocities of a fit.
 const FEWEST: usize = 20;
 /// Residuals beyond so many standard deviations are left out when the fit is made again.
 const OUTLIER: f64 = 5.0;
-/// Rounds in which the heading's offset moves to where it belongs and outliers are left out.
-const ROUNDS: usize = 4;
+/// Rounds in which the heading's offset moves to where it belongs, residuals say how much the samples weigh, and
+/// outliers are left out.
+const ROUNDS: usize = 5;
+/// Least standard deviation of a sample, m/s: no air is smoother.
+const SMOOTHEST: f64 = 0.1;
 
 /// What is believed of the unknowns before any measurement, standard deviations.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -29,10 +35,12 @@ pub struct FitPrior {
 
 /// One wind, one scale of the airspeed, one offset and drift of the heading, by whitened least squares.
 ///
-/// With the air velocity u = V cos θ (cos ψ, sin ψ) as read and u⊥ the same turned to the right by 90°, the
-/// velocity over ground is a u + b u⊥ + d (t - t₀) u⊥ + wind + e: linear in all unknowns. The scale is |(a, b)|,
-/// the heading truly is atan2(b, a) more, and drifts by d / scale. The error e remembers itself: each sample
-/// counts by what is new in it, e(t) - φ e(t'), φ = exp(-(t - t') / τ).
+/// The velocity over ground v of satellite navigation is smooth; gusts and noise are in the air velocity
+/// u = V cos θ (cos ψ, sin ψ) as read. So u is explained by v and not the other way round, which would take every
+/// gust for a smaller scale: u = a v + b v⊥ + c - d (t - t₀) (v - w)⊥ + e, with x⊥ the same turned to the right by
+/// 90°, linear in a, b, c and d, the wind w of the drift's term taken from the round before. The scale is
+/// 1 / |(a, b)|, the heading truly is atan2(-b, a) more, the wind solves a w + b w⊥ = -c. The error e remembers
+/// itself: each sample counts by what is new in it, e(t) - φ e(t'), φ = exp(-(t - t') / τ).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AirFit {
     /// True airspeed over measured airspeed.
@@ -53,10 +61,10 @@ pub struct AirFit {
     pub drift_deviation: f64,
     /// Standard deviation of the wind per axis, m/s.
     pub wind_deviation: f64,
-    /// Standard deviation per axis of what is left, m/s.
+    /// Standard deviation per axis of what is left of the true air velocity, m/s.
     pub residual: f64,
-    /// Logarithm of the likelihood with that residual, but for a constant that is the same for all fits to
-    /// the same velocities; what is left out counts as the largest residual that is not.
+    /// Logarithm of the likelihood of the air velocities as read, but for a constant that is the same for all
+    /// fits to the same velocities over ground; what is left out counts as the largest residual that is not.
     pub log_likelihood: f64,
     /// Velocities that it rests on.
     pub samples: usize,
@@ -76,7 +84,7 @@ pub struct FitProblem<'a> {
     pub span: (f64, f64),
     /// Correlation time τ of the error, seconds.
     pub memory: f64,
-    /// Standard deviation of the error per axis, m/s, which weighs the priors against the samples.
+    /// Standard deviation of the error per axis, m/s, before the residuals say it.
     pub deviation: f64,
     /// Priors.
     pub prior: FitPrior,
@@ -91,13 +99,13 @@ struct Row {
 }
 
 impl Row {
-    /// Rows of the design matrix, north and east, `since` seconds after the reference.
-    fn design(&self, turned: &Rotation2<f64>, since: f64) -> [SVector<f64, UNKNOWNS>; 2] {
-        let air = turned * self.air;
-        let (n, e) = (air.x, air.y);
+    /// Rows of the design matrix, north and east, `since` seconds after the reference, in a wind of about `wind`.
+    fn design(&self, wind: &Vector2<f64>, since: f64) -> [SVector<f64, UNKNOWNS>; 2] {
+        let (n, e) = (self.ground.x, self.ground.y);
+        let through_air = (self.ground - wind) * since;
         [
-            SVector::from([n, -e, 1.0, 0.0, -e * since]),
-            SVector::from([e, n, 0.0, 1.0, n * since]),
+            SVector::from([n, -e, 1.0, 0.0, through_air.y]),
+            SVector::from([e, n, 0.0, 1.0, -through_air.x]),
         ]
     }
 }
@@ -120,18 +128,34 @@ impl Normal {
     }
 }
 
+/// What a round takes from the one before.
+#[derive(Clone, Copy)]
+struct Guess {
+    offset: f64,
+    wind: Vector2<f64>,
+    /// Standard deviation of a sample per axis, m/s.
+    deviation: f64,
+}
+
 /// A solution with what the next round needs.
 struct Round {
     fit: AirFit,
     unknowns: SVector<f64, UNKNOWNS>,
+    /// Standard deviation of what is left of the air velocity as read, m/s.
+    left: f64,
 }
 
 impl FitProblem<'_> {
     fn rows(&self, airspeed_delay: f64, gps_delay: f64) -> Vec<Row> {
         let row = |(stamp, ground): (f64, Vector2<f64>)| {
             let time = stamp - gps_delay;
-            let airspeed = self.airspeed.at(time + airspeed_delay)?;
-            let air = self.nose.at(time)? * airspeed;
+            let (mut air, mut count) = (Vector2::zeros(), 0.0);
+            for part in AVERAGED {
+                let there = time + part;
+                air += self.nose.at(there)? * self.airspeed.at(there + airspeed_delay)?;
+                count += 1.0;
+            }
+            air /= count;
             Some(Row { time, ground, air })
         };
         let (from, to) = self.span;
@@ -146,49 +170,57 @@ impl FitProblem<'_> {
     pub fn solve(&self, airspeed_delay: f64, gps_delay: f64) -> Option<AirFit> {
         let mut rows = self.rows(airspeed_delay, gps_delay);
         let whole = rows.len();
-        let mut offset = 0.0;
+        let mut guess = Guess {
+            offset: 0.0,
+            wind: Vector2::zeros(),
+            deviation: self.deviation,
+        };
         let mut found = None;
         for round in 0..ROUNDS {
             if rows.len() < FEWEST {
                 return None;
             }
             let loose = round == 0 && self.prior.heading > 0.5;
-            let solved = self.round(&rows, offset, loose)?;
-            offset = solved.fit.heading_offset;
-            let limit = OUTLIER * solved.fit.residual;
-            let reference = solved.fit.reference;
-            let before = rows.len();
-            let turned = Rotation2::new(offset - solved.unknowns[1].atan2(solved.unknowns[0]));
+            let solved = self.round(&rows, &guess, loose)?;
+            let turned = Rotation2::new(guess.offset);
+            let limit = (OUTLIER * solved.left).max(1.0) * std::f64::consts::SQRT_2;
+            let (reference, before) = (solved.fit.reference, rows.len());
             rows.retain(|row| {
-                let design = row.design(&turned, row.time - reference);
+                let design = row.design(&guess.wind, row.time - reference);
+                let read = turned * row.air;
                 let left = Vector2::new(
-                    row.ground.x - design[0].dot(&solved.unknowns),
-                    row.ground.y - design[1].dot(&solved.unknowns),
+                    read.x - design[0].dot(&solved.unknowns),
+                    read.y - design[1].dot(&solved.unknowns),
                 );
-                left.norm() < limit.max(1.0) * std::f64::consts::SQRT_2
+                left.norm() < limit
             });
-            let is_settled = rows.len() == before && round > 0;
-            found = Some(solved.fit);
+            let settled = (solved.fit.wind - guess.wind).norm() < 0.01 && round > 1;
+            let is_settled = rows.len() == before && settled;
+            guess = Guess {
+                offset: solved.fit.heading_offset,
+                wind: solved.fit.wind,
+                deviation: solved.left.max(SMOOTHEST),
+            };
+            found = Some((solved.fit, solved.left));
             if is_settled {
                 break;
             }
         }
-        found.map(|fit| {
+        found.map(|(fit, left)| {
             let outliers = whole - fit.samples;
             let both_axes = 2.0 * whole as f64;
             AirFit {
                 outliers,
-                log_likelihood: -both_axes * fit.residual.ln()
-                    - 0.5 * OUTLIER * OUTLIER * outliers as f64,
+                log_likelihood: -both_axes * left.ln() - 0.5 * OUTLIER * OUTLIER * outliers as f64,
                 ..fit
             }
         })
     }
 
-    /// One solution about the heading's `offset`; `loose` lets scale and offset be anything.
-    fn round(&self, rows: &[Row], offset: f64, loose: bool) -> Option<Round> {
+    /// One solution about a guess; `loose` lets scale and offset be anything.
+    fn round(&self, rows: &[Row], guess: &Guess, loose: bool) -> Option<Round> {
         let reference = rows.last()?.time;
-        let turned = Rotation2::new(offset);
+        let turned = Rotation2::new(guess.offset);
         let mut normal = Normal {
             matrix: SMatrix::zeros(),
             right: SVector::zeros(),
@@ -197,54 +229,65 @@ impl FitProblem<'_> {
         };
         let mut earlier: Option<(f64, [SVector<f64, UNKNOWNS>; 2], Vector2<f64>)> = None;
         for row in rows {
-            let design = row.design(&turned, row.time - reference);
+            let design = row.design(&guess.wind, row.time - reference);
+            let read = turned * row.air;
             let kept = earlier
                 .as_ref()
                 .map_or(0.0, |(time, ..)| (-(row.time - time) / self.memory).exp());
-            let deviation = self.deviation * (1.0 - kept * kept).max(1e-6).sqrt();
+            let deviation = guess.deviation * (1.0 - kept * kept).max(1e-6).sqrt();
             for axis in 0..2 {
                 let (before, value) = earlier
                     .as_ref()
-                    .map_or((SVector::zeros(), 0.0), |(_, d, g)| (d[axis], g[axis]));
-                let (row, value) = (
-                    design[axis] - before * kept,
-                    row.ground[axis] - value * kept,
-                );
+                    .map_or((SVector::zeros(), 0.0), |(_, d, r)| (d[axis], r[axis]));
+                let (row, value) = (design[axis] - before * kept, read[axis] - value * kept);
                 normal.add(&row, value, deviation);
             }
-            earlier = Some((row.time, design, row.ground));
+            earlier = Some((row.time, design, read));
         }
-        self.add_priors(&mut normal, offset, loose);
+        self.add_priors(&mut normal, guess.offset, loose);
         let root = normal.matrix.cholesky()?;
         let unknowns = root.solve(&normal.right);
-        let left = (normal.squares - normal.right.dot(&unknowns)).max(f64::MIN_POSITIVE);
-        let inverse = root.inverse();
-        let scale = unknowns[0].hypot(unknowns[1]);
-        let excess = (left / normal.count).sqrt();
-        let deviation = |i: usize| inverse[(i, i)].sqrt() * excess;
+        let squares = (normal.squares - normal.right.dot(&unknowns)).max(f64::MIN_POSITIVE);
+        let left = (squares / normal.count).sqrt() * guess.deviation;
+        let covariance = root.inverse();
+        let factor = Vector2::new(unknowns[0], unknowns[1]);
+        let scale = 1.0 / factor.norm();
+        let into_wind = Matrix2::new(factor.x, factor.y, -factor.y, factor.x) * (-scale * scale);
+        let wind = into_wind * Vector2::new(unknowns[2], unknowns[3]);
+        // c = -(a w + b w⊥): how the wind moves with all of it.
+        let by_unknowns = into_wind
+            * SMatrix::<f64, 2, UNKNOWNS>::from_row_slice(&[
+                wind.x, -wind.y, 1.0, 0.0, 0.0, wind.y, wind.x, 0.0, 1.0, 0.0,
+            ]);
+        let of_wind = by_unknowns * covariance * by_unknowns.transpose();
+        let deviation = |i: usize| covariance[(i, i)].sqrt();
         let fit = AirFit {
             scale,
-            heading_offset: offset + unknowns[1].atan2(unknowns[0]),
-            heading_drift: unknowns[4] / scale,
+            heading_offset: guess.offset + (-factor.y).atan2(factor.x),
+            heading_drift: unknowns[4] * scale,
             reference,
-            wind: Vector2::new(unknowns[2], unknowns[3]),
-            scale_deviation: deviation(0),
-            offset_deviation: deviation(1) / scale,
-            drift_deviation: deviation(4) / scale,
-            wind_deviation: deviation(2).max(deviation(3)),
-            residual: excess * self.deviation,
+            wind,
+            scale_deviation: deviation(0) * scale * scale,
+            offset_deviation: deviation(1) * scale,
+            drift_deviation: deviation(4) * scale,
+            wind_deviation: of_wind[(0, 0)].max(of_wind[(1, 1)]).sqrt(),
+            residual: left * scale,
             log_likelihood: 0.0,
             samples: rows.len(),
             outliers: 0,
         };
-        Some(Round { fit, unknowns })
+        Some(Round {
+            fit,
+            unknowns,
+            left,
+        })
     }
 
     fn add_priors(&self, normal: &mut Normal, offset: f64, loose: bool) {
         let about = |deviation: f64| if loose { 10.0 } else { deviation };
         let priors = [
             (1.0, about(self.prior.scale)),
-            (-offset, about(self.prior.heading)),
+            (offset, about(self.prior.heading)),
             (0.0, self.prior.wind),
             (0.0, self.prior.wind),
             (0.0, self.prior.drift.max(1e-9)),
@@ -254,5 +297,75 @@ impl FitProblem<'_> {
             row[index] = 1.0;
             normal.add(&row, mean, deviation);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::SeedableRng;
+    use rand_distr::{Distribution, StandardNormal};
+
+    use super::*;
+
+    /// Straight ahead for a minute, then, if it `turns`, round and round: 20 m/s through the air, which reads a tenth
+    /// too little and noise of 0.6 m/s, in a wind of 5 m/s.
+    fn fitted(turns: bool) -> AirFit {
+        let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(7);
+        let mut noise = || -> f64 { StandardNormal.sample(&mut random) };
+        let (mut velocities, mut airspeed, mut nose) =
+            (Series::new(), Series::new(), Series::new());
+        for i in 0..1200 {
+            let time = 0.1 * f64::from(i);
+            let heading = if turns {
+                0.1 * (time - 60.0).max(0.0)
+            } else {
+                0.3
+            };
+            let (sin, cos) = heading.sin_cos();
+            let wind = Vector2::new(-3.0, 4.0);
+            if i % 2 == 0 {
+                velocities.push(time, Vector2::new(cos, sin) * 20.0 + wind);
+            }
+            airspeed.push(time, 18.0 + 0.6 * noise());
+            nose.push(time, Vector2::new(cos, sin));
+        }
+        let problem = FitProblem {
+            velocities: &velocities,
+            airspeed: &airspeed,
+            nose: &nose,
+            span: (0.0, 120.0),
+            memory: 1.0,
+            deviation: 1.0,
+            prior: FitPrior {
+                scale: 0.1,
+                heading: 0.2,
+                drift: 0.0,
+                wind: 5.0,
+            },
+        };
+        problem.solve(0.0, 0.0).expect("a fit")
+    }
+
+    #[test]
+    fn noise_of_the_airspeed_is_not_taken_for_a_smaller_scale() {
+        let fit = fitted(true);
+        assert!((fit.scale - 1.0 / 0.9).abs() < 0.01, "{fit:?}");
+        assert!((fit.wind - Vector2::new(-3.0, 4.0)).norm() < 0.1, "{fit:?}");
+        assert!(fit.scale_deviation < 0.01 && fit.heading_offset.abs() < 0.01);
+    }
+
+    #[test]
+    fn who_flies_straight_ahead_is_told_that_scale_and_wind_are_not_known() {
+        let fit = fitted(false);
+        assert!(
+            fit.scale_deviation > 0.05 && fit.wind_deviation > 1.0,
+            "{fit:?}"
+        );
+        assert!(
+            (fit.scale - 1.0 / 0.9).abs() < 2.0 * fit.scale_deviation,
+            "{fit:?}"
+        );
+        let off = (fit.wind - Vector2::new(-3.0, 4.0)).norm();
+        assert!(off < 3.0 * fit.wind_deviation, "{fit:?}");
     }
 }

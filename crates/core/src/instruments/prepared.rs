@@ -56,6 +56,11 @@ pub enum ReckonError {
     Filter(#[from] FilterError),
 }
 
+/// Half the time over which the airspeed is averaged, seconds. An airplane is too heavy to follow gusts that are
+/// shorter, its airspeed shows them all the same, and a filter that finds the airspeed's scale by the track would
+/// take every one for a smaller scale.
+const GUST: f64 = 1.0;
+
 /// A flight whose readings are cleaned, with a stretch in the air that is to be navigated.
 #[derive(Clone, Debug)]
 pub struct Instruments {
@@ -67,6 +72,8 @@ pub struct Instruments {
     pub stretch: (f64, f64),
     /// What was noticed and refused.
     pub findings: Vec<Finding>,
+    /// The airspeed as it moves the airplane.
+    calm: Series,
     logged: Series<Vector2<f64>>,
     gyros: Series<Vector2<f64>>,
 }
@@ -95,6 +102,7 @@ impl Instruments {
             return Err(ReckonError::NoHeading { flight: name() });
         }
         Ok(Self {
+            calm: readings.airspeed.averaged(GUST),
             readings,
             airborne,
             stretch,
@@ -115,7 +123,7 @@ impl Instruments {
     /// What a filter is driven by under a calibration.
     pub(super) fn inputs<'a>(&'a self, calibration: &'a Calibration) -> AirInputs<'a> {
         AirInputs {
-            airspeed: &self.readings.airspeed,
+            airspeed: &self.calm,
             nose: self.nose(calibration.heading),
             calibration,
         }

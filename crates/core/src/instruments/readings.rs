@@ -29,6 +29,8 @@ pub struct Readings {
     pub height: Series,
     /// Wind as the autopilot estimated it: velocity of the air, m/s north and east.
     pub autopilot_wind: Series<Vector2<f64>>,
+    /// Whether positions and velocities are the truth of a simulated flight, which comes without delay.
+    pub are_true: bool,
     /// What was turned away, and why.
     pub findings: Vec<Finding>,
 }
@@ -63,6 +65,7 @@ impl Readings {
             velocities,
             height: Series::new(),
             autopilot_wind,
+            are_true: false,
             findings: Vec::new(),
         };
         readings.height = read(ChannelName::BarometricHeight);
@@ -99,6 +102,7 @@ impl Readings {
             }
             earlier = Some((time, place));
         }
+        self.are_true = true;
         self.findings.push(Finding {
             severity: Severity::Note,
             title: "The truth stands in for GPS".to_owned(),

@@ -105,6 +105,33 @@ impl<T: Sample> Series<T> {
     }
 }
 
+impl Series {
+    /// The mean over `half` seconds to each side of every sample, less at the edges of pauses, as much to both sides.
+    #[must_use]
+    pub fn averaged(&self, half: f64) -> Self {
+        let mut sums = vec![0.0];
+        for value in &self.values {
+            sums.push(sums[sums.len() - 1] + value);
+        }
+        let mut averaged = Self::new();
+        let mut begin = 0;
+        while begin < self.times.len() {
+            let later = self.times[begin..].windows(2);
+            let length = later.take_while(|t| t[1] - t[0] <= LONGEST_GAP).count() + 1;
+            let run = &self.times[begin..begin + length];
+            let (first, last) = (run[0], run[length - 1]);
+            for time in run {
+                let reach = half.min(time - first).min(last - time);
+                let from = begin + run.partition_point(|t| *t < time - reach);
+                let to = begin + run.partition_point(|t| *t <= time + reach);
+                averaged.push(*time, (sums[to] - sums[from]) / (to - from) as f64);
+            }
+            begin += length;
+        }
+        averaged
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -127,6 +154,22 @@ mod tests {
         assert_eq!(series.at(4.5), Some(4.0));
         assert_eq!(series.at(-2.0), None);
         assert_eq!(series.at(9.0), None);
+    }
+
+    #[test]
+    fn means_reach_as_far_to_both_sides_and_not_over_pauses() {
+        let mut ramp = Series::new();
+        for i in 0..40 {
+            let time = 0.5 * f64::from(i) + if i < 20 { 0.0 } else { 5.0 };
+            ramp.push(time, 2.0 * time + if i % 2 == 0 { 1.0 } else { -1.0 });
+        }
+        let averaged = ramp.averaged(2.0);
+        assert_eq!(averaged.times(), ramp.times());
+        for (time, value) in averaged.iter() {
+            assert!((value - 2.0 * time).abs() < 1.01, "{time}: {value}");
+        }
+        let inside = averaged.between(3.0, 7.0);
+        assert!(inside.map(|(t, v)| v - 2.0 * t).all(|off| off.abs() < 0.12));
     }
 
     #[test]

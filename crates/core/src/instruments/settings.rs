@@ -65,21 +65,21 @@ impl Default for ReckonSettings {
         Self {
             airplane: AirplaneScaled {
                 air_data: AirData {
-                    position_noise_density: 0.2,
+                    position_noise_density: 0.05,
                     ..exact
                 },
                 wind_noise_density: 0.01,
                 start_wind_deviation: 5.0,
                 gusts: Gusts {
-                    deviation: 1.0,
+                    deviation: 1.1,
                     per_wind: 0.0,
-                    correlation_time: 2.7,
+                    correlation_time: 2.5,
                 },
                 errors: AirDataErrors {
                     start_scale_deviation: 0.1,
-                    scale_noise_density: 0.001,
+                    scale_noise_density: 0.0005,
                     start_heading_bias_deviation: 0.2,
-                    heading_bias_noise_density: 0.002,
+                    heading_bias_noise_density: 0.0005,
                 },
                 ..AirplaneScaled::default()
             },

@@ -4,7 +4,7 @@ use nalgebra::{Matrix2, Vector2};
 use serde::{Deserialize, Serialize};
 
 use super::calibration::Calibration;
-use super::follow::Events;
+use super::follow::{Events, PositionFix};
 use super::models::Airplane;
 use super::prepared::{Instruments, ReckonError};
 use super::reckon::{Way, begin, calibration, calibration_times, trust};
@@ -121,6 +121,7 @@ pub fn study_cuts(
             known: &known,
             trust,
             plan,
+            fixes: &way.fixes,
             span: (*as_of, until),
         };
         match way.method {
@@ -137,6 +138,7 @@ struct Part<'a> {
     known: &'a Calibration,
     trust: Trust,
     plan: &'a CutPlan,
+    fixes: &'a [PositionFix],
     span: (f64, f64),
 }
 
@@ -165,6 +167,7 @@ impl Part<'_> {
         let marks = std::iter::once(self.span.0).chain(self.beginnings());
         let events = Events::default()
             .gps(readings, (start, self.span.1), delay)
+            .fixes(self.fixes, (start, self.span.1 - delay))
             .reports(marks.map(|stamp| stamp - delay));
         let mut before = None;
         let mut trouble = None;
@@ -176,7 +179,10 @@ impl Part<'_> {
             let from = walker.time() + delay;
             let to = from + self.plan.length;
             let mut coasting = walker.clone();
-            if let Err(error) = coasting.advance(&inputs, to - delay) {
+            let through = Events::default()
+                .fixes(self.fixes, (walker.time(), to - delay))
+                .lead(&mut coasting, &inputs, |_| {});
+            if let Err(error) = through.and_then(|()| coasting.advance(&inputs, to - delay)) {
                 trouble = Some(error);
                 return;
             }

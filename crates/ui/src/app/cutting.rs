@@ -1,5 +1,8 @@
 //! Satellite navigation cut out of the flight that is open.
 
+use pilotage_core::instruments::PositionFix;
+use pilotage_core::navigator::position_fixes;
+
 use super::{App, SideTab};
 use crate::command::Workspace;
 use crate::cut::{CutCommand, Cuts};
@@ -52,8 +55,22 @@ impl App {
         let order = CutOrder {
             flight: self.documents.flight_source.clone(),
             cut,
+            seen: self.seen(),
         };
         self.desk.cutting = Some(host.start(Job::Cut(Box::new(order))));
+    }
+
+    /// Positions that the whole run found in the pictures, and what to call them; `None` without any.
+    fn seen(&self) -> Option<(String, Vec<PositionFix>)> {
+        let documents = &self.documents;
+        let run = documents.run.as_ref().filter(|_| documents.run_complete)?;
+        let fixes = position_fixes(run);
+        let by = if run.settings.whole_frames.is_some() {
+            "pictures"
+        } else {
+            "landmarks"
+        };
+        (!fixes.is_empty()).then(|| (format!("Airspeed, wind, {by}"), fixes))
     }
 
     /// Stops what is computed of a cut; whether something was.
@@ -81,10 +98,7 @@ impl App {
             JobEvent::Failed(why) => cuts.trouble = Some(why.clone()),
             _ => {}
         }
-        if matches!(
-            event,
-            JobEvent::Finished | JobEvent::Cancelled | JobEvent::Failed(_)
-        ) {
+        if event.is_last() {
             cuts.at_work = None;
             self.desk.cutting = None;
         }

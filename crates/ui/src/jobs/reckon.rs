@@ -1,8 +1,8 @@
 //! Satellite navigation cut out of a flight, in a worker.
 
 use pilotage_core::instruments::{
-    CutPlan, CutStudy, Growth, Instruments, ReckonSettings, Reckoning, Track, Way, reckon,
-    study_cuts,
+    CutPlan, CutStudy, Growth, Instruments, PositionFix, ReckonSettings, Reckoning, Track, Way,
+    reckon, study_cuts,
 };
 use serde::{Deserialize, Serialize};
 
@@ -24,6 +24,8 @@ pub struct CutOrder {
     pub flight: FlightSource,
     /// What to cut.
     pub cut: Cut,
+    /// Positions that the run found in the pictures, and what to call them.
+    pub seen: Option<(String, Vec<PositionFix>)>,
 }
 
 /// One way to navigate through the cut.
@@ -57,13 +59,19 @@ pub struct StudyReport {
     pub studies: Vec<CutStudy>,
 }
 
-/// The ways that are shown side by side.
-fn ways(with_gps: bool) -> Vec<Way> {
-    let mut ways = vec![Way::air_and_wind(), Way::by_gyros(), Way::plain()];
-    if with_gps {
-        ways.push(Way::gps_throughout());
+impl CutOrder {
+    /// The ways that are shown side by side.
+    fn ways(&self) -> Vec<Way> {
+        let mut ways = vec![Way::air_and_wind(), Way::by_gyros(), Way::plain()];
+        if matches!(self.cut, Cut::Stretch(..)) {
+            ways.push(Way::gps_throughout());
+        }
+        // Last, so that the others keep their colours.
+        if let Some((label, fixes)) = &self.seen {
+            ways.push(Way::with_fixes(label, fixes.clone()));
+        }
+        ways
     }
-    ways
 }
 
 /// A cut that is being made: events `Progress`, at the end `CutMade` or `CutsStudied`. Of cuts all along the flight
@@ -140,12 +148,12 @@ impl RunningJob for MakeCut {
             Cut::Stretch(from, to) => {
                 let span = (from, to);
                 let goes_on = |share| tell(share, "Navigating without GPS");
-                let made = reckon(instruments, span, &ways(true), &settings, goes_on);
+                let made = reckon(instruments, span, &self.order.ways(), &settings, goes_on);
                 let made = made.map_err(|cause| cause.to_string())?;
                 JobEvent::CutMade(Box::new(report(span, made)))
             }
             Cut::AllAlong(length) => {
-                if let Some(way) = ways(false).get(self.studies.len()) {
+                if let Some(way) = self.order.ways().get(self.studies.len()) {
                     let plan = CutPlan {
                         length,
                         ..CutPlan::default()

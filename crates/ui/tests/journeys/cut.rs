@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use egui_kittest::kittest::Queryable as _;
 use pilotage_ui::host::OpenedFile;
+use pilotage_ui::jobs::Job;
 
 use super::support::{Rig, rig};
 
@@ -84,4 +85,21 @@ fn the_selected_stretch_is_cut() {
     rig.settle();
     assert!(selected.is_array());
     assert_eq!(rig.state()["cut"]["span"], selected);
+}
+
+#[test]
+fn what_the_run_saw_of_landmarks_is_a_way_through_a_cut() {
+    let mut rig = rig();
+    rig.settle();
+    rig.open_tab("GPS cut");
+    rig.harness.get_by_label("Cut 30 s from here").click();
+    rig.frames(3);
+    let host = rig.host();
+    let order = host.jobs.iter().find_map(|(_, job)| match job {
+        Job::Cut(order) => Some(order),
+        _ => None,
+    });
+    let (label, fixes) = order.expect("a cut").seen.clone().expect("landmarks");
+    assert_eq!(label, "Airspeed, wind, landmarks");
+    assert!(fixes.len() > 3, "{}", fixes.len());
 }

@@ -1,0 +1,102 @@
+//! Satellite navigation cut out of a flight whose camera saw landmarks meanwhile.
+#![expect(
+    clippy::unwrap_used,
+    reason = "a test stops where something is missing"
+)]
+
+use std::sync::Arc;
+
+use pilotage_core::instruments::{
+    CutPlan, CutStudy, Instruments, PositionFix, ReckonSettings, Way, quantile, reckon, study_cuts,
+};
+use pilotage_core::navigator::{Navigator, Run, position_fixes};
+use pilotage_core::simulate::{Overrides, Scenario};
+
+/// Seconds since a landmark that was seen just now.
+const FRESH: f64 = 3.0;
+
+/// A built-in flight, flown by its landmarks, and what it was flown from.
+fn flown() -> (Arc<pilotage_core::flight::Flight>, Run) {
+    let scenario = Scenario::named("distinct-400ft-wind").unwrap();
+    let mut made = scenario.simulate(3, &Overrides::default());
+    let (mission, map) = (scenario.mission(), Arc::new(Scenario::map()));
+    let flight = Arc::new(made.flight);
+    let settings = &mission.navigator;
+    let navigator = Navigator::new(Arc::clone(&flight), &mission.landmarks, map, settings);
+    let mut navigator = navigator.unwrap().sparing();
+    let mut run = navigator.run_head();
+    while let Some(step) = navigator.advance(&mut made.frames, &|| 0.0) {
+        run.steps.push(step.unwrap());
+    }
+    (flight, run)
+}
+
+/// Mean of the normalised squared errors; 2 if the covariances are honest.
+fn nees(flight: &pilotage_core::flight::Flight, fixes: &[PositionFix]) -> f64 {
+    let truth = flight.truth.as_ref().unwrap();
+    let squared = fixes.iter().map(|fix| {
+        let off = fix.position.to_vector() - truth.position(fix.time).unwrap().xy().coords;
+        (fix.covariance.try_inverse().unwrap() * off).dot(&off)
+    });
+    squared.sum::<f64>() / fixes.len() as f64
+}
+
+#[test]
+fn landmarks_hold_the_position_through_cuts_in_which_airspeed_alone_drifts() {
+    let (flight, run) = flown();
+    let fixes = position_fixes(&run);
+    let corrected = run.steps.iter().filter(|s| s.corrected()).count();
+    let squared = nees(&flight, &fixes);
+    println!(
+        "{} positions of {corrected} corrected frames, NEES {squared:.2}",
+        fixes.len()
+    );
+    assert!(2 * fixes.len() > corrected && corrected > 20);
+    assert!((0.5..4.0).contains(&squared), "{squared}");
+
+    let instruments = Instruments::of(&flight, None).unwrap();
+    let settings = ReckonSettings::default();
+    let plan = CutPlan {
+        length: 30.0,
+        warm_up: 15.0,
+        every: 2.0,
+    };
+    let study = |way: &Way| study_cuts(&instruments, way, &plan, &settings, &mut |_| true).unwrap();
+    let alone = study(&Way::air_and_wind());
+    let seen = study(&Way::with_fixes("with landmarks", fixes.clone()));
+    assert_eq!(alone.cuts.len(), seen.cuts.len());
+    // The cuts at whose end a landmark was seen shortly before.
+    let is_fresh = |time: f64| (fixes.iter()).any(|f| (time - FRESH..=time).contains(&f.time));
+    let tell = |s: &CutStudy| {
+        let fresh = s.cuts.iter().filter(|cut| is_fresh(cut.to));
+        let errors: Vec<f64> = fresh.map(|cut| cut.error.norm()).collect();
+        let median = quantile(errors.clone(), 0.5);
+        println!(
+            "{}: {} cuts, {:.0} % inside, median {:.1} m; {} with a landmark at the end: median {median:.1} m",
+            s.label,
+            s.cuts.len(),
+            100.0 * s.covered(),
+            s.error_quantile(0.5),
+            errors.len()
+        );
+        median
+    };
+    let (drifted, held) = (tell(&alone), tell(&seen));
+    assert!(held < 0.7 * drifted && held < 6.0, "{held} m, {drifted} m");
+    assert!(seen.covered() >= 0.85, "{}", seen.covered());
+
+    // One cut says the same as the study's.
+    let cut = seen.cuts[seen.cuts.len() / 2];
+    let way = Way::with_fixes("with landmarks", fixes);
+    let one = reckon(&instruments, (cut.from, cut.to), &[way], &settings, |_| {
+        true
+    })
+    .unwrap();
+    let growth = one.tracks[0].growth(one.cut);
+    let last = growth.last().unwrap();
+    let told = last.error.unwrap();
+    assert!(
+        (told - cut.error.norm()).abs() < 0.3 * cut.error.norm() + 1.0,
+        "{told} {cut:?}"
+    );
+}
