@@ -232,23 +232,40 @@ pub fn compare_winds(
     settled: f64,
 ) -> Result<WindComparison, ReckonError> {
     let instruments = Instruments::of(flight, None)?;
-    let by_gps = along(&instruments, &flight.name, settings)?;
-    let (begin, end) = instruments.stretch;
-    let calibration = CalibrationSettings::default();
-    let fit = instruments.calibrate(end, HeadingChoice::Logged, &calibration);
-    let fitted = fit.fit.map(|fit| fit.wind);
-    let autopilot = instruments.readings.autopilot_wind.clone();
-    let later = || by_gps.iter().filter(|w| w.time >= begin + settled);
-    let beside = || later().filter_map(|w| Some((w.wind, autopilot.at(w.time)?)));
-    Ok(WindComparison {
-        from_autopilot: rms(beside().map(|(own, other)| own - other)),
-        from_least_squares: fitted.and_then(|fit| rms(later().map(|w| w.wind - fit))),
-        autopilot_from_least_squares: fitted
-            .and_then(|fit| rms(beside().map(|(_, other)| other - fit))),
-        by_least_squares: fitted,
-        by_autopilot: autopilot.clone(),
-        by_gps,
-    })
+    WindComparison::of(&instruments, &flight.name, settings, settled)
+}
+
+impl WindComparison {
+    /// Compares the winds of a flight of this name, of which these are the instruments, from `settled` seconds after
+    /// it took off.
+    ///
+    /// # Errors
+    ///
+    /// As [`gps_wind`].
+    pub fn of(
+        instruments: &Instruments,
+        name: &str,
+        settings: &GpsWindSettings,
+        settled: f64,
+    ) -> Result<Self, ReckonError> {
+        let by_gps = along(instruments, name, settings)?;
+        let (begin, end) = instruments.stretch;
+        let calibration = CalibrationSettings::default();
+        let fit = instruments.calibrate(end, HeadingChoice::Logged, &calibration);
+        let fitted = fit.fit.map(|fit| fit.wind);
+        let autopilot = &instruments.readings.autopilot_wind;
+        let later = || by_gps.iter().filter(|w| w.time >= begin + settled);
+        let beside = || later().filter_map(|w| Some((w.wind, autopilot.at(w.time)?)));
+        Ok(Self {
+            from_autopilot: rms(beside().map(|(own, other)| own - other)),
+            from_least_squares: fitted.and_then(|fit| rms(later().map(|w| w.wind - fit))),
+            autopilot_from_least_squares: fitted
+                .and_then(|fit| rms(beside().map(|(_, other)| other - fit))),
+            by_least_squares: fitted,
+            by_autopilot: autopilot.clone(),
+            by_gps,
+        })
+    }
 }
 
 /// Root mean square of the lengths; `None` of none.

@@ -112,6 +112,11 @@ impl Instruments {
         })
     }
 
+    /// Whether turn rates tell a heading of their own.
+    pub fn has_gyros(&self) -> bool {
+        !self.gyros.is_empty()
+    }
+
     /// The nose by a source.
     pub(super) fn nose(&self, source: HeadingSource) -> &Series<Vector2<f64>> {
         match source {

@@ -109,17 +109,16 @@ pub struct Growth {
 }
 
 impl Track {
-    /// Error and doubt against the time since the cut, for the points within it (seconds).
+    /// Error and doubt against the time since the cut, for the points within it (seconds by the stamps of satellite
+    /// navigation, which come later than what they tell of).
     pub fn growth(&self, (from, to): (f64, f64)) -> Vec<Growth> {
-        let inside = self
-            .points
-            .iter()
-            .filter(|p| p.time >= from && p.time <= to);
         let growth = |p: &TrackPoint| Growth {
-            since: p.time - from,
+            since: p.time + self.calibration.delays.gps - from,
             error: p.error.map(|e| e.norm()),
             radius: p.radius(),
         };
-        inside.map(growth).collect()
+        let all = self.points.iter().map(growth);
+        all.filter(|g| g.since >= 0.0 && g.since <= to - from)
+            .collect()
     }
 }

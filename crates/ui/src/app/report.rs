@@ -189,6 +189,7 @@ impl App {
                 "span": report.map(|r| [r.span.0, r.span.1]),
                 "results": results.collect::<Vec<_>>(),
                 "remarks": report.map(|r| r.remarks.clone()),
+                "winds": report.and_then(|r| r.winds.as_ref()),
                 "study": study,
                 "trouble": cuts.trouble,
             })

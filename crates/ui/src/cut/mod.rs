@@ -2,6 +2,7 @@
 
 mod chart;
 mod panel;
+mod wind;
 
 pub(crate) use chart::colour;
 pub use panel::{CutScene, cut_panel};

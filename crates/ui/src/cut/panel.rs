@@ -3,6 +3,7 @@
 use egui::{RichText, Stroke, Ui, vec2};
 
 use super::chart::{colour, growth_chart};
+use super::wind::winds;
 use super::{CutCommand, Cuts};
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -14,6 +15,9 @@ use crate::views::{parts, table};
 const LENGTHS: [f64; 3] = [30.0, 60.0, 120.0];
 /// Times since the cut at which errors are told, seconds.
 const TOLD: [f64; 2] = [10.0, 30.0];
+
+/// Time between two reports of an error, and a little more, seconds.
+const REPORTS: f64 = 0.3;
 
 /// What the view is drawn from.
 pub struct CutScene<'a> {
@@ -48,6 +52,9 @@ pub fn cut_panel(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &CutScene<'_
         one_cut(ui, context, report, scene.first);
     }
     study(ui, context, scene);
+    if let Some(report) = scene.cuts.report.as_ref().and_then(|r| r.winds.as_ref()) {
+        winds(ui, context, report);
+    }
 }
 
 fn choose(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &CutScene<'_>) {
@@ -120,7 +127,7 @@ fn one_cut(ui: &mut Ui, context: &mut ViewContext<'_>, report: &CutReport, first
     });
     for (number, result) in report.results.iter().enumerate() {
         let at = |since: f64| {
-            let reached = result.growth.iter().find(|p| p.since >= since);
+            let reached = result.growth.iter().find(|p| p.since > since - REPORTS);
             reached.and_then(|p| p.error)
         };
         let end = result.growth.last();

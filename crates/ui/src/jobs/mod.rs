@@ -70,7 +70,7 @@ pub use protocol::{
     DetectorSearch, Distinctness, ExplainedBy, FlightSource, Job, JobEvent, JobId, MapInfo,
     MapSource, MatchPictures, Opened, SimulationOptions, Unplaced,
 };
-pub use reckon::{AidedResult, Cut, CutOrder, CutReport, StudyReport};
+pub use reckon::{AidedResult, Cut, CutOrder, CutReport, StudyReport, WindReport};
 pub use runner::JobRunner;
 pub use running::{Advance, RunningJob};
 pub use simulated::{scenario_route, scenario_wind};

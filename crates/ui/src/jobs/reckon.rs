@@ -1,8 +1,8 @@
 //! Satellite navigation cut out of a flight, in a worker.
 
 use pilotage_core::instruments::{
-    CutPlan, CutStudy, Growth, Instruments, PositionFix, ReckonSettings, Reckoning, Track, Way,
-    reckon, study_cuts,
+    CutPlan, CutStudy, GpsWindSettings, Growth, Instruments, PositionFix, ReckonSettings,
+    Reckoning, Track, Way, WindComparison, reckon, study_cuts,
 };
 use serde::{Deserialize, Serialize};
 
@@ -48,6 +48,49 @@ pub struct CutReport {
     pub results: Vec<AidedResult>,
     /// What the program noticed, in sentences.
     pub remarks: Vec<String>,
+    /// The wind, if it can be told.
+    pub winds: Option<WindReport>,
+}
+
+/// Winds of a flight beside each other: seconds in the flight's time base, velocity of the air north and east, m/s.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct WindReport {
+    /// By the unscented filter from satellite navigation.
+    pub by_gps: Vec<[f64; 3]>,
+    /// By least squares over the whole flight.
+    pub by_least_squares: Option<[f64; 2]>,
+    /// As the autopilot estimated it; empty where the log has none.
+    pub by_autopilot: Vec<[f64; 3]>,
+    /// Root mean square by which the filter differs from least squares, m/s.
+    pub from_least_squares: Option<f64>,
+    /// The same from the autopilot.
+    pub from_autopilot: Option<f64>,
+}
+
+/// Most points of a course of the wind: more than a chart has columns.
+const MOST_WINDS: usize = 2000;
+/// Seconds after take-off from which winds are compared.
+const SETTLED: f64 = 60.0;
+
+fn wind_report(instruments: &Instruments, name: &str) -> Option<WindReport> {
+    let found = WindComparison::of(instruments, name, &GpsWindSettings::default(), SETTLED).ok()?;
+    let by_gps = found.by_gps.iter().map(|w| [w.time, w.wind.x, w.wind.y]);
+    let by_autopilot = found.by_autopilot.iter();
+    Some(WindReport {
+        by_gps: thinned(by_gps.collect()),
+        by_least_squares: found.by_least_squares.map(Into::into),
+        by_autopilot: thinned(by_autopilot.map(|(t, w)| [t, w.x, w.y]).collect()),
+        from_least_squares: found.from_least_squares,
+        from_autopilot: found.from_autopilot,
+    })
+}
+
+fn thinned(winds: Vec<[f64; 3]>) -> Vec<[f64; 3]> {
+    let every = winds.len().div_ceil(MOST_WINDS).max(1);
+    let last = winds.len().saturating_sub(1);
+    let kept = winds.into_iter().enumerate();
+    let kept = kept.filter(|(i, _)| i.is_multiple_of(every) || *i == last);
+    kept.map(|(_, wind)| wind).collect()
 }
 
 /// What came of cuts all along a flight.
@@ -61,14 +104,16 @@ pub struct StudyReport {
 
 impl CutOrder {
     /// The ways that are shown side by side.
-    fn ways(&self) -> Vec<Way> {
-        let mut ways = vec![Way::air_and_wind(), Way::by_gyros(), Way::plain()];
+    fn ways(&self, instruments: &Instruments) -> Vec<Way> {
+        let mut ways = vec![Way::air_and_wind(), Way::plain()];
         if matches!(self.cut, Cut::Stretch(..)) {
             ways.push(Way::gps_throughout());
         }
-        // Last, so that the others keep their colours.
         if let Some((label, fixes)) = &self.seen {
             ways.push(Way::with_fixes(label, fixes.clone()));
+        }
+        if instruments.has_gyros() {
+            ways.push(Way::by_gyros());
         }
         ways
     }
@@ -78,7 +123,8 @@ impl CutOrder {
 /// one way to navigate is a slice.
 pub struct MakeCut {
     order: CutOrder,
-    instruments: Option<Instruments>,
+    /// With the name of their flight.
+    instruments: Option<(Instruments, String)>,
     studies: Vec<CutStudy>,
 }
 
@@ -94,7 +140,7 @@ impl MakeCut {
 }
 
 /// All ways through one cut.
-fn report(span: (f64, f64), made: Reckoning) -> CutReport {
+fn report(span: (f64, f64), made: Reckoning, winds: Option<WindReport>) -> CutReport {
     let mut remarks: Vec<String> = Vec::new();
     let of_ways = made.tracks.iter().flat_map(|t| &t.findings);
     for finding in made.findings.iter().chain(of_ways) {
@@ -118,6 +164,7 @@ fn report(span: (f64, f64), made: Reckoning) -> CutReport {
         span,
         results: made.tracks.into_iter().map(result).collect(),
         remarks,
+        winds,
     }
 }
 
@@ -128,7 +175,7 @@ impl RunningJob for MakeCut {
         _clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String> {
-        let Some(instruments) = &self.instruments else {
+        let Some((instruments, name)) = &self.instruments else {
             let flight = workshop.flight(&self.order.flight)?;
             let flight = flight.borrow().flight.clone();
             let time = match self.order.cut {
@@ -136,7 +183,7 @@ impl RunningJob for MakeCut {
                 Cut::AllAlong(_) => None,
             };
             let found = Instruments::of(&flight, time).map_err(|cause| cause.to_string())?;
-            self.instruments = Some(found);
+            self.instruments = Some((found, flight.name.clone()));
             return Ok(Advance::More);
         };
         let settings = ReckonSettings::default();
@@ -148,12 +195,19 @@ impl RunningJob for MakeCut {
             Cut::Stretch(from, to) => {
                 let span = (from, to);
                 let goes_on = |share| tell(share, "Navigating without GPS");
-                let made = reckon(instruments, span, &self.order.ways(), &settings, goes_on);
+                let made = reckon(
+                    instruments,
+                    span,
+                    &self.order.ways(instruments),
+                    &settings,
+                    goes_on,
+                );
                 let made = made.map_err(|cause| cause.to_string())?;
-                JobEvent::CutMade(Box::new(report(span, made)))
+                let winds = wind_report(instruments, name);
+                JobEvent::CutMade(Box::new(report(span, made, winds)))
             }
             Cut::AllAlong(length) => {
-                if let Some(way) = self.order.ways().get(self.studies.len()) {
+                if let Some(way) = self.order.ways(instruments).get(self.studies.len()) {
                     let plan = CutPlan {
                         length,
                         ..CutPlan::default()

@@ -68,6 +68,18 @@ fn a_cut_from_the_cursor_says_how_the_error_grows() {
         alone["radius"].as_f64() > alone["end_error"].as_f64(),
         "{alone}"
     );
+    let winds = &state["cut"]["winds"];
+    let last = winds["by_gps"]
+        .as_array()
+        .expect("winds")
+        .last()
+        .expect("one");
+    assert!(
+        (last[2].as_f64().expect("east") - 5.0).abs() < 0.5,
+        "{last}"
+    );
+    assert!(winds["from_least_squares"].as_f64() < Some(1.0), "{winds}");
+    rig.harness.get_by_label("Wind over time, m/s");
     rig.harness.get_by_label("Clear").click();
     rig.frames(3);
     assert!(rig.state()["cut"].is_null());
