@@ -8,8 +8,10 @@
 
 use nalgebra::{DVector, Matrix2, Matrix4, Point2, Point3, Vector2};
 
+use super::Control;
 use super::geometry::{COMPONENTS, ground_jacobian, pose_jacobian};
 use crate::camera::CameraModel;
+use crate::flight::Flight;
 use crate::frames::{Attitude, GroundPoint, Pose};
 use crate::landmark::Landmark;
 
@@ -87,7 +89,21 @@ pub struct AppearanceModel<'a> {
     pub ground_down: f64,
 }
 
-impl AppearanceModel<'_> {
+impl<'a> AppearanceModel<'a> {
+    /// When the instruments of `flight` say `control`.
+    pub fn of(flight: &Flight, camera: &'a CameraModel, control: &Control) -> Self {
+        Self {
+            camera,
+            attitude: Attitude {
+                roll: control.roll,
+                pitch: control.pitch,
+                yaw: control.heading,
+            },
+            camera_down: flight.ground_down - control.height,
+            ground_down: flight.ground_down,
+        }
+    }
+
     /// The pose for a state.
     pub fn pose(&self, position: GroundPoint, heading_bias: f64) -> Pose {
         Pose {

@@ -20,20 +20,53 @@ const FEWEST: usize = 5;
 /// Time over which turns are looked at, seconds: as long as turns take.
 const WANDER: f64 = 5.0;
 
-/// Why a reading is not believed.
+/// What may not be believed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Instrument {
+    /// One of the flight's channels.
+    Channel(ChannelName),
+    /// The camera.
+    Camera,
+}
+
+impl Instrument {
+    /// Name for people.
+    fn label(self) -> String {
+        match self {
+            Self::Channel(name) => name.key().replace('_', " "),
+            Self::Camera => "camera".to_owned(),
+        }
+    }
+}
+
+/// Why an instrument is not believed.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Disbelief {
     /// It shows one and the same number for longer than it ever did.
     Stuck,
     /// There is none for longer than usual.
     Silent,
+    /// What is seen speaks for a lag that is not known yet.
+    MayBeLate,
+    /// It is late, and taken for so.
+    Late {
+        /// By how much, seconds.
+        by: f64,
+    },
+    /// What must be seen by it is not, or is seen otherwise.
+    Contradicted,
+    /// It is turned, and turned back.
+    Turned {
+        /// How much too far clockwise it reads, radians.
+        by: f64,
+    },
 }
 
-/// A reading that is not believed.
+/// An instrument that is not believed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Doubt {
     /// Which.
-    pub channel: ChannelName,
+    pub instrument: Instrument,
     /// Why.
     pub why: Disbelief,
     /// Since when, seconds in the flight's time base: when it could be noticed.
@@ -43,12 +76,29 @@ pub struct Doubt {
 impl Doubt {
     /// In words: "airspeed is stuck since 12.3 s".
     pub fn words(&self) -> String {
-        let channel = self.channel.key().replace('_', " ");
-        let why = match self.why {
-            Disbelief::Stuck => "stuck",
-            Disbelief::Silent => "silent",
-        };
-        format!("{channel} is {why} since {:.1} s", self.since)
+        let (name, since) = (
+            self.instrument.label(),
+            format!("since {:.1} s", self.since),
+        );
+        match self.why {
+            Disbelief::Stuck => format!("{name} is stuck {since}"),
+            Disbelief::Silent => format!("{name} is silent {since}"),
+            Disbelief::Contradicted => {
+                format!("{name} is contradicted by the pictures {since}")
+            }
+            Disbelief::MayBeLate => format!("{name} may be late {since}"),
+            Disbelief::Late { by } => format!("{name} is {by:.1} s late, allowed for {since}"),
+            Disbelief::Turned { by } => {
+                let side = if by > 0.0 { "right" } else { "left" };
+                let by = by.abs().to_degrees();
+                format!("{name} reads {by:.0}° too far {side}, corrected {since}")
+            }
+        }
+    }
+
+    /// Whether it is one of `channel`.
+    pub fn is_of(&self, channel: ChannelName) -> bool {
+        self.instrument == Instrument::Channel(channel)
     }
 }
 
@@ -65,7 +115,7 @@ impl Doubted {
         let begun = self.stretches.partition_point(|(since, _)| *since <= time);
         let (since, until) = *self.stretches.get(begun.checked_sub(1)?)?;
         (time <= until).then_some(Doubt {
-            channel: self.channel,
+            instrument: Instrument::Channel(self.channel),
             why: self.why,
             since,
         })

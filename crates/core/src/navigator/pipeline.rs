@@ -5,9 +5,11 @@ use std::sync::Arc;
 
 use nalgebra::DVector;
 
-use super::engine::{Engine, engine};
+use super::engine::{Engine, PredictedStep, engine};
 use super::expected::AppearanceModel;
+use super::heading_doubt::{HeadingDoubt, turned_back};
 use super::inputs::Inputs;
+use super::picture_lag::{Onlooker, PictureLag};
 use super::second_opinion::{Opinion, SecondOpinion, reconsider};
 use super::see::{Measurement, Seer, degrees, stack};
 use super::settings::Cruise;
@@ -19,7 +21,7 @@ use super::{
 use crate::camera::CameraModel;
 use crate::filter::FilterError;
 use crate::flight::{ChannelName, Flight, FrameSource};
-use crate::frames::{Attitude, GroundPoint};
+use crate::frames::{GroundPoint, Pose};
 use crate::imagery::Imagery;
 use crate::landmark::{ChosenDetector, Detector, Landmark, Refusal};
 use crate::raster::{Picture, Pyramid};
@@ -67,6 +69,10 @@ pub struct Navigator {
     settings: NavigatorSettings,
     engine: Box<dyn Engine>,
     second: Option<SecondOpinion>,
+    /// How late the pictures come; not asked where whole frames are laid.
+    lag: Option<PictureLag>,
+    /// Whether the compass is turned; not asked there either.
+    heading: Option<HeadingDoubt>,
     detector: Box<dyn Detector>,
     whole_frames: Option<WholeFrames>,
     ticks: Vec<Tick>,
@@ -87,9 +93,15 @@ impl Navigator {
     ) -> Result<Self, NavigatorError> {
         let detector = ChosenDetector::new(Arc::clone(&map), settings.detector, landmarks);
         let mut navigator = Self::with_detector(flight, landmarks, Box::new(detector), settings)?;
-        navigator.whole_frames = settings
-            .whole_frames
-            .map(|assumed| WholeFrames::new(map, assumed));
+        match settings.whole_frames {
+            Some(assumed) => navigator.whole_frames = Some(WholeFrames::new(map, assumed)),
+            None => {
+                let height = Control::of(&navigator.flight, navigator.time).height;
+                if let Some(heading) = &mut navigator.heading {
+                    heading.over(map, settings, height);
+                }
+            }
+        }
         Ok(navigator)
     }
 
@@ -140,6 +152,14 @@ impl Navigator {
                 cause,
             })?;
         let unaided = engine.state().mean;
+        let (lag, heading) = if is_found_by_frames {
+            (None, None)
+        } else {
+            (
+                PictureLag::new(engine.as_ref()).ok(),
+                HeadingDoubt::new(engine.as_ref(), start.time).ok(),
+            )
+        };
         let ticks = ticks(&flight, settings.shortest_step);
         Ok(Self {
             inputs,
@@ -147,6 +167,8 @@ impl Navigator {
             settings,
             engine,
             second: None,
+            lag,
+            heading,
             detector,
             whole_frames: None,
             ticks,
@@ -217,7 +239,13 @@ impl Navigator {
         let time = tick.time;
         let dt = time - self.time;
         let input = self.inputs.between(&self.flight, self.time, time);
-        let control = self.control(time);
+        let control = Control::of(&self.flight, time);
+        if let Some(lag) = &mut self.lag {
+            if lag.replace(&mut self.engine, self.time) {
+                self.second = None;
+            }
+            lag.predict(&input, dt);
+        }
         let predicted = self.engine.predict(&input, dt)?;
         self.second = self.second.take().and_then(|s| s.moved(&input, dt));
         self.unaided = self.engine.dead_reckon(&self.unaided, &input, dt);
@@ -245,13 +273,15 @@ impl Navigator {
             },
         };
         if let Some(index) = tick.frame {
+            self.look_back(index);
             let trouble = self.blindness(time);
             let trouble = if trouble.is_some() {
                 trouble
-            } else if !self.sparing || self.whole_frames.is_some() || self.may_see(index, &report) {
+            } else if !self.sparing || self.is_laying() || self.may_see(index) {
                 match frames.picture(index) {
                     Ok(picture) => {
                         self.look(index, &picture, &mut report, stopwatch)?;
+                        self.conclude(&mut report);
                         return Ok(report);
                     }
                     Err(trouble) => Some(trouble.to_string()),
@@ -259,22 +289,122 @@ impl Navigator {
             } else {
                 None
             };
-            report.frame = Some(self.blind(index, &report, trouble));
+            report.frame = Some(self.blind(index, trouble));
         }
+        self.conclude(&mut report);
         Ok(report)
     }
 
-    /// What the instruments say at `time`.
-    fn control(&self, time: f64) -> Control {
-        let value = |name| self.flight.value(name, time);
-        let now = self.flight.attitude(time).unwrap_or_default();
-        Control {
-            airspeed: value(ChannelName::Airspeed),
-            heading: now.yaw,
-            roll: now.roll,
-            pitch: now.pitch,
-            height: value(ChannelName::HeightAboveGround).unwrap_or(0.0),
+    /// What is doubted after all, and what that does to the estimate.
+    fn conclude(&self, report: &mut StepReport) {
+        if let Some(lag) = &self.lag {
+            report.doubts.extend(lag.doubt());
+            if let Some(together) = lag.together(self.engine.as_ref(), &report.after) {
+                report.after = together;
+            }
         }
+        if let Some(heading) = &self.heading {
+            report.doubts.extend(heading.doubt());
+            let stray = heading.stray(&self.flight, report.time);
+            for axis in 0..2 {
+                report.after.covariance[(axis, axis)] += stray * stray;
+            }
+        }
+    }
+
+    /// Tries the heading by the whole frame where landmarks are missed that must be seen.
+    fn try_heading(
+        &mut self,
+        index: usize,
+        luminance: &Pyramid,
+        report: &mut StepReport,
+    ) -> Result<(), FilterError> {
+        let (Some(mut doubt), Some(mut frame)) = (self.heading.take(), report.frame.take()) else {
+            return Ok(());
+        };
+        doubt.notice(&frame.candidates, self.engine.as_ref(), self.time)?;
+        let laid = doubt.lay(
+            &self.flight,
+            &self.inputs,
+            index,
+            luminance,
+            &report.predicted,
+        );
+        if let Some(mut laid) = laid {
+            let camera = self.flight.camera_of_frame(index);
+            let heading = self.appearance_model(&camera).attitude.yaw;
+            if let Some(turned) = doubt.read(&mut laid, heading, &self.settings)? {
+                self.flight = Arc::new(turned_back(&self.flight, turned.by, turned.since));
+                let step = self.reckon_anew(turned.engine, turned.since)?;
+                self.look_back(index);
+                laid.report.refusal = None;
+                let believed = laid.correct(&self.settings, &mut self.engine)?;
+                report.control = Control::of(&self.flight, self.time);
+                if let Some(step) = step {
+                    report.begun_by(step);
+                }
+                report.predicted = self.engine.state();
+                report.after = report.predicted.clone();
+                if let Some(believed) = believed {
+                    report.corrected_by(believed.predicted, believed.step);
+                    frame.joint = Some(believed.joint);
+                }
+                if let Some(lag) = &mut self.lag {
+                    lag.restart(self.engine.as_ref())?;
+                }
+                doubt.went_on(self.engine.as_ref(), self.time)?;
+            }
+            frame.laid = Some(laid.report);
+        }
+        self.heading = Some(doubt);
+        report.frame = Some(frame);
+        Ok(())
+    }
+
+    /// Goes on from `engine`, as it was at `since` in seconds, with all inputs up to now; the last prediction.
+    fn reckon_anew(
+        &mut self,
+        mut engine: Box<dyn Engine>,
+        since: f64,
+    ) -> Result<Option<PredictedStep>, FilterError> {
+        let (mut time, mut last) = (since, None);
+        let done = self.ticks[..self.next].iter().map(|tick| tick.time);
+        for next in done.filter(|next| *next > since) {
+            let input = self.inputs.between(&self.flight, time, next);
+            last = Some(engine.predict(&input, next - time)?);
+            time = next;
+        }
+        self.engine = engine;
+        self.second = None;
+        Ok(last)
+    }
+
+    /// Lets the filters look as far back as the pictures are late.
+    fn look_back(&mut self, index: usize) {
+        let Some(lag) = self.lag.as_ref().map(PictureLag::assumed) else {
+            return;
+        };
+        let camera = self.flight.camera_of_frame(index);
+        let past = self.onlooker(&camera).past(lag);
+        if let Some(second) = &mut self.second {
+            second.look_back(past.clone());
+        }
+        self.engine.look_back(past);
+    }
+
+    fn onlooker<'a>(&'a self, camera: &'a CameraModel) -> Onlooker<'a> {
+        Onlooker {
+            flight: &self.flight,
+            inputs: &self.inputs,
+            camera,
+            time: self.time,
+        }
+    }
+
+    /// Whether whole frames are laid on the map, with landmarks or without.
+    fn is_laying(&self) -> bool {
+        let heading = self.heading.as_ref();
+        self.whole_frames.is_some() || heading.is_some_and(HeadingDoubt::is_trying)
     }
 
     /// Why no landmark can be looked for at `time`, if so: nobody knows how the camera looks at the ground.
@@ -290,51 +420,41 @@ impl Navigator {
         ))
     }
 
-    fn appearance_model<'a>(
-        &self,
-        camera: &'a CameraModel,
-        control: &Control,
-    ) -> AppearanceModel<'a> {
-        AppearanceModel {
-            camera,
-            attitude: Attitude {
-                roll: control.roll,
-                pitch: control.pitch,
-                yaw: control.heading,
-            },
-            camera_down: self.flight.ground_down - control.height,
-            ground_down: self.flight.ground_down,
-        }
+    /// What is expected of a picture that comes now.
+    fn appearance_model<'a>(&self, camera: &'a CameraModel) -> AppearanceModel<'a> {
+        let lag = self.lag.as_ref().map_or(0.0, PictureLag::assumed);
+        let control = Control::of(&self.flight, self.time - lag);
+        AppearanceModel::of(&self.flight, camera, &control)
     }
 
-    fn footprint(&self, model: &AppearanceModel<'_>, report: &StepReport) -> Vec<GroundPoint> {
-        let pose = model.pose(report.predicted.position(), self.engine.heading_bias());
+    fn footprint(&self, model: &AppearanceModel<'_>, pose: &Pose) -> Vec<GroundPoint> {
         let (w, h) = (model.camera.width as f64, model.camera.height as f64);
         [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)]
             .into_iter()
             .filter_map(|(x, y)| {
                 model
                     .camera
-                    .ground_at(&pose, &nalgebra::Point2::new(x, y), model.ground_down)
+                    .ground_at(pose, &nalgebra::Point2::new(x, y), model.ground_down)
             })
             .collect()
     }
 
     /// Whether any landmark may lie in frame `index`.
-    fn may_see(&self, index: usize, report: &StepReport) -> bool {
+    fn may_see(&self, index: usize) -> bool {
         let camera = self.flight.camera_of_frame(index);
-        let model = self.appearance_model(&camera, &report.control);
+        let model = self.appearance_model(&camera);
         let seer = Seer::new(&self.settings, self.engine.as_ref(), model, index);
         !seer.candidates(&self.landmarks).is_empty()
     }
 
-    fn blind(&self, index: usize, report: &StepReport, trouble: Option<String>) -> FrameReport {
+    fn blind(&self, index: usize, trouble: Option<String>) -> FrameReport {
         let camera = self.flight.camera_of_frame(index);
-        let model = self.appearance_model(&camera, &report.control);
+        let model = self.appearance_model(&camera);
+        let pose = model.pose(self.engine.seen_from(), self.engine.heading_bias());
         FrameReport {
             index,
-            assumed_pose: model.pose(report.predicted.position(), self.engine.heading_bias()),
-            footprint: self.footprint(&model, report),
+            assumed_pose: pose,
+            footprint: self.footprint(&model, &pose),
             candidates: Vec::new(),
             joint: None,
             laid: None,
@@ -356,28 +476,40 @@ impl Navigator {
             return Ok(());
         }
         let camera = self.flight.camera_of_frame(index);
-        let model = self.appearance_model(&camera, &report.control);
+        let model = self.appearance_model(&camera);
         let seer = Seer::new(&self.settings, self.engine.as_ref(), model, index);
         let pose = seer.pose;
         let candidates = seer.candidates(&self.landmarks);
         let mut reports: Vec<CandidateReport> = Vec::with_capacity(candidates.len());
         let mut measurements: Vec<Measurement<'_>> = Vec::new();
-        let (mut doubtful, mut refused) = (Vec::new(), Vec::new());
+        let (mut found, mut doubtful, mut refused) = (Vec::new(), Vec::new(), Vec::new());
         for (landmark, mut candidate) in candidates {
             let place = seer.look(landmark, &mut candidate, &luminance, self.detector.as_mut());
             let is_doubtful = candidate.outcome == Outcome::Refused(Refusal::LookAlike);
             let number = reports.len();
             match place {
                 Some(place) if is_doubtful => doubtful.push((landmark, number, place)),
-                Some(place) => match seer.judge(landmark, &mut candidate, number, place) {
-                    Some(found) => measurements.push(found),
-                    None => refused.push((landmark, number, place)),
-                },
+                Some(place) => {
+                    found.push((landmark, number, place));
+                    match seer.judge(landmark, &mut candidate, number, place) {
+                        Some(measurement) => measurements.push(measurement),
+                        None => refused.push((landmark, number, place)),
+                    }
+                }
                 None => {}
             }
             reports.push(candidate);
         }
         let seen = stopwatch();
+        if let Some(lag) = &mut self.lag {
+            let onlooker = Onlooker {
+                flight: &self.flight,
+                inputs: &self.inputs,
+                camera: &camera,
+                time: self.time,
+            };
+            lag.weigh(&seer, &onlooker, &found, &reports)?;
+        }
         let agreed = seer.agree(measurements, &mut reports)?;
         let mut agreed = seer.confirm(agreed, doubtful, &mut reports)?;
         let mut recovered = None;
@@ -393,9 +525,7 @@ impl Navigator {
                 } => {
                     self.engine = engine;
                     if let Some(step) = step {
-                        report.before = step.before;
-                        report.sigma.before_predict = step.sigma_before;
-                        report.sigma.after_predict = step.sigma_after;
+                        report.begun_by(step);
                     }
                     report.predicted = self.engine.state();
                     agreed = others;
@@ -424,10 +554,11 @@ impl Navigator {
             });
         }
         let laid = report.frame.take().and_then(|frame| frame.laid);
+        let is_looked_for = !reports.is_empty();
         report.frame = Some(FrameReport {
             index,
             assumed_pose: pose,
-            footprint: self.footprint(&model, report),
+            footprint: self.footprint(&model, &pose),
             candidates: reports,
             joint,
             laid,
@@ -435,6 +566,9 @@ impl Navigator {
         });
         report.timing.see = seen - begun;
         report.timing.update = stopwatch() - seen;
+        if is_looked_for || self.is_laying() {
+            self.try_heading(index, &luminance, report)?;
+        }
         Ok(())
     }
 
@@ -463,16 +597,13 @@ impl Navigator {
         let mut joint = None;
         match believed {
             Some(believed) => {
-                report.predicted = believed.predicted;
-                report.after = believed.step.after;
-                report.sigma.before_correct = Some(believed.step.sigma_before);
-                report.sigma.after_correct = Some(believed.step.sigma_after);
+                report.corrected_by(believed.predicted, believed.step);
                 joint = Some(believed.joint);
                 self.second = None;
             }
             None => whole_frames.forget_last(),
         }
-        let mut frame = self.blind(index, report, None);
+        let mut frame = self.blind(index, None);
         if let (true, Some(place)) = (corrected, &laid.report.place) {
             frame.assumed_pose = place.pose;
             frame.footprint = laid.footprint;

@@ -4,7 +4,9 @@ use nalgebra::{DMatrix, DVector, Matrix2, Matrix4, Matrix6, Point2, Vector2};
 use serde::{Deserialize, Serialize};
 
 use super::Doubt;
+use super::engine::{CorrectedStep, PredictedStep};
 use crate::filter::Gaussian;
+use crate::flight::{ChannelName, Flight};
 use crate::frames::{GroundPoint, GroundRect, Pose};
 use crate::landmark::Refusal;
 use crate::registration::MapShape;
@@ -22,6 +24,21 @@ pub struct Control {
     pub pitch: f64,
     /// Height above the ground plane, metres.
     pub height: f64,
+}
+
+impl Control {
+    /// What the instruments of `flight` say at `time`, seconds.
+    pub(super) fn of(flight: &Flight, time: f64) -> Self {
+        let value = |name| flight.value(name, time);
+        let now = flight.attitude(time).unwrap_or_default();
+        Self {
+            airspeed: value(ChannelName::Airspeed),
+            heading: now.yaw,
+            roll: now.roll,
+            pitch: now.pitch,
+            height: value(ChannelName::HeightAboveGround).unwrap_or(0.0),
+        }
+    }
 }
 
 /// A state and its covariance; the first two components are north and east, metres.
@@ -226,7 +243,9 @@ pub struct StepReport {
     pub before: Estimate,
     /// After the prediction.
     pub predicted: Estimate,
-    /// After the correction; equal to `predicted` where there was none.
+    /// After the correction; equal to `predicted` where there was none. While it is open how late the
+    /// pictures come, this belief spreads over all lags ([`super::Disbelief::MayBeLate`]), and the next step
+    /// begins without that.
     pub after: Estimate,
     /// Sigma points.
     pub sigma: SigmaSets,
@@ -242,6 +261,21 @@ pub struct StepReport {
 }
 
 impl StepReport {
+    /// Another belief took over, which was moved here by `step`.
+    pub(super) fn begun_by(&mut self, step: PredictedStep) {
+        self.before = step.before;
+        self.sigma.before_predict = step.sigma_before;
+        self.sigma.after_predict = step.sigma_after;
+    }
+
+    /// The belief `predicted` was corrected by `step`.
+    pub(super) fn corrected_by(&mut self, predicted: Estimate, step: CorrectedStep) {
+        self.predicted = predicted;
+        self.after = step.after;
+        self.sigma.before_correct = Some(step.sigma_before);
+        self.sigma.after_correct = Some(step.sigma_after);
+    }
+
     /// Whether a picture corrected the estimate in this step.
     pub fn corrected(&self) -> bool {
         self.frame.as_ref().is_some_and(|f| f.joint.is_some())

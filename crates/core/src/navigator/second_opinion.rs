@@ -50,6 +50,11 @@ impl SecondOpinion {
         self.step = Some(self.engine.predict(input, dt).ok()?);
         Some(self)
     }
+
+    /// See [`Engine::look_back`].
+    pub fn look_back(&mut self, past: Vec<(ControlInput, f64)>) {
+        self.engine.look_back(past);
+    }
 }
 
 /// Shows a frame's `refused` places to the second opinion, if there is one, or founds one.
@@ -133,14 +138,14 @@ fn founded(
     }))
 }
 
-/// Which of the refused places `judge` believes.
-fn believed<'l>(
+/// Which of the places `judge` believes.
+pub fn believed<'l>(
     judge: &Seer<'_>,
-    refused: &[FoundPlace<'l>],
+    found: &[FoundPlace<'l>],
     reports: &mut [CandidateReport],
 ) -> Result<Agreed<'l>, FilterError> {
     let mut measurements = Vec::new();
-    for (landmark, index, place) in refused {
+    for (landmark, index, place) in found {
         measurements.extend(judge.judge(landmark, &mut reports[*index], *index, *place));
     }
     judge.agree(measurements, reports)

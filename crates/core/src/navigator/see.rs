@@ -1,6 +1,6 @@
 //! See, associate, gate: from a picture to the measurements that may correct the estimate.
 
-use nalgebra::{DMatrix, DVector, Matrix4, Point2, Point3, Vector4};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Matrix4, Point2, Point3, Vector4};
 
 use super::attention::{attended, probability_of_view};
 use super::engine::{CorrectedStep, Engine, Expectation, MeasurementModel};
@@ -60,14 +60,22 @@ pub struct Surprise {
 impl Surprise {
     /// Normalized innovation squared.
     pub fn nis(&self) -> Result<f64, FilterError> {
-        let root = self
-            .covariance
-            .clone()
-            .cholesky()
-            .ok_or(FilterError::NotFinite {
-                place: "innovation covariance",
-            })?;
+        let root = self.root()?;
         Ok(root.solve(&self.innovation).dot(&self.innovation))
+    }
+
+    /// Logarithm of the innovation's density, without the factor of its dimension; as if the normalized
+    /// innovation squared were at most `most`.
+    pub fn log_likelihood(&self, most: f64) -> Result<f64, FilterError> {
+        let log_volume: f64 = self.root()?.l().diagonal().iter().map(|d| d.ln()).sum();
+        Ok(-0.5 * self.nis()?.min(most) - log_volume)
+    }
+
+    fn root(&self) -> Result<Cholesky<f64, Dyn>, FilterError> {
+        let root = self.covariance.clone().cholesky();
+        root.ok_or(FilterError::NotFinite {
+            place: "innovation covariance",
+        })
     }
 }
 
@@ -136,7 +144,7 @@ impl<'a> Seer<'a> {
         model: AppearanceModel<'a>,
         frame: usize,
     ) -> Self {
-        let pose = model.pose(engine.state().position(), engine.heading_bias());
+        let pose = model.pose(engine.seen_from(), engine.heading_bias());
         Self {
             settings,
             engine,

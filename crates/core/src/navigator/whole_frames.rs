@@ -65,6 +65,19 @@ impl WholeFrames {
         luminance: &Pyramid,
         predicted: &Estimate,
     ) -> Laid {
+        let measured = measured(flight, inputs, flight.frames[index].time);
+        self.lay_by(flight, &measured, index, luminance, predicted)
+    }
+
+    /// The same by what is `measured`.
+    pub fn lay_by(
+        &mut self,
+        flight: &Flight,
+        measured: &Measured,
+        index: usize,
+        luminance: &Pyramid,
+        predicted: &Estimate,
+    ) -> Laid {
         self.before = self.follower.clone();
         let time = flight.frames[index].time;
         let camera = flight.camera_of_frame(index);
@@ -78,12 +91,9 @@ impl WholeFrames {
             .position_covariance()
             .symmetric_eigenvalues()
             .max();
-        let prior = self.follower.prior(
-            time,
-            predicted.position(),
-            spread.max(0.0).sqrt(),
-            &measured(flight, inputs, time),
-        );
+        let prior =
+            self.follower
+                .prior(time, predicted.position(), spread.max(0.0).sqrt(), measured);
         match self.follower.follow(time, &look, &prior) {
             Ok(found) => Laid {
                 footprint: footprint(&look, &found),
@@ -103,7 +113,7 @@ impl WholeFrames {
 }
 
 /// What those of the flight's own instruments say at `time` that are believed then.
-fn measured(flight: &Flight, inputs: &Inputs, time: f64) -> Measured {
+pub fn measured(flight: &Flight, inputs: &Inputs, time: f64) -> Measured {
     let is_believed = |name| inputs.doubt(name, time).is_none();
     let value = |name| flight.value(name, time).filter(|_| is_believed(name));
     Measured {

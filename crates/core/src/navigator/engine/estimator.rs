@@ -6,6 +6,7 @@ use super::{CorrectedStep, Engine, Expectation, MeasurementModel, PredictedStep}
 use crate::filter::{
     Correction, FilterError, Gaussian, PredictedMeasurement, Prediction, SigmaPoints,
 };
+use crate::frames::GroundPoint;
 use crate::navigator::Estimate;
 use crate::vehicle::{ControlInput, VehicleModel};
 
@@ -89,6 +90,8 @@ pub struct FilterEngine<const N: usize, V, F> {
     model: V,
     heading_bias_index: Option<usize>,
     depends_on: Vec<usize>,
+    /// What happened between what is measured and now, the latest first.
+    past: Vec<(ControlInput, f64)>,
 }
 
 impl<const N: usize, V: VehicleModel<N>, F: Estimator<N>> FilterEngine<N, V, F> {
@@ -102,6 +105,7 @@ impl<const N: usize, V: VehicleModel<N>, F: Estimator<N>> FilterEngine<N, V, F> 
             model,
             heading_bias_index,
             depends_on: [0, 1].into_iter().chain(heading_bias_index).collect(),
+            past: Vec::new(),
         }
     }
 
@@ -113,11 +117,23 @@ impl<const N: usize, V: VehicleModel<N>, F: Estimator<N>> FilterEngine<N, V, F> 
         V: Clone + 'a,
     {
         let (vehicle, bias_index) = (self.model.clone(), self.heading_bias_index);
+        let past = self.past.clone();
         move |x| {
             let bias = bias_index.map_or(0.0, |i| x[i]);
-            model(vehicle.position(x), bias)
+            model(was_at(&vehicle, &past, x), bias)
         }
     }
+}
+
+/// Where a vehicle of state `x` was before the inputs of `past`, the latest first, if nothing unexpected
+/// happened since.
+fn was_at<const N: usize, V: VehicleModel<N>>(
+    vehicle: &V,
+    past: &[(ControlInput, f64)],
+    x: &SVector<f64, N>,
+) -> GroundPoint {
+    let back = |x, (input, dt): &(ControlInput, f64)| vehicle.propagate(&x, input, -dt);
+    vehicle.position(&past.iter().fold(*x, back))
 }
 
 fn matrix<const N: usize>(points: &SigmaPoints<N>) -> DMatrix<f64> {
@@ -161,6 +177,19 @@ where
             sigma_before: matrix(&step.sigma_points_before),
             sigma_after: matrix(&step.sigma_points_after),
         })
+    }
+
+    fn look_back(&mut self, past: Vec<(ControlInput, f64)>) {
+        self.depends_on = if past.is_empty() {
+            [0, 1].into_iter().chain(self.heading_bias_index).collect()
+        } else {
+            (0..N).collect()
+        };
+        self.past = past;
+    }
+
+    fn seen_from(&self) -> GroundPoint {
+        was_at(&self.model, &self.past, &self.filter.belief().mean)
     }
 
     fn faded(&self, factor: f64) -> Result<Box<dyn Engine>, FilterError> {

@@ -57,6 +57,13 @@ pub trait Engine: Send {
 
     fn predict(&mut self, input: &ControlInput, dt: f64) -> Result<PredictedStep, FilterError>;
 
+    /// Takes what is measured for what was before the inputs of `past` (with their lengths in seconds, the
+    /// latest first), from here on.
+    fn look_back(&mut self, past: Vec<(ControlInput, f64)>);
+
+    /// Where the vehicle was when what is measured happened.
+    fn seen_from(&self) -> GroundPoint;
+
     /// The same filter with `factor` times its covariance.
     fn faded(&self, factor: f64) -> Result<Box<dyn Engine>, FilterError>;
 

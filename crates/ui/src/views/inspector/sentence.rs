@@ -5,7 +5,8 @@ use std::fmt::Write;
 use nalgebra::Vector2;
 use pilotage_core::flight::{ChannelName, Flight};
 use pilotage_core::navigator::{
-    CandidateReport, Doubt, Estimate, FrameReport, LaidReport, Outcome, Run, StepReport,
+    CandidateReport, Disbelief, Doubt, Estimate, FrameReport, Instrument, LaidReport, Outcome, Run,
+    StepReport,
 };
 
 use super::super::parts::figures;
@@ -25,12 +26,20 @@ pub(crate) fn sentence(run: &Run, index: usize, flight: Option<&Flight>, units: 
 /// One sentence per instrument that is not believed, each after a space.
 fn disbelieved(step: &StepReport) -> String {
     let sentence = |doubt: &Doubt| {
-        let instead = match doubt.channel {
-            ChannelName::Airspeed => "what it usually flies is assumed in its place",
-            ChannelName::Heading => "the last one is held, and doubted more and more",
-            _ => "landmarks are not looked for without it",
+        let what = match (doubt.why, doubt.instrument) {
+            (Disbelief::MayBeLate, _) => ": the estimate spreads over all lags that may be",
+            (Disbelief::Late { .. }, _) => ": its pictures show what was before",
+            (Disbelief::Contradicted, _) => ": the estimate spreads over all headings",
+            (Disbelief::Turned { .. }, _) => "",
+            (_, Instrument::Channel(ChannelName::Airspeed)) => {
+                " and not believed: what it usually flies is assumed in its place"
+            }
+            (_, Instrument::Channel(ChannelName::Heading)) => {
+                " and not believed: the last one is held, and doubted more and more"
+            }
+            _ => " and not believed: landmarks are not looked for without it",
         };
-        format!(" {} and not believed: {instead}.", doubt.words())
+        format!(" {}{what}.", doubt.words())
     };
     step.doubts.iter().map(sentence).collect()
 }
@@ -215,7 +224,7 @@ fn dead_reckoning(run: &Run, index: usize, step: &StepReport, units: Units) -> S
     let elapsed = step.time - since;
     let growth = factor * (sigma(&step.after) - sigma(&run.steps[since_index].after));
     if elapsed <= DEAD_RECKONING_AFTER {
-        let is_believed = |name| step.doubts.iter().all(|doubt| doubt.channel != name);
+        let is_believed = |name| step.doubts.iter().all(|doubt| !doubt.is_of(name));
         let airspeed = step.control.airspeed;
         let airspeed = airspeed.filter(|_| is_believed(ChannelName::Airspeed));
         let speed = airspeed.map_or_else(String::new, |v| {
@@ -293,13 +302,13 @@ fn compass(vector: &Vector2<f64>) -> &'static str {
 mod tests {
     use super::super::super::fixture::Fixture;
     use super::*;
-    use pilotage_core::navigator::{Disbelief, Refusal};
+    use pilotage_core::navigator::Refusal;
 
     #[test]
     fn an_instrument_that_is_not_believed_is_named_with_what_takes_its_place() {
         let mut fixture = Fixture::lasting(15.0);
         fixture.run.steps[3].doubts.push(Doubt {
-            channel: ChannelName::Airspeed,
+            instrument: Instrument::Channel(ChannelName::Airspeed),
             why: Disbelief::Stuck,
             since: 1.25,
         });
@@ -307,6 +316,29 @@ mod tests {
         let told = "Airspeed is stuck since 1.2 s and not believed: what it usually flies is assumed in its place.";
         assert!(text.ends_with(told), "{text}");
         assert!(!text.contains(" m/s on heading"), "{text}");
+    }
+
+    #[test]
+    fn a_late_camera_and_a_turned_compass_are_told_with_their_numbers() {
+        let mut fixture = Fixture::lasting(15.0);
+        let doubts = &mut fixture.run.steps[3].doubts;
+        doubts.push(Doubt {
+            instrument: Instrument::Channel(ChannelName::Heading),
+            why: Disbelief::Turned { by: -0.35 },
+            since: 2.0,
+        });
+        doubts.push(Doubt {
+            instrument: Instrument::Camera,
+            why: Disbelief::Late { by: 1.04 },
+            since: 3.0,
+        });
+        let text = of(&fixture, 3);
+        let told = "Heading reads 20° too far left, corrected since 2.0 s. Camera is 1.0 s late, allowed for \
+                    since 3.0 s: its pictures show what was before.";
+        assert!(
+            text.to_lowercase().ends_with(&told.to_lowercase()),
+            "{text}"
+        );
     }
 
     fn of(fixture: &Fixture, index: usize) -> String {

@@ -1,0 +1,325 @@
+//! A compass that is turned, told by landmarks that must be seen and are not.
+//!
+//! A heading that is wrong by more than a template bears hides every landmark, and carries the estimate off.
+//! So where landmark after landmark is missed, whole frames are laid on the map, by any heading. Several of
+//! them that agree on one angle between the compass and the map tell by how much it is turned. The flight
+//! since the last landmark that was found is then reckoned anew by the heading turned back.
+
+use std::collections::BTreeSet;
+use std::f64::consts::FRAC_PI_2;
+use std::sync::Arc;
+
+use super::engine::Engine;
+use super::inputs::Inputs;
+use super::whole_frames::{Laid, WholeFrames, measured};
+use super::{
+    CandidateReport, Disbelief, Doubt, Estimate, Instrument, NavigatorSettings, Outcome, Refusal,
+};
+use crate::filter::{FilterError, chi_square_quantile};
+use crate::flight::{ChannelName, Flight};
+use crate::frames::wrap_pi;
+use crate::imagery::Imagery;
+use crate::raster::Pyramid;
+use crate::registration::{FollowSettings, Measured};
+
+/// Looks for landmarks, all in vain, after which frames are laid: what comes close to it in sound flights,
+/// which see a landmark ten times as they pass it, is a landmark of another day. Twice as many are borne each
+/// time that the heading proved right after all, so that hardly any time is lost by it.
+const MISSED: usize = 10;
+/// Landmarks and looks for them, all in vain, that contradict the heading even where no frame could tell: sound
+/// flights over the built-in scenarios have at most 26 such looks.
+const CONTRADICTED: (usize, usize) = (4, 60);
+/// Frames that have to agree, and how many are tried at most before the next landmark is found.
+const AGREEING: usize = 3;
+const TRIED: usize = 8;
+/// Time between two frames that are laid, seconds: gusts and the mount shake each otherwise.
+const APART: f64 = 0.9;
+/// Farthest place that is searched, in standard deviations, metres: what is farther takes many seconds.
+const FARTHEST: f64 = 150.0;
+/// Standard deviations that a search reaches.
+const REACH: f64 = 2.5;
+/// Least standard deviation of how the map is stretched and of the logarithm of the height.
+const LEAST_STRETCH: f64 = 0.01;
+
+/// A frame that was laid, and what it says of the compass.
+struct Reading {
+    /// How much too far clockwise the compass reads, radians.
+    by: f64,
+    /// Its variance, rad².
+    variance: f64,
+}
+
+/// What is known of the compass.
+pub struct HeadingDoubt {
+    frames: Option<WholeFrames>,
+    /// The filter when a landmark was found last, or at the start, and when that was, seconds.
+    confirmed: (Box<dyn Engine>, f64),
+    /// Looks in vain since then, how many are borne, and the landmarks.
+    missed: usize,
+    borne: usize,
+    landmarks: BTreeSet<u32>,
+    readings: Vec<Reading>,
+    tried: usize,
+    last: f64,
+    /// Since when the heading is contradicted, by a laid frame or by all that is missed, seconds.
+    contradicted: Option<f64>,
+    /// How much the heading was turned back in all, radians, and since when, seconds.
+    turned: Option<(f64, f64)>,
+}
+
+/// The compass is turned.
+pub struct Turned {
+    /// By how much too far clockwise, radians.
+    pub by: f64,
+    /// Since when at the latest, seconds.
+    pub since: f64,
+    /// The filter then.
+    pub engine: Box<dyn Engine>,
+}
+
+impl HeadingDoubt {
+    /// At the start, with the filter as it is at `time` in seconds; without a map nothing can be found out.
+    pub fn new(engine: &dyn Engine, time: f64) -> Result<Self, FilterError> {
+        Ok(Self {
+            frames: None,
+            confirmed: (engine.faded(1.0)?, time),
+            missed: 0,
+            borne: MISSED,
+            landmarks: BTreeSet::new(),
+            readings: Vec::new(),
+            tried: 0,
+            last: f64::NEG_INFINITY,
+            contradicted: None,
+            turned: None,
+        })
+    }
+
+    /// With a `map` to lay frames on, as `settings` know the sensors, `height` metres above the ground.
+    pub fn over(&mut self, map: Arc<dyn Imagery>, settings: &NavigatorSettings, height: f64) {
+        let sensors = &settings.sensors;
+        self.frames = Some(WholeFrames::new(
+            map,
+            FollowSettings {
+                measured_log_height_deviation: (sensors.height / height.max(1.0))
+                    .max(LEAST_STRETCH),
+                may_be_turned: false,
+                tilt_deviation: sensors.roll.max(sensors.pitch),
+                slope_deviation: LEAST_STRETCH,
+                shape_deviation: LEAST_STRETCH,
+                ..FollowSettings::default()
+            },
+        ));
+    }
+
+    /// Takes notice of what became of the landmarks of a frame at `time`, after which the filter is `engine`.
+    pub fn notice(
+        &mut self,
+        candidates: &[CandidateReport],
+        engine: &dyn Engine,
+        time: f64,
+    ) -> Result<(), FilterError> {
+        if candidates.iter().any(|c| c.outcome == Outcome::Accepted) {
+            return self.confirm(engine, time);
+        }
+        for candidate in candidates {
+            let Outcome::Refused(refusal) = candidate.outcome else {
+                continue;
+            };
+            // What is not in the picture, or has nothing to be found by, is not missed.
+            if !matches!(
+                refusal,
+                Refusal::OutOfPicture | Refusal::Flat | Refusal::Untrained
+            ) {
+                self.missed += 1;
+                self.landmarks.insert(candidate.landmark);
+            }
+        }
+        if self.landmarks.len() >= CONTRADICTED.0 && self.missed >= CONTRADICTED.1 {
+            self.contradicted.get_or_insert(time);
+        }
+        Ok(())
+    }
+
+    /// The heading is right, as far as is known at `time`.
+    fn confirm(&mut self, engine: &dyn Engine, time: f64) -> Result<(), FilterError> {
+        self.confirmed = (engine.faded(1.0)?, time);
+        self.missed = 0;
+        self.landmarks.clear();
+        self.readings.clear();
+        self.tried = 0;
+        self.contradicted = None;
+        Ok(())
+    }
+
+    /// Whether frames are laid, whatever landmarks they show.
+    pub fn is_trying(&self) -> bool {
+        self.frames.is_some() && self.missed >= self.borne && self.tried < TRIED
+    }
+
+    /// Lays frame `index` if the compass is in doubt; what came of it.
+    pub fn lay(
+        &mut self,
+        flight: &Flight,
+        inputs: &Inputs,
+        index: usize,
+        luminance: &Pyramid,
+        predicted: &Estimate,
+    ) -> Option<Laid> {
+        let time = flight.frames[index].time;
+        let is_read = inputs.doubt(ChannelName::Heading, time).is_none();
+        if !(self.is_trying() && is_read && time - self.last >= APART) {
+            return None;
+        }
+        let frames = self.frames.as_mut()?;
+        self.last = time;
+        self.tried += 1;
+        let mut wide = predicted.clone();
+        let spread = predicted
+            .position_covariance()
+            .symmetric_eigenvalues()
+            .max();
+        let reach = strayed(flight, self.confirmed.1, time) / REACH;
+        let deviation = (spread.max(0.0) + reach * reach).sqrt().min(FARTHEST);
+        wide.covariance
+            .fixed_view_mut::<2, 2>(0, 0)
+            .copy_from(&nalgebra::Matrix2::from_diagonal_element(deviation.powi(2)));
+        let measured = Measured {
+            heading: None,
+            ..measured(flight, inputs, time)
+        };
+        Some(frames.lay_by(flight, &measured, index, luminance, &wide))
+    }
+
+    /// What a laid frame says of the compass, which reads `heading` radians: that it is turned, once enough
+    /// frames agree, and says so in the report otherwise.
+    pub fn read(
+        &mut self,
+        laid: &mut Laid,
+        heading: f64,
+        settings: &NavigatorSettings,
+    ) -> Result<Option<Turned>, FilterError> {
+        let Some(place) = &laid.report.place else {
+            return Ok(None);
+        };
+        let by = wrap_pi(heading - place.pose.attitude.yaw);
+        laid.report.refusal = Some(format!(
+            "it was laid to try the heading, which reads {:.0}° to the right of it",
+            by.to_degrees()
+        ));
+        let variance = place.covariance[(5, 5)] + settings.sensors.yaw.powi(2);
+        self.readings.push(Reading { by, variance });
+        let usual = chi_square_quantile(settings.gate_confidence, 1.0);
+        let Some((by, variance)) = agreed(&self.readings, settings.gate_confidence) else {
+            if by * by > variance * usual {
+                self.contradicted.get_or_insert(self.last);
+            }
+            return Ok(None);
+        };
+        if by * by <= variance * usual {
+            // The heading is right: what is missed is missed for another reason.
+            self.contradicted = None;
+            self.borne *= 2;
+            self.missed = 0;
+            self.landmarks.clear();
+            self.readings.clear();
+            return Ok(None);
+        }
+        let (engine, since) = (self.confirmed.0.faded(1.0)?, self.confirmed.1);
+        let before = self.turned.map_or(0.0, |(before, _)| before);
+        self.turned = Some((wrap_pi(before + by), self.last));
+        Ok(Some(Turned { by, since, engine }))
+    }
+
+    /// The filter goes on from `engine` at `time`, by the heading turned back.
+    pub fn went_on(&mut self, engine: &dyn Engine, time: f64) -> Result<(), FilterError> {
+        self.confirm(engine, time)
+    }
+
+    /// What is to be said of it.
+    pub fn doubt(&self) -> Option<Doubt> {
+        let (why, since) = match (self.contradicted, self.turned) {
+            (Some(since), _) => (Disbelief::Contradicted, since),
+            (None, Some((by, since))) => (Disbelief::Turned { by }, since),
+            (None, None) => return None,
+        };
+        Some(Doubt {
+            instrument: Instrument::Channel(ChannelName::Heading),
+            why,
+            since,
+        })
+    }
+
+    /// Standard deviation of the place per axis that a heading of which nothing is known leaves at `time`
+    /// while it is contradicted, metres: zero else.
+    ///
+    /// Whoever flew D through the air by a heading that is any angle δ off is 2 D |sin δ/2| from where he
+    /// believes to be; its mean square is 2 D², half of it on each axis.
+    pub fn stray(&self, flight: &Flight, time: f64) -> f64 {
+        match self.contradicted {
+            Some(_) => strayed(flight, self.confirmed.1, time),
+            None => 0.0,
+        }
+    }
+}
+
+/// Way through the air from `since` to `time`, metres.
+fn strayed(flight: &Flight, since: f64, time: f64) -> f64 {
+    const STEP: f64 = 0.5;
+    let airspeed = |at| flight.value(ChannelName::Airspeed, at).unwrap_or(0.0);
+    let steps = ((time - since) / STEP).ceil().max(0.0) as u32;
+    let dt = (time - since) / f64::from(steps.max(1));
+    (0..steps)
+        .map(|i| airspeed(since + (f64::from(i) + 0.5) * dt) * dt)
+        .sum()
+}
+
+/// The angle on which the latest readings agree, and its variance, rad².
+fn agreed(readings: &[Reading], confidence: f64) -> Option<(f64, f64)> {
+    let latest = &readings[readings.len().checked_sub(AGREEING)?..];
+    let about = latest[0].by;
+    let information: f64 = latest.iter().map(|r| r.variance.recip()).sum();
+    let weighted = |r: &Reading| wrap_pi(r.by - about) / r.variance;
+    let mean = latest.iter().map(weighted).sum::<f64>() / information;
+    let off = |r: &Reading| wrap_pi(r.by - about - mean);
+    let squared: f64 = latest.iter().map(|r| off(r).powi(2) / r.variance).sum();
+    let is_one = squared <= chi_square_quantile(confidence, (AGREEING - 1) as f64);
+    let is_near = latest.iter().all(|r| off(r).abs() < FRAC_PI_2);
+    (is_one && is_near).then(|| (wrap_pi(about + mean), information.recip()))
+}
+
+/// `flight` with the heading turned back by `by` radians from `since` on, seconds.
+pub fn turned_back(flight: &Flight, by: f64, since: f64) -> Flight {
+    let mut flight = flight.clone();
+    let channels = flight.channels.iter_mut();
+    for heading in channels.filter(|channel| channel.name == ChannelName::Heading) {
+        let first = heading.times.partition_point(|time| *time <= since);
+        for value in &mut heading.values[first..] {
+            *value = wrap_pi(*value - by);
+        }
+    }
+    flight
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn readings(degrees: &[f64]) -> Vec<Reading> {
+        let reading = |by: &f64| Reading {
+            by: by.to_radians(),
+            variance: 1_f64.to_radians().powi(2),
+        };
+        degrees.iter().map(reading).collect()
+    }
+
+    #[test]
+    fn three_frames_that_agree_tell_the_angle_and_two_or_torn_ones_do_not() {
+        assert!(agreed(&readings(&[20.0, 21.0]), 0.997).is_none());
+        assert!(agreed(&readings(&[20.0, 40.0, 21.0]), 0.997).is_none());
+        let (by, variance) = agreed(&readings(&[50.0, 20.0, 22.0, 21.0]), 0.997).unwrap();
+        assert!((by.to_degrees() - 21.0).abs() < 1e-9, "{by}");
+        assert!((variance.sqrt().to_degrees() - 1.0 / 3_f64.sqrt()).abs() < 1e-9);
+        let (by, _) = agreed(&readings(&[179.0, -179.0, 180.0]), 0.997).unwrap();
+        assert!((by.abs().to_degrees() - 180.0).abs() < 1e-9, "{by}");
+    }
+}

@@ -1,0 +1,292 @@
+//! How late the pictures come.
+//!
+//! A picture that comes τ late shows what was before, and puts the aircraft τ of its way behind. On a straight
+//! leg a constant lag looks like a place; but the flight began at a known one, the aircraft rolls in gusts,
+//! and in turns its heading tells the time. So a few filters are flown beside the first, each of which assumes
+//! another lag. All are shown the same found places; what each makes of them weighs it by Bayes' rule.
+//!
+//! As long as the first is likelier than the share of the truth that its ellipse holds, the others belong to
+//! what is left out. Beyond that the belief that is reported spreads over all of them, and once hardly
+//! anything speaks for the first any more, the likeliest takes its place.
+
+use nalgebra::DMatrix;
+
+use super::engine::Engine;
+use super::expected::AppearanceModel;
+use super::inputs::Inputs;
+use super::second_opinion::believed;
+use super::see::{FoundPlace, Measurement, Place, Seer, stack};
+use super::{CandidateReport, Control, Disbelief, Doubt, Estimate, Instrument};
+use crate::camera::CameraModel;
+use crate::filter::FilterError;
+use crate::flight::Flight;
+use crate::frames::{Pose, wrap_pi};
+use crate::vehicle::ControlInput;
+
+/// Longest lag that is thought of, seconds …
+const LONGEST: f64 = 2.0;
+/// … and how many of them beside none. Nearer lags differ by less than the noise of the attitudes that are
+/// read at their times, which would decide between them; what lies between two is shared by both.
+const RIVALS: u32 = 4;
+/// Probability that pictures come late, before anything is seen: of a thousand flights one.
+const LATE: f64 = 1e-3;
+/// Share of the truth that the ellipse is drawn for.
+const ELLIPSE: f64 = 0.95;
+/// Who is less likely than this is no longer asked.
+const HOPELESS: f64 = 1e-6;
+/// Who is less likely than this has to give way.
+const UNLIKELY: f64 = 0.01;
+/// Longest input that is assumed to be even when the way is followed back, seconds.
+const PIECE: f64 = 0.1;
+
+/// A filter that assumes another lag.
+struct Rival {
+    lag: f64,
+    engine: Box<dyn Engine>,
+    /// Probability, of all the filters together one.
+    weight: f64,
+}
+
+/// What the flight says of the lag of its pictures.
+pub struct PictureLag {
+    /// What the first filter assumes, seconds.
+    assumed: f64,
+    /// Probability of that.
+    weight: f64,
+    rivals: Vec<Rival>,
+    /// Since when the first lag is doubted, and whether it was given up, seconds.
+    doubted: Option<f64>,
+    replaced: Option<f64>,
+}
+
+/// The flight as a camera sees it.
+#[derive(Clone, Copy)]
+pub struct Onlooker<'a> {
+    pub flight: &'a Flight,
+    pub inputs: &'a Inputs,
+    pub camera: &'a CameraModel,
+    /// When the picture came, seconds.
+    pub time: f64,
+}
+
+impl<'a> Onlooker<'a> {
+    /// What is expected of a picture that comes `lag` seconds late.
+    pub fn model(&self, lag: f64) -> AppearanceModel<'a> {
+        let control = Control::of(self.flight, self.time - lag);
+        AppearanceModel::of(self.flight, self.camera, &control)
+    }
+
+    /// What drove the aircraft in the last `lag` seconds, the latest first.
+    pub fn past(&self, lag: f64) -> Vec<(ControlInput, f64)> {
+        let pieces = (lag / PIECE - 1e-9).ceil().max(0.0) as u32;
+        let dt = lag / f64::from(pieces.max(1));
+        let end = |piece| self.time - f64::from(piece) * dt;
+        (0..pieces)
+            .map(|piece| {
+                let input = self.inputs.between(self.flight, end(piece + 1), end(piece));
+                (input, dt)
+            })
+            .collect()
+    }
+}
+
+impl PictureLag {
+    /// Before the first picture, which `engine` takes for punctual.
+    pub fn new(engine: &dyn Engine) -> Result<Self, FilterError> {
+        let rival = |number: u32| {
+            Ok(Rival {
+                lag: LONGEST * f64::from(number) / f64::from(RIVALS),
+                engine: engine.faded(1.0)?,
+                weight: LATE / f64::from(RIVALS),
+            })
+        };
+        Ok(Self {
+            assumed: 0.0,
+            weight: 1.0 - LATE,
+            rivals: (1..=RIVALS).map(rival).collect::<Result<_, _>>()?,
+            doubted: None,
+            replaced: None,
+        })
+    }
+
+    /// The lag that the first filter assumes, seconds.
+    pub fn assumed(&self) -> f64 {
+        self.assumed
+    }
+
+    /// Moves the others along as the first; who cannot be moved is no longer asked.
+    pub fn predict(&mut self, input: &ControlInput, dt: f64) {
+        self.rivals
+            .retain_mut(|rival| rival.engine.predict(input, dt).is_ok());
+    }
+
+    /// Shows everybody the places `found` in a picture by `seer`, who looks with the first filter, which is
+    /// corrected elsewhere.
+    pub fn weigh(
+        &mut self,
+        seer: &Seer<'_>,
+        onlooker: &Onlooker<'_>,
+        found: &[FoundPlace<'_>],
+        reports: &[CandidateReport],
+    ) -> Result<(), FilterError> {
+        if self.rivals.is_empty() || found.is_empty() {
+            return Ok(());
+        }
+        let (own, _) = judged(seer, found, reports)?;
+        for rival in &mut self.rivals {
+            rival.engine.look_back(onlooker.past(rival.lag));
+            let model = onlooker.model(rival.lag);
+            let judge = Seer::new(seer.settings, rival.engine.as_ref(), model, seer.frame);
+            let as_seen = |place: &Place| seen_anew(place, &seer.pose, &judge.pose);
+            let found: Vec<_> = found
+                .iter()
+                .map(|(landmark, report, place)| (*landmark, *report, as_seen(place)))
+                .collect();
+            let (log_likelihood, agreed) = judged(&judge, &found, reports)?;
+            rival.weight *= (log_likelihood - own).exp();
+            if !agreed.is_empty() {
+                let pose = judge.pose;
+                stack(seer.settings, &agreed).correct(rival.engine.as_mut(), &model, &pose)?;
+            }
+        }
+        self.share();
+        let is_doubted = self.weight < 0.5;
+        self.doubted = self.doubted.or(is_doubted.then_some(onlooker.time));
+        Ok(())
+    }
+
+    /// Makes the probabilities sum to one, and asks who is hopeless no longer.
+    fn share(&mut self) {
+        let all = self.weight + self.rivals.iter().map(|rival| rival.weight).sum::<f64>();
+        self.weight /= all;
+        self.rivals.retain_mut(|rival| {
+            rival.weight /= all;
+            rival.weight > HOPELESS
+        });
+    }
+
+    /// Puts the likeliest in the place of `engine` if that has become too unlikely, at `time` in seconds;
+    /// whether it did.
+    pub fn replace(&mut self, engine: &mut Box<dyn Engine>, time: f64) -> bool {
+        if self.weight >= UNLIKELY {
+            return false;
+        }
+        let rivals = self.rivals.iter_mut();
+        let Some(likeliest) = rivals.max_by(|a, b| a.weight.total_cmp(&b.weight)) else {
+            return false;
+        };
+        std::mem::swap(&mut likeliest.engine, engine);
+        std::mem::swap(&mut likeliest.weight, &mut self.weight);
+        std::mem::swap(&mut likeliest.lag, &mut self.assumed);
+        self.replaced.get_or_insert(time);
+        true
+    }
+
+    /// The belief of all together, if the others matter beside `first`: the mean and the covariance of the
+    /// mixture.
+    pub fn together(&self, engine: &dyn Engine, first: &Estimate) -> Option<Estimate> {
+        if self.replaced.is_none() && self.weight >= ELLIPSE {
+            return None;
+        }
+        let rivals = self.rivals.iter();
+        let beliefs: Vec<(f64, Estimate)> = rivals
+            .map(|rival| {
+                let belief =
+                    spread_over_cell(rival.engine.state(), rival.engine.as_ref(), rival.lag);
+                (rival.weight, belief)
+            })
+            .chain([(
+                self.weight,
+                spread_over_cell(first.clone(), engine, self.assumed),
+            )])
+            .collect();
+        let size = first.mean.len();
+        let mut mean = nalgebra::DVector::zeros(size);
+        for (weight, belief) in &beliefs {
+            mean += *weight * &belief.mean;
+        }
+        let mut covariance = DMatrix::zeros(size, size);
+        for (weight, belief) in &beliefs {
+            let off = &belief.mean - &mean;
+            covariance += *weight * (&belief.covariance + &off * off.transpose());
+        }
+        Some(Estimate { mean, covariance })
+    }
+
+    /// Begins anew from `engine`, but keeps what the lags are worth.
+    pub fn restart(&mut self, engine: &dyn Engine) -> Result<(), FilterError> {
+        for rival in &mut self.rivals {
+            rival.engine = engine.faded(1.0)?;
+        }
+        Ok(())
+    }
+
+    /// What is to be said of it.
+    pub fn doubt(&self) -> Option<Doubt> {
+        let mean = |sum, rival: &Rival| sum + rival.weight * rival.lag;
+        let late = self.rivals.iter().fold(self.weight * self.assumed, mean);
+        let (why, since) = match (self.replaced, self.doubted) {
+            (Some(since), _) => (Disbelief::Late { by: late }, since),
+            (None, Some(since)) if self.weight < ELLIPSE => (Disbelief::MayBeLate, since),
+            _ => return None,
+        };
+        Some(Doubt {
+            instrument: Instrument::Camera,
+            why,
+            since,
+        })
+    }
+}
+
+/// The belief of a filter that stands for all lags nearer to its own than to the next: evenly spread over them,
+/// of the variance of a uniform distribution. That without a lag stands for itself.
+fn spread_over_cell(mut belief: Estimate, engine: &dyn Engine, lag: f64) -> Estimate {
+    if lag > 0.0 {
+        let way = belief.position().to_vector() - engine.seen_from().to_vector();
+        let off = way * (LONGEST / f64::from(RIVALS) / lag);
+        let mut position = belief.covariance.fixed_view_mut::<2, 2>(0, 0);
+        position += off * off.transpose() / 12.0;
+    }
+    belief
+}
+
+/// How likely `judge` thinks what was found, as a logarithm up to what is the same for everybody, and what it
+/// believes of it. What it does not believe counts as if it lay on the border of the gate.
+fn judged<'l>(
+    judge: &Seer<'_>,
+    found: &[FoundPlace<'l>],
+    reports: &[CandidateReport],
+) -> Result<(f64, Vec<Measurement<'l>>), FilterError> {
+    let mut reports = reports.to_vec();
+    let (agreed, _, _) = believed(judge, found, &mut reports)?;
+    let mut log_likelihood = 0.0;
+    if !agreed.is_empty() {
+        log_likelihood += judge.surprise(&agreed)?.log_likelihood(f64::INFINITY)?;
+    }
+    for (landmark, index, place) in found {
+        if agreed
+            .iter()
+            .any(|measurement| measurement.report == *index)
+        {
+            continue;
+        }
+        if let Some(measurement) = judge.measurement(landmark, *index, *place) {
+            let most = reports[*index].threshold;
+            log_likelihood += judge.surprise(&[measurement])?.log_likelihood(most)?;
+        }
+    }
+    Ok((log_likelihood, agreed))
+}
+
+/// A place that was found by somebody who assumed the pose `from`, for one who assumes `to`: the pixel is the
+/// same, but turn and scale of the surroundings are told against what is assumed.
+fn seen_anew((seen, covariance): &Place, from: &Pose, to: &Pose) -> Place {
+    let mut seen = *seen;
+    seen[2] = wrap_pi(seen[2] + to.attitude.yaw - from.attitude.yaw);
+    let height = |pose: &Pose| -pose.position_in_world.z;
+    let (above, was) = (height(to), height(from));
+    if above > 0.0 && was > 0.0 {
+        seen[3] += (above / was).ln();
+    }
+    (seen, *covariance)
+}
