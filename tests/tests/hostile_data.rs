@@ -9,7 +9,7 @@ use pilotage_core::frames::wrap_pi;
 use pilotage_core::instruments::{CutPlan, Instruments, ReckonSettings, Way, reckon, study_cuts};
 use pilotage_core::navigator::{Doubt, Navigator, NavigatorSettings, Run};
 use pilotage_core::raster::Picture;
-use pilotage_core::simulate::{Overrides, Scenario, SimulatedFlight};
+use pilotage_core::simulate::{FlightDay, Overrides, Scenario, SimulatedFlight};
 use pilotage_tests::recorded;
 
 /// The flight of a Skywalker X-8, or `None` where the shared data are absent.
@@ -245,12 +245,21 @@ struct Flown {
 }
 
 fn fly(damage: impl Fn(&mut Flight)) -> Flown {
-    let scenario = Scenario::named("distinct-400ft-wind").expect("a scenario");
+    fly_as("distinct-400ft-wind", 3, FlightDay::Other, damage)
+}
+
+/// The same of another scenario, seed and day.
+fn fly_as(name: &str, seed: u64, day: FlightDay, damage: impl Fn(&mut Flight)) -> Flown {
+    let scenario = Scenario::named(name).expect("a scenario");
+    let overrides = Overrides {
+        day: Some(day),
+        ..Overrides::default()
+    };
     let SimulatedFlight {
         mut flight,
         mut frames,
         ..
-    } = scenario.simulate(3, &Overrides::default());
+    } = scenario.simulate(seed, &overrides);
     damage(&mut flight);
     let mission = scenario.mission();
     let map = Arc::new(Scenario::map());
@@ -303,7 +312,9 @@ const CHI_SQUARE_95: f64 = 5.991;
 #[test]
 fn landmarks_and_failing_instruments_go_on_say_so_and_stay_honest() {
     let from = (60.0, f64::INFINITY);
-    let (sound, _) = fly(|_| {}).honesty();
+    let sound = fly(|_| {});
+    assert!(sound.doubts().is_empty(), "{:?}", sound.doubts());
+    let (sound, _) = sound.honesty();
     let stuck = fly(|flight| change(flight, &[ChannelName::Airspeed], from, |_, _| 12.0));
     let mute = fly(|flight| drop_samples(flight, &[ChannelName::Heading], (60.0, 75.0)));
     let blind = fly(|flight| drop_samples(flight, &[ChannelName::HeightAboveGround], from));
@@ -344,6 +355,62 @@ fn landmarks_and_failing_instruments_go_on_say_so_and_stay_honest() {
         "{troubles:?}"
     );
     assert!(stuck.troubles().is_empty());
+}
+
+fn turn_compass(flight: &mut Flight, degrees: f64) {
+    change(flight, &[ChannelName::Heading], ALWAYS, |_, heading| {
+        wrap_pi(heading + degrees.to_radians())
+    });
+}
+
+fn delay_frames(flight: &mut Flight, seconds: f64) {
+    for frame in &mut flight.frames {
+        frame.time += seconds;
+    }
+}
+
+#[test]
+fn a_turned_compass_and_a_late_camera_are_told_put_right_and_leave_the_run_honest() {
+    let right = fly(|flight| turn_compass(flight, 20.0));
+    let left = fly_as("distinct-400ft-calm", 2, FlightDay::Other, |flight| {
+        turn_compass(flight, -25.0);
+    });
+    let late = fly(|flight| delay_frames(flight, 1.0));
+    for (what, flown, largest, begin, end) in [
+        (
+            "compass 20° right",
+            &right,
+            80.0,
+            "heading reads 2",
+            "right",
+        ),
+        ("compass 25° left", &left, 80.0, "heading reads 2", "left"),
+        ("camera 1 s late", &late, 25.0, "camera is 1.0 s late", ""),
+    ] {
+        let ((inside, worst), doubts) = (flown.honesty(), flown.doubts());
+        println!(
+            "{what}: {:.0} % inside, at most {worst:.1} m off; {doubts:?}",
+            100.0 * inside
+        );
+        assert!(inside >= 0.85, "{what}: {inside}");
+        assert!(worst < largest, "{what}: {worst} m");
+        let is_said = |words: &String| words.starts_with(begin) && words.contains(end);
+        assert!(doubts.iter().any(is_said), "{what}: {doubts:?}");
+    }
+}
+
+#[test]
+fn sound_flights_are_believed_on_any_day() {
+    for (name, seed, day) in [
+        ("distinct-400ft-calm", 1, FlightDay::Other),
+        ("distinct-400ft-wind", 5, FlightDay::Other),
+        ("distinct-400ft-wind", 1, FlightDay::Same),
+        ("distinct-400ft-calm", 4, FlightDay::Same),
+    ] {
+        let flown = fly_as(name, seed, day, |_| {});
+        let doubts = flown.doubts();
+        assert!(doubts.is_empty(), "{name}, seed {seed}: {doubts:?}");
+    }
 }
 
 /// No pictures.

@@ -372,4 +372,35 @@ mod tests {
         let inputs = Inputs::of(&flight);
         assert!(inputs.doubted.is_empty(), "{:?}", inputs.doubted);
     }
+    #[test]
+    fn a_doubt_names_its_instrument_and_what_is_wrong_with_it() {
+        let words = |instrument, why| {
+            let since = 12.34;
+            let doubt = Doubt {
+                instrument,
+                why,
+                since,
+            };
+            doubt.words()
+        };
+        let heading = Instrument::Channel(ChannelName::Heading);
+        let by = -20.4_f64.to_radians();
+        assert_eq!(
+            words(heading, Disbelief::Turned { by }),
+            "heading reads 20° too far left, corrected since 12.3 s"
+        );
+        assert_eq!(
+            words(heading, Disbelief::Contradicted),
+            "heading is contradicted by the pictures since 12.3 s"
+        );
+        assert_eq!(
+            words(Instrument::Camera, Disbelief::Late { by: 0.96 }),
+            "camera is 1.0 s late, allowed for since 12.3 s"
+        );
+        let height = Instrument::Channel(ChannelName::HeightAboveGround);
+        assert_eq!(
+            words(height, Disbelief::Silent),
+            "height above ground is silent since 12.3 s"
+        );
+    }
 }

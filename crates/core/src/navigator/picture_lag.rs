@@ -290,3 +290,76 @@ fn seen_anew((seen, covariance): &Place, from: &Pose, to: &Pose) -> Place {
     }
     (seen, *covariance)
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{Matrix4, Point3, Vector4};
+
+    use super::super::NavigatorSettings;
+    use super::super::engine::engine;
+    use super::*;
+    use crate::frames::{Attitude, GroundPoint};
+
+    fn start() -> Box<dyn Engine> {
+        engine(&NavigatorSettings::default(), GroundPoint::default(), 3.0).unwrap()
+    }
+
+    #[test]
+    fn a_punctual_camera_leaves_the_belief_as_it_is() {
+        let (mut engine, time) = (start(), 5.0);
+        let mut lag = PictureLag::new(engine.as_ref()).unwrap();
+        assert!(lag.together(engine.as_ref(), &engine.state()).is_none());
+        assert!(lag.doubt().is_none() && !lag.replace(&mut engine, time));
+        assert!(
+            (lag.weight + lag.rivals.iter().map(|r| r.weight).sum::<f64>() - 1.0).abs() < 1e-12
+        );
+    }
+
+    #[test]
+    fn beliefs_are_mixed_while_a_lag_may_be_and_one_gives_way_that_hardly_can() {
+        let mut first = start();
+        let mut lag = PictureLag::new(first.as_ref()).unwrap();
+        // One rival, as likely as the first, believes to be 18 m farther north.
+        lag.rivals.truncate(1);
+        lag.rivals[0].weight = 0.5;
+        lag.weight = 0.5;
+        lag.doubted = Some(2.0);
+        let ahead = ControlInput::new(18.0, Attitude::level(0.0));
+        lag.predict(&ahead, 1.0);
+        let state = first.state();
+        let together = lag.together(first.as_ref(), &state).unwrap();
+        assert!(
+            (together.position().north - 9.0).abs() < 1e-6,
+            "{together:?}"
+        );
+        let north = together.covariance[(0, 0)];
+        assert!(
+            (80.0..120.0).contains(&(north - state.covariance[(0, 0)])),
+            "{north}"
+        );
+        assert_eq!(
+            lag.doubt().unwrap().words(),
+            "camera may be late since 2.0 s"
+        );
+        lag.weight = 1e-3;
+        lag.share();
+        assert!(lag.replace(&mut first, 7.0));
+        assert!((first.state().position().north - 18.0).abs() < 1e-6);
+        assert!((lag.assumed() - 0.5).abs() < 1e-12);
+        assert_eq!(
+            lag.doubt().unwrap().words(),
+            "camera is 0.5 s late, allowed for since 7.0 s"
+        );
+    }
+
+    #[test]
+    fn a_place_is_the_same_to_whoever_assumes_another_heading_and_height() {
+        let pose = |yaw, height: f64| Pose {
+            position_in_world: Point3::new(0.0, 0.0, -height),
+            attitude: Attitude::level(yaw),
+        };
+        let place = (Vector4::new(320.0, 240.0, 0.1, 0.0), Matrix4::identity());
+        let (seen, _) = seen_anew(&place, &pose(1.0, 100.0), &pose(1.2, 110.0));
+        assert!((seen - Vector4::new(320.0, 240.0, 0.3, 1.1_f64.ln())).norm() < 1e-12);
+    }
+}

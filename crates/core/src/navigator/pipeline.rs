@@ -1,13 +1,15 @@
 //! The navigator: one call a step.
 
+mod doubts;
+
 use std::cell::LazyCell;
 use std::sync::Arc;
 
 use nalgebra::DVector;
 
-use super::engine::{Engine, PredictedStep, engine};
+use super::engine::{Engine, engine};
 use super::expected::AppearanceModel;
-use super::heading_doubt::{HeadingDoubt, turned_back};
+use super::heading_doubt::HeadingDoubt;
 use super::inputs::Inputs;
 use super::picture_lag::{Onlooker, PictureLag};
 use super::second_opinion::{Opinion, SecondOpinion, reconsider};
@@ -93,14 +95,11 @@ impl Navigator {
     ) -> Result<Self, NavigatorError> {
         let detector = ChosenDetector::new(Arc::clone(&map), settings.detector, landmarks);
         let mut navigator = Self::with_detector(flight, landmarks, Box::new(detector), settings)?;
-        match settings.whole_frames {
-            Some(assumed) => navigator.whole_frames = Some(WholeFrames::new(map, assumed)),
-            None => {
-                let height = Control::of(&navigator.flight, navigator.time).height;
-                if let Some(heading) = &mut navigator.heading {
-                    heading.over(map, settings, height);
-                }
-            }
+        if let Some(assumed) = settings.whole_frames {
+            navigator.whole_frames = Some(WholeFrames::new(map, assumed));
+        } else if let Some(heading) = &mut navigator.heading {
+            let height = Control::of(&navigator.flight, navigator.time).height;
+            heading.over(map, settings, height);
         }
         Ok(navigator)
     }
@@ -295,118 +294,6 @@ impl Navigator {
         Ok(report)
     }
 
-    /// What is doubted after all, and what that does to the estimate.
-    fn conclude(&self, report: &mut StepReport) {
-        if let Some(lag) = &self.lag {
-            report.doubts.extend(lag.doubt());
-            if let Some(together) = lag.together(self.engine.as_ref(), &report.after) {
-                report.after = together;
-            }
-        }
-        if let Some(heading) = &self.heading {
-            report.doubts.extend(heading.doubt());
-            let stray = heading.stray(&self.flight, report.time);
-            for axis in 0..2 {
-                report.after.covariance[(axis, axis)] += stray * stray;
-            }
-        }
-    }
-
-    /// Tries the heading by the whole frame where landmarks are missed that must be seen.
-    fn try_heading(
-        &mut self,
-        index: usize,
-        luminance: &Pyramid,
-        report: &mut StepReport,
-    ) -> Result<(), FilterError> {
-        let (Some(mut doubt), Some(mut frame)) = (self.heading.take(), report.frame.take()) else {
-            return Ok(());
-        };
-        doubt.notice(&frame.candidates, self.engine.as_ref(), self.time)?;
-        let laid = doubt.lay(
-            &self.flight,
-            &self.inputs,
-            index,
-            luminance,
-            &report.predicted,
-        );
-        if let Some(mut laid) = laid {
-            let camera = self.flight.camera_of_frame(index);
-            let heading = self.appearance_model(&camera).attitude.yaw;
-            if let Some(turned) = doubt.read(&mut laid, heading, &self.settings)? {
-                self.flight = Arc::new(turned_back(&self.flight, turned.by, turned.since));
-                let step = self.reckon_anew(turned.engine, turned.since)?;
-                self.look_back(index);
-                laid.report.refusal = None;
-                let believed = laid.correct(&self.settings, &mut self.engine)?;
-                report.control = Control::of(&self.flight, self.time);
-                if let Some(step) = step {
-                    report.begun_by(step);
-                }
-                report.predicted = self.engine.state();
-                report.after = report.predicted.clone();
-                if let Some(believed) = believed {
-                    report.corrected_by(believed.predicted, believed.step);
-                    frame.joint = Some(believed.joint);
-                }
-                if let Some(lag) = &mut self.lag {
-                    lag.restart(self.engine.as_ref())?;
-                }
-                doubt.went_on(self.engine.as_ref(), self.time)?;
-            }
-            frame.laid = Some(laid.report);
-        }
-        self.heading = Some(doubt);
-        report.frame = Some(frame);
-        Ok(())
-    }
-
-    /// Goes on from `engine`, as it was at `since` in seconds, with all inputs up to now; the last prediction.
-    fn reckon_anew(
-        &mut self,
-        mut engine: Box<dyn Engine>,
-        since: f64,
-    ) -> Result<Option<PredictedStep>, FilterError> {
-        let (mut time, mut last) = (since, None);
-        let done = self.ticks[..self.next].iter().map(|tick| tick.time);
-        for next in done.filter(|next| *next > since) {
-            let input = self.inputs.between(&self.flight, time, next);
-            last = Some(engine.predict(&input, next - time)?);
-            time = next;
-        }
-        self.engine = engine;
-        self.second = None;
-        Ok(last)
-    }
-
-    /// Lets the filters look as far back as the pictures are late.
-    fn look_back(&mut self, index: usize) {
-        let Some(lag) = self.lag.as_ref().map(PictureLag::assumed) else {
-            return;
-        };
-        let camera = self.flight.camera_of_frame(index);
-        let past = self.onlooker(&camera).past(lag);
-        if let Some(second) = &mut self.second {
-            second.look_back(past.clone());
-        }
-        self.engine.look_back(past);
-    }
-
-    fn onlooker<'a>(&'a self, camera: &'a CameraModel) -> Onlooker<'a> {
-        Onlooker {
-            flight: &self.flight,
-            inputs: &self.inputs,
-            camera,
-            time: self.time,
-        }
-    }
-
-    /// Whether whole frames are laid on the map, with landmarks or without.
-    fn is_laying(&self) -> bool {
-        let heading = self.heading.as_ref();
-        self.whole_frames.is_some() || heading.is_some_and(HeadingDoubt::is_trying)
-    }
-
     /// Why no landmark can be looked for at `time`, if so: nobody knows how the camera looks at the ground.
     fn blindness(&self, time: f64) -> Option<String> {
         let needed = [ChannelName::Heading, ChannelName::HeightAboveGround];
@@ -427,18 +314,6 @@ impl Navigator {
         AppearanceModel::of(&self.flight, camera, &control)
     }
 
-    fn footprint(&self, model: &AppearanceModel<'_>, pose: &Pose) -> Vec<GroundPoint> {
-        let (w, h) = (model.camera.width as f64, model.camera.height as f64);
-        [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)]
-            .into_iter()
-            .filter_map(|(x, y)| {
-                model
-                    .camera
-                    .ground_at(pose, &nalgebra::Point2::new(x, y), model.ground_down)
-            })
-            .collect()
-    }
-
     /// Whether any landmark may lie in frame `index`.
     fn may_see(&self, index: usize) -> bool {
         let camera = self.flight.camera_of_frame(index);
@@ -454,7 +329,7 @@ impl Navigator {
         FrameReport {
             index,
             assumed_pose: pose,
-            footprint: self.footprint(&model, &pose),
+            footprint: footprint(&model, &pose),
             candidates: Vec::new(),
             joint: None,
             laid: None,
@@ -558,7 +433,7 @@ impl Navigator {
         report.frame = Some(FrameReport {
             index,
             assumed_pose: pose,
-            footprint: self.footprint(&model, &pose),
+            footprint: footprint(&model, &pose),
             candidates: reports,
             joint,
             laid,
@@ -615,6 +490,19 @@ impl Navigator {
         report.timing.update = stopwatch() - seen;
         Ok(corrected)
     }
+}
+
+/// Outline of the picture that a camera at `pose` takes, on the ground.
+fn footprint(model: &AppearanceModel<'_>, pose: &Pose) -> Vec<GroundPoint> {
+    let (w, h) = (model.camera.width as f64, model.camera.height as f64);
+    [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)]
+        .into_iter()
+        .filter_map(|(x, y)| {
+            model
+                .camera
+                .ground_at(pose, &nalgebra::Point2::new(x, y), model.ground_down)
+        })
+        .collect()
 }
 
 /// Every time at which a frame arrives after the start, or a measurement no sooner than `shortest` seconds

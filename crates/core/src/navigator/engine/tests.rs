@@ -158,3 +158,26 @@ fn estimators_have_names_and_old_settings_mean_the_unscented_one() {
     assert_eq!(read.estimator.choice, EstimatorChoice::Unscented);
     assert_eq!(read, NavigatorSettings::default());
 }
+
+#[test]
+fn an_engine_that_looks_back_sees_from_where_it_was() {
+    for vehicle in [VehicleChoice::AirplaneWind, VehicleChoice::AirplaneFull] {
+        let mut engine = begun(EstimatorChoice::Unscented, vehicle);
+        let was = engine.state().position();
+        let input = |k: i32| ControlInput::new(18.0, Attitude::level(0.1 * f64::from(k)));
+        for k in 0..10 {
+            engine.predict(&input(k), 0.1).unwrap();
+        }
+        let here = engine.state().position();
+        assert_eq!(engine.seen_from(), here);
+        engine.look_back((0..10).rev().map(|k| (input(k), 0.1)).collect());
+        assert!(was.distance(&here) > 15.0);
+        // Sigma points on a bent way lie a little off the way of their middle.
+        assert!(engine.seen_from().distance(&was) < 0.01, "{vehicle:?}");
+        let model: &MeasurementModel<'_> =
+            &|position, _| Some(dvector![position.north, position.east]);
+        let expected = engine.expect(model, &DMatrix::identity(2, 2)).unwrap();
+        let of_then = GroundPoint::new(expected.mean[0], expected.mean[1]);
+        assert!(of_then.distance(&was) < 0.1, "{vehicle:?}");
+    }
+}
