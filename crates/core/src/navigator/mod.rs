@@ -30,7 +30,6 @@ pub use estimator::{EstimatorChoice, EstimatorSettings};
 pub use explain::{explain, explain_cascade};
 pub use fixes::position_fixes;
 pub use inputs::{Disbelief, Doubt, Instrument};
-pub use inputs::{Disbelief, Doubt};
 pub(crate) use pipeline::PYRAMID_LEVELS;
 pub use pipeline::{Navigator, NavigatorError};
 pub use report::{
