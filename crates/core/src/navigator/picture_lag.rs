@@ -9,6 +9,8 @@
 //! what is left out. Beyond that the belief that is reported spreads over all of them, and once hardly
 //! anything speaks for the first any more, the likeliest takes its place.
 
+use std::collections::BTreeMap;
+
 use nalgebra::DMatrix;
 
 use super::engine::Engine;
@@ -36,6 +38,9 @@ const ELLIPSE: f64 = 0.95;
 const HOPELESS: f64 = 1e-6;
 /// Who is less likely than this has to give way.
 const UNLIKELY: f64 = 0.01;
+/// Evidence of one landmark, whenever it is seen alone: the odds against its being drawn, or found, in a wrong place
+/// every time.
+const ODDS_OF_ONE: f64 = 100.0;
 /// Longest input that is assumed to be even when the way is followed back, seconds.
 const PIECE: f64 = 0.1;
 
@@ -45,6 +50,26 @@ struct Rival {
     engine: Box<dyn Engine>,
     /// Probability, of all the filters together one.
     weight: f64,
+    /// Evidence against the first by each landmark while it was found alone, natural logarithm of odds.
+    alone: BTreeMap<u32, f64>,
+}
+
+impl Rival {
+    /// Takes in that what was `found` is by `evidence` likelier than the first believes, as a logarithm.
+    ///
+    /// Landmarks that were found together speak for themselves. One alone may be wrong every time, and then speaks
+    /// for whatever explains it: all that it says comes to no more than the odds that it is right.
+    fn weigh(&mut self, found: &[FoundPlace<'_>], evidence: f64) {
+        let counted = if let [(landmark, ..)] = found {
+            let all = self.alone.entry(landmark.id).or_default();
+            let before = all.min(ODDS_OF_ONE.ln());
+            *all += evidence;
+            all.min(ODDS_OF_ONE.ln()) - before
+        } else {
+            evidence
+        };
+        self.weight *= counted.exp();
+    }
 }
 
 /// What the flight says of the lag of its pictures.
@@ -98,6 +123,7 @@ impl PictureLag {
                 lag: LONGEST * f64::from(number) / f64::from(RIVALS),
                 engine: engine.faded(1.0)?,
                 weight: LATE / f64::from(RIVALS),
+                alone: BTreeMap::new(),
             })
         };
         Ok(Self {
@@ -143,11 +169,11 @@ impl PictureLag {
                 .map(|(landmark, report, place)| (*landmark, *report, as_seen(place)))
                 .collect();
             let (log_likelihood, agreed) = judged(&judge, &found, reports)?;
-            rival.weight *= (log_likelihood - own).exp();
             if !agreed.is_empty() {
                 let pose = judge.pose;
                 stack(seer.settings, &agreed).correct(rival.engine.as_mut(), &model, &pose)?;
             }
+            rival.weigh(&found, log_likelihood - own);
         }
         self.share();
         let is_doubted = self.weight < 0.5;
@@ -178,6 +204,13 @@ impl PictureLag {
         std::mem::swap(&mut likeliest.engine, engine);
         std::mem::swap(&mut likeliest.weight, &mut self.weight);
         std::mem::swap(&mut likeliest.lag, &mut self.assumed);
+        // Evidence is against the first, who is another now.
+        let for_the_first = std::mem::take(&mut likeliest.alone);
+        for rival in &mut self.rivals {
+            for (landmark, evidence) in &for_the_first {
+                *rival.alone.entry(*landmark).or_default() -= evidence;
+            }
+        }
         self.replaced.get_or_insert(time);
         true
     }
@@ -298,10 +331,32 @@ mod tests {
     use super::super::NavigatorSettings;
     use super::super::engine::engine;
     use super::*;
-    use crate::frames::{Attitude, GroundPoint};
+    use crate::frames::{Attitude, GroundPoint, GroundRect};
+    use crate::landmark::Landmark;
 
     fn start() -> Box<dyn Engine> {
         engine(&NavigatorSettings::default(), GroundPoint::default(), 3.0).unwrap()
+    }
+
+    #[test]
+    fn a_landmark_that_is_seen_alone_again_and_again_says_no_more_than_that_it_may_be_wrong() {
+        let rect = GroundRect::centered(GroundPoint::default(), 30.0, 30.0);
+        let (one, other) = (
+            Landmark::new(1, "one", rect),
+            Landmark::new(2, "other", rect),
+        );
+        let place: Place = (Vector4::zeros(), Matrix4::identity());
+        let mut lag = PictureLag::new(start().as_ref()).unwrap();
+        let rival = &mut lag.rivals[0];
+        let before = rival.weight;
+        for _ in 0..20 {
+            rival.weigh(&[(&one, 0, place)], 3.0);
+        }
+        assert!((rival.weight / before / ODDS_OF_ONE - 1.0).abs() < 1e-9);
+        rival.weigh(&[(&other, 0, place)], 2.0);
+        rival.weigh(&[(&one, 0, place), (&other, 1, place)], 1.0);
+        let odds = (rival.weight / before).ln();
+        assert!((odds - ODDS_OF_ONE.ln() - 3.0).abs() < 1e-9, "{odds}");
     }
 
     #[test]
