@@ -7,6 +7,7 @@
 //! - [`pmtiles`] is a small archive of tiles, for the tests of the other crates, too;
 //! - [`recorded`] reads the recorded flights that have a column map here;
 //! - [`routes`] flies found routes beside straight lines over generated counties;
+//! - [`whole_frames`] navigates recorded flights by laying whole frames on the map;
 //! - [`house`] reads the sources and reports where they break a rule of the house.
 
 pub mod data;
@@ -16,3 +17,4 @@ pub mod oracle;
 pub mod pmtiles;
 pub mod recorded;
 pub mod routes;
+pub mod whole_frames;

@@ -11,77 +11,15 @@ use std::sync::Arc;
 
 use nalgebra::Point3;
 use pilotage_core::alignment::{CameraPrior, CameraToLog, camera_to_log};
-use pilotage_core::flight::{ChannelName, Flight, FlightFolder, FrameSource};
+use pilotage_core::flight::{ChannelName, Flight, FlightFolder};
 use pilotage_core::frames::{GroundPoint, Pose};
-use pilotage_core::imagery::{
-    CachedImagery, Georeference, GeoreferencedPicture, Imagery, decode_map,
-};
-use pilotage_core::navigator::{FrameReport, Navigator, NavigatorSettings, Run, VehicleChoice};
+use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::navigator::{FrameReport, Run};
 use pilotage_core::registration::FollowSettings;
 use pilotage_core::simulate::{FlightDay, Overrides, Scenario};
-use pilotage_tests::{data::shared, recorded};
-
-/// White noise of the acceleration of a multirotor that surveys, (m/s²)/√Hz: with it the mean of the normalized
-/// innovations squared over Caliterra is nearly what it should be.
-const MANOEUVRES: f64 = 3.0;
-
-fn flight(site: &str, data: &str) -> Option<FlightFolder> {
-    Some(recorded::flight(site, data)?.unwrap())
-}
-
-fn map(flight: &Flight, picture: &str, georeference: &str) -> Arc<dyn Imagery> {
-    let read = |name: &str| std::fs::read(shared(name).unwrap()).unwrap();
-    let decoded = decode_map(&read(picture), true).unwrap();
-    let text = String::from_utf8(read(georeference)).unwrap();
-    let place = Georeference::from_json(&text)
-        .unwrap()
-        .in_world(
-            &flight.frame_on_globe.unwrap(),
-            decoded.width(),
-            decoded.height(),
-        )
-        .unwrap();
-    let map = GeoreferencedPicture::new("ortho", decoded, place).unwrap();
-    Arc::new(CachedImagery::new(Arc::new(map), 128))
-}
-
-/// Nothing is known of the vehicle: nearly constant velocity.
-fn settings(height: f64) -> NavigatorSettings {
-    NavigatorSettings {
-        vehicle: VehicleChoice::ConstantVelocity,
-        whole_frames: Some(FollowSettings {
-            height,
-            ..FollowSettings::default()
-        }),
-        ..NavigatorSettings::default()
-    }
-}
-
-fn navigate(
-    flight: Flight,
-    map: Arc<dyn Imagery>,
-    frames: &mut dyn FrameSource,
-    settings: &NavigatorSettings,
-) -> Run {
-    let mut navigator = Navigator::new(Arc::new(flight), &[], map, settings).unwrap();
-    let mut run = navigator.run_head();
-    let begun = std::time::Instant::now();
-    let stopwatch = || begun.elapsed().as_secs_f64() * 1e3;
-    while let Some(step) = navigator.advance(frames, &stopwatch) {
-        run.steps.push(step.unwrap());
-    }
-    run
-}
-
-/// Frames that corrected the estimate, with the estimate after it.
-fn laid(run: &Run) -> Vec<(f64, &FrameReport, GroundPoint)> {
-    let of_frames = run.steps.iter().filter_map(|step| {
-        let frame = step.frame.as_ref()?;
-        frame.joint.as_ref()?;
-        Some((step.time, frame, step.after.position()))
-    });
-    of_frames.collect()
-}
+use pilotage_tests::whole_frames::{
+    MANOEUVRES, caliterra_unaided, flight, laid, map, navigate, settings,
+};
 
 struct Errors(Vec<f64>);
 
@@ -114,21 +52,11 @@ impl Errors {
 /// Attitude and height unknown, satellite navigation the first position only, 36 m off.
 #[test]
 fn caliterra_is_navigated_without_attitude_height_or_landmarks() {
-    let Some(mut folder) = flight("caliterra", "caliterra") else {
+    let Some(mut site) = caliterra_unaided() else {
         return;
     };
-    let mut flight = folder.flight.clone();
-    let map = map(
-        &flight,
-        "caliterra/ortho.png",
-        "caliterra/ortho_georef.json",
-    );
-    let first = |name| flight.channel(name).unwrap().values[0];
-    flight.start.position =
-        GroundPoint::new(first(ChannelName::GpsNorth), first(ChannelName::GpsEast));
-    flight.start.standard_deviation = 20.0;
-    flight.channels.clear();
-    let truth = flight.truth.take().unwrap();
+    let flight = &site.flight;
+    let truth = flight.truth.clone().unwrap();
     let at = |time: f64| {
         let state = truth.states.iter().find(|s| (s.time - time).abs() < 1e-6)?;
         Some(GroundPoint::new(state.position.x, state.position.y))
@@ -139,9 +67,7 @@ fn caliterra_is_navigated_without_attitude_height_or_landmarks() {
         .distance(&at(flight.frames[0].time).unwrap());
     assert!(start > 30.0, "the first fix is {start} m off");
 
-    let mut settings = settings(50.0);
-    settings.process.acceleration = MANOEUVRES;
-    let run = navigate(flight, map, &mut folder.frames, &settings);
+    let run = site.run();
     let laid = laid(&run);
     let errors = |place: &dyn Fn(&FrameReport, GroundPoint) -> GroundPoint| {
         let of = laid.iter().filter_map(|(time, frame, estimate)| {
