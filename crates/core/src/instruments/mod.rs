@@ -20,6 +20,7 @@ mod reckon;
 mod refusal;
 mod series;
 mod settings;
+mod slip;
 mod statistics;
 mod study;
 mod track;
