@@ -3,11 +3,17 @@
 //! The noise that the filters expect by default was made likeliest on these same flights: the errors below say
 //! what is possible with them, not what a flight that nobody has seen will show.
 
-use pilotage_core::flight::Flight;
+use pilotage_core::camera::CameraModel;
+use pilotage_core::flight::{Channel, ChannelName, Flight, StartFix};
+use pilotage_core::frames::{GroundPoint, wrap_pi};
 use pilotage_core::instruments::{
-    CutPlan, CutStudy, Instruments, ReckonSettings, Way, reckon, rolling_track, study_cuts,
+    CutPlan, CutStudy, Instruments, ReckonSettings, Way, likeliest, reckon, rolling_track,
+    study_cuts,
 };
 use pilotage_tests::recorded;
+
+/// How often the plain filter flies while its noise is looked for.
+const TUNING: usize = 60;
 
 fn flight(name: &str) -> Option<Flight> {
     let folder = recorded::flight(name, "inertialnav_x8")?.expect("the flight reads");
@@ -66,17 +72,56 @@ fn by_the_gyros_heading_it_costs_less_than_52() {
     );
 }
 
+/// Cuts by the plain filter, with the noise that makes their ends likeliest.
+fn tuned_to_ends(flight: &Flight) -> CutStudy {
+    let instruments = Instruments::of(flight, None).expect("it has instruments");
+    let cut = |noise: &[f64]| {
+        let mut settings = ReckonSettings::default();
+        settings.plain.air_data.position_noise_density = noise[0];
+        settings.plain.wind_noise_density = noise[1];
+        let plan = CutPlan::default();
+        let study = study_cuts(&instruments, &Way::plain(), &plan, &settings, &mut |_| true);
+        study.expect("the filter goes on")
+    };
+    let plain = ReckonSettings::default().plain;
+    let start = [
+        plain.air_data.position_noise_density,
+        plain.wind_noise_density,
+    ];
+    let (noise, _) = likeliest(&start, TUNING, |noise| cut(noise).end_log_likelihood());
+    let study = cut(&noise);
+    println!(
+        "plain, ends likeliest by {:.2} m/√s and {:.3} m/s/√s: median {:.1} m, 90 % {:.1} m, {:.0} % inside",
+        noise[0],
+        noise[1],
+        study.error_quantile(0.5),
+        study.error_quantile(0.9),
+        100.0 * study.covered()
+    );
+    study
+}
+
 #[test]
-fn delays_pitch_and_gusts_halve_the_errors_of_the_plain_filter() {
+fn delays_pitch_gusts_and_sideslip_halve_the_errors_of_the_plain_filter() {
     let Some(flight) = flight("testlog2") else {
         return;
     };
     let full = study(&flight, &Way::air_and_wind(), 60.0, 2.0);
-    let plain = study(&flight, &Way::plain(), 60.0, 2.0);
-    let ratio = |share| full.error_quantile(share) / plain.error_quantile(share);
-    let (median, ninety) = (ratio(0.5), ratio(0.9));
-    println!("full beside plain: median {median:.2}, 90 % {ninety:.2}");
-    assert!(median <= 0.8 && ninety <= 0.6, "{median} {ninety}");
+    let beside = |plain: &CutStudy| {
+        let ratio = |share| full.error_quantile(share) / plain.error_quantile(share);
+        let (median, ninety) = (ratio(0.5), ratio(0.9));
+        println!("  full beside it: median {median:.3}, 90 % {ninety:.3}");
+        (median, ninety)
+    };
+    // The default noise makes the innovations likeliest among winds that hardly change.
+    let by_innovations = study(&flight, &Way::plain(), 60.0, 2.0);
+    let (median, ninety) = beside(&by_innovations);
+    assert!(median <= 0.8 && ninety <= 0.5, "{median} {ninety}");
+    // Noise that fits the ends of these very cuts: what is left there is mostly how the wind itself changes, which
+    // no filter knows beforehand (docs/results.md), so that half is not reached.
+    let by_ends = tuned_to_ends(&flight);
+    let (median, ninety) = beside(&by_ends);
+    assert!(median <= 0.8 && ninety <= 0.8, "{median} {ninety}");
 }
 
 #[test]
@@ -124,4 +169,97 @@ fn the_wind_is_that_of_the_whole_flight_after_two_turns() {
     let rms = (errors.iter().sum::<f64>() / errors.len() as f64).sqrt();
     println!("wind: {rms:.2} m/s RMS beside {whole:.2?}");
     assert!(rms <= 1.0, "{rms} m/s");
+}
+
+/// Round and round at 16 m/s through a wind of 5 m/s, pushed sideways: for 100 s now to this side and now to that, then
+/// to the left wherever it flies north and to the right wherever south, which drifts like another wind.
+fn slipping() -> Flight {
+    const SPEED: f64 = 16.0;
+    const LENGTH: f64 = 20.0;
+    const STEP: f64 = 0.05;
+    let heading = |time: f64| 0.25 * time;
+    let force = |time: f64| {
+        if time < 100.0 {
+            2.0 * (0.9 * time).sin()
+        } else {
+            2.0 * heading(time).cos()
+        }
+    };
+    let times: Vec<f64> = (0..4000).map(|i| STEP * f64::from(i)).collect();
+    let velocity = |time: f64| {
+        let (sin, cos) = heading(time).sin_cos();
+        let slip = -LENGTH * force(time) / SPEED;
+        [
+            SPEED * cos - slip * sin - 3.0,
+            SPEED * sin + slip * cos + 4.0,
+        ]
+    };
+    let place = |axis: usize| {
+        let steps = times.iter().scan(0.0, move |at, time| {
+            let before = *at;
+            *at += velocity(time + 0.5 * STEP)[axis] * STEP;
+            Some(before)
+        });
+        steps.collect()
+    };
+    let channel = |name, values| Channel {
+        name,
+        times: times.clone(),
+        values,
+    };
+    let of = |value: &dyn Fn(f64) -> f64| times.iter().map(|t| value(*t)).collect();
+    Flight {
+        name: "slipping".to_owned(),
+        frame_on_globe: None,
+        camera: CameraModel::pinhole(640, 480, 1.0),
+        ground_down: 0.0,
+        channels: vec![
+            channel(ChannelName::GpsNorth, place(0)),
+            channel(ChannelName::GpsEast, place(1)),
+            channel(ChannelName::GpsVelocityNorth, of(&|t| velocity(t)[0])),
+            channel(ChannelName::GpsVelocityEast, of(&|t| velocity(t)[1])),
+            channel(ChannelName::Heading, of(&|t| wrap_pi(heading(t)))),
+            // No sensor shows the same all the time.
+            channel(
+                ChannelName::Airspeed,
+                of(&|t| SPEED + 0.01 * (7.0 * t).sin()),
+            ),
+            channel(ChannelName::AccelerationRight, of(&force)),
+        ],
+        frames: Vec::new(),
+        start: StartFix {
+            time: 0.0,
+            position: GroundPoint::default(),
+            standard_deviation: 3.0,
+        },
+        truth: None,
+    }
+}
+
+#[test]
+fn a_sideslip_is_known_by_its_side_force() {
+    let mut flight = slipping();
+    let cut = |flight: &Flight| {
+        let instruments = Instruments::of(flight, None).expect("it has instruments");
+        let ways = [Way::air_and_wind()];
+        let settings = ReckonSettings::default();
+        let found = reckon(&instruments, (98.0, 158.0), &ways, &settings, |_| true);
+        let track = &found.expect("the filter goes on").tracks[0];
+        let last = track.growth((98.0, 158.0)).pop().expect("a point");
+        let error = last.error.expect("it is known where it was");
+        let fit = track.calibration.fit.expect("a fit");
+        println!(
+            "slip of {:.1} ± {:.1} m, {error:.1} m off",
+            fit.slip_length, fit.slip_deviation
+        );
+        (fit.slip_length, error)
+    };
+    let (length, error) = cut(&flight);
+    assert!((length - 20.0).abs() < 1.0, "{length} m");
+    assert!(error < 5.0, "{error} m");
+    flight
+        .channels
+        .retain(|c| c.name != ChannelName::AccelerationRight);
+    let (length, without) = cut(&flight);
+    assert!(length == 0.0 && without > 50.0, "{length} m, {without} m");
 }

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::fit::{AirFit, FitPrior, FitProblem};
 use super::readings::Readings;
 use super::series::Series;
+use super::slip::SideForce;
 use crate::flight::overview::{Finding, Severity};
 
 /// First step of the search for delays, seconds; steps halve down to the last.
@@ -15,6 +16,12 @@ const LAST_STEP: f64 = 0.01;
 
 /// Offset of the compass from which on it is told, radians.
 const COMPASS_OFF: f64 = 0.1;
+
+/// Standard deviation of the sideslip's length about zero before it was measured, m: a fuselage has a few metres, a
+/// bare wing some twenty.
+const SLIP_LENGTH: f64 = 30.0;
+/// The same of what the side force reads too much, m/s²: three degrees of roll.
+const SIDE_FORCE: f64 = 0.5;
 
 /// Where the heading comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
@@ -72,12 +79,16 @@ impl Default for CalibrationSettings {
                 heading: 0.2,
                 drift: 0.0,
                 wind: 5.0,
+                slip_length: SLIP_LENGTH,
+                slip_offset: SLIP_LENGTH * SIDE_FORCE,
             },
             gyros: FitPrior {
                 scale: 0.1,
                 heading: 1.0,
                 drift: 0.003,
                 wind: 5.0,
+                slip_length: SLIP_LENGTH,
+                slip_offset: SLIP_LENGTH * SIDE_FORCE,
             },
         }
     }
@@ -190,6 +201,7 @@ impl Calibration {
 pub fn calibrate(
     readings: &Readings,
     nose: &Series<Vector2<f64>>,
+    side_force: &SideForce,
     heading: HeadingSource,
     span: (f64, f64),
     settings: &CalibrationSettings,
@@ -198,6 +210,7 @@ pub fn calibrate(
         velocities: &readings.velocities,
         airspeed: &readings.airspeed,
         nose,
+        side_force,
         span,
         memory: settings.error_memory,
         deviation: settings.error_deviation,

@@ -4,9 +4,11 @@ use nalgebra::{Matrix2, Rotation2, SMatrix, SVector, Vector2};
 use serde::{Deserialize, Serialize};
 
 use super::series::Series;
+use super::slip::{SideForce, Slip};
 
-/// Unknowns of the fit: a and b of the factor on the velocity over ground, what the wind adds north and east, drift.
-const UNKNOWNS: usize = 5;
+/// Unknowns of the fit: a and b of the factor on the velocity over ground, what the wind adds north and east, drift,
+/// length and offset of the sideslip.
+const UNKNOWNS: usize = 7;
 /// Times about that of a velocity over ground at which the air data are read for it, seconds: receivers tell means,
 /// and noise is less.
 const AVERAGED: [f64; 5] = [-0.1, -0.05, 0.0, 0.05, 0.1];
@@ -31,15 +33,20 @@ pub struct FitPrior {
     pub drift: f64,
     /// Wind per axis, m/s.
     pub wind: f64,
+    /// Length of the sideslip about zero, m.
+    pub slip_length: f64,
+    /// Offset of the sideslip about zero, m²/s².
+    pub slip_offset: f64,
 }
 
-/// One wind, one scale of the airspeed, one offset and drift of the heading, by whitened least squares.
+/// One wind, one scale of the airspeed, one offset and drift of the heading, one readiness to slip sideways, by
+/// whitened least squares.
 ///
 /// The velocity over ground v of satellite navigation is smooth; gusts and noise are in the air velocity
 /// u = V cos θ (cos ψ, sin ψ) as read. So u is explained by v and not the other way round, which would take every
-/// gust for a smaller scale: u = a v + b v⊥ + c - d (t - t₀) (v - w)⊥ + e, with x⊥ the same turned to the right by
-/// 90°, linear in a, b, c and d, the wind w of the drift's term taken from the round before. The scale is
-/// 1 / |(a, b)|, the heading truly is atan2(-b, a) more, the wind solves a w + b w⊥ = -c. The error e remembers
+/// gust for a smaller scale: u = a v + b v⊥ + c - d (t - t₀) (v - w)⊥ - s + e, with x⊥ the same turned to the
+/// right by 90° and s the slip by the side force (`slip.rs`), linear in a, b, c, d and what makes s, the wind w of the
+/// drift's term taken from the round before. The scale is 1 / |(a, b)|, the heading truly is atan2(-b, a) more, the wind solves a w + b w⊥ = -c. The error e remembers
 /// itself: each sample counts by what is new in it, e(t) - φ e(t'), φ = exp(-(t - t') / τ).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AirFit {
@@ -53,6 +60,13 @@ pub struct AirFit {
     pub reference: f64,
     /// Velocity of the air (north, east), m/s.
     pub wind: Vector2<f64>,
+    /// Length L of the sideslip, m: the airplane slips to its right at (B - L f) / V with the specific force f along
+    /// the right wing; zero where none is measured.
+    pub slip_length: f64,
+    /// Its standard deviation, m.
+    pub slip_deviation: f64,
+    /// Offset B of the sideslip, m²/s².
+    pub slip_offset: f64,
     /// Standard deviation of the scale, by the residuals.
     pub scale_deviation: f64,
     /// Standard deviation of the heading's offset at `reference`, radians.
@@ -80,6 +94,8 @@ pub struct FitProblem<'a> {
     pub airspeed: &'a Series,
     /// Horizontal part of the nose's direction.
     pub nose: &'a Series<Vector2<f64>>,
+    /// Side force; may be empty.
+    pub side_force: &'a SideForce,
     /// Stretch of the velocities, seconds.
     pub span: (f64, f64),
     /// Correlation time τ of the error, seconds.
@@ -96,16 +112,19 @@ struct Row {
     time: f64,
     ground: Vector2<f64>,
     air: Vector2<f64>,
+    slip: Slip,
 }
 
 impl Row {
-    /// Rows of the design matrix, north and east, `since` seconds after the reference, in a wind of about `wind`.
-    fn design(&self, wind: &Vector2<f64>, since: f64) -> [SVector<f64, UNKNOWNS>; 2] {
+    /// Rows of the design matrix, north and east, `since` seconds after the reference, near a guess.
+    fn design(&self, guess: &Guess, since: f64) -> [SVector<f64, UNKNOWNS>; 2] {
         let (n, e) = (self.ground.x, self.ground.y);
-        let through_air = (self.ground - wind) * since;
+        let through_air = (self.ground - guess.wind) * since;
+        let turned = Rotation2::new(guess.offset);
+        let (slip, offset) = (turned * self.slip.per_length, turned * self.slip.per_offset);
         [
-            SVector::from([n, -e, 1.0, 0.0, through_air.y]),
-            SVector::from([e, n, 0.0, 1.0, -through_air.x]),
+            SVector::from([n, -e, 1.0, 0.0, through_air.y, -slip.x, -offset.x]),
+            SVector::from([e, n, 0.0, 1.0, -through_air.x, -slip.y, -offset.y]),
         ]
     }
 }
@@ -149,14 +168,27 @@ impl FitProblem<'_> {
     fn rows(&self, airspeed_delay: f64, gps_delay: f64) -> Vec<Row> {
         let row = |(stamp, ground): (f64, Vector2<f64>)| {
             let time = stamp - gps_delay;
-            let (mut air, mut count) = (Vector2::zeros(), 0.0);
+            let mut air = Vector2::zeros();
+            let (mut per_length, mut per_offset) = (Vector2::zeros(), Vector2::zeros());
+            let share = 1.0 / AVERAGED.len() as f64;
             for part in AVERAGED {
                 let there = time + part;
-                air += self.nose.at(there)? * self.airspeed.at(there + airspeed_delay)?;
-                count += 1.0;
+                let nose = self.nose.at(there)?;
+                let airspeed = self.airspeed.at(there + airspeed_delay)?;
+                air += nose * airspeed * share;
+                let slip = self.side_force.slip(there, &nose, airspeed);
+                per_length += slip.per_length * share;
+                per_offset += slip.per_offset * share;
             }
-            air /= count;
-            Some(Row { time, ground, air })
+            Some(Row {
+                time,
+                ground,
+                air,
+                slip: Slip {
+                    per_length,
+                    per_offset,
+                },
+            })
         };
         let (from, to) = self.span;
         self.velocities.between(from, to).filter_map(row).collect()
@@ -186,7 +218,7 @@ impl FitProblem<'_> {
             let limit = (OUTLIER * solved.left).max(1.0) * std::f64::consts::SQRT_2;
             let (reference, before) = (solved.fit.reference, rows.len());
             rows.retain(|row| {
-                let design = row.design(&guess.wind, row.time - reference);
+                let design = row.design(&guess, row.time - reference);
                 let read = turned * row.air;
                 let left = Vector2::new(
                     read.x - design[0].dot(&solved.unknowns),
@@ -229,7 +261,7 @@ impl FitProblem<'_> {
         };
         let mut earlier: Option<(f64, [SVector<f64, UNKNOWNS>; 2], Vector2<f64>)> = None;
         for row in rows {
-            let design = row.design(&guess.wind, row.time - reference);
+            let design = row.design(guess, row.time - reference);
             let read = turned * row.air;
             let kept = earlier
                 .as_ref()
@@ -257,7 +289,7 @@ impl FitProblem<'_> {
         // c = -(a w + b w⊥): how the wind moves with all of it.
         let by_unknowns = into_wind
             * SMatrix::<f64, 2, UNKNOWNS>::from_row_slice(&[
-                wind.x, -wind.y, 1.0, 0.0, 0.0, wind.y, wind.x, 0.0, 1.0, 0.0,
+                wind.x, -wind.y, 1.0, 0.0, 0.0, 0.0, 0.0, wind.y, wind.x, 0.0, 1.0, 0.0, 0.0, 0.0,
             ]);
         let of_wind = by_unknowns * covariance * by_unknowns.transpose();
         let deviation = |i: usize| covariance[(i, i)].sqrt();
@@ -267,6 +299,9 @@ impl FitProblem<'_> {
             heading_drift: unknowns[4] * scale,
             reference,
             wind,
+            slip_length: unknowns[5],
+            slip_deviation: deviation(5),
+            slip_offset: unknowns[6],
             scale_deviation: deviation(0) * scale * scale,
             offset_deviation: deviation(1) * scale,
             drift_deviation: deviation(4) * scale,
@@ -291,6 +326,8 @@ impl FitProblem<'_> {
             (0.0, self.prior.wind),
             (0.0, self.prior.wind),
             (0.0, self.prior.drift.max(1e-9)),
+            (0.0, self.prior.slip_length),
+            (0.0, self.prior.slip_offset),
         ];
         for (index, (mean, deviation)) in priors.into_iter().enumerate() {
             let mut row = SVector::zeros();
@@ -333,6 +370,7 @@ mod tests {
             velocities: &velocities,
             airspeed: &airspeed,
             nose: &nose,
+            side_force: &SideForce::default(),
             span: (0.0, 120.0),
             memory: 1.0,
             deviation: 1.0,
@@ -341,6 +379,8 @@ mod tests {
                 heading: 0.2,
                 drift: 0.0,
                 wind: 5.0,
+                slip_length: 30.0,
+                slip_offset: 15.0,
             },
         };
         problem.solve(0.0, 0.0).expect("a fit")

@@ -3,7 +3,8 @@
 //! A flight becomes [`Instruments`]: readings cleaned of what cannot be, with what was refused in words. From the
 //! flight up to a cut, and from nothing later, [`Instruments::calibrate`] finds how late airspeed and satellite
 //! navigation come, by what factor the airspeed reads wrong, which heading to believe and by what angle to turn
-//! it. [`reckon`] flies through one cut in several ways side by side, [`study_cuts`] through cuts all along.
+//! it, and how the airplane slips sideways. [`reckon`] flies through one cut in several ways side by side,
+//! [`study_cuts`] through cuts all along.
 
 mod airborne;
 mod calibration;
@@ -20,6 +21,7 @@ mod reckon;
 mod refusal;
 mod series;
 mod settings;
+mod slip;
 mod statistics;
 mod study;
 mod track;

@@ -10,6 +10,7 @@ use super::nose::{bridged, gyro_nose, logged_nose};
 use super::readings::Readings;
 use super::series::Series;
 use super::settings::HeadingChoice;
+use super::slip::SideForce;
 use super::walker::AirInputs;
 use crate::filter::{FilterError, Gaussian};
 use crate::flight::Flight;
@@ -74,6 +75,7 @@ pub struct Instruments {
     pub findings: Vec<Finding>,
     /// The airspeed as it moves the airplane.
     calm: Series,
+    side_force: SideForce,
     logged: Series<Vector2<f64>>,
     gyros: Series<Vector2<f64>>,
 }
@@ -103,6 +105,7 @@ impl Instruments {
         }
         Ok(Self {
             calm: readings.airspeed.averaged(GUST),
+            side_force: SideForce::of(&readings, &airborne),
             readings,
             airborne,
             stretch,
@@ -130,6 +133,7 @@ impl Instruments {
         AirInputs {
             airspeed: &self.calm,
             nose: self.nose(calibration.heading),
+            side_force: &self.side_force,
             calibration,
         }
     }
@@ -178,7 +182,15 @@ impl Instruments {
         settings: &CalibrationSettings,
     ) -> Calibration {
         let span = (self.stretch.0, as_of);
-        calibrate(&self.readings, self.nose(source), source, span, settings)
+        let nose = self.nose(source);
+        calibrate(
+            &self.readings,
+            nose,
+            &self.side_force,
+            source,
+            span,
+            settings,
+        )
     }
 
     /// The readings as they are: no delays, no offset, the logged heading.
@@ -250,6 +262,7 @@ fn refuse_unhealthy(readings: &mut Readings, airborne: &[(f64, f64)]) -> Vec<Fin
     };
     refuse("Airspeed", &mut readings.airspeed);
     refuse("Heading", &mut readings.heading);
+    refuse("Side force", &mut readings.side_force);
     let gaps = health::gaps(&readings.positions, airborne);
     findings.extend(health::gap_findings("GPS position", &gaps));
     if readings.airspeed.is_empty() {

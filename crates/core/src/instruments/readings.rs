@@ -21,6 +21,8 @@ pub struct Readings {
     pub pitch: Series,
     /// Turn rates about the nose, the right wing and the belly, rad/s.
     pub rates: [Series; 3],
+    /// Specific force along the right wing, m/s².
+    pub side_force: Series,
     /// Positions by satellite navigation, metres north and east of the origin.
     pub positions: Series<Vector2<f64>>,
     /// Velocities over ground by satellite navigation, m/s north and east.
@@ -61,6 +63,7 @@ impl Readings {
             roll: read(ChannelName::Roll),
             pitch: read(ChannelName::Pitch),
             rates: rates.map(&mut read),
+            side_force: read(ChannelName::AccelerationRight),
             positions,
             velocities,
             height: Series::new(),

@@ -32,7 +32,8 @@ pub enum Method {
 /// The noise of both filters comes from the two flights of the Skywalker X-8 that the tests fly. That of the full
 /// filter is rounded from what makes the positions at the ends of cuts likeliest ([`super::likeliest`] over
 /// [`super::CutStudy::end_log_likelihood`]); that of the plain one makes the innovations of `TestLog2` likeliest with the
-/// 5 ft of DeAngelo 2016, Table 4, as the doubt of a position.
+/// 5 ft of DeAngelo 2016, Table 4, as the doubt of a position, among winds that hardly change: a wind that follows
+/// whatever the positions do (4.5 m/s/√s) makes them likelier still and cuts useless.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct ReckonSettings {

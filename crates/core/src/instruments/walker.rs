@@ -6,6 +6,7 @@ use super::calibration::Calibration;
 use super::models::Airplane;
 use super::refusal::{Refusals, Source};
 use super::series::Series;
+use super::slip::SideForce;
 use crate::filter::{FilterError, Gate, Gaussian, Ukf, UnscentedSettings, fading_factor};
 use crate::frames::Attitude;
 use crate::vehicle::ControlInput;
@@ -24,6 +25,8 @@ pub(super) struct AirInputs<'a> {
     pub(super) airspeed: &'a Series,
     /// Horizontal part of the nose's direction as read.
     pub(super) nose: &'a Series<Vector2<f64>>,
+    /// Side force.
+    pub(super) side_force: &'a SideForce,
     /// What is known of them.
     pub(super) calibration: &'a Calibration,
 }
@@ -31,14 +34,23 @@ pub(super) struct AirInputs<'a> {
 impl AirInputs<'_> {
     /// The input at `time`, `None` without a heading.
     fn at(&self, time: f64) -> Option<ControlInput> {
-        let nose = self.calibration.heading_correction(time) * self.nose.at(time)?;
+        let nose = self.nose.at(time)?;
+        let airspeed = self.airspeed.at(time + self.calibration.delays.airspeed);
+        // The way through the air as a share of the airspeed: along the nose but for the sideslip.
+        let mut way = nose;
+        if let Some((fit, airspeed)) = self.calibration.fit.zip(airspeed) {
+            let slip = self.side_force.slip(time, &nose, airspeed);
+            let velocity = slip.per_length * fit.slip_length + slip.per_offset * fit.slip_offset;
+            way += velocity / airspeed.max(f64::MIN_POSITIVE);
+        }
+        let way = self.calibration.heading_correction(time) * way;
         let attitude = Attitude {
             roll: 0.0,
-            pitch: nose.norm().min(1.0).acos(),
-            yaw: nose.y.atan2(nose.x),
+            pitch: way.norm().min(1.0).acos(),
+            yaw: way.y.atan2(way.x),
         };
         Some(ControlInput {
-            airspeed: self.airspeed.at(time + self.calibration.delays.airspeed),
+            airspeed,
             attitude,
             ..ControlInput::default()
         })
