@@ -2,8 +2,8 @@
 //!
 //! An airplane that moves sideways through the air is pushed back. To first order the push is a specific force
 //! f = -(ρ V² S c / 2m) β along the right wing, with the sideslip β, the air's density ρ, the wing's area S, the mass m
-//! and the slope c of the side force (-C_yβ in the textbooks), so that the airplane moves to its right through the air
-//! at V β = -L f / V. The length L = 2m / (ρ S c) is its own; both flights of the Skywalker X-8, a wing without a
+//! and the slope c of the side force (`-C_yβ` in the textbooks), so that the airplane moves to its right through the
+//! air at V β = -L f / V. The length L = 2m / (ρ S c) is its own; both flights of the Skywalker X-8, a wing without a
 //! fuselage to speak of, say 22 m where the heading is known.
 //!
 //! What is read for f is off by an amount b: by the accelerometer's own, by a roll that is off, by an airframe that is
