@@ -287,7 +287,7 @@ fn unknown(pool: &FilePool) -> String {
         "{first}{more}: no {FLIGHT_FILE}, no flight log, no map with its georeference, no mission, no \
          route and no run among them. Drop a log (.bin, .log, .ulg, .tlog), a flight folder, a zip of \
          either, a map picture with its world file, a \
-         GeoTIFF, PMTiles or an elevation model (.hgt), a mission or a run saved here, or routes and \
+         GeoTIFF, PMTiles or an elevation model (.hgt), photos that say where they were taken, a mission or a run saved here, or routes and \
          landmarks as .plan, .waypoints, KML, GPX, GeoJSON or CSV, or tables of a flight as CSV."
     )
 }
