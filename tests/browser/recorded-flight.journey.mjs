@@ -20,11 +20,13 @@ export async function run(page, tools) {
   const pictures = readdirSync(join(folder, "frames")).map((f) => join(folder, "frames", f));
   const mission = existsSync(flights) ? readdirSync(flights).map((f) => join(flights, f)) : [];
   await page.setInputFiles("#files", [...files, ...pictures, ...mission]);
-  const opened = await tools.waitFor((s) => s.flight !== before.flight || s.toasts.some((t) => t.trouble), "the flight to open", 120_000);
+  const opened = await tools.waitFor((s) => (s.flight && s.flight !== before.flight) || s.toasts.some((t) => t.trouble), "the flight to open", 120_000);
   const trouble = opened.toasts.find((t) => t.trouble);
   tools.check(!trouble, `${trouble?.title}: ${trouble?.text}`);
   const flown = await tools.waitFor((s) => s.run_complete, "the flight to be navigated", 150_000);
   tools.check(flown.frames === 18, `${flown.frames} frames`);
+  tools.check(flown.log?.read && flown.log.format === "Tables" && flown.side_tab === "Log", JSON.stringify(flown.log));
+  console.log(`        ${flown.log.topics} tables, ${flown.log.messages} rows; ${flown.log.findings.join("; ")}`);
   console.log(`        ${flown.landmarks.length} landmarks, ${flown.candidates} looked for, ${flown.accepted} accepted`);
   tools.check(flown.landmarks.length === 0 || flown.accepted >= 10, "hardly a landmark was accepted");
   await tools.waitFor((s) => s.map.tiles > 0, "its map", 60_000);

@@ -23,8 +23,8 @@ export async function run(page, tools) {
   for (const name of ["frames.csv", "ortho.jpg", "ortho_georef.json"]) files.push([name, readFileSync(join(folder, name))]);
   for (const name of readdirSync(join(folder, "frames"))) files.push([`frames/${name}`, readFileSync(join(folder, "frames", name))]);
   await page.setInputFiles("#files", [{ name: "brighton.zip", mimeType: "application/zip", buffer: zip(files) }]);
-  await tools.waitFor((s) => s.flight !== before.flight || s.toasts.some((t) => t.trouble), "the flight to open", 120_000);
-  const opened = await tools.waitFor((s) => s.flight !== before.flight, "the flight");
+  await tools.waitFor((s) => (s.flight && s.flight !== before.flight) || s.toasts.some((t) => t.trouble), "the flight to open", 120_000);
+  const opened = await tools.waitFor((s) => s.flight && s.flight !== before.flight, "the flight");
   const trouble = opened.toasts.find((t) => t.trouble);
   tools.check(!trouble, `${trouble?.title}: ${trouble?.text}`);
 

@@ -1,18 +1,37 @@
 //! What a flight log holds, in words.
 
-use pilotage_core::flight::interpret::flight_from_log;
-use pilotage_core::flight::log::{Log, all_formats};
-use pilotage_core::flight::overview::{Severity, overview};
+use pilotage_core::flight::FlightFolder;
+use pilotage_core::flight::interpret::{flight_from_log, log_of_flight};
+use pilotage_core::flight::log::Log;
+use pilotage_core::flight::overview::{Overview, Severity, overview};
 
 /// Prints what the log is, what measured, what looks wrong and what can be done with it.
 pub fn describe(log: &Log) {
-    let info = all_formats().iter().find(|info| info.format == log.format);
-    let format = info.map_or("flight log", |info| info.label);
     let interpreted = flight_from_log(log);
-    let seen = overview(log, &interpreted);
+    let seen = overview(log, &interpreted.measured());
+    measured(log, &seen);
+    if let Ok(flight) = &interpreted.into_flight() {
+        crate::inspect_wind::describe(flight);
+    }
+    judged(&seen);
+}
+
+/// Prints the same of a flight of tables or photos.
+pub fn describe_folder(folder: &FlightFolder) {
+    let log = folder.log();
+    let beside = log_of_flight(&log, &folder.flight);
+    let mut seen = overview(&log, &beside.measured());
+    seen.add_pictures(folder.flight.frames.len());
+    measured(&log, &seen);
+    crate::inspect_wind::describe(&folder.flight);
+    judged(&seen);
+}
+
+/// What the log is, and what measured.
+fn measured(log: &Log, seen: &Overview) {
     println!(
         "{} \"{}\": {:.1} s, {} topics, {} messages {}",
-        format,
+        log.format.label(),
         log.name,
         seen.span.1 - seen.span.0,
         log.topics.iter().filter(|t| !t.is_empty()).count(),
@@ -39,9 +58,10 @@ pub fn describe(log: &Log) {
             fit.wind.x, fit.wind.y, fit.scale, fit.rms
         );
     }
-    if let Ok(flight) = &interpreted.into_flight() {
-        crate::inspect_wind::describe(flight);
-    }
+}
+
+/// What looks wrong, and what can be done with it.
+fn judged(seen: &Overview) {
     for finding in &seen.findings {
         let word = match finding.severity {
             Severity::Note => "note",

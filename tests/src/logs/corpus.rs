@@ -63,6 +63,8 @@ pub fn samples(format: LogFormat) -> Vec<Sample> {
                 files.push(parts.concat());
             }
         }
+        // No files of their own: they are made of tables and photos, which have readers of theirs.
+        LogFormat::Tables | LogFormat::Photos => {}
     }
     let sample = |bytes: Vec<u8>| Sample {
         seams: seams(format, &bytes),
@@ -101,6 +103,7 @@ fn seams(format: LogFormat, bytes: &[u8]) -> Vec<f64> {
         LogFormat::Tlog => bytes[at] == 0 && matches!(bytes.get(at + 8), Some(0xfd | 0xfe)),
         LogFormat::DataflashText => at > 0 && matches!(bytes[at - 1], b'\n' | b','),
         LogFormat::Ulog => at.is_multiple_of(16),
+        LogFormat::Tables | LogFormat::Photos => false,
     };
     let places = (0..bytes.len()).filter(|at| begins(*at));
     // A little behind the very part, so that no rounding falls short of it.

@@ -8,7 +8,7 @@ use super::desk::Opening;
 use super::logs::with_origin;
 use crate::dialogs::{ColumnsCommand, ColumnsDraft};
 use crate::host::{Host, OpenedFile};
-use crate::jobs::{COLUMNS_FILE, FlightSource, Job, JobEvent, MadeFlight, write_columns};
+use crate::jobs::{COLUMNS_FILE, Job, JobEvent, MadeFlight, write_columns};
 
 impl App {
     /// Asks what the columns of tables mean.
@@ -84,7 +84,7 @@ impl App {
         let map = with_origin(self.map_under(frame), frame);
         let title = format!("Opened a flight from {}", draft.name);
         self.toasts.note(host.now(), title, sentences(&made.notes));
-        self.fly_new(host, FlightSource::Files(draft.key), map, None);
+        self.open_measured(host, draft.key, &made.flight, map, None);
     }
 
     /// The tables that are asked about.

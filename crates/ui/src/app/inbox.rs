@@ -208,11 +208,19 @@ impl App {
             JobEvent::Cancelled => self.desk.fly = None,
             JobEvent::Failed(why) => {
                 let began = fly.began;
+                let is_of_log = self.documents.flight_source == fly.flight && !fly.again;
                 self.desk.fly = None;
                 self.align_after_flight(host, false);
                 self.documents.run_complete |= began;
+                let log = self.documents.log.as_mut().filter(|_| is_of_log);
                 let kept = if began {
                     "What had been computed stays."
+                } else if let Some(log) = log {
+                    if let Some((first, _)) = log.span() {
+                        self.playback.time = first;
+                    }
+                    log.unnavigable = Some(why.clone());
+                    "What was measured can be plotted all the same."
                 } else {
                     "Everything open stays as it was."
                 };
@@ -351,14 +359,12 @@ impl App {
             // What it is, is told at the right; a notice would cover it.
             let over = has_map.then_some(map_source);
             self.open_log(host, opening, file, over, mission);
-        } else if has_flight {
+        } else if let Some(flight) = flight {
             parts.push("a flight");
-            let mission_given = mission.is_some();
-            if mission_given {
+            if mission.is_some() {
                 parts.push("a mission");
             }
-            let source = FlightSource::Files(opening.key.clone());
-            self.fly_new(host, source, map_source, mission);
+            self.open_measured(host, opening.key.clone(), &flight, map_source, mission);
         } else {
             if let Some(info) = map {
                 self.show_opened_map(host, map_source, info);

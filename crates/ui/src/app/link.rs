@@ -102,7 +102,6 @@ impl App {
         self.describe_map(host);
         host.store(SESSION_KEY, &session.encode());
         host.forget(BEFORE_LINK_KEY);
-        let session = self.documents.session();
-        self.fly_open(host, session);
+        self.fly_session(host);
     }
 }

@@ -3,6 +3,7 @@
 
 use std::collections::HashMap;
 
+use pilotage_core::flight::Flight;
 use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::mission::Mission;
 
@@ -10,6 +11,7 @@ use super::desk::Opening;
 use super::log_answers::LogAnswers;
 use super::{App, SideTab};
 use crate::command::Workspace;
+use crate::documents::Session;
 use crate::host::Host;
 use crate::jobs::{FlightSource, Job, JobEvent, JobId, MapSource, ReadLog, SeriesName};
 use crate::log::{LogCommand, OpenLog, PresetCommand};
@@ -36,6 +38,8 @@ pub(super) struct ReadingLog {
     map: Option<MapSource>,
     /// The mission to fly with, where there is one.
     mission: Option<Mission>,
+    /// Whether it was open before, so that the mission that is open then is its own.
+    is_again: bool,
     /// Whether the page shows it already.
     is_shown: bool,
 }
@@ -78,14 +82,31 @@ impl App {
         self.read_log(host, opening.key.clone(), file, map, mission);
     }
 
-    /// Reads the log of the last visit again.
+    /// Reads what a flight of tables or photos is as a log, then flies it. Its files are kept already.
+    pub(super) fn open_measured(
+        &mut self,
+        host: &mut dyn Host,
+        key: String,
+        flight: &Flight,
+        map: MapSource,
+        mission: Option<Mission>,
+    ) {
+        self.desk.logs.rereads = 0;
+        self.read_log(host, key, flight.name.clone(), Some(map), mission);
+    }
+
+    /// Reads the log of the last visit again, or that of the flight which was open then.
     pub(super) fn reopen_log(&mut self, host: &mut dyn Host) {
-        let Some(log) = &self.documents.log else {
-            return;
+        let (key, file) = match (&self.documents.log, &self.documents.flight_source) {
+            (Some(log), _) => (log.key.clone(), log.file.clone()),
+            (None, FlightSource::Files(key)) => (key.clone(), "The flight".to_owned()),
+            (None, _) => return,
         };
-        let (key, file) = (log.key.clone(), log.file.clone());
         let session = self.documents.session();
         self.read_log(host, key, file, Some(session.map), session.mission);
+        if let Some(reading) = &mut self.desk.logs.reading {
+            reading.is_again = true;
+        }
     }
 
     fn read_log(
@@ -109,6 +130,7 @@ impl App {
             progress: 0.0,
             map,
             mission,
+            is_again: false,
             is_shown: false,
         });
     }
@@ -188,7 +210,10 @@ impl App {
         if !self.planning() {
             self.view.workspace = Workspace::Replay;
         }
-        self.side_tab = SideTab::Log;
+        // Whoever put a camera beside a log waits for this one.
+        if self.side_tab != SideTab::CameraLog {
+            self.side_tab = SideTab::Log;
+        }
         self.views.shows_log_plots = true;
     }
 
@@ -217,7 +242,17 @@ impl App {
                 let map = map.unwrap_or_else(|| self.map_under(frame));
                 let map = with_origin(map, frame);
                 let source = FlightSource::Files(reading.key);
-                self.fly_new(host, source, map, reading.mission);
+                if reading.is_again {
+                    // It may have been edited while the log was read.
+                    let session = Session {
+                        flight: source,
+                        map,
+                        ..self.documents.session()
+                    };
+                    self.fly_open(host, session);
+                } else {
+                    self.fly_new(host, source, map, reading.mission);
+                }
             }
             Err(why) => {
                 log.unnavigable = Some(why.clone());

@@ -6,6 +6,7 @@ use crate::documents::{
     Documents, Ground, SESSION_KEY, Session, TERRAIN_KEY, UNREAD_KEY, VIEW_KEY, ViewState,
 };
 use crate::host::Host;
+use crate::jobs::FlightSource;
 use crate::log::{OwnPresets, PRESETS_KEY};
 use crate::shell::keys::ShortcutListener;
 use crate::shell::{Toasts, apply_theme, fonts};
@@ -124,12 +125,17 @@ impl App {
         if !map.is_some_and(|key| gone.contains(key)) {
             self.describe_map(host);
         }
-        if self.documents.log.is_some() {
+        self.fly_session(host);
+    }
+
+    /// Flies what is open by name only: of files, what they tell is read first.
+    pub(super) fn fly_session(&mut self, host: &mut dyn Host) {
+        if matches!(self.documents.flight_source, FlightSource::Files(_)) {
             self.reopen_log(host);
-            return;
+        } else {
+            let session = self.documents.session();
+            self.fly_open(host, session);
         }
-        let session = self.documents.session();
-        self.fly_open(host, session);
     }
 
     /// Stores the document and the view a moment after they changed.

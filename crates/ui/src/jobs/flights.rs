@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use pilotage_core::flight::{Flight, FrameError, FrameSource};
+use pilotage_core::flight::{Flight, FlightFolder, FrameError, FrameSource};
 use pilotage_core::mission::Mission;
 use pilotage_core::raster::{Picture, decode_picture};
 
@@ -18,6 +18,15 @@ pub struct OpenFlight {
 }
 
 impl OpenFlight {
+    /// A flight with the pictures that were read with it.
+    pub fn of_folder(folder: FlightFolder, mission: Option<Mission>) -> Self {
+        Self {
+            frames: KeptFrames::stored(&folder.flight, Box::new(folder.frames)),
+            flight: Arc::new(folder.flight),
+            mission,
+        }
+    }
+
     /// A flight that no camera watched.
     pub fn without_pictures(flight: Flight) -> Self {
         Self {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use pilotage_core::flight::Flight;
 use pilotage_core::flight::beside_log::add_pictures;
 use pilotage_core::flight::files::FileSet;
-use pilotage_core::flight::interpret::flight_from_log;
+use pilotage_core::flight::interpret::{flight_from_log, log_of_flight};
 use pilotage_core::flight::log::{HEAD, Log, LogReader, Outline, read_log, recognise};
 use pilotage_core::flight::overview::{Overview, overview};
 use pilotage_core::frames::LocalFrame;
@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 
 use super::file_pool::FilePool;
 use super::flights::{KeptFrames, OpenFlight};
+use super::opening::{flight_folder, open_folder};
 use super::running::slice;
 use super::{Advance, JobEvent, RunningJob, Workshop};
 
@@ -62,12 +63,12 @@ struct Reading {
 }
 
 impl Reading {
-    fn begin(pool: &FilePool, file: &str) -> Result<Self, String> {
-        let gone = || format!("{file}: it is not here any more; open it again");
-        let source = pool.source(file).ok_or_else(gone)?;
+    /// Nothing read yet; `None` if no file of that name is a log.
+    fn begin(pool: &FilePool, file: &str) -> Option<Self> {
+        let source = pool.source(file)?;
         let head = head(source.as_ref()).unwrap_or_default();
-        let info = recognise(&head).ok_or_else(|| format!("{file}: it is no flight log"))?;
-        Ok(Self {
+        let info = recognise(&head)?;
+        Some(Self {
             source,
             reader: (info.reader)(),
             log: Rc::new(RefCell::new(Log::new(file, info.format))),
@@ -96,7 +97,8 @@ impl Reading {
     }
 }
 
-/// A log that is being read: events `Progress`, `LogOutline` as it grows, at the end `LogRead`.
+/// A log that is being read: events `Progress`, `LogOutline` as it grows, at the end `LogRead`. Where no file of its name
+/// is a log, it is what the tables or photos among the files are, which are read at once.
 pub struct ReadingLog {
     key: String,
     file: String,
@@ -128,7 +130,10 @@ impl RunningJob for ReadingLog {
     ) -> Result<Advance, String> {
         if self.reading.is_none() {
             self.begun = clock();
-            let reading = Reading::begin(workshop.files(&self.key)?.as_ref(), &self.file)?;
+            let pool = workshop.files(&self.key)?;
+            let Some(reading) = Reading::begin(pool.as_ref(), &self.file) else {
+                return self.read_folder(workshop, &pool, emit);
+            };
             workshop.keep_log(&self.key, &self.file, reading.log.clone());
             self.reading = Some(reading);
         }
@@ -161,7 +166,7 @@ impl RunningJob for ReadingLog {
         let interpreted = flight_from_log(&log);
         let mut read = ReadLog {
             outline: Outline::of(&log),
-            overview: overview(&log, &interpreted),
+            overview: overview(&log, &interpreted.measured()),
             flight: Ok(None),
             lost_pictures: None,
         };
@@ -170,11 +175,43 @@ impl RunningJob for ReadingLog {
                 read.flight = Ok(flight.frame_on_globe);
                 let pool = workshop.files(&self.key)?;
                 let (open, lost) = with_pictures(flight, pool);
+                read.overview.add_pictures(open.flight.frames.len());
                 read.lost_pictures = lost;
                 workshop.keep_flight(&self.key, open);
             }
             Err(cause) => read.flight = Err(cause.to_string()),
         }
+        emit(JobEvent::LogRead(Box::new(read)));
+        emit(JobEvent::Finished);
+        Ok(Advance::Done)
+    }
+}
+
+impl ReadingLog {
+    /// Reads the flight that stands in tables or photos, and the log that they are.
+    fn read_folder(
+        &self,
+        workshop: &mut Workshop,
+        pool: &Arc<FilePool>,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Result<Advance, String> {
+        let folder = flight_folder(pool)?;
+        let folder = folder.ok_or_else(|| match pool.source(&self.file) {
+            Some(_) => format!("{}: it is no flight log", self.file),
+            None => format!("{}: it is not here any more; open it again", self.file),
+        })?;
+        let log = folder.log();
+        let beside = log_of_flight(&log, &folder.flight);
+        let mut overview = overview(&log, &beside.measured());
+        overview.add_pictures(folder.flight.frames.len());
+        let read = ReadLog {
+            outline: Outline::of(&log),
+            overview,
+            flight: Ok(folder.flight.frame_on_globe),
+            lost_pictures: None,
+        };
+        workshop.keep_log(&self.key, &self.file, Rc::new(RefCell::new(log)));
+        workshop.keep_flight(&self.key, open_folder(pool, folder)?);
         emit(JobEvent::LogRead(Box::new(read)));
         emit(JobEvent::Finished);
         Ok(Advance::Done)
@@ -221,3 +258,7 @@ pub fn flight_of_log(pool: &Arc<FilePool>) -> Result<Option<OpenFlight>, String>
 #[cfg(test)]
 #[path = "logs_tests.rs"]
 mod tests;
+
+#[cfg(test)]
+#[path = "measured_tests.rs"]
+mod measured_tests;

@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use pilotage_core::exchange::read_any;
 use pilotage_core::flight::columns::GuessedTable;
-use pilotage_core::flight::files::FileSet as _;
-use pilotage_core::flight::{FLIGHT_FILE, FolderError, read_flight};
+use pilotage_core::flight::files::FileSet;
+use pilotage_core::flight::photo::read_photos;
+use pilotage_core::flight::{FLIGHT_FILE, FlightFolder, FolderError, read_flight};
 use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::imagery::GeoTiffError;
 use pilotage_core::imagery::terrain::Dem;
@@ -16,17 +17,19 @@ use pilotage_core::navigator::Run;
 
 use super::beside::BESIDE;
 use super::file_pool::{FilePool, has_ending};
-use super::flights::{KeptFrames, OpenFlight};
+use super::flights::OpenFlight;
 use super::heights::describe_terrain;
 use super::imports::{imports, is_mission, labels};
 use super::logs::{flight_of_log, log_among};
-use super::tables::{flight_of_maps, tables_among};
+use super::tables::{COLUMNS_FILE, flight_of_maps, tables_among};
 use super::workshop::{MAP_MEMORY, describe};
 use super::{MapInfo, Opened, Unplaced};
 use crate::documents::decode_run;
 
 /// Endings of picture files.
 const PICTURES: [&str; 3] = ["jpg", "jpeg", "png"];
+/// Endings of photos.
+const PHOTOS: [&str; 2] = ["jpg", "jpeg"];
 /// Endings of maps that say themselves where they lie.
 const MAPS: [&str; 3] = ["tif", "tiff", "pmtiles"];
 /// Farthest from the world that is open that a map joins it, metres; others make a world of their
@@ -43,9 +46,7 @@ pub fn look_through(
     origin: Geodetic,
 ) -> Result<Opened, String> {
     let flight = flight_folder(pool)?;
-    let frame = flight
-        .as_ref()
-        .and_then(|(open, _)| open.flight.frame_on_globe);
+    let frame = flight.as_ref().and_then(|f| f.flight.frame_on_globe);
     let options = MapOptions {
         frame,
         near: near.map(|origin| (LocalFrame::new(origin), WORLD_REACH)),
@@ -89,9 +90,9 @@ pub fn look_through(
         let settings = read_head(&head).ok()?;
         serde_json::from_str(settings.get(BESIDE)?).ok()
     });
-    let flight = flight.map(|(open, notes)| {
-        remarks.extend(notes);
-        Arc::unwrap_or_clone(open.flight)
+    let flight = flight.map(|folder| {
+        remarks.extend(folder.notes);
+        folder.flight
     });
     let map = map.map(|(_, map)| MapInfo {
         origin: map.frame().map(|frame| frame.origin),
@@ -155,29 +156,41 @@ pub fn places(pool: &FilePool) -> Result<Vec<(String, Geodetic)>, String> {
     Ok(places)
 }
 
-/// The flight folder among the files, or the flight of tables with maps of their columns beside them, and what was
-/// skipped, in words.
-pub fn flight_folder(pool: &Arc<FilePool>) -> Result<Option<(OpenFlight, Vec<String>)>, String> {
+/// The flight folder among the files, or the flight of tables with maps of their columns beside them, or that of photos
+/// which say themselves where they were taken. Photos beside a log are its camera frames.
+pub fn flight_folder(pool: &Arc<FilePool>) -> Result<Option<FlightFolder>, String> {
     if let Some(made) = flight_of_maps(pool)? {
         return Ok(Some(made));
     }
-    let folder = match read_flight(pool.clone()) {
-        Ok(folder) => folder,
-        Err(FolderError::NoFlightFile) => return Ok(None),
-        Err(cause) => return Err(cause.to_string()),
+    match read_flight(pool.clone()) {
+        Ok(folder) => Ok(Some(folder)),
+        Err(FolderError::NoFlightFile) => {
+            if pool.ending_in(&PHOTOS).is_empty() || log_among(pool).is_some() {
+                return Ok(None);
+            }
+            let files: Arc<dyn FileSet> = pool.clone();
+            Ok(read_photos(&files))
+        }
+        Err(cause) => Err(cause.to_string()),
+    }
+}
+
+/// A folder's flight with its pictures and its mission, if one lies in it.
+pub fn open_folder(pool: &Arc<FilePool>, folder: FlightFolder) -> Result<OpenFlight, String> {
+    // Tables that were asked about may have come with anything.
+    let is_of_maps = pool.read(COLUMNS_FILE).is_some();
+    let mission = if is_of_maps {
+        None
+    } else {
+        mission(pool, true)?
     };
-    let open = OpenFlight {
-        frames: KeptFrames::stored(&folder.flight, Box::new(folder.frames)),
-        flight: Arc::new(folder.flight),
-        mission: mission(pool, true)?,
-    };
-    Ok(Some((open, folder.notes)))
+    Ok(OpenFlight::of_folder(folder, mission))
 }
 
 /// The flight among the files: a folder of one, else what a log tells of, all of which is read.
 pub fn flight(pool: &Arc<FilePool>) -> Result<Option<OpenFlight>, String> {
     match flight_folder(pool)? {
-        Some((open, _)) => Ok(Some(open)),
+        Some(folder) => open_folder(pool, folder).map(Some),
         None => flight_of_log(pool),
     }
 }
@@ -274,7 +287,7 @@ fn unknown(pool: &FilePool) -> String {
         "{first}{more}: no {FLIGHT_FILE}, no flight log, no map with its georeference, no mission, no \
          route and no run among them. Drop a log (.bin, .log, .ulg, .tlog), a flight folder, a zip of \
          either, a map picture with its world file, a \
-         GeoTIFF, PMTiles or an elevation model (.hgt), a mission or a run saved here, or routes and \
+         GeoTIFF, PMTiles or an elevation model (.hgt), photos that say where they were taken, a mission or a run saved here, or routes and \
          landmarks as .plan, .waypoints, KML, GPX, GeoJSON or CSV, or tables of a flight as CSV."
     )
 }

@@ -143,7 +143,8 @@ pub enum Job {
         /// Origin of the mission's world, in which routes and landmarks are placed.
         origin: Geodetic,
     },
-    /// Read the flight log `file` among provided files: events `LogOutline` as it grows, at the end
+    /// Read the flight log `file` among provided files, or else the tables or photos of a flight, which are one as well
+    /// and called by what they are kept under: events `LogOutline` as it grows, at the end
     /// `LogRead`. Kept by the worker for [`Job::LogSeries`] and [`Job::Fly`].
     ReadLog {
         /// Key of the files.

@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use pilotage_core::flight::Flight;
 use pilotage_core::flight::columns::{ColumnMap, GuessedTable, flight_of_tables, guess_tables};
 use pilotage_core::flight::files::FileSet;
+use pilotage_core::flight::{Flight, FlightFolder};
 use serde::{Deserialize, Serialize};
 
 use super::file_pool::FilePool;
-use super::flights::{KeptFrames, OpenFlight};
+use super::flights::OpenFlight;
 use super::{JobEvent, Workshop};
 
 /// Name of the file, beside the tables, that says what their columns mean.
@@ -41,10 +41,8 @@ pub(super) fn tables_among(pool: &FilePool) -> Vec<GuessedTable> {
     guess_tables(pool, &table_names(pool))
 }
 
-/// The flight of the tables whose maps lie beside them, and what was skipped, in words; `None` without maps.
-pub(super) fn flight_of_maps(
-    pool: &Arc<FilePool>,
-) -> Result<Option<(OpenFlight, Vec<String>)>, String> {
+/// The flight of the tables whose maps lie beside them; `None` without maps.
+pub(super) fn flight_of_maps(pool: &Arc<FilePool>) -> Result<Option<FlightFolder>, String> {
     let Some(bytes) = pool.read(COLUMNS_FILE) else {
         return Ok(None);
     };
@@ -52,12 +50,7 @@ pub(super) fn flight_of_maps(
         .map_err(|cause| format!("{COLUMNS_FILE}: {cause}. Leave it out to be asked again."))?;
     let files: Arc<dyn FileSet> = pool.clone();
     let folder = flight_of_tables(&files, &maps).map_err(|cause| cause.to_string())?;
-    let open = OpenFlight {
-        frames: KeptFrames::stored(&folder.flight, Box::new(folder.frames)),
-        flight: Arc::new(folder.flight),
-        mission: None,
-    };
-    Ok(Some((open, folder.notes)))
+    Ok(Some(folder))
 }
 
 /// Makes the flight of the tables under a key and keeps it: event `FlightMade`.
@@ -68,9 +61,9 @@ pub(super) fn make_flight(
 ) -> Result<(), String> {
     let pool = workshop.files(key)?;
     let made = flight_of_maps(&pool)?;
-    let (open, notes) = made.ok_or("nobody said what the columns of the tables mean")?;
-    let flight = Flight::clone(&open.flight);
-    workshop.keep_flight(key, open);
+    let folder = made.ok_or("nobody said what the columns of the tables mean")?;
+    let (flight, notes) = (folder.flight.clone(), folder.notes.clone());
+    workshop.keep_flight(key, OpenFlight::of_folder(folder, None));
     emit(JobEvent::FlightMade(Box::new(MadeFlight { flight, notes })));
     Ok(())
 }
@@ -97,10 +90,10 @@ mod tests {
         let map = guess_table("a/air.csv", AIR.as_bytes()).unwrap();
         let maps = write_columns(&[map]);
         let pool = pool(&[("a/air.csv", AIR.into()), (COLUMNS_FILE, maps)]);
-        let (open, notes) = flight_of_maps(&pool).unwrap().unwrap();
-        let airspeed = open.flight.value(ChannelName::Airspeed, 1.0).unwrap();
+        let folder = flight_of_maps(&pool).unwrap().unwrap();
+        let airspeed = folder.flight.value(ChannelName::Airspeed, 1.0).unwrap();
         assert!((airspeed - 41.0 * 1852.0 / 3600.0).abs() < 1e-9);
-        assert_eq!(notes.len(), 1, "{notes:?}");
+        assert_eq!(folder.notes.len(), 1, "{:?}", folder.notes);
     }
 
     #[test]

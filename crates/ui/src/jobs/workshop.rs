@@ -246,7 +246,7 @@ impl Workshop {
         self.flights.retain(|key, _| flights_in_use.contains(key));
     }
 
-    /// Keeps a log that is being read in place of the one before.
+    /// Keeps a log that is being read, or was, in place of the one before.
     pub fn keep_log(&mut self, key: &str, file: &str, log: Rc<RefCell<Log>>) {
         self.log = Some((key.to_owned(), file.to_owned(), log));
         self.samples.clear();
@@ -329,7 +329,7 @@ impl Workshop {
             MapSource::Files(key) => {
                 let files = self.files(key)?;
                 let frame = match opening::flight_folder(&files)? {
-                    Some((open, _)) => open.flight.frame_on_globe,
+                    Some(folder) => folder.flight.frame_on_globe,
                     None => None,
                 };
                 open_map(&files, frame)?

@@ -4,8 +4,9 @@ use egui::{RichText, Ui};
 use pilotage_core::flight::log::Outline;
 use pilotage_core::flight::overview::{Ability, Finding, Overview, Sensor, Severity};
 
-use super::words::{clock, date, duration, format_name, size};
+use super::words::{clock, date, duration, size};
 use super::{LogCommand, OpenLog};
+use crate::camera_log::CameraLogCommand;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::views::parts::{self, Reading};
@@ -36,7 +37,7 @@ pub fn overview_panel(
             .size(tokens.text_sizes[2])
             .color(tokens.text),
     );
-    let mut about = vec![format_name(outline.format).to_owned()];
+    let mut about = vec![outline.format.label().to_owned()];
     about.push(size(outline.report.bytes));
     if !outline.vehicle.is_empty() {
         about.push(outline.vehicle.clone());
@@ -150,7 +151,7 @@ fn findings(ui: &mut Ui, context: &mut ViewContext<'_>, findings: &[Finding], fi
     });
 }
 
-fn abilities(ui: &mut Ui, context: &ViewContext<'_>, abilities: &[Ability]) {
+fn abilities(ui: &mut Ui, context: &mut ViewContext<'_>, abilities: &[Ability]) {
     let tokens = context.tokens;
     parts::section(ui, tokens, "What can be done with it", true, |ui| {
         for ability in abilities {
@@ -158,8 +159,15 @@ fn abilities(ui: &mut Ui, context: &ViewContext<'_>, abilities: &[Ability]) {
                 None => ("+", tokens.truth),
                 Some(_) => ("–", tokens.muted),
             };
-            let text = format!("{sign}  {}", ability.what);
-            ui.label(RichText::new(text).color(color));
+            let text = RichText::new(format!("{sign}  {}", ability.what)).color(color);
+            if ability.lacks.is_none() && ability.is_camera_to_log() {
+                if ui.link(text).clicked() {
+                    let show = Command::CameraLog(CameraLogCommand::Show);
+                    context.commands.push(show);
+                }
+            } else {
+                ui.label(text);
+            }
             if let Some(lacks) = &ability.lacks {
                 ui.label(
                     RichText::new(format!("     {lacks}"))

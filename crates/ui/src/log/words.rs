@@ -1,8 +1,5 @@
 //! Times, sizes and names of a log in words.
 
-use pilotage_core::flight::log::LogFormat;
-use pilotage_core::flight::log::all_formats;
-
 use crate::jobs::SeriesName;
 
 /// Minutes and seconds since `first`: `4:07.3`.
@@ -31,12 +28,6 @@ pub fn size(bytes: u64) -> String {
     } else {
         format!("{:.1} MB", bytes / 1e6)
     }
-}
-
-/// Name of a format for people.
-pub fn format_name(format: LogFormat) -> &'static str {
-    let known = all_formats().iter().find(|info| info.format == format);
-    known.map_or("Flight log", |info| info.label)
 }
 
 /// A field as people write it: `ATT.Roll`; a role by its name, an expression as it was written.

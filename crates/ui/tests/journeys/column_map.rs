@@ -43,7 +43,7 @@ fn drop_files(rig: &mut Rig, files: &[(&str, String)]) {
 }
 
 /// The app with two tables dropped.
-fn asked() -> Rig {
+pub fn asked() -> Rig {
     let mut rig = rig();
     drop_files(&mut rig, &[("x/gps.csv", gps()), ("x/att.csv", attitude())]);
     rig

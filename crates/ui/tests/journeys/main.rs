@@ -34,5 +34,6 @@ mod scrub;
 mod select_span;
 mod settings;
 mod simulate;
+mod tables;
 mod typing;
 mod undo;

@@ -12,12 +12,14 @@ use super::guess::guess;
 use super::layout::{
     AttitudeColumns, FlightFile, FramesFile, StartFile, TimeColumn, TruthFile, VERSION, ValueColumn,
 };
+use super::log::Tables;
 use super::pictures::FolderFrames;
 use super::position::Positions;
 use super::table::Table;
 use super::units::Dimension;
 use crate::camera::CameraModel;
 use crate::flight::files::{FileSet, Unresolved, find, folder_of, joined};
+use crate::flight::log::Log;
 use crate::flight::{Channel, ChannelName, Flight, Frame, FrameTruth, StartFix, Truth, TruthState};
 use crate::frames::{Attitude, GroundPoint, LocalFrame};
 
@@ -32,6 +34,37 @@ pub struct FlightFolder {
     pub frames: FolderFrames,
     /// What was skipped, in words.
     pub notes: Vec<String>,
+    pub(in crate::flight) told: Told,
+}
+
+/// What a flight was read from.
+pub(in crate::flight) enum Told {
+    /// Tables, and what is said of their columns.
+    Tables(Box<Tables>),
+    /// What stands as a log already.
+    Log(Box<Log>),
+}
+
+impl FlightFolder {
+    /// What the flight was read from, as a log: every column, used or not, and what the series of the flight are in
+    /// it.
+    pub fn log(&self) -> Log {
+        let mut log = match &self.told {
+            Told::Tables(tables) => tables.log(&self.flight),
+            Told::Log(log) => Log::clone(log),
+        };
+        for note in &self.notes {
+            log.report.remark(sentence(note));
+        }
+        log
+    }
+}
+
+/// A note as a sentence.
+fn sentence(note: &str) -> String {
+    let mut letters = note.chars();
+    let first = letters.next().map(char::to_uppercase).into_iter().flatten();
+    format!("{}{}.", first.collect::<String>(), letters.as_str())
 }
 
 /// The files of a flight while it is read; each table is parsed once.
@@ -197,6 +230,11 @@ fn read_with(
             truth,
         },
         frames: pictures,
+        told: Told::Tables(Box::new(Tables {
+            layout: layout.clone(),
+            by_file: folder.tables,
+            time_origin,
+        })),
         notes: folder.notes,
     })
 }

@@ -17,12 +17,17 @@ pub(in crate::flight) struct Table {
     /// Whether cells that are no numbers count as empty.
     is_lenient: bool,
     has_decimal_comma: bool,
+    /// Bytes of its file.
+    bytes: u64,
+    /// Columns that stand in its file.
+    written: usize,
 }
 
 impl Table {
     /// Reads a table; the separator is a comma, semicolon, tabulator or blanks, as the first line has
     /// it. Where that line is all numbers, it is the first row, and the columns are called #1, #2 ….
     pub(super) fn parse(file: &str, bytes: &[u8]) -> Result<Self, FolderError> {
+        let length = bytes.len() as u64;
         let bytes = without_mark(bytes);
         let first_line = bytes.split(|b| *b == b'\n').next().unwrap_or_default();
         let header_line = String::from_utf8_lossy(first_line);
@@ -49,10 +54,12 @@ impl Table {
         rows.retain(|(_, row)| row.iter().any(|cell| !cell.is_empty()));
         Ok(Self {
             file: file.to_owned(),
+            written: header.len(),
             header,
             rows,
             is_lenient: false,
             has_decimal_comma: false,
+            bytes: length,
         })
     }
 
@@ -63,6 +70,7 @@ impl Table {
         shape: &TableShape,
         header: Vec<String>,
     ) -> Result<Self, FolderError> {
+        let length = bytes.len() as u64;
         let bytes = decoded(bytes);
         let skipped = shape.skipped_lines + shape.head_lines();
         let mut rest = bytes.as_ref();
@@ -77,10 +85,12 @@ impl Table {
         rows.retain(|(_, row)| row.iter().any(|cell| !cell.is_empty()));
         Ok(Self {
             file: file.to_owned(),
+            written: header.len(),
             header,
             rows,
             is_lenient: true,
             has_decimal_comma: shape.has_decimal_comma,
+            bytes: length,
         })
     }
 
@@ -127,6 +137,28 @@ impl Table {
     /// Whether there is a column of that name.
     pub(in crate::flight) fn has(&self, column: &str) -> bool {
         self.header.iter().any(|name| name == column)
+    }
+
+    /// Names of the columns that stand in its file.
+    pub(super) fn columns(&self) -> &[String] {
+        &self.header[..self.written]
+    }
+
+    /// Bytes of its file.
+    pub(super) fn bytes(&self) -> u64 {
+        self.bytes
+    }
+
+    /// The numbers of a column as they stand in the cells, NaN where there is none; `None` if no cell holds any,
+    /// though some hold letters.
+    pub(super) fn numbers(&self, column: &str) -> Result<Option<Vec<f64>>, FolderError> {
+        let texts = self.texts(column)?;
+        let value = |text: &&str| number(text, self.has_decimal_comma).unwrap_or(f64::NAN);
+        let numbers: Vec<f64> = texts.iter().map(value).collect();
+        let is_none = numbers.iter().all(|number| number.is_nan());
+        let says_nan = |text: &&str| text.is_empty() || text.eq_ignore_ascii_case("nan");
+        let are_words = is_none && !texts.iter().all(says_nan);
+        Ok((!are_words).then_some(numbers))
     }
 
     /// Number of rows.

@@ -13,6 +13,17 @@ const GPS_DEVIATION: f64 = 5.0;
 /// Kinds of fix from which on a position counts.
 const FLAT_FIX: f64 = 2.0;
 
+/// What was measured in a flight, by what it means.
+#[derive(Clone, Copy, Debug)]
+pub struct Measured<'a> {
+    /// Every role that was found.
+    pub found: &'a [RoleSeries],
+    /// The track of the satellite receiver, heights above its first place.
+    pub track: &'a [TruthState],
+    /// Why there is no flight to be navigated, if so.
+    pub trouble: Option<&'a InterpretError>,
+}
+
 /// What the series of a log mean, and where it flew.
 #[derive(Clone, Debug)]
 pub struct Interpreted {
@@ -23,15 +34,14 @@ pub struct Interpreted {
 }
 
 impl Interpreted {
-    /// Why there is no flight to be navigated, if so.
-    pub fn trouble(&self) -> Option<&InterpretError> {
-        self.bare.as_ref().err()
-    }
-
-    /// The track of the satellite receiver.
-    pub fn track(&self) -> &[TruthState] {
+    /// What was measured.
+    pub fn measured(&self) -> Measured<'_> {
         let truth = self.bare.as_ref().ok().and_then(|f| f.truth.as_ref());
-        truth.map_or(&[], |truth| &truth.states)
+        Measured {
+            found: &self.found,
+            track: truth.map_or(&[], |truth| &truth.states),
+            trouble: self.bare.as_ref().err(),
+        }
     }
 
     /// The flight. The series become its channels without being copied: those of a long log are large.
@@ -77,6 +87,12 @@ pub enum InterpretError {
         /// Name of the log.
         log: String,
     },
+    /// There is no height.
+    #[error("{log}: no height in it, so that nobody knows how large the ground looks")]
+    NoHeight {
+        /// Name of the log.
+        log: String,
+    },
 }
 
 /// Reads the series of every role, of which [`Interpreted::into_flight`] makes a flight.
@@ -84,14 +100,17 @@ pub enum InterpretError {
 /// World is the tangent plane at the first fix; heights are above the ground there. The truth is the track
 /// of the satellite receiver: it is what there is, and no better than it.
 pub fn flight_from_log(log: &Log) -> Interpreted {
-    let found: Vec<RoleSeries> = Role::ALL
-        .into_iter()
-        .filter_map(|role| series(log, role))
-        .collect();
+    let found = all_series(log);
     Interpreted {
         bare: bare_flight(log, &found),
         found,
     }
+}
+
+/// The series of every role, in the order in which people read them.
+pub(super) fn all_series(log: &Log) -> Vec<RoleSeries> {
+    let roles = Role::ALL.into_iter();
+    roles.filter_map(|role| series(log, role)).collect()
 }
 
 fn bare_flight(log: &Log, found: &[RoleSeries]) -> Result<Flight, InterpretError> {
@@ -162,34 +181,8 @@ fn fixes(found: &[RoleSeries]) -> Vec<(f64, Geodetic)> {
 }
 
 fn channel(series: RoleSeries) -> Option<Channel> {
-    let name = match series.role {
-        Role::Airspeed => ChannelName::Airspeed,
-        Role::Heading => ChannelName::Heading,
-        Role::Roll => ChannelName::Roll,
-        Role::Pitch => ChannelName::Pitch,
-        Role::HeightAboveGround => ChannelName::HeightAboveGround,
-        Role::BarometricHeight => ChannelName::BarometricHeight,
-        Role::GpsHeight => ChannelName::GpsHeight,
-        Role::GpsVelocityNorth => ChannelName::GpsVelocityNorth,
-        Role::GpsVelocityEast => ChannelName::GpsVelocityEast,
-        Role::GpsVelocityDown => ChannelName::GpsVelocityDown,
-        Role::RollRate => ChannelName::RollRate,
-        Role::PitchRate => ChannelName::PitchRate,
-        Role::YawRate => ChannelName::YawRate,
-        Role::AccelerationForward => ChannelName::AccelerationForward,
-        Role::AccelerationRight => ChannelName::AccelerationRight,
-        Role::AccelerationDown => ChannelName::AccelerationDown,
-        Role::WindNorth => ChannelName::WindNorth,
-        Role::WindEast => ChannelName::WindEast,
-        // Places are told by the track, and the rest of satellite navigation is no channel.
-        Role::Latitude
-        | Role::Longitude
-        | Role::GroundSpeed
-        | Role::GpsFix
-        | Role::GpsSatellites => return None,
-    };
     Some(Channel {
-        name,
+        name: series.role.channel()?,
         times: series.times,
         values: series.values,
     })

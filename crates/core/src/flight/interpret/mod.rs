@@ -1,5 +1,6 @@
 //! What the series of a log mean: which is heading, which airspeed, and the flight that they tell of.
 
+mod beside_flight;
 mod flight;
 mod role;
 mod ros;
@@ -8,6 +9,7 @@ mod source;
 #[cfg(test)]
 mod tests;
 
-pub use flight::{InterpretError, Interpreted, flight_from_log};
+pub use beside_flight::{BesideFlight, log_of_flight};
+pub use flight::{InterpretError, Interpreted, Measured, flight_from_log};
 pub use role::Role;
 pub use series::{RoleSeries, series};

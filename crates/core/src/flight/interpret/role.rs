@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::flight::ChannelName;
+
 /// A quantity that logs name in many ways. Values are SI and radians.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Role {
@@ -125,6 +127,45 @@ impl Role {
             Self::GpsFix | Self::GpsSatellites => ("", 1.0),
             _ => ("m/s", 1.0),
         }
+    }
+
+    /// The channel of a flight that it becomes. Places become the track, and the rest of satellite navigation is no
+    /// channel.
+    pub fn channel(self) -> Option<ChannelName> {
+        Some(match self {
+            Self::Airspeed => ChannelName::Airspeed,
+            Self::Heading => ChannelName::Heading,
+            Self::Roll => ChannelName::Roll,
+            Self::Pitch => ChannelName::Pitch,
+            Self::HeightAboveGround => ChannelName::HeightAboveGround,
+            Self::BarometricHeight => ChannelName::BarometricHeight,
+            Self::GpsHeight => ChannelName::GpsHeight,
+            Self::GpsVelocityNorth => ChannelName::GpsVelocityNorth,
+            Self::GpsVelocityEast => ChannelName::GpsVelocityEast,
+            Self::GpsVelocityDown => ChannelName::GpsVelocityDown,
+            Self::RollRate => ChannelName::RollRate,
+            Self::PitchRate => ChannelName::PitchRate,
+            Self::YawRate => ChannelName::YawRate,
+            Self::AccelerationForward => ChannelName::AccelerationForward,
+            Self::AccelerationRight => ChannelName::AccelerationRight,
+            Self::AccelerationDown => ChannelName::AccelerationDown,
+            Self::WindNorth => ChannelName::WindNorth,
+            Self::WindEast => ChannelName::WindEast,
+            Self::Latitude
+            | Self::Longitude
+            | Self::GroundSpeed
+            | Self::GpsFix
+            | Self::GpsSatellites => return None,
+        })
+    }
+
+    /// The role of a channel: that which becomes it, and airspeed of either kind as measured.
+    pub fn of_channel(name: ChannelName) -> Option<Self> {
+        if name == ChannelName::EquivalentAirspeed {
+            return Some(Self::Airspeed);
+        }
+        let mut all = Self::ALL.into_iter();
+        all.find(|role| role.channel() == Some(name))
     }
 
     /// The role that people call so.

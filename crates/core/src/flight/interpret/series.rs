@@ -22,9 +22,50 @@ pub struct RoleSeries {
     pub implausible: usize,
     /// Samples left out because their time stands still or goes back.
     pub out_of_order: usize,
+    /// Whether something holds it still, as a gimbal holds a camera: one number over and over is no fault then.
+    pub is_held: bool,
 }
 
 impl RoleSeries {
+    /// The samples of a role, times in seconds and values in SI and radians, without those that cannot be.
+    /// Empty if none is left.
+    pub fn new(
+        role: Role,
+        source: impl Into<String>,
+        samples: impl IntoIterator<Item = (f64, Option<f64>)>,
+    ) -> Self {
+        let samples = samples.into_iter();
+        let count = samples.size_hint().0;
+        let mut series = Self {
+            role,
+            source: source.into(),
+            times: Vec::with_capacity(count),
+            values: Vec::with_capacity(count),
+            implausible: 0,
+            out_of_order: 0,
+            is_held: false,
+        };
+        let (plausible, wraps) = (role.plausible(), role.is_angle());
+        let mut last = f64::NEG_INFINITY;
+        for (time, value) in samples {
+            let value = value.filter(|v| v.is_finite() && v.abs() <= plausible);
+            let Some(value) = value.filter(|_| time.is_finite()) else {
+                series.implausible += 1;
+                continue;
+            };
+            if time <= last {
+                series.out_of_order += 1;
+                continue;
+            }
+            last = time;
+            series.times.push(time);
+            series
+                .values
+                .push(if wraps { wrap_pi(value) } else { value });
+        }
+        series
+    }
+
     /// The last value at or before `time`, or else the first; `None` without any.
     pub fn at(&self, time: f64) -> Option<f64> {
         let after = self.times.partition_point(|t| *t <= time + 1e-9);
@@ -153,33 +194,10 @@ fn read(topic: &Topic, source: &Source) -> Option<RoleSeries> {
         return None;
     }
     let (value_of, name) = reader(source, topic)?;
-    let mut series = RoleSeries {
-        role: source.role,
-        source: format!("{}.{name}", topic.name),
-        times: Vec::with_capacity(topic.len()),
-        values: Vec::with_capacity(topic.len()),
-        implausible: 0,
-        out_of_order: 0,
-    };
-    let plausible = source.role.plausible();
-    let mut last = f64::NEG_INFINITY;
-    for (time, row) in topic.times.iter().zip(topic.rows.iter()) {
-        let value = value_of(row).filter(|v| v.is_finite() && v.abs() <= plausible);
-        let Some(value) = value.filter(|_| time.is_finite()) else {
-            series.implausible += 1;
-            continue;
-        };
-        if *time <= last {
-            series.out_of_order += 1;
-            continue;
-        }
-        last = *time;
-        series.times.push(*time);
-        let wraps = source.role.is_angle();
-        series
-            .values
-            .push(if wraps { wrap_pi(value) } else { value });
-    }
+    let samples = topic.times.iter().zip(topic.rows.iter());
+    let samples = samples.map(|(time, row)| (*time, value_of(row)));
+    let name = format!("{}.{name}", topic.name);
+    let series = RoleSeries::new(source.role, name, samples);
     (!series.times.is_empty()).then_some(series)
 }
 
@@ -190,8 +208,12 @@ fn is_alive(series: &RoleSeries) -> bool {
     counts || series.values.iter().any(|v| *v != first)
 }
 
-/// The series of a role: from the best place that says anything, else from the best that is there.
+/// The series of a role: as it was given, else from the best place that says anything, else from the best that is
+/// there.
 pub fn series(log: &Log, role: Role) -> Option<RoleSeries> {
+    if let Some(given) = log.given.iter().find(|given| given.role == role) {
+        return Some(given.clone());
+    }
     let places = sources(log.format).filter(|s| s.role == role);
     let mut dead = None;
     for source in places {

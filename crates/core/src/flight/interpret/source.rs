@@ -72,6 +72,7 @@ pub fn sources(format: LogFormat) -> impl Iterator<Item = &'static Source> {
         LogFormat::Tlog => &[TLOG],
         // PX4's messages tell more plainly what they are.
         LogFormat::Mcap => &[ULOG, ROS],
+        LogFormat::Tables | LogFormat::Photos => &[],
     };
     tables.iter().copied().flatten()
 }

@@ -17,6 +17,24 @@ pub enum LogFormat {
     Tlog,
     /// MCAP, the container of Foxglove and ROS 2.
     Mcap,
+    /// Tables of a flight, whose columns people or a file beside them told apart.
+    Tables,
+    /// Photos that say themselves when, where and how they were taken.
+    Photos,
+}
+
+impl LogFormat {
+    /// Name for people.
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Tables => "Tables",
+            Self::Photos => "Photos",
+            format => {
+                let known = all_formats().iter().find(|info| info.format == format);
+                known.map_or("Flight log", |info| info.label)
+            }
+        }
+    }
 }
 
 /// Reads a log piece by piece.

@@ -5,6 +5,7 @@
 //! log takes hardly more memory than its file. What the fields mean for navigation is said one folder
 //! up.
 
+mod column;
 mod dataflash;
 mod formats;
 mod gps_time;
@@ -27,6 +28,7 @@ mod topic;
 mod ulog;
 mod whole;
 
+pub use column::{Cells, Column};
 pub use formats::{FormatInfo, HEAD, LogFormat, LogReader, all_formats, recognise};
 pub use layout::{FieldKind, FieldLayout};
 pub use model::{DefaultValue, Fact, Log, LogMessage, ModeChange, Parameter};

@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use serde::{Deserialize, Serialize};
 
 use super::{FieldLayout, LogFormat, ReadReport, Topic, TopicName};
+use crate::flight::interpret::RoleSeries;
 
 /// A parameter of the autopilot at one time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -72,6 +73,8 @@ pub struct Log {
     pub vehicle: String,
     /// Every kind of row, in the order in which they were first met.
     pub topics: Vec<Topic>,
+    /// Series of which people, or a file beside them, said what they mean; of others the format tells it.
+    pub given: Vec<RoleSeries>,
     /// Every parameter in the order of the file; later values of one name stand after earlier ones.
     pub parameters: Vec<Parameter>,
     /// Default values of parameters, where the log has them.
@@ -96,6 +99,7 @@ impl Log {
             utc_at_zero: None,
             vehicle: String::new(),
             topics: Vec::new(),
+            given: Vec::new(),
             parameters: Vec::new(),
             defaults: Vec::new(),
             facts: Vec::new(),

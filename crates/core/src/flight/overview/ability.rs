@@ -2,8 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::super::interpret::{Interpreted, Role};
+use super::super::interpret::{Measured, Role};
 use super::AirDataFit;
+
+const TRACK: &str = "Show the track on the map";
+const LANDMARKS: &str = "Find landmarks";
+/// What the camera is put in time and place by; people open it by this name.
+const CAMERA: &str = "Camera to log: lag of the pictures, mount and focal length";
 
 /// Something that can or cannot be done with a flight.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -14,34 +19,41 @@ pub struct Ability {
     pub lacks: Option<String>,
 }
 
-/// Every ability in the order in which people need them.
-pub fn abilities(interpreted: &Interpreted, air_data: Option<&AirDataFit>) -> Vec<Ability> {
-    let has = |role| interpreted.found.iter().any(|s| s.role == role);
-    let trouble = interpreted.trouble().map(ToString::to_string);
+impl Ability {
+    fn new(what: &str, lacks: Option<String>) -> Self {
+        Self {
+            what: what.to_owned(),
+            lacks,
+        }
+    }
+
+    /// Whether it is to put the camera beside its log.
+    pub fn is_camera_to_log(&self) -> bool {
+        self.what == CAMERA
+    }
+}
+
+/// Every ability that rests on what was measured, in the order in which people need them, and those that rest on
+/// pictures, of which there are none yet.
+pub fn abilities(measured: &Measured<'_>, air_data: Option<&AirDataFit>) -> Vec<Ability> {
+    let has = |role| measured.found.iter().any(|s| s.role == role);
+    let trouble = measured.trouble.map(ToString::to_string);
     let missing = |roles: &[Role]| {
-        let missing: Vec<&str> = roles
-            .iter()
-            .filter(|role| !has(**role))
-            .map(|role| role.label())
-            .collect();
-        (!missing.is_empty())
-            .then(|| format!("The log has no {}.", missing.join(", no ").to_lowercase()))
+        let missing = roles.iter().filter(|role| !has(**role));
+        let missing: Vec<String> = missing.map(|role| inside(role.label())).collect();
+        let is_one = !missing.is_empty();
+        is_one.then(|| format!("There is no {} in it.", missing.join(", no ")))
     };
-    let ability = |what: &str, lacks| Ability {
-        what: what.to_owned(),
-        lacks,
-    };
-    vec![
-        ability("Plot every field against time", None),
-        ability(
-            "Show the track on the map",
-            missing(&[Role::Latitude, Role::Longitude]),
-        ),
-        ability(
+    let is_placed = !measured.track.is_empty();
+    let track = missing(&[Role::Latitude, Role::Longitude]).filter(|_| !is_placed);
+    let mut abilities = vec![
+        Ability::new("Plot every field against time", None),
+        Ability::new(TRACK, track),
+        Ability::new(
             "Replay without GPS: airspeed, heading and wind",
             trouble.or_else(|| missing(&[Role::Airspeed])),
         ),
-        ability(
+        Ability::new(
             "Estimate the wind",
             missing(&[Role::Airspeed, Role::GpsVelocityNorth]).or_else(|| {
                 air_data
@@ -49,9 +61,34 @@ pub fn abilities(interpreted: &Interpreted, air_data: Option<&AirDataFit>) -> Ve
                     .then(|| "The flight hardly turns.".to_owned())
             }),
         ),
-        ability(
-            "Find landmarks",
-            Some("Drop the camera frames of the flight and a map beside the log.".to_owned()),
-        ),
+    ];
+    abilities.extend(of_pictures(0, is_placed));
+    abilities
+}
+
+/// A name inside a sentence.
+fn inside(label: &str) -> String {
+    label.to_lowercase().replace("gps", "GPS")
+}
+
+/// Whether an ability is the one to show a track, which there is none of.
+pub fn lacks_track(ability: &Ability) -> bool {
+    ability.what == TRACK && ability.lacks.is_some()
+}
+
+/// Whether an ability is one of [`of_pictures`].
+pub fn rests_on_pictures(ability: &Ability) -> bool {
+    [LANDMARKS, CAMERA].contains(&ability.what.as_str())
+}
+
+/// What can be done with so many pictures of a flight, whose place on the globe is known or is not.
+pub fn of_pictures(count: usize, is_placed: bool) -> Vec<Ability> {
+    let none = "Drop the camera frames of the flight and a map beside it.";
+    let no_pictures = (count == 0).then(|| none.to_owned());
+    let no_track = (!is_placed)
+        .then(|| "There is no track in it that the pictures could be held against.".to_owned());
+    vec![
+        Ability::new(LANDMARKS, no_pictures.clone()),
+        Ability::new(CAMERA, no_pictures.or(no_track)),
     ]
 }

@@ -12,7 +12,7 @@ pub(crate) const HOVERING: f64 = 3.0;
 const LEAST: f64 = 3.0;
 
 /// Stretches in the air, seconds in the log's time base: faster over ground than a third of its fast
-/// speeds, or well above where it began.
+/// speeds, or well above where it began, or above the ground where that is known and no speed is.
 pub fn airborne(found: &[RoleSeries]) -> Vec<(f64, f64)> {
     let of = |role| found.iter().find(|s: &&RoleSeries| s.role == role);
     let mut flying: Vec<(f64, bool)> = Vec::new();
@@ -27,6 +27,14 @@ pub fn airborne(found: &[RoleSeries]) -> Vec<(f64, f64)> {
         let speeds: Vec<(f64, f64)> = pairs(airspeed).collect();
         let least = (FLYING_SHARE * fast(&speeds)).max(STANDING);
         flying.extend(speeds.iter().map(|(time, speed)| (*time, *speed > least)));
+    }
+    if flying.is_empty()
+        && of(Role::BarometricHeight).is_none()
+        && let Some(height) = of(Role::HeightAboveGround)
+    {
+        // Photos tell no speeds, and all of them may be taken at one height: that above the ground counts.
+        let flying = pairs(height).map(|(time, h)| (time, h > HOVERING));
+        return stretches_within(flying, usual_pause(&height.times));
     }
     let height = of(Role::BarometricHeight).or_else(|| of(Role::GpsHeight));
     if let Some(height) = height {
@@ -59,12 +67,25 @@ fn fast(speeds: &[(f64, f64)]) -> f64 {
     sorted.get(sorted.len() * 9 / 10).copied().unwrap_or(0.0)
 }
 
+/// Longest time between two neighbours of which nothing is missing, seconds: twice the usual one.
+fn usual_pause(times: &[f64]) -> f64 {
+    let mut steps: Vec<f64> = times.windows(2).map(|w| w[1] - w[0]).collect();
+    steps.sort_by(f64::total_cmp);
+    let usual = steps.get(steps.len() / 2);
+    usual.map_or(LEAST, |usual| LEAST.max(2.0 * usual))
+}
+
 /// Joins what is less than a pause apart and leaves out what is shorter than that.
 pub(crate) fn stretches(flying: impl IntoIterator<Item = (f64, bool)>) -> Vec<(f64, f64)> {
+    stretches_within(flying, LEAST)
+}
+
+/// The same, with another longest pause inside one, seconds.
+fn stretches_within(flying: impl IntoIterator<Item = (f64, bool)>, pause: f64) -> Vec<(f64, f64)> {
     let mut found: Vec<(f64, f64)> = Vec::new();
     for (time, _) in flying.into_iter().filter(|(_, is_flying)| *is_flying) {
         match found.last_mut() {
-            Some((_, to)) if time - *to <= LEAST => *to = time,
+            Some((_, to)) if time - *to <= pause => *to = time,
             _ => found.push((time, time)),
         }
     }

@@ -18,7 +18,7 @@ pub(crate) use airborne::{FLYING_SHARE, HOVERING, STANDING, stretches};
 pub use finding::{Finding, Severity};
 pub use sensor::{Gap, Sensor};
 
-use super::interpret::{Interpreted, Role};
+use super::interpret::{Measured, Role};
 use super::log::Log;
 
 /// A flight at a glance.
@@ -44,9 +44,19 @@ pub struct Overview {
     pub abilities: Vec<Ability>,
 }
 
-/// Looks a log over.
-pub fn overview(log: &Log, interpreted: &Interpreted) -> Overview {
-    let found = &interpreted.found;
+impl Overview {
+    /// Takes into account that the flight has so many pictures.
+    pub fn add_pictures(&mut self, count: usize) {
+        self.abilities.retain(|it| !ability::rests_on_pictures(it));
+        let is_placed = !self.abilities.iter().any(ability::lacks_track);
+        self.abilities
+            .extend(ability::of_pictures(count, is_placed));
+    }
+}
+
+/// Looks over a log and what was measured in it; of pictures nothing is known yet.
+pub fn overview(log: &Log, measured: &Measured<'_>) -> Overview {
+    let found = measured.found;
     let of = |role| found.iter().find(|s| s.role == role);
     let span = log.span().unwrap_or((0.0, 0.0));
     let airborne = airborne(found);
@@ -57,9 +67,15 @@ pub fn overview(log: &Log, interpreted: &Interpreted) -> Overview {
         let both = north.values.iter().zip(&east.values);
         both.map(|(n, e)| n.hypot(*e)).fold(0.0, f64::max)
     });
-    let states = interpreted.track();
+    let states = measured.track;
+    let heights = [
+        Role::GpsHeight,
+        Role::BarometricHeight,
+        Role::HeightAboveGround,
+    ];
+    let has_height = heights.into_iter().any(|role| of(role).is_some());
     let heights = states.iter().map(|s| -s.position.z);
-    let greatest_height = heights.reduce(f64::max);
+    let greatest_height = heights.reduce(f64::max).filter(|_| has_height);
     let is_up = |time: f64| airborne.iter().any(|(a, b)| (*a..=*b).contains(&time));
     let steps = states.windows(2).filter(|w| is_up(w[1].time));
     let distance = steps
@@ -75,7 +91,7 @@ pub fn overview(log: &Log, interpreted: &Interpreted) -> Overview {
         distance,
         greatest_height,
         greatest_speed,
-        abilities: ability::abilities(interpreted, air_data.as_ref()),
+        abilities: ability::abilities(measured, air_data.as_ref()),
         sensors,
         air_data,
         findings,

@@ -36,7 +36,7 @@ pub struct Sensor {
     pub gaps: Vec<Gap>,
     /// The longest stretch with one and the same number where the number should move, seconds.
     pub stuck: Option<(f64, f64)>,
-    /// Whether it shows one number for the whole log.
+    /// Whether it shows one number for the whole log, though nothing holds it still.
     pub is_dead: bool,
 }
 
@@ -65,7 +65,7 @@ impl Sensor {
             rate: usual.map_or(0.0, f64::recip),
             gaps: usual.map_or_else(Vec::new, |usual| gaps_from(usual).collect()),
             stuck: stuck(series),
-            is_dead: series.values.iter().all(|v| *v == first),
+            is_dead: !series.is_held && series.values.iter().all(|v| *v == first),
         }
     }
 
@@ -108,13 +108,25 @@ impl Sensor {
                 severity: Severity::Note,
                 title: format!("{name} is missing for {:.1} s", gap.to - gap.from),
                 text: format!(
-                    "{} has no sample between {:.1} and {:.1} s, though it usually has {:.0} a second.{others}",
-                    self.source, gap.from, gap.to, self.rate
+                    "{} has no sample between {:.1} and {:.1} s, though it usually has {}.{others}",
+                    self.source,
+                    gap.from,
+                    gap.to,
+                    often(self.rate)
                 ),
                 span: Some((gap.from, gap.to)),
             });
         }
         findings
+    }
+}
+
+/// So many samples a second in words.
+fn often(rate: f64) -> String {
+    if rate >= 0.95 {
+        format!("{rate:.0} a second")
+    } else {
+        format!("one every {:.0} s", rate.recip())
     }
 }
 
@@ -131,7 +143,7 @@ fn stuck(series: &RoleSeries) -> Option<(f64, f64)> {
             | Role::PitchRate
             | Role::YawRate
     );
-    if !moves {
+    if !moves || series.is_held {
         return None;
     }
     let mut best: Option<(usize, usize)> = None;

@@ -14,6 +14,7 @@ fn series(role: Role, times: Vec<f64>, values: Vec<f64>) -> RoleSeries {
         values,
         implausible: 0,
         out_of_order: 0,
+        is_held: false,
     }
 }
 
@@ -67,6 +68,24 @@ fn the_stretch_in_the_air_is_found_between_take_off_and_landing() {
         (from - 20.0).abs() < 0.5 && (to - 100.0).abs() < 0.5,
         "{from} {to}"
     );
+}
+
+#[test]
+fn photos_taken_well_above_the_ground_were_taken_in_the_air_however_far_apart() {
+    let times: Vec<f64> = (0..10).map(|i| 7.0 * f64::from(i)).collect();
+    let heights = vec![40.0; times.len()];
+    let found = [series(Role::HeightAboveGround, times.clone(), heights)];
+    assert_eq!(airborne(&found), [(0.0, 63.0)]);
+    let low = [series(Role::HeightAboveGround, times, vec![1.0; 10])];
+    assert_eq!(airborne(&low), []);
+}
+
+#[test]
+fn what_a_gimbal_holds_is_neither_dead_nor_stuck() {
+    let mut held = series(Role::Pitch, times(60), vec![0.1; 300]);
+    assert!(!Sensor::of(&held).findings().is_empty());
+    held.is_held = true;
+    assert!(Sensor::of(&held).findings().is_empty());
 }
 
 #[test]

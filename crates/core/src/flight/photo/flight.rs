@@ -7,10 +7,11 @@ use std::sync::Arc;
 use nalgebra::Point3;
 
 use super::camera::focal_in_pixels;
+use super::log::log;
 use super::read::{Photo, PhotoPlace, read_photo};
 use crate::camera::CameraModel;
 use crate::flight::files::FileSet;
-use crate::flight::folder::{FlightFolder, FolderFrames};
+use crate::flight::folder::{FlightFolder, FolderFrames, Told};
 use crate::flight::{Channel, ChannelName, Flight, Frame, StartFix, Truth, TruthState};
 use crate::frames::{Attitude, Geodetic, GroundPoint, LocalFrame, wrap_pi};
 
@@ -71,7 +72,9 @@ pub fn read_photos(files: &Arc<dyn FileSet>) -> Option<FlightFolder> {
         .iter()
         .map(|frame| frame.name.clone())
         .collect();
+    let log = log(&flight.name, &photos, &flight.channels);
     Some(FlightFolder {
+        told: Told::Log(Box::new(log)),
         frames: FolderFrames::new(Arc::clone(files), vec![String::new()], "", names),
         flight,
         notes,
@@ -79,9 +82,9 @@ pub fn read_photos(files: &Arc<dyn FileSet>) -> Option<FlightFolder> {
 }
 
 /// A photo with its time in the flight, seconds.
-struct Timed {
-    time: f64,
-    photo: Photo,
+pub(super) struct Timed {
+    pub time: f64,
+    pub photo: Photo,
 }
 
 /// Photos of one size, in the order of their times.

@@ -9,6 +9,7 @@ mod camera;
 mod exif;
 mod flight;
 mod head;
+mod log;
 mod read;
 #[cfg(test)]
 mod tests;

@@ -27,6 +27,8 @@ pub struct PhotoPlace {
 pub struct Photo {
     /// Name of its file.
     pub name: String,
+    /// Length of its file, bytes.
+    pub bytes: u64,
     /// Width in pixels, as stored.
     pub width: usize,
     /// Height in pixels, as stored.
@@ -110,7 +112,10 @@ pub fn read_photo(source: &dyn ByteSource) -> Result<Photo, PhotoError> {
                 .ok_or_else(|| PhotoError::NoPicture { file: file() })?;
             let exif = Exif::read(head.exif.unwrap_or_default());
             let xmp = Xmp::read(head.xmp.unwrap_or_default());
-            Ok(photo(file(), (width, height), &exif, &xmp))
+            Ok(Photo {
+                bytes: length,
+                ..photo(file(), (width, height), &exif, &xmp)
+            })
         }
     }
 }
@@ -130,6 +135,7 @@ fn photo(name: String, (width, height): (usize, usize), exif: &Exif, xmp: &Xmp) 
     let millimetres = |value: f64| value / 1e3;
     Photo {
         name,
+        bytes: 0,
         width,
         height,
         camera: camera.trim().to_owned(),

@@ -6,6 +6,8 @@ use std::sync::Arc;
 use super::*;
 use crate::flight::ChannelName;
 use crate::flight::files::{FileSet, MemoryFiles};
+use crate::flight::interpret::{Role, log_of_flight};
+use crate::flight::overview::overview;
 use crate::imagery::MemoryBytes;
 
 fn segment(kind: u8, contents: &[u8]) -> Vec<u8> {
@@ -134,6 +136,48 @@ fn a_photo_says_when_and_where_it_was_taken() {
     assert_eq!(
         (photo.camera.as_str(), photo.focal_length_35),
         ("Test", Some(0.024))
+    );
+}
+
+#[test]
+fn photos_are_a_log_of_what_they_tell_and_of_what_that_is() {
+    let files = files(&[
+        ("shots/a.jpg", photo("32", "5", 8, &gimbal(180.0, -80.0))),
+        ("shots/b.JPG", photo("30", "25", 10, &gimbal(90.0, -90.0))),
+        ("shots/c.jpg", photo("31", "5", 9, &gimbal(-179.0, -90.0))),
+    ]);
+    let folder = read_photos(&files).unwrap();
+    let log = folder.log();
+    let topic = log.first("photos").unwrap();
+    assert_eq!(topic.times, [0.0, 1.25, 2.25]);
+    assert_eq!(topic.texts("file").unwrap()[0], "shots/b.JPG");
+    let near = |name: &str, wanted: [f64; 3]| {
+        let values = topic.values(name).unwrap();
+        let pairs = values.iter().zip(wanted);
+        assert!(
+            pairs.clone().all(|(a, b)| (a - b).abs() < 1e-9),
+            "{name}: {values:?}"
+        );
+    };
+    near("gimbal_pitch", [-90.0, -90.0, -80.0]);
+    near("height_above_take_off", [40.5; 3]);
+    near("focal_length_35", [24.0; 3]);
+    let south = |seconds: f64| -30.0 - seconds / 3600.0;
+    near("latitude", [south(10.0), south(9.0), south(8.0)]);
+    assert!(topic.field("flight_yaw").is_none());
+    // date -u -d '2024-05-01 08:20:30' +%s
+    assert_eq!(log.utc_at_zero, Some(1_714_551_630.25));
+    assert_eq!(log.vehicle, "Test");
+    let beside = log_of_flight(&log, &folder.flight);
+    let seen = overview(&log, &beside.measured());
+    let pitch = seen.sensors.iter().find(|s| s.role == Role::Pitch).unwrap();
+    assert_eq!(pitch.source, "photos.gimbal_pitch");
+    assert!(!pitch.is_dead && pitch.samples == 3);
+    assert!(
+        log.report
+            .remarks
+            .iter()
+            .any(|r| r.starts_with("Heading, pitch and roll are"))
     );
 }
 

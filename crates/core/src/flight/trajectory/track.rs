@@ -104,6 +104,7 @@ impl Track {
             values,
             implausible: 0,
             out_of_order: 0,
+            is_held: false,
         };
         let (mut times, mut norths, mut easts) = (Vec::new(), Vec::new(), Vec::new());
         let mut end = 0;
