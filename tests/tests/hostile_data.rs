@@ -4,10 +4,13 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use nalgebra::{Matrix4, Vector4};
+
 use pilotage_core::flight::{Channel, ChannelName, Flight, FrameError, FrameSource};
 use pilotage_core::frames::wrap_pi;
 use pilotage_core::instruments::{CutPlan, Instruments, ReckonSettings, Way, reckon, study_cuts};
 use pilotage_core::navigator::{Doubt, Navigator, NavigatorSettings, Run};
+use pilotage_core::plan::{DetectionStatistics, ExpectedDetection, PlannedLandmark, as_stated};
 use pilotage_core::raster::Picture;
 use pilotage_core::simulate::{FlightDay, Overrides, Scenario, SimulatedFlight};
 use pilotage_tests::recorded;
@@ -264,17 +267,46 @@ fn fly_as(name: &str, seed: u64, day: FlightDay, damage: impl Fn(&mut Flight)) -
     let mission = scenario.mission();
     let map = Arc::new(Scenario::map());
     let given = Arc::new(flight.clone());
-    let mut navigator = Navigator::new(given, &mission.landmarks, map, &mission.navigator)
-        .expect("the flight has what it takes")
-        .sparing();
-    let mut run = navigator.run_head();
-    while let Some(step) = navigator.advance(&mut frames, &|| 0.0) {
-        run.steps.push(step.expect("the filter goes on"));
-    }
-    Flown { run, flight }
+    let navigator = Navigator::new(given, &mission.landmarks, map, &mission.navigator)
+        .expect("the flight has what it takes");
+    Flown::by(navigator, &mut frames, flight)
+}
+
+/// The same without pictures: four landmarks of five can be recognised, in seven frames of ten.
+fn fly_as_stated(name: &str, seed: u64, damage: impl Fn(&mut Flight)) -> Flown {
+    let scenario = Scenario::named(name).expect("a scenario");
+    let mut flight = scenario.fly(seed, &Overrides::default());
+    damage(&mut flight);
+    let mission = scenario.mission();
+    let spread = Vector4::new(0.5, 0.5, 0.02, 0.02);
+    let expected = ExpectedDetection {
+        recognised: 0.8,
+        per_frame: 0.7,
+        covariance: Matrix4::from_diagonal(&spread.map(|sd: f64| sd * sd)),
+    };
+    let planned = mission.landmarks.iter().map(|landmark| PlannedLandmark {
+        landmark: landmark.clone(),
+        detection: DetectionStatistics::everywhere(expected),
+    });
+    let planned: Vec<PlannedLandmark> = planned.collect();
+    let (detector, mut frames) = as_stated(&flight, &planned, seed).expect("a truth");
+    let given = Arc::new(flight.clone());
+    let (landmarks, settings) = (&mission.landmarks, &mission.navigator);
+    let navigator = Navigator::with_detector(given, landmarks, Box::new(detector), settings)
+        .expect("the flight has what it takes");
+    Flown::by(navigator, &mut frames, flight)
 }
 
 impl Flown {
+    fn by(navigator: Navigator, frames: &mut dyn FrameSource, flight: Flight) -> Self {
+        let mut navigator = navigator.sparing();
+        let mut run = navigator.run_head();
+        while let Some(step) = navigator.advance(frames, &|| 0.0) {
+            run.steps.push(step.expect("the filter goes on"));
+        }
+        Self { run, flight }
+    }
+
     /// Share of the steps whose true position lies in the 95 % ellipse, and the largest error, metres.
     fn honesty(&self) -> (f64, f64) {
         let truth = self.flight.truth.as_ref().expect("a truth");
@@ -376,6 +408,10 @@ fn a_turned_compass_and_a_late_camera_are_told_put_right_and_leave_the_run_hones
         turn_compass(flight, -25.0);
     });
     let late = fly(|flight| delay_frames(flight, 1.0));
+    let other = fly_as("distinct-400ft-wind", 2, FlightDay::Other, |flight| {
+        delay_frames(flight, 1.0);
+    });
+    let later = fly(|flight| delay_frames(flight, 1.3));
     for (what, flown, largest, begin, end) in [
         (
             "compass 20° right",
@@ -386,6 +422,20 @@ fn a_turned_compass_and_a_late_camera_are_told_put_right_and_leave_the_run_hones
         ),
         ("compass 25° left", &left, 80.0, "heading reads 2", "left"),
         ("camera 1 s late", &late, 25.0, "camera is 1.0 s late", ""),
+        (
+            "camera 1 s late, other seed",
+            &other,
+            25.0,
+            "camera is 1.0 s late",
+            "",
+        ),
+        (
+            "camera 1.3 s late",
+            &later,
+            30.0,
+            "camera is 1.3 s late",
+            "",
+        ),
     ] {
         let ((inside, worst), doubts) = (flown.honesty(), flown.doubts());
         println!(
@@ -396,6 +446,33 @@ fn a_turned_compass_and_a_late_camera_are_told_put_right_and_leave_the_run_hones
         assert!(worst < largest, "{what}: {worst} m");
         let is_said = |words: &String| words.starts_with(begin) && words.contains(end);
         assert!(doubts.iter().any(is_said), "{what}: {doubts:?}");
+    }
+}
+
+#[test]
+fn late_cameras_are_told_and_punctual_ones_are_not_doubted() {
+    const SEEDS: u64 = 8;
+    // In wind that nobody told, a lag of 1 s looks like wind for longer than the bar of 85 % leaves: docs/results.md.
+    for (name, lag, is_honest) in [
+        ("distinct-400ft-wind", 0.0, true),
+        ("distinct-400ft-wind", 1.0, false),
+        ("distinct-400ft-calm", 1.0, true),
+    ] {
+        let (mut inside, mut told) = (0.0, 0);
+        for seed in 1..=SEEDS {
+            let flown = fly_as_stated(name, seed, |flight| delay_frames(flight, lag));
+            inside += flown.honesty().0 / SEEDS as f64;
+            told += u64::from(!flown.doubts().is_empty());
+        }
+        println!(
+            "{name}, {lag} s late: {:.0} % inside, {told} told",
+            100.0 * inside
+        );
+        assert!(
+            inside >= 0.85 || !is_honest,
+            "{name}, {lag} s late: {inside}"
+        );
+        assert_eq!(told, if lag > 0.0 { SEEDS } else { 0 }, "{name}, {lag} s");
     }
 }
 

@@ -5,13 +5,15 @@
 //! and in turns its heading tells the time. So a few filters are flown beside the first, each of which assumes
 //! another lag. All are shown the same found places; what each makes of them weighs it by Bayes' rule.
 //!
+//! A camera may also begin to be late: a rival that is less likely than that goes on from where the first is.
+//!
 //! As long as the first is likelier than the share of the truth that its ellipse holds, the others belong to
 //! what is left out. Beyond that the belief that is reported spreads over all of them, and once hardly
 //! anything speaks for the first any more, the likeliest takes its place.
 
 use std::collections::BTreeMap;
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, Vector4};
 
 use super::engine::Engine;
 use super::expected::AppearanceModel;
@@ -30,17 +32,21 @@ const LONGEST: f64 = 2.0;
 /// … and how many of them beside none. Nearer lags differ by less than the noise of the attitudes that are
 /// read at their times, which would decide between them; what lies between two is shared by both.
 const RIVALS: u32 = 4;
-/// Probability that pictures come late, before anything is seen: of a thousand flights one.
-const LATE: f64 = 1e-3;
+/// Probability that pictures come late, before anything is seen: of a hundred flights one …
+const LATE: f64 = 1e-2;
+/// … and that they begin to, for each second: of a thousand flights of a hundred seconds one.
+const BEGINS: f64 = 1e-5;
 /// Share of the truth that the ellipse is drawn for.
 const ELLIPSE: f64 = 0.95;
-/// Who is less likely than this is no longer asked.
-const HOPELESS: f64 = 1e-6;
 /// Who is less likely than this has to give way.
 const UNLIKELY: f64 = 0.01;
-/// Evidence of one landmark, whenever it is seen alone: the odds against its being drawn, or found, in a wrong place
-/// every time.
+/// Most evidence of one landmark, whenever it is seen alone, as odds: it may be drawn, or found, in a wrong place every
+/// time, and must not lead the belief astray.
 const ODDS_OF_ONE: f64 = 100.0;
+/// Readings that are taken together are at most so far from their middle, seconds …
+const EVENED: f64 = 0.1;
+/// … and how many on either side of it.
+const READINGS: i32 = 2;
 /// Longest input that is assumed to be even when the way is followed back, seconds.
 const PIECE: f64 = 0.1;
 
@@ -58,13 +64,14 @@ impl Rival {
     /// Takes in that what was `found` is by `evidence` likelier than the first believes, as a logarithm.
     ///
     /// Landmarks that were found together speak for themselves. One alone may be wrong every time, and then speaks
-    /// for whatever explains it: all that it says comes to no more than the odds that it is right.
+    /// for whatever explains it: all that it says, for or against, comes to no more than the odds that it is right.
     fn weigh(&mut self, found: &[FoundPlace<'_>], evidence: f64) {
         let counted = if let [(landmark, ..)] = found {
+            let most = ODDS_OF_ONE.ln();
             let all = self.alone.entry(landmark.id).or_default();
-            let before = all.min(ODDS_OF_ONE.ln());
+            let before = all.clamp(-most, most);
             *all += evidence;
-            all.min(ODDS_OF_ONE.ln()) - before
+            all.clamp(-most, most) - before
         } else {
             evidence
         };
@@ -79,6 +86,8 @@ pub struct PictureLag {
     /// Probability of that.
     weight: f64,
     rivals: Vec<Rival>,
+    /// When a picture was shown to all of them last, seconds.
+    shown: Option<f64>,
     /// Since when the first lag is doubted, and whether it was given up, seconds.
     doubted: Option<f64>,
     replaced: Option<f64>,
@@ -97,7 +106,7 @@ pub struct Onlooker<'a> {
 impl<'a> Onlooker<'a> {
     /// What is expected of a picture that comes `lag` seconds late.
     pub fn model(&self, lag: f64) -> AppearanceModel<'a> {
-        let control = Control::of(self.flight, self.time - lag);
+        let control = evened(self.flight, self.time - lag);
         AppearanceModel::of(self.flight, self.camera, &control)
     }
 
@@ -130,6 +139,7 @@ impl PictureLag {
             assumed: 0.0,
             weight: 1.0 - LATE,
             rivals: (1..=RIVALS).map(rival).collect::<Result<_, _>>()?,
+            shown: None,
             doubted: None,
             replaced: None,
         })
@@ -158,16 +168,15 @@ impl PictureLag {
         if self.rivals.is_empty() || found.is_empty() {
             return Ok(());
         }
-        let (own, _) = judged(seer, found, reports)?;
+        self.let_begin(seer.engine, onlooker.time)?;
+        let model = onlooker.model(self.assumed);
+        let first = Seer::new(seer.settings, seer.engine, model, seer.frame);
+        let (own, _) = judged(&first, &all_seen_anew(found, seer, &first), reports)?;
         for rival in &mut self.rivals {
             rival.engine.look_back(onlooker.past(rival.lag));
             let model = onlooker.model(rival.lag);
             let judge = Seer::new(seer.settings, rival.engine.as_ref(), model, seer.frame);
-            let as_seen = |place: &Place| seen_anew(place, &seer.pose, &judge.pose);
-            let found: Vec<_> = found
-                .iter()
-                .map(|(landmark, report, place)| (*landmark, *report, as_seen(place)))
-                .collect();
+            let found = all_seen_anew(found, seer, &judge);
             let (log_likelihood, agreed) = judged(&judge, &found, reports)?;
             if !agreed.is_empty() {
                 let pose = judge.pose;
@@ -181,14 +190,26 @@ impl PictureLag {
         Ok(())
     }
 
-    /// Makes the probabilities sum to one, and asks who is hopeless no longer.
+    /// Lets the camera begin, by `time` in seconds, to be as late as a rival assumes where that is likelier than
+    /// that it always was: the rival goes on from the first, which is `engine`.
+    fn let_begin(&mut self, engine: &dyn Engine, time: f64) -> Result<(), FilterError> {
+        let since = self.shown.replace(time).map_or(0.0, |shown| time - shown);
+        let begun = self.weight * BEGINS * since / f64::from(RIVALS);
+        for rival in self.rivals.iter_mut().filter(|r| r.weight < begun) {
+            rival.engine = engine.faded(1.0)?;
+            rival.weight = begun;
+            rival.alone.clear();
+        }
+        Ok(())
+    }
+
+    /// Makes the probabilities sum to one.
     fn share(&mut self) {
         let all = self.weight + self.rivals.iter().map(|rival| rival.weight).sum::<f64>();
         self.weight /= all;
-        self.rivals.retain_mut(|rival| {
+        for rival in &mut self.rivals {
             rival.weight /= all;
-            rival.weight > HOPELESS
-        });
+        }
     }
 
     /// Puts the likeliest in the place of `engine` if that has become too unlikely, at `time` in seconds;
@@ -311,6 +332,48 @@ fn judged<'l>(
     Ok((log_likelihood, agreed))
 }
 
+/// What the instruments of `flight` say about `time`, seconds: the mean of their readings from a little before to a
+/// little after, so that turns still count as they are.
+///
+/// A camera shakes as much for every lag that is assumed, but each reads its attitude at a time of its own, with a
+/// noise of its own: of two lags, neither of them likelier, it makes the odds of one wander by more with every picture.
+/// An aircraft does not roll as fast as a reading errs.
+fn evened(flight: &Flight, time: f64) -> Control {
+    let about = Control::of(flight, time);
+    let mut off = Vector4::zeros();
+    for reading in -READINGS..=READINGS {
+        let share = f64::from(reading) / f64::from(READINGS);
+        let near = Control::of(flight, time + share * EVENED);
+        off += Vector4::new(
+            near.roll - about.roll,
+            near.pitch - about.pitch,
+            wrap_pi(near.heading - about.heading),
+            near.height - about.height,
+        );
+    }
+    off /= f64::from(2 * READINGS + 1);
+    Control {
+        roll: about.roll + off[0],
+        pitch: about.pitch + off[1],
+        heading: wrap_pi(about.heading + off[2]),
+        height: about.height + off[3],
+        ..about
+    }
+}
+
+/// Places that were `found` by `from`, for `to`, who assumes another pose.
+fn all_seen_anew<'l>(
+    found: &[FoundPlace<'l>],
+    from: &Seer<'_>,
+    to: &Seer<'_>,
+) -> Vec<FoundPlace<'l>> {
+    let as_seen = |place: &Place| seen_anew(place, &from.pose, &to.pose);
+    found
+        .iter()
+        .map(|(landmark, report, place)| (*landmark, *report, as_seen(place)))
+        .collect()
+}
+
 /// A place that was found by somebody who assumed the pose `from`, for one who assumes `to`: the pixel is the
 /// same, but turn and scale of the surroundings are told against what is assumed.
 fn seen_anew((seen, covariance): &Place, from: &Pose, to: &Pose) -> Place {
@@ -326,11 +389,14 @@ fn seen_anew((seen, covariance): &Place, from: &Pose, to: &Pose) -> Place {
 
 #[cfg(test)]
 mod tests {
-    use nalgebra::{Matrix4, Point3, Vector4};
+    use std::f64::consts::PI;
+
+    use nalgebra::{Matrix4, Point3};
 
     use super::super::NavigatorSettings;
     use super::super::engine::engine;
     use super::*;
+    use crate::flight::{Channel, ChannelName, StartFix};
     use crate::frames::{Attitude, GroundPoint, GroundRect};
     use crate::landmark::Landmark;
 
@@ -357,6 +423,69 @@ mod tests {
         rival.weigh(&[(&one, 0, place), (&other, 1, place)], 1.0);
         let odds = (rival.weight / before).ln();
         assert!((odds - ODDS_OF_ONE.ln() - 3.0).abs() < 1e-9, "{odds}");
+    }
+
+    #[test]
+    fn a_lag_that_was_ruled_out_may_begin_later_and_goes_on_from_the_first() {
+        let mut first = start();
+        let mut lag = PictureLag::new(first.as_ref()).unwrap();
+        let ahead = ControlInput::new(18.0, Attitude::level(0.0));
+        first.predict(&ahead, 1.0).unwrap();
+        let likely = lag.rivals[1].weight;
+        lag.rivals[0].weight = 1e-30;
+        lag.rivals[0].alone.insert(7, -60.0);
+        for time in [4.0, 14.0] {
+            lag.let_begin(first.as_ref(), time).unwrap();
+        }
+        let begun = &lag.rivals[0];
+        let expected = (1.0 - LATE) * BEGINS * 10.0 / f64::from(RIVALS);
+        assert!(
+            (begun.weight / expected - 1.0).abs() < 1e-9,
+            "{}",
+            begun.weight
+        );
+        assert_eq!(begun.engine.state(), first.state());
+        assert!(begun.alone.is_empty());
+        // One that is likelier than that keeps its own belief.
+        assert_eq!(lag.rivals[1].weight, likely);
+        assert_eq!(lag.rivals[1].engine.state(), start().state());
+    }
+
+    #[test]
+    fn readings_that_err_are_evened_and_steady_turns_are_left() {
+        let times: Vec<f64> = (0..=40).map(|i| 0.05 * f64::from(i)).collect();
+        let channel = |name, value: &dyn Fn(f64) -> f64| Channel {
+            name,
+            values: times.iter().map(|time| value(*time)).collect(),
+            times: times.clone(),
+        };
+        // A heading that turns through south, a roll that errs by a fifth of a radian in one reading.
+        let flight = Flight {
+            name: "turning".to_owned(),
+            frame_on_globe: None,
+            camera: CameraModel::pinhole(64, 48, 1.0),
+            ground_down: 0.0,
+            channels: vec![
+                channel(ChannelName::Heading, &|time| {
+                    wrap_pi(PI + 0.5 * (time - 1.0))
+                }),
+                channel(ChannelName::Roll, &|time| {
+                    if (time - 1.0).abs() < 1e-9 { 0.2 } else { 0.0 }
+                }),
+            ],
+            frames: Vec::new(),
+            start: StartFix {
+                time: 0.0,
+                position: GroundPoint::default(),
+                standard_deviation: 1.0,
+            },
+            truth: None,
+        };
+        let now = evened(&flight, 1.0);
+        assert!(wrap_pi(now.heading - PI).abs() < 1e-9, "{}", now.heading);
+        assert!((now.roll - 0.04).abs() < 1e-9, "{}", now.roll);
+        let later = evened(&flight, 1.3);
+        assert!(wrap_pi(later.heading - PI - 0.15).abs() < 1e-9 && later.roll.abs() < 1e-9);
     }
 
     #[test]
