@@ -69,7 +69,8 @@ fn the_x8_tables_have_the_rates_the_gaps_and_the_columns_that_stand_in_their_cel
         return;
     };
     let files = files(&folder, |name| {
-        name.starts_with("TestLog2_") && name.ends_with(".csv")
+        let rest = name.strip_prefix("TestLog2_");
+        rest.is_some_and(|rest| rest.strip_suffix(".csv").is_some())
     });
     let tables = guess_tables(files.as_ref(), &files.names());
     let maps: Vec<_> = (tables.into_iter())

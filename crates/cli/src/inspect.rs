@@ -26,7 +26,8 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Outcome {
     let path = &arguments.path;
     if path.is_dir() || path.file_name().is_some_and(|n| n == "flight.json") {
-        let folder = open(Arc::new(Directory::open(path)?))?;
+        let files: Arc<dyn FileSet> = Arc::new(Directory::open(path)?);
+        let folder = open(&files)?;
         describe(&folder.flight);
         inspect_log::describe_folder(&folder);
         return Ok(());
@@ -40,7 +41,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
     if has_ending(path, &TABLES) {
         let files = [(path.to_string_lossy().into_owned(), bytes)];
-        let folder = open(Arc::new(MemoryFiles(files.into())))?;
+        let files: Arc<dyn FileSet> = Arc::new(MemoryFiles(files.into()));
+        let folder = open(&files)?;
         describe(&folder.flight);
         inspect_log::describe_folder(&folder);
         return Ok(());
@@ -82,8 +84,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
 
 /// The flight among files: that of a flight folder, else of the tables that are likely to be one, as their columns are
 /// guessed, else of photos.
-fn open(files: Arc<dyn FileSet>) -> Result<FlightFolder, FolderError> {
-    match read_flight(Arc::clone(&files)) {
+fn open(files: &Arc<dyn FileSet>) -> Result<FlightFolder, FolderError> {
+    match read_flight(Arc::clone(files)) {
         Err(FolderError::NoFlightFile) => {}
         other => return other,
     }
@@ -93,9 +95,9 @@ fn open(files: Arc<dyn FileSet>) -> Result<FlightFolder, FolderError> {
     let tables = guess_tables(files.as_ref(), &names).into_iter();
     let maps: Vec<_> = tables.filter(|t| t.is_proposed).map(|t| t.map).collect();
     if !maps.is_empty() {
-        return flight_of_tables(&files, &maps);
+        return flight_of_tables(files, &maps);
     }
-    read_photos(&files).ok_or(FolderError::NoFlightFile)
+    read_photos(files).ok_or(FolderError::NoFlightFile)
 }
 
 fn has_ending(path: &Path, endings: &[&str]) -> bool {

@@ -97,12 +97,11 @@ impl Tables {
     /// Every column of a table.
     fn columns(&self, file: &str, table: &Table) -> Vec<Column> {
         let column = |name: &String| {
-            let cells = match table.numbers(name).ok()? {
-                Some(numbers) => Cells::Numbers(numbers),
-                None => {
-                    let texts = table.texts(name).ok()?.into_iter();
-                    Cells::Texts(texts.map(str::to_owned).collect())
-                }
+            let cells = if let Some(numbers) = table.numbers(name).ok()? {
+                Cells::Numbers(numbers)
+            } else {
+                let texts = table.texts(name).ok()?.into_iter();
+                Cells::Texts(texts.map(str::to_owned).collect())
             };
             Some(Column {
                 name: name.clone(),
