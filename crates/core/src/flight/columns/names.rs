@@ -1,5 +1,8 @@
 //! What names of columns say.
 
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
 use super::ColumnRole;
 use crate::flight::ChannelName;
 
@@ -232,20 +235,37 @@ pub(super) struct NameGuess {
     pub confidence: f64,
 }
 
+/// The rules by the names they know, and how many words the longest of these has.
+struct Lexicon {
+    rules_of: HashMap<&'static str, Vec<usize>>,
+    longest: usize,
+}
+
+static LEXICON: LazyLock<Lexicon> = LazyLock::new(|| {
+    let mut rules_of: HashMap<&'static str, Vec<usize>> = HashMap::new();
+    for (index, rule) in RULES.iter().enumerate() {
+        for name in rule.names.split('|') {
+            rules_of.entry(name).or_default().push(index);
+        }
+    }
+    let words = |name: &&str| name.split(' ').count();
+    let longest = rules_of.keys().map(words).max().unwrap_or(0);
+    Lexicon { rules_of, longest }
+});
+
 /// Everything that a name of these words may mean, the likeliest first.
 pub(super) fn meanings(words: &[String]) -> Vec<NameGuess> {
     let is_otherwise = words.iter().any(|word| OTHERWISE.contains(&word.as_str()));
+    let doubt = if is_otherwise { 0.3 } else { 1.0 };
+    let shares = shares(words);
     let mut found: Vec<NameGuess> = RULES
         .iter()
-        .filter_map(|rule| {
-            let matched = rule.names.split('|').filter_map(|name| share(words, name));
-            let share = matched.fold(0.0, f64::max);
-            let doubt = if is_otherwise { 0.3 } else { 1.0 };
-            (share > 0.0).then_some(NameGuess {
-                role: rule.role,
-                sign: rule.sign,
-                confidence: rule.confidence * doubt * (0.5 + 0.5 * share),
-            })
+        .zip(shares)
+        .filter(|&(_, share)| share > 0.0)
+        .map(|(rule, share)| NameGuess {
+            role: rule.role,
+            sign: rule.sign,
+            confidence: rule.confidence * doubt * (0.5 + 0.5 * share),
         })
         .collect();
     found.sort_by(|a, b| b.confidence.total_cmp(&a.confidence));
@@ -258,18 +278,24 @@ pub(super) fn meanings(words: &[String]) -> Vec<NameGuess> {
     found
 }
 
-/// Which share of the letters of `words` is `name`, whose words have to stand together; `None` if it is not among
-/// them. Single letters have to be all there is.
-fn share(words: &[String], name: &str) -> Option<f64> {
-    let wanted: Vec<&str> = name.split(' ').collect();
-    let found = words
-        .windows(wanted.len())
-        .any(|window| window.iter().zip(&wanted).all(|(a, b)| a == b));
-    let letters = |words: &mut dyn Iterator<Item = usize>| words.sum::<usize>() as f64;
-    let of_name = letters(&mut wanted.iter().map(|word| word.len()));
-    let all = letters(&mut words.iter().map(String::len));
-    let is_enough = of_name > 2.0 || wanted.len() == words.len() || wanted.len() > 1;
-    (found && is_enough).then(|| of_name / all)
+/// The share of the letters of `words` that each rule's longest name among them has, whose words have to stand
+/// together; 0 where there is none. Single letters have to be all there is.
+fn shares(words: &[String]) -> [f64; RULES.len()] {
+    let letters = |words: &[String]| words.iter().map(String::len).sum::<usize>();
+    let all = letters(words) as f64;
+    let mut shares = [0.0_f64; RULES.len()];
+    for count in 1..=LEXICON.longest.min(words.len()) {
+        for window in words.windows(count) {
+            let is_enough = count > 1 || count == words.len() || letters(window) > 2;
+            let Some(rules) = LEXICON.rules_of.get(window.join(" ").as_str()) else {
+                continue;
+            };
+            for &rule in rules.iter().filter(|_| is_enough) {
+                shares[rule] = shares[rule].max(letters(window) as f64 / all);
+            }
+        }
+    }
+    shares
 }
 
 #[cfg(test)]
