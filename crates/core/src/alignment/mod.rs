@@ -8,6 +8,7 @@
 mod adjustment;
 mod estimate;
 mod evidence;
+mod finding;
 mod residual;
 mod solve;
 
@@ -16,3 +17,4 @@ pub use estimate::{
     AlignmentError, CameraPrior, CameraSearch, CameraToLog, Estimated, camera_to_log,
 };
 pub use evidence::{CameraEvidence, FrameResidual, ResidualSummary};
+pub use finding::camera_findings;

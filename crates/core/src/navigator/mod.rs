@@ -6,6 +6,7 @@ mod engine;
 mod estimator;
 mod expected;
 mod explain;
+mod finding;
 mod fixes;
 pub(crate) mod geometry;
 mod heading_doubt;

@@ -107,9 +107,14 @@ impl App {
         self.desk.align_after_flight = true;
     }
 
-    /// The flight is over, as far as it went.
+    /// The flight is over, as far as it went: what was asked for is estimated, and what nobody touched yet wherever
+    /// its pictures allow it, so that the overview tells a lag by itself.
     pub(super) fn align_after_flight(&mut self, host: &mut dyn Host, is_whole: bool) {
-        if std::mem::take(&mut self.desk.align_after_flight) && is_whole {
+        let is_asked = std::mem::take(&mut self.desk.align_after_flight);
+        let work = &self.documents.camera_log;
+        let is_untouched = work.found.is_none() && work.by_hand.is_none();
+        let applied = self.documents.mission.camera_to_log;
+        if is_whole && (is_asked || is_untouched && applied.is_none()) {
             self.refresh_camera_log();
             self.estimate_camera(host);
         }

@@ -484,10 +484,8 @@ fn tabbed(
         SideTab::Filter => scene.with_context(commands, |c| views.inspector.show(ui, c)),
         SideTab::Landmarks => landmarks(ui, scene, views, commands),
         SideTab::Log => {
-            if let Some(log) = &scene.documents.log {
-                let progress = scene.reading;
-                scene.with_context(commands, |c| log_column(ui, c, views, log, progress));
-            }
+            let (documents, progress) = (scene.documents, scene.reading);
+            scene.with_context(commands, |c| log_column(ui, c, views, documents, progress));
         }
         SideTab::Compare => compare(ui, scene, views, commands),
         SideTab::Cut => cut(ui, scene, commands),

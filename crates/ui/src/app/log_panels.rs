@@ -4,18 +4,22 @@ use egui::Ui;
 
 use super::Views;
 use crate::context::ViewContext;
+use crate::documents::Documents;
 use crate::jobs::SeriesName;
 use crate::log::{LogTab, OpenLog, overview_panel, statistics_panel};
 use crate::views::parts;
 
-/// The overview of a log, and its fields.
+/// The overview of the log that is open, and its fields.
 pub(super) fn log_column(
     ui: &mut Ui,
     context: &mut ViewContext<'_>,
     views: &mut Views,
-    log: &OpenLog,
+    documents: &Documents,
     progress: Option<f32>,
 ) {
+    let Some(log) = &documents.log else {
+        return;
+    };
     let tokens = context.tokens;
     let Views {
         log_tab,
@@ -52,7 +56,7 @@ pub(super) fn log_column(
         .auto_shrink(false)
         .show(ui, |ui| {
             ui.set_max_width(width);
-            overview_panel(ui, context, log, progress);
+            overview_panel(ui, context, log, &documents.noticed(), progress);
         });
 }
 

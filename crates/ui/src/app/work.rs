@@ -168,6 +168,7 @@ impl App {
             self.desk.examine_at = None;
             self.examine(host);
         }
+        self.documents.tend_noticed();
         self.tend_camera_log(context);
         self.fetch_series(host);
         self.ask_for_figures(host);

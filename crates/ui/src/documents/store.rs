@@ -10,7 +10,7 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{NavigatorSettings, Run};
 use pilotage_core::simulate::Scenario;
 
-use super::{Ground, History, Session};
+use super::{Ground, History, Noticed, Session};
 use crate::camera_log::CameraLog;
 use crate::compare::{Contest, Shelf};
 use crate::cut::Cuts;
@@ -76,6 +76,8 @@ pub struct Documents {
     pub cuts: Cuts,
     /// The camera beside its log.
     pub camera_log: CameraLog,
+    /// What was noticed in the run.
+    pub noticed: Noticed,
     /// Trajectories that were kept to be compared.
     pub shelf: Shelf,
     /// Bookmarks in time order, seconds in the flight's time base.
@@ -127,6 +129,7 @@ impl Documents {
             contest: Contest::default(),
             cuts: Cuts::default(),
             camera_log: CameraLog::default(),
+            noticed: Noticed::default(),
             shelf: Shelf::default(),
             bookmarks: session.bookmarks.clone(),
         }

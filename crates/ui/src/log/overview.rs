@@ -14,11 +14,13 @@ use crate::views::parts::{self, Reading};
 /// Messages shown before the rest is folded.
 const FIRST_MESSAGES: usize = 400;
 
-/// Draws the overview of a log; `progress` says how far its reading is, if it goes on.
+/// Draws the overview of a log, with what was found `beside` it in pictures and in flight; `progress` says how far
+/// its reading is, if it goes on.
 pub fn overview_panel(
     ui: &mut Ui,
     context: &mut ViewContext<'_>,
     log: &OpenLog,
+    beside: &[Finding],
     progress: Option<f32>,
 ) {
     let tokens = context.tokens;
@@ -56,7 +58,9 @@ pub fn overview_panel(
     ui.add_space(0.5 * tokens.space);
     facts(ui, context, outline, log.overview.as_ref());
     if let Some(overview) = &log.overview {
-        findings(ui, context, &overview.findings, first);
+        let mut all = [beside, &overview.findings[..]].concat();
+        all.sort_by_key(|finding| std::cmp::Reverse(finding.severity));
+        findings(ui, context, &all, first);
         abilities(ui, context, &overview.abilities);
         sensors(ui, context, &overview.sensors);
     }

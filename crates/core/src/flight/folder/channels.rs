@@ -41,14 +41,7 @@ fn pair<'a>(
     place: &str,
     wanted: [(&str, &'a Option<ValueColumn>); 2],
 ) -> Result<[&'a ValueColumn; 2], FolderError> {
-    let all = [
-        &map.value,
-        &map.latitude,
-        &map.longitude,
-        &map.speed,
-        &map.course,
-    ];
-    let stated = all.iter().filter(|column| column.is_some()).count();
+    let stated = map.value_columns().count();
     match (wanted[0].1, wanted[1].1) {
         (Some(first), Some(second)) if stated == 2 => Ok([first, second]),
         _ => Err(contents(

@@ -139,6 +139,20 @@ pub(in crate::flight) struct ChannelFile {
     pub course: Option<ValueColumn>,
 }
 
+impl ChannelFile {
+    /// The columns with values that are stated.
+    pub fn value_columns(&self) -> impl Iterator<Item = &ValueColumn> {
+        let all = [
+            &self.value,
+            &self.latitude,
+            &self.longitude,
+            &self.speed,
+            &self.course,
+        ];
+        all.into_iter().flatten()
+    }
+}
+
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(in crate::flight) struct FramesFile {

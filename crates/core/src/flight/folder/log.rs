@@ -117,7 +117,10 @@ impl Tables {
         let of_file = |map: &&ChannelFile| map.file == file;
         let mut maps = self.layout.channels.iter().filter(of_file);
         let is_it = |column: &&ValueColumn| column.column == name && column.scale.abs() == 1.0;
-        let mapped = maps.clone().flat_map(value_columns).find(is_it);
+        let mapped = maps
+            .clone()
+            .flat_map(ChannelFile::value_columns)
+            .find(is_it);
         let time = |map: &ChannelFile| (map.time.column == name).then(|| time_unit(&map.time));
         let unit = mapped.and_then(|column| column.unit.clone());
         unit.or_else(|| maps.find_map(time).map(str::to_owned))
@@ -187,17 +190,6 @@ impl Tables {
 pub(in crate::flight) fn of_samples(role: Role, source: String, channel: &Channel) -> RoleSeries {
     let samples = channel.times.iter().zip(&channel.values);
     RoleSeries::new(role, source, samples.map(|(t, v)| (*t, Some(*v))))
-}
-
-fn value_columns(map: &ChannelFile) -> impl Iterator<Item = &ValueColumn> {
-    let all = [
-        &map.value,
-        &map.latitude,
-        &map.longitude,
-        &map.speed,
-        &map.course,
-    ];
-    all.into_iter().flatten()
 }
 
 fn time_unit(time: &TimeColumn) -> &'static str {
