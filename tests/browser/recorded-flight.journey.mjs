@@ -30,7 +30,7 @@ export async function run(page, tools) {
   console.log(`        ${flown.landmarks.length} landmarks, ${flown.candidates} looked for, ${flown.accepted} accepted`);
   tools.check(flown.landmarks.length === 0 || flown.accepted >= 10, "hardly a landmark was accepted");
   await tools.waitFor((s) => s.map.tiles > 0, "its map", 60_000);
-  tools.check(!flown.map.follow && flown.map.metres_per_point < 0.6, "the map was not fitted to the flight");
+  await tools.waitFor((s) => !s.map.follow && s.map.metres_per_point < 0.6, "the map to be fitted to the flight", 10_000);
   await tools.screenshot("recorded-flight");
 
   await page.waitForFunction(() => window.page.storage.pending === 0 && window.page.storage.written > 0, null, { timeout: 30_000 });

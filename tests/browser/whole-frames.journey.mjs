@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { zip } from "./zip.mjs";
 
-export const name = "a recorded flight opens from a zip and is navigated by whole pictures laid on its map";
+export const name = "a recorded flight opens from a zip and is navigated by whole pictures laid on its map, and its overview tells the lag";
 
 const repository = fileURLToPath(new URL("../../", import.meta.url));
 const folder = join(repository, "../shared/data/brighton_beach");
@@ -38,4 +38,12 @@ export async function run(page, tools) {
   console.log(`        ${flown.laid} of ${flown.frames} pictures laid on the map`);
   await page.waitForTimeout(800);
   await tools.screenshot("whole-frames");
+
+  // Nobody asked for it: the overview tells what the pictures say of the camera's clock.
+  const told = await tools.waitFor((s) => s.log?.findings.some((f) => /lag|stamped/.test(f)), "the lag in the overview", 60_000);
+  console.log(`        ${told.log.findings.join("; ")}`);
+  await tools.click(await tools.find(null, "Log"));
+  await tools.find(null, /Pictures are stamped|No lag between/);
+  await page.waitForTimeout(500);
+  await tools.screenshot("lag-in-overview");
 }

@@ -239,7 +239,12 @@ impl App {
         let panels: Vec<Vec<String>> = (self.views.log_plots.panels())
             .map(|fields| fields.iter().map(crate::log::series_name).collect())
             .collect();
-        let findings = log.overview.iter().flat_map(|o| &o.findings);
+        let noticed = self.documents.noticed();
+        let findings = log
+            .overview
+            .iter()
+            .flat_map(|o| &o.findings)
+            .chain(&noticed);
         let points: usize = log.series.values().map(|s| s.times.len()).sum();
         Some(json!({
             "file": log.file,
