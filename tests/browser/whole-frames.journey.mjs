@@ -42,7 +42,8 @@ export async function run(page, tools) {
   // Nobody asked for it: the overview tells what the pictures say of the camera's clock.
   const told = await tools.waitFor((s) => s.log?.findings.some((f) => /lag|stamped/.test(f)), "the lag in the overview", 60_000);
   console.log(`        ${told.log.findings.join("; ")}`);
-  await tools.click(await tools.find(null, "Log"));
+  await tools.click(await tools.find(null, "Close"));
+  await tools.click(await tools.find(null, "Log", 10_000));
   await tools.find(null, /Pictures are stamped|No lag between/);
   await page.waitForTimeout(500);
   await tools.screenshot("lag-in-overview");

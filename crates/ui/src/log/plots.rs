@@ -201,7 +201,9 @@ impl LogPlots {
         let axis = TimeAxis::height(tokens);
         let header = 3.0 * tokens.space;
         let count = self.panels.len() as f32;
-        let free = ui.available_height() - axis - gap - (header + gap) * count;
+        // What does not fit makes the panel grow with every frame.
+        let room = ui.available_height() - axis - ui.spacing().item_spacing.y;
+        let free = room - (header + gap) * count;
         let height = (free / count).max(LEAST_HEIGHT);
         let span = self.axis.span(whole);
         let modes = panel::mode_bands(log, whole);
@@ -209,7 +211,7 @@ impl LogPlots {
         let mut asked = Vec::new();
         ScrollArea::vertical()
             .id_salt("log plots")
-            .max_height((ui.available_height() - axis - gap).max(LEAST_HEIGHT))
+            .max_height(room.max(LEAST_HEIGHT))
             .auto_shrink(false)
             .show(ui, |ui| {
                 ui.spacing_mut().item_spacing.y = 0.0;

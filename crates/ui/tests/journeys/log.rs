@@ -74,6 +74,16 @@ fn a_dropped_log_shows_its_overview_and_its_first_fields() {
 }
 
 #[test]
+fn plots_of_a_log_leave_the_map_its_place_however_long_they_are_shown() {
+    let mut rig = rig_with_a_log();
+    let before = rig.rect("/map/rect").height();
+    rig.frames(120);
+    assert_eq!(rig.rect("/map/rect").height(), before);
+    let all = rig.harness.ctx.content_rect().height();
+    assert!(before > 0.3 * all, "the map has {before} of {all} points");
+}
+
+#[test]
 fn another_flight_takes_the_place_of_the_log() {
     let mut rig = rig_with_a_log();
     rig.harness.get_by_label("Simulate…").click();
