@@ -1,0 +1,27 @@
+// Photos that say where and when they were taken are a flight by themselves, and are looked over as logs are.
+import { existsSync } from "node:fs";
+import { join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+export const name = "photos that say where they were taken open with an overview and plots, and say what they lack";
+
+const folder = join(fileURLToPath(new URL("../../", import.meta.url)), "../shared/data/caliterra");
+
+export async function run(page, tools) {
+  if (!existsSync(folder)) {
+    console.log("        skipped: no shared data");
+    return;
+  }
+  await tools.waitReady();
+  await tools.waitFor((s) => s.flight !== null, "the demo", 120_000);
+  const photos = ["IMG_9360_original.jpg", "IMG_9400_original.jpg"].map((name) => join(folder, name));
+  await page.setInputFiles("#files", photos);
+  const opened = await tools.waitFor((s) => s.log?.read && s.log.format === "Photos", "the photos to open", 120_000);
+  tools.check(opened.log.messages === photos.length && opened.side_tab === "Log", JSON.stringify(opened.log));
+  // Two photos say no heading: that they cannot be flown by airspeed is said, and takes nothing away.
+  const flown = await tools.waitFor((s) => s.log.unnavigable, "why they are not flown", 60_000);
+  tools.check(/heading/.test(flown.log.unnavigable), flown.log.unnavigable);
+  console.log(`        ${flown.log.messages} photos; ${flown.log.unnavigable}`);
+  await page.waitForTimeout(800);
+  await tools.screenshot("photos");
+}
