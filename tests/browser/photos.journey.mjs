@@ -22,6 +22,7 @@ export async function run(page, tools) {
   const flown = await tools.waitFor((s) => s.log.unnavigable, "why they are not flown", 60_000);
   tools.check(/heading/.test(flown.log.unnavigable), flown.log.unnavigable);
   console.log(`        ${flown.log.messages} photos; ${flown.log.unnavigable}`);
+  tools.check(flown.log.panels.flat().includes("GPS height"), JSON.stringify(flown.log.panels));
   await page.waitForTimeout(800);
   await tools.screenshot("photos");
 }

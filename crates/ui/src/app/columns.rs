@@ -111,12 +111,17 @@ impl App {
     }
 }
 
-/// Notes as one text.
-fn sentences(notes: &[String]) -> String {
+/// Notes as one text: each a sentence, whether it was written as one or not.
+pub(super) fn sentences(notes: &[String]) -> String {
     let sentence = |note: &String| {
         let mut letters = note.chars();
         let first = letters.next().map(char::to_uppercase).into_iter().flatten();
-        format!("{}{}.", first.collect::<String>(), letters.as_str())
+        let end = if note.ends_with(['.', '!', '?']) {
+            ""
+        } else {
+            "."
+        };
+        format!("{}{}{end}", first.collect::<String>(), letters.as_str())
     };
     notes.iter().map(sentence).collect::<Vec<_>>().join(" ")
 }

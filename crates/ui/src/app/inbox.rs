@@ -1,6 +1,7 @@
 //! What the workers and the user's files bring.
 
 use super::App;
+use super::columns::sentences;
 use super::desk::Opening;
 use crate::host::{Host, OpenedFile};
 use crate::jobs::{FlightSource, Job, JobEvent, JobId, MapSource, Opened};
@@ -397,12 +398,12 @@ impl App {
         if parts.is_empty() && adds {
             // What was added is told already.
         } else if parts.is_empty() {
-            let text = remarks.join(" ");
+            let text = sentences(&remarks);
             let title = format!("{} holds nothing that can be shown", opening.name);
             self.toasts.trouble(now, title, text);
         } else {
             let title = format!("Opened {} from {}", parts.join(", "), opening.name);
-            self.toasts.note(now, title, remarks.join(" "));
+            self.toasts.note(now, title, sentences(&remarks));
         }
     }
 }

@@ -158,7 +158,8 @@ impl OpenLog {
         FIRST_FIELDS.into_iter().map(of).collect()
     }
 
-    /// The fields that a newcomer wants to see: height, speeds and attitude, as far as they were measured.
+    /// The fields that a newcomer wants to see: height, speeds and attitude, as far as they were measured; the
+    /// height by satellites where there is nothing else, as in photos.
     pub fn first_fields(&self) -> Vec<Vec<SeriesName>> {
         let Some(overview) = &self.overview else {
             return Vec::new();
@@ -172,7 +173,11 @@ impl OpenLog {
             alive.map(SeriesName::role).collect::<Vec<_>>()
         };
         let panels = FIRST_FIELDS.into_iter().map(of);
-        panels.filter(|fields| !fields.is_empty()).collect()
+        let panels: Vec<_> = panels.filter(|fields| !fields.is_empty()).collect();
+        if panels.is_empty() && is_alive(Role::GpsHeight) {
+            return vec![vec![SeriesName::role(Role::GpsHeight)]];
+        }
+        panels
     }
 }
 
