@@ -106,6 +106,11 @@ impl CameraAdjustment {
         }
     }
 
+    /// What is added to the focal length, percent of it.
+    pub fn focal_percent(&self) -> f64 {
+        100.0 * self.log_focal.exp_m1()
+    }
+
     /// The flight with its frames at the log's times and its camera changed.
     pub fn apply(&self, flight: &Flight) -> Flight {
         let mut flight = flight.clone();
@@ -167,6 +172,15 @@ mod tests {
         fn a_clock_told_about_another_time_is_the_same_clock(a in any(), middle in -500.0..500.0, t in 0.0..1000.0) {
             prop_assert!((a.about(middle).time(t) - a.time(t)).abs() < 1e-9);
         }
+    }
+
+    #[test]
+    fn a_doubled_focal_length_is_a_hundred_percent_more() {
+        let doubled = CameraAdjustment {
+            log_focal: 2_f64.ln(),
+            ..CameraAdjustment::default()
+        };
+        assert!((doubled.focal_percent() - 100.0).abs() < 1e-9);
     }
 
     #[test]

@@ -253,6 +253,23 @@ impl CameraToLog {
         }
     }
 
+    /// The same estimate for a flight of which all but `left` was changed already: known as well, and about the
+    /// middle of `left`.
+    #[must_use]
+    pub fn with(&self, left: &CameraAdjustment) -> Self {
+        let number = |value, known: Estimated| Estimated { value, ..known };
+        Self {
+            offset: number(left.offset, self.offset),
+            drift: number(left.drift, self.drift),
+            middle: left.middle,
+            roll: number(left.roll, self.roll),
+            pitch: number(left.pitch, self.pitch),
+            yaw: number(left.yaw, self.yaw),
+            log_focal: number(left.log_focal, self.log_focal),
+            ..*self
+        }
+    }
+
     /// Satellite navigation's bias against the map: north, east, metres.
     pub fn bias_values(&self) -> [f64; 2] {
         self.bias.map(|axis| axis.value)

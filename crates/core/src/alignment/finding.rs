@@ -1,7 +1,5 @@
 //! What a camera beside its log comes to, in words.
 
-use std::f64::consts::PI;
-
 use super::{CameraToLog, Estimated};
 use crate::flight::overview::{Finding, Severity};
 
@@ -12,13 +10,17 @@ fn is_off(number: &Estimated) -> bool {
     number.is_told && number.value.abs() > SURELY * number.deviation
 }
 
-fn warning(title: String, text: String) -> Finding {
+fn finding(severity: Severity, title: String, text: String) -> Finding {
     Finding {
-        severity: Severity::Warning,
+        severity,
         title,
         text,
         span: None,
     }
+}
+
+fn warning(title: String, text: String) -> Finding {
+    finding(Severity::Warning, title, text)
 }
 
 /// What is told of the camera, in words: the lag between pictures and log first, also where there is none, then
@@ -47,14 +49,14 @@ pub fn camera_findings(told: &CameraToLog) -> Vec<Finding> {
     ];
     let mount = angles.into_iter().filter(|(_, angle)| is_off(angle));
     let mount = mount.map(|(name, angle)| {
-        let [degrees, deviation] = [angle.value, angle.deviation].map(|a| a * 180.0 / PI);
+        let [degrees, deviation] = [angle.value, angle.deviation].map(f64::to_degrees);
         warning(
             format!("The camera is mounted {:.1}° off in {name}", degrees.abs()),
             format!("To add to the {name} of its mount: {degrees:.1} ± {deviation:.1}°."),
         )
     });
     let focal = is_off(&told.log_focal).then(|| {
-        let percent = 100.0 * told.log_focal.value.exp_m1();
+        let percent = told.adjustment().focal_percent();
         let deviation = 100.0 * told.log_focal.deviation;
         let way = if percent > 0.0 { "longer" } else { "shorter" };
         warning(
@@ -76,8 +78,9 @@ fn of_lag(told: &CameraToLog) -> Finding {
     let Estimated {
         value, deviation, ..
     } = told.offset;
+    let seconds = (100.0 * value).round() / 100.0 + 0.0;
     let text = format!(
-        "{value:.2} ± {deviation:.2} s to add to the times of the pictures, by {} of them laid on the map against \
+        "{seconds:.2} ± {deviation:.2} s to add to the times of the pictures, by {} of them laid on the map against \
          satellite navigation, attitude and height.",
         told.frames
     );
@@ -86,12 +89,8 @@ fn of_lag(told: &CameraToLog) -> Finding {
         let title = format!("Pictures are stamped {:.2} s too {way}", value.abs());
         return warning(title, text);
     }
-    Finding {
-        severity: Severity::Note,
-        title: "No lag between pictures and log".to_owned(),
-        text,
-        span: None,
-    }
+    let title = "No lag between pictures and log".to_owned();
+    finding(Severity::Note, title, text)
 }
 
 #[cfg(test)]
@@ -142,6 +141,8 @@ mod tests {
         let found = camera_findings(&told(number(0.1, 0.1), number(0.0, 0.02)));
         assert_eq!(found.len(), 1);
         assert_eq!(found[0].severity, Severity::Note);
+        let found = camera_findings(&told(number(-1e-9, 0.1), number(0.0, 0.02)));
+        assert!(found[0].text.starts_with("0.00 ± 0.10 s"), "{found:?}");
         let mut unknown = told(number(0.1, 0.1), number(0.0, 0.02));
         unknown.offset.is_told = false;
         assert!(camera_findings(&unknown).is_empty());

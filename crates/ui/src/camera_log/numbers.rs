@@ -37,17 +37,12 @@ impl Line {
     }
 }
 
-/// A factor's logarithm as percent more.
-fn percent(log: f64) -> f64 {
-    100.0 * log.exp_m1()
-}
-
 fn lines(found: &FoundCamera, units: Units) -> Vec<Line> {
     let FoundCamera { told, change } = found;
     let degree = 1_f64.to_degrees();
     let (length, length_unit) = units.length();
     let focal = Line {
-        value: percent(change.log_focal),
+        value: change.focal_percent(),
         deviation: 100.0 * change.log_focal.exp() * told.log_focal.deviation,
         ..Line::new("Focal length", "%", 0.0, 1.0, &told.log_focal)
     };
@@ -159,7 +154,7 @@ pub(super) fn by_hand(
     let mut offset = change.offset;
     let mut drift = 1e6 * change.drift;
     let mut angles = [change.roll, change.pitch, change.yaw].map(f64::to_degrees);
-    let mut focal = percent(change.log_focal);
+    let mut focal = change.focal_percent();
     if slider(
         ui,
         tokens,
@@ -201,10 +196,5 @@ mod tests {
         assert_eq!(rounded(-0.6612, 0.141), "−0.66");
         assert_eq!(rounded(12.34, 23.0), "12");
         assert_eq!(rounded(0.012_34, 0.004), "0.012");
-    }
-
-    #[test]
-    fn a_doubled_focal_length_is_a_hundred_percent_more() {
-        assert!((percent(2_f64.ln()) - 100.0).abs() < 1e-9);
     }
 }

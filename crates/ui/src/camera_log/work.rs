@@ -13,7 +13,7 @@ const FEWEST: usize = 6;
 /// An estimate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FoundCamera {
-    /// The estimate, beyond what the flight was flown with.
+    /// The estimate, beyond what the flight was flown with then.
     pub told: CameraToLog,
     /// All that is to be changed of the flight as it was opened.
     pub change: CameraAdjustment,
@@ -159,6 +159,12 @@ impl CameraLog {
         let change = change.about(self.middle());
         self.found = Some(FoundCamera { told, change });
         self.by_hand = Some(change);
+    }
+
+    /// What the latest estimate says of the flight as it is flown now, whatever of it was applied since.
+    pub fn left(&self) -> Option<CameraToLog> {
+        let of = |found: &FoundCamera| found.told.with(&found.change.beyond(&self.flown));
+        self.found.as_ref().map(of)
     }
 
     /// Looks at the run if it is complete and new, and computes the preview if anything changed; whether it did.

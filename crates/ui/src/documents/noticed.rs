@@ -25,10 +25,10 @@ impl Documents {
         }
     }
 
-    /// What the pictures say of the camera, and what the navigator doubted in the run that is shown.
+    /// What the pictures say of the camera as it is flown, and what the navigator doubted in the run that is shown.
     pub fn noticed(&self) -> Vec<Finding> {
-        let found = self.camera_log.found.as_ref();
-        let mut all = found.map_or_else(Vec::new, |found| camera_findings(&found.told));
+        let left = self.camera_log.left();
+        let mut all = left.map_or_else(Vec::new, |left| camera_findings(&left));
         if self.noticed.run == Some(self.run_generation) {
             all.extend_from_slice(&self.noticed.findings);
         }

@@ -10,11 +10,15 @@ use super::SpanFigures;
 use crate::jobs::{LogSeries, SeriesName};
 use crate::views::Pyramid;
 
-/// Fields that a newcomer wants to see, plot by plot.
-const FIRST_FIELDS: [&[Role]; 3] = [
-    &[Role::BarometricHeight, Role::HeightAboveGround],
-    &[Role::Airspeed, Role::GroundSpeed],
-    &[Role::Roll, Role::Pitch],
+/// Fields that a newcomer wants to see, plot by plot: those that are likely, and what takes their place where the
+/// log has none of them.
+const FIRST_FIELDS: [[&[Role]; 2]; 3] = [
+    [
+        &[Role::BarometricHeight, Role::HeightAboveGround],
+        &[Role::GpsHeight],
+    ],
+    [&[Role::Airspeed, Role::GroundSpeed], &[]],
+    [&[Role::Roll, Role::Pitch], &[]],
 ];
 
 /// A field over time, as far as it has come, ready to be drawn at any width.
@@ -155,11 +159,13 @@ impl OpenLog {
     /// What [`Self::first_fields`] may be, before it is known what was measured.
     pub fn likely_fields() -> Vec<Vec<SeriesName>> {
         let of = |roles: &[Role]| roles.iter().copied().map(SeriesName::role).collect();
-        FIRST_FIELDS.into_iter().map(of).collect()
+        FIRST_FIELDS
+            .into_iter()
+            .map(|[likely, _]| of(likely))
+            .collect()
     }
 
-    /// The fields that a newcomer wants to see: height, speeds and attitude, as far as they were measured; the
-    /// height by satellites where there is nothing else, as in photos.
+    /// The fields that a newcomer wants to see: height, speeds and attitude, as far as they were measured.
     pub fn first_fields(&self) -> Vec<Vec<SeriesName>> {
         let Some(overview) = &self.overview else {
             return Vec::new();
@@ -172,12 +178,11 @@ impl OpenLog {
             let alive = roles.iter().copied().filter(|role| is_alive(*role));
             alive.map(SeriesName::role).collect::<Vec<_>>()
         };
-        let panels = FIRST_FIELDS.into_iter().map(of);
-        let panels: Vec<_> = panels.filter(|fields| !fields.is_empty()).collect();
-        if panels.is_empty() && is_alive(Role::GpsHeight) {
-            return vec![vec![SeriesName::role(Role::GpsHeight)]];
-        }
-        panels
+        let panels = FIRST_FIELDS.into_iter().filter_map(|choices| {
+            let mut choices = choices.into_iter().map(of);
+            choices.find(|fields| !fields.is_empty())
+        });
+        panels.collect()
     }
 }
 

@@ -3,10 +3,12 @@
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::alignment::CameraAdjustment;
-use pilotage_ui::jobs::Job;
+use pilotage_ui::host::OpenedFile;
+use pilotage_ui::jobs::{Job, Opened};
 use serde_json::Value;
 
-use super::support::laid::Laying;
+use super::reopen::nothing;
+use super::support::laid::{Laying, early_flight};
 use super::support::{Rig, ScriptedHost, rig, rig_on};
 
 /// The invented flight with fixes, its pictures stamped half a second early, all of them laid on the map.
@@ -128,6 +130,46 @@ fn what_is_applied_moves_the_pictures_in_time_and_can_be_taken_back() {
     rig.settle();
     assert_eq!(flown_with(&mut rig), None);
     assert!((number(&rig, "/camera_log/frame_times/0") - before).abs() < 1e-9);
+}
+
+/// What the overview says of the camera's clock.
+fn said_of_the_clock(rig: &mut Rig) -> String {
+    let findings = rig.state()["log"]["findings"].clone();
+    let findings = findings.as_array().cloned().unwrap_or_default();
+    let titles = findings.iter().filter_map(Value::as_str);
+    let of_clock = |title: &&str| title.contains("stamped") || title.contains("lag between");
+    let said: Vec<&str> = titles.filter(of_clock).collect();
+    assert_eq!(said.len(), 1, "{findings:?}");
+    let close = rig.harness.query_by_label("Close").map(|n| n.click());
+    rig.frames(3 * usize::from(close.is_some()));
+    rig.open_tab("Log");
+    rig.harness.get_by_label(said[0]);
+    said[0].to_owned()
+}
+
+#[test]
+fn the_overview_tells_the_lag_that_is_left() {
+    let mut rig = rig_with_laid_frames();
+    rig.host().opens = Some(Opened {
+        flight: Some(early_flight()),
+        ..nothing()
+    });
+    rig.host().opened.push(vec![OpenedFile {
+        path: "trip/flight.json".to_owned(),
+        content: vec![7; 100].into(),
+    }]);
+    rig.settle();
+    // Nobody asked for it.
+    let said = said_of_the_clock(&mut rig);
+    assert!(said.starts_with("Pictures are stamped 0.5"), "{said}");
+    open(&mut rig);
+    rig.harness.get_by_label("Apply").click();
+    rig.settle();
+    let left = said_of_the_clock(&mut rig);
+    assert_eq!(left, "No lag between pictures and log");
+    rig.key_with(Modifiers::COMMAND, Key::Z);
+    rig.settle();
+    assert_eq!(said_of_the_clock(&mut rig), said);
 }
 
 #[test]

@@ -62,7 +62,14 @@ fn a_dropped_log_shows_its_overview_and_its_first_fields() {
     assert_eq!(state["log"]["file"], "east.log");
     assert_eq!(state["log"]["read"], true);
     assert_eq!(state["side_tab"], "Log");
-    assert_eq!(panels(&rig), [vec!["Ground speed"], vec!["Roll", "Pitch"]]);
+    assert_eq!(
+        panels(&rig),
+        [
+            vec!["GPS height"],
+            vec!["Ground speed"],
+            vec!["Roll", "Pitch"]
+        ]
+    );
     assert!(
         state["log"]["points"].as_u64() >= Some(300),
         "{}",
@@ -106,10 +113,10 @@ fn a_field_is_searched_plotted_alone_taken_away_and_colours_the_track() {
     rig.frames(3);
     rig.harness.get_by_label("ATT.Yaw in a new plot").click();
     rig.settle();
-    assert_eq!(panels(&rig)[2], ["ATT.Yaw"]);
+    assert_eq!(panels(&rig)[3], ["ATT.Yaw"]);
     rig.harness.get_by_label("Plot ATT.Yaw").click();
     rig.frames(3);
-    assert_eq!(panels(&rig).len(), 2);
+    assert_eq!(panels(&rig).len(), 3);
     rig.harness
         .get_by_label("Colour the track by ATT.Yaw")
         .click();
@@ -117,7 +124,7 @@ fn a_field_is_searched_plotted_alone_taken_away_and_colours_the_track() {
     assert_eq!(rig.state()["log"]["track_by"], "ATT.Yaw");
     rig.harness.get_by_label("Take Pitch away").click();
     rig.frames(3);
-    assert_eq!(panels(&rig)[1], ["Roll"]);
+    assert_eq!(panels(&rig)[2], ["Roll"]);
 }
 
 /// The field for expressions, with the keyboard.
@@ -199,7 +206,7 @@ fn an_expression_is_plotted_beside_other_fields_with_shift() {
     rig.key_with(Modifiers::SHIFT, Key::Enter);
     rig.settle();
     let panels = panels(&rig);
-    assert_eq!(panels.len(), 2);
+    assert_eq!(panels.len(), 3);
     assert!(
         panels
             .iter()

@@ -5,10 +5,10 @@ use egui_kittest::kittest::Queryable as _;
 use super::log::{panels, rig_with_a_log};
 use super::support::Rig;
 
-/// Plots roll and pitch, the second panel, against what is called so.
+/// Plots roll and pitch, the third panel, against what is called so.
 fn against(rig: &mut Rig, search: &str, name: &str) {
     rig.harness
-        .get_by_label("Plot 2, over time: change")
+        .get_by_label("Plot 3, over time: change")
         .click();
     rig.frames(3);
     rig.harness
@@ -27,21 +27,21 @@ fn against(rig: &mut Rig, search: &str, name: &str) {
 fn a_panel_is_plotted_against_a_field_and_over_time_again() {
     let mut rig = rig_with_a_log();
     against(&mut rig, "ground", "Against Ground speed");
-    assert_eq!(rig.state()["log"]["against"][1], "Ground speed");
-    assert_eq!(panels(&rig)[1], ["Roll", "Pitch"]);
+    assert_eq!(rig.state()["log"]["against"][2], "Ground speed");
+    assert_eq!(panels(&rig)[2], ["Roll", "Pitch"]);
     rig.harness
         .get_by_label("Plot of Roll, Pitch against Ground speed");
     rig.harness
-        .get_by_label("Join the points of plot 2")
+        .get_by_label("Join the points of plot 3")
         .click();
     rig.frames(3);
     rig.harness
-        .get_by_label("Plot 2, against Ground speed: change")
+        .get_by_label("Plot 3, against Ground speed: change")
         .click();
     rig.frames(3);
     rig.harness.get_by_label("Over time").click();
     rig.frames(3);
-    assert!(rig.state()["log"]["against"][1].is_null());
+    assert!(rig.state()["log"]["against"][2].is_null());
 }
 
 #[test]

@@ -50,7 +50,7 @@ fn the_selected_time_of_the_plotted_fields_is_saved_with_units_and_every_digit()
     let mut lines = text.lines();
     assert_eq!(
         lines.next(),
-        Some("time [s],Ground speed [m/s],Roll [deg],Pitch [deg]")
+        Some("time [s],GPS height [m],Ground speed [m/s],Roll [deg],Pitch [deg]")
     );
     let rows: Vec<&str> = lines.collect();
     assert_eq!(rows.len(), 29);
@@ -59,6 +59,6 @@ fn the_selected_time_of_the_plotted_fields_is_saved_with_units_and_every_digit()
     let cells: Result<Vec<f64>, _> = row.expect("second 29").split(',').map(str::parse).collect();
     assert_eq!(
         cells.expect("numbers"),
-        [29.0, f64::from(20.1_f32), 0.0, 0.0]
+        [29.0, 780.0, f64::from(20.1_f32), 0.0, 0.0]
     );
 }

@@ -29,7 +29,8 @@ fn rig_with_a_flight(bytes: usize) -> Rig {
     rig
 }
 
-fn nothing() -> Opened {
+/// Files in which nothing was found.
+pub fn nothing() -> Opened {
     Opened {
         key: String::new(),
         log: None,

@@ -38,7 +38,7 @@ fn the_flight_of_tables_opens_with_its_overview_and_its_first_fields() {
     assert_eq!(log["topics"], 2);
     assert_eq!(log["messages"], 600);
     assert_eq!(state["side_tab"], "Log");
-    assert_eq!(panels(&rig), [vec!["Roll", "Pitch"]]);
+    assert_eq!(panels(&rig), [vec!["GPS height"], vec!["Roll", "Pitch"]]);
     assert!(log["points"].as_u64() >= Some(600), "{log}");
     assert_eq!(state["run_complete"], true);
     // What measured, and how often; what can be done, and what not and why.
@@ -57,14 +57,14 @@ fn a_column_that_nothing_was_said_of_is_found_plotted_and_colours_the_track() {
     search(&mut rig, "quux");
     rig.harness.get_by_label("gps.quux in a new plot").click();
     rig.settle();
-    assert_eq!(panels(&rig)[1], ["gps.quux"]);
+    assert_eq!(panels(&rig)[2], ["gps.quux"]);
     rig.harness
         .get_by_label("Colour the track by gps.quux")
         .click();
     rig.settle();
     let log = rig.state()["log"].clone();
     assert_eq!(log["track_by"], "gps.quux");
-    assert_eq!(log["points"], 900);
+    assert_eq!(log["points"], 1200);
 }
 
 #[test]
@@ -78,7 +78,7 @@ fn columns_are_computed_with() {
     field.type_text("gps.quux - {GPS height}");
     rig.key(egui::Key::Enter);
     rig.settle();
-    assert_eq!(panels(&rig)[1], ["gps.quux - {GPS height}"]);
+    assert_eq!(panels(&rig)[2], ["gps.quux - {GPS height}"]);
     rig.harness.get_by_label("Plot of gps.quux - {GPS height}");
 }
 
