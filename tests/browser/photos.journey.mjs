@@ -23,6 +23,9 @@ export async function run(page, tools) {
   tools.check(/heading/.test(flown.log.unnavigable), flown.log.unnavigable);
   console.log(`        ${flown.log.messages} photos; ${flown.log.unnavigable}`);
   tools.check(flown.log.panels.flat().includes("GPS height"), JSON.stringify(flown.log.panels));
+  // They are on no map of another flight, with their places and pictures.
+  const seen = await tools.waitFor((s) => s.flight && s.pictures === photos.length, "the photos themselves", 20_000);
+  tools.check(seen.landmarks.length === 0, JSON.stringify(seen.landmarks));
   await page.waitForTimeout(800);
   await tools.screenshot("photos");
 }

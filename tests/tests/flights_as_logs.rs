@@ -129,7 +129,7 @@ fn the_x8_tables_have_the_rates_the_gaps_and_the_columns_that_stand_in_their_cel
         "in the air {:?}, {:.2} km, {:?} m above the start",
         seen.airborne,
         1e-3 * seen.distance,
-        seen.greatest_height
+        seen.heights
     );
     for finding in &seen.findings {
         println!(

@@ -12,6 +12,7 @@ pub mod log;
 pub mod overview;
 pub mod photo;
 mod record;
+pub mod role;
 mod span_statistics;
 mod span_table;
 pub mod trajectory;

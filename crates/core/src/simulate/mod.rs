@@ -1,6 +1,7 @@
 //! A world to try the method in: flights with sensors, and the built-in scenarios.
 
 mod aerial_camera;
+mod choice;
 mod county;
 mod dryden;
 mod flight;
@@ -14,6 +15,7 @@ pub mod scenery;
 mod sensors;
 
 pub use aerial_camera::{AerialCamera, AerialCameraSettings, AerialFrame, frame_random};
+pub use choice::SimulationChoice;
 pub use county::County;
 pub use dryden::{DrydenGust, Turbulence};
 pub use flight::{FlightPlan, Target, TrueFlight};

@@ -1,6 +1,7 @@
 //! The built-in scenarios, by name.
 
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 
 use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
@@ -38,6 +39,14 @@ pub struct Wind {
 }
 
 impl Wind {
+    /// The wind of air that moves so (north, east), m/s.
+    pub fn of_velocity(velocity: &Vector2<f64>) -> Self {
+        Self {
+            from: (-velocity.y).atan2(-velocity.x).rem_euclid(TAU),
+            speed: velocity.norm(),
+        }
+    }
+
     /// Velocity of the air (north, east), m/s.
     pub fn velocity(&self) -> Vector2<f64> {
         -self.speed * Vector2::new(self.from.cos(), self.from.sin())

@@ -248,8 +248,9 @@ impl App {
         let now = host.now();
         match command {
             Command::Simulate(options) => {
+                let map = options.map();
                 let flight = crate::jobs::FlightSource::Simulated(*options);
-                self.fly_new(host, flight, crate::jobs::MapSource::Scenery, None);
+                self.fly_new(host, flight, map, None);
             }
             Command::OpenDemo => {
                 let demo = Session::demo();

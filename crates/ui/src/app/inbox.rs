@@ -1,14 +1,12 @@
 //! What the workers and the user's files bring.
 
+use pilotage_core::flight::Flight;
+
 use super::App;
 use super::columns::sentences;
 use super::desk::Opening;
 use crate::host::{Host, OpenedFile};
-use crate::jobs::{FlightSource, Job, JobEvent, JobId, MapSource, Opened};
-use pilotage_core::frames::{GroundPoint, GroundRect};
-
-/// Scales of the map at which an aircraft can be followed, metres per point.
-const USUAL_SCALES: std::ops::RangeInclusive<f64> = 0.25..=2.5;
+use crate::jobs::{Job, JobEvent, JobId, MapSource, Opened};
 
 impl App {
     pub(super) fn receive(&mut self, context: &egui::Context, host: &mut dyn Host) {
@@ -148,147 +146,12 @@ impl App {
         }
     }
 
-    fn fly_event(&mut self, host: &mut dyn Host, event: JobEvent) {
-        let Some(fly) = &mut self.desk.fly else {
-            return;
-        };
-        match event {
-            JobEvent::Progress(fraction, words) => {
-                fly.progress = fraction;
-                fly.words = words;
-            }
-            JobEvent::Flight(flight) => fly.staged.flight = Some(*flight),
-            JobEvent::Mission(mission) => {
-                fly.staged.camera_to_log = mission.camera_to_log;
-                fly.staged.mission = Some(*mission);
-            }
-            JobEvent::RunStarted(head) => {
-                let again = fly.again;
-                let given = fly.given;
-                let staged = std::mem::take(&mut fly.staged);
-                let (flight, map) = (fly.flight.clone(), fly.map.clone());
-                let first = !fly.began;
-                fly.began = true;
-                self.documents.begin_run(*head, again, staged);
-                if given {
-                    self.documents.mission_edited = true;
-                }
-                if !again {
-                    self.views.camera.clear();
-                    if self.documents.flight_source != flight {
-                        self.documents.log = None;
-                        self.documents.bookmarks.clear();
-                    }
-                    self.documents.flight_source = flight;
-                    self.desk.document_changed = true;
-                    self.change_map(host, map);
-                    if first {
-                        self.show_new_flight();
-                        self.look_by_link();
-                    }
-                }
-            }
-            JobEvent::Steps(mut steps) => {
-                if let Some(run) = &mut self.documents.run {
-                    run.steps.append(&mut steps);
-                }
-            }
-            JobEvent::FramePicture { index, encoded } => {
-                self.documents.pictures.insert(index, encoded.into());
-            }
-            JobEvent::Finished => {
-                let again = fly.again;
-                self.documents.run_complete = true;
-                self.desk.fly = None;
-                // Where a recorded flight went may be known only now.
-                if !again && self.views.map.is_fitted() && !self.planning() {
-                    self.fit_to_flight_and_map();
-                }
-                self.align_after_flight(host, true);
-            }
-            JobEvent::Cancelled => self.desk.fly = None,
-            JobEvent::Failed(why) => {
-                let began = fly.began;
-                let is_of_log = self.documents.flight_source == fly.flight && !fly.again;
-                self.desk.fly = None;
-                self.align_after_flight(host, false);
-                self.documents.run_complete |= began;
-                let log = self.documents.log.as_mut().filter(|_| is_of_log);
-                let kept = if began {
-                    "What had been computed stays."
-                } else if let Some(log) = log {
-                    if let Some((first, _)) = log.span() {
-                        self.playback.time = first;
-                    }
-                    log.unnavigable = Some(why.clone());
-                    "What was measured can be plotted all the same."
-                } else {
-                    "Everything open stays as it was."
-                };
-                let title = "The flight cannot be flown";
-                self.toasts
-                    .trouble(host.now(), title, format!("{why} {kept}"));
-            }
-            _ => {}
+    /// The map over which a flight is flown that came without one: the open one, unless it is known to lie elsewhere.
+    fn map_beneath(&self, flight: Option<&Flight>) -> MapSource {
+        match flight.and_then(|flight| flight.frame_on_globe) {
+            Some(frame) => self.map_under(Some(frame)),
+            None => self.documents.map_source.clone(),
         }
-    }
-
-    /// Puts the cursor at the start and the map over the flight.
-    fn show_new_flight(&mut self) {
-        self.selection = None;
-        self.playback.selected_span = None;
-        if let Some((first, _)) = self.documents.span() {
-            self.playback.time = first;
-        }
-        self.playback.playing = !self.planning();
-        self.views.planner.fitted = false;
-        let recorded = matches!(self.documents.flight_source, FlightSource::Files(_));
-        self.desk.fit_when_known = recorded && self.documents.map.is_none();
-        if recorded {
-            self.fit_to_flight_and_map();
-            return;
-        }
-        let map = &mut self.views.map;
-        map.follow = true;
-        if let Some(flight) = &self.documents.flight {
-            map.camera.center = flight.start.position;
-        }
-        if !USUAL_SCALES.contains(&map.camera.metres_per_point) {
-            map.camera.metres_per_point = 0.7;
-        }
-    }
-
-    /// Shows all of the flight and, unless it is far larger, all of the map.
-    pub(super) fn fit_to_flight_and_map(&mut self) {
-        let Some(flight) = self.flight_ground() else {
-            return;
-        };
-        let map = self.documents.map.as_ref().map(|m| m.bounds);
-        let size = |r: &GroundRect| r.width().max(r.height());
-        let both = map.filter(|map| {
-            let flown = size(&flight);
-            flown < 30.0 || size(map) < 4.0 * flown
-        });
-        self.views
-            .map
-            .fit(both.map_or(flight, |map| flight.union(&map)));
-    }
-
-    /// The ground over which the flight goes, with its landmarks.
-    pub(super) fn flight_ground(&self) -> Option<GroundRect> {
-        let documents = &self.documents;
-        let truth = documents.flight.iter().flat_map(|f| &f.truth);
-        let truth = truth
-            .flat_map(|t| t.states.iter().step_by(1 + t.states.len() / 500))
-            .map(|s| GroundPoint::new(s.position.x, s.position.y));
-        let steps = documents
-            .run
-            .iter()
-            .flat_map(|r| r.steps.iter().step_by(1 + r.steps.len() / 500));
-        let estimate = steps.map(|s| s.after.position());
-        let landmarks = documents.mission.landmarks.iter().map(|l| l.reference);
-        GroundRect::around(truth.chain(estimate).chain(landmarks))
-            .or_else(|| documents.map.as_ref().map(|m| m.bounds))
     }
 
     fn open_event(&mut self, host: &mut dyn Host, id: JobId, event: JobEvent) {
@@ -350,7 +213,7 @@ impl App {
                 None => MapSource::Files(opening.key.clone()),
             }
         } else {
-            self.documents.map_source.clone()
+            self.map_beneath(flight.as_ref())
         };
         if let Some(terrain) = terrain {
             parts.push("an elevation model");

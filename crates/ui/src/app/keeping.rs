@@ -294,7 +294,7 @@ impl App {
         if is_gone(documents.map_source.key()) {
             parts.push("the map");
             match &documents.flight_source {
-                FlightSource::Simulated(_) => documents.map_source = MapSource::Scenery,
+                FlightSource::Simulated(options) => documents.map_source = options.map(),
                 FlightSource::Files(key) => documents.map_source = MapSource::Files(key.clone()),
                 // The plan keeps the name of its map: nothing else lies there.
                 FlightSource::Nothing => {}

@@ -10,6 +10,7 @@ mod detector;
 mod evaluating;
 mod exchange;
 mod execute;
+mod flying;
 mod georeferencing;
 mod inbox;
 mod keeping;

@@ -1,7 +1,7 @@
 //! The dialog that simulates a flight.
 
 use egui::{DragValue, Frame, Id, Modal, RichText, Ui};
-use pilotage_core::simulate::Scenario;
+use pilotage_core::simulate::SimulationChoice;
 
 use crate::command::Command;
 use crate::documents::Session;
@@ -18,7 +18,7 @@ use crate::units::Units;
 )]
 pub struct SimulateDialog {
     open: bool,
-    scenarios: Vec<Scenario>,
+    choices: Vec<SimulationChoice>,
     scenario: usize,
     seed: u64,
     other_day: bool,
@@ -31,15 +31,15 @@ pub struct SimulateDialog {
 
 impl Default for SimulateDialog {
     fn default() -> Self {
-        let scenarios = Scenario::all();
+        let choices = SimulationChoice::all();
         let demo = match Session::demo().flight {
             FlightSource::Simulated(options) => options.scenario,
             FlightSource::Files(_) | FlightSource::Nothing => String::new(),
         };
-        let scenario = scenarios.iter().position(|s| s.name == demo);
+        let scenario = choices.iter().position(|c| c.name == demo);
         let mut dialog = Self {
             open: false,
-            scenarios,
+            choices,
             scenario: scenario.unwrap_or(0),
             seed: 1,
             other_day: true,
@@ -67,23 +67,26 @@ impl SimulateDialog {
 
     /// Takes wind and height of the chosen scenario where the user did not set them.
     fn adopt(&mut self) {
-        let scenario = &self.scenarios[self.scenario];
+        let choice = &self.choices[self.scenario];
         if !self.own_wind {
-            self.wind_from = scenario.wind.from;
-            self.wind_speed = scenario.wind.speed;
+            self.wind_from = choice.wind.from;
+            self.wind_speed = choice.wind.speed;
         }
         if !self.own_height {
-            self.height = scenario.height;
+            self.height = choice.height;
         }
     }
 
     fn options(&self) -> SimulationOptions {
+        let choice = &self.choices[self.scenario];
+        let is_outdoors = !choice.is_indoors;
+        let wind = (self.wind_from, self.wind_speed);
         SimulationOptions {
-            scenario: self.scenarios[self.scenario].name.to_owned(),
+            scenario: choice.name.to_owned(),
             seed: self.seed,
-            other_day: self.other_day,
-            wind: self.own_wind.then_some((self.wind_from, self.wind_speed)),
-            height: self.own_height.then_some(self.height),
+            other_day: is_outdoors && self.other_day,
+            wind: (is_outdoors && self.own_wind).then_some(wind),
+            height: (is_outdoors && self.own_height).then_some(self.height),
         }
     }
 
@@ -131,21 +134,29 @@ impl SimulateDialog {
 
     fn contents(&mut self, ui: &mut Ui, tokens: &Tokens, units: Units) {
         caption(ui, tokens, "Scenario");
-        for (index, scenario) in self.scenarios.iter().enumerate() {
-            if ui.radio(self.scenario == index, scenario.title).clicked() {
+        for (index, choice) in self.choices.iter().enumerate() {
+            if ui.radio(self.scenario == index, choice.title).clicked() {
                 self.scenario = index;
             }
             if self.scenario == index {
                 ui.indent(index, |ui| {
                     ui.label(muted(
                         tokens,
-                        format!("{} ({})", scenario.description, scenario.name),
+                        format!("{} ({})", choice.description, choice.name),
                     ));
                 });
             }
         }
         self.adopt();
         ui.add_space(tokens.space);
+        // The hall has a day, a draught and a height of its own.
+        if !self.choices[self.scenario].is_indoors {
+            self.outdoors(ui, tokens, units);
+        }
+        self.seed(ui, tokens);
+    }
+
+    fn outdoors(&mut self, ui: &mut Ui, tokens: &Tokens, units: Units) {
         caption(ui, tokens, "Day");
         ui.horizontal(|ui| {
             ui.radio_value(&mut self.other_day, true, "Another day than the map");
@@ -158,7 +169,8 @@ impl SimulateDialog {
         ui.add_space(tokens.space);
         self.wind(ui, tokens, units);
         ui.add_space(tokens.space);
-        self.rest(ui, tokens, units);
+        self.height(ui, tokens, units);
+        ui.add_space(tokens.space);
     }
 
     fn wind(&mut self, ui: &mut Ui, tokens: &Tokens, units: Units) {
@@ -202,7 +214,7 @@ impl SimulateDialog {
         });
     }
 
-    fn rest(&mut self, ui: &mut Ui, tokens: &Tokens, units: Units) {
+    fn height(&mut self, ui: &mut Ui, tokens: &Tokens, units: Units) {
         caption(ui, tokens, "Height above ground");
         ui.checkbox(&mut self.own_height, "Another height than the scenario’s");
         ui.add_enabled_ui(self.own_height, |ui| {
@@ -218,7 +230,9 @@ impl SimulateDialog {
                 self.height = height / factor;
             }
         });
-        ui.add_space(tokens.space);
+    }
+
+    fn seed(&mut self, ui: &mut Ui, tokens: &Tokens) {
         caption(ui, tokens, "Seed of all chance");
         ui.horizontal(|ui| {
             ui.add(DragValue::new(&mut self.seed).range(0..=999_999))

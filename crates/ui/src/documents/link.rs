@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use pilotage_core::frames::GroundPoint;
-use pilotage_core::simulate::Scenario;
+use pilotage_core::simulate::SimulationChoice;
 
 use crate::command::Workspace;
 use crate::jobs::SimulationOptions;
@@ -71,7 +71,7 @@ impl Link {
             value.is_finite().then_some(value)
         };
         let scenario = part("scenario")?;
-        Scenario::named(scenario)?;
+        SimulationChoice::named(scenario)?;
         let wind = part("wind").and_then(|value| {
             let (from, speed) = value.split_once(',')?;
             let (from, speed): (f64, f64) = (from.parse().ok()?, speed.parse().ok()?);
@@ -104,7 +104,7 @@ mod tests {
     fn link() -> Link {
         Link {
             simulation: SimulationOptions {
-                scenario: Scenario::all()[0].name.to_owned(),
+                scenario: SimulationChoice::all()[0].name.to_owned(),
                 seed: 7,
                 other_day: false,
                 wind: Some((0.5, 4.0)),

@@ -8,7 +8,7 @@ use pilotage_core::flight::Flight;
 use pilotage_core::frames::Geodetic;
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{NavigatorSettings, Run};
-use pilotage_core::simulate::Scenario;
+use pilotage_core::simulate::SimulationChoice;
 
 use super::{Ground, History, Noticed, Session};
 use crate::camera_log::CameraLog;
@@ -156,11 +156,11 @@ impl Documents {
 
     /// Settings of the navigator as they are made for the flight: a scenario's own, else the default.
     pub fn usual_navigator(&self) -> NavigatorSettings {
-        let scenario = match &self.flight_source {
-            FlightSource::Simulated(options) => Scenario::named(&options.scenario),
+        let choice = match &self.flight_source {
+            FlightSource::Simulated(options) => SimulationChoice::named(&options.scenario),
             FlightSource::Files(_) | FlightSource::Nothing => None,
         };
-        scenario.map_or_else(NavigatorSettings::default, |s| s.navigator())
+        choice.map_or_else(NavigatorSettings::default, |choice| choice.navigator())
     }
 
     /// Title for the top bar.
@@ -206,6 +206,15 @@ impl Documents {
             self.distinctness.clear();
             self.pictures.clear();
         }
+        self.take_staged(staged);
+        self.match_pictures = None;
+        self.detector_search = None;
+        self.run = Some(head);
+        self.run_complete = false;
+        self.run_generation += 1;
+    }
+
+    fn take_staged(&mut self, staged: Staged) {
         if let Some(flight) = staged.flight {
             self.flight = Some(flight);
             self.camera_log.flown = staged.camera_to_log.unwrap_or_default();
@@ -219,9 +228,14 @@ impl Documents {
                 self.add_all(vec![(own.routes, own.landmarks)]);
             }
         }
-        self.match_pictures = None;
-        self.detector_search = None;
-        self.run = Some(head);
+    }
+
+    /// A flight that cannot be navigated is looked at: where it was and what it saw, without a run.
+    pub fn look_at(&mut self, staged: Staged) {
+        (self.run, self.ghost) = (None, None);
+        self.distinctness.clear();
+        self.pictures.clear();
+        self.take_staged(staged);
         self.run_complete = false;
         self.run_generation += 1;
     }

@@ -8,7 +8,7 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Navigator, NavigatorSettings, StepReport, VehicleChoice};
 
 use super::flights::OpenFlight;
-use super::running::SLICE;
+use super::running::{SLICE, slice};
 use super::{Advance, FlightSource, JobEvent, MapSource, RunningJob, Workshop};
 
 /// A flight to be flown, or under way.
@@ -30,6 +30,8 @@ enum Stage {
     Navigator,
     /// Under way.
     Flying(Rc<RefCell<OpenFlight>>, Box<Navigator>),
+    /// It cannot be navigated: its pictures are shown all the same, from this one on.
+    Looking(Rc<RefCell<OpenFlight>>, usize),
 }
 
 impl Fly {
@@ -58,12 +60,19 @@ impl Fly {
         let mission =
             (self.mission.take().or(own_mission)).unwrap_or_else(|| bare_mission(&flight));
         let flown = mission.flown(&flight);
-        let navigator = Navigator::new(flown.clone(), &mission.landmarks, map, &mission.navigator)
-            .map_err(|cause| cause.to_string())?;
+        let navigator = Navigator::new(flown.clone(), &mission.landmarks, map, &mission.navigator);
         emit(JobEvent::Flight(Box::new(flown.without_inertial())));
         if !is_given {
             emit(JobEvent::Mission(Box::new(mission)));
         }
+        let navigator = match navigator {
+            Ok(navigator) => navigator,
+            Err(cause) => {
+                emit(JobEvent::CannotNavigate(cause.to_string()));
+                self.stage = Stage::Looking(open, 0);
+                return Ok(());
+            }
+        };
         emit(JobEvent::RunStarted(Box::new(navigator.run_head())));
         emit(JobEvent::Progress(
             0.0,
@@ -137,12 +146,8 @@ fn steps(
             Some(Err(cause)) => return Err(cause.to_string()),
             None => more = false,
         }
-        // A picture that cannot be had is told by the step's report.
-        if let Some(index) = index
-            && let Ok(encoded) = open.frames.kept(index)
-        {
-            let encoded = encoded.to_vec();
-            emit(JobEvent::FramePicture { index, encoded });
+        if let Some(index) = index {
+            tell_picture(open, index, emit);
         }
     }
     if !batch.is_empty() {
@@ -152,6 +157,31 @@ fn steps(
     let fraction = done as f32 / all.max(1) as f32;
     emit(JobEvent::Progress(fraction, "Flying".to_owned()));
     Ok(more)
+}
+
+/// Pictures for about a slice, from `index` on; false after the last.
+fn pictures(
+    open: &mut OpenFlight,
+    index: &mut usize,
+    clock: &dyn Fn() -> f64,
+    emit: &mut dyn FnMut(JobEvent),
+) -> bool {
+    let count = open.flight.frames.len();
+    slice(clock, || {
+        if *index < count {
+            tell_picture(open, *index, emit);
+            *index += 1;
+        }
+        *index < count
+    })
+}
+
+/// Tells a picture. One that cannot be had is told by the step's report.
+fn tell_picture(open: &mut OpenFlight, index: usize, emit: &mut dyn FnMut(JobEvent)) {
+    if let Ok(encoded) = open.frames.kept(index) {
+        let encoded = encoded.to_vec();
+        emit(JobEvent::FramePicture { index, encoded });
+    }
 }
 
 impl RunningJob for Fly {
@@ -185,6 +215,7 @@ impl RunningJob for Fly {
             Stage::Flying(open, navigator) => {
                 steps(&mut open.borrow_mut(), navigator, clock, emit)?
             }
+            Stage::Looking(open, index) => pictures(&mut open.borrow_mut(), index, clock, emit),
         };
         if more {
             return Ok(Advance::More);

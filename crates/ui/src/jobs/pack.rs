@@ -46,7 +46,7 @@ pub fn pack(workshop: &Workshop, order: &PackOrder) -> Result<(Vec<u8>, Option<S
 /// The files that a map is made from: its own and what belongs beside it.
 fn map_files(workshop: &Workshop, map: &MapSource) -> Files {
     let (key, stated) = match map {
-        MapSource::Scenery | MapSource::Nothing => return Ok(Vec::new()),
+        MapSource::Scenery | MapSource::Hall | MapSource::Nothing => return Ok(Vec::new()),
         MapSource::Web(web) => {
             let name = &web.template.name;
             return Err(format!(

@@ -15,6 +15,7 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Run, StepReport};
 use pilotage_core::plan::{Candidate, Envelope, Localizability, Prediction, Suggestion, View};
 use pilotage_core::raster::{Gray, Raster, Rgba};
+use pilotage_core::simulate::IndoorHall;
 use pilotage_core::study::Comparison;
 use serde::{Deserialize, Serialize};
 
@@ -42,6 +43,22 @@ pub struct SimulationOptions {
     pub wind: Option<(f64, f64)>,
     /// Height above ground, metres; the scenario's own if `None`.
     pub height: Option<f64>,
+}
+
+impl SimulationOptions {
+    /// Whether it is the flight in the hall.
+    pub fn is_indoors(&self) -> bool {
+        self.scenario == IndoorHall::NAME
+    }
+
+    /// The map that it is flown by.
+    pub fn map(&self) -> MapSource {
+        if self.is_indoors() {
+            MapSource::Hall
+        } else {
+            MapSource::Scenery
+        }
+    }
 }
 
 /// Where a map comes from.
@@ -73,13 +90,15 @@ pub enum MapSource {
     Web(WebMap),
     /// No map.
     Nothing,
+    /// The drawing of the floor of the hall.
+    Hall,
 }
 
 impl MapSource {
     /// Key of the files that it is made from, if it is.
     pub fn key(&self) -> Option<&str> {
         match self {
-            Self::Scenery | Self::Web(_) | Self::Nothing => None,
+            Self::Scenery | Self::Hall | Self::Web(_) | Self::Nothing => None,
             Self::Files(key) | Self::Placed { key, .. } | Self::Picture { key, .. } => Some(key),
         }
     }
@@ -90,7 +109,7 @@ impl MapSource {
             Self::Placed { origin, .. } => Some(*origin),
             Self::Picture { origin, .. } => *origin,
             Self::Web(map) => Some(map.origin),
-            Self::Scenery | Self::Files(_) | Self::Nothing => None,
+            Self::Scenery | Self::Hall | Self::Files(_) | Self::Nothing => None,
         }
     }
 
@@ -102,7 +121,7 @@ impl MapSource {
             Self::Placed { origin, .. } => *origin = to,
             Self::Picture { origin, .. } => *origin = Some(to),
             Self::Web(map) => map.origin = to,
-            Self::Scenery | Self::Files(_) | Self::Nothing => {}
+            Self::Scenery | Self::Hall | Self::Files(_) | Self::Nothing => {}
         }
         moved
     }
@@ -169,7 +188,8 @@ pub enum Job {
     },
     /// Figures or a table of series of a log that was read: events `LogAnswer`.
     AskLog(Box<LogOrder>),
-    /// Fly and navigate: events `Flight`, `Mission` (if none was given), `RunStarted`, then `Steps` and `FramePicture`.
+    /// Fly and navigate: events `Flight`, `Mission` (if none was given), `RunStarted`, then `Steps` and `FramePicture`;
+    /// or `CannotNavigate` in the place of `RunStarted` and `Steps`.
     Fly {
         /// The flight.
         flight: FlightSource,
@@ -410,6 +430,8 @@ pub enum JobEvent {
     ContestJudged(Box<Comparison>),
     /// The mission that is flown.
     Mission(Box<Mission>),
+    /// Why the flight cannot be navigated, after the flight and its mission; its pictures follow.
+    CannotNavigate(String),
     /// The run's head, without steps.
     RunStarted(Box<Run>),
     /// More steps of the run.

@@ -113,14 +113,14 @@ impl JobRunner {
     }
 }
 
-/// Ends the text of a failure with a full stop: it is shown beside other sentences.
-fn as_sentence(event: JobEvent) -> JobEvent {
-    match event {
-        JobEvent::Failed(text) if !text.trim_end().ends_with(['.', '!', '?']) => {
-            JobEvent::Failed(format!("{}.", text.trim_end()))
-        }
-        event => event,
+/// Ends the reason of a failure with a full stop: it is shown beside other sentences.
+fn as_sentence(mut event: JobEvent) -> JobEvent {
+    if let JobEvent::Failed(why) | JobEvent::CannotNavigate(why) = &mut event
+        && !why.trim_end().ends_with(['.', '!', '?'])
+    {
+        *why = format!("{}.", why.trim_end());
     }
+    event
 }
 
 /// Urgency of letting go of files.

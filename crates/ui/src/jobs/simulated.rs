@@ -5,8 +5,9 @@ use std::sync::Arc;
 use pilotage_core::frames::{Altitude, AltitudeFrame};
 use pilotage_core::imagery::CachedImagery;
 use pilotage_core::mission::{Mission, Route, WayPoint};
+use pilotage_core::navigator::VehicleChoice;
 use pilotage_core::simulate::scenery::Scenery;
-use pilotage_core::simulate::{FlightDay, Overrides, Scenario, Wind};
+use pilotage_core::simulate::{FlightDay, IndoorHall, Overrides, Scenario, SimulationChoice, Wind};
 
 use super::SimulationOptions;
 use super::flights::{KeptFrames, OpenFlight};
@@ -17,7 +18,7 @@ const CACHE_MEGABYTES: usize = 32;
 /// The scenario of these options.
 fn scenario(options: &SimulationOptions) -> Result<Scenario, String> {
     Scenario::named(&options.scenario).ok_or_else(|| {
-        let known: Vec<_> = Scenario::all().iter().map(|s| s.name).collect();
+        let known: Vec<_> = SimulationChoice::all().iter().map(|c| c.name).collect();
         format!(
             "there is no scenario “{}”; there are {}",
             options.scenario,
@@ -47,8 +48,19 @@ pub fn scenario_route(options: &SimulationOptions) -> Result<Route, String> {
 pub fn scenario_wind(options: &SimulationOptions) -> Wind {
     let stated = options.wind.map(|(from, speed)| Wind { from, speed });
     stated
-        .or_else(|| Some(scenario(options).ok()?.wind))
+        .or_else(|| Some(SimulationChoice::named(&options.scenario)?.wind))
         .unwrap_or_default()
+}
+
+/// Flies in the hall.
+pub fn open_hall(options: &SimulationOptions) -> OpenFlight {
+    let hall = IndoorHall::default();
+    let simulated = hall.simulate(options.seed);
+    OpenFlight {
+        frames: KeptFrames::rendered(&simulated.flight, Box::new(simulated.frames)),
+        flight: Arc::new(simulated.flight),
+        mission: Some(hall.mission(VehicleChoice::Multirotor)),
+    }
 }
 
 /// Flies a scenario over `map`; pictures are taken when they are asked for.

@@ -15,8 +15,8 @@ use pilotage_core::plan::{
     EnvelopeSurvey, OtherDays, PictureDays, Proposal, Rehearsal, SceneryDays,
 };
 use pilotage_core::raster::decode_picture;
-use pilotage_core::simulate::Scenario;
 use pilotage_core::simulate::scenery::Scenery;
+use pilotage_core::simulate::{IndoorHall, Scenario};
 
 use super::align::Align;
 use super::assess::{Assess, Share, sum_up};
@@ -324,6 +324,7 @@ impl Workshop {
         }
         let map: Arc<dyn Imagery> = match source {
             MapSource::Scenery => Arc::new(self.scenery()),
+            MapSource::Hall => Arc::new(IndoorHall::map()),
             MapSource::Nothing => Arc::new(Blank),
             MapSource::Web(map) => Arc::new(map.open(&self.fetched)),
             MapSource::Files(key) => {
@@ -431,6 +432,9 @@ impl Workshop {
             return Ok(open.clone());
         }
         let open = match source {
+            FlightSource::Simulated(options) if options.is_indoors() => {
+                simulated::open_hall(options)
+            }
             FlightSource::Simulated(options) => simulated::open(options, &self.scenery())?,
             FlightSource::Nothing => return Err("no flight is open".to_owned()),
             FlightSource::Files(key) => {

@@ -93,12 +93,9 @@ fn facts(ui: &mut Ui, context: &ViewContext<'_>, outline: &Outline, overview: Op
     }
     let (metres, length) = context.units.length();
     let (per_second, speed) = context.units.speed();
-    if let Some(height) = overview.greatest_height {
-        row(
-            "Greatest height above start",
-            format!("{:.0}", metres * height),
-            length,
-        );
+    if let Some((least, greatest)) = overview.heights {
+        let (label, heights) = height_words(metres * least, metres * greatest);
+        row(label, heights, length);
     }
     if let Some(greatest) = overview.greatest_speed {
         row(
@@ -115,6 +112,18 @@ fn facts(ui: &mut Ui, context: &ViewContext<'_>, outline: &Outline, overview: Op
         let strength = per_second * fit.wind.norm();
         row("Mean wind", format!("{strength:.1} from {from:.0}°"), speed);
         row("Airspeed scale", format!("{:.3}", fit.scale), "");
+    }
+}
+
+/// Label and value for heights above the start: both ends where the flight goes well below it, as one does that was
+/// recorded from the air.
+fn height_words(least: f64, greatest: f64) -> (&'static str, String) {
+    let number = |height: f64| format!("{:.0}", height + 0.0).replace('-', "−");
+    if -least > 0.1 * (greatest - least) {
+        let both = format!("{} to {}", number(least), number(greatest));
+        ("Heights above start", both)
+    } else {
+        ("Greatest height above start", number(greatest))
     }
 }
 
@@ -267,4 +276,18 @@ fn parameters(ui: &mut Ui, context: &ViewContext<'_>, outline: &Outline) {
             parts::reading(ui, tokens, &Reading::new(&parameter.name, value, ""));
         }
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn heights_below_the_start_are_told_where_they_are_no_noise() {
+        let of_landing = ("Greatest height above start", "131".to_owned());
+        assert_eq!(height_words(-2.4, 131.0), of_landing);
+        let of_descent = ("Heights above start", "−35 to 0".to_owned());
+        assert_eq!(height_words(-35.2, -0.0), of_descent);
+        assert_eq!(height_words(0.0, 0.0).1, "0");
+    }
 }

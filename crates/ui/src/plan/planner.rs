@@ -4,7 +4,7 @@ use pilotage_core::camera::CameraModel;
 use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::mission::turn::turn_radius;
 use pilotage_core::mission::{Mission, Route, WayPoint};
-use pilotage_core::simulate::{Airframe, Scenario, Target, Wind};
+use pilotage_core::simulate::{Airframe, Scenario, SimulationChoice, Target, Wind};
 use pilotage_core::training::TrainingPlan;
 use serde::{Deserialize, Serialize};
 
@@ -342,7 +342,7 @@ pub fn usual_altitude(documents: &Documents) -> Altitude {
     let flown = match &documents.flight_source {
         FlightSource::Simulated(options) => options
             .height
-            .or_else(|| Some(Scenario::named(&options.scenario)?.height)),
+            .or_else(|| Some(SimulationChoice::named(&options.scenario)?.height)),
         FlightSource::Files(_) | FlightSource::Nothing => None,
     };
     Altitude::new(flown.unwrap_or(USUAL_HEIGHT), AltitudeFrame::AboveGround)

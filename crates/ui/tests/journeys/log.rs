@@ -32,11 +32,15 @@ fn eastward() -> Vec<u8> {
 
 /// The app with that log read and its first fields plotted.
 pub fn rig_with_a_log() -> Rig {
+    rig_with("east.log", eastward())
+}
+
+fn rig_with(name: &str, content: Vec<u8>) -> Rig {
     let mut rig = rig();
     rig.host().really_open = true;
     rig.host().opened.push(vec![OpenedFile {
-        path: "east.log".to_owned(),
-        content: eastward().into(),
+        path: name.to_owned(),
+        content: content.into(),
     }]);
     rig.settle();
     rig
@@ -78,6 +82,40 @@ fn a_dropped_log_shows_its_overview_and_its_first_fields() {
     rig.harness
         .get_by_label_contains("Greatest height above start 299");
     rig.harness.get_by_label_contains("Replay without GPS");
+}
+
+/// The same log without the lines of a message.
+fn without(message: &str) -> Vec<u8> {
+    let log = String::from_utf8(eastward()).expect("text");
+    let lines = log.lines().filter(|line| !line.starts_with(message));
+    let lines: Vec<&str> = lines.collect();
+    (lines.join("\n") + "\n").into_bytes()
+}
+
+#[test]
+fn a_log_without_heading_shows_its_track_on_no_map_of_another_flight() {
+    let rig = rig_with("compassless.log", without("ATT, "));
+    let state = rig.state();
+    let why = state["log"]["unnavigable"].as_str().unwrap_or_default();
+    assert!(why.contains("heading"), "{}", state["log"]);
+    assert_eq!(state["flight"], "compassless.log");
+    assert_eq!(state["landmarks"], Value::Array(Vec::new()));
+    let origin = state["origin"][0].as_f64().expect("a latitude");
+    assert!((origin - 47.0).abs() < 1e-6, "{origin}");
+    assert!(rig.harness.query_by_label("greenhouse rows").is_none());
+    rig.harness.get_by_label_contains("Replay without GPS");
+    rig.harness.get_by_label("The flight cannot be navigated");
+}
+
+#[test]
+fn a_log_without_fixes_is_plotted_beside_nothing_of_the_demo() {
+    let rig = rig_with("indoors.log", without("GPS, "));
+    let state = rig.state();
+    let why = state["log"]["unnavigable"].as_str().unwrap_or_default();
+    assert!(why.contains("nobody knows where"), "{}", state["log"]);
+    assert_eq!(panels(&rig), [["Roll", "Pitch"]]);
+    assert!(state["flight"].is_null(), "{}", state["flight"]);
+    assert_eq!(state["landmarks"], Value::Array(Vec::new()));
 }
 
 #[test]

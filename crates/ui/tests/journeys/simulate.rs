@@ -1,5 +1,5 @@
 use egui_kittest::kittest::Queryable as _;
-use pilotage_ui::jobs::{FlightSource, Job};
+use pilotage_ui::jobs::{FlightSource, Job, MapSource};
 
 use super::support::rig;
 
@@ -29,6 +29,36 @@ fn a_scenario_is_chosen_and_flown() {
     assert_eq!(options.scenario, "distinct-400ft-calm");
     assert!(!options.other_day);
     assert_eq!(rig.state()["ghost_steps"], 0);
+}
+
+#[test]
+fn the_hall_is_flown_over_its_floor_as_it_is() {
+    let mut rig = rig();
+    rig.harness.get_by_label("Simulate…").click();
+    rig.frames(8);
+    rig.harness
+        .get_by_label("Another height than the scenario’s")
+        .click();
+    rig.frames(2);
+    rig.harness
+        .get_by_label("Quadcopter in a hall, 10 ft, draught")
+        .click();
+    rig.frames(6);
+    for other in ["The same day", "Another height than the scenario’s"] {
+        assert!(rig.harness.query_by_label(other).is_none(), "{other}");
+    }
+    rig.harness.get_by_label("Fly").click();
+    rig.frames(4);
+    let flown = rig.host().last_flight().cloned();
+    let Some((_, Job::Fly { flight, map, .. })) = flown else {
+        panic!("nothing was simulated");
+    };
+    let FlightSource::Simulated(options) = flight else {
+        panic!("{flight:?}");
+    };
+    assert_eq!(options.scenario, "indoor-hall");
+    assert_eq!((options.other_day, options.height), (false, None));
+    assert_eq!(map, MapSource::Hall);
 }
 
 #[test]

@@ -136,7 +136,7 @@ fn its_overview_tells_rates_a_gap_and_what_can_be_done() {
         "{}",
         seen.distance
     );
-    assert_eq!(seen.greatest_height, Some(4.0));
+    assert_eq!(seen.heights, Some((0.0, 4.0)));
     let can = |seen: &crate::flight::overview::Overview, what: &str| {
         let found = seen.abilities.iter().find(|a| a.what.starts_with(what));
         found.unwrap().lacks.is_none()

@@ -29,8 +29,10 @@ pub struct Measured<'a> {
 pub struct Interpreted {
     /// Every role that was found.
     pub found: Vec<RoleSeries>,
-    /// The flight without its measured series, or why there is none to be navigated.
+    /// The flight without its measured series, or why nobody knows where it was.
     bare: Result<Flight, InterpretError>,
+    /// What keeps it from being navigated, if it is known where it was.
+    trouble: Option<InterpretError>,
 }
 
 impl Interpreted {
@@ -40,14 +42,15 @@ impl Interpreted {
         Measured {
             found: &self.found,
             track: truth.map_or(&[], |truth| &truth.states),
-            trouble: self.bare.as_ref().err(),
+            trouble: self.bare.as_ref().err().or(self.trouble.as_ref()),
         }
     }
 
-    /// The flight. The series become its channels without being copied: those of a long log are large.
+    /// The flight, whether or not it can be navigated. The series become its channels without being copied: those of
+    /// a long log are large.
     ///
     /// # Errors
-    /// What a flight needs and the log has not.
+    /// Nobody knows where it was.
     pub fn into_flight(self) -> Result<Flight, InterpretError> {
         let mut flight = self.bare?;
         let states = flight.truth.as_ref().map_or(&[][..], |t| &t.states);
@@ -101,8 +104,11 @@ pub enum InterpretError {
 /// of the satellite receiver: it is what there is, and no better than it.
 pub fn flight_from_log(log: &Log) -> Interpreted {
     let found = all_series(log);
+    let name = || log.name.clone();
+    let has_heading = found.iter().any(|s| s.role == Role::Heading);
     Interpreted {
         bare: bare_flight(log, &found),
+        trouble: (!has_heading).then(|| InterpretError::NoHeading { log: name() }),
         found,
     }
 }
@@ -114,11 +120,7 @@ pub(super) fn all_series(log: &Log) -> Vec<RoleSeries> {
 }
 
 fn bare_flight(log: &Log, found: &[RoleSeries]) -> Result<Flight, InterpretError> {
-    let of = |role| found.iter().find(|s| s.role == role);
     let name = || log.name.clone();
-    if of(Role::Heading).is_none() {
-        return Err(InterpretError::NoHeading { log: name() });
-    }
     let fixes = fixes(found);
     let Some((first_time, first)) = fixes.first().copied() else {
         return Err(InterpretError::NoPosition { log: name() });

@@ -2,7 +2,6 @@
 
 mod beside_flight;
 mod flight;
-mod role;
 mod ros;
 mod series;
 mod source;
@@ -11,5 +10,6 @@ mod tests;
 
 pub use beside_flight::{BesideFlight, log_of_flight};
 pub use flight::{InterpretError, Interpreted, Measured, flight_from_log};
-pub use role::Role;
-pub use series::{RoleSeries, series};
+pub use series::series;
+
+pub use super::role::{Role, RoleSeries};

@@ -2,76 +2,9 @@
 
 use nalgebra::{Quaternion, UnitQuaternion};
 
-use super::Role;
 use super::source::{Reading, Source, factor_of_unit, sources};
 use crate::flight::log::{FieldLayout, Log, Topic};
-use crate::frames::wrap_pi;
-
-/// A role found in a log.
-#[derive(Clone, Debug, PartialEq)]
-pub struct RoleSeries {
-    /// The role.
-    pub role: Role,
-    /// Topic and field, as people know them: `ATT.Yaw`.
-    pub source: String,
-    /// Seconds in the log's time base, growing.
-    pub times: Vec<f64>,
-    /// Values in SI and radians, one per time.
-    pub values: Vec<f64>,
-    /// Samples left out because they are no number or beyond anything that flies.
-    pub implausible: usize,
-    /// Samples left out because their time stands still or goes back.
-    pub out_of_order: usize,
-    /// Whether something holds it still, as a gimbal holds a camera: one number over and over is no fault then.
-    pub is_held: bool,
-}
-
-impl RoleSeries {
-    /// The samples of a role, times in seconds and values in SI and radians, without those that cannot be.
-    /// Empty if none is left.
-    pub fn new(
-        role: Role,
-        source: impl Into<String>,
-        samples: impl IntoIterator<Item = (f64, Option<f64>)>,
-    ) -> Self {
-        let samples = samples.into_iter();
-        let count = samples.size_hint().0;
-        let mut series = Self {
-            role,
-            source: source.into(),
-            times: Vec::with_capacity(count),
-            values: Vec::with_capacity(count),
-            implausible: 0,
-            out_of_order: 0,
-            is_held: false,
-        };
-        let (plausible, wraps) = (role.plausible(), role.is_angle());
-        let mut last = f64::NEG_INFINITY;
-        for (time, value) in samples {
-            let value = value.filter(|v| v.is_finite() && v.abs() <= plausible);
-            let Some(value) = value.filter(|_| time.is_finite()) else {
-                series.implausible += 1;
-                continue;
-            };
-            if time <= last {
-                series.out_of_order += 1;
-                continue;
-            }
-            last = time;
-            series.times.push(time);
-            series
-                .values
-                .push(if wraps { wrap_pi(value) } else { value });
-        }
-        series
-    }
-
-    /// The last value at or before `time`, or else the first; `None` without any.
-    pub fn at(&self, time: f64) -> Option<f64> {
-        let after = self.times.partition_point(|t| *t <= time + 1e-9);
-        self.values.get(after.saturating_sub(1)).copied()
-    }
-}
+use crate::flight::role::{Role, RoleSeries};
 
 /// A field and its factor to SI: the stated unit's, else the one that is usual there. The sign is that of the usual
 /// one: no unit tells which way an axis points.

@@ -80,6 +80,24 @@ fn fixes_without_a_fix_do_not_count() {
 }
 
 #[test]
+fn a_flight_without_heading_is_known_by_its_track_and_said_to_be_not_navigable() {
+    let mut log = Log::new("gps.bin", LogFormat::Dataflash);
+    let fields = [("Status", ""), ("Lat", "deg"), ("Lng", "deg"), ("Alt", "m")];
+    let rows = [
+        vec![0.0, 3.0, 47.0, 8.0, 500.0],
+        vec![1.0, 3.0, 47.001, 8.0, 510.0],
+    ];
+    add(&mut log, "GPS", &fields, &rows);
+    let interpreted = flight_from_log(&log);
+    let trouble = interpreted.measured().trouble.cloned();
+    assert!(matches!(trouble, Some(InterpretError::NoHeading { .. })));
+    let flight = interpreted.into_flight().unwrap();
+    let last = flight.truth.unwrap().states[1].position;
+    assert!((last.x - 111.2).abs() < 0.1, "{last}");
+    assert!((last.z + 10.0).abs() < 1e-9, "{last}");
+}
+
+#[test]
 fn times_that_go_back_and_numbers_beyond_reason_are_counted_and_left_out() {
     let mut log = Log::new("odd.bin", LogFormat::Dataflash);
     let rows = [

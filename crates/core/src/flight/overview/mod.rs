@@ -30,8 +30,8 @@ pub struct Overview {
     pub airborne: Vec<(f64, f64)>,
     /// Distance over ground while in the air, metres.
     pub distance: f64,
-    /// Greatest height above the start, metres, where known.
-    pub greatest_height: Option<f64>,
+    /// Least and greatest height above the start, metres, where known.
+    pub heights: Option<(f64, f64)>,
     /// Greatest speed over ground, m/s, where known.
     pub greatest_speed: Option<f64>,
     /// What measured, by role.
@@ -75,7 +75,8 @@ pub fn overview(log: &Log, measured: &Measured<'_>) -> Overview {
     ];
     let has_height = heights.into_iter().any(|role| of(role).is_some());
     let heights = states.iter().map(|s| -s.position.z);
-    let greatest_height = heights.reduce(f64::max).filter(|_| has_height);
+    let heights = heights.map(|height| (height, height));
+    let heights = heights.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
     let is_up = |time: f64| airborne.iter().any(|(a, b)| (*a..=*b).contains(&time));
     let steps = states.windows(2).filter(|w| is_up(w[1].time));
     let distance = steps
@@ -89,7 +90,7 @@ pub fn overview(log: &Log, measured: &Measured<'_>) -> Overview {
     Overview {
         span,
         distance,
-        greatest_height,
+        heights: heights.filter(|_| has_height),
         greatest_speed,
         abilities: ability::abilities(measured, air_data.as_ref()),
         sensors,

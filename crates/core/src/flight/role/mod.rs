@@ -1,6 +1,10 @@
 //! What a series of a log means for navigation.
 
+mod series;
+
 use serde::{Deserialize, Serialize};
+
+pub use series::RoleSeries;
 
 use crate::flight::ChannelName;
 

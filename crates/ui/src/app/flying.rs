@@ -1,0 +1,199 @@
+//! The flight that is flown in a worker, as it comes.
+
+use pilotage_core::frames::{GroundPoint, GroundRect};
+
+use super::App;
+use crate::host::Host;
+use crate::jobs::{FlightSource, JobEvent};
+
+/// Scales of the map at which an aircraft can be followed, metres per point.
+const USUAL_SCALES: std::ops::RangeInclusive<f64> = 0.25..=2.5;
+/// Title of the notice that a flight came to nothing.
+const CANNOT_FLY: &str = "The flight cannot be flown";
+
+impl App {
+    /// Takes what the worker that flies says.
+    pub(super) fn fly_event(&mut self, host: &mut dyn Host, event: JobEvent) {
+        let Some(fly) = &mut self.desk.fly else {
+            return;
+        };
+        match event {
+            JobEvent::Progress(fraction, words) => {
+                fly.progress = fraction;
+                fly.words = words;
+            }
+            JobEvent::Flight(flight) => fly.staged.flight = Some(*flight),
+            JobEvent::Mission(mission) => {
+                fly.staged.camera_to_log = mission.camera_to_log;
+                fly.staged.mission = Some(*mission);
+            }
+            JobEvent::RunStarted(head) => {
+                let again = fly.again;
+                let given = fly.given;
+                let staged = std::mem::take(&mut fly.staged);
+                let (flight, map) = (fly.flight.clone(), fly.map.clone());
+                let first = !fly.began;
+                fly.began = true;
+                self.documents.begin_run(*head, again, staged);
+                if given {
+                    self.documents.mission_edited = true;
+                }
+                if !again {
+                    self.views.camera.clear();
+                    if self.documents.flight_source != flight {
+                        self.documents.log = None;
+                        self.documents.bookmarks.clear();
+                    }
+                    self.documents.flight_source = flight;
+                    self.desk.document_changed = true;
+                    self.change_map(host, map);
+                    if first {
+                        self.show_new_flight();
+                        self.look_by_link();
+                    }
+                }
+            }
+            JobEvent::CannotNavigate(why) => self.look_at_flight(host, why),
+            JobEvent::Steps(mut steps) => {
+                if let Some(run) = &mut self.documents.run {
+                    run.steps.append(&mut steps);
+                }
+            }
+            JobEvent::FramePicture { index, encoded } => {
+                self.documents.pictures.insert(index, encoded.into());
+            }
+            // It could not be navigated, and all of its pictures are there.
+            JobEvent::Finished if !fly.began => self.desk.fly = None,
+            JobEvent::Finished => {
+                let again = fly.again;
+                self.documents.run_complete = true;
+                self.desk.fly = None;
+                // Where a recorded flight went may be known only now.
+                if !again && self.views.map.is_fitted() && !self.planning() {
+                    self.fit_to_flight_and_map();
+                }
+                self.align_after_flight(host, true);
+            }
+            JobEvent::Cancelled => self.desk.fly = None,
+            JobEvent::Failed(why) => {
+                let began = fly.began;
+                let is_of_log = self.documents.flight_source == fly.flight && !fly.again;
+                self.desk.fly = None;
+                self.align_after_flight(host, false);
+                self.documents.run_complete |= began;
+                let log = self.documents.log.as_mut().filter(|_| is_of_log);
+                let kept = if began {
+                    "What had been computed stays."
+                } else if let Some(log) = log {
+                    if let Some((first, _)) = log.span() {
+                        self.playback.time = first;
+                    }
+                    log.unnavigable = Some(why.clone());
+                    "What was measured can be plotted all the same."
+                } else {
+                    "Everything open stays as it was."
+                };
+                let text = format!("{why} {kept}");
+                self.toasts.trouble(host.now(), CANNOT_FLY, text);
+            }
+            _ => {}
+        }
+    }
+
+    /// A flight that cannot be navigated is shown all the same; one that was flown before stays as it is.
+    fn look_at_flight(&mut self, host: &mut dyn Host, why: String) {
+        let Some(fly) = &mut self.desk.fly else {
+            return;
+        };
+        if fly.again {
+            self.stop_flying(host);
+            let text = format!("{why} Everything open stays as it was.");
+            self.toasts.trouble(host.now(), CANNOT_FLY, text);
+            return;
+        }
+        let staged = std::mem::take(&mut fly.staged);
+        let (flight, map) = (fly.flight.clone(), fly.map.clone());
+        let is_first = self.documents.flight.is_none() || self.documents.flight_source != flight;
+        self.documents.look_at(staged);
+        if self.documents.flight_source != flight {
+            self.documents.log = None;
+            self.documents.bookmarks.clear();
+        }
+        self.documents.flight_source = flight;
+        self.views.camera.clear();
+        self.desk.document_changed = true;
+        self.change_map(host, map);
+        if is_first {
+            self.show_new_flight();
+        }
+        if let Some(log) = &mut self.documents.log {
+            log.unnavigable = Some(why.clone());
+        }
+        let text = format!("{why} Its track, its pictures and what was measured are shown.");
+        self.toasts
+            .note(host.now(), "The flight cannot be navigated", text);
+    }
+
+    /// Puts the cursor at the start and the map over the flight.
+    fn show_new_flight(&mut self) {
+        self.selection = None;
+        self.playback.selected_span = None;
+        if let Some((first, _)) = self.documents.span() {
+            self.playback.time = first;
+        }
+        self.playback.playing = !self.planning();
+        self.views.planner.fitted = false;
+        // All of a recorded flight is shown at once, and all of the hall.
+        let is_whole = match &self.documents.flight_source {
+            FlightSource::Simulated(options) => options.is_indoors(),
+            FlightSource::Files(_) => true,
+            FlightSource::Nothing => false,
+        };
+        self.desk.fit_when_known = is_whole && self.documents.map.is_none();
+        if is_whole {
+            self.fit_to_flight_and_map();
+            return;
+        }
+        let map = &mut self.views.map;
+        map.follow = true;
+        if let Some(flight) = &self.documents.flight {
+            map.camera.center = flight.start.position;
+        }
+        if !USUAL_SCALES.contains(&map.camera.metres_per_point) {
+            map.camera.metres_per_point = 0.7;
+        }
+    }
+
+    /// Shows all of the flight and, unless it is far larger, all of the map.
+    pub(super) fn fit_to_flight_and_map(&mut self) {
+        let Some(flight) = self.flight_ground() else {
+            return;
+        };
+        let map = self.documents.map.as_ref().map(|m| m.bounds);
+        let size = |r: &GroundRect| r.width().max(r.height());
+        let both = map.filter(|map| {
+            let flown = size(&flight);
+            flown < 30.0 || size(map) < 4.0 * flown
+        });
+        self.views
+            .map
+            .fit(both.map_or(flight, |map| flight.union(&map)));
+    }
+
+    /// The ground over which the flight goes, with its landmarks.
+    pub(super) fn flight_ground(&self) -> Option<GroundRect> {
+        let documents = &self.documents;
+        let truth = documents.flight.iter().flat_map(|f| &f.truth);
+        let truth = truth
+            .flat_map(|t| t.states.iter().step_by(1 + t.states.len() / 500))
+            .map(|s| GroundPoint::new(s.position.x, s.position.y));
+        let steps = documents
+            .run
+            .iter()
+            .flat_map(|r| r.steps.iter().step_by(1 + r.steps.len() / 500));
+        let estimate = steps.map(|s| s.after.position());
+        let landmarks = documents.mission.landmarks.iter().map(|l| l.reference);
+        GroundRect::around(truth.chain(estimate).chain(landmarks))
+            .or_else(|| documents.map.as_ref().map(|m| m.bounds))
+    }
+}
