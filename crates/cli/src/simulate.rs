@@ -68,7 +68,7 @@ pub fn list() {
         );
     }
     println!(
-        "{}\n    {}\n    {}\n    Only for `pilotage simulate`, which writes its map and its mission beside it.\n",
+        "{}\n    {}\n    {}\n    For the page, and for `pilotage simulate`, which writes its map and its mission beside it.\n",
         IndoorHall::NAME,
         IndoorHall::TITLE,
         IndoorHall::DESCRIPTION

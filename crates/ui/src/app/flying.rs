@@ -53,7 +53,7 @@ impl App {
                     }
                 }
             }
-            JobEvent::CannotNavigate(why) => self.look_at_flight(host, why),
+            JobEvent::CannotNavigate(why) => self.look_at_flight(host, &why),
             JobEvent::Steps(mut steps) => {
                 if let Some(run) = &mut self.documents.run {
                     run.steps.append(&mut steps);
@@ -101,7 +101,7 @@ impl App {
     }
 
     /// A flight that cannot be navigated is shown all the same; one that was flown before stays as it is.
-    fn look_at_flight(&mut self, host: &mut dyn Host, why: String) {
+    fn look_at_flight(&mut self, host: &mut dyn Host, why: &str) {
         let Some(fly) = &mut self.desk.fly else {
             return;
         };
@@ -127,7 +127,7 @@ impl App {
             self.show_new_flight();
         }
         if let Some(log) = &mut self.documents.log {
-            log.unnavigable = Some(why.clone());
+            log.unnavigable = Some(why.to_owned());
         }
         let text = format!("{why} Its track, its pictures and what was measured are shown.");
         self.toasts
