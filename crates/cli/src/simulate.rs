@@ -9,7 +9,7 @@ use pilotage_core::imagery::{Georeference, Imagery, Window, WorldFile};
 use pilotage_core::mission::{place_files, write_mission};
 use pilotage_core::navigator::VehicleChoice;
 use pilotage_core::raster::encode_png;
-use pilotage_core::simulate::{FlightDay, IndoorHall, Overrides, Scenario};
+use pilotage_core::simulate::{FlightDay, IndoorHall, Overrides, Scenario, SimulationChoice};
 
 use crate::Outcome;
 use crate::files::Directory;
@@ -61,18 +61,18 @@ pub fn scenario(name: &str) -> Result<Scenario, String> {
 
 /// Prints the scenarios.
 pub fn list() {
-    for scenario in Scenario::all() {
+    for choice in SimulationChoice::all() {
         println!(
-            "{}\n    {}\n    {}\n",
-            scenario.name, scenario.title, scenario.description
+            "{}\n    {}\n    {}",
+            choice.name, choice.title, choice.description
         );
+        if choice.is_indoors {
+            println!(
+                "    For the page, and for `pilotage simulate`, which writes its map and its mission beside it."
+            );
+        }
+        println!();
     }
-    println!(
-        "{}\n    {}\n    {}\n    For the page, and for `pilotage simulate`, which writes its map and its mission beside it.\n",
-        IndoorHall::NAME,
-        IndoorHall::TITLE,
-        IndoorHall::DESCRIPTION
-    );
 }
 
 /// Flies a scenario and writes it.

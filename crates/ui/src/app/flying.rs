@@ -4,7 +4,7 @@ use pilotage_core::frames::{GroundPoint, GroundRect};
 
 use super::App;
 use crate::host::Host;
-use crate::jobs::{FlightSource, JobEvent};
+use crate::jobs::{FlightSource, JobEvent, MapSource};
 
 /// Scales of the map at which an aircraft can be followed, metres per point.
 const USUAL_SCALES: std::ops::RangeInclusive<f64> = 0.25..=2.5;
@@ -35,18 +35,9 @@ impl App {
                 let first = !fly.began;
                 fly.began = true;
                 self.documents.begin_run(*head, again, staged);
-                if given {
-                    self.documents.mission_edited = true;
-                }
+                self.documents.mission_edited |= given;
                 if !again {
-                    self.views.camera.clear();
-                    if self.documents.flight_source != flight {
-                        self.documents.log = None;
-                        self.documents.bookmarks.clear();
-                    }
-                    self.documents.flight_source = flight;
-                    self.desk.document_changed = true;
-                    self.change_map(host, map);
+                    self.take_place(host, flight, map);
                     if first {
                         self.show_new_flight();
                         self.look_by_link();
@@ -63,7 +54,10 @@ impl App {
                 self.documents.pictures.insert(index, encoded.into());
             }
             // It could not be navigated, and all of its pictures are there.
-            JobEvent::Finished if !fly.began => self.desk.fly = None,
+            JobEvent::Finished if !fly.began => {
+                self.desk.fly = None;
+                self.align_after_flight(host, false);
+            }
             JobEvent::Finished => {
                 let again = fly.again;
                 self.documents.run_complete = true;
@@ -112,17 +106,11 @@ impl App {
             return;
         }
         let staged = std::mem::take(&mut fly.staged);
-        let (flight, map) = (fly.flight.clone(), fly.map.clone());
+        let (flight, map, given) = (fly.flight.clone(), fly.map.clone(), fly.given);
         let is_first = self.documents.flight.is_none() || self.documents.flight_source != flight;
         self.documents.look_at(staged);
-        if self.documents.flight_source != flight {
-            self.documents.log = None;
-            self.documents.bookmarks.clear();
-        }
-        self.documents.flight_source = flight;
-        self.views.camera.clear();
-        self.desk.document_changed = true;
-        self.change_map(host, map);
+        self.documents.mission_edited |= given;
+        self.take_place(host, flight, map);
         if is_first {
             self.show_new_flight();
         }
@@ -132,6 +120,18 @@ impl App {
         let text = format!("{why} Its track, its pictures and what was measured are shown.");
         self.toasts
             .note(host.now(), "The flight cannot be navigated", text);
+    }
+
+    /// What was staged is open now: it takes the place of another flight with its log and bookmarks, over its own map.
+    fn take_place(&mut self, host: &mut dyn Host, flight: FlightSource, map: MapSource) {
+        self.views.camera.clear();
+        if self.documents.flight_source != flight {
+            self.documents.log = None;
+            self.documents.bookmarks.clear();
+        }
+        self.documents.flight_source = flight;
+        self.desk.document_changed = true;
+        self.change_map(host, map);
     }
 
     /// Puts the cursor at the start and the map over the flight.

@@ -11,7 +11,7 @@ use super::desk::Opening;
 use super::log_answers::LogAnswers;
 use super::{App, SideTab};
 use crate::command::Workspace;
-use crate::documents::{Documents, Session};
+use crate::documents::{Documents, Session, Staged};
 use crate::host::Host;
 use crate::jobs::{FlightSource, Job, JobEvent, JobId, MapSource, ReadLog, SeriesName};
 use crate::log::{LogCommand, OpenLog, PresetCommand};
@@ -255,7 +255,6 @@ impl App {
                 }
             }
             Err(why) => {
-                // Nobody knows where it was: it lies on no map, and beside no landmark that was not put there.
                 log.unnavigable = Some(why.clone());
                 if let Some((first, _)) = log.span() {
                     self.playback.time = first;
@@ -263,8 +262,12 @@ impl App {
                 let title = format!("{} cannot be navigated", reading.file);
                 let text = format!("{why}. Its fields can be plotted all the same.");
                 self.toasts.note(host.now(), title, text);
+                // Nobody knows where it was: it lies on no map, and beside no landmark that was not put there.
                 if !self.documents.mission_edited {
-                    self.documents.mission = Documents::empty_mission();
+                    self.documents.look_at(Staged {
+                        mission: Some(Documents::empty_mission()),
+                        ..Staged::default()
+                    });
                     self.change_map(host, MapSource::Nothing);
                 }
             }

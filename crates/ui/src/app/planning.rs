@@ -137,20 +137,24 @@ impl App {
     }
 
     fn take_flight_route(&mut self, now: f64) {
-        let FlightSource::Simulated(options) = &self.documents.flight_source else {
+        let (route, title) = match &self.documents.flight_source {
+            FlightSource::Simulated(options) => (
+                scenario_route(options).ok(),
+                "The flight in the hall has no planned route",
+            ),
+            _ => (None, "A recorded flight has no planned route"),
+        };
+        let Some(route) = route else {
             let text = "Draw a route instead: click on the map where it begins.";
-            self.toasts
-                .note(now, "A recorded flight has no planned route", text);
+            self.toasts.note(now, title, text);
             return;
         };
-        if let Ok(route) = scenario_route(options) {
-            let id = self
-                .documents
-                .add_route(Some(&route.name), route.way_points);
-            self.views.planner.route = Some(id);
-            self.views.planner.fitted = false;
-            self.desk.document_changed = true;
-        }
+        let id = self
+            .documents
+            .add_route(Some(&route.name), route.way_points);
+        self.views.planner.route = Some(id);
+        self.views.planner.fitted = false;
+        self.desk.document_changed = true;
     }
 
     fn edit_route(&mut self, command: PlanCommand) {

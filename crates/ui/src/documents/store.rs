@@ -199,12 +199,7 @@ impl Documents {
                 self.ghost_generation = self.run_generation;
             }
         } else {
-            self.ghost = None;
-            self.contest = Contest::default();
-            self.cuts = Cuts::default();
-            self.camera_log = CameraLog::default();
-            self.distinctness.clear();
-            self.pictures.clear();
+            self.forget_flight();
         }
         self.take_staged(staged);
         self.match_pictures = None;
@@ -212,6 +207,16 @@ impl Documents {
         self.run = Some(head);
         self.run_complete = false;
         self.run_generation += 1;
+    }
+
+    /// Forgets what was found out about the flight that was open.
+    fn forget_flight(&mut self) {
+        self.ghost = None;
+        self.contest = Contest::default();
+        self.cuts = Cuts::default();
+        self.camera_log = CameraLog::default();
+        self.distinctness.clear();
+        self.pictures.clear();
     }
 
     fn take_staged(&mut self, staged: Staged) {
@@ -230,12 +235,11 @@ impl Documents {
         }
     }
 
-    /// A flight that cannot be navigated is looked at: where it was and what it saw, without a run.
+    /// What was staged is looked at without a run: a flight that cannot be navigated, or none.
     pub fn look_at(&mut self, staged: Staged) {
-        (self.run, self.ghost) = (None, None);
-        self.distinctness.clear();
-        self.pictures.clear();
+        self.forget_flight();
         self.take_staged(staged);
+        self.run = None;
         self.run_complete = false;
         self.run_generation += 1;
     }

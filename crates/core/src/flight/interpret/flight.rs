@@ -104,11 +104,13 @@ pub enum InterpretError {
 /// of the satellite receiver: it is what there is, and no better than it.
 pub fn flight_from_log(log: &Log) -> Interpreted {
     let found = all_series(log);
-    let name = || log.name.clone();
     let has_heading = found.iter().any(|s| s.role == Role::Heading);
+    let no_heading = || InterpretError::NoHeading {
+        log: log.name.clone(),
+    };
     Interpreted {
         bare: bare_flight(log, &found),
-        trouble: (!has_heading).then(|| InterpretError::NoHeading { log: name() }),
+        trouble: (!has_heading).then(no_heading),
         found,
     }
 }
