@@ -1,10 +1,12 @@
 //! What was measured in a flight: channels, frames, and the truth where it is known.
 
 pub mod beside_log;
+mod camera_file;
 mod channel;
 pub mod columns;
 pub mod expression;
 pub mod files;
+mod finding;
 mod folder;
 mod frame;
 pub mod interpret;
@@ -15,12 +17,14 @@ mod record;
 pub mod role;
 mod span_statistics;
 mod span_table;
+pub mod stretches;
 pub mod trajectory;
 mod truth;
 pub mod video;
 
+pub use camera_file::{CameraFile, MountFile, OriginFile};
 pub use channel::{Channel, ChannelName, Quantity};
-pub(crate) use folder::{CameraFile, OriginFile};
+pub use finding::{Finding, Severity};
 pub use folder::{
     FLIGHT_FILE, FlightFolder, FolderError, FolderFrames, WriteError, read_flight, write_flight,
 };

@@ -6,7 +6,7 @@ use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
 use super::series::Series;
-use crate::flight::overview::{Finding, Severity};
+use crate::flight::{Finding, Severity};
 use crate::frames::wrap_pi;
 
 /// Share of the nose's direction that must lie in the horizontal for its heading to mean something.

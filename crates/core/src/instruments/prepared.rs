@@ -14,7 +14,7 @@ use super::slip::SideForce;
 use super::walker::AirInputs;
 use crate::filter::{FilterError, Gaussian};
 use crate::flight::Flight;
-use crate::flight::overview::{Finding, Severity};
+use crate::flight::{Finding, Severity};
 
 /// Why a flight cannot be reckoned.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

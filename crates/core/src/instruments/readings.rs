@@ -3,8 +3,8 @@
 use nalgebra::Vector2;
 
 use super::series::Series;
-use crate::flight::overview::{Finding, Severity};
 use crate::flight::{Channel, ChannelName, Flight, Quantity};
+use crate::flight::{Finding, Severity};
 use crate::frames::wrap_pi;
 
 /// Cleaned series of the instruments that dead reckoning needs; SI and radians, times in seconds of the

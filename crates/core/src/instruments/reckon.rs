@@ -10,7 +10,7 @@ use super::settings::{HeadingChoice, Method, ReckonSettings};
 use super::track::{Track, TrackPoint};
 use super::walker::{Trust, Walker};
 use crate::filter::{FilterError, Gate};
-use crate::flight::overview::Finding;
+use crate::flight::Finding;
 
 /// Points of a track per second.
 const POINTS: f64 = 5.0;

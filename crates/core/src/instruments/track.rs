@@ -92,7 +92,7 @@ pub struct Track {
     /// In order of time.
     pub points: Vec<TrackPoint>,
     /// Measurements that it refused, in words.
-    pub findings: Vec<crate::flight::overview::Finding>,
+    pub findings: Vec<crate::flight::Finding>,
     /// What was known of the instruments at the cut (or at the end).
     pub calibration: Calibration,
 }

@@ -9,10 +9,10 @@ use super::together::common_name;
 use super::{ColumnMap, ColumnRole, MappedColumn, time};
 use crate::flight::files::FileSet;
 use crate::flight::folder::{
-    ChannelFile, FlightFile, FlightFolder, FolderError, OriginFile, StartFile, Table, TimeColumn,
-    TimeFormat, VERSION, ValueColumn, read_tables,
+    ChannelFile, FlightFile, FlightFolder, FolderError, StartFile, Table, TimeColumn, TimeFormat,
+    VERSION, ValueColumn, read_tables,
 };
-use crate::flight::{Channel, ChannelName, Truth, TruthState};
+use crate::flight::{Channel, ChannelName, OriginFile, Truth, TruthState};
 
 /// Standard deviation per axis of the first position, metres.
 const GPS_DEVIATION: f64 = 5.0;

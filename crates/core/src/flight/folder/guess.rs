@@ -5,14 +5,14 @@ use std::sync::Arc;
 
 use super::clock::TimeFormat;
 use super::layout::{
-    CameraFile, ChannelFile, FlightFile, FramesFile, MapPixelColumns, MountFile, OriginFile,
-    PixelCentres, PositionColumns, StartFile, TimeColumn, TruthFile, TruthFramesFile, VERSION,
-    ValueColumn,
+    ChannelFile, FlightFile, FramesFile, MapPixelColumns, PixelCentres, PositionColumns, StartFile,
+    TimeColumn, TruthFile, TruthFramesFile, VERSION, ValueColumn,
 };
 use super::table::Table;
 use super::units::Dimension;
 use crate::camera::{Distortion, Lens};
 use crate::flight::files::{FileSet, find, folder_of};
+use crate::flight::{CameraFile, MountFile, OriginFile};
 use crate::frames::wrap_pi;
 use crate::imagery::Georeference;
 use crate::raster::decode_picture;

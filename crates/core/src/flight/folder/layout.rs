@@ -5,8 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::clock::TimeFormat;
-use crate::camera::{CameraModel, Distortion, Lens, Mount};
-use crate::frames::Geodetic;
+use crate::flight::{CameraFile, OriginFile};
 
 /// Version of the layout that is written.
 pub(in crate::flight) const VERSION: u32 = 1;
@@ -37,45 +36,6 @@ pub(in crate::flight) struct FlightFile {
     pub frames: Option<FramesFile>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub truth: Option<TruthFile>,
-}
-
-/// A geodetic position in degrees and metres.
-#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct OriginFile {
-    pub latitude_deg: f64,
-    pub longitude_deg: f64,
-    #[serde(default)]
-    pub height_m: f64,
-}
-
-/// A camera with angles in degrees.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct CameraFile {
-    pub width: usize,
-    pub height: usize,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub focal_px: Option<f64>,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub horizontal_fov_deg: Option<f64>,
-    /// Pixels from the outer corner of the top-left pixel; the middle if absent.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub principal_px: Option<[f64; 2]>,
-    #[serde(default)]
-    pub lens: Lens,
-    #[serde(default)]
-    pub distortion: Distortion,
-    #[serde(default)]
-    pub mount_deg: MountFile,
-}
-
-#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub(crate) struct MountFile {
-    pub roll: f64,
-    pub pitch: f64,
-    pub yaw: f64,
 }
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -280,93 +240,4 @@ fn is_one(value: &f64) -> bool {
 )]
 fn is_zero(value: &f64) -> bool {
     *value == 0.0
-}
-
-/// Degrees that read back to the same radians, without the digits that only the conversion adds.
-fn plain_degrees(radians: f64) -> f64 {
-    let degrees = radians.to_degrees();
-    let rounded = (degrees * 1e12).round() / 1e12;
-    if rounded.to_radians() == radians {
-        rounded
-    } else {
-        degrees
-    }
-}
-
-impl OriginFile {
-    pub(crate) fn of(origin: &Geodetic) -> Self {
-        Self {
-            latitude_deg: plain_degrees(origin.latitude),
-            longitude_deg: plain_degrees(origin.longitude),
-            height_m: origin.height,
-        }
-    }
-
-    /// The position, or in words what is wrong with it.
-    pub(crate) fn geodetic(&self) -> Result<Geodetic, String> {
-        if !(-90.0..=90.0).contains(&self.latitude_deg) {
-            return Err(format!("{} is not a latitude", self.latitude_deg));
-        }
-        if !(-360.0..=360.0).contains(&self.longitude_deg) {
-            return Err(format!("{} is not a longitude", self.longitude_deg));
-        }
-        Ok(Geodetic::from_degrees(
-            self.latitude_deg,
-            self.longitude_deg,
-            self.height_m,
-        ))
-    }
-}
-
-impl CameraFile {
-    pub(crate) fn of(camera: &CameraModel) -> Self {
-        Self {
-            width: camera.width,
-            height: camera.height,
-            focal_px: Some(camera.focal),
-            horizontal_fov_deg: None,
-            principal_px: Some([camera.principal.x, camera.principal.y]),
-            lens: camera.lens,
-            distortion: camera.distortion,
-            mount_deg: MountFile {
-                roll: plain_degrees(camera.mount.roll),
-                pitch: plain_degrees(camera.mount.pitch),
-                yaw: plain_degrees(camera.mount.yaw),
-            },
-        }
-    }
-
-    /// The camera, or in words what is wrong with it.
-    pub(crate) fn camera(&self) -> Result<CameraModel, String> {
-        if !(1..=30_000).contains(&self.width) || !(1..=30_000).contains(&self.height) {
-            return Err(format!(
-                "a picture of {} x {} pixels is not plausible",
-                self.width, self.height
-            ));
-        }
-        let mut camera = match (self.focal_px, self.horizontal_fov_deg) {
-            (Some(focal), None) if focal > 0.0 => CameraModel {
-                focal,
-                ..CameraModel::pinhole(self.width, self.height, 1.0)
-            },
-            (None, Some(fov)) if fov > 0.0 && fov < 180.0 => {
-                CameraModel::pinhole(self.width, self.height, fov.to_radians())
-            }
-            (Some(_), Some(_)) | (None, None) => {
-                return Err("state either focal_px or horizontal_fov_deg".to_owned());
-            }
-            _ => return Err("the focal length or field of view is out of range".to_owned()),
-        };
-        if let Some([x, y]) = self.principal_px {
-            camera.principal = nalgebra::Point2::new(x, y);
-        }
-        camera.lens = self.lens;
-        camera.distortion = self.distortion;
-        camera.mount = Mount {
-            roll: self.mount_deg.roll.to_radians(),
-            pitch: self.mount_deg.pitch.to_radians(),
-            yaw: self.mount_deg.yaw.to_radians(),
-        };
-        Ok(camera)
-    }
 }

@@ -19,7 +19,6 @@ mod write;
 
 pub(super) use clock::{Moment, TimeFormat, date_and_time};
 pub use error::FolderError;
-pub(crate) use layout::{CameraFile, OriginFile};
 pub(super) use layout::{ChannelFile, FlightFile, StartFile, TimeColumn, VERSION, ValueColumn};
 pub(super) use log::of_samples;
 pub use pictures::FolderFrames;

@@ -5,14 +5,14 @@ use std::fmt::Write;
 
 use super::clock::TimeFormat;
 use super::layout::{
-    AttitudeColumns, CameraFile, ChannelFile, FlightFile, FramesFile, OriginFile, PositionColumns,
-    StartFile, TimeColumn, TruthFile, TruthFramesFile, TruthStatesFile, VERSION, ValueColumn,
-    WindColumns,
+    AttitudeColumns, ChannelFile, FlightFile, FramesFile, PositionColumns, StartFile, TimeColumn,
+    TruthFile, TruthFramesFile, TruthStatesFile, VERSION, ValueColumn, WindColumns,
 };
 use super::read::FLIGHT_FILE;
 use crate::flight::files::FileSink;
 use crate::flight::{
-    Channel, ChannelName, Flight, FrameError, FrameSource, FrameTruth, Quantity, Truth, TruthState,
+    CameraFile, Channel, ChannelName, Flight, FrameError, FrameSource, FrameTruth, OriginFile,
+    Quantity, Truth, TruthState,
 };
 use crate::frames::Attitude;
 

@@ -1,15 +1,9 @@
 //! When it was in the air.
 
 use super::super::interpret::{Role, RoleSeries};
-
-/// Speeds below this are those of something that stands, m/s.
-pub(crate) const STANDING: f64 = 3.0;
-/// Share of the fast speeds of the flight from which on it flies.
-pub(crate) const FLYING_SHARE: f64 = 0.35;
-/// Height above the start from which on it hovers at least, metres.
-pub(crate) const HOVERING: f64 = 3.0;
-/// Shortest stretch that counts, and longest pause inside one, seconds.
-const LEAST: f64 = 3.0;
+use super::super::stretches::{
+    FLYING_SHARE, HOVERING, LEAST, STANDING, stretches, stretches_within,
+};
 
 /// Stretches in the air, seconds in the log's time base: faster over ground than a third of its fast
 /// speeds, or well above where it began, or above the ground where that is known and no speed is.
@@ -73,22 +67,4 @@ fn usual_pause(times: &[f64]) -> f64 {
     steps.sort_by(f64::total_cmp);
     let usual = steps.get(steps.len() / 2);
     usual.map_or(LEAST, |usual| LEAST.max(2.0 * usual))
-}
-
-/// Joins what is less than a pause apart and leaves out what is shorter than that.
-pub(crate) fn stretches(flying: impl IntoIterator<Item = (f64, bool)>) -> Vec<(f64, f64)> {
-    stretches_within(flying, LEAST)
-}
-
-/// The same, with another longest pause inside one, seconds.
-fn stretches_within(flying: impl IntoIterator<Item = (f64, bool)>, pause: f64) -> Vec<(f64, f64)> {
-    let mut found: Vec<(f64, f64)> = Vec::new();
-    for (time, _) in flying.into_iter().filter(|(_, is_flying)| *is_flying) {
-        match found.last_mut() {
-            Some((_, to)) if time - *to <= pause => *to = time,
-            _ => found.push((time, time)),
-        }
-    }
-    found.retain(|(from, to)| to - from >= LEAST);
-    found
 }

@@ -3,19 +3,18 @@
 mod ability;
 mod air_data;
 mod airborne;
-mod finding;
 mod glitch;
+mod reading;
 mod sensor;
 #[cfg(test)]
 mod tests;
 
 use serde::{Deserialize, Serialize};
 
+pub use super::finding::{Finding, Severity};
 pub use ability::Ability;
 pub use air_data::{AirDataFit, fit_air_data};
 pub use airborne::airborne;
-pub(crate) use airborne::{FLYING_SHARE, HOVERING, STANDING, stretches};
-pub use finding::{Finding, Severity};
 pub use sensor::{Gap, Sensor};
 
 use super::interpret::{Measured, Role};
@@ -82,7 +81,7 @@ pub fn overview(log: &Log, measured: &Measured<'_>) -> Overview {
     let distance = steps
         .map(|w| (w[1].position - w[0].position).xy().norm())
         .sum();
-    let mut findings = finding::of_reading(log, found);
+    let mut findings = reading::of_reading(log, found);
     findings.extend(sensors.iter().flat_map(Sensor::findings));
     findings.extend(glitch::findings(found, states));
     findings.extend(air_data.iter().flat_map(AirDataFit::findings));
