@@ -4,7 +4,7 @@ use nalgebra::{Dyn, Matrix4, OVector, SVector};
 
 use super::engine::vehicle;
 use super::expected::{Anchor, AppearanceModel};
-use super::geometry::{joint_noise, pose_covariance};
+use super::geometry::joint_noise;
 use super::inputs::Inputs;
 use super::{NavigatorSettings, Run, StepReport};
 use crate::filter::{CramerRao, FilterError, numerical_jacobian};
@@ -150,7 +150,7 @@ impl Bound<'_> {
         let noise = joint_noise(
             &own,
             &jacobians,
-            &pose_covariance(&self.true_noise.sensors),
+            &self.true_noise.sensors.pose_covariance(),
             1.0,
         );
         bound.update(&slope, &noise)

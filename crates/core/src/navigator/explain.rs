@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix2, Vector2};
 
-use super::pipeline::PYRAMID_LEVELS;
 use super::{NavigatorSettings, StepReport};
 use crate::camera::CameraModel;
 use crate::flight::Flight;
@@ -13,7 +12,7 @@ use crate::imagery::Imagery;
 use crate::landmark::{
     CascadeEvidence, FrameView, Landmark, MatchEvidence, Refusal, SearchRequest, TemplateDetector,
 };
-use crate::raster::{Picture, Pyramid};
+use crate::raster::{PYRAMID_LEVELS, Picture, Pyramid};
 
 /// The pictures that explain what the template detector did.
 ///

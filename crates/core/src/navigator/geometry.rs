@@ -2,7 +2,6 @@
 
 use nalgebra::{DMatrix, Matrix2, Matrix4, Point2, Point3, Vector2, Vector4};
 
-use super::SensorNoise;
 use crate::camera::CameraModel;
 use crate::frames::{GroundPoint, Pose};
 
@@ -63,12 +62,6 @@ pub fn pose_jacobian(
         jacobian.set_column(axis, &difference);
     }
     Some(jacobian)
-}
-
-/// Covariance of roll, pitch, yaw and height.
-pub fn pose_covariance(noise: &SensorNoise) -> Matrix4<f64> {
-    let variances = [noise.roll, noise.pitch, noise.yaw, noise.height].map(|sd| sd * sd);
-    Matrix4::from_diagonal(&Vector4::from(variances))
 }
 
 /// Noise of what is measured of several landmarks in one picture: their own covariance on the
@@ -151,15 +144,9 @@ mod tests {
         let camera = CameraModel::pinhole(640, 480, 60_f64.to_radians());
         let points = [Point3::new(10.0, 5.0, 0.0), Point3::new(-8.0, 12.0, 0.0)];
         let jacobians = points.map(|p| pose_jacobian(&camera, &pose(100.0), &p).unwrap());
-        let noise = SensorNoise {
-            roll: 0.02,
-            pitch: 0.02,
-            yaw: 0.02,
-            height: 0.5,
-            pixel: 0.1,
-        };
+        let pose_noise = Matrix4::from_diagonal(&Vector4::new(4e-4, 4e-4, 4e-4, 0.25));
         let own = [Matrix4::identity() * 1e-4; 2];
-        let joint = joint_noise(&own, &jacobians, &pose_covariance(&noise), 1.0);
+        let joint = joint_noise(&own, &jacobians, &pose_noise, 1.0);
         let correlation = joint[(0, 4)] / (joint[(0, 0)] * joint[(4, 4)]).sqrt();
         assert!(correlation > 0.9, "{joint}");
         assert!(joint.cholesky().is_some());

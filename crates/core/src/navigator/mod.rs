@@ -31,7 +31,6 @@ pub use estimator::{EstimatorChoice, EstimatorSettings};
 pub use explain::{explain, explain_cascade};
 pub use fixes::position_fixes;
 pub use inputs::{Disbelief, Doubt, Instrument};
-pub(crate) use pipeline::PYRAMID_LEVELS;
 pub use pipeline::{Navigator, NavigatorError};
 pub use report::{
     CandidateReport, Control, Estimate, FrameReport, JointReport, LaidPlace, LaidReport, Outcome,

@@ -26,12 +26,10 @@ use crate::flight::{ChannelName, Flight, FrameSource};
 use crate::frames::{GroundPoint, Pose};
 use crate::imagery::Imagery;
 use crate::landmark::{ChosenDetector, Detector, Landmark, Refusal};
-use crate::raster::{Picture, Pyramid};
+use crate::raster::{PYRAMID_LEVELS, Picture, Pyramid};
 
 /// Times closer than this are one step, seconds.
 const SAME_TIME: f64 = 1e-6;
-/// Levels of the picture pyramid.
-pub(crate) const PYRAMID_LEVELS: usize = 6;
 
 /// Why navigation cannot begin or go on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

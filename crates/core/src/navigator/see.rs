@@ -5,7 +5,7 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Matrix4, Point2, Point3, Vector4
 use super::attention::{attended, probability_of_view};
 use super::engine::{CorrectedStep, Engine, Expectation, MeasurementModel};
 use super::expected::{Anchor, AppearanceModel};
-use super::geometry::{COMPONENTS, joint_noise, pose_covariance};
+use super::geometry::{COMPONENTS, joint_noise};
 use super::region::{may_be_in_view, reach};
 use super::{CandidateReport, NavigatorSettings, Outcome};
 use crate::filter::{FilterError, Gate};
@@ -118,7 +118,7 @@ fn noise(
     own: &[Matrix4<f64>],
     jacobians: &[Matrix4<f64>],
 ) -> DMatrix<f64> {
-    let pose = pose_covariance(&settings.sensors);
+    let pose = settings.sensors.pose_covariance();
     joint_noise(own, jacobians, &pose, settings.measurement_scale)
 }
 

@@ -1,5 +1,6 @@
 //! What people can set about the navigator.
 
+use nalgebra::{Matrix4, Vector4};
 use serde::{Deserialize, Serialize};
 
 use super::EstimatorSettings;
@@ -152,6 +153,14 @@ pub struct SensorNoise {
     /// Error of the detector's place that its covariance cannot know, added to it, pixels per axis:
     /// another sun and season move what a patch looks like, the same way in every frame.
     pub pixel: f64,
+}
+
+impl SensorNoise {
+    /// Covariance of the camera's roll, pitch, yaw (radians) and height (metres).
+    pub fn pose_covariance(&self) -> Matrix4<f64> {
+        let deviations = Vector4::new(self.roll, self.pitch, self.yaw, self.height);
+        Matrix4::from_diagonal(&deviations.map(|sd| sd * sd))
+    }
 }
 
 /// How to navigate.

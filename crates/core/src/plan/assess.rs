@@ -23,8 +23,8 @@ use crate::landmark::{
     ChosenDetector, Detector, FrameView, Landmark, SearchRequest, Sighting, TemplateSettings,
     tolerance,
 };
-use crate::navigator::{PYRAMID_LEVELS, SensorNoise};
-use crate::raster::Pyramid;
+use crate::navigator::SensorNoise;
+use crate::raster::{PYRAMID_LEVELS, Pyramid};
 use crate::simulate::{AerialCamera, AerialCameraSettings};
 
 /// How much of what may be searched is drawn as on the day: all but the outermost that a search comes

@@ -11,7 +11,6 @@ use super::view::{Information, Look, PlannedFrame};
 use crate::filter::{Gaussian, numerical_jacobian};
 use crate::flight::TruthState;
 use crate::frames::{GroundPoint, Pose};
-use crate::navigator::geometry::pose_covariance;
 use crate::simulate::{TrueFlight, Turbulence};
 use crate::vehicle::{ControlInput, VehicleModel, VehicleVisitor};
 
@@ -79,7 +78,7 @@ impl VehicleVisitor for Propagation<'_> {
             ..prior.clone()
         });
         let mut worlds: Vec<World<N>> = worlds.collect();
-        let pose_noise = pose_covariance(&request.settings.sensors);
+        let pose_noise = request.settings.sensors.pose_covariance();
         let period = 1.0 / plan.sensors.frame_rate;
         let mut next_frame = first.time;
         let mut time = first.time;

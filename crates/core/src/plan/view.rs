@@ -141,7 +141,7 @@ impl PlannedFrame<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::navigator::geometry::{joint_noise, pose_covariance};
+    use crate::navigator::geometry::joint_noise;
     use nalgebra::DMatrix;
     use rand::{RngExt, SeedableRng};
     use rand_chacha::ChaCha8Rng;
@@ -156,13 +156,7 @@ mod tests {
             let root = Matrix4::from_fn(|_, _| any());
             root * root.transpose() + Matrix4::identity() * 0.1
         });
-        let pose_noise = pose_covariance(&SensorNoise {
-            roll: 0.3,
-            pitch: 0.7,
-            yaw: 0.0,
-            height: 2.0,
-            pixel: 0.0,
-        });
+        let pose_noise = Matrix4::from_diagonal(&nalgebra::Vector4::new(0.09, 0.49, 0.0, 4.0));
         let mut both = Information::default();
         for i in 0..2 {
             both.add(&Information::new(&slopes[i], &jacobians[i], &own[i]).unwrap());

@@ -27,5 +27,5 @@ pub use gradient::Gradient;
 pub use image::{Gray, Picture, Raster, Rgb, Rgba, luminance};
 pub use integral::IntegralImage;
 pub use peak::{Peak, highest_peak, refine_peak, rival_peak};
-pub use pyramid::{Pyramid, bilinear};
+pub use pyramid::{PYRAMID_LEVELS, Pyramid, bilinear};
 pub use warp::{Sample, warp_projective, warp_similar};

@@ -2,6 +2,9 @@
 
 use super::Gray;
 
+/// Levels of the pyramid of a camera picture, in flight and wherever a flight is looked at or imitated.
+pub const PYRAMID_LEVELS: usize = 6;
+
 /// A grey picture and its 2×, 4×, … area averages.
 #[derive(Clone, Debug)]
 pub struct Pyramid {

@@ -8,8 +8,7 @@ use crate::flight::{ChannelName, Flight, FrameError};
 use crate::frames::{GroundRect, Pose};
 use crate::landmark::Landmark;
 use crate::mission::FrameLabels;
-use crate::navigator::PYRAMID_LEVELS;
-use crate::raster::{Picture, Pyramid};
+use crate::raster::{PYRAMID_LEVELS, Picture, Pyramid};
 
 /// Number of the first day of real frames; those of drawn days are below.
 const FIRST_DAY: usize = 1000;

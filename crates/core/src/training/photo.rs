@@ -13,9 +13,8 @@ use crate::camera::CameraModel;
 use crate::frames::{Attitude, GroundPoint, GroundRect, Pose};
 use crate::imagery::Imagery;
 use crate::landmark::{FrameView, Landmark};
-use crate::navigator::PYRAMID_LEVELS;
 use crate::plan::day_ground::{DayGround, crop};
-use crate::raster::{Picture, Pyramid};
+use crate::raster::{PYRAMID_LEVELS, Picture, Pyramid};
 use crate::simulate::{AerialCamera, AerialCameraSettings};
 
 /// Standard deviations of the search region that the detector is given.

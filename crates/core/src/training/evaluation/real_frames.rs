@@ -13,8 +13,7 @@ use crate::flight::Flight;
 use crate::frames::{GroundPoint, GroundRect, Pose};
 use crate::landmark::trained::{Mark, TrainedDetector, search};
 use crate::landmark::{FrameView, Landmark, tolerance};
-use crate::navigator::PYRAMID_LEVELS;
-use crate::raster::{Picture, Pyramid};
+use crate::raster::{PYRAMID_LEVELS, Picture, Pyramid};
 use crate::training::FlightEnvelope;
 
 /// Tries to find a place in the picture that is far enough from the landmark.
