@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use zip::ZipArchive;
 
-use crate::imagery::{ByteSource, MemoryBytes};
+use crate::bytes::{ByteSource, MemoryBytes};
 
 /// Largest file that is unpacked from a zip, bytes.
 const LARGEST_FILE: u64 = 1 << 30;

@@ -1,0 +1,10 @@
+//! What every other crate of the method stands on: frames of reference and units, where pictures lie on
+//! the ground, bytes and files by name, and the distributions behind gates and intervals.
+//!
+//! Knows no aircraft, no picture and no file format.
+
+pub mod bytes;
+pub mod files;
+pub mod frames;
+pub mod georeference;
+pub mod statistics;

@@ -1,0 +1,5 @@
+//! Distributions behind gates and intervals.
+
+mod chi_square;
+
+pub use chi_square::{chi_square_probability, chi_square_quantile, normal_probability};
