@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::chi_square_quantile;
+use pilotage_base::statistics::chi_square_quantile;
 
 /// Share of the statistics that the bounds enclose when the filter is honest.
 const ENCLOSED: f64 = 0.95;

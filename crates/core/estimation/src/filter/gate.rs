@@ -6,7 +6,8 @@ use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DefaultAllocator, Dim, OVector};
 use serde::{Deserialize, Serialize};
 
-use super::{PredictedMeasurement, chi_square_quantile};
+use super::PredictedMeasurement;
+use pilotage_base::statistics::chi_square_quantile;
 
 /// Gate on the normalised innovation squared (NIS).
 ///

@@ -4,7 +4,7 @@
 //! Knows no aircraft and no camera. One step reads:
 //! ```
 //! use nalgebra::{Matrix1, Matrix2, Vector1, Vector2};
-//! use pilotage_core::filter::{Gate, Gaussian, Ukf, UnscentedSettings};
+//! use pilotage_estimation::filter::{Gate, Gaussian, Ukf, UnscentedSettings};
 //!
 //! // Position and speed on a line; the position is measured.
 //! let prior = Gaussian::new(Vector2::new(0.0, 1.0), Matrix2::identity());
@@ -17,10 +17,9 @@
 //!     let correction = filter.correct(&predicted, &measured)?;
 //!     assert!(correction.after.covariance[(0, 0)] < correction.before.covariance[(0, 0)]);
 //! }
-//! # Ok::<(), pilotage_core::filter::FilterError>(())
+//! # Ok::<(), pilotage_estimation::filter::FilterError>(())
 //! ```
 
-mod chi_square;
 mod cloud;
 mod consistency;
 mod correction;
@@ -41,7 +40,6 @@ mod smoother;
 mod tests;
 mod ukf;
 
-pub use chi_square::{chi_square_probability, chi_square_quantile, normal_probability};
 pub use consistency::{Consistency, ConsistencySummary, chi_square_interval, mean_interval};
 pub use correction::Correction;
 pub use cramer_rao::{CramerRao, numerical_jacobian};

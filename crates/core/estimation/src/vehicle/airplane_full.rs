@@ -9,7 +9,7 @@ use super::parts::{
 };
 use super::{ControlInput, VehicleModel};
 use crate::filter::Gaussian;
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
 
 /// Airplane in wind and gusts whose airspeed and heading read slowly wrong.
 ///

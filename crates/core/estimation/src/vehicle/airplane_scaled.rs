@@ -8,7 +8,7 @@ use super::noise::add_integrated_random_walk;
 use super::parts::{Gusts, add_velocity_noise, mean_squared_wind, position_effect};
 use super::{ControlInput, VehicleModel};
 use crate::filter::Gaussian;
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
 
 /// Slow errors of the air data of a real airplane.
 ///

@@ -7,7 +7,7 @@ use super::airplane::AirData;
 use super::parts::{add_velocity_noise, enter_velocity_slope};
 use super::{ControlInput, ThesisNoise, VehicleModel};
 use crate::filter::Gaussian;
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
 
 /// Airplane that flies its airspeed along its heading in a slowly changing wind.
 ///

@@ -7,7 +7,7 @@ use super::airplane::AirData;
 use super::parts::{AirDataBiases, add_velocity_noise, enter_velocity_slope};
 use super::{ControlInput, VehicleModel};
 use crate::filter::Gaussian;
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
 
 /// Airplane in a steady wind whose airspeed and heading read slowly wrong.
 ///

@@ -7,7 +7,7 @@ use super::airplane::AirData;
 use super::parts::{Gusts, add_velocity_noise, enter_velocity_slope, mean_squared_wind};
 use super::{ControlInput, VehicleModel};
 use crate::filter::Gaussian;
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
 
 /// Airplane in a wind with two parts: one nearly steady, one that comes and goes in seconds.
 ///

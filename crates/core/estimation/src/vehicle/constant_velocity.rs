@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::parts::{add_velocity_noise, enter_velocity_slope};
 use super::{ControlInput, VehicleModel};
 use crate::filter::Gaussian;
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
 
 /// Nearly constant velocity over ground. State: north, east (m), velocity north, east (m/s).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

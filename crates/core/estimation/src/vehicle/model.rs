@@ -4,7 +4,7 @@ use nalgebra::{DVector, SMatrix, SVector, Vector2};
 use serde::{Deserialize, Serialize};
 
 use crate::filter::{Gaussian, partial_jacobian};
-use crate::frames::{Attitude, GroundPoint};
+use pilotage_base::frames::{Attitude, GroundPoint};
 
 /// What the vehicle's own instruments say at a moment; DeAngelo 2016, eqs 26 and 50, and the attitude.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]

@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use super::noise::add_white_noise;
 use super::{ControlInput, VehicleModel};
 use crate::filter::Gaussian;
-use crate::frames::GroundPoint;
-use crate::frames::units::GRAVITY;
+use pilotage_base::frames::GroundPoint;
+use pilotage_base::frames::units::GRAVITY;
 
 /// Multirotor at constant height, pushed where it tilts and slowed down by the air.
 ///
@@ -221,7 +221,7 @@ mod tests {
 
     use super::*;
     use crate::filter::{Ukf, UnscentedSettings};
-    use crate::frames::Attitude;
+    use pilotage_base::frames::Attitude;
 
     fn tilted(roll: f64, pitch: f64, yaw: f64) -> ControlInput {
         ControlInput::without_airspeed(Attitude { roll, pitch, yaw })

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{ControlInput, VehicleModel};
 use crate::filter::Gaussian;
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
 
 /// Position driven by nothing but uncertainty. State: north, east (m).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -8,8 +8,8 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::filter::{Gaussian, Ukf, UnscentedSettings, numerical_jacobian};
-use crate::frames::units::{feet, knots};
-use crate::frames::{Attitude, GroundPoint};
+use pilotage_base::frames::units::{feet, knots};
+use pilotage_base::frames::{Attitude, GroundPoint};
 
 fn eastward(airspeed: f64) -> ControlInput {
     ControlInput::new(airspeed, Attitude::level(FRAC_PI_2))
@@ -308,7 +308,7 @@ fn flying_a_circle_tells_the_wind_from_the_biases() {
         position += (Vector2::new(heading.cos(), heading.sin()) * airspeed + wind) * dt;
         let input = ControlInput::new(
             airspeed + airspeed_bias,
-            Attitude::level(crate::frames::wrap_pi(heading + heading_bias)),
+            Attitude::level(pilotage_base::frames::wrap_pi(heading + heading_bias)),
         );
         let noise = model.process_noise(filter.mean(), &input, dt);
         filter

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::frames::units::METRES_PER_FOOT;
+use pilotage_base::frames::units::METRES_PER_FOOT;
 
 /// Process noise per step, whatever its length, as in DeAngelo 2016, Table 4.
 ///

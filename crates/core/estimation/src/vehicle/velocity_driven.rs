@@ -7,7 +7,7 @@ use super::noise::add_integrated_random_walk;
 use super::parts::position_effect;
 use super::{ControlInput, VehicleModel};
 use crate::filter::Gaussian;
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
 
 /// Moves with a measured velocity over ground.
 ///

@@ -4,7 +4,7 @@ use approx::assert_relative_eq;
 use nalgebra::{DMatrix, DVector, Matrix1, Matrix2, Matrix3, Vector1, Vector2, Vector3};
 
 use crate::filter::*;
-use crate::frames::wrap_pi;
+use pilotage_base::frames::wrap_pi;
 
 fn unit_filter() -> Ukf<2> {
     let prior = Gaussian::new(Vector2::new(1.0, 2.0), Matrix2::identity());
