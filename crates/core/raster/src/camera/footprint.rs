@@ -3,7 +3,7 @@
 use nalgebra::{Point2, Point3};
 
 use super::CameraModel;
-use crate::frames::{GroundPoint, GroundRect, Pose};
+use pilotage_base::frames::{GroundPoint, GroundRect, Pose};
 
 /// Pieces into which an edge of the picture is cut where it is bent.
 const BENT_PIECES: usize = 12;
@@ -146,7 +146,7 @@ fn arc_within_view(
 ) -> Vec<GroundPoint> {
     let center = pose.position_in_world;
     let angle = |p: GroundPoint| (p.east - center.y).atan2(p.north - center.x);
-    let turn = crate::frames::wrap_pi(angle(to) - angle(from));
+    let turn = pilotage_base::frames::wrap_pi(angle(to) - angle(from));
     let point = |share: f64, turn: f64| {
         let (sin, cos) = (angle(from) + share * turn).sin_cos();
         GroundPoint::new(center.x + farthest * cos, center.y + farthest * sin)

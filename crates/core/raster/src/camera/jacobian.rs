@@ -3,7 +3,7 @@
 use nalgebra::{Matrix2, Matrix2x3, Matrix3, Point3};
 
 use super::CameraModel;
-use crate::frames::Pose;
+use pilotage_base::frames::Pose;
 
 /// Step of the central differences in angle, radians.
 const ANGLE_STEP: f64 = 1e-5;

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Point2, Point3, Rotation3, Vector3};
 use serde::{Deserialize, Serialize};
 
 use super::Distortion;
-use crate::frames::{GroundPoint, Pose};
+use pilotage_base::frames::{GroundPoint, Pose};
 
 /// A point nearer to the lens plane than this, metres, is behind the lens.
 const NEAREST: f64 = 1e-9;

@@ -6,8 +6,8 @@ use nalgebra::{Matrix3, Point2, Point3, Vector3};
 use proptest::prelude::*;
 
 use super::{CameraModel, Distortion, Lens, Mount};
-use crate::frames::units::degrees;
-use crate::frames::{Attitude, GroundPoint, Pose};
+use pilotage_base::frames::units::degrees;
+use pilotage_base::frames::{Attitude, GroundPoint, Pose};
 
 fn camera() -> CameraModel {
     CameraModel::pinhole(640, 480, degrees(60.0))

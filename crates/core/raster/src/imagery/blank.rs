@@ -1,8 +1,8 @@
 //! Ground of which there is no picture.
 
 use super::{Imagery, Window};
-use crate::frames::GroundRect;
 use crate::raster::{Raster, Rgba};
+use pilotage_base::frames::GroundRect;
 
 /// No picture anywhere: for flights that are looked at without a map.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use super::kept::Kept;
 use super::{Imagery, Window};
-use crate::frames::GroundRect;
 use crate::raster::{Raster, Rgba};
+use pilotage_base::frames::GroundRect;
 
 /// Pixels along the side of a tile of [`CachedImagery`].
 pub const TILE_SIDE: usize = 128;

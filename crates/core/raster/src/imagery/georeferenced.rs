@@ -1,9 +1,10 @@
 //! A picture with a georeference as imagery.
 
 use super::resample::{Part, Sight, halved, samples_per_side};
-use super::{GroundFromPixel, Imagery, Placement, Window};
-use crate::frames::GroundRect;
+use super::{Imagery, Placement, Window};
 use crate::raster::{CodecError, Picture, Raster, Rgba, decode_picture_with_coverage};
+use pilotage_base::frames::GroundRect;
+use pilotage_base::georeference::GroundFromPixel;
 
 /// Brightest channel of a pixel that still counts as the black of an orthophoto's border; the
 /// compression of JPEG stains it a little.
@@ -171,7 +172,7 @@ mod tests {
     use nalgebra::{Matrix2, Vector2};
 
     use super::*;
-    use crate::frames::GroundPoint;
+    use pilotage_base::frames::GroundPoint;
 
     /// A picture whose red is 4 × column and whose green is 4 × row.
     fn ramps() -> Raster<Rgba> {

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::{Imagery, Window};
-use crate::frames::GroundRect;
 use crate::raster::{Raster, Rgba};
+use pilotage_base::frames::GroundRect;
 
 /// One imagery inside a rectangle, another around it: for ground that takes long to draw and of which
 /// only a part matters.

@@ -5,7 +5,7 @@ use std::hash::Hash;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Values by key up to a number of bytes, least recently used out first.
-pub(crate) struct Kept<K, V> {
+pub struct Kept<K, V> {
     inner: Mutex<Inner<K, V>>,
     most_bytes: usize,
 }

@@ -3,33 +3,23 @@
 //! Nothing above this folder knows where the pixels come from.
 
 mod blank;
-mod bytes;
 mod cache;
-mod georeference;
 mod georeferenced;
-pub mod georeferencer;
-mod geotiff;
 mod inset;
-pub(crate) mod kept;
+pub mod kept;
 mod placement;
-mod resample;
-pub mod terrain;
-pub mod tiff;
-pub mod web_tiles;
+pub mod resample;
 
 pub use blank::Blank;
-pub use bytes::{ByteSource, MemoryBytes};
 pub use cache::{CachedImagery, TILE_SIDE};
-pub use georeference::{Georeference, GeoreferenceError, GroundFromPixel, Similarity, WorldFile};
 pub use georeferenced::{GeoreferencedPicture, decode_map, opaque, without_border};
-pub use geotiff::{GeoKeys, GeoTiff, GeoTiffError, GeoTiffFile, MapMemory};
 pub use inset::InsetImagery;
 pub use placement::Placement;
 
 use serde::{Deserialize, Serialize};
 
-use crate::frames::{GroundPoint, GroundRect};
 use crate::raster::{Raster, Rgba};
+use pilotage_base::frames::{GroundPoint, GroundRect};
 
 /// A north-up window of the ground at one ground sample distance.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

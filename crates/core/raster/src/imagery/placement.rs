@@ -2,8 +2,8 @@
 
 use nalgebra::{Matrix2, Point2};
 
-use super::{Georeference, GeoreferenceError, GroundFromPixel};
-use crate::frames::{GroundPoint, GroundRect, LocalFrame};
+use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame};
+use pilotage_base::georeference::{Georeference, GeoreferenceError, GroundFromPixel};
 
 /// Points along each side of a picture from which its extent is taken.
 const POINTS_PER_SIDE: usize = 32;

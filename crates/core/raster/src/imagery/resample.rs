@@ -11,7 +11,7 @@ const SPACING: usize = 16;
 
 /// A weighted sum of pixels with premultiplied coverage.
 #[derive(Clone, Copy, Default)]
-pub(super) struct Sum {
+pub struct Sum {
     colour: [f32; 3],
     coverage: f32,
 }
@@ -38,7 +38,7 @@ impl Sum {
 }
 
 /// A rectangle out of one level of a picture's pyramid.
-pub(super) struct Part<'a> {
+pub struct Part<'a> {
     /// Pixels of the rectangle.
     pub pixels: &'a Raster<Rgba>,
     /// Column and row of the rectangle's first pixel in the level.
@@ -50,7 +50,7 @@ pub(super) struct Part<'a> {
 }
 
 /// The pixels of a picture under the pixels of a window.
-pub(super) struct Sight {
+pub struct Sight {
     nodes: Vec<Vector2<f64>>,
     across: usize,
     size: (f64, f64),
@@ -148,12 +148,12 @@ impl Part<'_> {
 }
 
 /// Samples per side of a window's pixel, if that is `remaining` pixels of the level wide.
-pub(super) fn samples_per_side(remaining: f64) -> usize {
+pub fn samples_per_side(remaining: f64) -> usize {
     (remaining - 0.2).ceil().clamp(1.0, 8.0) as usize
 }
 
 /// Half the size: each pixel the mean of four, weighted by coverage.
-pub(super) fn halved(picture: &Raster<Rgba>) -> Raster<Rgba> {
+pub fn halved(picture: &Raster<Rgba>) -> Raster<Rgba> {
     let (width, height) = (picture.width().div_ceil(2), picture.height().div_ceil(2));
     Raster::from_fn(width, height, |column, row| {
         let mut sum = Sum::default();

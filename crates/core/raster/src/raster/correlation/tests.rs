@@ -207,7 +207,7 @@ struct Vectors {
 fn the_surface_is_that_of_opencv() {
     let folder = concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/../../../shared/data/opencv_ncc"
+        "/../../../../shared/data/opencv_ncc"
     );
     let Ok(text) = std::fs::read_to_string(format!("{folder}/expected_opencv_4.14.json")) else {
         println!("skipped: no shared data");
