@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::camera::{CameraModel, Distortion, Lens, Mount};
-use crate::frames::Geodetic;
+use pilotage_base::frames::Geodetic;
+use pilotage_raster::camera::{CameraModel, Distortion, Lens, Mount};
 
 /// A geodetic position in degrees and metres.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]

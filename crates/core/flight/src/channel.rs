@@ -160,13 +160,13 @@ impl Channel {
             0.0
         };
         let step = if self.name.is_angle() {
-            crate::frames::wrap_pi(v1 - v0)
+            pilotage_base::frames::wrap_pi(v1 - v0)
         } else {
             v1 - v0
         };
         let value = v0 + fraction * step;
         Some(if self.name.is_angle() {
-            crate::frames::wrap_pi(value)
+            pilotage_base::frames::wrap_pi(value)
         } else {
             value
         })

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::raster::Picture;
+use pilotage_raster::raster::Picture;
 
 /// A camera frame: when it was taken and how to find it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Channel, ChannelName, Frame, Truth};
-use crate::camera::CameraModel;
-use crate::frames::{Attitude, GroundPoint, LocalFrame};
+use pilotage_base::frames::{Attitude, GroundPoint, LocalFrame};
+use pilotage_raster::camera::CameraModel;
 
 /// The position with which navigation begins.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -3,7 +3,7 @@
 use nalgebra::{Point3, Vector2};
 use serde::{Deserialize, Serialize};
 
-use crate::frames::{Attitude, Pose};
+use pilotage_base::frames::{Attitude, Pose};
 
 /// True state of the vehicle at one time.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -1,0 +1,18 @@
+//! What was measured in a flight: channels, frames, the truth where it is known, and what looks wrong.
+//!
+//! The same types whether a flight was recorded or simulated; nothing here reads a file.
+
+mod camera_file;
+mod channel;
+mod finding;
+mod frame;
+mod record;
+pub mod stretches;
+mod truth;
+
+pub use camera_file::{CameraFile, MountFile, OriginFile};
+pub use channel::{Channel, ChannelName, Quantity};
+pub use finding::{Finding, Severity};
+pub use frame::{Frame, FrameError, FrameSource};
+pub use record::{Flight, StartFix};
+pub use truth::{FrameTruth, Truth, TruthState};
