@@ -2,8 +2,8 @@
 
 use nalgebra::{DMatrix, Matrix2, Matrix4, Point2, Point3, Vector2, Vector4};
 
-use crate::camera::CameraModel;
-use crate::frames::{GroundPoint, Pose};
+use pilotage_base::frames::{GroundPoint, Pose};
+use pilotage_raster::camera::CameraModel;
 
 /// Components of what is measured of one landmark: pixel x, pixel y, rotation, log scale.
 pub const COMPONENTS: usize = 4;
@@ -109,7 +109,7 @@ pub fn ground_jacobian(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::frames::Attitude;
+    use pilotage_base::frames::Attitude;
 
     fn pose(height: f64) -> Pose {
         Pose {

@@ -11,7 +11,7 @@
 
 use nalgebra::{Matrix4, Matrix6, SMatrix, Vector4, Vector6};
 
-use crate::raster::{Gray, bilinear};
+use pilotage_raster::raster::{Gray, bilinear};
 
 /// Blocks along each side of the patch.
 const BLOCKS: usize = 8;

@@ -6,7 +6,7 @@
 use serde_json::Value;
 
 use super::Landmark;
-use crate::frames::{GroundPoint, GroundRect};
+use pilotage_base::frames::{GroundPoint, GroundRect};
 
 /// Property with the category, a text.
 pub const CATEGORY: &str = "category";
@@ -87,7 +87,7 @@ impl Landmark {
     }
 
     /// Says that people marked a point.
-    pub(crate) fn mark_point(&mut self) {
+    pub fn mark_point(&mut self) {
         self.note(SHAPE, Some(Value::from(POINT)));
     }
 

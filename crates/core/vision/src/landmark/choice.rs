@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use super::Landmark;
 use super::trained::TrainedDetector;
-use crate::frames::GroundRect;
+use pilotage_base::frames::GroundRect;
 
 /// Property that names the detector.
 pub const DETECTOR: &str = "detector";

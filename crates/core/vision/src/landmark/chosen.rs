@@ -11,7 +11,7 @@ use super::{
     Detection, Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting, TemplateDetector,
     TemplateSettings,
 };
-use crate::imagery::Imagery;
+use pilotage_raster::imagery::Imagery;
 
 /// Square of the distance, in standard deviations of their difference, up to which two places are one:
 /// the 99 % point of chi-square with two degrees of freedom.

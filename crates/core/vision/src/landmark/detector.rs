@@ -4,9 +4,9 @@ use nalgebra::{Matrix2, Matrix4};
 use serde::{Deserialize, Serialize};
 
 use super::Landmark;
-use crate::camera::CameraModel;
-use crate::frames::{GroundPoint, GroundRect, Pose};
-use crate::raster::Pyramid;
+use pilotage_base::frames::{GroundPoint, GroundRect, Pose};
+use pilotage_raster::camera::CameraModel;
+use pilotage_raster::raster::Pyramid;
 
 /// Standard deviation of a turn that a detector does not measure, radians.
 pub const UNKNOWN_TURN: f64 = 0.5;

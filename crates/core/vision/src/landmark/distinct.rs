@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use nalgebra::Point3;
 use serde::{Deserialize, Serialize};
 
-use crate::frames::{GroundPoint, GroundRect};
+use pilotage_base::frames::{GroundPoint, GroundRect};
 
 /// A place on the map that is to be recognised from the air.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -2,9 +2,9 @@
 
 use super::features::{FeatureTemplate, Features};
 use super::patch::FLAT_CONTRAST;
-use crate::frames::{GroundPoint, GroundRect};
-use crate::imagery::{Imagery, Window};
-use crate::raster::{Gray, refine_peak, rival_peak};
+use pilotage_base::frames::{GroundPoint, GroundRect};
+use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_raster::raster::{Gray, refine_peak, rival_peak};
 
 /// Longer side of the patch, pixels: the scale at which the detector searches first.
 const COARSE_PIXELS: f64 = 32.0;
@@ -106,7 +106,7 @@ pub(super) fn standard_deviation(patch: &Gray) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::raster::{Raster, Rgba};
+    use pilotage_raster::raster::{Raster, Rgba};
 
     /// Grey ground with bright crosses at some places, one metre per pixel at the finest.
     struct Crosses(Vec<GroundPoint>);

@@ -9,9 +9,9 @@ use super::cascade::{
 use super::patch::window_around;
 use super::trained::{SearchedGround, TrainedDetector, search};
 use super::{FrameView, Refusal, SearchRequest};
-use crate::frames::GroundPoint;
-use crate::imagery::{Imagery, Window};
-use crate::raster::{Gray, Raster};
+use pilotage_base::frames::GroundPoint;
+use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_raster::raster::{Gray, Raster};
 
 /// Cells of the HOG picture across the shorter side of the window.
 const CELLS: usize = 8;
@@ -243,12 +243,12 @@ mod tests {
     use nalgebra::{Matrix2, Point3};
 
     use super::*;
-    use crate::camera::CameraModel;
-    use crate::frames::{Attitude, GroundRect, Pose};
     use crate::landmark::Landmark;
     use crate::landmark::cascade::{Feature, Split, TrainedStage, TrainedTree};
     use crate::landmark::trained::{DetectorWindow, Likelihood, MarkPrecision, Variants};
-    use crate::raster::{Pyramid, Rgba};
+    use pilotage_base::frames::{Attitude, GroundRect, Pose};
+    use pilotage_raster::camera::CameraModel;
+    use pilotage_raster::raster::{Pyramid, Rgba};
 
     const GSD: f64 = 0.5;
 

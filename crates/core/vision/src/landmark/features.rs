@@ -3,7 +3,7 @@
 //! Edges are gradients in double-angle form, `|g| (cos 2θ, sin 2θ)`: they keep the orientation of an
 //! edge and forget which side is brighter, which differs between seasons and times of day.
 
-use crate::raster::{Gray, Template};
+use pilotage_raster::raster::{Gray, Template};
 
 /// Intensity and the two double-angle gradient components, all of one size.
 #[derive(Clone, Debug)]

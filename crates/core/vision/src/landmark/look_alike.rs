@@ -5,10 +5,10 @@ use nalgebra::{Matrix2, Vector2};
 use super::features::{FeatureTemplate, Features};
 use super::patch::window_around;
 use super::peak::{FORBIDDEN, best_peaks, separation};
-use crate::filter::normal_probability;
-use crate::frames::{GroundPoint, GroundRect};
-use crate::imagery::{Imagery, Window};
-use crate::raster::Gray;
+use pilotage_base::frames::{GroundPoint, GroundRect};
+use pilotage_base::statistics::normal_probability;
+use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_raster::raster::Gray;
 
 /// Look-alikes that are kept.
 const MOST: usize = 16;
@@ -123,7 +123,7 @@ impl Searched<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::raster::{Raster, Rgba};
+    use pilotage_raster::raster::{Raster, Rgba};
 
     /// Two crosses 40 m apart on bare ground.
     struct Twins;

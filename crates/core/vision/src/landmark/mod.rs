@@ -22,13 +22,13 @@ pub mod trained;
 
 pub use choice::DetectorChoice;
 pub use chosen::ChosenDetector;
-pub(crate) use detector::measured;
+pub use detector::measured;
 pub use detector::{Detection, Detector, FrameView, Refusal, SearchRequest, Sighting};
 pub use distinct::Landmark;
 pub use distinctness::{PatchDistinctness, distinctness};
 pub use evidence::{CascadeEvidence, MarkedPlace, PatchLook, StageLook};
-pub(crate) use rectify::{GroundView, rectify, rectify_plane};
+pub use rectify::{GroundView, rectify, rectify_plane};
 pub use rehearsal::{Rehearsal, rehearse};
 pub use settings::TemplateSettings;
 pub use template::{MatchEvidence, TemplateDetector};
-pub(crate) use tolerance::tolerance;
+pub use tolerance::tolerance;

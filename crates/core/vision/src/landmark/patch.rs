@@ -7,9 +7,9 @@ use super::Landmark;
 use super::features::{FeatureTemplate, Features};
 use super::look_alike::{LookAlike, LookAlikes};
 use super::peak::{best_peaks, separation};
-use crate::frames::{GroundPoint, GroundRect};
-use crate::imagery::{Imagery, Window};
-use crate::raster::{Gray, bilinear};
+use pilotage_base::frames::{GroundPoint, GroundRect};
+use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_raster::raster::{Gray, bilinear};
 
 /// Standard deviation of grey values (0 to 255) below which a patch counts as flat.
 pub const FLAT_CONTRAST: f64 = 4.0;

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix2, Vector2};
 
-use crate::raster::Gray;
+use pilotage_raster::raster::Gray;
 
 /// Score of an offset at which the patch must not be placed.
 pub const FORBIDDEN: f32 = -2.0;

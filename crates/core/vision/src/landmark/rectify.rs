@@ -3,10 +3,10 @@
 use nalgebra::{Point3, Vector3};
 
 use super::FrameView;
-use crate::camera::{CameraModel, Distortion, Lens};
-use crate::frames::GroundPoint;
-use crate::imagery::Window;
-use crate::raster::{Gray, Pyramid, bilinear};
+use pilotage_base::frames::GroundPoint;
+use pilotage_raster::camera::{CameraModel, Distortion, Lens};
+use pilotage_raster::imagery::Window;
+use pilotage_raster::raster::{Gray, Pyramid, bilinear};
 
 /// A rectified picture and how much of it the camera saw.
 #[derive(Clone, Debug)]

@@ -4,9 +4,9 @@ use super::distinctness::standard_deviation;
 use super::features::{FeatureTemplate, Features};
 use super::patch::FLAT_CONTRAST;
 use super::peak::{best_peaks, refine};
-use crate::frames::{GroundPoint, GroundRect};
-use crate::imagery::{Imagery, Window};
-use crate::raster::{Raster, Rgba};
+use pilotage_base::frames::{GroundPoint, GroundRect};
+use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_raster::raster::{Raster, Rgba};
 
 /// Longer side of the patch, pixels, to within half an octave.
 const PIXELS: f64 = 32.0;

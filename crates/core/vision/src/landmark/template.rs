@@ -17,9 +17,9 @@ use super::rectify::{GroundView, rectify};
 use super::{
     Detection, Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting, TemplateSettings,
 };
-use crate::frames::{GroundPoint, GroundRect};
-use crate::imagery::{Imagery, Window};
-use crate::raster::{Gray, IntegralImage};
+use pilotage_base::frames::{GroundPoint, GroundRect};
+use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_raster::raster::{Gray, IntegralImage};
 
 /// Longer side of the patch at the fine scale, pixels.
 const FINE_PIXELS: f64 = 64.0;
@@ -462,9 +462,9 @@ mod tests {
     use nalgebra::Point3;
 
     use super::*;
-    use crate::camera::CameraModel;
-    use crate::frames::{Attitude, Pose};
-    use crate::raster::Pyramid;
+    use pilotage_base::frames::{Attitude, Pose};
+    use pilotage_raster::camera::CameraModel;
+    use pilotage_raster::raster::Pyramid;
 
     #[test]
     fn a_search_over_kilometres_looks_at_no_more_ground_than_the_picture_shows() {

@@ -4,6 +4,6 @@
 const WRONG: (f64, f64) = (2.0, 5.0);
 
 /// How far off a right place may be where a pixel of the camera covers that many metres, metres.
-pub(crate) fn tolerance(pixel: f64) -> f64 {
+pub fn tolerance(pixel: f64) -> f64 {
     WRONG.0.max(WRONG.1 * pixel)
 }

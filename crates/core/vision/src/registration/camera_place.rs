@@ -5,7 +5,7 @@ use nalgebra::{Matrix6, SMatrix};
 use super::fit::{PoseFit, UNKNOWNS, differences, moved};
 use super::look::{Look, MapPose};
 use super::prior::PosePrior;
-use crate::frames::Pose;
+use pilotage_base::frames::Pose;
 
 /// Where the camera itself is: the pose without what of its tilt is the ground's.
 #[derive(Clone, Copy, Debug, PartialEq)]

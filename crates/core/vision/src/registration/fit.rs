@@ -5,7 +5,7 @@ use nalgebra::{Matrix2, Point2, SMatrix, SVector, Vector2};
 use super::look::{Look, MapPose};
 use super::patches::PatchMatch;
 use super::prior::PosePrior;
-use crate::frames::{GroundPoint, wrap_pi};
+use pilotage_base::frames::{GroundPoint, wrap_pi};
 
 /// Rounds of Gauss and Newton.
 const ROUNDS: usize = 15;

@@ -6,7 +6,7 @@ use super::look::Look;
 use super::prior::{HeadingPrior, PosePrior};
 use super::register::{NotRegistered, Registration, register};
 use super::shape::MapShape;
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
 
 /// What is assumed about a flight over a map; deviations are standard ones.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -2,9 +2,9 @@
 
 use super::look::{Look, MapPose};
 use super::texture::local_contrast;
-use crate::frames::GroundRect;
-use crate::imagery::{Imagery, Window};
-use crate::raster::{Gray, IntegralImage};
+use pilotage_base::frames::GroundRect;
+use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_raster::raster::{Gray, IntegralImage};
 
 /// A north-up picture of ground with what of it is covered.
 #[derive(Debug)]

@@ -3,11 +3,11 @@
 use nalgebra::{Point2, Point3, Rotation3, Vector2, Vector3};
 
 use super::MapShape;
-use crate::camera::CameraModel;
-use crate::frames::{GroundPoint, GroundRect, Pose};
-use crate::imagery::{Imagery, Window};
 use crate::landmark::{GroundView, rectify_plane};
-use crate::raster::Pyramid;
+use pilotage_base::frames::{GroundPoint, GroundRect, Pose};
+use pilotage_raster::camera::CameraModel;
+use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_raster::raster::Pyramid;
 
 /// A pose over a map that may be stretched. The position below is a place on the map; the height is
 /// that above the real ground.

@@ -3,8 +3,8 @@
 use nalgebra::{Point2, Vector2};
 
 use super::ground::GroundPicture;
-use crate::frames::GroundPoint;
-use crate::raster::{Template, highest_peak};
+use pilotage_base::frames::GroundPoint;
+use pilotage_raster::raster::{Template, highest_peak};
 
 use super::look::{Look, MapPose};
 

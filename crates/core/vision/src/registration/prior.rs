@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::MapShape;
-use crate::frames::{Attitude, GroundPoint, wrap_pi};
+use pilotage_base::frames::{Attitude, GroundPoint, wrap_pi};
 
 /// Standard deviations to each side that are searched.
 pub(super) const REACH: f64 = 2.5;

@@ -9,8 +9,8 @@ use super::look::{Look, MapPose};
 use super::patches::{PatchMatch, PatchPlan, PatchSearch, find_patches};
 use super::prior::PosePrior;
 use super::sweep::{Guess, are_beside, sweep};
-use crate::camera::CameraModel;
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
+use pilotage_raster::camera::CameraModel;
 
 /// Guesses of the sweep that are refined at first.
 const GUESSES: usize = 6;

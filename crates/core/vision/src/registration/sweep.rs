@@ -5,8 +5,8 @@ use nalgebra::Point3;
 use super::ground::GroundPicture;
 use super::look::{Look, MapPose};
 use super::prior::{PosePrior, REACH};
-use crate::frames::{GroundPoint, GroundRect, Pose, wrap_pi};
-use crate::raster::{Raster, SearchSpectrum, Template};
+use pilotage_base::frames::{GroundPoint, GroundRect, Pose, wrap_pi};
+use pilotage_raster::raster::{Raster, SearchSpectrum, Template};
 
 /// Pixels across the longer side of the frame.
 const ACROSS: f64 = 64.0;

@@ -1,6 +1,6 @@
 //! What is left of a picture when light and haze are taken away.
 
-use crate::raster::{Gray, IntegralImage};
+use pilotage_raster::raster::{Gray, IntegralImage};
 
 /// Contrast below this, grey levels, is noise of the camera and of the file rather than texture.
 const NOISE: f64 = 2.0;

@@ -99,7 +99,7 @@ mod tests {
     use crate::landmark::cascade::{
         Feature, HaarFeature, Split, TrainedStage, TrainedTree, responses, stage_features,
     };
-    use crate::raster::Raster;
+    use pilotage_raster::raster::Raster;
 
     fn picture() -> Raster<u8> {
         Raster::from_fn(40, 30, |x, y| {

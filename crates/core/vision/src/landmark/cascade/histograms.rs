@@ -1,7 +1,7 @@
 //! Sums over rectangles of the strength of a picture's edges, by their direction.
 
 use super::grid::Grid;
-use crate::raster::Raster;
+use pilotage_raster::raster::Raster;
 
 /// Directions that are told apart, over half a turn.
 pub(super) const DIRECTIONS: usize = 9;

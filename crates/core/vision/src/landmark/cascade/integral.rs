@@ -1,7 +1,7 @@
 //! Sums over rectangles of a picture.
 
 use super::grid::Grid;
-use crate::raster::Raster;
+use pilotage_raster::raster::Raster;
 
 /// Sums of all pixels above and to the left of each corner, in a table of one column and one row more
 /// than the picture. They may overflow: differences of them do not.

@@ -4,7 +4,7 @@ use super::grid::Grid;
 use super::histograms::{DIRECTIONS, Histograms, unit};
 use super::integral::Integral;
 use super::model::{Area, Feature, Kind, any_tilted, kind};
-use crate::raster::Raster;
+use pilotage_raster::raster::Raster;
 
 /// A corner-wise sum: four places of a table relative to the window's first.
 pub(super) type Corners = [usize; 4];

@@ -3,7 +3,7 @@
 use super::grid::Grid;
 use super::layout::Layout;
 use super::model::{Feature, Kind, kind};
-use crate::raster::Raster;
+use pilotage_raster::raster::Raster;
 
 /// A window with one pixel more on every side: gradients at its rim look there.
 #[derive(Clone, Debug, PartialEq)]

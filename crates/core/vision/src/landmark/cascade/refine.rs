@@ -4,7 +4,7 @@ use super::model::{Cascade, Stage};
 use super::responses::responses;
 use super::scale::resized;
 use super::scan::Scanned;
-use crate::raster::Raster;
+use pilotage_raster::raster::Raster;
 
 /// How far around a window others are asked, pixels of its scale's copy.
 const REACH: f64 = 4.0;

@@ -2,7 +2,7 @@
 
 use super::model::Cascade;
 use super::rows::{BATCH, Rows, Scratch};
-use crate::raster::Raster;
+use pilotage_raster::raster::Raster;
 
 /// What a cascade says of every window, by the window's upper left pixel; narrower and lower than the
 /// picture by the window less one pixel, and empty if the window is larger.

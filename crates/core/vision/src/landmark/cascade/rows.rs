@@ -4,7 +4,7 @@ use super::grid::Grid;
 use super::layout::{Layout, Tables};
 use super::model::{Cascade, Kind};
 use super::simd::{self, Program, Windows};
-use crate::raster::Raster;
+use pilotage_raster::raster::Raster;
 
 /// Rows whose windows are shown the later stages together.
 pub(super) const BATCH: usize = 16;

@@ -2,7 +2,7 @@
 //! bits, rounded to the nearest, halves to the even one.
 
 use super::simd;
-use crate::raster::Raster;
+use pilotage_raster::raster::Raster;
 
 /// For each pixel of the copy, the first of two source pixels and the weight of the second, of 256;
 /// that is zero where there is no second.

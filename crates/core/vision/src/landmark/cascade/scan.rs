@@ -3,7 +3,7 @@
 use super::model::Cascade;
 use super::rows::{BATCH, Rows, Scratch};
 use super::scale::resized;
-use crate::raster::Raster;
+use pilotage_raster::raster::Raster;
 
 /// Which windows are looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]

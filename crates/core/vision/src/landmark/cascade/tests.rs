@@ -1,7 +1,7 @@
 //! Cascades against plain computations and hand-made pictures.
 
 use super::*;
-use crate::raster::Raster;
+use pilotage_raster::raster::Raster;
 
 /// A picture with structure in all directions.
 fn picture(width: usize, height: usize) -> Raster<u8> {

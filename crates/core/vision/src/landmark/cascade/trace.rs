@@ -8,7 +8,7 @@ use super::model::{Area, Cascade, Feature};
 use super::patch::Patch;
 use super::responses::responses;
 use super::scale::resized;
-use crate::raster::Raster;
+use pilotage_raster::raster::Raster;
 
 /// How the windows of one scale fare.
 #[derive(Clone, Debug, PartialEq)]

@@ -3,7 +3,7 @@
 use super::grid::Grid;
 use super::layout::{Layout, Tables};
 use super::model::{Cascade, Tree};
-use crate::raster::Raster;
+use pilotage_raster::raster::Raster;
 
 /// A picture seen through a cascade.
 pub(super) struct Sight<'a> {

@@ -17,5 +17,5 @@ pub use likelihood::Likelihood;
 pub use model::{DetectorWindow, TemplateLikelihood, TrainedDetector};
 pub use precision::{ByScore, MarkPrecision, Reading, ScoreScale};
 pub use search::{Mark, search};
-pub(crate) use search::{SearchedGround, to_bytes};
+pub use search::{SearchedGround, to_bytes};
 pub use variants::{Preparation, Steps, Variant, Variants};

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Likelihood, MarkPrecision, Variants};
-use crate::frames::GroundRect;
 use crate::landmark::cascade::Cascade;
+use pilotage_base::frames::GroundRect;
 
 /// Longer side of the window, pixels.
 const LONGER: f64 = 32.0;

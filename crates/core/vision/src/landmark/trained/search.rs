@@ -5,13 +5,13 @@ use std::cmp::Ordering;
 use nalgebra::Point3;
 
 use super::{DetectorWindow, Variant};
-use crate::frames::{GroundPoint, Pose};
-use crate::imagery::Window;
 use crate::landmark::cascade::{Cascade, Responses, responses};
 use crate::landmark::patch::window_around;
 use crate::landmark::template::in_picture;
 use crate::landmark::{FrameView, GroundView, Refusal, rectify};
-use crate::raster::{IntegralImage, Raster};
+use pilotage_base::frames::{GroundPoint, Pose};
+use pilotage_raster::imagery::Window;
+use pilotage_raster::raster::{IntegralImage, Raster};
 
 /// Share of the window that the camera must have seen.
 const LEAST_COVERAGE: f64 = 0.995;
@@ -77,7 +77,7 @@ pub fn search(
 }
 
 /// The ground that is searched in one variant, and what the cascade says of it.
-pub(crate) struct SearchedGround<'a> {
+pub struct SearchedGround<'a> {
     /// The picture from the variant's pose.
     view: FrameView<'a>,
     /// The pose that is assumed.

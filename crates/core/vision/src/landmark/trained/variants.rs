@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::frames::{Attitude, Pose};
+use pilotage_base::frames::{Attitude, Pose};
 
 /// Turn to either side that a cascade learns to overlook, radians: the ±5° of the thesis.
 const TURN: f64 = 5.0 * std::f64::consts::PI / 180.0;
@@ -167,8 +167,8 @@ mod tests {
     use nalgebra::Point3;
 
     use super::*;
-    use crate::camera::CameraModel;
-    use crate::frames::GroundPoint;
+    use pilotage_base::frames::GroundPoint;
+    use pilotage_raster::camera::CameraModel;
 
     /// Turn and log of the size with which a metre of ground from `place` to the north appears on the
     /// ground to somebody who believes `assumed`, and where `place` does.

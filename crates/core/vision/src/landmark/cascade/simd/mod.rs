@@ -119,7 +119,7 @@ mod tests {
     use super::*;
     use crate::landmark::cascade::grid::Grid;
     use crate::landmark::cascade::{Cascade, Feature, Split, TrainedStage, TrainedTree};
-    use crate::raster::Raster;
+    use pilotage_raster::raster::Raster;
 
     #[test]
     fn the_best_instructions_say_what_the_plainest_say() {

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::boost::Boosting;
 use super::stump::Stump;
 use super::table::Table;
-use crate::filter::chi_square_quantile;
+use pilotage_base::statistics::chi_square_quantile;
 
 /// One group of samples in so many is only judged: a stage that knew them all would think too well of
 /// itself.
