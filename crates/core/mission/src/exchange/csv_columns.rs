@@ -1,7 +1,7 @@
 //! What the columns of a table mean, guessed from their names.
 
-use crate::frames::AltitudeFrame;
-use crate::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
+use pilotage_base::frames::AltitudeFrame;
+use pilotage_base::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
 
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,10 +7,10 @@ use serde_json::Value;
 use super::ExchangeError;
 use super::csv_columns::{Column, Role, Unit, columns};
 use super::read::{Found, POINT_BOX};
-use crate::frames::{Altitude, AltitudeFrame, GroundPoint};
 use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
 use crate::mission::way_point_file::{action_of_word, frame_of_word};
 use crate::mission::{USUAL_ALTITUDE, WayPoint};
+use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
 
 /// Reads a table with a header line.
 pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {

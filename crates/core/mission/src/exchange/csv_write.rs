@@ -4,10 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::Value;
 
-use crate::frames::{GroundPoint, LocalFrame};
-use crate::landmark::Landmark;
 use crate::mission::way_point_file::{action_word, frame_word};
 use crate::mission::{FEATURE_MEMBER, Route, WayPoint, WayPointAction, degrees, globe};
+use pilotage_base::frames::{GroundPoint, LocalFrame};
+use pilotage_vision::landmark::Landmark;
 
 /// Way-points of routes, one a row.
 pub(super) fn write_routes(routes: &[Route], frame: &LocalFrame) -> String {

@@ -6,11 +6,11 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 
-use crate::frames::LocalFrame;
-use crate::landmark::Landmark;
 use crate::mission::found::{FoundLandmark, FoundRoute, LonLat};
 use crate::mission::text::Text;
 use crate::mission::{Route, read_features, write_features};
+use pilotage_base::frames::LocalFrame;
+use pilotage_vision::landmark::Landmark;
 
 /// What a feature says: the properties that are ours, and unknown ones that are plain text.
 pub(super) struct Embedded {

@@ -6,13 +6,13 @@ use serde_json::Value;
 
 use super::ExchangeError;
 use super::read::{Found, POINT_BOX};
-use crate::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
-use crate::landmark::Landmark;
 use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
 use crate::mission::text::Text;
 use crate::mission::{
     FEATURE_MEMBER, Route, USUAL_ALTITUDE, WayPoint, read_features, write_features,
 };
+use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
+use pilotage_vision::landmark::Landmark;
 
 /// Reads a collection, a single feature or a bare geometry.
 pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {

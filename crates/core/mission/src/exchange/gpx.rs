@@ -8,10 +8,10 @@ use super::ExchangeError;
 use super::embedded::{self, Item};
 use super::read::{Found, POINT_BOX};
 use super::xml::{Element, Source, escape};
-use crate::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
-use crate::landmark::Landmark;
 use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
 use crate::mission::{Route, USUAL_ALTITUDE, WayPoint, degrees, globe};
+use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
+use pilotage_vision::landmark::Landmark;
 
 /// Element in a route's extensions that holds what only we know.
 const OWN: &str = "feature";

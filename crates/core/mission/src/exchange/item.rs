@@ -5,8 +5,8 @@ use std::fmt::Write;
 use serde::Deserialize;
 use serde_json::Value;
 
-use crate::frames::{Altitude, AltitudeFrame};
 use crate::mission::WayPointAction;
+use pilotage_base::frames::{Altitude, AltitudeFrame};
 
 pub(super) const WAY_POINT: u16 = 16;
 const LOITER_UNLIMITED: u16 = 17;

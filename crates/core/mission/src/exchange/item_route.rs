@@ -14,9 +14,9 @@ use super::item::{
     CHANGE_SPEED, Item, JUMP, RETURN_TO_LAUNCH, WAY_POINT, command_name, command_of, counted,
     frame_number,
 };
-use crate::frames::{Altitude, GroundPoint, LocalFrame};
 use crate::mission::found::{FoundRoute, LonLat, on_globe};
 use crate::mission::{Route, WayPoint, WayPointAction, globe};
+use pilotage_base::frames::{Altitude, GroundPoint, LocalFrame};
 
 /// Property of a way-point with the commands that follow it, and of a route with those before its
 /// first way-point.

@@ -8,10 +8,10 @@ use super::embedded::{self, Item};
 use super::read::{Found, POINT_BOX};
 use super::xml::{Element, Source};
 use super::{ExchangeError, kml_write};
-use crate::flight::files::{FileSet, ZipFiles};
-use crate::frames::{Altitude, AltitudeFrame, GroundPoint};
 use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
 use crate::mission::{USUAL_ALTITUDE, WayPoint};
+use pilotage_base::files::{FileSet, ZipFiles};
+use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
 
 /// Geometries that a placemark may have.
 const GEOMETRIES: [&str; 7] = [

@@ -7,10 +7,10 @@ use serde_json::Value;
 
 use super::embedded::{self, Embedded};
 use super::xml::escape;
-use crate::flight::files::{FileSink, ZipSink};
-use crate::frames::{AltitudeFrame, GroundPoint, LocalFrame};
-use crate::landmark::Landmark;
 use crate::mission::{Route, degrees, globe};
+use pilotage_base::files::{FileSink, ZipSink};
+use pilotage_base::frames::{AltitudeFrame, GroundPoint, LocalFrame};
+use pilotage_vision::landmark::Landmark;
 
 /// Name of the datum that holds what only we know.
 pub(super) const OWN: &str = "pilotage";

@@ -12,10 +12,10 @@ use super::ExchangeError;
 use super::item::Item;
 use super::item_route::{self, Home, Step, Written, home_of, members, route_of, steps_of};
 use super::read::Found;
-use crate::frames::{Altitude, AltitudeFrame, LocalFrame};
 use crate::mission::text::{Members, Text};
 use crate::mission::way_point_file::kept;
 use crate::mission::{MissionError, Route, degrees};
+use pilotage_base::frames::{Altitude, AltitudeFrame, LocalFrame};
 
 /// Prefixes of a route's properties that are members of the plan and of its mission.
 const PLAN: &str = "plan:";

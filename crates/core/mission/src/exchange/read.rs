@@ -1,11 +1,11 @@
 //! One entry for all formats that are read.
 
 use super::{ExchangeError, Format, csv_read, geojson, gpx, kml_read, plan, waypoints};
-use crate::frames::{Geodetic, LocalFrame};
-use crate::landmark::Landmark;
 use crate::mission::Route;
 pub(super) use crate::mission::found::POINT_BOX;
 use crate::mission::found::{self, FoundLandmark, FoundRoute};
+use pilotage_base::frames::{Geodetic, LocalFrame};
+use pilotage_vision::landmark::Landmark;
 
 /// What a file brought.
 #[derive(Clone, Debug, PartialEq)]

@@ -8,8 +8,8 @@ use super::ExchangeError;
 use super::item::{Item, WAY_POINT, counted};
 use super::item_route::{Home, Step, Written, home_of, route_of, steps_of};
 use super::read::Found;
-use crate::frames::LocalFrame;
 use crate::mission::{Route, degrees};
+use pilotage_base::frames::LocalFrame;
 
 const HEADER: &str = "QGC WPL 110";
 

@@ -1,9 +1,9 @@
 //! One entry for all formats that are written.
 
 use super::{ExchangeError, Format, csv_write, geojson, gpx, kml_write, plan, waypoints};
-use crate::frames::LocalFrame;
-use crate::landmark::Landmark;
 use crate::mission::Route;
+use pilotage_base::frames::LocalFrame;
+use pilotage_vision::landmark::Landmark;
 
 /// A file that was written.
 #[derive(Clone, Debug, PartialEq, Eq)]

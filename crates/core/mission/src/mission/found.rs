@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{NoFlyZone, Route, WayPoint, globe};
-use crate::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
-use crate::landmark::Landmark;
+use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
+use pilotage_vision::landmark::Landmark;
 
 /// Longitude and latitude, degrees.
 pub(crate) type LonLat = (f64, f64);

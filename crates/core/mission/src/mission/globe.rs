@@ -1,6 +1,6 @@
 //! Ground points of a mission as longitude and latitude.
 
-use crate::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
+use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
 
 /// Longitude and latitude in degrees of a point on the plane through the origin.
 pub(crate) fn lon_lat(frame: &LocalFrame, p: &GroundPoint) -> (f64, f64) {

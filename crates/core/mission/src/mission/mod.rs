@@ -6,7 +6,6 @@ mod error;
 pub(crate) mod found;
 pub(crate) mod globe;
 mod labels;
-mod map_file;
 mod no_fly;
 pub mod package;
 pub mod pattern;
@@ -24,7 +23,6 @@ mod write;
 
 pub use error::MissionError;
 pub use labels::{FrameLabels, LabelBox};
-pub use map_file::{MapError, MapOptions, OpenMap, open_map, open_map_with};
 pub use no_fly::NoFlyZone;
 pub use place_file::{belongs_to, place_files};
 pub(crate) use read::read_features;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
 
 /// An area that must not be flown over.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

@@ -9,7 +9,7 @@ use serde_json::value::RawValue;
 use serde_json::{Value, json};
 
 use super::{Mission, MissionError, read_mission, write_mission};
-use crate::flight::files::{FileSet, FileSink, ZipFiles, ZipSink};
+use pilotage_base::files::{FileSet, FileSink, ZipFiles, ZipSink};
 
 /// Version of the mission file that is written.
 pub const PACKAGE_VERSION: u64 = 2;

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::camera::CameraModel;
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
+use pilotage_raster::camera::CameraModel;
 
 /// Farthest that a mitred corner of a corridor's pass may lie, times the offset of the pass.
 const MITRE_LIMIT: f64 = 3.0;

@@ -1,6 +1,6 @@
 //! The files beside a picture that say where it lies.
 
-use crate::imagery::{Georeference, WorldFile};
+use pilotage_base::georeference::{Georeference, WorldFile};
 
 /// Whether a file belongs beside the picture `name`, by its name: `area.jgw`, `area.prj` and
 /// `area_georef.json` belong to `area.jpg`.
@@ -10,7 +10,7 @@ pub fn belongs_to(file: &str, name: &str) -> bool {
     rest.is_some_and(|rest| rest.starts_with('.') || rest.starts_with("_georef"))
 }
 
-/// The files that put the picture `name` where `place` says, as [`open_map`](super::open_map) reads
+/// The files that put the picture `name` where `place` says, as [`open_map`](pilotage_maps::open_map) reads
 /// them: names and contents.
 pub fn place_files(name: &str, place: &Georeference) -> Vec<(String, Vec<u8>)> {
     let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);

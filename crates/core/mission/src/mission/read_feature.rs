@@ -8,7 +8,7 @@ use super::found::{Extent, FoundLandmark, FoundNoFly, FoundRoute, LonLat, on_glo
 use super::text::{Members, Text};
 use super::way_point_file::{USUAL_ALTITUDE, kept, read_way_point};
 use super::{FEATURE_MEMBER, MissionError, NO_FLY_MARK, ROUTE_MARK, WayPoint};
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
 
 /// What a feature is to us.
 pub(super) enum Feature {

@@ -6,12 +6,12 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::{FrameLabels, NoFlyZone, Route};
-use crate::alignment::CameraAdjustment;
-use crate::camera::CameraModel;
-use crate::flight::Flight;
-use crate::frames::{AltitudeReference, Geodetic};
-use crate::landmark::Landmark;
-use crate::navigator::NavigatorSettings;
+use crate::settings::CameraAdjustment;
+use crate::settings::NavigatorSettings;
+use pilotage_base::frames::{AltitudeReference, Geodetic};
+use pilotage_flight::Flight;
+use pilotage_raster::camera::CameraModel;
+use pilotage_vision::landmark::Landmark;
 
 /// Member of the file with the height of level ground, metres above mean sea level. The world's plane
 /// stays where its origin is, whatever the ground is said to be.

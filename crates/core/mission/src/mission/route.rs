@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use crate::frames::{Altitude, GroundPoint};
+use pilotage_base::frames::{Altitude, GroundPoint};
 
 /// What is done at a way-point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -111,7 +111,7 @@ impl Route {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::frames::AltitudeFrame;
+    use pilotage_base::frames::AltitudeFrame;
 
     fn route() -> Route {
         let at = |north, east, speed| WayPoint {

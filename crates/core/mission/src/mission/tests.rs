@@ -3,11 +3,11 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::alignment::CameraAdjustment;
-use crate::camera::CameraModel;
-use crate::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint, GroundRect};
-use crate::landmark::Landmark;
-use crate::navigator::{NavigatorSettings, VehicleChoice};
+use crate::settings::CameraAdjustment;
+use crate::settings::{NavigatorSettings, VehicleChoice};
+use pilotage_base::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint, GroundRect};
+use pilotage_raster::camera::CameraModel;
+use pilotage_vision::landmark::Landmark;
 
 fn mission() -> Mission {
     let mut barn = Landmark::new(
@@ -301,7 +301,7 @@ proptest! {
         east in -3000.0_f64..3000.0,
         latitude in -80.0_f64..80.0,
     ) {
-        let frame = crate::frames::LocalFrame::new(Geodetic::from_degrees(latitude, 11.0, 50.0));
+        let frame = pilotage_base::frames::LocalFrame::new(Geodetic::from_degrees(latitude, 11.0, 50.0));
         let p = GroundPoint::new(north, east);
         let (longitude, latitude) = globe::lon_lat(&frame, &p);
         prop_assert!(globe::ground(&frame, longitude, latitude).distance(&p) < 1e-4);

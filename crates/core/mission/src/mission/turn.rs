@@ -2,8 +2,8 @@
 
 use nalgebra::Vector2;
 
-use crate::frames::GroundPoint;
-use crate::frames::units::GRAVITY;
+use pilotage_base::frames::GroundPoint;
+use pilotage_base::frames::units::GRAVITY;
 
 /// An arc that leaves one leg and ends on the next.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use super::text::{Members, Text};
 use super::{MissionError, WayPoint, WayPointAction};
-use crate::frames::{Altitude, AltitudeFrame, GroundPoint};
+use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
 
 /// Altitude of way-points where a file states none.
 pub const USUAL_ALTITUDE: Altitude = Altitude::new(100.0, AltitudeFrame::AboveTakeOff);

@@ -11,10 +11,10 @@ use super::{
     CAMERA_TO_LOG, FEATURE_MEMBER, LABELS, MapReference, Mission, NO_FLY_MARK, NoFlyZone,
     OTHER_FEATURES, ROUTE_MARK, Route, VERSION,
 };
-use crate::flight::{CameraFile, OriginFile};
-use crate::frames::{GroundPoint, LocalFrame};
-use crate::landmark::Landmark;
-use crate::landmark::annotations::OUTLINE;
+use pilotage_base::frames::{GroundPoint, LocalFrame};
+use pilotage_flight::{CameraFile, OriginFile};
+use pilotage_vision::landmark::Landmark;
+use pilotage_vision::landmark::annotations::OUTLINE;
 
 /// The mission as GeoJSON text, with everything in it that its file had and we do not know.
 pub fn write_mission(mission: &Mission) -> String {

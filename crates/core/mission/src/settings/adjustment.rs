@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::camera::CameraModel;
-use crate::flight::Flight;
+use pilotage_flight::Flight;
+use pilotage_raster::camera::CameraModel;
 
 /// Fastest drift that a clock can be said to have, seconds per second.
 const MOST_DRIFT: f64 = 0.1;

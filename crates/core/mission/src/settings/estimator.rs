@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::filter::ParticleSettings;
+use pilotage_estimation::filter::ParticleSettings;
 
 /// The estimators that work on the vehicle models, the registry of them: one line each here, and one
 /// in `engine::engine`.

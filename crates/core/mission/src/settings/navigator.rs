@@ -4,9 +4,9 @@ use nalgebra::{Matrix4, Vector4};
 use serde::{Deserialize, Serialize};
 
 use super::EstimatorSettings;
-use crate::landmark::TemplateSettings;
-use crate::registration::FollowSettings;
-use crate::vehicle::{Multirotor, VelocityDriven};
+use pilotage_estimation::vehicle::{Multirotor, VelocityDriven};
+use pilotage_vision::landmark::TemplateSettings;
+use pilotage_vision::registration::FollowSettings;
 
 /// Which process model the filter uses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

@@ -14,9 +14,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::{Deserialize, Serialize};
 
 use super::{ExchangeError, Written};
-use crate::flight::files::{FileSink as _, ZipSink};
-use crate::landmark::Landmark;
 use crate::mission::{FrameLabels, LabelBox};
+use pilotage_base::files::{FileSink as _, ZipSink};
+use pilotage_vision::landmark::Landmark;
 
 /// A format of labels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]

@@ -1,8 +1,8 @@
 //! Labels written and read again, other people's files, broken ones.
 
 use super::*;
-use crate::flight::files::{FileSet as _, ZipFiles};
-use crate::frames::{GroundPoint, GroundRect};
+use pilotage_base::files::{FileSet as _, ZipFiles};
+use pilotage_base::frames::{GroundPoint, GroundRect};
 
 const SIZE: (u32, u32) = (1000, 750);
 

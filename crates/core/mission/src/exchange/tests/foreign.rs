@@ -2,9 +2,9 @@
 
 use super::super::{ExchangeError, Format, read_any, write_landmarks, write_route};
 use super::{frame, route};
-use crate::frames::{Altitude, AltitudeFrame, GroundPoint, GroundRect};
-use crate::landmark::Landmark;
 use crate::mission::USUAL_ALTITUDE;
+use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint, GroundRect};
+use pilotage_vision::landmark::Landmark;
 
 fn barn() -> Landmark {
     let mut barn = Landmark::new(

@@ -4,8 +4,8 @@ mod foreign;
 mod plan;
 mod round_trip;
 
-use crate::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint, LocalFrame};
 use crate::mission::{Route, WayPoint, WayPointAction};
+use pilotage_base::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint, LocalFrame};
 
 pub(super) fn frame() -> LocalFrame {
     LocalFrame::new(Geodetic::from_degrees(47.4, 8.5, 400.0))

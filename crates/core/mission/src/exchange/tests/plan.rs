@@ -2,8 +2,8 @@
 
 use super::super::{ExchangeError, Format, plan_schema, read_any, write_route};
 use super::{assert_same_way_points, frame, route};
-use crate::frames::{Altitude, AltitudeFrame, GroundPoint};
 use crate::mission::{Route, WayPointAction};
+use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
 
 /// A plan as a ground station leaves it, with much that we do not know.
 const SURVEY: &str = r#"{

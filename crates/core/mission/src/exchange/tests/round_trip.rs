@@ -4,8 +4,8 @@ use proptest::prelude::*;
 
 use super::super::{Format, read_any, write_route};
 use super::{assert_same_way_points, frame, route};
-use crate::frames::{Altitude, AltitudeFrame, GroundPoint};
 use crate::mission::{Route, WayPoint, WayPointAction};
+use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
 
 fn any_way_point() -> impl Strategy<Value = WayPoint> {
     let action = prop_oneof![

@@ -1,0 +1,11 @@
+//! What people can set: about the navigator, its estimator, and the camera beside its log.
+
+mod adjustment;
+mod estimator;
+mod navigator;
+
+pub use adjustment::CameraAdjustment;
+pub use estimator::{EstimatorChoice, EstimatorSettings};
+pub use navigator::{
+    Cruise, NavigatorSettings, ProcessNoise, SensorNoise, StartError, VehicleChoice,
+};
