@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use super::files::{FileSet, folder_of, joined};
 use super::folder::FolderFrames;
-use super::{Flight, Frame, FrameSource};
-use crate::camera::CameraModel;
+use pilotage_base::files::{FileSet, folder_of, joined};
+use pilotage_flight::{Flight, Frame, FrameSource};
+use pilotage_raster::camera::CameraModel;
 
 /// Name of the table of times that lies beside pictures.
 pub const PICTURE_TABLE: &str = "frames.csv";
@@ -118,10 +118,10 @@ mod tests {
     use std::fmt::Write as _;
 
     use super::*;
-    use crate::flight::files::MemoryFiles;
-    use crate::flight::interpret::flight_from_log;
-    use crate::flight::log::{Log, recognise};
-    use crate::raster::{Picture, encode_png};
+    use crate::interpret::flight_from_log;
+    use crate::log::{Log, recognise};
+    use pilotage_base::files::MemoryFiles;
+    use pilotage_raster::raster::{Picture, encode_png};
 
     fn flight() -> Flight {
         let mut text = String::from(

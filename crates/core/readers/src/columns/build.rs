@@ -7,12 +7,12 @@ use nalgebra::Point3;
 
 use super::together::common_name;
 use super::{ColumnMap, ColumnRole, MappedColumn, time};
-use crate::flight::files::FileSet;
-use crate::flight::folder::{
+use crate::folder::{
     ChannelFile, FlightFile, FlightFolder, FolderError, StartFile, Table, TimeColumn, TimeFormat,
     VERSION, ValueColumn, read_tables,
 };
-use crate::flight::{Channel, ChannelName, OriginFile, Truth, TruthState};
+use pilotage_base::files::FileSet;
+use pilotage_flight::{Channel, ChannelName, OriginFile, Truth, TruthState};
 
 /// Standard deviation per axis of the first position, metres.
 const GPS_DEVIATION: f64 = 5.0;
@@ -199,7 +199,7 @@ fn first_place(
     maps.iter().find_map(|map| {
         let table = tables.get(&map.file)?;
         let angles = |role| {
-            let dimension = crate::flight::folder::Dimension::Angle;
+            let dimension = crate::folder::Dimension::Angle;
             table.values(&value(map.column(role)?), dimension).ok()
         };
         let pairs = angles(ColumnRole::Latitude)?

@@ -8,7 +8,7 @@ use super::names::{NameGuess, meanings};
 use super::time::unit_of_time;
 use super::values::{UnitGuess, are_degrees, unit};
 use super::{Alternative, ColumnMap, ColumnRole, MappedColumn, Sample, TableShape};
-use crate::flight::folder::{Dimension, decoded};
+use crate::folder::{Dimension, decoded};
 
 /// Bytes of the beginning that are looked at for the shape, and of each of the places that are looked at for values.
 const HEAD: usize = 1 << 16;
@@ -141,7 +141,7 @@ fn samples(head: &str, bytes: &[u8], shape: &TableShape) -> (Vec<Sample>, f64) {
 
 /// A column that may be the time.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::flight) struct TimeGuess {
+pub(crate) struct TimeGuess {
     /// Which column.
     pub column: usize,
     /// Its unit.
@@ -153,7 +153,7 @@ pub(in crate::flight) struct TimeGuess {
 }
 
 /// The column that is the time.
-pub(in crate::flight) fn guess_time(samples: &[Sample], share: f64) -> Option<TimeGuess> {
+pub(crate) fn guess_time(samples: &[Sample], share: f64) -> Option<TimeGuess> {
     let candidates = times(samples, share).into_iter();
     // Of equals the first.
     candidates.fold(None, |best: Option<TimeGuess>, found| match best {
@@ -198,7 +198,7 @@ pub(super) fn times(samples: &[Sample], share: f64) -> Vec<TimeGuess> {
 }
 
 /// What columns mean of which these are samples, `share` of all rows.
-pub(in crate::flight) fn guess_columns(samples: &[Sample], share: f64) -> Vec<MappedColumn> {
+pub(crate) fn guess_columns(samples: &[Sample], share: f64) -> Vec<MappedColumn> {
     let time = guess_time(samples, share);
     let taken: Vec<(Parts, Vec<NameGuess>)> = samples
         .iter()
@@ -341,8 +341,8 @@ fn column(
 
 /// Leaves each role to the column that most likely is it, and takes away those that are of no use alone.
 fn settle(columns: &mut [MappedColumn]) {
-    use crate::flight::ChannelName::{GpsEast, GpsNorth};
     use ColumnRole::{Channel, Course, Latitude, Longitude, SpeedOverGround};
+    use pilotage_flight::ChannelName::{GpsEast, GpsNorth};
     for index in 0..columns.len() {
         let (role, confidence) = (columns[index].role, columns[index].confidence);
         let better = columns.iter().enumerate().find(|(other, column)| {

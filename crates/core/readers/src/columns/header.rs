@@ -1,6 +1,6 @@
 //! Names of columns taken apart: words and unit.
 
-use crate::flight::folder::Dimension;
+use crate::folder::Dimension;
 
 /// Ways of writing the units that are known, besides their own names.
 const SPELLINGS: [(&str, &[&str]); 22] = [
@@ -220,7 +220,7 @@ fn find_in(spellings: &[(&'static str, &[&str])], text: &str) -> Option<&'static
 }
 
 /// The unit of that dimension which `text` says, in any spelling.
-pub(in crate::flight) fn unit_in(text: &str, dimension: Dimension) -> Option<&'static str> {
+pub(crate) fn unit_in(text: &str, dimension: Dimension) -> Option<&'static str> {
     let text = text.trim().to_lowercase();
     let of_dimension = |name: &str| dimension.factor(Some(name)).is_ok();
     // The same letters may be units of several dimensions.

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::TableShape;
-use crate::flight::{ChannelName, Quantity};
+use pilotage_flight::{ChannelName, Quantity};
 
 /// What a column means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -68,8 +68,8 @@ impl ColumnRole {
             Self::Nothing => Vec::new(),
             Self::Time => super::time::UNITS.to_vec(),
             role => {
-                let dimension = role.quantity().map(crate::flight::folder::Dimension::from);
-                dimension.map_or_else(Vec::new, crate::flight::folder::Dimension::names)
+                let dimension = role.quantity().map(crate::folder::Dimension::from);
+                dimension.map_or_else(Vec::new, crate::folder::Dimension::names)
             }
         }
     }
@@ -77,7 +77,7 @@ impl ColumnRole {
     /// What a value in `unit` is multiplied by to be in SI and radians; `None` for what has no quantity, and for
     /// units that are none of its own.
     pub fn factor(self, unit: &str) -> Option<f64> {
-        let dimension = crate::flight::folder::Dimension::of(self.quantity()?);
+        let dimension = crate::folder::Dimension::of(self.quantity()?);
         dimension.factor(Some(unit)).ok()
     }
 }

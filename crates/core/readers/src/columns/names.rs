@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use super::ColumnRole;
-use crate::flight::ChannelName;
+use pilotage_flight::ChannelName;
 
 /// Words that a column may be called by, what it is then, how surely, and the sign of its values.
 struct Rule {

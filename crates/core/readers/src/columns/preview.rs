@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::ColumnMap;
-use crate::flight::folder::decoded;
+use crate::folder::decoded;
 
 /// Bytes of the beginning that are looked at.
 const HEAD: usize = 1 << 18;

@@ -2,7 +2,7 @@
 
 /// A column: its name, its unit, and some of its cells in their order.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(in crate::flight) struct Sample {
+pub(crate) struct Sample {
     /// Name as the table has it.
     pub name: String,
     /// Unit as the table says it beside the name, or empty.

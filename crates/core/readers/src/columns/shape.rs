@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize};
 
-use crate::flight::folder::date_and_time;
+use crate::folder::date_and_time;
 
 /// Lines that are looked at.
 const LINES: usize = 200;
@@ -142,7 +142,7 @@ impl TableShape {
 }
 
 /// The number in a cell: with a decimal comma where told so, else with a point.
-pub(in crate::flight) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
+pub(crate) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
     if has_decimal_comma && cell.contains(',') {
         return cell.replacen(',', ".", 1).parse().ok();
     }

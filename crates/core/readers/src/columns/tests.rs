@@ -4,8 +4,8 @@ use std::sync::Arc;
 use proptest::prelude::*;
 
 use super::*;
-use crate::flight::ChannelName;
-use crate::flight::files::{FileSet, MemoryFiles};
+use pilotage_base::files::{FileSet, MemoryFiles};
+use pilotage_flight::ChannelName;
 
 use ColumnRole::{Channel, Course, Latitude, Longitude, Nothing, SpeedOverGround, Time};
 
@@ -42,7 +42,7 @@ fn files(tables: &[(&str, &str)]) -> Arc<dyn FileSet> {
 fn recorded(names: &[&str]) -> Option<Arc<dyn FileSet>> {
     let folder = concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/../../../shared/data/inertialnav_x8"
+        "/../../../../shared/data/inertialnav_x8"
     );
     let mut found = MemoryFiles::default();
     for name in names {

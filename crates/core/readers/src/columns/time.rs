@@ -1,7 +1,7 @@
 //! Which column is the time, and in what unit.
 
 use super::Sample;
-use crate::flight::folder::date_and_time;
+use crate::folder::date_and_time;
 
 /// Units that a time may be in: seconds, parts of them, date and time.
 pub(super) const UNITS: [&str; 5] = ["s", "ms", "us", "ns", "date and time"];

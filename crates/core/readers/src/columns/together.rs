@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 
 use super::guess::{TimeGuess, give_up, guess_with_samples, time_column, times};
 use super::{ColumnMap, ColumnRole, Preview, Sample, preview};
-use crate::flight::ChannelName;
-use crate::flight::files::FileSet;
+use pilotage_base::files::FileSet;
+use pilotage_flight::ChannelName;
 
 /// Rows that are shown of a table.
 const SHOWN: usize = 4;

@@ -1,7 +1,7 @@
 //! What the values of a column say of its unit.
 
 use super::{ColumnRole, Sample};
-use crate::flight::Quantity;
+use pilotage_flight::Quantity;
 
 /// Standard gravity, m/s².
 const GRAVITY: f64 = 9.806_65;

@@ -1,8 +1,8 @@
 //! The series of a log by name, for expressions.
 
 use super::{Samples, SeriesSource};
-use crate::flight::interpret::{Role, series};
-use crate::flight::log::{FieldLayout, Log, Topic, TopicName};
+use crate::interpret::{Role, series};
+use crate::log::{FieldLayout, Log, Topic, TopicName};
 
 /// The topic and the field that a name means, where its dots could part it in several ways.
 fn field<'a>(log: &'a Log, name: &str) -> Option<(&'a Topic, &'a FieldLayout)> {

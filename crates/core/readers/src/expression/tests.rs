@@ -2,7 +2,7 @@ use approx::assert_abs_diff_eq;
 use proptest::prelude::*;
 
 use super::*;
-use crate::flight::log::{FieldKind, FieldLayout, Log, LogFormat, TopicName};
+use crate::log::{FieldKind, FieldLayout, Log, LogFormat, TopicName};
 
 /// Ten seconds: `A.t` at every second is the time, `A.yaw` a heading that passes north, `B.x` twice as often is
 /// the square of time from second 2 to 8, `Odd} name` a one.

@@ -6,8 +6,8 @@ use super::position::Positions;
 use super::read::{Folder, contents};
 use super::table::Table;
 use super::units::Dimension;
-use crate::flight::{Channel, ChannelName};
-use crate::frames::wrap_pi;
+use pilotage_base::frames::wrap_pi;
+use pilotage_flight::{Channel, ChannelName};
 
 /// Values of a column, `None` where a cell is empty.
 type Values = Vec<Option<f64>>;

@@ -89,7 +89,7 @@ pub(super) fn shortened(text: &str) -> String {
 
 /// Reads `YYYY-MM-DD HH:MM:SS` with `:` or `-` in the date, `T` or a blank between, an optional
 /// fraction and an optional zone; times without a zone are taken as they are.
-pub(in crate::flight) fn date_and_time(text: &str) -> Option<Moment> {
+pub(crate) fn date_and_time(text: &str) -> Option<Moment> {
     let text = text.trim();
     if !text.is_ascii() || text.len() < 19 {
         return None;

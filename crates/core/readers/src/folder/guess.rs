@@ -10,12 +10,12 @@ use super::layout::{
 };
 use super::table::Table;
 use super::units::Dimension;
-use crate::camera::{Distortion, Lens};
-use crate::flight::files::{FileSet, find, folder_of};
-use crate::flight::{CameraFile, MountFile, OriginFile};
-use crate::frames::wrap_pi;
-use crate::imagery::Georeference;
-use crate::raster::decode_picture;
+use pilotage_base::files::{FileSet, find, folder_of};
+use pilotage_base::frames::wrap_pi;
+use pilotage_base::georeference::Georeference;
+use pilotage_flight::{CameraFile, MountFile, OriginFile};
+use pilotage_raster::camera::{Distortion, Lens};
+use pilotage_raster::raster::decode_picture;
 
 /// Columns without which nothing is guessed.
 const NEEDED: [&str; 6] = ["file", "timestamp", "lat", "lon", "rel_alt_m", "gimbal_yaw"];

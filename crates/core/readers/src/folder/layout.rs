@@ -5,14 +5,14 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::clock::TimeFormat;
-use crate::flight::{CameraFile, OriginFile};
+use pilotage_flight::{CameraFile, OriginFile};
 
 /// Version of the layout that is written.
-pub(in crate::flight) const VERSION: u32 = 1;
+pub(crate) const VERSION: u32 = 1;
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(in crate::flight) struct FlightFile {
+pub(crate) struct FlightFile {
     pub pilotage_flight: u32,
     pub name: String,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -40,7 +40,7 @@ pub(in crate::flight) struct FlightFile {
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(in crate::flight) struct StartFile {
+pub(crate) struct StartFile {
     /// Seconds; the first frame's time if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub time_s: Option<f64>,
@@ -58,7 +58,7 @@ pub(in crate::flight) struct StartFile {
 /// How a column of times is read.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(in crate::flight) struct TimeColumn {
+pub(crate) struct TimeColumn {
     pub column: String,
     #[serde(default)]
     pub format: TimeFormat,
@@ -70,7 +70,7 @@ pub(in crate::flight) struct TimeColumn {
 /// How a column of values is read: (cell · scale + offset) in `unit`.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(in crate::flight) struct ValueColumn {
+pub(crate) struct ValueColumn {
     pub column: String,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<String>,
@@ -82,7 +82,7 @@ pub(in crate::flight) struct ValueColumn {
 
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(in crate::flight) struct ChannelFile {
+pub(crate) struct ChannelFile {
     /// A channel's name, or `gps` for latitude and longitude, or `gps_velocity` for speed and course.
     pub name: String,
     pub file: String,
@@ -115,7 +115,7 @@ impl ChannelFile {
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(in crate::flight) struct FramesFile {
+pub(crate) struct FramesFile {
     pub file: String,
     /// Column with the names of the pictures.
     pub name: String,
@@ -130,7 +130,7 @@ pub(in crate::flight) struct FramesFile {
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(in crate::flight) struct TruthFile {
+pub(crate) struct TruthFile {
     /// Series of the true state.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub states: Option<TruthStatesFile>,
@@ -141,7 +141,7 @@ pub(in crate::flight) struct TruthFile {
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(in crate::flight) struct TruthStatesFile {
+pub(crate) struct TruthStatesFile {
     pub file: String,
     pub time: TimeColumn,
     pub position: PositionColumns,
@@ -153,7 +153,7 @@ pub(in crate::flight) struct TruthStatesFile {
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(in crate::flight) struct TruthFramesFile {
+pub(crate) struct TruthFramesFile {
     pub file: String,
     /// Column with the names of the pictures.
     pub name: String,
@@ -165,7 +165,7 @@ pub(in crate::flight) struct TruthFramesFile {
 /// A position in one of three ways, and its height.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
-pub(in crate::flight) struct PositionColumns {
+pub(crate) struct PositionColumns {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub north: Option<ValueColumn>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -187,7 +187,7 @@ pub(in crate::flight) struct PositionColumns {
 /// A place given as pixel of a map picture.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(in crate::flight) struct MapPixelColumns {
+pub(crate) struct MapPixelColumns {
     pub x: ValueColumn,
     pub y: ValueColumn,
     /// World file or fitted similarity of the map picture.
@@ -199,7 +199,7 @@ pub(in crate::flight) struct MapPixelColumns {
 /// Where the centre of the top-left pixel lies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub(in crate::flight) enum PixelCentres {
+pub(crate) enum PixelCentres {
     /// At (½, ½).
     #[default]
     HalfIntegers,
@@ -209,7 +209,7 @@ pub(in crate::flight) enum PixelCentres {
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(in crate::flight) struct AttitudeColumns {
+pub(crate) struct AttitudeColumns {
     pub roll: ValueColumn,
     pub pitch: ValueColumn,
     pub yaw: ValueColumn,
@@ -217,7 +217,7 @@ pub(in crate::flight) struct AttitudeColumns {
 
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(in crate::flight) struct WindColumns {
+pub(crate) struct WindColumns {
     pub north: ValueColumn,
     pub east: ValueColumn,
 }

@@ -6,16 +6,16 @@ use std::sync::Arc;
 use super::layout::{ChannelFile, FlightFile, TimeColumn, ValueColumn};
 use super::table::Table;
 use super::units::Dimension;
-use crate::flight::interpret::{Role, RoleSeries};
-use crate::flight::log::{Cells, Column, Log, LogFormat};
-use crate::flight::{Channel, ChannelName, Flight};
+use crate::interpret::{Role, RoleSeries};
+use crate::log::{Cells, Column, Log, LogFormat};
+use pilotage_flight::{Channel, ChannelName, Flight};
 
 /// What a column is called that is held by a gimbal.
 const GIMBAL: &str = "gimbal";
 
 /// The tables of a flight, and what is said of their columns.
 #[derive(Clone)]
-pub(in crate::flight) struct Tables {
+pub(crate) struct Tables {
     /// What is said of them.
     pub layout: FlightFile,
     /// By the names that the layout has for them.
@@ -187,7 +187,7 @@ impl Tables {
 }
 
 /// The samples of a channel as those of a role.
-pub(in crate::flight) fn of_samples(role: Role, source: String, channel: &Channel) -> RoleSeries {
+pub(crate) fn of_samples(role: Role, source: String, channel: &Channel) -> RoleSeries {
     let samples = channel.times.iter().zip(&channel.values);
     RoleSeries::new(role, source, samples.map(|(t, v)| (*t, Some(*v))))
 }

@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use super::super::read_flight;
 use super::*;
-use crate::flight::FlightFolder;
-use crate::flight::files::MemoryFiles;
-use crate::flight::interpret::log_of_flight;
-use crate::flight::log::TopicName;
-use crate::flight::overview::overview;
+use crate::FlightFolder;
+use crate::interpret::log_of_flight;
+use crate::log::TopicName;
+use crate::overview::overview;
+use pilotage_base::files::MemoryFiles;
 
 const LAYOUT: &str = r#"{
   "pilotage_flight": 1,
@@ -97,7 +97,7 @@ fn what_was_said_of_columns_makes_them_roles_as_the_flight_has_them() {
     assert!((heading.values[1] - 90.1_f64.to_radians()).abs() < 1e-12);
     let pitch = of(Role::Pitch);
     assert!(pitch.is_held && pitch.values.iter().all(|v| v.abs() < 1e-12));
-    let knots = of(Role::Airspeed).values[0] / crate::frames::units::MPS_PER_KNOT;
+    let knots = of(Role::Airspeed).values[0] / pilotage_base::frames::units::MPS_PER_KNOT;
     assert!((knots - 38.0).abs() < 1e-9);
     assert_eq!(of(Role::HeightAboveGround).values[1], 81.0);
     assert!((of(Role::Longitude).values[0].to_degrees() - 8.0).abs() < 1e-12);
@@ -137,7 +137,7 @@ fn its_overview_tells_rates_a_gap_and_what_can_be_done() {
         seen.distance
     );
     assert_eq!(seen.heights, Some((0.0, 4.0)));
-    let can = |seen: &crate::flight::overview::Overview, what: &str| {
+    let can = |seen: &crate::overview::Overview, what: &str| {
         let found = seen.abilities.iter().find(|a| a.what.starts_with(what));
         found.unwrap().lacks.is_none()
     };

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::flight::files::{FileSet, Unresolved, find, joined};
-use crate::flight::{FrameError, FrameSource};
-use crate::raster::{Picture, decode_picture};
+use pilotage_base::files::{FileSet, Unresolved, find, joined};
+use pilotage_flight::{FrameError, FrameSource};
+use pilotage_raster::raster::{Picture, decode_picture};
 
 /// Pictures in files, read and decoded when they are asked for.
 #[derive(Clone)]
@@ -16,7 +16,7 @@ pub struct FolderFrames {
 
 impl FolderFrames {
     /// Pictures of the given names in `directory`, which is looked up in `folders`.
-    pub(in crate::flight) fn new(
+    pub(crate) fn new(
         files: Arc<dyn FileSet>,
         folders: Vec<String>,
         directory: &str,

@@ -7,8 +7,8 @@ use super::layout::{MapPixelColumns, PixelCentres, PositionColumns, ValueColumn}
 use super::read::{Folder, contents, world_point};
 use super::table::Table;
 use super::units::Dimension;
-use crate::frames::{Geodetic, GroundPoint, LocalFrame};
-use crate::imagery::{Georeference, GeoreferenceError};
+use pilotage_base::frames::{Geodetic, GroundPoint, LocalFrame};
+use pilotage_base::georeference::{Georeference, GeoreferenceError};
 
 /// Turns columns into positions of the world frame.
 pub(super) struct Positions {

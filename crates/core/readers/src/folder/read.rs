@@ -17,11 +17,13 @@ use super::pictures::FolderFrames;
 use super::position::Positions;
 use super::table::Table;
 use super::units::Dimension;
-use crate::camera::CameraModel;
-use crate::flight::files::{FileSet, Unresolved, find, folder_of, joined};
-use crate::flight::log::Log;
-use crate::flight::{Channel, ChannelName, Flight, Frame, FrameTruth, StartFix, Truth, TruthState};
-use crate::frames::{Attitude, GroundPoint, LocalFrame};
+use crate::log::Log;
+use pilotage_base::files::{FileSet, Unresolved, find, folder_of, joined};
+use pilotage_base::frames::{Attitude, GroundPoint, LocalFrame};
+use pilotage_flight::{
+    Channel, ChannelName, Flight, Frame, FrameTruth, StartFix, Truth, TruthState,
+};
+use pilotage_raster::camera::CameraModel;
 
 /// Name of the file that makes a folder a flight.
 pub const FLIGHT_FILE: &str = "flight.json";
@@ -34,11 +36,11 @@ pub struct FlightFolder {
     pub frames: FolderFrames,
     /// What was skipped, in words.
     pub notes: Vec<String>,
-    pub(in crate::flight) told: Told,
+    pub(crate) told: Told,
 }
 
 /// What a flight was read from.
-pub(in crate::flight) enum Told {
+pub(crate) enum Told {
     /// Tables, and what is said of their columns.
     Tables(Box<Tables>),
     /// What stands as a log already.
@@ -143,7 +145,7 @@ pub fn read_flight(files: Arc<dyn FileSet>) -> Result<FlightFolder, FolderError>
 }
 
 /// Reads a flight whose layout is known, of tables that are read already.
-pub(in crate::flight) fn read_tables(
+pub(crate) fn read_tables(
     files: Arc<dyn FileSet>,
     layout: &FlightFile,
     tables: BTreeMap<String, Arc<Table>>,

@@ -6,10 +6,10 @@ use super::clock::{Moment, shortened};
 use super::error::FolderError;
 use super::layout::{TimeColumn, ValueColumn};
 use super::units::Dimension;
-use crate::flight::columns::{Separator, TableShape, number};
+use crate::columns::{Separator, TableShape, number};
 
 /// A CSV file, as text cells.
-pub(in crate::flight) struct Table {
+pub(crate) struct Table {
     file: String,
     header: Vec<String>,
     /// Line in the file and cells.
@@ -64,7 +64,7 @@ impl Table {
     }
 
     /// Reads a table of that shape whose columns are called so. Cells that make no sense count as empty.
-    pub(in crate::flight) fn shaped(
+    pub(crate) fn shaped(
         file: &str,
         bytes: &[u8],
         shape: &TableShape,
@@ -95,7 +95,7 @@ impl Table {
     }
 
     /// Adds a column `name` of times, seconds: rows are `step` apart.
-    pub(in crate::flight) fn number_rows(&mut self, name: &str, step: f64) {
+    pub(crate) fn number_rows(&mut self, name: &str, step: f64) {
         let width = self.header.len();
         self.header.push(name.to_owned());
         for (index, (_, row)) in self.rows.iter_mut().enumerate() {
@@ -108,7 +108,7 @@ impl Table {
     }
 
     /// Leaves out the rows whose time is missing or before that of a row before them; returns how many.
-    pub(in crate::flight) fn keep_rows_in_time(&mut self, map: &TimeColumn) -> usize {
+    pub(crate) fn keep_rows_in_time(&mut self, map: &TimeColumn) -> usize {
         let Ok(index) = self.index(&map.column) else {
             return 0;
         };
@@ -135,7 +135,7 @@ impl Table {
     }
 
     /// Whether there is a column of that name.
-    pub(in crate::flight) fn has(&self, column: &str) -> bool {
+    pub(crate) fn has(&self, column: &str) -> bool {
         self.header.iter().any(|name| name == column)
     }
 
@@ -162,7 +162,7 @@ impl Table {
     }
 
     /// Number of rows.
-    pub(in crate::flight) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.rows.len()
     }
 
@@ -193,7 +193,7 @@ impl Table {
     }
 
     /// Text cells of a column, empty where a row is short.
-    pub(in crate::flight) fn texts(&self, column: &str) -> Result<Vec<&str>, FolderError> {
+    pub(crate) fn texts(&self, column: &str) -> Result<Vec<&str>, FolderError> {
         let index = self.index(column)?;
         Ok(self
             .rows
@@ -203,7 +203,7 @@ impl Table {
     }
 
     /// Moments of a column before they are counted from an origin, with the map's offset to add.
-    pub(in crate::flight) fn moments(&self, map: &TimeColumn) -> Result<Vec<Moment>, FolderError> {
+    pub(crate) fn moments(&self, map: &TimeColumn) -> Result<Vec<Moment>, FolderError> {
         self.texts(&map.column)?
             .into_iter()
             .enumerate()
@@ -216,7 +216,7 @@ impl Table {
     }
 
     /// Times of a column in seconds, which must not go back.
-    pub(in crate::flight) fn times(
+    pub(crate) fn times(
         &self,
         map: &TimeColumn,
         origin: Option<(i64, f64)>,
@@ -241,7 +241,7 @@ impl Table {
     }
 
     /// Values of a column in SI and radians; `None` where the cell is empty or says nan.
-    pub(in crate::flight) fn values(
+    pub(crate) fn values(
         &self,
         map: &ValueColumn,
         dimension: Dimension,
@@ -321,7 +321,7 @@ fn without_mark(bytes: &[u8]) -> &[u8] {
 }
 
 /// The text in UTF-8: what is no such is taken for Latin-1, in which degrees are one byte.
-pub(in crate::flight) fn decoded(bytes: &[u8]) -> Cow<'_, [u8]> {
+pub(crate) fn decoded(bytes: &[u8]) -> Cow<'_, [u8]> {
     let bytes = without_mark(bytes);
     match str::from_utf8(bytes) {
         // At the end a letter may be cut off.

@@ -6,14 +6,14 @@ use nalgebra::{Point3, Vector2};
 use proptest::prelude::*;
 
 use super::*;
-use crate::camera::CameraModel;
-use crate::flight::files::MemoryFiles;
-use crate::flight::{
+use pilotage_base::files::MemoryFiles;
+use pilotage_base::frames::{Attitude, Geodetic, GroundPoint, LocalFrame};
+use pilotage_flight::{
     Channel, ChannelName, Flight, Frame, FrameError, FrameSource, FrameTruth, StartFix, Truth,
     TruthState,
 };
-use crate::frames::{Attitude, Geodetic, GroundPoint, LocalFrame};
-use crate::raster::Picture;
+use pilotage_raster::camera::CameraModel;
+use pilotage_raster::raster::Picture;
 
 struct Gray;
 

@@ -1,11 +1,11 @@
 //! Units in which files write values.
 
-use crate::flight::Quantity;
-use crate::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
+use pilotage_base::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
+use pilotage_flight::Quantity;
 
 /// What a column measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::flight) enum Dimension {
+pub(crate) enum Dimension {
     Length,
     Speed,
     Angle,
@@ -44,12 +44,12 @@ const NUMBERS: &[(&str, f64)] = &[("px", 1.0), ("", 1.0)];
 
 impl Dimension {
     /// That of a quantity.
-    pub(in crate::flight) fn of(quantity: Quantity) -> Self {
+    pub(crate) fn of(quantity: Quantity) -> Self {
         quantity.into()
     }
 
     /// Names of the units that there are.
-    pub(in crate::flight) fn names(self) -> Vec<&'static str> {
+    pub(crate) fn names(self) -> Vec<&'static str> {
         self.units().iter().map(|(name, _)| *name).collect()
     }
 
@@ -66,7 +66,7 @@ impl Dimension {
 
     /// Factor from `unit` to SI and radians; without a unit values are in SI already. The error
     /// names the units that there are.
-    pub(in crate::flight) fn factor(self, unit: Option<&str>) -> Result<f64, String> {
+    pub(crate) fn factor(self, unit: Option<&str>) -> Result<f64, String> {
         let Some(unit) = unit else { return Ok(1.0) };
         let known = self.units();
         known

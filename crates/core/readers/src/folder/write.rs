@@ -9,12 +9,12 @@ use super::layout::{
     TruthFile, TruthFramesFile, TruthStatesFile, VERSION, ValueColumn, WindColumns,
 };
 use super::read::FLIGHT_FILE;
-use crate::flight::files::FileSink;
-use crate::flight::{
+use pilotage_base::files::FileSink;
+use pilotage_base::frames::Attitude;
+use pilotage_flight::{
     CameraFile, Channel, ChannelName, Flight, FrameError, FrameSource, FrameTruth, OriginFile,
     Quantity, Truth, TruthState,
 };
-use crate::frames::Attitude;
 
 const FRAMES_TABLE: &str = "frames.csv";
 const STATES_TABLE: &str = "truth.csv";

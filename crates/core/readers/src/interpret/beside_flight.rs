@@ -4,8 +4,8 @@ use nalgebra::Point3;
 
 use super::flight::all_series;
 use super::{InterpretError, Measured, RoleSeries};
-use crate::flight::log::Log;
-use crate::flight::{ChannelName, Flight, TruthState};
+use crate::log::Log;
+use pilotage_flight::{ChannelName, Flight, TruthState};
 
 /// What was measured in a flight that was not made of its log.
 #[derive(Clone, Debug)]

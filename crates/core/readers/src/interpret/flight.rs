@@ -3,10 +3,10 @@
 use nalgebra::Point3;
 
 use super::{Role, RoleSeries, series};
-use crate::camera::CameraModel;
-use crate::flight::log::Log;
-use crate::flight::{Channel, ChannelName, Flight, StartFix, Truth, TruthState};
-use crate::frames::{Geodetic, LocalFrame};
+use crate::log::Log;
+use pilotage_base::frames::{Geodetic, LocalFrame};
+use pilotage_flight::{Channel, ChannelName, Flight, StartFix, Truth, TruthState};
+use pilotage_raster::camera::CameraModel;
 
 /// Standard deviation per axis of a position by satellite navigation at the start, metres.
 const GPS_DEVIATION: f64 = 5.0;
@@ -150,7 +150,7 @@ fn bare_flight(log: &Log, found: &[RoleSeries]) -> Result<Flight, InterpretError
         frames: Vec::new(),
         start: StartFix {
             time: first_time,
-            position: crate::frames::GroundPoint::new(0.0, 0.0),
+            position: pilotage_base::frames::GroundPoint::new(0.0, 0.0),
             standard_deviation: GPS_DEVIATION,
         },
         truth: Some(Truth {

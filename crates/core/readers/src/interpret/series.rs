@@ -3,8 +3,8 @@
 use nalgebra::{Quaternion, UnitQuaternion};
 
 use super::source::{Reading, Source, factor_of_unit, sources};
-use crate::flight::log::{FieldLayout, Log, Topic};
-use crate::flight::role::{Role, RoleSeries};
+use crate::log::{FieldLayout, Log, Topic};
+use crate::role::{Role, RoleSeries};
 
 /// A field and its factor to SI: the stated unit's, else the one that is usual there. The sign is that of the usual
 /// one: no unit tells which way an axis points.

@@ -2,10 +2,10 @@
 
 use super::Role;
 use super::ros::ROS;
-use crate::flight::log::LogFormat;
+use crate::log::LogFormat;
 
 pub(super) const DEGREE: f64 = std::f64::consts::PI / 180.0;
-const GRAVITY: f64 = crate::frames::units::GRAVITY;
+const GRAVITY: f64 = pilotage_base::frames::units::GRAVITY;
 
 /// How a value is made of the fields of a row.
 ///
@@ -36,7 +36,7 @@ pub enum Reading {
 pub struct Source {
     /// The role.
     pub role: Role,
-    /// Name of the topic, whichever instance comes first; or the [kind](crate::flight::log::Topic::kind) of its
+    /// Name of the topic, whichever instance comes first; or the [kind](crate::log::Topic::kind) of its
     /// rows, and after an `@` what has to stand in its name.
     pub topic: &'static str,
     /// How a row is read.
@@ -327,8 +327,8 @@ pub fn factor_of_unit(unit: &str) -> Option<f64> {
         "cm" | "cm/s" => 0.01,
         "km" => 1e3,
         "km/h" => 1.0 / 3.6,
-        "knots" | "kt" => crate::frames::units::MPS_PER_KNOT,
-        "ft" => crate::frames::units::METRES_PER_FOOT,
+        "knots" | "kt" => pilotage_base::frames::units::MPS_PER_KNOT,
+        "ft" => pilotage_base::frames::units::METRES_PER_FOOT,
         "mG" | "mg" => 1e-3 * GRAVITY,
         _ => return None,
     })

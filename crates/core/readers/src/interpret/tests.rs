@@ -5,8 +5,8 @@ use std::f64::consts::FRAC_PI_2;
 use nalgebra::UnitQuaternion;
 
 use super::*;
-use crate::flight::ChannelName;
-use crate::flight::log::{FieldKind, FieldLayout, Log, LogFormat, TopicName};
+use crate::log::{FieldKind, FieldLayout, Log, LogFormat, TopicName};
+use pilotage_flight::ChannelName;
 
 /// Adds a topic of double-precision numbers: names with units, and rows that begin with their time.
 fn add(log: &mut Log, name: &str, fields: &[(&str, &str)], rows: &[Vec<f64>]) {

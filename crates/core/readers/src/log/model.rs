@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use serde::{Deserialize, Serialize};
 
 use super::{FieldLayout, LogFormat, ReadReport, Topic, TopicName};
-use crate::flight::role::RoleSeries;
+use crate::role::RoleSeries;
 
 /// A parameter of the autopilot at one time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

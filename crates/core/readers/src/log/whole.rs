@@ -1,7 +1,7 @@
 //! A log read from its beginning to its end.
 
 use super::{HEAD, Log, recognise};
-use crate::imagery::ByteSource;
+use pilotage_base::bytes::ByteSource;
 
 /// Bytes that are read at a time.
 const PIECE: u64 = 4 << 20;
@@ -28,7 +28,7 @@ pub fn read_log(source: &dyn ByteSource) -> Result<Option<Log>, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::imagery::MemoryBytes;
+    use pilotage_base::bytes::MemoryBytes;
 
     #[test]
     fn a_file_that_is_no_log_is_none() {

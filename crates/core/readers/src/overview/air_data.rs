@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::super::interpret::{Role, RoleSeries};
 use super::{Finding, Severity};
-use crate::frames::wrap_pi;
+use pilotage_base::frames::wrap_pi;
 
 /// Fewest samples of a fit.
 const FEWEST: usize = 30;

@@ -1,7 +1,7 @@
 //! When it was in the air.
 
 use super::super::interpret::{Role, RoleSeries};
-use super::super::stretches::{
+use pilotage_flight::stretches::{
     FLYING_SHARE, HOVERING, LEAST, STANDING, stretches, stretches_within,
 };
 

@@ -1,8 +1,8 @@
 //! Positions by satellite navigation that jump.
 
-use super::super::TruthState;
 use super::super::interpret::{Role, RoleSeries};
 use super::{Finding, Severity};
+use pilotage_flight::TruthState;
 
 /// A jump is this many times the usual disagreement between positions and velocities, and at least so
 /// many metres.

@@ -11,10 +11,10 @@ mod tests;
 
 use serde::{Deserialize, Serialize};
 
-pub use super::finding::{Finding, Severity};
 pub use ability::Ability;
 pub use air_data::{AirDataFit, fit_air_data};
 pub use airborne::airborne;
+pub use pilotage_flight::{Finding, Severity};
 pub use sensor::{Gap, Sensor};
 
 use super::interpret::{Measured, Role};

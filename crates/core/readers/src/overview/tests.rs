@@ -2,9 +2,9 @@
 
 use nalgebra::{Point3, Vector2};
 
-use super::super::TruthState;
 use super::super::interpret::{Role, RoleSeries};
 use super::*;
+use pilotage_flight::TruthState;
 
 fn series(role: Role, times: Vec<f64>, values: Vec<f64>) -> RoleSeries {
     RoleSeries {
@@ -27,7 +27,7 @@ fn times(seconds: usize) -> Vec<f64> {
 fn circling(wind: Vector2<f64>, reads: f64) -> Vec<RoleSeries> {
     let times = times(120);
     let flies = |t: f64| (20.0..100.0).contains(&t);
-    let heading = |t: f64| crate::frames::wrap_pi(0.1 * t);
+    let heading = |t: f64| pilotage_base::frames::wrap_pi(0.1 * t);
     let of = |role, value: &dyn Fn(f64) -> f64| {
         let values = times.iter().map(|t| value(*t)).collect();
         series(role, times.clone(), values)

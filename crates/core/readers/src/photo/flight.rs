@@ -9,11 +9,11 @@ use nalgebra::Point3;
 use super::camera::focal_in_pixels;
 use super::log::log;
 use super::read::{Photo, PhotoPlace, read_photo};
-use crate::camera::CameraModel;
-use crate::flight::files::FileSet;
-use crate::flight::folder::{FlightFolder, FolderFrames, Told};
-use crate::flight::{Channel, ChannelName, Flight, Frame, StartFix, Truth, TruthState};
-use crate::frames::{Attitude, Geodetic, GroundPoint, LocalFrame, wrap_pi};
+use crate::folder::{FlightFolder, FolderFrames, Told};
+use pilotage_base::files::FileSet;
+use pilotage_base::frames::{Attitude, Geodetic, GroundPoint, LocalFrame, wrap_pi};
+use pilotage_flight::{Channel, ChannelName, Flight, Frame, StartFix, Truth, TruthState};
+use pilotage_raster::camera::CameraModel;
 
 /// Fewest photos that make a flight.
 const FEWEST: usize = 2;

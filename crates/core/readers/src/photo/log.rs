@@ -2,11 +2,11 @@
 
 use super::flight::Timed;
 use super::read::{Photo, PhotoPlace};
-use crate::flight::folder::of_samples;
-use crate::flight::interpret::{Role, RoleSeries};
-use crate::flight::log::{Cells, Column, Log, LogFormat};
-use crate::flight::{Channel, ChannelName};
-use crate::frames::Attitude;
+use crate::folder::of_samples;
+use crate::interpret::{Role, RoleSeries};
+use crate::log::{Cells, Column, Log, LogFormat};
+use pilotage_base::frames::Attitude;
+use pilotage_flight::{Channel, ChannelName};
 
 /// What the topic of the photos is called.
 const TOPIC: &str = "photos";

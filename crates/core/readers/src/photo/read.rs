@@ -3,9 +3,9 @@
 use super::exif::{self, Directory, Exif};
 use super::head::{Found, head};
 use super::xmp::Xmp;
-use crate::flight::folder::{Moment, date_and_time};
-use crate::frames::Attitude;
-use crate::imagery::ByteSource;
+use crate::folder::{Moment, date_and_time};
+use pilotage_base::bytes::ByteSource;
+use pilotage_base::frames::Attitude;
 
 /// Bytes that mostly hold the head of a photo, and those that always do.
 const HEAD: u64 = 1 << 17;

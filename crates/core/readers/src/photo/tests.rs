@@ -1,14 +1,14 @@
 //! Photos that are made here.
 
-use crate::flight::FrameSource as _;
+use pilotage_flight::FrameSource as _;
 use std::sync::Arc;
 
 use super::*;
-use crate::flight::ChannelName;
-use crate::flight::files::{FileSet, MemoryFiles};
-use crate::flight::interpret::{Role, log_of_flight};
-use crate::flight::overview::overview;
-use crate::imagery::MemoryBytes;
+use crate::interpret::{Role, log_of_flight};
+use crate::overview::overview;
+use pilotage_base::bytes::MemoryBytes;
+use pilotage_base::files::{FileSet, MemoryFiles};
+use pilotage_flight::ChannelName;
 
 fn segment(kind: u8, contents: &[u8]) -> Vec<u8> {
     let length = u16::try_from(contents.len() + 2).unwrap();

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 pub use series::RoleSeries;
 
-use crate::flight::ChannelName;
+use pilotage_flight::ChannelName;
 
 /// A quantity that logs name in many ways. Values are SI and radians.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]

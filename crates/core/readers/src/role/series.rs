@@ -1,7 +1,7 @@
 //! What was measured of a role.
 
 use super::Role;
-use crate::frames::wrap_pi;
+use pilotage_base::frames::wrap_pi;
 
 /// A role found in a log.
 #[derive(Clone, Debug, PartialEq)]

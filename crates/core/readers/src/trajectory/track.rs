@@ -3,11 +3,11 @@
 use nalgebra::Point3;
 use serde::{Deserialize, Serialize};
 
-use super::super::Flight;
 use super::super::interpret::{Role, RoleSeries};
 use super::super::overview::airborne;
 use super::TimedPlace;
-use crate::frames::LocalFrame;
+use pilotage_base::frames::LocalFrame;
+use pilotage_flight::Flight;
 
 /// Shortest time over which a speed is taken from places, seconds: shorter ones show their noise.
 const SPEED_OVER: f64 = 1.0;
@@ -139,7 +139,7 @@ impl Track {
 mod tests {
     use super::super::place_at;
     use super::*;
-    use crate::frames::Geodetic;
+    use pilotage_base::frames::Geodetic;
 
     /// Stands for 20 s, then runs north at 15 m/s.
     fn departing() -> Track {

@@ -100,15 +100,15 @@ mod tests {
     #[test]
     fn a_picture_without_tables_shows_the_same_with_the_usual_ones() {
         // The encoder writes the usual tables, each in a segment of its own.
-        let picture = crate::raster::Picture::filled(24, 16, [200, 40, 90]);
-        let whole = crate::raster::encode_jpeg(&picture, 90).unwrap();
+        let picture = pilotage_raster::raster::Picture::filled(24, 16, [200, 40, 90]);
+        let whole = pilotage_raster::raster::encode_jpeg(&picture, 90).unwrap();
         let mut bare = whole.clone();
         while let Some(at) = bare.windows(2).position(|b| b == [0xff, 0xc4]) {
             let length = usize::from(u16::from_be_bytes([bare[at + 2], bare[at + 3]]));
             bare.drain(at..at + 2 + length);
         }
         assert!(bare.len() < whole.len());
-        let decode = |bytes: &[u8]| crate::raster::decode_picture(bytes);
+        let decode = |bytes: &[u8]| pilotage_raster::raster::decode_picture(bytes);
         let shown = decode(&with_tables(bare)).unwrap();
         let expected = decode(&whole).unwrap();
         assert_eq!(

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use super::huffman::with_tables;
 use super::reader::{MotionJpegReader, VideoIndex};
-use crate::flight::{FrameError, FrameSource};
-use crate::imagery::ByteSource;
-use crate::raster::{Picture, decode_picture};
+use pilotage_base::bytes::ByteSource;
+use pilotage_flight::{FrameError, FrameSource};
+use pilotage_raster::raster::{Picture, decode_picture};
 
 /// Bytes that are read at a time.
 const PIECE: u64 = 4 << 20;

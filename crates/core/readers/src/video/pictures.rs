@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::camera::CameraModel;
-use crate::flight::{Flight, Frame};
+use pilotage_flight::{Flight, Frame};
+use pilotage_raster::camera::CameraModel;
 
 /// How the clock of a video goes beside that of a flight: flight time = `offset` + `rate` · video time.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -2,7 +2,7 @@
 
 use super::avi::{Avi, Chunk};
 use super::jpeg::{End, Scan, size};
-use crate::flight::log::ReadReport;
+use crate::log::ReadReport;
 
 /// Longest picture, in bytes.
 const LONGEST: usize = 64 << 20;

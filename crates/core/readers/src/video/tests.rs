@@ -5,9 +5,9 @@ use std::sync::Arc;
 use proptest::prelude::*;
 
 use super::*;
-use crate::flight::FrameSource;
-use crate::imagery::MemoryBytes;
-use crate::raster::{Picture, encode_jpeg};
+use pilotage_base::bytes::MemoryBytes;
+use pilotage_flight::FrameSource;
+use pilotage_raster::raster::{Picture, encode_jpeg};
 
 fn picture(index: u8) -> Vec<u8> {
     encode_jpeg(&Picture::filled(16, 8, [10 * index, 90, 30]), 80).unwrap()
@@ -169,7 +169,7 @@ fn frames_of_a_flight_have_the_times_of_the_flights_clock() {
         offset: 100.0,
         rate: 1.001,
     };
-    let files = std::sync::Arc::new(crate::flight::files::MemoryFiles(
+    let files = std::sync::Arc::new(pilotage_base::files::MemoryFiles(
         [(
             "flight.json".to_owned(),
             br#"{"pilotage_flight":1,"name":"x","start":{"time_s":0,
@@ -178,8 +178,8 @@ fn frames_of_a_flight_have_the_times_of_the_flights_clock() {
         )]
         .into(),
     ));
-    let flight = crate::flight::read_flight(files).unwrap().flight;
-    let camera = crate::camera::CameraModel::pinhole(16, 8, 1.0);
+    let flight = crate::read_flight(files).unwrap().flight;
+    let camera = pilotage_raster::camera::CameraModel::pinhole(16, 8, 1.0);
     let flight = with_pictures(flight, "a.avi", &[0.0, 10.0], clock, camera);
     assert_eq!(flight.camera.width, 16);
     let frames: Vec<_> = flight.frames.iter().map(|f| f.name.as_str()).collect();

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use super::message_topic::MessageTopic;
 use super::record::{MESSAGE_HEAD, Message, Record};
-use crate::flight::log::growing::Room;
-use crate::flight::log::{Fact, Log};
+use crate::log::growing::Room;
+use crate::log::{Fact, Log};
 
 /// Bytes of messages that are kept until their channel is described: where the description was lost, the summary
 /// at the end of the file has it again.

@@ -3,7 +3,7 @@
 use super::contents::Contents;
 use super::record::{CHANNEL, FRAME, MESSAGE, Record, SCHEMA, frame, parse, whole_length};
 use super::search::{followed, next_inside};
-use crate::flight::log::Log;
+use crate::log::Log;
 
 /// The records of a chunk.
 pub(super) struct Inside<'a> {

@@ -6,8 +6,8 @@ use super::contents::Schema;
 use super::decode::Decoder;
 use super::units::units_of;
 use super::words::Meaning;
-use crate::flight::log::growing::{Part, Path, Place, Room, Table};
-use crate::flight::log::{FieldKind, Log, TopicName};
+use crate::log::growing::{Part, Path, Place, Room, Table};
+use crate::log::{FieldKind, Log, TopicName};
 
 /// Where messages of one name, encoding and schema go.
 pub(super) struct MessageTopic {

@@ -11,8 +11,8 @@ use super::record::{
     ATTACHMENT, CHUNK, FRAME, MESSAGE, Record, frame, is_known, parse, whole_length,
 };
 use super::search::{followed, next_sure};
-use crate::flight::log::stepping::{Step, Steps};
-use crate::flight::log::{Fact, Log};
+use crate::log::stepping::{Step, Steps};
+use crate::log::{Fact, Log};
 
 /// Longest name and media type of an attachment, in bytes.
 const LONGEST_NAME: usize = 1 << 12;

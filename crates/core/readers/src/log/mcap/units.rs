@@ -3,9 +3,9 @@
 //! A schema tells no units. Those given here are what the packages of ROS (REP 103: SI units) and the
 //! schemas of Foxglove bind to a name; PX4's messages keep theirs. Every other field has none.
 
-use crate::flight::log::growing::Units;
-use crate::flight::log::schema::{plain, px4_topic};
-use crate::flight::log::{FieldKind, Scale, ulog};
+use crate::log::growing::Units;
+use crate::log::schema::{plain, px4_topic};
+use crate::log::{FieldKind, Scale, ulog};
 
 /// Packages whose messages follow REP 103, and the schemas of Foxglove.
 const PACKAGES: [&str; 5] = [

@@ -1,7 +1,7 @@
 //! Messages that are words of the vehicle or tell its mode.
 
-use crate::flight::log::schema::plain;
-use crate::flight::log::{Log, LogMessage, ModeChange, Topic, px4_modes};
+use crate::log::schema::plain;
+use crate::log::{Log, LogMessage, ModeChange, Topic, px4_modes};
 
 /// What messages of a schema tell beside their rows.
 pub(super) enum Meaning {

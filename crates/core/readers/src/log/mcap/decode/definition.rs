@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::flight::log::FieldKind;
+use crate::log::FieldKind;
 
 /// Types within types within types…
 const DEEPEST: usize = 24;

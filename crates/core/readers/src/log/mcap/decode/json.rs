@@ -2,8 +2,8 @@
 
 use serde_json::{Number, Value};
 
-use crate::flight::log::FieldKind;
-use crate::flight::log::growing::{MOST_ELEMENTS, Part, Path, Place, Table};
+use crate::log::FieldKind;
+use crate::log::growing::{MOST_ELEMENTS, Part, Path, Place, Table};
 
 /// Largest whole number up to which every one is a double, too.
 const WHOLE: u64 = 1 << 53;

@@ -9,8 +9,8 @@ mod varint;
 mod wire;
 
 use super::contents::Schema;
-use crate::flight::log::FieldKind;
-use crate::flight::log::growing::{Part, Path, Place, Table};
+use crate::log::FieldKind;
+use crate::log::growing::{Part, Path, Place, Table};
 
 /// Puts what a message says into the row of a table.
 pub(super) struct Decoder {

@@ -4,8 +4,8 @@ use std::collections::HashMap;
 
 use super::descriptor::{Descriptor, FieldDescriptor};
 use super::varint::{Field as Raw, Fields, Value};
-use crate::flight::log::FieldKind;
-use crate::flight::log::growing::{MOST_ELEMENTS, Part, Path, Place, Table};
+use crate::log::FieldKind;
+use crate::log::growing::{MOST_ELEMENTS, Part, Path, Place, Table};
 
 /// Messages within messages within messages…
 const DEEPEST: usize = 16;

@@ -2,8 +2,8 @@
 
 use super::definition::{Count, Element, Member, Types, Version};
 use super::wire::{Form, Wire};
-use crate::flight::log::FieldKind;
-use crate::flight::log::growing::{MOST_ELEMENTS, Part, Path, Place, Table};
+use crate::log::FieldKind;
+use crate::log::growing::{MOST_ELEMENTS, Part, Path, Place, Table};
 
 const SHORT: &str = "a message is shorter than its schema says";
 
