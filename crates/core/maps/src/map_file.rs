@@ -1,13 +1,12 @@
 //! A map: a `GeoTIFF`, an archive of tiles, or a picture and the file beside it that says where it lies.
 
-use crate::flight::files::FileSet;
-use crate::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
-use crate::imagery::web_tiles::{PmTiles, PmTilesError, WebTiles};
-use crate::imagery::{
-    GeoTiff, GeoTiffError, GeoTiffFile, Georeference, GeoreferenceError, GeoreferencedPicture,
-    Imagery, MapMemory, Placement, Window, decode_map,
-};
-use crate::raster::{CodecError, Raster, Rgba};
+use crate::web_tiles::{PmTiles, PmTilesError, WebTiles};
+use crate::{GeoTiff, GeoTiffError, GeoTiffFile, MapMemory};
+use pilotage_base::files::FileSet;
+use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
+use pilotage_base::georeference::{Georeference, GeoreferenceError};
+use pilotage_raster::imagery::{GeoreferencedPicture, Imagery, Placement, Window, decode_map};
+use pilotage_raster::raster::{CodecError, Raster, Rgba};
 
 /// Farthest from the world's origin that tiles of a web map are used, metres.
 const TILES_REACH: f64 = 100_000.0;
@@ -347,8 +346,8 @@ mod tests {
     use nalgebra::Point2;
 
     use super::*;
-    use crate::flight::files::MemoryFiles;
-    use crate::raster::{Picture, encode_png};
+    use pilotage_base::files::MemoryFiles;
+    use pilotage_raster::raster::{Picture, encode_png};
 
     fn files(files: &[(&str, &[u8])]) -> MemoryFiles {
         let picture = encode_png(&Picture::filled(40, 20, [90, 120, 60])).unwrap();

@@ -4,8 +4,8 @@ use nalgebra::{Matrix3, Point2, Vector2, Vector3};
 use serde::{Deserialize, Serialize};
 
 use super::solve;
-use crate::frames::ReferenceSystem;
-use crate::imagery::{Georeference, WorldFile};
+use pilotage_base::frames::ReferenceSystem;
+use pilotage_base::georeference::{Georeference, WorldFile};
 
 /// A point that is known in the picture and in the plane.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

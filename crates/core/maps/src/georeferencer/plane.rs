@@ -3,7 +3,7 @@
 use nalgebra::Point2;
 
 use super::ControlPoint;
-use crate::frames::{Geodetic, ReferenceSystem};
+use pilotage_base::frames::{Geodetic, ReferenceSystem};
 
 /// Points of `system` in a plane of metres: those in degrees are taken into the UTM zone around their
 /// middle, others stay. `None` if a point lies where its system does not reach.

@@ -3,7 +3,7 @@
 use nalgebra::Point2;
 
 use super::{ControlPoint, Fit};
-use crate::frames::ReferenceSystem;
+use pilotage_base::frames::ReferenceSystem;
 
 /// Longest file that is read, lines.
 const MOST_LINES: usize = 100_000;

@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Point2};
 use proptest::prelude::*;
 
 use super::*;
-use crate::frames::ReferenceSystem;
+use pilotage_base::frames::ReferenceSystem;
 
 fn points(pixels: &[(f64, f64)], place: impl Fn(f64, f64) -> (f64, f64)) -> Vec<ControlPoint> {
     (pixels.iter())
@@ -80,8 +80,11 @@ fn a_similarity_becomes_the_world_file_that_it_is() {
         assert!((found - expected).abs() < 1e-6, "{found} {expected}");
     }
     let text = file.to_string();
-    let read = crate::imagery::Georeference::from_world_file(&text).unwrap();
-    assert_eq!(read, crate::imagery::Georeference::Metres(file));
+    let read = pilotage_base::georeference::Georeference::from_world_file(&text).unwrap();
+    assert_eq!(
+        read,
+        pilotage_base::georeference::Georeference::Metres(file)
+    );
     let askew = super::fit(&points(&SPREAD, turned), TransformKind::Projective).unwrap();
     assert_eq!(askew.world_file(), None);
 }
@@ -179,7 +182,7 @@ proptest! {
 
 #[test]
 fn a_picture_seen_askew_lies_where_its_points_do_there_and_back() {
-    use crate::frames::LocalFrame;
+    use pilotage_base::frames::LocalFrame;
     let askew = |x: f64, y: f64| {
         let w = 1.0 + 2e-4 * x - 1e-4 * y;
         (

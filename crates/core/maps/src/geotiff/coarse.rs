@@ -1,8 +1,8 @@
 //! A coarse pyramid for files that bring none, made block by block as it is needed.
 
-use super::super::resample::halved;
 use super::tiles::Tiles;
-use crate::raster::{Raster, Rgba};
+use pilotage_raster::imagery::resample::halved;
+use pilotage_raster::raster::{Raster, Rgba};
 
 /// Pixels of the finest level along the side of a block.
 const BLOCK: usize = 1024;

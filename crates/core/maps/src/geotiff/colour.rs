@@ -1,7 +1,7 @@
 //! Colours from the samples of a TIFF file.
 
 use super::super::tiff::{Chunk, Layout, Photometric, SampleKind, Samples, TiffError, TiffFile};
-use crate::raster::{Raster, Rgba};
+use pilotage_raster::raster::{Raster, Rgba};
 
 /// Tiles from which the brightest value of 16-bit pictures is taken.
 const TILES_TO_LOOK_AT: usize = 24;

@@ -3,7 +3,7 @@
 //! After OGC 19-008r4, chapter 7.
 
 use super::super::tiff::{Directory, Tag, TiffError};
-use crate::frames::ReferenceSystem;
+use pilotage_base::frames::ReferenceSystem;
 
 /// Kind of coordinates: 1 projected, 2 geographic.
 const MODEL_TYPE: u64 = 1024;

@@ -16,11 +16,15 @@ pub use keys::GeoKeys;
 pub use place::world_file;
 use tiles::Tiles;
 
-use super::resample::{Part, Sight, samples_per_side};
 use super::tiff::{TiffError, TiffFile};
-use super::{ByteSource, Georeference, GeoreferenceError, Imagery, Placement, Window};
-use crate::frames::{Geodetic, GroundRect, LocalFrame, ReferenceSystem};
-use crate::raster::{Raster, Rgba};
+use pilotage_base::frames::{Geodetic, GroundRect, LocalFrame, ReferenceSystem};
+use pilotage_base::{
+    bytes::ByteSource,
+    georeference::{Georeference, GeoreferenceError},
+};
+use pilotage_raster::imagery::resample::{Part, Sight, samples_per_side};
+use pilotage_raster::imagery::{Imagery, Placement, Window};
+use pilotage_raster::raster::{Raster, Rgba};
 
 /// Most pixels that are held at once to draw a window; larger windows are drawn in parts.
 const MOST_PIXELS: f64 = 8e6;

@@ -1,7 +1,7 @@
 //! Where the pixels of a `GeoTIFF` lie, in the coordinates of its reference system.
 
-use super::super::WorldFile;
 use super::super::tiff::{Directory, Tag, TiffError};
+use pilotage_base::georeference::WorldFile;
 
 /// Coordinates of the pixels from the tags of a directory; `None` if there are no such tags.
 ///

@@ -6,9 +6,10 @@ use proptest::prelude::*;
 
 use super::super::tiff::Compression;
 use super::super::tiff::tests::{Recipe, sample, write};
-use super::super::{GeoreferencedPicture, MemoryBytes};
 use super::*;
-use crate::frames::GroundPoint;
+use pilotage_base::bytes::MemoryBytes;
+use pilotage_base::frames::GroundPoint;
+use pilotage_raster::imagery::GeoreferencedPicture;
 
 fn doubles(values: &[f64]) -> Vec<u8> {
     values.iter().flat_map(|v| v.to_le_bytes()).collect()

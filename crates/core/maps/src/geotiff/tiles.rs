@@ -2,10 +2,10 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::super::kept::Kept;
 use super::super::tiff::{Chunk, Layout, TiffError, TiffFile};
 use super::colour::Colours;
-use crate::raster::{Raster, Rgba};
+use pilotage_raster::imagery::kept::Kept;
+use pilotage_raster::raster::{Raster, Rgba};
 
 /// Most problems that are remembered.
 const MOST_PROBLEMS: usize = 16;

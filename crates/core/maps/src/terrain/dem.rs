@@ -6,10 +6,12 @@ use nalgebra::Point2;
 
 use super::hgt::Hgt;
 use super::{HeightDatum, Terrain, between_posts};
-use crate::frames::{GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
-use crate::imagery::kept::Kept;
-use crate::imagery::tiff::{Chunk, TiffError, TiffFile};
-use crate::imagery::{ByteSource, GeoTiffError, GeoTiffFile, GeoreferenceError, Placement};
+use crate::tiff::{Chunk, TiffError, TiffFile};
+use crate::{GeoTiffError, GeoTiffFile};
+use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
+use pilotage_base::{bytes::ByteSource, georeference::GeoreferenceError};
+use pilotage_raster::imagery::Placement;
+use pilotage_raster::imagery::kept::Kept;
 
 /// Bytes of unpacked tiles that are kept.
 const MEMORY: usize = 32 << 20;

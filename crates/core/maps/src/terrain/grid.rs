@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{HeightDatum, Terrain, between_posts};
-use crate::frames::{GroundPoint, GroundRect};
+use pilotage_base::frames::{GroundPoint, GroundRect};
 
 /// Heights at a north-up grid of posts; between posts they are interpolated.
 ///

@@ -1,7 +1,10 @@
 //! .hgt: a degree by a degree of heights, as the shuttle's radar mission left them.
 
-use crate::frames::ReferenceSystem;
-use crate::imagery::{ByteSource, Georeference, WorldFile};
+use pilotage_base::frames::ReferenceSystem;
+use pilotage_base::{
+    bytes::ByteSource,
+    georeference::{Georeference, WorldFile},
+};
 
 /// Mark for missing heights.
 const MISSING: i16 = i16::MIN;

@@ -11,8 +11,8 @@ pub use grid::HeightGrid;
 
 use serde::{Deserialize, Serialize};
 
-use crate::frames::GroundPoint;
-use crate::imagery::GeoKeys;
+use crate::GeoKeys;
+use pilotage_base::frames::GroundPoint;
 
 /// Height at place (x, y) in posts, bilinear between the four around it, of which none lies beyond the
 /// `last` column and row; `None` where a post that counts is unknown.

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::*;
-use crate::frames::{Geodetic, LocalFrame};
-use crate::imagery::MemoryBytes;
+use pilotage_base::bytes::MemoryBytes;
+use pilotage_base::frames::{Geodetic, LocalFrame};
 
 /// Heights that rise by one metre a post eastward and two southward, with a hole.
 fn hgt() -> Vec<u8> {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::error::Blame;
 use super::{Tag, TiffError};
-use crate::imagery::ByteSource;
+use pilotage_base::bytes::ByteSource;
 
 /// Most directories that are followed.
 const MOST_DIRECTORIES: usize = 64;
@@ -287,7 +287,7 @@ impl Directory {
     }
 
     /// An error that names this file and `place`.
-    pub(in crate::imagery) fn blame<'a>(&'a self, place: &'a str) -> Blame<'a> {
+    pub(crate) fn blame<'a>(&'a self, place: &'a str) -> Blame<'a> {
         Blame {
             file: &self.file,
             place,

@@ -43,7 +43,7 @@ pub enum TiffError {
 
 /// Makes errors that name one file and one place in it.
 #[derive(Clone, Copy)]
-pub(in crate::imagery) struct Blame<'a> {
+pub(crate) struct Blame<'a> {
     /// Name of the file.
     pub file: &'a str,
     /// Tag, tile or byte.

@@ -7,14 +7,14 @@ use super::directory::Reader;
 use super::error::Blame;
 use super::samples::from_bytes;
 use super::{Chunk, Directory, Layout, Photometric, Samples, TiffError};
-use crate::imagery::ByteSource;
+use pilotage_base::bytes::ByteSource;
 
 /// An open TIFF file: the picture, its smaller copies and their masks.
 #[derive(Clone)]
 pub struct TiffFile {
     source: Arc<dyn ByteSource>,
     /// Tags of the picture itself.
-    pub(in crate::imagery) directory: Directory,
+    pub(crate) directory: Directory,
     /// The picture, then its overviews from fine to coarse.
     levels: Vec<Layout>,
     /// For every level the mask of valid pixels, where the file has one.

@@ -8,11 +8,11 @@ use proptest::prelude::*;
 use weezl::BitOrder;
 
 use super::*;
-use crate::imagery::MemoryBytes;
+use pilotage_base::bytes::MemoryBytes;
 
 /// What to write.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::imagery) struct Recipe {
+pub(crate) struct Recipe {
     pub width: usize,
     pub height: usize,
     /// Side of the tiles, or rows of a strip.
@@ -38,7 +38,7 @@ impl Default for Recipe {
 }
 
 /// Sample of a pixel: smooth, so that JPEG keeps it.
-pub(in crate::imagery) fn sample(column: usize, row: usize, band: usize) -> u8 {
+pub(crate) fn sample(column: usize, row: usize, band: usize) -> u8 {
     (40 + 3 * column + 2 * row + 20 * band).min(255) as u8
 }
 
@@ -76,7 +76,7 @@ fn pack(recipe: &Recipe, bytes: &[u8], width: usize, height: usize) -> Vec<u8> {
 }
 
 /// A file by the recipe, with further tags (number, type, values as bytes) of `GeoTIFF`.
-pub(in crate::imagery) fn write(recipe: &Recipe, more: &[(u16, u16, Vec<u8>)]) -> Vec<u8> {
+pub(crate) fn write(recipe: &Recipe, more: &[(u16, u16, Vec<u8>)]) -> Vec<u8> {
     let Recipe {
         width,
         height,
@@ -174,7 +174,7 @@ pub(in crate::imagery) fn write(recipe: &Recipe, more: &[(u16, u16, Vec<u8>)]) -
     out
 }
 
-pub(in crate::imagery) fn open(bytes: Vec<u8>) -> Result<TiffFile, TiffError> {
+pub(crate) fn open(bytes: Vec<u8>) -> Result<TiffFile, TiffError> {
     TiffFile::open(Arc::new(MemoryBytes::new("map.tif", bytes)))
 }
 

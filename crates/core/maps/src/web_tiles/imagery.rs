@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use super::TileNumber;
-use crate::frames::{GroundRect, LocalFrame};
-use crate::imagery::kept::Kept;
-use crate::imagery::resample::{Part, Sight, samples_per_side};
-use crate::imagery::{Imagery, Placement, Window};
-use crate::raster::{Raster, Rgba};
+use pilotage_base::frames::{GroundRect, LocalFrame};
+use pilotage_raster::imagery::kept::Kept;
+use pilotage_raster::imagery::resample::{Part, Sight, samples_per_side};
+use pilotage_raster::imagery::{Imagery, Placement, Window};
+use pilotage_raster::raster::{Raster, Rgba};
 
 /// Most tiles that are put together for a window.
 const MOST_TILES: u64 = 1024;

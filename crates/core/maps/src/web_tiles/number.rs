@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use crate::frames::{Geodetic, GroundRect, LocalFrame, ReferenceSystem};
-use crate::imagery::{Georeference, WorldFile};
+use pilotage_base::frames::{Geodetic, GroundRect, LocalFrame, ReferenceSystem};
+use pilotage_base::georeference::{Georeference, WorldFile};
 
 /// Half the side of the web map, metres of its own.
 const HALF_WORLD: f64 = PI * 6_378_137.0;
@@ -68,7 +68,7 @@ impl TileNumber {
         // Sides of the area are bent on the web map; their middles reach out farthest.
         for north in [area.south, center.north, area.north] {
             for east in [area.west, center.east, area.east] {
-                let ground = crate::frames::GroundPoint::new(north, east);
+                let ground = pilotage_base::frames::GroundPoint::new(north, east);
                 tiles.push(Self::around(&frame.geodetic_from_ground(&ground), zoom));
             }
         }

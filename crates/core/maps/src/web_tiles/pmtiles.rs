@@ -10,10 +10,10 @@ use flate2::read::GzDecoder;
 
 use super::metadata::ArchiveMetadata;
 use super::{TileNumber, TileStore};
-use crate::frames::{Geodetic, GroundRect, LocalFrame};
-use crate::imagery::ByteSource;
-use crate::imagery::kept::Kept;
-use crate::raster::{Raster, Rgba, decode_picture_with_coverage};
+use pilotage_base::bytes::ByteSource;
+use pilotage_base::frames::{Geodetic, GroundRect, LocalFrame};
+use pilotage_raster::imagery::kept::Kept;
+use pilotage_raster::raster::{Raster, Rgba, decode_picture_with_coverage};
 
 /// Bytes of the header.
 const HEADER: usize = 127;

@@ -7,9 +7,10 @@ use flate2::{Compression, write::GzEncoder};
 use proptest::prelude::*;
 
 use super::*;
-use crate::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
-use crate::imagery::{Imagery, MemoryBytes, Window};
-use crate::raster::{Picture, Raster, Rgba, encode_png};
+use pilotage_base::bytes::MemoryBytes;
+use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
+use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_raster::raster::{Picture, Raster, Rgba, encode_png};
 
 const MIDDLE: (f64, f64) = (46.8427, -91.9940);
 
