@@ -2,11 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::CameraEvidence;
 use super::residual::{Log, Unknowns};
 use super::solve::{Solution, solve};
-use super::{CameraAdjustment, CameraEvidence};
-use crate::flight::Flight;
 use crate::navigator::Run;
+use pilotage_flight::Flight;
+use pilotage_mission::settings::CameraAdjustment;
 
 /// Fewest frames from which anything can be told.
 const FEWEST: usize = 6;
@@ -288,9 +289,9 @@ mod tests {
     use super::*;
     use crate::alignment::ResidualSummary;
     use crate::alignment::residual::Laid;
-    use crate::camera::CameraModel;
-    use crate::flight::{Channel, ChannelName, Frame, StartFix};
-    use crate::frames::{Attitude, GroundPoint, Pose};
+    use pilotage_base::frames::{Attitude, GroundPoint, Pose};
+    use pilotage_flight::{Channel, ChannelName, Frame, StartFix};
+    use pilotage_raster::camera::CameraModel;
 
     const HEIGHT: f64 = 80.0;
 
@@ -331,7 +332,7 @@ mod tests {
                 channel(ChannelName::GpsNorth, &|i| places[i].0),
                 channel(ChannelName::GpsEast, &|i| places[i].1),
                 channel(ChannelName::Heading, &|i| {
-                    crate::frames::wrap_pi(state(times[i]).0)
+                    pilotage_base::frames::wrap_pi(state(times[i]).0)
                 }),
                 channel(ChannelName::Roll, &|i| state(times[i]).1),
                 channel(ChannelName::Pitch, &|i| state(times[i]).2),

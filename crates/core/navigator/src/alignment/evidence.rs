@@ -4,10 +4,11 @@ use nalgebra::Point2;
 use serde::{Deserialize, Serialize};
 
 use super::residual::{Laid, Log, Unknowns, laid_frames};
-use super::{AlignmentError, CameraAdjustment, CameraPrior, CameraSearch, CameraToLog};
-use crate::flight::{ChannelName, Flight};
-use crate::frames::{GroundPoint, Pose};
+use super::{AlignmentError, CameraPrior, CameraSearch, CameraToLog};
 use crate::navigator::Run;
+use pilotage_base::frames::{GroundPoint, Pose};
+use pilotage_flight::{ChannelName, Flight};
+use pilotage_mission::settings::CameraAdjustment;
 
 /// What is read of the log.
 const READ: [ChannelName; 6] = [

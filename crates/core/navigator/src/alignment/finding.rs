@@ -1,7 +1,7 @@
 //! What a camera beside its log comes to, in words.
 
 use super::{CameraToLog, Estimated};
-use crate::flight::{Finding, Severity};
+use pilotage_flight::{Finding, Severity};
 
 /// Standard deviations from which a number is said to differ from zero.
 const SURELY: f64 = 3.0;

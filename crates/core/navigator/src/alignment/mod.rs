@@ -5,14 +5,12 @@
 //! navigation, heading and height of the log: the place in the middle of each picture should be the one that
 //! the mounted camera sees from where and how the log says that the aircraft was.
 
-mod adjustment;
 mod estimate;
 mod evidence;
 mod finding;
 mod residual;
 mod solve;
 
-pub use adjustment::CameraAdjustment;
 pub use estimate::{
     AlignmentError, CameraPrior, CameraSearch, CameraToLog, Estimated, camera_to_log,
 };

@@ -3,9 +3,9 @@
 use nalgebra::{Point2, Point3, SVector};
 use serde::{Deserialize, Serialize};
 
-use crate::flight::{ChannelName, Flight};
-use crate::frames::{Attitude, GroundPoint, Pose, wrap_pi};
 use crate::navigator::Run;
+use pilotage_base::frames::{Attitude, GroundPoint, Pose, wrap_pi};
+use pilotage_flight::{ChannelName, Flight};
 
 /// Unknowns: time offset (s), drift of the clock, mount's roll, pitch and yaw (rad), natural logarithm of the
 /// focal length's factor, satellite navigation's bias north and east (m).

@@ -3,7 +3,7 @@
 use super::readings::Readings;
 use super::series::LONGEST_GAP;
 use super::statistics::quantile;
-use crate::flight::stretches::{FLYING_SHARE, HOVERING, STANDING, stretches};
+use pilotage_flight::stretches::{FLYING_SHARE, HOVERING, STANDING, stretches};
 
 /// Stretches in the air, seconds: faster, through the air or over ground, than a third of its fast speeds, or
 /// well above where it began if it is nothing that needs speed.

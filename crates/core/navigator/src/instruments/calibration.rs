@@ -7,7 +7,7 @@ use super::fit::{AirFit, FitPrior, FitProblem};
 use super::readings::Readings;
 use super::series::Series;
 use super::slip::SideForce;
-use crate::flight::{Finding, Severity};
+use pilotage_flight::{Finding, Severity};
 
 /// First step of the search for delays, seconds; steps halve down to the last.
 const FIRST_STEP: f64 = 0.1;

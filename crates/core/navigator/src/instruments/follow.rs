@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use super::models::Airplane;
 use super::readings::Readings;
 use super::walker::{AirInputs, Walker};
-use crate::filter::FilterError;
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
+use pilotage_estimation::filter::FilterError;
 
 /// A position from elsewhere than satellite navigation, such as a landmark that was seen.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -8,11 +8,11 @@ use super::prepared::{Instruments, ReckonError};
 use super::readings::Readings;
 use super::series::Series;
 use super::settings::HeadingChoice;
-use crate::filter::{FilterError, Gaussian, Ukf, UnscentedSettings};
-use crate::flight::Flight;
-use crate::frames::units::feet;
-use crate::frames::{Attitude, GroundPoint};
-use crate::vehicle::{AirplaneWind, ControlInput, ThesisNoise, VehicleModel};
+use pilotage_base::frames::units::feet;
+use pilotage_base::frames::{Attitude, GroundPoint};
+use pilotage_estimation::filter::{FilterError, Gaussian, Ukf, UnscentedSettings};
+use pilotage_estimation::vehicle::{AirplaneWind, ControlInput, ThesisNoise, VehicleModel};
+use pilotage_flight::Flight;
 
 /// Longest step of the Euler integration between two positions, seconds.
 const INTEGRATION_STEP: f64 = 0.1;

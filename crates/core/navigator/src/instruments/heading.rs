@@ -6,8 +6,8 @@ use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
 use super::series::Series;
-use crate::flight::{Finding, Severity};
-use crate::frames::wrap_pi;
+use pilotage_base::frames::wrap_pi;
+use pilotage_flight::{Finding, Severity};
 
 /// Share of the nose's direction that must lie in the horizontal for its heading to mean something.
 const LEVEL: f64 = 0.5;

@@ -2,7 +2,7 @@
 
 use super::series::{LONGEST_GAP, Sample, Series};
 use super::statistics::quantile;
-use crate::flight::{Finding, Severity};
+use pilotage_flight::{Finding, Severity};
 
 /// Shortest time for which a sensor that moves shows the same number when it is stuck, seconds.
 const STUCK: f64 = 3.0;

@@ -1,6 +1,8 @@
 //! What dead reckoning asks of a process model beyond what every vehicle promises.
 
-use crate::vehicle::{AIRSPEED_MEMORY, AirplaneScaled, AirplaneWind, Gusts, VehicleModel};
+use pilotage_estimation::vehicle::{
+    AIRSPEED_MEMORY, AirplaneScaled, AirplaneWind, Gusts, VehicleModel,
+};
 
 /// An airplane whose airspeed may be missing.
 pub trait Airplane<const N: usize>: VehicleModel<N> + Clone {

@@ -4,7 +4,7 @@ use nalgebra::{Rotation2, Rotation3, Unit, Vector2, Vector3};
 
 use super::readings::Readings;
 use super::series::{LONGEST_GAP, Series};
-use crate::frames::Attitude;
+use pilotage_base::frames::Attitude;
 
 /// Time in which the integrated attitude follows the logged roll and pitch, seconds.
 const LEVELLING_TIME: f64 = 2.0;

@@ -12,9 +12,9 @@ use super::series::Series;
 use super::settings::HeadingChoice;
 use super::slip::SideForce;
 use super::walker::AirInputs;
-use crate::filter::{FilterError, Gaussian};
-use crate::flight::Flight;
-use crate::flight::{Finding, Severity};
+use pilotage_estimation::filter::{FilterError, Gaussian};
+use pilotage_flight::Flight;
+use pilotage_flight::{Finding, Severity};
 
 /// Why a flight cannot be reckoned.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

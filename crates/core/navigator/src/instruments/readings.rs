@@ -3,9 +3,9 @@
 use nalgebra::Vector2;
 
 use super::series::Series;
-use crate::flight::{Channel, ChannelName, Flight, Quantity};
-use crate::flight::{Finding, Severity};
-use crate::frames::wrap_pi;
+use pilotage_base::frames::wrap_pi;
+use pilotage_flight::{Channel, ChannelName, Flight, Quantity};
+use pilotage_flight::{Finding, Severity};
 
 /// Cleaned series of the instruments that dead reckoning needs; SI and radians, times in seconds of the
 /// flight's time base as they were logged.

@@ -9,8 +9,8 @@ use super::prepared::{Instruments, ReckonError};
 use super::settings::{HeadingChoice, Method, ReckonSettings};
 use super::track::{Track, TrackPoint};
 use super::walker::{Trust, Walker};
-use crate::filter::{FilterError, Gate};
-use crate::flight::Finding;
+use pilotage_estimation::filter::{FilterError, Gate};
+use pilotage_flight::Finding;
 
 /// Points of a track per second.
 const POINTS: f64 = 5.0;

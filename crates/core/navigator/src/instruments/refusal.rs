@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::flight::{Finding, Severity};
+use pilotage_flight::{Finding, Severity};
 
 /// Longest pause between two refusals of one stretch, seconds.
 const LONGEST_PAUSE: f64 = 2.0;

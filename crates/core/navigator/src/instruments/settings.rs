@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::calibration::CalibrationSettings;
-use crate::vehicle::{AirData, AirDataErrors, AirplaneScaled, AirplaneWind, Gusts};
+use pilotage_estimation::vehicle::{AirData, AirDataErrors, AirplaneScaled, AirplaneWind, Gusts};
 
 /// Which heading to navigate by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

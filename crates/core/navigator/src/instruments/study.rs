@@ -11,7 +11,8 @@ use super::reckon::{Way, begin, calibration, calibration_times, trust};
 use super::settings::{Method, ReckonSettings};
 use super::statistics::quantile;
 use super::walker::Trust;
-use crate::filter::{FilterError, chi_square_quantile};
+use pilotage_base::statistics::chi_square_quantile;
+use pilotage_estimation::filter::FilterError;
 
 /// Which cuts.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

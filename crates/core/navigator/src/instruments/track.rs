@@ -5,9 +5,10 @@ use serde::{Deserialize, Serialize};
 
 use super::calibration::Calibration;
 use super::prepared::Instruments;
-use crate::filter::{Gaussian, chi_square_quantile};
-use crate::frames::GroundPoint;
-use crate::vehicle::VehicleModel;
+use pilotage_base::frames::GroundPoint;
+use pilotage_base::statistics::chi_square_quantile;
+use pilotage_estimation::filter::Gaussian;
+use pilotage_estimation::vehicle::VehicleModel;
 
 /// What was believed at one time.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -92,7 +93,7 @@ pub struct Track {
     /// In order of time.
     pub points: Vec<TrackPoint>,
     /// Measurements that it refused, in words.
-    pub findings: Vec<crate::flight::Finding>,
+    pub findings: Vec<pilotage_flight::Finding>,
     /// What was known of the instruments at the cut (or at the end).
     pub calibration: Calibration,
 }

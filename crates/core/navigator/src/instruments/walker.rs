@@ -7,9 +7,11 @@ use super::models::Airplane;
 use super::refusal::{Refusals, Source};
 use super::series::Series;
 use super::slip::SideForce;
-use crate::filter::{FilterError, Gate, Gaussian, Ukf, UnscentedSettings, fading_factor};
-use crate::frames::Attitude;
-use crate::vehicle::ControlInput;
+use pilotage_base::frames::Attitude;
+use pilotage_estimation::filter::{
+    FilterError, Gate, Gaussian, Ukf, UnscentedSettings, fading_factor,
+};
+use pilotage_estimation::vehicle::ControlInput;
 
 /// Longest step of a prediction, seconds.
 const LONGEST_STEP: f64 = 0.1;
@@ -94,7 +96,7 @@ impl<const N: usize, V: Airplane<N>> Walker<N, V> {
         time: f64,
         trust: Trust,
     ) -> Result<Self, FilterError> {
-        let place = crate::frames::GroundPoint::new(start.mean.x, start.mean.y);
+        let place = pilotage_base::frames::GroundPoint::new(start.mean.x, start.mean.y);
         let deviation = start.covariance.trace().max(0.0).sqrt() * std::f64::consts::FRAC_1_SQRT_2;
         let (speed, stray) = (calibration.cruise, calibration.cruise_deviation);
         let any_way = BLIND * speed.hypot(stray) * std::f64::consts::FRAC_1_SQRT_2;

@@ -6,8 +6,8 @@
 
 use nalgebra::{Matrix2, Point2};
 
-use crate::camera::CameraModel;
-use crate::filter::normal_probability;
+use pilotage_base::statistics::normal_probability;
+use pilotage_raster::camera::CameraModel;
 
 /// Probability from which on a landmark is taken to be in view.
 const LIKELY: f64 = 0.5;

@@ -4,14 +4,15 @@ use nalgebra::{Dyn, Matrix4, OVector, SVector};
 
 use super::engine::vehicle;
 use super::expected::{Anchor, AppearanceModel};
-use super::geometry::joint_noise;
 use super::inputs::Inputs;
-use super::{NavigatorSettings, Run, StepReport};
-use crate::filter::{CramerRao, FilterError, numerical_jacobian};
-use crate::flight::Flight;
-use crate::frames::{Attitude, GroundPoint};
-use crate::landmark::Landmark;
-use crate::vehicle::{VehicleModel, VehicleVisitor};
+use super::{Run, StepReport};
+use pilotage_base::frames::{Attitude, GroundPoint};
+use pilotage_estimation::filter::{CramerRao, FilterError, numerical_jacobian};
+use pilotage_estimation::vehicle::{VehicleModel, VehicleVisitor};
+use pilotage_flight::Flight;
+use pilotage_mission::settings::NavigatorSettings;
+use pilotage_vision::geometry::joint_noise;
+use pilotage_vision::landmark::Landmark;
 
 /// Root mean square over the run of the bound on the position error, metres: no estimator that gets
 /// the same detections can do better.

@@ -9,11 +9,11 @@
 use nalgebra::{DVector, Matrix2, Matrix4, Point2, Point3, Vector2};
 
 use super::Control;
-use super::geometry::{COMPONENTS, ground_jacobian, pose_jacobian};
-use crate::camera::CameraModel;
-use crate::flight::Flight;
-use crate::frames::{Attitude, GroundPoint, Pose};
-use crate::landmark::Landmark;
+use pilotage_base::frames::{Attitude, GroundPoint, Pose};
+use pilotage_flight::Flight;
+use pilotage_raster::camera::CameraModel;
+use pilotage_vision::geometry::{COMPONENTS, ground_jacobian, pose_jacobian};
+use pilotage_vision::landmark::Landmark;
 
 /// A place in the picture, and how the ground around it maps into the picture.
 #[derive(Clone, Copy, Debug)]
@@ -145,8 +145,8 @@ impl<'a> AppearanceModel<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::frames::GroundRect;
-    use crate::navigator::geometry::appearance;
+    use pilotage_base::frames::GroundRect;
+    use pilotage_vision::geometry::appearance;
 
     fn model(camera: &CameraModel, roll: f64) -> AppearanceModel<'_> {
         AppearanceModel {

@@ -4,15 +4,16 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix2, Vector2};
 
-use super::{NavigatorSettings, StepReport};
-use crate::camera::CameraModel;
-use crate::flight::Flight;
-use crate::frames::Pose;
-use crate::imagery::Imagery;
-use crate::landmark::{
+use super::StepReport;
+use pilotage_base::frames::Pose;
+use pilotage_flight::Flight;
+use pilotage_mission::settings::NavigatorSettings;
+use pilotage_raster::camera::CameraModel;
+use pilotage_raster::imagery::Imagery;
+use pilotage_raster::raster::{PYRAMID_LEVELS, Picture, Pyramid};
+use pilotage_vision::landmark::{
     CascadeEvidence, FrameView, Landmark, MatchEvidence, Refusal, SearchRequest, TemplateDetector,
 };
-use crate::raster::{PYRAMID_LEVELS, Picture, Pyramid};
 
 /// The pictures that explain what the template detector did.
 ///

@@ -3,7 +3,7 @@
 use std::mem::discriminant;
 
 use super::{Doubt, Run};
-use crate::flight::{Finding, Severity};
+use pilotage_flight::{Finding, Severity};
 
 impl Run {
     /// What the navigator did not believe in any of the steps: once for each instrument and reason, as it was

@@ -3,8 +3,8 @@
 use nalgebra::{Matrix2, Vector2};
 
 use super::{Estimate, Run, StepReport};
-use crate::frames::GroundPoint;
 use crate::instruments::PositionFix;
+use pilotage_base::frames::GroundPoint;
 
 /// Share of what is known afterwards that a picture has to add in every direction to be a position.
 const LEAST_ADDED: f64 = 1e-3;

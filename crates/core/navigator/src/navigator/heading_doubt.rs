@@ -12,15 +12,16 @@ use std::sync::Arc;
 use super::engine::Engine;
 use super::inputs::Inputs;
 use super::whole_frames::{Laid, WholeFrames, measured};
-use super::{
-    CandidateReport, Disbelief, Doubt, Estimate, Instrument, NavigatorSettings, Outcome, Refusal,
-};
-use crate::filter::{FilterError, chi_square_quantile};
-use crate::flight::{ChannelName, Flight};
-use crate::frames::wrap_pi;
-use crate::imagery::Imagery;
-use crate::raster::Pyramid;
-use crate::registration::{FollowSettings, Measured};
+use super::{CandidateReport, Disbelief, Doubt, Estimate, Instrument, Outcome};
+use pilotage_base::frames::wrap_pi;
+use pilotage_base::statistics::chi_square_quantile;
+use pilotage_estimation::filter::FilterError;
+use pilotage_flight::{ChannelName, Flight};
+use pilotage_mission::settings::NavigatorSettings;
+use pilotage_raster::imagery::Imagery;
+use pilotage_raster::raster::Pyramid;
+use pilotage_vision::landmark::Refusal;
+use pilotage_vision::registration::{FollowSettings, Measured};
 
 /// Looks for landmarks, all in vain, after which frames are laid. Sound flights at 400 ft have at most 5 of them
 /// on end; at 1000 ft, where landmarks are in view for long, 22. So twice as many are borne each time that the
@@ -307,9 +308,9 @@ mod tests {
 
     use super::super::engine::engine;
     use super::*;
-    use crate::camera::CameraModel;
-    use crate::flight::{Channel, StartFix};
-    use crate::frames::{GroundPoint, GroundRect};
+    use pilotage_base::frames::{GroundPoint, GroundRect};
+    use pilotage_flight::{Channel, StartFix};
+    use pilotage_raster::camera::CameraModel;
 
     fn readings(degrees: &[f64]) -> Vec<Reading> {
         let reading = |by: &f64| Reading {

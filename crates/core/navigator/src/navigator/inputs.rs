@@ -3,10 +3,10 @@
 use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
-use crate::flight::{Channel, ChannelName, Flight};
-use crate::frames::wrap_pi;
 use crate::instruments::{Series, quantile, stuck};
-use crate::vehicle::ControlInput;
+use pilotage_base::frames::wrap_pi;
+use pilotage_estimation::vehicle::ControlInput;
+use pilotage_flight::{Channel, ChannelName, Flight};
 
 /// Airspeeds that may stand still, since what stands on the ground has them, m/s.
 const STANDING: f64 = 3.0;
@@ -282,9 +282,9 @@ fn cruise(airspeeds: &[f64]) -> Option<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::camera::CameraModel;
-    use crate::flight::StartFix;
-    use crate::frames::GroundPoint;
+    use pilotage_base::frames::GroundPoint;
+    use pilotage_flight::StartFix;
+    use pilotage_raster::camera::CameraModel;
 
     /// An airplane on a racetrack for 90 s, read ten times a second.
     fn flight() -> Flight {

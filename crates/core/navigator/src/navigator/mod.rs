@@ -3,12 +3,10 @@
 mod attention;
 mod bound;
 mod engine;
-mod estimator;
 mod expected;
 mod explain;
 mod finding;
 mod fixes;
-pub(crate) mod geometry;
 mod heading_doubt;
 mod inputs;
 mod picture_lag;
@@ -19,18 +17,16 @@ mod run;
 mod run_file;
 mod second_opinion;
 mod see;
-mod settings;
 mod smooth;
 mod summary;
 mod whole_frames;
 
-pub use crate::landmark::Refusal;
 pub use bound::position_bound;
-pub(crate) use engine::vehicle;
-pub use estimator::{EstimatorChoice, EstimatorSettings};
+pub use engine::vehicle;
 pub use explain::{explain, explain_cascade};
 pub use fixes::position_fixes;
 pub use inputs::{Disbelief, Doubt, Instrument};
+pub use pilotage_vision::landmark::Refusal;
 pub use pipeline::{Navigator, NavigatorError};
 pub use report::{
     CandidateReport, Control, Estimate, FrameReport, JointReport, LaidPlace, LaidReport, Outcome,
@@ -38,9 +34,6 @@ pub use report::{
 };
 pub use run::Run;
 pub use run_file::{RunFileError, decode_run, encode_run};
-pub use settings::{
-    Cruise, NavigatorSettings, ProcessNoise, SensorNoise, StartError, VehicleChoice,
-};
 pub use smooth::smooth;
 pub use summary::{
     ConsistencyFigures, ErrorFigures, FrameTiming, Summary, is_wrong, place_error, summarize,

@@ -21,11 +21,11 @@ use super::inputs::Inputs;
 use super::second_opinion::believed;
 use super::see::{FoundPlace, Measurement, Place, Seer, stack};
 use super::{CandidateReport, Control, Disbelief, Doubt, Estimate, Instrument};
-use crate::camera::CameraModel;
-use crate::filter::FilterError;
-use crate::flight::Flight;
-use crate::frames::{Pose, wrap_pi};
-use crate::vehicle::ControlInput;
+use pilotage_base::frames::{Pose, wrap_pi};
+use pilotage_estimation::filter::FilterError;
+use pilotage_estimation::vehicle::ControlInput;
+use pilotage_flight::Flight;
+use pilotage_raster::camera::CameraModel;
 
 /// Longest lag that is thought of, seconds …
 const LONGEST: f64 = 2.0;
@@ -393,12 +393,12 @@ mod tests {
 
     use nalgebra::{Matrix4, Point3};
 
-    use super::super::NavigatorSettings;
     use super::super::engine::engine;
     use super::*;
-    use crate::flight::{Channel, ChannelName, StartFix};
-    use crate::frames::{Attitude, GroundPoint, GroundRect};
-    use crate::landmark::Landmark;
+    use pilotage_base::frames::{Attitude, GroundPoint, GroundRect};
+    use pilotage_flight::{Channel, ChannelName, StartFix};
+    use pilotage_mission::settings::NavigatorSettings;
+    use pilotage_vision::landmark::Landmark;
 
     fn start() -> Box<dyn Engine> {
         engine(&NavigatorSettings::default(), GroundPoint::default(), 3.0).unwrap()

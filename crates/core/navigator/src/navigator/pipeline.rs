@@ -14,19 +14,20 @@ use super::inputs::Inputs;
 use super::picture_lag::{Onlooker, PictureLag};
 use super::second_opinion::{Opinion, SecondOpinion, reconsider};
 use super::see::{Measurement, Seer, degrees, stack};
-use super::settings::Cruise;
 use super::whole_frames::WholeFrames;
 use super::{
-    CandidateReport, Control, FrameReport, JointReport, NavigatorSettings, Outcome, Run, SigmaSets,
-    StepReport, StepTiming,
+    CandidateReport, Control, FrameReport, JointReport, Outcome, Run, SigmaSets, StepReport,
+    StepTiming,
 };
-use crate::camera::CameraModel;
-use crate::filter::FilterError;
-use crate::flight::{ChannelName, Flight, FrameSource};
-use crate::frames::{GroundPoint, Pose};
-use crate::imagery::Imagery;
-use crate::landmark::{ChosenDetector, Detector, Landmark, Refusal};
-use crate::raster::{PYRAMID_LEVELS, Picture, Pyramid};
+use pilotage_base::frames::{GroundPoint, Pose};
+use pilotage_estimation::filter::FilterError;
+use pilotage_flight::{ChannelName, Flight, FrameSource};
+use pilotage_mission::settings::Cruise;
+use pilotage_mission::settings::NavigatorSettings;
+use pilotage_raster::camera::CameraModel;
+use pilotage_raster::imagery::Imagery;
+use pilotage_raster::raster::{PYRAMID_LEVELS, Picture, Pyramid};
+use pilotage_vision::landmark::{ChosenDetector, Detector, Landmark, Refusal};
 
 /// Times closer than this are one step, seconds.
 const SAME_TIME: f64 = 1e-6;
@@ -538,7 +539,7 @@ fn ticks(flight: &Flight, shortest: f64) -> Vec<Tick> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::flight::{Channel, Frame, StartFix};
+    use pilotage_flight::{Channel, Frame, StartFix};
 
     /// Two sensors, of 100 and of 20 samples a second, for ten seconds, and a frame every second.
     fn flight() -> Flight {

@@ -6,9 +6,9 @@
 
 use nalgebra::{Matrix2, Point2, Point3, Vector2};
 
-use crate::camera::CameraModel;
-use crate::frames::{GroundPoint, Pose};
-use crate::landmark::Landmark;
+use pilotage_base::frames::{GroundPoint, Pose};
+use pilotage_raster::camera::CameraModel;
+use pilotage_vision::landmark::Landmark;
 
 /// Standard deviations by which the expected place may be off.
 const REACH: f64 = 3.0;
@@ -69,7 +69,7 @@ pub fn may_be_in_view(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::frames::{Attitude, GroundPoint, GroundRect};
+    use pilotage_base::frames::{Attitude, GroundPoint, GroundRect};
 
     fn seen(north: f64, sigma_pixels: f64) -> bool {
         let camera = CameraModel::pinhole(640, 480, 60_f64.to_radians());

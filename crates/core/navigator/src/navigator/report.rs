@@ -5,11 +5,11 @@ use serde::{Deserialize, Serialize};
 
 use super::Doubt;
 use super::engine::{CorrectedStep, PredictedStep};
-use crate::filter::Gaussian;
-use crate::flight::{ChannelName, Flight};
-use crate::frames::{GroundPoint, GroundRect, Pose};
-use crate::landmark::Refusal;
-use crate::registration::MapShape;
+use pilotage_base::frames::{GroundPoint, GroundRect, Pose};
+use pilotage_estimation::filter::Gaussian;
+use pilotage_flight::{ChannelName, Flight};
+use pilotage_vision::landmark::Refusal;
+use pilotage_vision::registration::MapShape;
 
 /// What drove the prediction.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -2,8 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{NavigatorSettings, StepReport};
-use crate::landmark::Landmark;
+use super::StepReport;
+use pilotage_mission::settings::NavigatorSettings;
+use pilotage_vision::landmark::Landmark;
 
 /// What the navigator concluded over a flight, so far.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

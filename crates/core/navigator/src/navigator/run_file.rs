@@ -66,7 +66,7 @@ mod tests {
     fn run() -> Run {
         Run {
             name: "a run".into(),
-            settings: crate::navigator::NavigatorSettings::default(),
+            settings: pilotage_mission::settings::NavigatorSettings::default(),
             landmarks: Vec::new(),
             state_names: vec![("north".into(), "m".into())],
             steps: Vec::new(),

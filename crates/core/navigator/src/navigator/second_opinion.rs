@@ -13,8 +13,8 @@
 use super::CandidateReport;
 use super::engine::{Engine, PredictedStep};
 use super::see::{Agreed, FoundPlace, Seer, stack};
-use crate::filter::{FilterError, fading_factor};
-use crate::vehicle::ControlInput;
+use pilotage_estimation::filter::{FilterError, fading_factor};
+use pilotage_estimation::vehicle::ControlInput;
 
 /// Another belief about the same flight.
 pub struct SecondOpinion {

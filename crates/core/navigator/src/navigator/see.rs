@@ -5,13 +5,16 @@ use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Matrix4, Point2, Point3, Vector4
 use super::attention::{attended, probability_of_view};
 use super::engine::{CorrectedStep, Engine, Expectation, MeasurementModel};
 use super::expected::{Anchor, AppearanceModel};
-use super::geometry::{COMPONENTS, joint_noise};
 use super::region::{may_be_in_view, reach};
-use super::{CandidateReport, NavigatorSettings, Outcome};
-use crate::filter::{FilterError, Gate};
-use crate::frames::{GroundPoint, Pose};
-use crate::landmark::{Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting, measured};
-use crate::raster::Pyramid;
+use super::{CandidateReport, Outcome};
+use pilotage_base::frames::{GroundPoint, Pose};
+use pilotage_estimation::filter::{FilterError, Gate};
+use pilotage_mission::settings::NavigatorSettings;
+use pilotage_raster::raster::Pyramid;
+use pilotage_vision::geometry::{COMPONENTS, joint_noise};
+use pilotage_vision::landmark::{
+    Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting, measured,
+};
 
 /// Where and how a landmark was seen: pixel, rotation and log scale, and their covariance without the
 /// error of the camera's pose.

@@ -4,8 +4,10 @@ use nalgebra::{DMatrix, SMatrix, SVector};
 
 use super::engine::{unscented, vehicle};
 use super::{Estimate, Run};
-use crate::filter::{FilterError, Gaussian, SmootherLink, Weights, smooth as smooth_links};
-use crate::vehicle::{VehicleModel, VehicleVisitor};
+use pilotage_estimation::filter::{
+    FilterError, Gaussian, SmootherLink, Weights, smooth as smooth_links,
+};
+use pilotage_estimation::vehicle::{VehicleModel, VehicleVisitor};
 
 /// The smoothed estimates of a run, one for the end of each of its steps, by the unscented
 /// Rauch-Tung-Striebel smoother over the steps' sigma points.
@@ -85,12 +87,11 @@ mod tests {
 
     use super::super::engine::engine;
     use super::*;
-    use crate::filter::Consistency;
-    use crate::frames::{Attitude, GroundPoint};
-    use crate::navigator::{
-        Control, EstimatorChoice, NavigatorSettings, SigmaSets, StepReport, StepTiming,
-    };
-    use crate::vehicle::ControlInput;
+    use crate::navigator::{Control, SigmaSets, StepReport, StepTiming};
+    use pilotage_base::frames::{Attitude, GroundPoint};
+    use pilotage_estimation::filter::Consistency;
+    use pilotage_estimation::vehicle::ControlInput;
+    use pilotage_mission::settings::{EstimatorChoice, NavigatorSettings};
 
     /// A run of `choice` in a wind that it does not know, with a fix every fifth second, and the truth.
     fn run(choice: EstimatorChoice, seed: u64) -> (Run, Vec<DVector<f64>>) {
@@ -196,7 +197,7 @@ mod tests {
         let steps = std::mem::take(&mut run.steps);
         assert_eq!(smooth(&run), Ok(Vec::new()));
         run.steps = steps;
-        run.settings.vehicle = crate::navigator::VehicleChoice::AirplaneFull;
+        run.settings.vehicle = pilotage_mission::settings::VehicleChoice::AirplaneFull;
         let refused = smooth(&run).unwrap_err();
         assert!(matches!(refused, FilterError::Size { expected: 8, .. }));
     }

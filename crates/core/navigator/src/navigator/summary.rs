@@ -6,9 +6,11 @@ use nalgebra::{Matrix2, Vector2};
 use serde::{Deserialize, Serialize};
 
 use super::bound::position_bound;
-use super::{CandidateReport, NavigatorSettings, Outcome, Refusal, Run, StepReport};
-use crate::filter::Consistency;
-use crate::flight::Flight;
+use super::{CandidateReport, Outcome, Run, StepReport};
+use pilotage_estimation::filter::Consistency;
+use pilotage_flight::Flight;
+use pilotage_mission::settings::NavigatorSettings;
+use pilotage_vision::landmark::Refusal;
 
 /// An accepted place further than this from the truth in the picture is wrong, pixels …
 const WRONG_PIXELS: f64 = 5.0;

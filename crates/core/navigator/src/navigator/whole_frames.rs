@@ -12,13 +12,17 @@ use nalgebra::{DMatrix, DVector};
 use super::engine::{CorrectedStep, Engine, MeasurementModel};
 use super::inputs::Inputs;
 use super::see::Surprise;
-use super::{Estimate, JointReport, LaidPlace, LaidReport, NavigatorSettings};
-use crate::filter::{FilterError, chi_square_quantile, fading_factor};
-use crate::flight::{ChannelName, Flight};
-use crate::frames::GroundPoint;
-use crate::imagery::Imagery;
-use crate::raster::Pyramid;
-use crate::registration::{FollowSettings, Follower, Look, Measured, NotRegistered, Registration};
+use super::{Estimate, JointReport, LaidPlace, LaidReport};
+use pilotage_base::frames::GroundPoint;
+use pilotage_base::statistics::chi_square_quantile;
+use pilotage_estimation::filter::{FilterError, fading_factor};
+use pilotage_flight::{ChannelName, Flight};
+use pilotage_mission::settings::NavigatorSettings;
+use pilotage_raster::imagery::Imagery;
+use pilotage_raster::raster::Pyramid;
+use pilotage_vision::registration::{
+    FollowSettings, Follower, Look, Measured, NotRegistered, Registration,
+};
 
 /// Numbers of a place: north and east.
 const COMPONENTS: usize = 2;

@@ -3,8 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::Tally;
-use crate::filter::ConsistencySummary;
-use crate::navigator::{ErrorFigures, EstimatorChoice, NavigatorSettings, VehicleChoice};
+use crate::navigator::ErrorFigures;
+use pilotage_estimation::filter::ConsistencySummary;
+use pilotage_mission::settings::{EstimatorChoice, NavigatorSettings, VehicleChoice};
 
 /// One way of navigating.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -3,9 +3,9 @@
 use nalgebra::Vector2;
 
 use super::{ComparisonRow, Contender};
-use crate::filter::{Consistency, FilterError};
-use crate::flight::Flight;
 use crate::navigator::{ErrorFigures, Estimate, Outcome, Run, smooth};
+use pilotage_estimation::filter::{Consistency, FilterError};
+use pilotage_flight::Flight;
 
 /// Gathers the runs of one contender.
 #[derive(Clone, Debug, PartialEq)]

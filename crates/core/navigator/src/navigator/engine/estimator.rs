@@ -3,12 +3,12 @@
 use nalgebra::{DMatrix, DVector, Dyn, SVector};
 
 use super::{CorrectedStep, Engine, Expectation, MeasurementModel, PredictedStep};
-use crate::filter::{
+use crate::navigator::Estimate;
+use pilotage_base::frames::GroundPoint;
+use pilotage_estimation::filter::{
     Correction, FilterError, Gaussian, PredictedMeasurement, Prediction, SigmaPoints,
 };
-use crate::frames::GroundPoint;
-use crate::navigator::Estimate;
-use crate::vehicle::{ControlInput, VehicleModel};
+use pilotage_estimation::vehicle::{ControlInput, VehicleModel};
 
 /// A measurement model over the whole state, and which components it looks at.
 pub struct StateModel<'a, const N: usize> {

@@ -4,10 +4,10 @@ use nalgebra::{DMatrix, DVector, Dyn};
 
 use super::Expectation;
 use super::estimator::{Corrected, Estimator, StateModel};
-use crate::filter::{
+use pilotage_estimation::filter::{
     Ekf, FilterError, Gaussian, PredictedMeasurement, Prediction, SigmaPoints, partial_jacobian,
 };
-use crate::vehicle::{ControlInput, VehicleModel};
+use pilotage_estimation::vehicle::{ControlInput, VehicleModel};
 
 impl<const N: usize> StateModel<'_, N> {
     /// What `filter` expects of it.

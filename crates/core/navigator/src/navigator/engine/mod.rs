@@ -11,10 +11,13 @@ mod vehicle;
 use nalgebra::{DMatrix, DVector};
 
 use self::estimator::FilterEngine;
-use super::{Estimate, EstimatorChoice, NavigatorSettings};
-use crate::filter::{Ekf, FilterError, ParticleFilter, Redraw, Ukf, UnscentedSettings};
-use crate::frames::GroundPoint;
-use crate::vehicle::{ControlInput, VehicleModel, VehicleVisitor};
+use super::Estimate;
+use pilotage_base::frames::GroundPoint;
+use pilotage_estimation::filter::{
+    Ekf, FilterError, ParticleFilter, Redraw, Ukf, UnscentedSettings,
+};
+use pilotage_estimation::vehicle::{ControlInput, VehicleModel, VehicleVisitor};
+use pilotage_mission::settings::{EstimatorChoice, NavigatorSettings};
 
 pub use vehicle::vehicle;
 

@@ -4,8 +4,8 @@ use nalgebra::{DMatrix, DVector, Dyn};
 
 use super::Expectation;
 use super::estimator::{Corrected, Estimator, StateModel};
-use crate::filter::{FilterError, Gaussian, ParticleFilter, Prediction, SigmaPoints};
-use crate::vehicle::{ControlInput, VehicleModel};
+use pilotage_estimation::filter::{FilterError, Gaussian, ParticleFilter, Prediction, SigmaPoints};
+use pilotage_estimation::vehicle::{ControlInput, VehicleModel};
 
 impl<const N: usize> Estimator<N> for ParticleFilter<N> {
     fn belief(&self) -> Gaussian<N> {

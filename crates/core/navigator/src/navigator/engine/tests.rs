@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, DVector, Vector2, dvector};
 
 use super::*;
-use crate::frames::Attitude;
-use crate::navigator::{EstimatorSettings, VehicleChoice};
+use pilotage_base::frames::Attitude;
+use pilotage_mission::settings::{EstimatorSettings, VehicleChoice};
 
 fn settings(choice: EstimatorChoice, vehicle: VehicleChoice) -> NavigatorSettings {
     let mut settings = NavigatorSettings {

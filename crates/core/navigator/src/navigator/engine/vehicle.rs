@@ -1,10 +1,10 @@
 //! The vehicle model that the settings ask for.
 
-use super::super::{NavigatorSettings, VehicleChoice};
-use crate::vehicle::{
+use pilotage_estimation::vehicle::{
     AirData, AirDataBiases, AirplaneFull, AirplaneWind, AirplaneWindGust, ConstantVelocity, Gusts,
     Multirotor, RandomWalk, ThesisNoise, VehicleSettings, VelocityDriven,
 };
+use pilotage_mission::settings::{NavigatorSettings, VehicleChoice};
 
 /// The vehicle model that the settings ask for.
 pub fn vehicle(settings: &NavigatorSettings) -> VehicleSettings {

@@ -8,9 +8,9 @@ use super::super::picture_lag::{Onlooker, PictureLag};
 use super::super::whole_frames::Laid;
 use super::super::{Control, JointReport, StepReport};
 use super::Navigator;
-use crate::camera::CameraModel;
-use crate::filter::FilterError;
-use crate::raster::Pyramid;
+use pilotage_estimation::filter::FilterError;
+use pilotage_raster::camera::CameraModel;
+use pilotage_raster::raster::Pyramid;
 
 impl Navigator {
     /// What is doubted after all, and what that does to the estimate.
