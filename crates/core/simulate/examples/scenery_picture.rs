@@ -1,15 +1,15 @@
 //! Writes a window of the generated scenery as a PNG.
 //!
-//! `cargo run -p pilotage-core --example scenery_picture -- OUT.png NORTH WEST GSD WIDTH HEIGHT [map|other] [SEED]`
+//! `cargo run -p pilotage-simulate --example scenery_picture -- OUT.png NORTH WEST GSD WIDTH HEIGHT [map|other] [SEED]`
 //! (north-west corner in metres from the origin, metres per pixel, pixels)
 //!
 //! `… -- OUT.png features GSD SIDE [map|other] [SEED]` writes a sheet of the distinct features.
 
 use std::time::Instant;
 
-use pilotage_core::imagery::{Imagery, Window};
-use pilotage_core::raster::{Raster, Rgba};
-use pilotage_core::simulate::scenery::{DEMO_SEED, Day, Scenery};
+use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_raster::raster::{Raster, Rgba};
+use pilotage_simulate::simulate::scenery::{DEMO_SEED, Day, Scenery};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

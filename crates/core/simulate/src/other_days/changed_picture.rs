@@ -8,10 +8,10 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::days::{OtherDays, seeds};
-use crate::frames::{GroundPoint, GroundRect};
-use crate::imagery::kept::Kept;
-use crate::imagery::{Imagery, Window};
-use crate::raster::{Gray, Raster, Rgba, gaussian_blur, luminance, wide_blur};
+use pilotage_base::frames::{GroundPoint, GroundRect};
+use pilotage_raster::imagery::kept::Kept;
+use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_raster::raster::{Gray, Raster, Rgba, gaussian_blur, luminance, wide_blur};
 
 /// Width of the surroundings next to which a pixel counts as in shadow, metres.
 const SURROUNDINGS: f64 = 6.0;

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use nalgebra::Point2;
 
-use crate::camera::CameraModel;
-use crate::frames::GroundRect;
-use crate::imagery::{CachedImagery, Imagery, InsetImagery};
+use pilotage_base::frames::GroundRect;
+use pilotage_raster::camera::CameraModel;
+use pilotage_raster::imagery::{CachedImagery, Imagery, InsetImagery};
 
 /// Memory for the ground around a place on a day, megabytes.
 const CACHE_MEGABYTES: usize = 24;
@@ -14,7 +14,7 @@ const CACHE_MEGABYTES: usize = 24;
 /// The ground on several days, of which only what is asked for is drawn; further out the map does. Clones
 /// share what is drawn by then.
 #[derive(Clone)]
-pub(crate) struct DayGround {
+pub struct DayGround {
     map: Arc<dyn Imagery>,
     days: Vec<Arc<dyn Imagery>>,
     /// What of each day is drawn, and that part.
@@ -52,7 +52,7 @@ impl DayGround {
 }
 
 /// The part of the picture within `half` pixels of `middle`, as a camera of its own.
-pub(crate) fn crop(camera: &CameraModel, middle: &Point2<f64>, half: f64) -> CameraModel {
+pub fn crop(camera: &CameraModel, middle: &Point2<f64>, half: f64) -> CameraModel {
     let span = |middle: f64, size: usize| {
         let low = (middle - half).floor().max(0.0);
         let high = (middle + half).ceil().min(size as f64);

@@ -6,8 +6,8 @@ use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use crate::imagery::{CachedImagery, Imagery};
 use crate::simulate::scenery::{Day, Scenery, Season};
+use pilotage_raster::imagery::{CachedImagery, Imagery};
 
 /// Memory for tiles of one day, megabytes.
 const CACHE_MEGABYTES: usize = 24;

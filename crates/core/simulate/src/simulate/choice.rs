@@ -1,7 +1,7 @@
 //! What people choose from when they simulate a flight.
 
 use super::{IndoorHall, Scenario, Wind};
-use crate::navigator::{NavigatorSettings, VehicleChoice};
+use pilotage_mission::settings::{NavigatorSettings, VehicleChoice};
 
 /// A flight to be chosen by its name: a scenario over the scenery, or that of the hall.
 #[derive(Clone, Debug, PartialEq)]

@@ -8,10 +8,10 @@ use rand_chacha::ChaCha8Rng;
 
 use super::scenario::{LANDMARKS, picked};
 use super::scenery::{Day, NATIVE_GSD, Scenery};
-use crate::frames::{GroundPoint, GroundRect};
-use crate::imagery::{Imagery, Window};
-use crate::landmark::Landmark;
-use crate::raster::{Raster, Rgba};
+use pilotage_base::frames::{GroundPoint, GroundRect};
+use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_raster::raster::{Raster, Rgba};
+use pilotage_vision::landmark::Landmark;
 
 /// Side of a square, metres.
 const SIDE: f64 = 2400.0;

@@ -4,7 +4,7 @@ use nalgebra::{Matrix2, Vector2, Vector3};
 use rand::Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-use crate::frames::units::{METRES_PER_FOOT, feet};
+use pilotage_base::frames::units::{METRES_PER_FOOT, feet};
 
 /// Exponent of the power-law wind profile in stable air.
 const PROFILE_EXPONENT: f64 = 0.3;
@@ -167,7 +167,7 @@ mod tests {
     use rand_chacha::ChaCha8Rng;
 
     use super::*;
-    use crate::frames::units::knots;
+    use pilotage_base::frames::units::knots;
 
     /// Variance per axis over `seconds`, and the correlation of the first axis over one second.
     fn measured(step: f64, seconds: f64) -> (Vector3<f64>, f64) {

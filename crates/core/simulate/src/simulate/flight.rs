@@ -8,9 +8,9 @@ use super::dryden::{DrydenGust, Turbulence};
 use super::flight_airframe::{AircraftState, Airframe, Command};
 use super::guidance::{GuidanceSettings, PathFollower};
 use super::sensors::{self, SensorSpec, Stream};
-use crate::camera::CameraModel;
-use crate::flight::{Channel, Flight, Frame, FrameTruth, StartFix, Truth, TruthState};
-use crate::frames::{GroundPoint, LocalFrame};
+use pilotage_base::frames::{GroundPoint, LocalFrame};
+use pilotage_flight::{Channel, Flight, Frame, FrameTruth, StartFix, Truth, TruthState};
+use pilotage_raster::camera::CameraModel;
 
 /// Strongest wind in which anybody takes off, as a share of the airspeed.
 const STRONGEST_WIND: f64 = 0.75;
@@ -272,8 +272,8 @@ impl FlightPlan {
 mod tests {
     use super::super::scenario::{Overrides, Scenario, Wind};
     use super::*;
-    use crate::flight::ChannelName;
-    use crate::frames::units::{feet, knots};
+    use pilotage_base::frames::units::{feet, knots};
+    use pilotage_flight::ChannelName;
 
     fn plan(way_points: &[(f64, f64)], wind: Wind) -> FlightPlan {
         FlightPlan {

@@ -2,8 +2,8 @@
 
 use nalgebra::{Vector2, Vector3};
 
-use crate::frames::units::{GRAVITY, feet};
-use crate::frames::{Attitude, wrap_pi};
+use pilotage_base::frames::units::{GRAVITY, feet};
+use pilotage_base::frames::{Attitude, wrap_pi};
 
 /// What an aircraft can do.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,10 +5,10 @@ use std::sync::Arc;
 use super::aerial_camera::{AerialCamera, AerialCameraSettings, AerialFrame, frame_random};
 use super::scenario::FlightDay;
 use super::scenery::{DEMO_SEED, Scenery};
-use crate::flight::{Flight, FrameError, FrameSource};
-use crate::frames::Pose;
-use crate::imagery::CachedImagery;
-use crate::raster::{Picture, encode_png};
+use pilotage_base::frames::Pose;
+use pilotage_flight::{Flight, FrameError, FrameSource};
+use pilotage_raster::imagery::CachedImagery;
+use pilotage_raster::raster::{Picture, encode_png};
 
 /// Memory for tiles of the scenery: some ten times the ground of a picture, as flights go on and seldom
 /// come back.
@@ -59,7 +59,10 @@ impl SimulatedFrames {
             seed,
             camera: Arc::new(AerialCamera::new(flight.camera.clone(), settings)),
             ground_down: flight.ground_down,
-            poses: truth.iter().map(crate::flight::FrameTruth::pose).collect(),
+            poses: truth
+                .iter()
+                .map(pilotage_flight::FrameTruth::pose)
+                .collect(),
             names: flight.frames.iter().map(|f| f.name.clone()).collect(),
         }
     }

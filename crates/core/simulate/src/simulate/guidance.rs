@@ -4,8 +4,8 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
 
 use nalgebra::Vector2;
 
-use crate::frames::units::GRAVITY;
-use crate::frames::{GroundPoint, wrap_pi};
+use pilotage_base::frames::units::GRAVITY;
+use pilotage_base::frames::{GroundPoint, wrap_pi};
 
 /// How the guidance steers.
 #[derive(Clone, Copy, Debug, PartialEq)]

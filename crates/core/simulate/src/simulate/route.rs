@@ -1,6 +1,6 @@
 //! The routes of the built-in scenarios over the generated scenery.
 
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
 
 fn route<const N: usize>(points: [(f64, f64); N]) -> Vec<GroundPoint> {
     points

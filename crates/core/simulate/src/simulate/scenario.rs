@@ -13,13 +13,15 @@ use super::flight_frames::{SimulatedFlight, SimulatedFrames};
 use super::route;
 use super::scenery::{DEMO_SEED, Day, DistinctFeature, Scenery};
 use super::sensors::{SensorError, SensorSpec};
-use crate::camera::CameraModel;
-use crate::flight::Flight;
-use crate::frames::units::{feet, knots};
-use crate::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
-use crate::landmark::Landmark;
-use crate::mission::{MapReference, Mission};
-use crate::navigator::{NavigatorSettings, ProcessNoise, SensorNoise, StartError, VehicleChoice};
+use pilotage_base::frames::units::{feet, knots};
+use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
+use pilotage_flight::Flight;
+use pilotage_mission::mission::{MapReference, Mission};
+use pilotage_mission::settings::{
+    NavigatorSettings, ProcessNoise, SensorNoise, StartError, VehicleChoice,
+};
+use pilotage_raster::camera::CameraModel;
+use pilotage_vision::landmark::Landmark;
 
 /// Landmarks of the scenarios: nine buildings and a pool.
 pub(super) const LANDMARKS: usize = 10;
@@ -318,7 +320,7 @@ impl Scenario {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::flight::FrameTruth;
+    use pilotage_flight::FrameTruth;
 
     /// For every frame, how many of the mission's landmarks lie in it.
     fn in_view(scenario: &Scenario) -> Vec<usize> {

@@ -5,8 +5,8 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use serde::{Deserialize, Serialize};
 
-use crate::flight::{Channel, ChannelName, TruthState};
-use crate::frames::{Attitude, GroundPoint, wrap_pi};
+use pilotage_base::frames::{Attitude, GroundPoint, wrap_pi};
+use pilotage_flight::{Channel, ChannelName, TruthState};
 
 /// White noise per sample and a bias that stays for the flight, standard deviations in the
 /// quantity's unit.

@@ -5,10 +5,10 @@ use std::ops::Range;
 
 use nalgebra::Rotation3;
 
-use crate::camera::{CameraModel, FARTHEST_HEIGHTS, RayTable};
-use crate::frames::Pose;
-use crate::imagery::{Imagery, TILE_SIDE, Window};
-use crate::raster::Rgba;
+use pilotage_base::frames::Pose;
+use pilotage_raster::camera::{CameraModel, FARTHEST_HEIGHTS, RayTable};
+use pilotage_raster::imagery::{Imagery, TILE_SIDE, Window};
+use pilotage_raster::raster::Rgba;
 
 /// Side of the cells of the picture that share one level of detail, pixels.
 const CELL: usize = 16;
@@ -101,7 +101,7 @@ fn gsd_of(native: f64, level: u32) -> f64 {
     native * 2f64.powi(level as i32)
 }
 
-/// A tile of the grid that [`CachedImagery`](crate::imagery::CachedImagery) keeps.
+/// A tile of the grid that [`CachedImagery`](pilotage_raster::imagery::CachedImagery) keeps.
 fn tile_window(native: f64, level: u32, row: i64, column: i64) -> Window {
     let gsd = gsd_of(native, level);
     Window {

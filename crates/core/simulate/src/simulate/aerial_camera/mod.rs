@@ -15,10 +15,10 @@ use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 use serde::{Deserialize, Serialize};
 
-use crate::camera::{CameraModel, RayTable};
-use crate::frames::Pose;
-use crate::imagery::Imagery;
-use crate::raster::{Picture, decode_picture, encode_jpeg};
+use pilotage_base::frames::Pose;
+use pilotage_raster::camera::{CameraModel, RayTable};
+use pilotage_raster::imagery::Imagery;
+use pilotage_raster::raster::{Picture, decode_picture, encode_jpeg};
 
 /// The faults of the camera. All random ones are drawn anew for each frame.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -118,7 +118,7 @@ impl AerialCamera {
     /// origin, from `pose` and the vibration drawn from `random`.
     ///
     /// The imagery is asked for windows on the tile grid of
-    /// [`CachedImagery`](crate::imagery::CachedImagery), so that one of those saves the drawing of
+    /// [`CachedImagery`](pilotage_raster::imagery::CachedImagery), so that one of those saves the drawing of
     /// ground that an earlier frame has seen.
     pub fn take(
         &self,

@@ -5,8 +5,8 @@ use rand_chacha::rand_core::Rng;
 
 use super::AerialCameraSettings;
 use super::ground::Light;
-use crate::camera::CameraModel;
-use crate::raster::{Picture, blur_interleaved};
+use pilotage_raster::camera::CameraModel;
+use pilotage_raster::raster::{Picture, blur_interleaved};
 
 /// Optics, vignetting, exposure, noise and eight bits.
 pub(super) fn expose(

@@ -5,11 +5,11 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 
 use super::{AerialCamera, AerialCameraSettings};
-use crate::camera::{CameraModel, Distortion, Lens};
-use crate::frames::units::degrees;
-use crate::frames::{Attitude, GroundPoint, GroundRect, Pose};
-use crate::imagery::{CachedImagery, Imagery, Window};
-use crate::raster::{Picture, Raster, Rgba};
+use pilotage_base::frames::units::degrees;
+use pilotage_base::frames::{Attitude, GroundPoint, GroundRect, Pose};
+use pilotage_raster::camera::{CameraModel, Distortion, Lens};
+use pilotage_raster::imagery::{CachedImagery, Imagery, Window};
+use pilotage_raster::raster::{Picture, Raster, Rgba};
 
 /// Dark ground with a bright round dot every `spacing` metres; `radius` is two standard deviations
 /// of its light.

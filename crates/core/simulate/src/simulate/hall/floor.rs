@@ -6,10 +6,11 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::super::scenery::noise::{fractal, value_noise};
-use crate::frames::units::METRES_PER_FOOT;
-use crate::frames::{GroundPoint, GroundRect};
-use crate::imagery::{GeoreferencedPicture, GroundFromPixel};
-use crate::raster::{Raster, Rgba};
+use pilotage_base::frames::units::METRES_PER_FOOT;
+use pilotage_base::frames::{GroundPoint, GroundRect};
+use pilotage_base::georeference::GroundFromPixel;
+use pilotage_raster::imagery::GeoreferencedPicture;
+use pilotage_raster::raster::{Raster, Rgba};
 
 /// Metres per pixel of the floor.
 pub const FLOOR_GSD: f64 = 0.004;

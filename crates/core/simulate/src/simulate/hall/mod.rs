@@ -15,14 +15,16 @@ use super::flight::{Recording, STEPS_PER_RECORD, STEPS_PER_SECOND};
 use super::flight_frames::{SimulatedFlight, SimulatedFrames};
 use super::scenario::{FlightDay, world_origin};
 use super::sensors::{self, SensorError, SensorSpec, Stream};
-use crate::camera::CameraModel;
-use crate::flight::{Channel, ChannelName, TruthState};
-use crate::frames::LocalFrame;
-use crate::frames::units::{GRAVITY, feet};
-use crate::imagery::{CachedImagery, GeoreferencedPicture, Imagery};
-use crate::landmark::Landmark;
-use crate::mission::{MapReference, Mission};
-use crate::navigator::{NavigatorSettings, ProcessNoise, SensorNoise, StartError, VehicleChoice};
+use pilotage_base::frames::LocalFrame;
+use pilotage_base::frames::units::{GRAVITY, feet};
+use pilotage_flight::{Channel, ChannelName, TruthState};
+use pilotage_mission::mission::{MapReference, Mission};
+use pilotage_mission::settings::{
+    NavigatorSettings, ProcessNoise, SensorNoise, StartError, VehicleChoice,
+};
+use pilotage_raster::camera::CameraModel;
+use pilotage_raster::imagery::{CachedImagery, GeoreferencedPicture, Imagery};
+use pilotage_vision::landmark::Landmark;
 
 /// Memory for tiles of the floor: all of it, with its coarser levels.
 const CACHE_MEGABYTES: usize = 32;

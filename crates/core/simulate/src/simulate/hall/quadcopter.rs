@@ -2,8 +2,8 @@
 
 use nalgebra::{Matrix2, Vector2, Vector3};
 
-use crate::frames::units::GRAVITY;
-use crate::frames::{Attitude, wrap_pi};
+use pilotage_base::frames::units::GRAVITY;
+use pilotage_base::frames::{Attitude, wrap_pi};
 
 /// What a quadcopter can do and how its pilot flies it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,7 +7,7 @@ use super::parcels::Cover;
 use super::shape::{Outline, Spot};
 use super::things::{Form, Ground, Habit, RoadClass};
 use super::world::{World, ground_polygon};
-use crate::frames::{GroundPoint, GroundRect};
+use pilotage_base::frames::{GroundPoint, GroundRect};
 
 /// What a labelled thing is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]

@@ -2,7 +2,7 @@
 
 use super::day::Day;
 use super::shape::{Spot, spot};
-use crate::raster::Rgba;
+use pilotage_raster::raster::Rgba;
 
 /// A linear colour.
 pub(super) type Color = [f32; 3];

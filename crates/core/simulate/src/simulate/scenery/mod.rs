@@ -45,10 +45,10 @@ use std::sync::Arc;
 pub use day::{Day, Season};
 pub use labels::{DistinctFeature, SceneKind, SceneLabel};
 
-use crate::frames::GroundRect;
-use crate::imagery::{Imagery, Window};
-use crate::raster::{Raster, Rgba};
 use land::Land;
+use pilotage_base::frames::GroundRect;
+use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_raster::raster::{Raster, Rgba};
 use world::World;
 
 /// The seed of the built-in demo.

@@ -7,7 +7,7 @@ use super::shape::{Outline, Slab, Spot, spot};
 use super::things::{
     Cover, Crown, Form, Ground, Habit, Prop, Road, RoadClass, Roof, Solid, Surface,
 };
-use crate::frames::GroundRect;
+use pilotage_base::frames::GroundRect;
 
 /// Everything that stands or lies on the ground.
 #[derive(Clone, Debug, Default)]

@@ -2,8 +2,8 @@
 
 use super::shape::spot;
 use super::world::World;
-use crate::imagery::Window;
-use crate::raster::{Raster, Rgba};
+use pilotage_raster::imagery::Window;
+use pilotage_raster::raster::{Raster, Rgba};
 
 /// The pixels of a window. A coarse pixel averages a few samples, each of them already smoothed
 /// over its own part of the pixel, so that the cost per pixel stays bounded at any scale.

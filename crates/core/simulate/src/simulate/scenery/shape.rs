@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
 
 /// A place or a displacement on the ground, metres north and east.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

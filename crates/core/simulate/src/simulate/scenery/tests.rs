@@ -1,7 +1,7 @@
 //! What flights rely on.
 
 use super::*;
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
 
 fn scenery() -> Scenery {
     Scenery::new(DEMO_SEED, Day::map_day())

@@ -1,8 +1,8 @@
 //! From the plan's coordinates to the world's and back: half a turn about the origin.
 
 use super::labels::{DistinctFeature, SceneLabel};
-use crate::frames::{GroundPoint, GroundRect};
-use crate::imagery::Window;
+use pilotage_base::frames::{GroundPoint, GroundRect};
+use pilotage_raster::imagery::Window;
 
 fn point(p: &GroundPoint) -> GroundPoint {
     GroundPoint::new(-p.north, -p.east)

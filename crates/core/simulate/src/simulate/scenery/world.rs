@@ -137,6 +137,6 @@ fn parked(stalls: &[(Slab, f32)], day: &Day) -> Vec<Prop> {
 }
 
 /// Corners of an outline in world metres.
-pub(super) fn ground_polygon(outline: &Outline) -> Vec<crate::frames::GroundPoint> {
+pub(super) fn ground_polygon(outline: &Outline) -> Vec<pilotage_base::frames::GroundPoint> {
     outline.corners().into_iter().map(Spot::ground).collect()
 }
