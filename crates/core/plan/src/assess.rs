@@ -13,19 +13,19 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use serde::{Deserialize, Serialize};
 
-use super::day_ground::{DayGround, crop};
-use super::days::OtherDays;
 use super::{DetectionStatistics, ExpectedDetection, Tally};
-use crate::camera::CameraModel;
-use crate::frames::{Attitude, GroundPoint, Pose};
-use crate::imagery::Imagery;
-use crate::landmark::{
+use pilotage_base::frames::{Attitude, GroundPoint, Pose};
+use pilotage_mission::settings::SensorNoise;
+use pilotage_raster::camera::CameraModel;
+use pilotage_raster::imagery::Imagery;
+use pilotage_raster::raster::{PYRAMID_LEVELS, Pyramid};
+use pilotage_simulate::other_days::OtherDays;
+use pilotage_simulate::other_days::day_ground::{DayGround, crop};
+use pilotage_simulate::simulate::{AerialCamera, AerialCameraSettings};
+use pilotage_vision::landmark::{
     ChosenDetector, Detector, FrameView, Landmark, SearchRequest, Sighting, TemplateSettings,
     tolerance,
 };
-use crate::navigator::SensorNoise;
-use crate::raster::{PYRAMID_LEVELS, Pyramid};
-use crate::simulate::{AerialCamera, AerialCameraSettings};
 
 /// How much of what may be searched is drawn as on the day: all but the outermost that a search comes
 /// to if the filter is off by half a standard deviation of its search window and more.
@@ -437,10 +437,10 @@ fn expected(views: &[View], days: usize) -> Option<ExpectedDetection> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::frames::GroundRect;
-    use crate::imagery::CachedImagery;
-    use crate::plan::days::SceneryDays;
-    use crate::simulate::Scenario;
+    use pilotage_base::frames::GroundRect;
+    use pilotage_raster::imagery::CachedImagery;
+    use pilotage_simulate::other_days::SceneryDays;
+    use pilotage_simulate::simulate::Scenario;
 
     /// A rehearsal of the landmark of that name, moved by (north, east) metres.
     fn assessor(name: &str, north: f64, east: f64) -> Assessor {

@@ -13,7 +13,7 @@
 use nalgebra::Vector2;
 
 use super::field::Localizability;
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
 
 /// Probability at which a place no longer counts as blind.
 const LIT: f64 = 0.02;
@@ -190,7 +190,7 @@ impl Ground<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::frames::GroundRect;
+    use pilotage_base::frames::GroundRect;
 
     fn field(lit: impl Fn(&GroundPoint) -> f64) -> Localizability {
         let region = GroundRect::centered(GroundPoint::new(500.0, 0.0), 2000.0, 2000.0);

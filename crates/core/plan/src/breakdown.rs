@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::View;
 use super::envelope::{Tally, tally_by};
-use crate::navigator::SensorNoise;
+use pilotage_mission::settings::SensorNoise;
 
 /// Edges between small, usual and great attitude errors, standard deviations of roll and pitch: a third
 /// of all errors lies between each pair, their length being Rayleigh's: √(-2 ln ⅔), √(-2 ln ⅓).
@@ -48,11 +48,11 @@ impl Breakdown {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::landmark::{Detection, Refusal, Sighting};
+    use pilotage_vision::landmark::{Detection, Refusal, Sighting};
 
     fn view(day: usize, heading: f64, attitude_error: f64, covariance: f64) -> View {
         let detection = Detection {
-            ground: crate::frames::GroundPoint::default(),
+            ground: pilotage_base::frames::GroundPoint::default(),
             covariance: nalgebra::Matrix4::identity() * covariance,
             score: 0.9,
             second_score: 0.1,
@@ -86,7 +86,7 @@ mod tests {
         let sensors = SensorNoise {
             roll: 0.01,
             pitch: 0.01,
-            ..crate::navigator::NavigatorSettings::default().sensors
+            ..pilotage_mission::settings::NavigatorSettings::default().sensors
         };
         let counted = Breakdown::of(&views, &sensors, 3);
         let looks = |tallies: &[Tally]| tallies.iter().map(|t| t.looks).collect::<Vec<_>>();

@@ -9,7 +9,7 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::{Matrix2, Vector2};
 use serde::{Deserialize, Serialize};
 
-use crate::filter::normal_probability;
+use pilotage_base::statistics::normal_probability;
 
 /// Errors drawn from all worlds together at least, and from each of them.
 const DRAWN: (usize, usize) = (4096, 96);
@@ -168,7 +168,7 @@ fn strip(worlds: &[Belief], direction: &Vector2<f64>, probability: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plan::winds;
+    use crate::winds;
     use rand::SeedableRng;
     use rand_distr::{Distribution, StandardNormal};
 

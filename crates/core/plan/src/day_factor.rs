@@ -10,7 +10,7 @@ use rand::{Rng, RngExt};
 use rand_distr::{Distribution, StandardNormal};
 
 use super::{ExpectedDetection, Tally};
-use crate::filter::normal_probability;
+use pilotage_base::statistics::normal_probability;
 
 /// Values of ρ that are weighed, evenly from zero.
 const STEPS: usize = 20;

@@ -157,9 +157,10 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::imagery::CachedImagery;
-    use crate::plan::{Circumstances, OtherDays, SceneryDays};
-    use crate::simulate::Scenario;
+    use crate::Circumstances;
+    use pilotage_raster::imagery::CachedImagery;
+    use pilotage_simulate::other_days::{OtherDays, SceneryDays};
+    use pilotage_simulate::simulate::Scenario;
 
     #[test]
     fn a_pool_is_found_from_its_usual_height_and_does_not_fit_into_a_picture_from_far_below() {

@@ -10,9 +10,9 @@ use nalgebra::{Point2, Point3};
 use serde::{Deserialize, Serialize};
 
 use super::PlannedLandmark;
-use crate::camera::CameraModel;
-use crate::filter::normal_probability;
-use crate::frames::{Attitude, GroundPoint, GroundRect, Pose};
+use pilotage_base::frames::{Attitude, GroundPoint, GroundRect, Pose};
+use pilotage_base::statistics::normal_probability;
+use pilotage_raster::camera::CameraModel;
 
 /// Headings over which the probability is averaged.
 const HEADINGS: usize = 12;

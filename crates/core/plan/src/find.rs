@@ -16,8 +16,8 @@ use super::field::Localizability;
 use super::graph::{Aimed, Graph};
 use super::no_fly::{NoFlyArea, Obstacles};
 use super::smooth::{Turns, fits, flown, polish, pull_tight};
-use crate::frames::{GroundPoint, GroundRect};
-use crate::navigator::NavigatorSettings;
+use pilotage_base::frames::{GroundPoint, GroundRect};
+use pilotage_mission::settings::NavigatorSettings;
 
 /// Most nodes taken from the field.
 const MOST_SOURCES: usize = 260;

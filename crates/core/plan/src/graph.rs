@@ -5,7 +5,7 @@ use std::collections::BinaryHeap;
 
 use super::blind_way::{BlindWay, Unsure};
 use super::find::RouteQuestion;
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
 
 /// Metres without a fix are told apart by this ratio: a path is only followed further if it comes to a
 /// place with a class less than every cheaper one.

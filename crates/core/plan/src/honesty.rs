@@ -5,9 +5,9 @@ use serde::{Deserialize, Serialize};
 
 use super::Prediction;
 use super::prediction::nearest_ahead;
-use crate::flight::Flight;
-use crate::frames::GroundPoint;
-use crate::navigator::Run;
+use pilotage_base::frames::GroundPoint;
+use pilotage_flight::Flight;
+use pilotage_navigator::navigator::Run;
 
 /// One frame of a flight beside the plan.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -128,14 +128,14 @@ mod tests {
     use rand_chacha::ChaCha8Rng;
 
     use super::*;
-    use crate::frames::GroundRect;
-    use crate::landmark::Landmark;
-    use crate::navigator::Navigator;
-    use crate::plan::{
+    use crate::{
         DetectionStatistics, ExpectedDetection, PlannedLandmark, PredictionRequest, as_stated,
         random_route,
     };
-    use crate::simulate::{FlightPlan, Overrides, Scenario};
+    use pilotage_base::frames::GroundRect;
+    use pilotage_navigator::navigator::Navigator;
+    use pilotage_simulate::simulate::{FlightPlan, Overrides, Scenario};
+    use pilotage_vision::landmark::Landmark;
 
     const SPREAD: [f64; 4] = [0.1, 0.1, 0.004, 0.004];
 

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector2;
 
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
 
 /// A closed polygon that must not be flown over, its corners in either order.
 pub type NoFlyArea = Vec<GroundPoint>;

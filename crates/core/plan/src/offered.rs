@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use super::field::{FieldBuilder, FieldView, FixSource, Localizability};
 use super::suggest::{Candidate, Ranking};
-use crate::frames::{GroundPoint, GroundRect};
-use crate::imagery::Imagery;
+use pilotage_base::frames::{GroundPoint, GroundRect};
+use pilotage_raster::imagery::Imagery;
 
 /// The field of a map without landmarks: every place of a lattice is rehearsed as if it were one.
 ///
@@ -143,9 +143,9 @@ impl OfferedField {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::camera::CameraModel;
-    use crate::imagery::Window;
-    use crate::raster::{Raster, Rgba};
+    use pilotage_raster::camera::CameraModel;
+    use pilotage_raster::imagery::Window;
+    use pilotage_raster::raster::{Raster, Rgba};
 
     /// Still water with one house that looks like nothing else, or without.
     struct Water {

@@ -7,10 +7,11 @@ use serde::{Deserialize, Serialize};
 use super::corridor::{Belief, Corridor, corridor};
 use super::propagate::{Moment, Propagation, UnknownWind};
 use super::{DetectionStatistics, day_factor, winds};
-use crate::frames::GroundPoint;
-use crate::landmark::Landmark;
-use crate::navigator::{NavigatorSettings, vehicle};
-use crate::simulate::{FlightPlan, TrueFlight};
+use pilotage_base::frames::GroundPoint;
+use pilotage_mission::settings::NavigatorSettings;
+use pilotage_navigator::navigator::vehicle;
+use pilotage_simulate::simulate::{FlightPlan, TrueFlight};
+use pilotage_vision::landmark::Landmark;
 
 /// Probability with which the true error lies inside the corridor.
 const PROBABILITY: f64 = 0.95;
@@ -358,9 +359,9 @@ fn over(sample: &PredictionSample, limit: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plan::ExpectedDetection;
-    use crate::simulate::{Overrides, Scenario};
+    use crate::ExpectedDetection;
     use nalgebra::{Matrix4, Vector4};
+    use pilotage_simulate::simulate::{Overrides, Scenario};
 
     fn landmarks(scenario: &Scenario, probability: f64) -> Vec<PlannedLandmark> {
         let spread = Vector4::new(0.1, 0.1, 0.005, 0.005).map(|sd: f64| sd * sd);

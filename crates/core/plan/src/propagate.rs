@@ -8,11 +8,11 @@ use rand_distr::{Distribution, StandardNormal};
 use super::corridor::Belief;
 use super::prediction::{PredictionError, PredictionRequest};
 use super::view::{Information, Look, PlannedFrame};
-use crate::filter::{Gaussian, numerical_jacobian};
-use crate::flight::TruthState;
-use crate::frames::{GroundPoint, Pose};
-use crate::simulate::{TrueFlight, Turbulence};
-use crate::vehicle::{ControlInput, VehicleModel, VehicleVisitor};
+use pilotage_base::frames::{GroundPoint, Pose};
+use pilotage_estimation::filter::{Gaussian, numerical_jacobian};
+use pilotage_estimation::vehicle::{ControlInput, VehicleModel, VehicleVisitor};
+use pilotage_flight::TruthState;
+use pilotage_simulate::simulate::{TrueFlight, Turbulence};
 
 /// Longest step of the covariance, seconds.
 const LONGEST_STEP: f64 = 0.5;

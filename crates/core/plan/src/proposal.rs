@@ -3,15 +3,15 @@
 
 use std::sync::Arc;
 
-use super::days::OtherDays;
 use super::field::FieldView;
 use super::suggest::{
     Candidate, Ranking, Suggestion, choose_lasting, fading, most_certain_first, poses_all_over,
     poses_over,
 };
-use crate::frames::{GroundPoint, GroundRect, Pose};
-use crate::imagery::{CachedImagery, Imagery};
-use crate::navigator::NavigatorSettings;
+use pilotage_base::frames::{GroundPoint, GroundRect, Pose};
+use pilotage_mission::settings::NavigatorSettings;
+use pilotage_raster::imagery::{CachedImagery, Imagery};
+use pilotage_simulate::other_days::OtherDays;
 
 /// Memory for tiles of one day, megabytes: several rows of places, one below the other.
 const CACHE_MEGABYTES: usize = 8;

@@ -3,9 +3,9 @@
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use crate::frames::{GroundPoint, GroundRect};
-use crate::landmark::Landmark;
-use crate::simulate::Scenario;
+use pilotage_base::frames::{GroundPoint, GroundRect};
+use pilotage_simulate::simulate::Scenario;
+use pilotage_vision::landmark::Landmark;
 
 /// Way-points of a random route.
 const WAY_POINTS: usize = 5;

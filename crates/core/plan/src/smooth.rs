@@ -6,7 +6,7 @@ use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
 use super::find::{FoundRoute, RouteQuestion};
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
 
 /// Sharpest turn that is anticipated before a way-point, radians; as in the guidance.
 const SHARPEST: f64 = 2.4;

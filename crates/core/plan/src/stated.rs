@@ -12,11 +12,11 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::PlannedLandmark;
-use crate::flight::{Flight, FrameError, FrameSource, FrameTruth};
-use crate::frames::Pose;
-use crate::landmark::{Detection, Detector, FrameView, Refusal, SearchRequest, Sighting};
-use crate::navigator::geometry::appearance;
-use crate::raster::Picture;
+use pilotage_base::frames::Pose;
+use pilotage_flight::{Flight, FrameError, FrameSource, FrameTruth};
+use pilotage_raster::raster::Picture;
+use pilotage_vision::geometry::appearance;
+use pilotage_vision::landmark::{Detection, Detector, FrameView, Refusal, SearchRequest, Sighting};
 
 /// A seed of one flight is not that of another use of it.
 const SALT: u64 = 0x4d;

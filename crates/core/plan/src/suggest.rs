@@ -6,11 +6,11 @@ use std::sync::Arc;
 use nalgebra::Point3;
 use serde::{Deserialize, Serialize};
 
-use crate::camera::CameraModel;
-use crate::frames::{Attitude, GroundPoint, GroundRect, Pose};
-use crate::imagery::{Imagery, Window};
-use crate::landmark::{Rehearsal, rehearse};
-use crate::navigator::{NavigatorSettings, VehicleChoice};
+use pilotage_base::frames::{Attitude, GroundPoint, GroundRect, Pose};
+use pilotage_mission::settings::{NavigatorSettings, VehicleChoice};
+use pilotage_raster::camera::CameraModel;
+use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_vision::landmark::{Rehearsal, rehearse};
 
 /// Greatest ratio of a rival's score to the landmark's, as the detector has it.
 const AMBIGUITY: f64 = 0.85;
@@ -546,7 +546,7 @@ fn shows(map: &dyn Imagery, place: GroundPoint) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::raster::{Raster, Rgba};
+    use pilotage_raster::raster::{Raster, Rgba};
 
     fn candidate(north: f64, east: f64, margin: f64) -> Candidate {
         let place = GroundPoint::new(north, east);

@@ -3,10 +3,10 @@
 use nalgebra::{Matrix2, Matrix3, Matrix3x4, Matrix4, Matrix4x3, Vector3};
 
 use super::prediction::PlannedLandmark;
-use crate::camera::CameraModel;
-use crate::frames::Pose;
-use crate::navigator::SensorNoise;
-use crate::navigator::geometry::{appearance, ground_jacobian, pose_jacobian};
+use pilotage_base::frames::Pose;
+use pilotage_mission::settings::SensorNoise;
+use pilotage_raster::camera::CameraModel;
+use pilotage_vision::geometry::{appearance, ground_jacobian, pose_jacobian};
 
 /// What a landmark says of the state in one frame, linearized at the planned pose.
 #[derive(Clone, Copy, Debug)]
@@ -57,7 +57,7 @@ impl Information {
 
     /// What is left of it about the state when the pose's errors have covariance `pose_noise` and are
     /// the same in all of the picture: `HᵀR⁻¹H` with the R of
-    /// [`joint_noise`](crate::navigator::geometry::joint_noise), by Woodbury's identity.
+    /// [`joint_noise`](pilotage_vision::geometry::joint_noise), by Woodbury's identity.
     pub fn about_state(&self, pose_noise: &Matrix4<f64>) -> Option<Matrix3<f64>> {
         let inner = (Matrix4::identity() + self.pose * pose_noise).try_inverse()?;
         Some(self.state - self.coupling * pose_noise * inner * self.coupling.transpose())
@@ -141,8 +141,8 @@ impl PlannedFrame<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::navigator::geometry::joint_noise;
     use nalgebra::DMatrix;
+    use pilotage_vision::geometry::joint_noise;
     use rand::{RngExt, SeedableRng};
     use rand_chacha::ChaCha8Rng;
 

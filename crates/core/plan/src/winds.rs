@@ -11,7 +11,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{Matrix2, Vector2};
 
-use crate::filter::normal_probability;
+use pilotage_base::statistics::normal_probability;
 
 /// The golden angle, radians: rings turned by it against each other have no common edges.
 const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
