@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::camera::CameraModel;
-use crate::landmark::trained::Variants;
-use crate::navigator::SensorNoise;
+use pilotage_mission::settings::SensorNoise;
+use pilotage_raster::camera::CameraModel;
+use pilotage_vision::landmark::trained::Variants;
 
 /// Standard deviations of an error that a search must hold.
 const HELD: f64 = 2.5;

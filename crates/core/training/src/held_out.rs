@@ -1,7 +1,7 @@
 //! The photos by which a training is judged.
 
 use super::photo::{Photo, Photographer};
-use crate::frames::GroundPoint;
+use pilotage_base::frames::GroundPoint;
 
 /// Of the photos, one in so many is of a look-alike, if there are any.
 const LOOK_ALIKE_EVERY: usize = 4;

@@ -3,12 +3,12 @@
 use nalgebra::{Point2, Point3};
 
 use super::photo::Photo;
-use crate::camera::CameraModel;
-use crate::flight::{ChannelName, Flight, FrameError};
-use crate::frames::{GroundRect, Pose};
-use crate::landmark::Landmark;
-use crate::mission::FrameLabels;
-use crate::raster::{PYRAMID_LEVELS, Picture, Pyramid};
+use pilotage_base::frames::{GroundRect, Pose};
+use pilotage_flight::{ChannelName, Flight, FrameError};
+use pilotage_mission::mission::FrameLabels;
+use pilotage_raster::camera::CameraModel;
+use pilotage_raster::raster::{PYRAMID_LEVELS, Picture, Pyramid};
+use pilotage_vision::landmark::Landmark;
 
 /// Number of the first day of real frames; those of drawn days are below.
 const FIRST_DAY: usize = 1000;

@@ -9,13 +9,13 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::envelope::FlightEnvelope;
-use crate::camera::CameraModel;
-use crate::frames::{Attitude, GroundPoint, GroundRect, Pose};
-use crate::imagery::Imagery;
-use crate::landmark::{FrameView, Landmark};
-use crate::plan::day_ground::{DayGround, crop};
-use crate::raster::{PYRAMID_LEVELS, Picture, Pyramid};
-use crate::simulate::{AerialCamera, AerialCameraSettings};
+use pilotage_base::frames::{Attitude, GroundPoint, GroundRect, Pose};
+use pilotage_raster::camera::CameraModel;
+use pilotage_raster::imagery::Imagery;
+use pilotage_raster::raster::{PYRAMID_LEVELS, Picture, Pyramid};
+use pilotage_simulate::other_days::day_ground::{DayGround, crop};
+use pilotage_simulate::simulate::{AerialCamera, AerialCameraSettings};
+use pilotage_vision::landmark::{FrameView, Landmark};
 
 /// Standard deviations of the search region that the detector is given.
 const SEARCH_SIGMAS: f64 = 3.5;

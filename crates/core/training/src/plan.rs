@@ -2,10 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::frames::GroundPoint;
-use crate::landmark::TemplateSettings;
-use crate::landmark::cascade::train::{FeatureKind, StageGoal};
-use crate::landmark::trained::Preparation;
+use pilotage_base::frames::GroundPoint;
+use pilotage_vision::landmark::TemplateSettings;
+use pilotage_vision::landmark::cascade::train::{FeatureKind, StageGoal};
+use pilotage_vision::landmark::trained::Preparation;
 
 /// How a detector is trained.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix2, Vector2};
 
 use super::evaluation::{EvaluatedLook, EvaluatedMark, MarkCovariance};
-use crate::landmark::trained::{ByScore, MarkPrecision, Reading};
+use pilotage_vision::landmark::trained::{ByScore, MarkPrecision, Reading};
 
 /// Draws the starts of the robust fit.
 const SEED: u64 = 5;

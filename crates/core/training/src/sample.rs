@@ -2,12 +2,12 @@
 
 use super::envelope::FlightEnvelope;
 use super::photo::{Assumed, Photo};
-use crate::frames::GroundPoint;
-use crate::imagery::Window;
-use crate::landmark::cascade::Patch;
-use crate::landmark::trained::{DetectorWindow, Variant, to_bytes};
-use crate::landmark::{FrameView, rectify};
-use crate::raster::{IntegralImage, Raster};
+use pilotage_base::frames::GroundPoint;
+use pilotage_raster::imagery::Window;
+use pilotage_raster::raster::{IntegralImage, Raster};
+use pilotage_vision::landmark::cascade::Patch;
+use pilotage_vision::landmark::trained::{DetectorWindow, Variant, to_bytes};
+use pilotage_vision::landmark::{FrameView, rectify};
 
 /// Share of the window's sides next to the landmark where a window is neither it nor something else.
 const DOUBTFUL: f64 = 0.33;

@@ -7,20 +7,20 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
 use super::*;
-use crate::camera::CameraModel;
-use crate::flight::{Channel, ChannelName, Flight, Frame, StartFix};
-use crate::frames::{Attitude, GroundPoint, GroundRect, Pose};
-use crate::imagery::{Imagery, Window};
-use crate::landmark::TemplateSettings;
-use crate::landmark::trained::{DetectorWindow, TrainedDetector, Variants};
-use crate::landmark::{
+use pilotage_base::frames::{Attitude, GroundPoint, GroundRect, Pose};
+use pilotage_flight::{Channel, ChannelName, Flight, Frame, StartFix};
+use pilotage_mission::mission::{FrameLabels, LabelBox};
+use pilotage_mission::settings::NavigatorSettings;
+use pilotage_raster::camera::CameraModel;
+use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_raster::raster::{Raster, Rgba};
+use pilotage_simulate::other_days::OtherDays;
+use pilotage_simulate::simulate::{AerialCamera, AerialCameraSettings};
+use pilotage_vision::landmark::TemplateSettings;
+use pilotage_vision::landmark::trained::{DetectorWindow, TrainedDetector, Variants};
+use pilotage_vision::landmark::{
     ChosenDetector, Detector, DetectorChoice, Landmark, SearchRequest, Sighting,
 };
-use crate::mission::{FrameLabels, LabelBox};
-use crate::navigator::NavigatorSettings;
-use crate::plan::OtherDays;
-use crate::raster::{Raster, Rgba};
-use crate::simulate::{AerialCamera, AerialCameraSettings};
 
 /// Fields with a house of two wings, and sheds of which each looks like a wing.
 struct Farm {

@@ -14,14 +14,16 @@ use super::photo::{Photo, Photographer};
 use super::plan::TrainingPlan;
 use super::precision;
 use super::sample::Sample;
-use crate::imagery::Imagery;
-use crate::landmark::cascade::train::{CascadeTraining, StageGoal, StageRow, TrainingSettings};
-use crate::landmark::cascade::{Cascade, CascadeError, Patch, TrainedStage, responses};
-use crate::landmark::trained::{
+use pilotage_raster::imagery::Imagery;
+use pilotage_simulate::other_days::OtherDays;
+use pilotage_vision::landmark::cascade::train::{
+    CascadeTraining, StageGoal, StageRow, TrainingSettings,
+};
+use pilotage_vision::landmark::cascade::{Cascade, CascadeError, Patch, TrainedStage, responses};
+use pilotage_vision::landmark::trained::{
     DetectorWindow, Likelihood, TemplateLikelihood, TrainedDetector, Variants,
 };
-use crate::landmark::{Detector, Landmark, SearchRequest, TemplateDetector, tolerance};
-use crate::plan::OtherDays;
+use pilotage_vision::landmark::{Detector, Landmark, SearchRequest, TemplateDetector, tolerance};
 
 /// Of the held-out photos, one in so many is also looked at for the landmark's map patch.
 const TEMPLATE_EVERY: usize = 3;

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::draws::by_day;
 use super::isotonic::Isotonic;
 use super::{EvaluatedLook, Rate};
-use crate::landmark::trained::Likelihood;
+use pilotage_vision::landmark::trained::Likelihood;
 
 /// Parts of which each is left out once.
 const FOLDS: usize = 5;

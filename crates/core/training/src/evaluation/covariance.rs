@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use super::EvaluatedLook;
 use super::isotonic::Isotonic;
 use super::robust::RobustFit;
-use crate::filter::chi_square_quantile;
-use crate::landmark::trained::{ByScore, ScoreScale};
+use pilotage_base::statistics::chi_square_quantile;
+use pilotage_vision::landmark::trained::{ByScore, ScoreScale};
 
 /// Fewest marks of a group by score.
 const FEWEST: usize = 25;

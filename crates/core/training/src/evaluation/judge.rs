@@ -7,13 +7,13 @@ use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::{EvaluatedLook, EvaluatedMark};
-use crate::frames::{GroundPoint, GroundRect};
-use crate::imagery::Imagery;
-use crate::landmark::cascade::Cascade;
-use crate::landmark::trained::{DetectorWindow, Mark, TrainedDetector, search};
-use crate::landmark::{Landmark, tolerance};
-use crate::plan::OtherDays;
-use crate::training::{FlightEnvelope, Photo, Photographer, TrainingError};
+use crate::{FlightEnvelope, Photo, Photographer, TrainingError};
+use pilotage_base::frames::{GroundPoint, GroundRect};
+use pilotage_raster::imagery::Imagery;
+use pilotage_simulate::other_days::OtherDays;
+use pilotage_vision::landmark::cascade::Cascade;
+use pilotage_vision::landmark::trained::{DetectorWindow, Mark, TrainedDetector, search};
+use pilotage_vision::landmark::{Landmark, tolerance};
 
 /// One photo in so many is of a place without the landmark.
 const ELSEWHERE_EVERY: usize = 5;
@@ -132,7 +132,7 @@ impl DetectorJudge {
 
 /// Looks in a photo for what `cascade` finds in windows like `window`, from where the filter may think that it
 /// was taken; `None` if the photo's place does not appear on the ground from there.
-pub(in crate::training) fn look(
+pub(crate) fn look(
     photographer: &mut Photographer,
     photo: &Photo,
     cascade: &Cascade,

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::frames::GroundPoint;
-use crate::landmark::trained::Mark;
+use pilotage_base::frames::GroundPoint;
+use pilotage_vision::landmark::trained::Mark;
 
 /// One picture in which one landmark was searched.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -8,13 +8,13 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::StandardNormal;
 
 use super::{EvaluatedLook, EvaluatedMark};
-use crate::camera::CameraModel;
-use crate::flight::Flight;
-use crate::frames::{GroundPoint, GroundRect, Pose};
-use crate::landmark::trained::{Mark, TrainedDetector, search};
-use crate::landmark::{FrameView, Landmark, tolerance};
-use crate::raster::{PYRAMID_LEVELS, Picture, Pyramid};
-use crate::training::FlightEnvelope;
+use crate::FlightEnvelope;
+use pilotage_base::frames::{GroundPoint, GroundRect, Pose};
+use pilotage_flight::Flight;
+use pilotage_raster::camera::CameraModel;
+use pilotage_raster::raster::{PYRAMID_LEVELS, Picture, Pyramid};
+use pilotage_vision::landmark::trained::{Mark, TrainedDetector, search};
+use pilotage_vision::landmark::{FrameView, Landmark, tolerance};
 
 /// Tries to find a place in the picture that is far enough from the landmark.
 const TRIES: usize = 50;
@@ -76,7 +76,7 @@ impl FrameJudge<'_> {
     fn pose(&self, index: usize) -> Option<Pose> {
         let truth = self.flight.truth.as_ref()?;
         let of_frame = truth.frames.get(index);
-        if let Some(pose) = of_frame.and_then(crate::flight::FrameTruth::pose) {
+        if let Some(pose) = of_frame.and_then(pilotage_flight::FrameTruth::pose) {
             return Some(pose);
         }
         let time = self.flight.frames.get(index)?.time;
@@ -189,7 +189,7 @@ impl FrameJudge<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::simulate::{Overrides, Scenario};
+    use pilotage_simulate::simulate::{Overrides, Scenario};
 
     #[test]
     fn a_landmark_under_the_camera_is_whole_in_the_frame_and_other_places_are_out_of_its_reach() {

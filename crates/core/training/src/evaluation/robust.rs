@@ -4,7 +4,7 @@ use nalgebra::{Matrix2, Vector2};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use crate::filter::chi_square_quantile;
+use pilotage_base::statistics::chi_square_quantile;
 
 /// Random triples from which the search starts.
 const STARTS: usize = 300;
