@@ -1,24 +1,65 @@
 //! The method of Pilotage without a screen: frames, pictures, cameras, filter, vehicles, imagery,
 //! landmarks, flights, the navigator, a world to try it in, detectors trained in it, and studies.
 //!
-//! Modules are listed from the bottom up; a lower one never imports a higher one, and none of them
-//! reaches a screen, a clock, a file system or a thread. `cargo xtask test` checks both.
+//! A facade: every name here is that of one of the crates in the folders beside it, by the subject under
+//! which people look for it. None of them reaches a screen, a clock, a file system or a thread.
 
-pub mod alignment;
-pub mod camera;
-pub mod exchange;
-pub mod filter;
-pub mod flight;
-pub mod frames;
-pub mod imagery;
-pub mod instruments;
-pub mod landmark;
-pub mod mission;
-pub mod navigator;
-pub mod plan;
-pub mod raster;
-pub mod registration;
-pub mod simulate;
-pub mod study;
-pub mod training;
-pub mod vehicle;
+pub use pilotage_base::frames;
+pub use pilotage_estimation::vehicle;
+pub use pilotage_mission::exchange;
+pub use pilotage_navigator::{instruments, study};
+pub use pilotage_raster::{camera, raster};
+pub use pilotage_simulate::simulate;
+pub use pilotage_training as training;
+pub use pilotage_vision::{landmark, registration};
+
+/// Estimators, gates, consistency, and the distributions behind them.
+pub mod filter {
+    pub use pilotage_base::statistics::*;
+    pub use pilotage_estimation::filter::*;
+}
+
+/// Whatever can be a map: the trait over it, and its sources.
+pub mod imagery {
+    pub use pilotage_base::bytes::*;
+    pub use pilotage_base::georeference::*;
+    pub use pilotage_maps::{
+        GeoKeys, GeoTiff, GeoTiffError, GeoTiffFile, MapMemory, georeferencer, terrain, tiff,
+        web_tiles,
+    };
+    pub use pilotage_raster::imagery::*;
+}
+
+/// What was measured in a flight, and the files of other programs that say it.
+pub mod flight {
+    pub use pilotage_base::files;
+    pub use pilotage_flight::*;
+    pub use pilotage_readers::*;
+}
+
+/// What people author, and the map that it lies on.
+pub mod mission {
+    pub use pilotage_maps::{MapError, MapOptions, OpenMap, open_map, open_map_with};
+    pub use pilotage_mission::mission::*;
+}
+
+/// The pipeline from prediction to report, and its settings.
+pub mod navigator {
+    pub use pilotage_mission::settings::{
+        Cruise, EstimatorChoice, EstimatorSettings, NavigatorSettings, ProcessNoise, SensorNoise,
+        StartError, VehicleChoice,
+    };
+    pub use pilotage_navigator::navigator::*;
+}
+
+/// A camera put in time and place beside a log.
+pub mod alignment {
+    pub use pilotage_mission::settings::CameraAdjustment;
+    pub use pilotage_navigator::alignment::*;
+}
+
+/// What can be known of a flight before take-off.
+pub mod plan {
+    pub use pilotage_plan::*;
+    pub use pilotage_simulate::other_days::*;
+}
