@@ -14,26 +14,67 @@ fn text(path: &str) -> String {
 }
 
 #[test]
-fn no_folder_of_core_imports_upward() {
-    let sources = below("crates/core/src");
-    assert!(!sources.is_empty());
-    let found: Vec<_> = sources.iter().flat_map(layers::upward_imports).collect();
-    assert_none(&found);
+fn no_folder_imports_upward() {
+    for order in layers::ORDERS {
+        let sources = below(order.sources);
+        assert!(!sources.is_empty(), "{}", order.sources);
+        let found: Vec<_> = sources
+            .iter()
+            .flat_map(|source| layers::upward_imports(source, order))
+            .collect();
+        assert_none(&found);
+        let none: [(&str, &str); 0] = [];
+        assert_eq!(
+            layers::turned_arrows(&sources, order),
+            none,
+            "these arrows of {} point upward no longer: take them off the list",
+            order.sources
+        );
+    }
+}
+
+#[test]
+fn no_crate_of_the_method_depends_on_one_above_it_or_on_a_leaf() {
+    for name in manifest::CORE {
+        let found =
+            manifest::dependencies_upward(name, &text(&format!("crates/core/{name}/Cargo.toml")));
+        assert!(found.is_empty(), "{name} depends on {found:?}");
+    }
+    let crates = std::fs::read_dir(repository().join("crates/core"))
+        .expect("the method lies in crates/core")
+        .filter_map(|entry| entry.ok()?.file_name().into_string().ok())
+        .filter(|name| {
+            repository()
+                .join("crates/core")
+                .join(name)
+                .join("Cargo.toml")
+                .exists()
+        });
+    for name in crates {
+        assert!(
+            manifest::CORE.contains(&name.as_str()),
+            "`{name}` has no place in the order"
+        );
+    }
 }
 
 #[test]
 fn core_reaches_no_screen_clock_file_or_thread() {
-    let found: Vec<_> = reach::without_test_files(below("crates/core/src"))
+    let names = manifest::CORE
         .iter()
-        .flat_map(|source| reach::forbidden_paths(source, &reach::FORBIDDEN_IN_CORE))
-        .collect();
-    assert_none(&found);
-    let manifest = text("crates/core/Cargo.toml");
-    let none: [&str; 0] = [];
-    assert_eq!(
-        manifest::forbidden_dependencies(&manifest, &manifest::FORBIDDEN_FOR_CORE),
-        none
-    );
+        .map(|name| format!("crates/core/{name}"));
+    for folder in names.chain(["crates/core".to_owned()]) {
+        let sources = below(&format!("{folder}/src"));
+        assert!(!sources.is_empty(), "{folder}");
+        let found: Vec<_> = reach::without_test_files(sources)
+            .iter()
+            .flat_map(|source| reach::forbidden_paths(source, &reach::FORBIDDEN_IN_CORE))
+            .collect();
+        assert_none(&found);
+        let manifest = text(&format!("{folder}/Cargo.toml"));
+        let found = manifest::forbidden_dependencies(&manifest, &manifest::FORBIDDEN_FOR_CORE);
+        assert!(found.is_empty(), "{folder} depends on {found:?}");
+    }
 }
 
 #[test]
@@ -79,10 +120,17 @@ fn no_file_names_a_folder_of_one_machine() {
 
 #[test]
 fn the_architecture_page_names_every_folder() {
-    let folders: Vec<_> = std::fs::read_dir(repository().join("crates"))
-        .expect("the crates lie in crates/")
-        .map(|entry| entry.expect("the folder can be read").file_name())
-        .flat_map(|name| folders_with_rust(&format!("crates/{}/src", name.to_string_lossy())))
+    let crates = ["crates", "crates/core"].map(|folder| {
+        std::fs::read_dir(repository().join(folder))
+            .expect("the crates lie in crates/ and crates/core/")
+            .map(|entry| entry.expect("the folder can be read").file_name())
+            .map(|name| format!("{folder}/{}/src", name.to_string_lossy()))
+            .filter(|sources| repository().join(sources).is_dir())
+            .collect::<Vec<_>>()
+    });
+    let crates = crates.iter().flatten();
+    let folders: Vec<_> = crates
+        .flat_map(|sources| folders_with_rust(sources))
         .collect();
     assert!(folders.len() > 3, "{folders:?}");
     assert_none(&shape::unmentioned_folders(

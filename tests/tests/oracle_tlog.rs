@@ -164,7 +164,7 @@ fn the_table_of_messages_is_what_pymavlink_has() {
     let Some(expected) = ask::<_, String>("mavlink_dialect.py", &()) else {
         return;
     };
-    let path = repository().join("crates/core/src/flight/log/tlog/dialect.txt");
+    let path = repository().join("crates/core/readers/src/log/tlog/dialect.txt");
     let table = std::fs::read_to_string(path).expect("the table is part of the repository");
     assert!(
         table == expected,

@@ -64,6 +64,56 @@ pub fn forbidden_dependencies<'a>(text: &str, forbidden: &[&'a str]) -> Vec<&'a 
         .collect()
 }
 
+/// The crates of the method from the bottom up: each may depend on those before it.
+pub const CORE: [&str; 12] = [
+    "base",
+    "estimation",
+    "raster",
+    "flight",
+    "vision",
+    "mission",
+    "readers",
+    "maps",
+    "navigator",
+    "simulate",
+    "plan",
+    "training",
+];
+
+/// Crates of the method that nothing of the method stands on, so that others can use them and an edit rebuilds
+/// little.
+pub const LEAVES: [&str; 4] = ["readers", "maps", "plan", "training"];
+
+/// Packages of this workspace that the manifest `text` of the method's crate `name` must not depend on, not
+/// even in its tests: those above it, and leaves.
+///
+/// # Panics
+/// If `text` is not TOML or the crate has no place in the order.
+pub fn dependencies_upward(name: &str, text: &str) -> Vec<String> {
+    let own = CORE.iter().position(|other| *other == name);
+    let own = own.unwrap_or_else(|| panic!("`{name}` has no place in the order {CORE:?}"));
+    let allowed = |package: &str| {
+        CORE[..own]
+            .iter()
+            .any(|lower| *lower == package && !LEAVES.contains(lower))
+    };
+    let manifest: Table = text
+        .parse()
+        .unwrap_or_else(|error| panic!("not TOML: {error}"));
+    let lists = ["dependencies", "dev-dependencies", "build-dependencies"];
+    let lists = lists
+        .iter()
+        .filter_map(|list| manifest.get(*list)?.as_table());
+    lists
+        .flat_map(Table::keys)
+        .filter(|key| {
+            let package = key.strip_prefix("pilotage-");
+            package.is_some_and(|package| !allowed(package))
+        })
+        .cloned()
+        .collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -88,5 +138,18 @@ mod tests {
     fn libraries_of_the_tests_do_not_count() {
         let manifest = "[dependencies]\nnalgebra = \"1\"\n[dev-dependencies]\nrayon = \"1\"\n";
         assert!(forbidden_dependencies(manifest, &FORBIDDEN_FOR_CORE).is_empty());
+    }
+
+    #[test]
+    fn a_dependency_on_a_crate_above_or_on_a_leaf_is_noticed() {
+        let up =
+            "[dependencies]\npilotage-base.workspace = true\npilotage-navigator.workspace = true\n";
+        assert_eq!(dependencies_upward("vision", up), ["pilotage-navigator"]);
+        let leaf = "[dev-dependencies]\npilotage-readers.workspace = true\n";
+        assert_eq!(dependencies_upward("navigator", leaf), ["pilotage-readers"]);
+        let facade = "[dependencies]\npilotage-core.workspace = true\n";
+        assert_eq!(dependencies_upward("plan", facade), ["pilotage-core"]);
+        let down = "[dependencies]\npilotage-raster.workspace = true\nnalgebra.workspace = true\n";
+        assert!(dependencies_upward("vision", down).is_empty());
     }
 }
