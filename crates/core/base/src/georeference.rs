@@ -315,7 +315,7 @@ impl Georeference {
     ///
     /// Coordinates on the globe are not affine in the tangent plane; over a kilometre the difference
     /// is below a decimetre, and the middle and two sides of the picture are met.
-    /// [`Placement`](pilotage_raster::imagery::Placement) is exact.
+    /// `Placement` is exact.
     pub fn in_world(
         &self,
         frame: &LocalFrame,

@@ -10,7 +10,7 @@ pub fn belongs_to(file: &str, name: &str) -> bool {
     rest.is_some_and(|rest| rest.starts_with('.') || rest.starts_with("_georef"))
 }
 
-/// The files that put the picture `name` where `place` says, as [`open_map`](pilotage_maps::open_map) reads
+/// The files that put the picture `name` where `place` says, as `open_map` reads
 /// them: names and contents.
 pub fn place_files(name: &str, place: &Georeference) -> Vec<(String, Vec<u8>)> {
     let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
