@@ -1,7 +1,4 @@
-//! Maps out of files: `GeoTIFF` of any size, archives of web tiles, pictures beside a world file or put on
-//! the ground by hand, and the height of the ground.
-//!
-//! Every source is read by pieces with bounded memory, and reports what it could not read.
+#![doc = include_str!("../README.md")]
 
 pub mod georeferencer;
 mod geotiff;
@@ -12,3 +9,4 @@ pub mod web_tiles;
 
 pub use geotiff::{GeoKeys, GeoTiff, GeoTiffError, GeoTiffFile, MapMemory};
 pub use map_file::{MapError, MapOptions, OpenMap, open_map, open_map_with};
+pub use pilotage_base::{bytes, files, frames};

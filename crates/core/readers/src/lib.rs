@@ -1,7 +1,4 @@
-//! Flights read from what other programs recorded: flight folders and tables, logs of autopilots and
-//! robots, photos and films; what their columns and topics mean; and a flight at a glance.
-//!
-//! Every reader takes bytes, reports what it skipped, and never panics.
+#![doc = include_str!("../README.md")]
 
 pub mod beside_log;
 pub mod columns;
@@ -20,5 +17,6 @@ pub mod video;
 pub use folder::{
     FLIGHT_FILE, FlightFolder, FolderError, FolderFrames, WriteError, read_flight, write_flight,
 };
+pub use pilotage_base::bytes;
 pub use span_statistics::SpanStatistics;
 pub use span_table::SpanTable;
