@@ -14,6 +14,7 @@ mod graph;
 mod honesty;
 mod no_fly;
 mod offered;
+mod poses;
 mod prediction;
 mod propagate;
 mod proposal;
@@ -38,6 +39,7 @@ pub use find::{
 pub use honesty::{Comparison, Verification, compare};
 pub use no_fly::{NoFlyArea, inside};
 pub use offered::OfferedField;
+pub use poses::{poses_all_over, poses_over};
 pub use prediction::{
     PlannedLandmark, Prediction, PredictionError, PredictionRequest, PredictionSample, Stretch,
 };
@@ -45,6 +47,4 @@ pub use proposal::{Proposal, ProposalQuestion};
 pub use random_route::{random_places, random_route};
 pub use smooth::{Turns, fits};
 pub use stated::{StatedDetector, StatedFrames, as_stated};
-pub use suggest::{
-    Candidate, Ranking, Suggestion, choose, choose_lasting, fading, poses_all_over, poses_over,
-};
+pub use suggest::{Candidate, Ranking, Suggestion, choose, choose_lasting, fading};

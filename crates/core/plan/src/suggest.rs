@@ -1,15 +1,13 @@
 //! Landmarks that a map offers: every place is rehearsed, and the set that serves a route best is chosen.
 
-use std::f64::consts::PI;
 use std::sync::Arc;
 
-use nalgebra::Point3;
 use serde::{Deserialize, Serialize};
 
-use pilotage_base::frames::{Attitude, GroundPoint, GroundRect, Pose};
+use pilotage_base::frames::{GroundPoint, GroundRect, Pose};
 use pilotage_mission::settings::{NavigatorSettings, VehicleChoice};
 use pilotage_raster::camera::CameraModel;
-use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_raster::imagery::Imagery;
 use pilotage_vision::landmark::{Rehearsal, rehearse};
 
 /// Greatest ratio of a rival's score to the landmark's, as the detector has it.
@@ -35,8 +33,6 @@ const FAILED: f64 = 0.03;
 const EDGE: f64 = 0.02;
 /// Rounds in which every chosen landmark may be exchanged for a better one.
 const ROUNDS: usize = 8;
-/// Headings of the pictures taken anywhere: half a turn of them, for a picture is as wide on both sides.
-const HEADINGS: usize = 4;
 /// Error of a fix, metres: with dead reckoning as uncertain, it has faded.
 const FIX: f64 = 2.0;
 /// Certainty of a fix that counts as next to none.
@@ -465,210 +461,6 @@ fn holds(camera: &CameraModel, pose: &Pose, bounds: &GroundRect, ground_down: f6
     camera.holds(pose, bounds, ground_down, EDGE * camera.height as f64)
 }
 
-/// Level poses at `height` metres over a path, two a second at `speed` m/s: where the camera will be as
-/// far as a line on the map tells.
-pub fn poses_over(
-    path: &[GroundPoint],
-    height: f64,
-    speed: f64,
-    ground_down: f64,
-) -> Vec<(f64, Pose)> {
-    let mut poses = Vec::new();
-    let mut travelled = 0.0;
-    let mut due = 0.0;
-    let step = 0.5 * speed.max(0.1);
-    for leg in path.windows(2) {
-        let way = leg[1].to_vector() - leg[0].to_vector();
-        let length = way.norm();
-        if length < 1e-9 {
-            continue;
-        }
-        let course = way.y.atan2(way.x);
-        while due <= travelled + length {
-            let at = leg[0].to_vector() + way * ((due - travelled) / length);
-            let pose = Pose {
-                position_in_world: Point3::new(at.x, at.y, ground_down - height),
-                attitude: Attitude::level(course),
-            };
-            poses.push((due / speed.max(0.1), pose));
-            due += step;
-        }
-        travelled += length;
-    }
-    poses
-}
-
-/// Level poses at `height` metres over what `map` shows, `step` metres apart, each on several headings,
-/// and so far apart in time that no fix lasts from one to the next: for a map over which nobody knows the
-/// route yet.
-pub fn poses_all_over(
-    map: &dyn Imagery,
-    height: f64,
-    step: f64,
-    ground_down: f64,
-) -> Vec<(f64, Pose)> {
-    let region = map.bounds();
-    let count = |length: f64| (length / step.max(0.1)).floor().max(0.0) as usize + 1;
-    let mut poses = Vec::new();
-    for row in 0..count(region.height()) {
-        for column in 0..count(region.width()) {
-            let north = region.south + step * row as f64;
-            let east = region.west + step * column as f64;
-            if !shows(map, GroundPoint::new(north, east)) {
-                continue;
-            }
-            for turn in 0..HEADINGS {
-                let pose = Pose {
-                    position_in_world: Point3::new(north, east, ground_down - height),
-                    attitude: Attitude::level(PI * turn as f64 / HEADINGS as f64),
-                };
-                poses.push((1e3 * poses.len() as f64, pose));
-            }
-        }
-    }
-    poses
-}
-
-/// Whether a map shows ground at a place: it may be transparent, or pure black or white, around it.
-fn shows(map: &dyn Imagery, place: GroundPoint) -> bool {
-    let gsd = map.native_gsd().max(1.0);
-    let window = Window {
-        north_edge: place.north + 0.5 * gsd,
-        west_edge: place.east - 0.5 * gsd,
-        gsd,
-        width: 1,
-        height: 1,
-    };
-    let [red, green, blue, alpha] = map.window(&window).get(0, 0);
-    alpha == 255 && red.max(green).max(blue) > 2 && red.min(green).min(blue) < 253
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use pilotage_raster::raster::{Raster, Rgba};
-
-    fn candidate(north: f64, east: f64, margin: f64) -> Candidate {
-        let place = GroundPoint::new(north, east);
-        Candidate {
-            bounds: GroundRect::centered(place, 30.0, 30.0),
-            score: 0.8,
-            rival: 0.3,
-            rival_place: GroundPoint::new(north + 40.0, east),
-            margin,
-            drift: 0.1,
-            probability: margin,
-        }
-    }
-
-    #[test]
-    fn a_second_landmark_is_chosen_where_the_route_has_none_and_not_beside_the_first() {
-        let path = [GroundPoint::new(0.0, 0.0), GroundPoint::new(1200.0, 0.0)];
-        let camera = CameraModel::pinhole(640, 480, 60_f64.to_radians());
-        let frames = poses_over(&path, 120.0, 20.0, 0.0);
-        let offered = [
-            candidate(200.0, 0.0, 0.4),
-            candidate(240.0, 0.0, 0.39),
-            candidate(800.0, 10.0, 0.2),
-            candidate(500.0, 900.0, 0.5),
-        ];
-        let chosen = choose(&offered, &camera, &frames, 0.0, 4);
-        let middles: Vec<f64> = chosen
-            .iter()
-            .map(|s| s.candidate.bounds.center().north)
-            .collect();
-        assert_eq!(middles[..2], [200.0, 800.0], "{chosen:#?}");
-        assert!(!middles.contains(&500.0), "it is never in view");
-        assert!(chosen[0].in_view > 2.0 && chosen[0].gained > chosen[1].gained - 1e-9);
-    }
-
-    #[test]
-    fn poses_lie_on_the_path_half_a_second_apart_across_its_corners() {
-        let path = [(0.0, 0.0), (95.0, 0.0), (95.0, 100.0)].map(|(n, e)| GroundPoint::new(n, e));
-        let poses = poses_over(&path, 100.0, 20.0, 0.0);
-        assert_eq!(poses.len(), 20);
-        assert!(
-            poses
-                .windows(2)
-                .all(|p| (p[1].0 - p[0].0 - 0.5).abs() < 1e-9)
-        );
-        let last = poses[19].1;
-        assert!((last.position_in_world.y - 95.0).abs() < 1e-9, "{last:?}");
-    }
-
-    #[test]
-    fn the_longest_in_view_gives_way_to_two_that_cover_the_route_between_them() {
-        let path = [GroundPoint::new(0.0, 0.0), GroundPoint::new(150.0, 0.0)];
-        let camera = CameraModel::pinhole(640, 480, 60_f64.to_radians());
-        let frames = poses_over(&path, 120.0, 2.0, 0.0);
-        let offered = [75.0, 30.0, 120.0].map(|north| candidate(north, 0.0, 0.8));
-        let middles = |count: usize| -> Vec<f64> {
-            let chosen = choose_lasting(&offered, &camera, &frames, 0.0, 0.0, count);
-            let mut norths: Vec<f64> = chosen
-                .iter()
-                .map(|s| s.candidate.bounds.center().north)
-                .collect();
-            norths.sort_by(f64::total_cmp);
-            norths
-        };
-        assert_eq!(middles(1), [75.0], "the one longest in view");
-        assert_eq!(middles(2), [30.0, 120.0]);
-    }
-
-    #[test]
-    fn the_last_frame_of_a_flight_counts_too() {
-        let camera = CameraModel::pinhole(640, 480, 60_f64.to_radians());
-        let path = [GroundPoint::new(0.0, 0.0), GroundPoint::new(400.0, 0.0)];
-        let poses = poses_over(&path, 120.0, 20.0, 0.0);
-        let frames = [poses[0], poses[poses.len() - 1]];
-        let offered = [candidate(400.0, 0.0, 0.8)];
-        let chosen = choose_lasting(&offered, &camera, &frames, 0.0, 0.0, 1);
-        assert_eq!(chosen.len(), 1, "it is in the last picture only");
-    }
-
-    /// Ground in the west, nothing in the east.
-    struct HalfAMap;
-
-    impl Imagery for HalfAMap {
-        fn name(&self) -> &'static str {
-            "half a map"
-        }
-
-        fn bounds(&self) -> GroundRect {
-            GroundRect::centered(GroundPoint::default(), 400.0, 400.0)
-        }
-
-        fn native_gsd(&self) -> f64 {
-            0.5
-        }
-
-        fn window(&self, window: &Window) -> Raster<Rgba> {
-            Raster::from_fn(window.width, window.height, |column, row| {
-                let east = window.ground_at(column as f64, row as f64).east;
-                if east < 0.0 {
-                    [90, 90, 90, 255]
-                } else {
-                    [0; 4]
-                }
-            })
-        }
-    }
-
-    #[test]
-    fn nobody_is_expected_to_fly_where_the_map_shows_nothing() {
-        let poses = poses_all_over(&HalfAMap, 100.0, 50.0, 0.0);
-        assert!(poses.iter().all(|(_, p)| p.position_in_world.y < 1.0));
-        // Nine rows, four columns and perhaps the rim, on every heading.
-        assert!(poses.len() >= 9 * 4 * HEADINGS, "{}", poses.len());
-        assert_eq!(poses.len() % HEADINGS, 0);
-    }
-
-    #[test]
-    fn a_fix_fades_at_once_where_nothing_is_known_of_the_way() {
-        let mut settings = NavigatorSettings::default();
-        assert_eq!(fading(&settings), FADING);
-        settings.vehicle = VehicleChoice::RandomWalk;
-        settings.process.position = 6.0;
-        assert!(fading(&settings) < 0.2);
-    }
-}
+#[path = "suggest_tests.rs"]
+mod tests;

@@ -16,10 +16,9 @@ use pilotage_raster::imagery::{Imagery, Window};
 use pilotage_raster::raster::{Raster, Rgba};
 use pilotage_simulate::other_days::OtherDays;
 use pilotage_simulate::simulate::{AerialCamera, AerialCameraSettings};
-use pilotage_vision::landmark::TemplateSettings;
 use pilotage_vision::landmark::trained::{DetectorWindow, TrainedDetector, Variants};
 use pilotage_vision::landmark::{
-    ChosenDetector, Detector, DetectorChoice, Landmark, SearchRequest, Sighting,
+    ChosenDetector, Detector, DetectorChoice, Landmark, SearchRequest, Sighting, TemplateSettings,
 };
 
 /// Fields with a house of two wings, and sheds of which each looks like a wing.

@@ -13,8 +13,7 @@ use super::settings::HeadingChoice;
 use super::slip::SideForce;
 use super::walker::AirInputs;
 use pilotage_estimation::filter::{FilterError, Gaussian};
-use pilotage_flight::Flight;
-use pilotage_flight::{Finding, Severity};
+use pilotage_flight::{Finding, Flight, Severity};
 
 /// Why a flight cannot be reckoned.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

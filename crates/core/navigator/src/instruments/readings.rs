@@ -4,8 +4,7 @@ use nalgebra::Vector2;
 
 use super::series::Series;
 use pilotage_base::frames::wrap_pi;
-use pilotage_flight::{Channel, ChannelName, Flight, Quantity};
-use pilotage_flight::{Finding, Severity};
+use pilotage_flight::{Channel, ChannelName, Finding, Flight, Quantity, Severity};
 
 /// Cleaned series of the instruments that dead reckoning needs; SI and radians, times in seconds of the
 /// flight's time base as they were logged.

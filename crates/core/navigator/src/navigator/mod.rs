@@ -19,6 +19,7 @@ mod second_opinion;
 mod see;
 mod smooth;
 mod summary;
+mod ticks;
 mod whole_frames;
 
 pub use bound::position_bound;

@@ -14,6 +14,7 @@ use super::inputs::Inputs;
 use super::picture_lag::{Onlooker, PictureLag};
 use super::second_opinion::{Opinion, SecondOpinion, reconsider};
 use super::see::{Measurement, Seer, degrees, stack};
+use super::ticks::{Tick, ticks};
 use super::whole_frames::WholeFrames;
 use super::{
     CandidateReport, Control, FrameReport, JointReport, Outcome, Run, SigmaSets, StepReport,
@@ -22,15 +23,11 @@ use super::{
 use pilotage_base::frames::{GroundPoint, Pose};
 use pilotage_estimation::filter::FilterError;
 use pilotage_flight::{ChannelName, Flight, FrameSource};
-use pilotage_mission::settings::Cruise;
-use pilotage_mission::settings::NavigatorSettings;
+use pilotage_mission::settings::{Cruise, NavigatorSettings};
 use pilotage_raster::camera::CameraModel;
 use pilotage_raster::imagery::Imagery;
 use pilotage_raster::raster::{PYRAMID_LEVELS, Picture, Pyramid};
 use pilotage_vision::landmark::{ChosenDetector, Detector, Landmark, Refusal};
-
-/// Times closer than this are one step, seconds.
-const SAME_TIME: f64 = 1e-6;
 
 /// Why navigation cannot begin or go on.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -53,13 +50,6 @@ pub enum NavigatorError {
         /// What went wrong.
         cause: FilterError,
     },
-}
-
-/// One step of the plan: when, and which frame if any.
-#[derive(Clone, Copy, Debug)]
-struct Tick {
-    time: f64,
-    frame: Option<usize>,
 }
 
 /// Runs a flight through the estimator, one step a call.
@@ -502,95 +492,4 @@ fn footprint(model: &AppearanceModel<'_>, pose: &Pose) -> Vec<GroundPoint> {
                 .ground_at(pose, &nalgebra::Point2::new(x, y), model.ground_down)
         })
         .collect()
-}
-
-/// Every time at which a frame arrives after the start, or a measurement no sooner than `shortest` seconds
-/// after what came before.
-fn ticks(flight: &Flight, shortest: f64) -> Vec<Tick> {
-    let start = flight.start.time;
-    let mut ticks: Vec<Tick> = flight
-        .frames
-        .iter()
-        .enumerate()
-        .map(|(index, frame)| Tick {
-            time: frame.time,
-            frame: Some(index),
-        })
-        .collect();
-    for name in [ChannelName::Airspeed, ChannelName::Heading] {
-        let times = flight.channel(name).map_or(&[][..], |c| &c.times);
-        ticks.extend(times.iter().map(|time| Tick {
-            time: *time,
-            frame: None,
-        }));
-    }
-    ticks.retain(|tick| tick.time >= start - SAME_TIME);
-    // Frames first among equals, so that the merge keeps them.
-    ticks.sort_by(|a, b| {
-        a.time
-            .total_cmp(&b.time)
-            .then(b.frame.is_some().cmp(&a.frame.is_some()))
-    });
-    let apart = shortest.max(SAME_TIME);
-    ticks.dedup_by(|later, kept| later.frame.is_none() && later.time - kept.time < apart);
-    ticks
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use pilotage_flight::{Channel, Frame, StartFix};
-
-    /// Two sensors, of 100 and of 20 samples a second, for ten seconds, and a frame every second.
-    fn flight() -> Flight {
-        let series = |name, rate: f64| Channel {
-            name,
-            times: (0..(10.0 * rate) as usize)
-                .map(|i| i as f64 / rate)
-                .collect(),
-            values: vec![1.0; (10.0 * rate) as usize],
-        };
-        let frame = |i: u32| Frame {
-            time: f64::from(i) + 0.003,
-            name: String::new(),
-            stored_turn: 0.0,
-        };
-        Flight {
-            name: "test".to_owned(),
-            frame_on_globe: None,
-            camera: CameraModel::pinhole(64, 48, 1.0),
-            ground_down: 0.0,
-            channels: vec![
-                series(ChannelName::Heading, 100.0),
-                series(ChannelName::Airspeed, 20.0),
-            ],
-            frames: (0..10).map(frame).collect(),
-            start: StartFix {
-                time: 0.0,
-                position: GroundPoint::default(),
-                standard_deviation: 1.0,
-            },
-            truth: None,
-        }
-    }
-
-    #[test]
-    fn every_measurement_is_a_step_unless_steps_have_a_shortest_length() {
-        let flight = flight();
-        let all = ticks(&flight, 0.0);
-        assert_eq!(
-            all.len(),
-            1010,
-            "those of airspeed are also those of heading"
-        );
-        let apart = ticks(&flight, 0.05);
-        let frames: Vec<_> = apart.iter().filter_map(|tick| tick.frame).collect();
-        assert_eq!(frames, (0..10).collect::<Vec<_>>(), "no frame is left out");
-        let is_apart = |pair: &[Tick]| {
-            pair[1].frame.is_some() || pair[1].time - pair[0].time > 0.05 - SAME_TIME
-        };
-        assert!(apart.windows(2).all(is_apart));
-        assert!((180..=220).contains(&apart.len()), "{}", apart.len());
-        assert!(apart.last().unwrap().time > 9.9);
-    }
 }
