@@ -83,10 +83,6 @@ pub fn upward_imports(source: &Source, order: &Order) -> Vec<Violation> {
         .filter_map(|path| {
             let target = target_folder(&module, path)?;
             if order.rank(target).is_none() {
-                // A chain of `super::` that ends elsewhere began in a module that another file declares.
-                if path.segments[0] != "crate" {
-                    return None;
-                }
                 let text = path.text();
                 let what = "name the folder it comes from, or give it a place in the order";
                 return Some(complain(path.line, format!("`{text}`: {what}")));
@@ -195,11 +191,17 @@ const UI: Order = Order {
     ],
 };
 
-/// Module path of a file: `camera/model.rs` is `[camera, model]`, `camera/mod.rs` `[camera]`.
+/// Module path of a file: `camera/model.rs` is `[camera, model]`, `camera/mod.rs` `[camera]`, and
+/// `camera/model_tests.rs` `[camera, model, tests]`, for it is declared there.
 fn module_of(path: &str) -> Vec<&str> {
     let mut module: Vec<_> = path.trim_end_matches(".rs").split('/').collect();
     if matches!(module.last(), Some(&("mod" | "lib"))) {
         module.pop();
+    }
+    let tested = module.last().and_then(|name| name.strip_suffix("_tests"));
+    if let Some(tested) = tested {
+        module.pop();
+        module.extend([tested, "tests"]);
     }
     module
 }
@@ -283,6 +285,8 @@ mod tests {
             complaints("filter/gate.rs", "use super::super::frames::Angle;"),
             0
         );
+        let beside = "use super::super::noise::X;";
+        assert_eq!(complaints("filter/gate_tests.rs", beside), 0);
         let noise = "mod tests { use super::super::noise::X; }";
         assert_eq!(complaints("filter/gate.rs", noise), 0);
         assert_eq!(complaints("lib.rs", "pub mod study;"), 0);

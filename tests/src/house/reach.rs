@@ -61,12 +61,13 @@ pub fn forbidden_paths(source: &Source, forbidden: &[&[&str]]) -> Vec<Violation>
 }
 
 /// `sources` (all those of one crate) without the files that are test code as a whole: those that
-/// another one declares by `#[cfg(test)] mod name;`, what lies below them, and folders `tests`.
+/// another one declares by `#[cfg(test)] mod name;`, what lies below them, folders `tests`, and files beside
+/// what they test, `name_tests.rs`.
 pub fn without_test_files(sources: Vec<Source>) -> Vec<Source> {
     let roots: Vec<String> = sources.iter().flat_map(test_modules).collect();
     let is_test = |path: &str| {
         let module = path.trim_end_matches(".rs");
-        if module.split('/').any(|part| part == "tests") {
+        if module.split('/').any(|part| part == "tests") || module.ends_with("_tests") {
             return true;
         }
         roots
@@ -149,6 +150,7 @@ mod tests {
             source("fixture.rs", ""),
             source("views/mod.rs", "#[cfg(test)]\nmod canvas;\nmod plots;"),
             source("views/canvas.rs", ""),
+            source("views/plots_tests.rs", ""),
             source("views/plots.rs", "#[cfg(test)] mod tests;"),
             source("views/plots/tests.rs", ""),
             source("views/plots/axis.rs", ""),
