@@ -7,11 +7,9 @@
 //! - [`pmtiles`] is a small archive of tiles, for the tests of the other crates, too;
 //! - [`recorded`] reads the recorded flights that have a column map here;
 //! - [`routes`] flies found routes beside straight lines over generated counties;
-//! - [`whole_frames`] navigates recorded flights by laying whole frames on the map;
-//! - [`house`] reads the sources and reports where they break a rule of the house.
+//! - [`whole_frames`] navigates recorded flights by laying whole frames on the map.
 
 pub mod data;
-pub mod house;
 pub mod logs;
 pub mod oracle;
 pub mod pmtiles;

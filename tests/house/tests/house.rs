@@ -1,11 +1,8 @@
 //! The rules of the house, applied to this repository.
 
-use pilotage_tests::{
-    data::repository,
-    house::{
-        assert_none, layers, manifest, reach, shape,
-        sources::{below, folders_with_rust},
-    },
+use pilotage_house::{
+    assert_none, layers, manifest, reach, shape,
+    sources::{below, folders_with_rust, repository},
 };
 
 fn text(path: &str) -> String {

@@ -5,8 +5,6 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use crate::data::repository;
-
 /// Folders that are made by tools and belong to nobody's sources.
 const MADE: [&str; 5] = [".git", "target", "dist", "node_modules", "__pycache__"];
 
@@ -26,6 +24,11 @@ impl Source {
             .extension()
             .is_some_and(|found| found == extension)
     }
+}
+
+/// Root of the repository.
+pub fn repository() -> &'static Path {
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
 }
 
 /// Every text file below `folder` (relative to the root of the repository), sorted by path.

@@ -1,7 +1,7 @@
 //! The shape of the sources: length of files, places of `unsafe`, paths of somebody's machine,
 //! and whether the architecture page names every folder.
 
-use super::{Violation, sources::Source, tokens::named_paths};
+use crate::{Violation, sources::Source, tokens::named_paths};
 
 /// No source file is longer, in lines.
 pub const LONGEST: usize = 700;

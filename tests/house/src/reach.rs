@@ -1,6 +1,6 @@
 //! What a crate must not reach: `core` no screen, clock, file or thread; `ui` no browser.
 
-use super::{Violation, sources::Source, tokens::named_paths};
+use crate::{Violation, sources::Source, tokens::named_paths};
 
 /// What `core` must not name outside its tests. Time, files and threads come in as values from
 /// the caller, so that the same flight gives the same run on every platform.

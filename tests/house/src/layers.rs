@@ -1,6 +1,6 @@
 //! Lower crates and folders never import upper ones.
 
-use super::{
+use crate::{
     Violation,
     sources::Source,
     tokens::{NamedPath, named_paths},
