@@ -3,6 +3,7 @@ import { writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 
 export const name = "the mission brief is one printed page with map, legs, landmarks and prediction";
+export const tags = ["plan"];
 
 const folder = process.env.PILOTAGE_SCREENSHOTS ?? fileURLToPath(new URL("../../target/screenshots", import.meta.url));
 

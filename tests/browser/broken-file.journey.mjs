@@ -2,6 +2,7 @@
 import { zip } from "./zip.mjs";
 
 export const name = "a broken file is refused with its name and cause, and nothing is lost";
+export const tags = ["readers"];
 
 async function choose(page, files) {
   await page.setInputFiles("#files", files);

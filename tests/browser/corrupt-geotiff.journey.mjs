@@ -2,6 +2,7 @@
 import { country, geotiff } from "./geotiff.mjs";
 
 export const name = "a GeoTIFF that is cut off, packed in an unknown way or without a place is told by name, and nothing is lost";
+export const tags = ["maps"];
 
 const recipe = { width: 300, height: 200, gsd: 0.5, east: 570_000, north: 5_190_000, pixel: country(300, 200) };
 const whole = geotiff(recipe);

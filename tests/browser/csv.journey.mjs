@@ -5,6 +5,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 export const name = "CSV tables of a flight open by drop: their columns are guessed, looked over, plotted, and flown";
+export const tags = ["readers"];
 
 const repository = fileURLToPath(new URL("../../", import.meta.url));
 const folder = join(repository, "../shared/data/inertialnav_x8");

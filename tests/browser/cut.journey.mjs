@@ -4,6 +4,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 export const name = "GPS is cut out of a real flight where the mouse drags, and the error grows within its radius";
+export const tags = ["readers"];
 
 const repository = fileURLToPath(new URL("../../", import.meta.url));
 const folder = join(repository, "../shared/data/inertialnav_x8");

@@ -5,6 +5,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 export const name = "a film beside a log becomes the frames of its flight";
+export const tags = ["readers"];
 
 const repository = fileURLToPath(new URL("../../", import.meta.url));
 const log = join(repository, "../shared/data/px4_ulog/sample-small.ulg");

@@ -1,5 +1,6 @@
 // A route found over what the map itself offers.
 export const name = "a route is found over good places of the map, with progress, and can be stopped";
+export const tags = ["maps", "plan"];
 
 export async function run(page, tools) {
   await tools.waitReady();

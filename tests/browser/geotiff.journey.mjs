@@ -2,6 +2,7 @@
 import { country, geotiff } from "./geotiff.mjs";
 
 export const name = "a GeoTIFF and heights open by drop: they lie where they should, and stay after a reload";
+export const tags = ["maps"];
 
 const [width, height, gsd] = [1600, 1200, 0.5];
 

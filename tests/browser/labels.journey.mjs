@@ -2,6 +2,7 @@
 import { drop } from "./geotiff.journey.mjs";
 
 export const name = "pictures are labelled, an undone label is gone, and labels come back after a reload and from their file";
+export const tags = ["readers", "training"];
 
 const boxes = (s) => s.labels.flatMap((l) => l.boxes);
 

@@ -8,6 +8,7 @@ import { repeatingGeotiff } from "./geotiff.mjs";
 import { rendererMemory } from "./memory.mjs";
 
 export const name = "a GeoTIFF of half a billion pixels opens, pans and stays small";
+export const tags = ["maps"];
 
 /** The size of the largest map of the thesis. */
 const large = () => repeatingGeotiff({

@@ -5,6 +5,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 export const name = "logs of ArduPilot and PX4 open by drop: overview, fields over time; what is none is refused";
+export const tags = ["readers"];
 
 const repository = fileURLToPath(new URL("../../", import.meta.url));
 const data = join(repository, "../shared/data");

@@ -4,6 +4,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 export const name = "photos that say where they were taken open with an overview and plots, and say what they lack";
+export const tags = ["readers"];
 
 const folder = join(fileURLToPath(new URL("../../", import.meta.url)), "../shared/data/caliterra");
 

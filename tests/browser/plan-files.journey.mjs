@@ -1,5 +1,6 @@
 // Files of other programs dropped on the plan: what is not understood is kept, what is missing told.
 export const name = "a .plan with unknown commands and a KML with missing styles are read, and say what they lack";
+export const tags = ["plan"];
 
 const file = (name, text) => ({ name, mimeType: "application/octet-stream", buffer: Buffer.from(text) });
 

@@ -3,6 +3,7 @@ import { drop } from "./geotiff.journey.mjs";
 import { geotiff } from "./geotiff.mjs";
 
 export const name = "a plan takes the height of the ground from an elevation model that is dropped on it, names it, and keeps altitudes in the frame that is chosen";
+export const tags = ["maps", "plan"];
 
 const fine = (s) => s.plan.prediction?.fine;
 

@@ -1,5 +1,6 @@
 // A route over the demo: drawn, its corridor watched as a landmark is added, and that taken back.
 export const name = "a route over the demo shows its corridor, which shrinks with a landmark and is wide again after undo; it is exported, and there again after a reload";
+export const tags = ["plan"];
 
 const fine = (s) => s.plan.prediction?.fine;
 

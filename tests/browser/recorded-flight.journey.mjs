@@ -4,6 +4,7 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 export const name = "a recorded flight opens from its folder, is navigated, and is there again after a reload";
+export const tags = ["readers"];
 
 const repository = fileURLToPath(new URL("../../", import.meta.url));
 const folder = join(repository, "../shared/data/brighton_beach");

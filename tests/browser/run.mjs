@@ -1,6 +1,7 @@
 // Walks every journey (*.journey.mjs) through the page, each in a browser of its own with an empty
 // profile. `node run.mjs [WORD]` takes those whose file name contains the word; without a word those
-// that judge something, which leaves out the figures.
+// that judge something, which leaves out the figures. A journey exports the `tags` of the parts of the program
+// that it walks through; PILOTAGE_TAGS names those that changed.
 import { mkdirSync, readdirSync } from "node:fs";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
@@ -14,6 +15,7 @@ const pictures = process.env.PILOTAGE_SCREENSHOTS ?? join(here, "../../target/sc
 const longest = 400_000; // milliseconds for one journey, after which it counts as lost
 
 const word = process.argv[2] ?? "";
+const tags = (process.env.PILOTAGE_TAGS ?? "").split(",").filter(Boolean); // of the parts that changed; none: all
 const asked = (file) => (word ? file.includes(word) : !file.startsWith("figures"));
 const files = readdirSync(here).filter((file) => file.endsWith(".journey.mjs") && asked(file)).sort();
 if (files.length === 0) {
@@ -32,6 +34,7 @@ for (const file of files) {
   try {
     const journey = await import(pathToFileURL(join(here, file)));
     name = journey.name ?? file;
+    if (tags.length > 0 && !(journey.tags ?? []).some((tag) => tags.includes(tag))) continue;
     await walk(journey, file.replace(/\.journey\.mjs$/, ""));
     passed += 1;
     console.log(`passed  ${name} (${seconds()})`);

@@ -1,6 +1,7 @@
 // Landmarks proposed for the demo's route: asked for, stopped, asked again, added, taken back; then how
 // well one of them is found, from which heights, with which tilts.
 export const name = "landmarks are suggested with reasons, added and taken back in one step, and one is looked at from other heights";
+export const tags = ["plan"];
 
 const COUNT = 3;
 

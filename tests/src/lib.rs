@@ -7,6 +7,7 @@
 //! - [`pmtiles`] is a small archive of tiles, for the tests of the other crates, too;
 //! - [`recorded`] reads the recorded flights that have a column map here;
 //! - [`routes`] flies found routes beside straight lines over generated counties;
+//! - [`studies`] says whether questions over many seeds are asked in full;
 //! - [`whole_frames`] navigates recorded flights by laying whole frames on the map.
 
 pub mod data;
@@ -15,4 +16,5 @@ pub mod oracle;
 pub mod pmtiles;
 pub mod recorded;
 pub mod routes;
+pub mod studies;
 pub mod whole_frames;

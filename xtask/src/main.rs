@@ -19,9 +19,11 @@ cargo xtask serve [--port N] [--profile web-quick|web] [--no-build] [--dist FOLD
     builds the page and serves it on this machine (port 8080; 0 takes a free one)
 cargo xtask dist [--dist FOLDER]
     packs the page into a folder that any file server can host, and prints its sizes
-cargo xtask test [--quick] [--only WORD]
+cargo xtask test [--quick] [--studies] [--changed] [--base REV] [--only WORD]
     runs every check; --quick leaves out the documentation, the oracles and the browser,
-    --only all but the checks that have WORD in their name, such as journeys";
+    --only all but the checks that have WORD in their name, such as journeys;
+    --changed checks what the changes since the last commit (or since REV) can reach;
+    --studies asks over all seeds what the everyday run asks over a few";
 
 fn main() -> ExitCode {
     let arguments = std::env::args().skip(1);
@@ -51,8 +53,17 @@ fn run(mut arguments: Arguments) -> Result<ExitCode, Failure> {
         Some("test") => {
             let quick = arguments.flag("--quick");
             let only = arguments.value("--only")?;
+            let studies = arguments.flag("--studies");
+            let base = arguments.value("--base")?;
+            let changed = arguments.flag("--changed") || base.is_some();
             arguments.finish()?;
-            test::run(quick, only)
+            let reach = changed.then(|| test::reach(base.as_deref())).transpose()?;
+            test::run(&test::Choice {
+                quick,
+                only,
+                studies,
+                reach,
+            })
         }
         Some("help" | "--help" | "-h") => {
             println!("{USAGE}");

@@ -22,8 +22,8 @@ const NAMES: [&str; 4] = [
     "google-chrome",
 ];
 
-/// Walks every journey through the page in `dist`.
-pub fn check(dist: &Path) -> Result<(), Failure> {
+/// Walks the journeys through the page in `dist`: all, or those with one of `tags`.
+pub fn check(dist: &Path, tags: Option<&[String]>) -> Result<(), Failure> {
     node()?;
     let browser = chromium()?;
     packages()?;
@@ -34,6 +34,7 @@ pub fn check(dist: &Path) -> Result<(), Failure> {
             .env("PILOTAGE_CHROMIUM", browser)
             .env("PILOTAGE_SERVER", server)
             .env("PILOTAGE_PAGE", dist)
+            .env("PILOTAGE_TAGS", tags.unwrap_or_default().join(","))
             .env("PILOTAGE_SCREENSHOTS", places::target().join("screenshots")),
         "node was found a moment ago",
     )

@@ -3,6 +3,7 @@
 //! A failing check does not stop the others; the last line counts them.
 
 mod browser;
+mod changed;
 mod install;
 mod native;
 mod oracles;
@@ -16,26 +17,56 @@ use crate::{
     page::{self, Profile},
     places,
 };
+pub use changed::{Reach, reach};
 use table::Table;
 
-/// Runs the checks and prints the table. `quick` leaves out documentation, oracles and browser,
-/// `only` everything without that word in its name.
-pub fn run(quick: bool, only: Option<String>) -> Result<ExitCode, Failure> {
-    let mut table = Table::new(only);
+/// Which checks are run, and on what.
+#[derive(Debug)]
+pub struct Choice {
+    /// Without documentation, oracles and browser.
+    pub quick: bool,
+    /// Only checks with this word in their name.
+    pub only: Option<String>,
+    /// Questions over many seeds are asked in full.
+    pub studies: bool,
+    /// Only what a change can reach.
+    pub reach: Option<Reach>,
+}
+
+/// Runs the checks and prints the table.
+pub fn run(choice: &Choice) -> Result<ExitCode, Failure> {
+    let mut table = Table::new(choice.only.clone());
+    let packages = native::Packages::of(choice.reach.as_ref());
+    let page_is_reached = choice.reach.as_ref().is_none_or(|reach| reach.page);
     table.check("format", native::format);
     table.check("dependencies: licences, bans, sources", policy::check);
     table.check("house rules", native::house_rules);
-    table.check("lints, native", native::lints);
-    table.check("lints, page", native::page_lints);
+    if !packages.are_none() {
+        table.check("lints, native", || native::lints(&packages));
+    }
+    if page_is_reached {
+        table.check("lints, page", native::page_lints);
+    }
     table.check("tests of the build program", native::build_program);
-    table.check("tests, native", native::tests);
-    if !quick {
-        table.check("documentation", native::documentation);
-        table.check("oracles", oracles::check);
+    if !packages.are_none() {
+        table.check("tests, native", || native::tests(&packages, choice.studies));
+    }
+    if !choice.quick {
+        if !packages.are_none() {
+            table.check("documentation", || native::documentation(&packages));
+        }
+        if packages.hold("pilotage-tests") {
+            table.check("oracles", oracles::check);
+        }
+    }
+    if !choice.quick && page_is_reached {
         let page = places::page_under_test();
+        let tags = choice.reach.as_ref().and_then(|reach| reach.tags.clone());
         let is_built = table.check("page", || page::build(Profile::Quick, &page));
         if is_built {
-            table.check("journeys through the page", || browser::check(&page));
+            table.check("journeys through the page", || {
+                browser::check(&page, tags.as_deref())
+            });
         } else {
             table.blocked(
                 "journeys through the page",

@@ -5,6 +5,7 @@
 //! rules of the house are left out of the tests and have their own lines: their libraries are built
 //! already, in this program's profile.
 
+use super::Reach;
 use crate::{
     failure::Failure,
     page::{Profile, TARGET, without_flags},
@@ -33,6 +34,46 @@ pub const PACKAGES: [&str; 6] = [
     "pilotage-house",
 ];
 
+/// The packages of one run.
+#[derive(Debug)]
+pub struct Packages {
+    /// Those that a change reaches, or `None` for all.
+    reached: Option<Vec<String>>,
+}
+
+impl Packages {
+    /// All, or those that a change reaches and that are tested natively.
+    pub fn of(reach: Option<&Reach>) -> Self {
+        let own_line = ["xtask", "pilotage-house"];
+        let reached = reach.map(|reach| {
+            let names = reach.packages.iter();
+            let names = names.filter(|name| !own_line.contains(&name.as_str()));
+            names.cloned().collect()
+        });
+        Self { reached }
+    }
+
+    /// Whether there is nothing to check.
+    pub fn are_none(&self) -> bool {
+        self.reached.as_ref().is_some_and(Vec::is_empty)
+    }
+
+    /// Whether the package `name` is among them.
+    pub fn hold(&self, name: &str) -> bool {
+        let reached = self.reached.as_ref();
+        reached.is_none_or(|reached| reached.iter().any(|other| other == name))
+    }
+
+    /// What cargo is told, and `all` where nothing is left out.
+    fn arguments<'a>(&'a self, all: &'a [&'a str]) -> Vec<&'a str> {
+        let Some(reached) = &self.reached else {
+            return all.to_vec();
+        };
+        let names = reached.iter().flat_map(|name| ["-p", name.as_str()]);
+        std::iter::once("--locked").chain(names).collect()
+    }
+}
+
 /// `cargo fmt` would change nothing.
 pub fn format() -> Result<(), Failure> {
     ensure_component("rustfmt", "fmt")?;
@@ -40,18 +81,11 @@ pub fn format() -> Result<(), Failure> {
 }
 
 /// No lint has anything to say about anything built natively.
-pub fn lints() -> Result<(), Failure> {
+pub fn lints(packages: &Packages) -> Result<(), Failure> {
     ensure_component("clippy", "clippy")?;
-    let arguments = [
-        "clippy",
-        "--locked",
-        "--workspace",
-        "--all-targets",
-        "--",
-        "-D",
-        "warnings",
-    ];
-    run(&mut cargo(&arguments), ADVICE)
+    let packages = packages.arguments(&["--locked", "--workspace"]);
+    let mut clippy = cargo(&["clippy", "--all-targets"]);
+    run(clippy.args(packages).args(["--", "-D", "warnings"]), ADVICE)
 }
 
 /// The same for what only the page is built from.
@@ -87,9 +121,14 @@ pub fn house_rules() -> Result<(), Failure> {
     run(&mut cargo(&arguments), ADVICE)
 }
 
-/// Every test that needs no other program.
-pub fn tests() -> Result<(), Failure> {
-    run(cargo(&["test", "--no-fail-fast"]).args(PACKAGES), ADVICE)
+/// Every test that needs no other program; `studies` over all their seeds (`tests/src/studies.rs`).
+pub fn tests(packages: &Packages, studies: bool) -> Result<(), Failure> {
+    let mut tests = cargo(&["test", "--no-fail-fast"]);
+    tests.args(packages.arguments(&PACKAGES));
+    if studies {
+        tests.env("PILOTAGE_STUDIES", "1");
+    }
+    run(&mut tests, ADVICE)
 }
 
 /// The tests of this program.
@@ -101,11 +140,11 @@ pub fn build_program() -> Result<(), Failure> {
 }
 
 /// The documentation builds without a broken link.
-pub fn documentation() -> Result<(), Failure> {
+pub fn documentation(packages: &Packages) -> Result<(), Failure> {
     let arguments = ["doc", "--no-deps"];
     run(
         cargo(&arguments)
-            .args(PACKAGES)
+            .args(packages.arguments(&PACKAGES))
             .env("RUSTDOCFLAGS", "-D warnings"),
         ADVICE,
     )
