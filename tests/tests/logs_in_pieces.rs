@@ -27,7 +27,7 @@ fn every_reader_recognises_its_own_logs_and_reads_them_clean() {
             let found = recognise(&sample.bytes).map(|found| found.format);
             assert_eq!(found, Some(info.format));
             let log = checked(info, &sample.bytes, &[]).expect("whole logs are read");
-            assert!(log.report.messages > 0, "{}", info.label);
+            assert!(log.report.messages > 0, "{}", info.format.label());
         }
     }
 }
@@ -40,7 +40,7 @@ fn a_log_is_the_same_byte_by_byte_as_at_once() {
             for step in [1, 7, 600] {
                 let ends: Vec<usize> = (step..sample.bytes.len()).step_by(step).collect();
                 let pieces = checked(info, &sample.bytes, &ends).expect("whole logs are read");
-                same(&whole, &pieces).unwrap_or_else(|e| panic!("{}: {e}", info.label));
+                same(&whole, &pieces).unwrap_or_else(|e| panic!("{}: {e}", info.format.label()));
             }
         }
     }
@@ -52,7 +52,7 @@ fn a_log_may_be_cut_off_anywhere() {
         for sample in samples {
             for end in (0..sample.bytes.len()).step_by(3) {
                 let cut = checked(info, &sample.bytes[..end], &[]);
-                cut.unwrap_or_else(|e| panic!("{}, {end} bytes: {e}", info.label));
+                cut.unwrap_or_else(|e| panic!("{}, {end} bytes: {e}", info.format.label()));
             }
         }
     }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use pilotage_core::flight::log::{
-    FieldKind, FieldLayout, Log, Scale, Topic, TopicName, all_formats, recognise,
+    FieldKind, FieldLayout, Log, LogFormat, Scale, Topic, TopicName, recognise,
 };
 use pilotage_tests::data::shared;
 use pilotage_tests::logs::check::checked;
@@ -41,7 +41,7 @@ struct Format {
 }
 
 fn theirs(name: &str, bytes: &[u8]) -> Option<Answer> {
-    let is_text = recognise(bytes).map(|info| info.label) == Some(all_formats()[1].label);
+    let is_text = recognise(bytes).map(|info| info.format) == Some(LogFormat::DataflashText);
     let asked = Asked {
         name: name.to_owned(),
         hex: hex_of_bytes(bytes),

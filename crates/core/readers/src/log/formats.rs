@@ -24,15 +24,16 @@ pub enum LogFormat {
 }
 
 impl LogFormat {
-    /// Name for people.
-    pub fn label(self) -> &'static str {
+    /// Name for people. Told here, beside the names, so that who only shows them needs no reader.
+    pub const fn label(self) -> &'static str {
         match self {
+            Self::Dataflash => "ArduPilot dataflash",
+            Self::DataflashText => "ArduPilot dataflash, text",
+            Self::Ulog => "PX4 ULog",
+            Self::Tlog => "MAVLink telemetry log",
+            Self::Mcap => "MCAP",
             Self::Tables => "Tables",
             Self::Photos => "Photos",
-            format => {
-                let known = all_formats().iter().find(|info| info.format == format);
-                known.map_or("Flight log", |info| info.label)
-            }
         }
     }
 }
@@ -53,8 +54,6 @@ pub trait LogReader: Send {
 pub struct FormatInfo {
     /// Which format.
     pub format: LogFormat,
-    /// Name for people.
-    pub label: &'static str,
     /// Endings of its files, in small letters.
     pub endings: &'static [&'static str],
     /// Whether a file that begins so is of this format.
@@ -68,14 +67,12 @@ pub fn all_formats() -> &'static [FormatInfo] {
     &[
         FormatInfo {
             format: LogFormat::Dataflash,
-            label: "ArduPilot dataflash",
             endings: &["bin"],
             begins: dataflash::begins,
             reader: || Box::new(dataflash::DataflashReader::new()),
         },
         FormatInfo {
             format: LogFormat::DataflashText,
-            label: "ArduPilot dataflash, text",
             endings: &["log"],
             begins: dataflash::text_begins,
             reader: || Box::new(dataflash::DataflashTextReader::new()),

@@ -31,7 +31,6 @@ const MAGIC: [u8; 8] = *b"\x89MCAP0\r\n";
 /// The format.
 pub(super) const INFO: FormatInfo = FormatInfo {
     format: LogFormat::Mcap,
-    label: "MCAP",
     endings: &["mcap"],
     begins: |head| head.starts_with(&MAGIC),
     reader: || Box::new(Stepping::<reader::Mcap>::default()),

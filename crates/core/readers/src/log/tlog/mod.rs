@@ -25,7 +25,6 @@ use super::{FormatInfo, LogFormat};
 /// The format.
 pub(super) const INFO: FormatInfo = FormatInfo {
     format: LogFormat::Tlog,
-    label: "MAVLink telemetry log",
     endings: &["tlog"],
     begins: frame::begins,
     reader: || Box::new(Stepping::<reader::Tlog>::default()),

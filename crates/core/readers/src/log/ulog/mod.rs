@@ -27,7 +27,6 @@ const MAGIC: [u8; 7] = *b"ULog\x01\x12\x35";
 /// The format.
 pub(super) const INFO: FormatInfo = FormatInfo {
     format: LogFormat::Ulog,
-    label: "PX4 ULog",
     endings: &["ulg"],
     begins: |head| head.starts_with(&MAGIC),
     reader: || Box::new(Stepping::<reader::Ulog>::default()),
