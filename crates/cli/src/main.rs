@@ -66,6 +66,8 @@ enum Job {
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 fn main() -> ExitCode {
+    // Who reads no further (`pilotage … | head`) ends the program, as with any other tool.
+    sigpipe::reset();
     let outcome = match Arguments::parse().job {
         Job::Scenarios => {
             simulate::list();
