@@ -1,6 +1,7 @@
 //! The letters on screen: Ubuntu Light for text, the figures of Hack where they stand in columns.
 //!
-//! egui would bring the whole of Hack, which is a twelfth of the page.
+//! egui would bring the whole of Hack, which is a twelfth of the page, and the hints of Ubuntu Light, which are two
+//! thirds of it and weigh more than its outlines.
 
 use std::sync::Arc;
 
@@ -10,8 +11,9 @@ use egui::{FontData, FontDefinitions, FontFamily};
 pub fn fonts() -> FontDefinitions {
     let mut fonts = FontDefinitions::empty();
     let figures = include_bytes!("../../fonts/hack-figures.ttf");
+    let text = include_bytes!("../../fonts/ubuntu-light.ttf");
     for (name, bytes) in [
-        ("text", epaint_default_fonts::UBUNTU_LIGHT),
+        ("text", text.as_slice()),
         ("figures", figures.as_slice()),
         ("icons", epaint_default_fonts::EGUI_ICONS),
     ] {
