@@ -9,9 +9,11 @@ mod files;
 mod offline;
 mod sizes;
 mod wasm;
+mod weights;
 
 use std::path::Path;
 
+pub use sizes::check as check_sizes;
 pub use wasm::{TARGET, ensure_target, without_flags};
 
 use crate::{failure::Failure, progress::step};
@@ -84,6 +86,8 @@ pub fn pack(dist: &Path) -> Result<(), Failure> {
     build(Profile::Shipped, dist)?;
     println!();
     sizes::print(dist)?;
+    println!();
+    sizes::check(Profile::Shipped, dist)?;
     println!(
         "\n{} can be put under any path of any file server.",
         dist.display()

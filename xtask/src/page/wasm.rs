@@ -36,8 +36,13 @@ pub fn compile(profile: Profile) -> Result<[PathBuf; 2], Failure> {
     cargo.args(["--target", TARGET, "--profile", profile.name()]);
     without_flags(&mut cargo);
     process::run(&mut cargo, "cargo came with rustup")?;
+    Ok([MODULE, WORKER_MODULE].map(|name| module(profile, name)))
+}
+
+/// The program `name` as the compiler leaves it, with its names.
+pub fn module(profile: Profile, name: &str) -> PathBuf {
     let folder = places::target().join(TARGET).join(profile.name());
-    Ok([MODULE, WORKER_MODULE].map(|name| folder.join(format!("{name}.wasm"))))
+    folder.join(format!("{name}.wasm"))
 }
 
 /// Takes away compiler flags from the environment: they would replace those of

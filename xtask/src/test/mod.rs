@@ -64,6 +64,8 @@ pub fn run(choice: &Choice) -> Result<ExitCode, Failure> {
         let tags = choice.reach.as_ref().and_then(|reach| reach.tags.clone());
         let is_built = table.check("page", || page::build(Profile::Quick, &page));
         if is_built {
+            let quick = Profile::Quick;
+            table.check("sizes of the page", || page::check_sizes(quick, &page));
             table.check("journeys through the page", || {
                 browser::check(&page, tags.as_deref())
             });
