@@ -1,4 +1,4 @@
-//! What every other crate of the method stands on: frames of reference and units, where pictures lie on
+//! Foundations of every other crate of the method: frames of reference and units, where pictures lie on
 //! the ground, bytes and files by name, and the distributions behind gates and intervals.
 //!
 //! Knows no aircraft, no picture and no file format.

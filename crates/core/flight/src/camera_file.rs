@@ -41,7 +41,7 @@ pub struct CameraFile {
     /// Distortion of the lens.
     #[serde(default)]
     pub distortion: Distortion,
-    /// How the camera is mounted.
+    /// Mount of the camera in the body.
     #[serde(default)]
     pub mount_deg: MountFile,
 }
