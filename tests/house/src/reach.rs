@@ -61,13 +61,16 @@ pub fn forbidden_paths(source: &Source, forbidden: &[&[&str]]) -> Vec<Violation>
 }
 
 /// `sources` (all those of one crate) without the files that are test code as a whole: those that
-/// another one declares by `#[cfg(test)] mod name;`, what lies below them, folders `tests`, and files beside
-/// what they test, `name_tests.rs`.
+/// another one declares by `#[cfg(test)] mod name;` or `#[cfg(test)] #[path = "name.rs"] mod …;`, what lies
+/// below them, and folders `tests`.
 pub fn without_test_files(sources: Vec<Source>) -> Vec<Source> {
-    let roots: Vec<String> = sources.iter().flat_map(test_modules).collect();
+    let declared = sources.iter().flat_map(test_modules);
+    let roots: Vec<String> = declared
+        .chain(sources.iter().flat_map(test_files))
+        .collect();
     let is_test = |path: &str| {
         let module = path.trim_end_matches(".rs");
-        if module.split('/').any(|part| part == "tests") || module.ends_with("_tests") {
+        if module.split('/').any(|part| part == "tests") {
             return true;
         }
         roots
@@ -100,6 +103,23 @@ fn test_modules(source: &Source) -> Vec<String> {
                 .trim_matches('/')
                 .to_owned()
         })
+        .collect()
+}
+
+/// The files beside `source` that it declares for its tests only by an attribute with their path, as paths
+/// without an ending.
+fn test_files(source: &Source) -> Vec<String> {
+    let folder = source
+        .path
+        .rsplit_once('/')
+        .map_or("", |(folder, _)| folder);
+    let after = source.text.split("#[cfg(test)]").skip(1);
+    let named = after.filter_map(|text| {
+        let path = text.trim_start().strip_prefix("#[path = \"")?;
+        path.split('"').next()?.strip_suffix(".rs")
+    });
+    named
+        .map(|name| format!("{folder}/{name}").trim_matches('/').to_owned())
         .collect()
 }
 
@@ -151,7 +171,11 @@ mod tests {
             source("views/mod.rs", "#[cfg(test)]\nmod canvas;\nmod plots;"),
             source("views/canvas.rs", ""),
             source("views/plots_tests.rs", ""),
-            source("views/plots.rs", "#[cfg(test)] mod tests;"),
+            source(
+                "views/plots.rs",
+                "#[cfg(test)] mod tests;\n#[cfg(test)]\n#[path = \"plots_tests.rs\"]\nmod more;",
+            ),
+            source("views/other_tests.rs", ""),
             source("views/plots/tests.rs", ""),
             source("views/plots/axis.rs", ""),
             source("views/tests/pictures.rs", ""),
@@ -163,6 +187,7 @@ mod tests {
                 "lib.rs",
                 "views/mod.rs",
                 "views/plots.rs",
+                "views/other_tests.rs",
                 "views/plots/axis.rs"
             ]
         );
