@@ -2,6 +2,7 @@
 
 mod arguments;
 mod failure;
+mod metadata;
 mod page;
 mod places;
 mod process;

@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeMap, fs, path::Path};
 
-use wasmparser::{KnownCustom, Name, Parser, Payload};
+use wasmparser::{KnownCustom, Name, NameSectionReader, Parser, Payload};
 
 use crate::failure::Failure;
 
@@ -34,15 +34,8 @@ fn of_module(module: &[u8]) -> Result<Vec<(String, u64)>, String> {
                 bodies.push((range.end - range.start) as u64);
             }
             Payload::CustomSection(section) => {
-                if let KnownCustom::Name(reader) = section.as_known() {
-                    for part in reader {
-                        if let Name::Function(map) = part.map_err(|error| error.to_string())? {
-                            for naming in map {
-                                let naming = naming.map_err(|error| error.to_string())?;
-                                names.insert(naming.index, naming.name);
-                            }
-                        }
-                    }
+                if let KnownCustom::Name(parts) = section.as_known() {
+                    names.extend(function_names(parts).map_err(|error| error.to_string())?);
                 }
             }
             _ => {}
@@ -56,6 +49,20 @@ fn of_module(module: &[u8]) -> Result<Vec<(String, u64)>, String> {
     let mut sums: Vec<_> = sums.into_iter().collect();
     sums.sort_by(|one, other| other.1.cmp(&one.1).then(one.0.cmp(&other.0)));
     Ok(sums)
+}
+
+/// Names of functions by their number.
+fn function_names(parts: NameSectionReader<'_>) -> wasmparser::Result<Vec<(u32, &str)>> {
+    let mut names = Vec::new();
+    for part in parts {
+        if let Name::Function(map) = part? {
+            for naming in map {
+                let naming = naming?;
+                names.push((naming.index, naming.name));
+            }
+        }
+    }
+    Ok(names)
 }
 
 /// The crate that a mangled name comes from: `egui` of `egui::context::Context::run`, and of

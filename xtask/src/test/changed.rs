@@ -6,8 +6,8 @@ use serde_json::Value;
 
 use crate::{
     failure::Failure,
-    places,
-    process::{capture, cargo, program, succeed},
+    metadata, places,
+    process::{capture, program, succeed},
 };
 
 /// Packages whose part of the page some journeys walk through: those journeys export its name among their
@@ -63,20 +63,10 @@ fn git(arguments: &[&str]) -> Result<Vec<String>, Failure> {
 }
 
 fn workspace() -> Result<Vec<Package>, Failure> {
-    let mut metadata = cargo(&["metadata", "--locked", "--no-deps", "--format-version", "1"]);
-    metadata.stderr(std::process::Stdio::inherit());
-    let output = capture(&mut metadata, "cargo came with rustup")?;
-    succeed(&metadata, output.status)?;
-    let unreadable = |reason: String| Failure::Content {
-        path: places::root().join("Cargo.toml"),
-        reason,
-    };
-    let graph: Value =
-        serde_json::from_slice(&output.stdout).map_err(|error| unreadable(error.to_string()))?;
-    let root = graph["workspace_root"].as_str().unwrap_or_default();
-    let packages = graph["packages"].as_array();
-    let packages = packages.ok_or_else(|| unreadable("cargo lists no packages".to_owned()))?;
-    Ok(packages.iter().map(|entry| package(entry, root)).collect())
+    let root = places::root();
+    let root = root.to_string_lossy();
+    let packages = metadata::packages(false)?;
+    Ok(packages.iter().map(|entry| package(entry, &root)).collect())
 }
 
 fn package(entry: &Value, root: &str) -> Package {

@@ -4,11 +4,7 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
-use crate::{
-    failure::Failure,
-    places,
-    process::{capture, cargo, succeed},
-};
+use crate::{failure::Failure, metadata};
 
 /// What the rules ask about a package.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -27,19 +23,7 @@ pub struct Package {
 
 /// Every package of the dependency graph.
 pub fn all() -> Result<Vec<Package>, Failure> {
-    let mut metadata = cargo(&["metadata", "--locked", "--format-version", "1"]);
-    metadata.stderr(std::process::Stdio::inherit());
-    let output = capture(&mut metadata, "cargo came with rustup")?;
-    succeed(&metadata, output.status)?;
-    let unreadable = |reason: String| Failure::Content {
-        path: places::root().join("Cargo.lock"),
-        reason,
-    };
-    let graph: Value =
-        serde_json::from_slice(&output.stdout).map_err(|error| unreadable(error.to_string()))?;
-    let listed = graph["packages"].as_array();
-    let listed = listed.ok_or_else(|| unreadable("cargo lists no packages".to_owned()))?;
-    Ok(listed.iter().map(package).collect())
+    Ok(metadata::packages(true)?.iter().map(package).collect())
 }
 
 fn package(entry: &Value) -> Package {
