@@ -27,6 +27,7 @@ mkdirSync(pictures, { recursive: true });
 const server = await startServer();
 let passed = 0;
 let failed = 0;
+let leftOut = 0;
 for (const file of files) {
   const begun = Date.now();
   const seconds = () => `${((Date.now() - begun) / 1000).toFixed(1)} s`;
@@ -34,7 +35,10 @@ for (const file of files) {
   try {
     const journey = await import(pathToFileURL(join(here, file)));
     name = journey.name ?? file;
-    if (tags.length > 0 && !(journey.tags ?? []).some((tag) => tags.includes(tag))) continue;
+    if (tags.length > 0 && !(journey.tags ?? []).some((tag) => tags.includes(tag))) {
+      leftOut += 1;
+      continue;
+    }
     await walk(journey, file.replace(/\.journey\.mjs$/, ""));
     passed += 1;
     console.log(`passed  ${name} (${seconds()})`);
@@ -44,6 +48,7 @@ for (const file of files) {
   }
 }
 server.stop();
+if (leftOut > 0) console.log(`${leftOut} left out: they walk through nothing of what changed (${tags.join(", ")})`);
 console.log(`${passed} passed, ${failed} failed`);
 process.exit(failed === 0 ? 0 : 1);
 

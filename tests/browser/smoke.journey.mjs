@@ -1,4 +1,5 @@
 export const name = "the page starts and shows something";
+export const tags = ["readers", "maps", "plan", "training"]; // whatever changed, the page has to start
 
 export async function run(page, tools) {
   await tools.waitReady();
