@@ -1,8 +1,8 @@
-//! What looks wrong, in words.
+//! Findings: something that looks wrong, in words.
 
 use serde::{Deserialize, Serialize};
 
-/// How much a finding matters.
+/// Weight of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Severity {
     /// Worth knowing.
@@ -16,12 +16,12 @@ pub enum Severity {
 /// Something that looks wrong.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Finding {
-    /// How much it matters.
+    /// Its weight.
     pub severity: Severity,
-    /// What it is, in a few words.
+    /// Its name, in a few words.
     pub title: String,
-    /// What was measured and what follows, in a sentence or two.
+    /// The measurement and its consequence, in a sentence or two.
     pub text: String,
-    /// When, seconds in the log's time base, where it has a time.
+    /// Its time, seconds in the log's time base, where it has a time.
     pub span: Option<(f64, f64)>,
 }

@@ -9,8 +9,7 @@ use super::read_feature::{Feature, feature};
 use super::text::{Members, Text};
 use super::way_point_file::kept;
 use super::{CAMERA_TO_LOG, LABELS, MapReference, Mission, MissionError, OTHER_FEATURES, VERSION};
-use crate::settings::CameraAdjustment;
-use crate::settings::NavigatorSettings;
+use crate::settings::{CameraAdjustment, NavigatorSettings};
 use pilotage_base::frames::{Geodetic, LocalFrame};
 use pilotage_flight::{CameraFile, OriginFile};
 

@@ -6,8 +6,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::{FrameLabels, NoFlyZone, Route};
-use crate::settings::CameraAdjustment;
-use crate::settings::NavigatorSettings;
+use crate::settings::{CameraAdjustment, NavigatorSettings};
 use pilotage_base::frames::{AltitudeReference, Geodetic};
 use pilotage_flight::Flight;
 use pilotage_raster::camera::CameraModel;

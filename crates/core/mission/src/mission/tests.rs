@@ -3,8 +3,7 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::settings::CameraAdjustment;
-use crate::settings::{NavigatorSettings, VehicleChoice};
+use crate::settings::{CameraAdjustment, NavigatorSettings, VehicleChoice};
 use pilotage_base::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint, GroundRect};
 use pilotage_raster::camera::CameraModel;
 use pilotage_vision::landmark::Landmark;

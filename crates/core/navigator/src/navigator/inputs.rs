@@ -6,10 +6,9 @@ use serde::{Deserialize, Serialize};
 use crate::instruments::{Series, quantile, stuck};
 use pilotage_base::frames::wrap_pi;
 use pilotage_estimation::vehicle::ControlInput;
+use pilotage_flight::stretches::STANDING;
 use pilotage_flight::{Channel, ChannelName, Flight};
 
-/// Airspeeds that may stand still, since what stands on the ground has them, m/s.
-const STANDING: f64 = 3.0;
 /// Shortest pause of a channel that counts as silence, seconds …
 const SHORTEST_SILENCE: f64 = 1.5;
 /// … and how many of its usual intervals at least.
