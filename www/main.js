@@ -26,13 +26,28 @@ async function program() {
   return new Response(counted, { headers: { "content-type": "application/wasm" } });
 }
 
-/** Has the workers' program compiled, once for all of them, and sent to each worker that asks. */
+/** Has the small program of the workers compiled at once and others when they are first needed, each once for all of
+ * its workers, and sent to each worker that asks. */
 function prepareWorkers() {
-  const compiled = WebAssembly.compileStreaming(fetch(new URL("./pkg/pilotage_worker_bg.wasm", import.meta.url), { credentials: "same-origin" }));
-  compiled.catch((error) => {
+  const programs = new Map();
+  const compiled = (program) => {
+    if (!programs.has(program)) {
+      const address = new URL(`./pkg/pilotage_worker_${program}_bg.wasm`, import.meta.url);
+      const module = WebAssembly.compileStreaming(fetch(address, { credentials: "same-origin" }));
+      module.catch(() => programs.delete(program)); // and ask again when it is needed again
+      programs.set(program, module);
+    }
+    return programs.get(program);
+  };
+  compiled("flying").catch((error) => {
     showTrouble("Pilotage could not start", "The part of the program that computes could not be loaded. Load the page again.", String(error?.stack ?? error));
   });
-  window.sendProgram = (worker, lock) => { compiled.then((module) => worker.postMessage({ module, lock }), () => {}); };
+  window.sendProgram = (worker, program, lock) => {
+    compiled(program).then(
+      (module) => worker.postMessage({ module, lock }),
+      (error) => worker.dispatchEvent(new ErrorEvent("error", { message: `a part of the program could not be loaded: ${error?.message ?? error}`, cancelable: true })),
+    );
+  };
 }
 
 function hasGraphics() {

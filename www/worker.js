@@ -1,5 +1,4 @@
-// A worker: holds an instance of the workers' program and works in slices, listening in between.
-import { initSync, WorkerHandle } from "./pkg/pilotage_worker.js";
+// A worker: holds an instance of its program and works in slices, listening in between.
 
 let worker;
 /** Messages that came before the program. */
@@ -22,16 +21,19 @@ function hear(data) {
   schedule();
 }
 
-onmessage = ({ data }) => {
-  if (data.module) {
-    initSync({ module: data.module });
-    worker = new WorkerHandle((bytes) => postMessage(bytes, [bytes.buffer]));
-    // Held for as long as this worker lives; the page waits for it and so learns of its end.
-    navigator.locks?.request(data.lock, () => { postMessage("held"); return new Promise(() => {}); });
-    early.splice(0).forEach(hear);
-  } else if (worker) {
-    hear(data);
-  } else {
-    early.push(data);
-  }
-};
+/** Serves the page with a program, once it sends it: `initSync` loads it, `make` makes a worker of it. */
+export function serve(initSync, make) {
+  onmessage = ({ data }) => {
+    if (data.module) {
+      initSync({ module: data.module });
+      worker = make((bytes) => postMessage(bytes, [bytes.buffer]));
+      // Held for as long as this worker lives; the page waits for it and so learns of its end.
+      navigator.locks?.request(data.lock, () => { postMessage("held"); return new Promise(() => {}); });
+      early.splice(0).forEach(hear);
+    } else if (worker) {
+      hear(data);
+    } else {
+      early.push(data);
+    }
+  };
+}

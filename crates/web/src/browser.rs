@@ -14,10 +14,11 @@ extern "C" {
     #[wasm_bindgen(js_namespace = ["navigator", "locks"], js_name = request, catch)]
     pub fn request_lock(name: &str, had: &JsValue) -> Result<JsValue, JsValue>;
 
-    /// Sends a worker the compiled program, as soon as that is there, and the lock it is to hold; a
+    /// Sends a worker its compiled program, as soon as that is there, and the lock it is to hold; a
     /// function that `www/main.js` puts on the page.
     #[wasm_bindgen(js_namespace = window, js_name = sendProgram, catch)]
-    pub fn send_program(worker: &web_sys::Worker, lock: &str) -> Result<(), JsValue>;
+    pub fn send_program(worker: &web_sys::Worker, program: &str, lock: &str)
+    -> Result<(), JsValue>;
 
     /// The page's services, an object of `www/shell.js`.
     pub type Shell;

@@ -82,7 +82,7 @@ impl PageHost {
             context,
         };
         let line = inbox.clone();
-        let mut crew = Crew::new(move |seat| BrowserPort::open(seat, line.clone()));
+        let mut crew = Crew::new(move |seat, program| BrowserPort::open(seat, program, line.clone()));
         crew.warm_up();
         let inner = Inner {
             shell,

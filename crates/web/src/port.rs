@@ -4,7 +4,7 @@ use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 use js_sys::Uint8Array;
-use pilotage_ui::jobs::{Request, WorkerPort};
+use pilotage_ui::jobs::{Program, Request, WorkerPort};
 use wasm_bindgen::prelude::*;
 use web_sys::{ErrorEvent, MessageEvent, Worker, WorkerOptions, WorkerType};
 
@@ -51,7 +51,7 @@ pub struct BrowserPort {
 
 impl BrowserPort {
     /// Starts a worker; the page's JavaScript sends it its program, and it keeps what it hears until then.
-    pub fn open(seat: usize, inbox: Inbox) -> Self {
+    pub fn open(seat: usize, program: Program, inbox: Inbox) -> Self {
         let closed = Rc::new(Cell::new(false));
         let died = {
             let (inbox, closed) = (inbox.clone(), closed.clone());
@@ -83,7 +83,7 @@ impl BrowserPort {
                 died();
             }
         });
-        let worker = start_worker(&lock, &on_message, &on_error)
+        let worker = start_worker(program, &lock, &on_message, &on_error)
             .inspect_err(|_| died())
             .ok();
         Self {
@@ -112,17 +112,18 @@ impl BrowserPort {
 }
 
 fn start_worker(
+    program: Program,
     lock: &str,
     on_message: &Closure<dyn FnMut(MessageEvent)>,
     on_error: &Closure<dyn FnMut(ErrorEvent)>,
 ) -> Result<Worker, JsValue> {
     let options = WorkerOptions::new();
     options.set_type(WorkerType::Module);
-    let worker = Worker::new_with_options("./worker.js", &options)?;
+    let worker = Worker::new_with_options(&format!("./worker-{}.js", program.name()), &options)?;
     worker.set_onmessage(Some(on_message.as_ref().unchecked_ref()));
     worker.set_onerror(Some(on_error.as_ref().unchecked_ref()));
     worker.set_onmessageerror(Some(on_error.as_ref().unchecked_ref()));
-    send_program(&worker, lock)?;
+    send_program(&worker, program.name(), lock)?;
     Ok(worker)
 }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use js_sys::{Array, Function, Reflect, Uint8Array};
 use pilotage_core::imagery::ByteSource;
-use pilotage_ui::jobs::{FileContent, Job, JobRunner, Reply, Request};
+use pilotage_ui::jobs::{Abilities, FileContent, Job, JobRunner, OpenAddress, Reply, Request};
 use wasm_bindgen::prelude::*;
 
 use crate::address::AddressBytes;
@@ -28,21 +28,6 @@ pub struct WorkerHandle {
 
 #[wasm_bindgen]
 impl WorkerHandle {
-    /// A worker that says things by calling `post` with a byte array that may be transferred.
-    #[wasm_bindgen(constructor)]
-    pub fn new(post: Function) -> Self {
-        console_error_panic_hook::set_once();
-        let mut runner = JobRunner::new();
-        runner.workshop_mut().open_addresses_by(Box::new(|address| {
-            AddressBytes::open(address).map(|file| Arc::new(file) as Arc<dyn ByteSource>)
-        }));
-        Self {
-            runner,
-            post,
-            last_word: now(),
-        }
-    }
-
     /// Takes a message of the page.
     pub fn receive(&mut self, message: &JsValue) -> Result<(), JsError> {
         let request = self.decode(message)?;
@@ -65,6 +50,29 @@ impl WorkerHandle {
     /// Always: that is what it is for.
     pub fn crash(&self) {
         panic!("asked to crash after {:.0} ms", now() - self.last_word);
+    }
+}
+
+impl WorkerHandle {
+    /// A worker with these abilities that says things by calling `post` with a byte array that may be
+    /// transferred.
+    pub fn new(abilities: Abilities, post: Function) -> Self {
+        console_error_panic_hook::set_once();
+        Self {
+            runner: JobRunner::new(abilities),
+            post,
+            last_word: now(),
+        }
+    }
+
+    /// Has it read files of the web at their addresses.
+    #[must_use]
+    pub fn with_addresses(mut self) -> Self {
+        let open: OpenAddress = Box::new(|address| {
+            AddressBytes::open(address).map(|file| Arc::new(file) as Arc<dyn ByteSource>)
+        });
+        self.runner.workshop_mut().open_addresses_by(open);
+        self
     }
 }
 

@@ -5,14 +5,17 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::MODULE;
+use super::PROGRAMS;
 use crate::{failure::Failure, places};
 
 /// Makes `dist` an empty folder. Refuses one that holds something else than a page.
 pub fn clear(dist: &Path) -> Result<(), Failure> {
     if dist.exists() {
         let mut entries = fs::read_dir(dist).map_err(Failure::file(dist))?;
-        let is_page = dist.join("pkg").join(format!("{MODULE}.js")).is_file();
+        let is_page = dist
+            .join("pkg")
+            .join(format!("{}.js", PROGRAMS[0].replace('-', "_")))
+            .is_file();
         if entries.next().is_some() && !is_page {
             return Err(Failure::ForeignFolder(dist.to_owned()));
         }

@@ -18,11 +18,12 @@ pub use wasm::{TARGET, ensure_target, without_flags};
 
 use crate::{failure::Failure, progress::step};
 
-/// Name of the page's program in `pkg/`, without its endings.
-pub const MODULE: &str = "pilotage_web";
-
-/// Name of the workers' program in `pkg/`, without its endings.
-pub const WORKER_MODULE: &str = "pilotage_worker";
+/// The packages that become programs: the page, and what its workers run, the first of them at once.
+pub const PROGRAMS: [&str; 3] = [
+    "pilotage-web",
+    "pilotage-worker-flying",
+    "pilotage-worker-whole",
+];
 
 /// How a page is built.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

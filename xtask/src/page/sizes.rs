@@ -2,7 +2,7 @@
 
 use std::{fs, path::Path};
 
-use super::{MODULE, Profile, WORKER_MODULE, compress::beside, files, wasm, weights};
+use super::{PROGRAMS, Profile, compress::beside, files, wasm, weights};
 use crate::{failure::Failure, places};
 
 /// Crates that are printed of a program that is over its budget.
@@ -48,7 +48,11 @@ pub fn check(profile: Profile, dist: &Path) -> Result<(), Failure> {
         budgets(&text, profile).map_err(|reason| Failure::Content { path: file, reason })?;
     let mut over = Vec::new();
     for (name, budget) in &budgets {
-        let weight = size(&dist.join("pkg").join(format!("{name}_bg.wasm.br")))?;
+        let weight = size(
+            &dist
+                .join("pkg")
+                .join(format!("{}_bg.wasm.br", name.replace('-', "_"))),
+        )?;
         println!("{name}: {weight} bytes with brotli, of {budget}");
         if weight <= *budget {
             continue;
@@ -78,7 +82,7 @@ fn budgets(text: &str, profile: Profile) -> Result<Vec<(String, u64)>, String> {
     let table: toml::Table = text.parse().map_err(|error| format!("{error}"))?;
     let own = table.get(profile.name()).and_then(toml::Value::as_table);
     let own = own.ok_or_else(|| format!("no budgets for the profile {}", profile.name()))?;
-    [MODULE, WORKER_MODULE]
+    PROGRAMS
         .into_iter()
         .map(|name| {
             let budget = own.get(name).and_then(toml::Value::as_integer);
@@ -102,7 +106,7 @@ mod tests {
         let text = include_str!("../../budgets.toml");
         for profile in [Profile::Quick, Profile::Shipped] {
             let budgets = budgets(text, profile).unwrap();
-            assert_eq!(budgets.len(), 2);
+            assert_eq!(budgets.len(), PROGRAMS.len());
             assert!(budgets.iter().all(|(_, bytes)| *bytes > 100_000));
         }
         assert!(budgets("[web]\npilotage_web = 1", Profile::Shipped).is_err());

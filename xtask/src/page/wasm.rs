@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use wasm_bindgen_cli_support::Bindgen;
 
-use super::{MODULE, Profile, WORKER_MODULE};
+use super::{PROGRAMS, Profile};
 use crate::{failure::Failure, places, process, progress::step};
 
 /// The target of the page.
@@ -30,17 +30,18 @@ pub fn ensure_target() -> Result<(), Failure> {
 }
 
 /// Compiles the crates of the page and of its workers and returns the modules.
-pub fn compile(profile: Profile) -> Result<[PathBuf; 2], Failure> {
+pub fn compile(profile: Profile) -> Result<[PathBuf; PROGRAMS.len()], Failure> {
     let mut cargo = process::cargo(&["build", "--locked", "--lib"]);
-    cargo.args(["-p", "pilotage-web", "-p", "pilotage-worker"]);
+    cargo.args(PROGRAMS.iter().flat_map(|name| ["-p", name]));
     cargo.args(["--target", TARGET, "--profile", profile.name()]);
     without_flags(&mut cargo);
     process::run(&mut cargo, "cargo came with rustup")?;
-    Ok([MODULE, WORKER_MODULE].map(|name| module(profile, name)))
+    Ok(PROGRAMS.map(|name| module(profile, name)))
 }
 
-/// The program `name` as the compiler leaves it, with its names.
-pub fn module(profile: Profile, name: &str) -> PathBuf {
+/// The program of a package as the compiler leaves it, with its names.
+pub fn module(profile: Profile, package: &str) -> PathBuf {
+    let name = package.replace('-', "_");
     let folder = places::target().join(TARGET).join(profile.name());
     folder.join(format!("{name}.wasm"))
 }

@@ -14,7 +14,13 @@ use crate::{
 /// tags. Whatever else the page is made of, all journeys can notice.
 const TAGS: [&str; 4] = ["readers", "maps", "plan", "training"];
 /// The packages that the page is.
-const PAGE: [&str; 3] = ["pilotage-ui", "pilotage-web", "pilotage-worker"];
+const PAGE: [&str; 5] = [
+    "pilotage-ui",
+    "pilotage-web",
+    "pilotage-worker",
+    "pilotage-worker-flying",
+    "pilotage-worker-whole",
+];
 
 /// What is worth checking after a change.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -8,7 +8,7 @@
 use super::Reach;
 use crate::{
     failure::Failure,
-    page::{Profile, TARGET, without_flags},
+    page::{PROGRAMS, Profile, TARGET, without_flags},
     process::{cargo, program, run, succeeds},
 };
 
@@ -92,16 +92,9 @@ pub fn lints(packages: &Packages) -> Result<(), Failure> {
 pub fn page_lints() -> Result<(), Failure> {
     ensure_component("clippy", "clippy")?;
     crate::page::ensure_target()?;
-    let mut clippy = cargo(&[
-        "clippy",
-        "--locked",
-        "-p",
-        "pilotage-web",
-        "-p",
-        "pilotage-worker",
-        "--target",
-        TARGET,
-    ]);
+    let mut clippy = cargo(&["clippy", "--locked", "--target", TARGET]);
+    clippy.args(["-p", "pilotage-worker"]);
+    clippy.args(PROGRAMS.iter().flat_map(|name| ["-p", name]));
     clippy.args(["--profile", Profile::Quick.name(), "--", "-D", "warnings"]);
     without_flags(&mut clippy);
     run(&mut clippy, ADVICE)

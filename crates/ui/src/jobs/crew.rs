@@ -2,9 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::places::{PLACES, ROLES, file_keys, place, program_at, role_at, role_for};
 use super::predict::COARSE;
+use super::runner::urgency;
 use super::shared::{Follows, SHARES, SharedJob};
-use super::{FileContent, FlightSource, Job, JobEvent, JobId, MapSource, Reply, Request};
+use super::{FileContent, Job, JobEvent, JobId, Program, Reply, Request};
 
 /// Time without an answer after which a worker counts as dead, milliseconds. A fault in a worker and
 /// its end are noticed at once by other means; this is for one that hangs, and long enough for the
@@ -45,16 +47,19 @@ struct Assigned {
 /// Shares jobs out among workers: one for flights, one for map tiles, one for questions; the first two
 /// share the measurement of a landmark and proposals, for which the flight waits and tiles do not, and
 /// train detectors, for which nothing waits.
-/// Workers are opened when first needed. Files that jobs name are kept here and given to a worker before
+/// Workers are opened when first needed, with the smallest program that does what they are for; two with
+/// different programs for the same role take turns, the more urgent job first, as one worker would. Files that jobs name are kept here and given to a worker before
 /// the first job that names them.
 pub struct Crew<P> {
-    open: Box<dyn FnMut(usize) -> P>,
-    seats: [Seat<P>; 3],
+    open: Box<dyn FnMut(usize, Program) -> P>,
+    seats: [Seat<P>; PLACES],
     jobs: BTreeMap<JobId, Assigned>,
     /// Jobs that are shared, by the number under which they were asked for.
     shared: BTreeMap<JobId, SharedJob>,
     /// Jobs that keep their place without working.
     held: BTreeSet<JobId>,
+    /// Jobs that wait for a more urgent one of the same role in the other program.
+    waiting: BTreeSet<JobId>,
     files: BTreeMap<String, Vec<(String, FileContent)>>,
     events: Vec<(JobId, JobEvent)>,
     last_job: JobId,
@@ -62,8 +67,8 @@ pub struct Crew<P> {
 }
 
 impl<P: WorkerPort> Crew<P> {
-    /// A crew whose workers are opened by `open`, which gets the number of the seat.
-    pub fn new(open: impl FnMut(usize) -> P + 'static) -> Self {
+    /// A crew whose workers are opened by `open`, which gets the number of the seat and the program.
+    pub fn new(open: impl FnMut(usize, Program) -> P + 'static) -> Self {
         let seat = || Seat {
             port: None,
             holds: BTreeSet::new(),
@@ -73,10 +78,11 @@ impl<P: WorkerPort> Crew<P> {
         };
         Self {
             open: Box::new(open),
-            seats: [seat(), seat(), seat()],
+            seats: std::array::from_fn(|_| seat()),
             jobs: BTreeMap::new(),
             shared: BTreeMap::new(),
             held: BTreeSet::new(),
+            waiting: BTreeSet::new(),
             files: BTreeMap::new(),
             events: Vec::new(),
             last_job: 0,
@@ -84,10 +90,10 @@ impl<P: WorkerPort> Crew<P> {
         }
     }
 
-    /// Opens every worker before it is needed.
+    /// Opens the workers with the small program before they are needed.
     pub fn warm_up(&mut self) {
-        for seat in 0..self.seats.len() {
-            self.open_seat(seat);
+        for role in 0..ROLES {
+            self.open_seat(place(role, Program::Flying));
         }
     }
 
@@ -130,12 +136,13 @@ impl<P: WorkerPort> Crew<P> {
     pub fn begin(&mut self, id: JobId, job: Job, tiles: Vec<(String, FileContent)>) {
         let key = super::WEB_TILES.to_owned();
         let files = tiles;
-        let seats = if SharedJob::new(&job).is_some() || matches!(job, Job::Train(_)) {
+        let roles = if SharedJob::new(&job).is_some() || matches!(job, Job::Train(_)) {
             0..SHARES
         } else {
-            seat_for(&job)..seat_for(&job) + 1
+            role_for(&job)..role_for(&job) + 1
         };
-        for seat in seats {
+        for role in roles {
+            let seat = place(role, Program::Whole);
             let (key, files) = (key.clone(), files.clone());
             self.open_seat(seat)
                 .send(Request::Start(0, Job::Provide { key, files }));
@@ -168,10 +175,44 @@ impl<P: WorkerPort> Crew<P> {
         } else {
             self.held.remove(&id);
         }
+        self.tell_hold(id);
+        if let Some(seat) = self.jobs.get(&id).map(|assigned| assigned.seat) {
+            self.take_turns(role_at(seat));
+        }
+    }
+
+    /// Tells the worker of a job whether to work on it.
+    fn tell_hold(&mut self, id: JobId) {
+        let is_held = self.held.contains(&id) || self.waiting.contains(&id);
         if let Some(assigned) = self.jobs.get(&id)
             && let Some(port) = &mut self.seats[assigned.seat].port
         {
             port.send(Request::Hold(id, is_held));
+        }
+    }
+
+    /// Lets the jobs of a role wait for more urgent ones that the other program does.
+    fn take_turns(&mut self, role: usize) {
+        let mut changed = Vec::new();
+        for (id, assigned) in &self.jobs {
+            if role_at(assigned.seat) != role {
+                continue;
+            }
+            let is_before = |(other, its): (&JobId, &Assigned)| {
+                role_at(its.seat) == role
+                    && its.seat != assigned.seat
+                    && !self.held.contains(other)
+                    && urgency(&its.job) < urgency(&assigned.job)
+            };
+            if self.jobs.iter().any(is_before) != self.waiting.contains(id) {
+                changed.push(*id);
+            }
+        }
+        for id in changed {
+            if !self.waiting.remove(&id) {
+                self.waiting.insert(id);
+            }
+            self.tell_hold(id);
         }
     }
 
@@ -193,6 +234,8 @@ impl<P: WorkerPort> Crew<P> {
         if event.is_last() {
             self.jobs.remove(&id);
             self.held.remove(&id);
+            self.waiting.remove(&id);
+            self.take_turns(role_at(seat));
             if self.seats[seat].is_leaving {
                 self.end_if_idle(seat);
             }
@@ -311,6 +354,7 @@ impl<P: WorkerPort> Crew<P> {
             let Some(assigned) = self.jobs.remove(&id) else {
                 continue;
             };
+            self.waiting.remove(&id);
             if assigned.restarts < RESTARTS {
                 let text = "Begun anew after the worker stopped".to_owned();
                 self.tell(id, JobEvent::Progress(0.0, text));
@@ -322,6 +366,7 @@ impl<P: WorkerPort> Crew<P> {
                 self.tell(id, JobEvent::Failed(text));
             }
         }
+        self.take_turns(role_at(seat));
     }
 
     /// The line to the worker on a seat, if it is open.
@@ -346,41 +391,61 @@ impl<P: WorkerPort> Crew<P> {
 
     fn open_seat(&mut self, seat: usize) -> &mut P {
         let open = &mut self.open;
-        self.seats[seat].port.get_or_insert_with(|| open(seat))
+        let open = || open(seat, program_at(seat));
+        self.seats[seat].port.get_or_insert_with(open)
     }
 
-    /// The seat of a job; a prediction while something is dragged does not wait behind a whole one,
+    /// The seat of a job: with the small program if that does it, unless only the whole one is there.
+    fn free_seat_for(&self, job: &Job) -> usize {
+        let role = self.free_role_for(job);
+        let [small, whole] = Program::ALL.map(|program| place(role, program));
+        let is_open = |seat: usize| self.seats[seat].port.is_some();
+        match Program::of(job) {
+            Program::Flying if is_open(small) || !is_open(whole) => small,
+            Program::Flying | Program::Whole => whole,
+        }
+    }
+
+    /// The role that does a job; a prediction while something is dragged does not wait behind a whole one,
     /// nor a picture that is looked at behind anything, if a worker has less to do. Trainings go on side
     /// by side.
-    fn free_seat_for(&self, job: &Job) -> usize {
-        let seat = seat_for(job);
-        let jobs = |seat: usize| self.jobs.values().filter(|a| a.seat == seat).count();
+    fn free_role_for(&self, job: &Job) -> usize {
+        let role = role_for(job);
+        let jobs = |role: usize| {
+            let jobs = self.jobs.values();
+            jobs.filter(|a| role_at(a.seat) == role).count()
+        };
         match job {
-            Job::Predict(order) if order.worlds <= COARSE && jobs(seat) > 0 => 1,
+            Job::Predict(order) if order.worlds <= COARSE && jobs(role) > 0 => 1,
             Job::Train(_) => {
-                let is_at_work = |id: &JobId, a: &Assigned, seat: usize| {
-                    a.seat == seat && matches!(a.job, Job::Train(_)) && !self.held.contains(id)
+                let is_at_work = |id: &JobId, a: &Assigned, role: usize| {
+                    role_at(a.seat) == role
+                        && matches!(a.job, Job::Train(_))
+                        && !self.held.contains(id)
                 };
-                let trained = |seat: usize| {
+                let trained = |role: usize| {
                     let jobs = self.jobs.iter();
-                    jobs.filter(|(id, a)| is_at_work(id, a, seat)).count()
+                    jobs.filter(|(id, a)| is_at_work(id, a, role)).count()
                 };
                 // Tiles come and go; a flight stays.
                 let is_long = |a: &&Assigned| !matches!(a.job, Job::Tile { .. });
-                let long = |seat: usize| {
+                let long = |role: usize| {
                     let jobs = self.jobs.values().filter(is_long);
-                    jobs.filter(|a| a.seat == seat).count()
+                    jobs.filter(|a| role_at(a.seat) == role).count()
                 };
-                let seats = 0..SHARES;
-                let least = seats.min_by_key(|seat| (trained(*seat), long(*seat)));
-                least.unwrap_or(seat)
+                let roles = 0..SHARES;
+                let least = roles.min_by_key(|role| (trained(*role), long(*role)));
+                least.unwrap_or(role)
             }
             Job::DecodePicture { .. } => {
-                let open = |seat: &usize| self.seats[*seat].port.is_some();
-                let seats = [seat, 1, 0].into_iter().filter(open);
-                seats.min_by_key(|seat| jobs(*seat)).unwrap_or(seat)
+                let is_open = |role: &usize| {
+                    let seats = Program::ALL.map(|program| place(*role, program));
+                    seats.iter().any(|seat| self.seats[*seat].port.is_some())
+                };
+                let roles = [role, 1, 0].into_iter().filter(is_open);
+                roles.min_by_key(|role| jobs(*role)).unwrap_or(role)
             }
-            _ => seat,
+            _ => role,
         }
     }
 
@@ -403,111 +468,17 @@ impl<P: WorkerPort> Crew<P> {
             }
         }
         self.open_seat(seat).send(Request::Start(id, job.clone()));
-        if self.held.contains(&id) {
-            self.open_seat(seat).send(Request::Hold(id, true));
-        }
         let assigned = Assigned {
             seat,
             job,
             restarts,
         };
         self.jobs.insert(id, assigned);
+        if self.held.contains(&id) {
+            self.tell_hold(id);
+        }
+        self.take_turns(role_at(seat));
     }
-}
-
-fn seat_for(job: &Job) -> usize {
-    match job {
-        Job::AssessShare(_, share) | Job::SuggestShare(_, share) => share.part,
-        Job::Fly { .. }
-        | Job::ReadLog { .. }
-        | Job::MakeFlight { .. }
-        | Job::Cut(_)
-        | Job::Contest(_)
-        | Job::Align(_)
-        | Job::LogSeries { .. }
-        | Job::AskLog(_)
-        | Job::Assess(_)
-        | Job::SumUp(..)
-        | Job::Envelope(_)
-        | Job::Suggest(_)
-        | Job::Propose(..)
-        | Job::Evaluate(_)
-        | Job::Field(_)
-        | Job::Train(_) => 0,
-        Job::Tile { .. } | Job::DescribeMap(_) | Job::PrepareMap(_) => 1,
-        Job::Provide { .. }
-        | Job::LetGo { .. }
-        | Job::Open { .. }
-        | Job::ReadPlaces { .. }
-        | Job::Distinctness { .. }
-        | Job::ExplainMatch { .. }
-        | Job::DecodePicture { .. }
-        | Job::Find(_)
-        | Job::TakeHeights(_)
-        | Job::Predict(_)
-        | Job::Brief(_)
-        | Job::Pack(_)
-        | Job::Export(_) => 2,
-    }
-}
-
-/// Keys of the files that a job names.
-fn file_keys(job: &Job) -> Vec<&str> {
-    let mut keys = Vec::new();
-    let (flight, map) = match job {
-        Job::Provide { .. }
-        | Job::LetGo { .. }
-        | Job::Align(_)
-        | Job::DecodePicture { .. }
-        | Job::Predict(_)
-        | Job::SumUp(..)
-        | Job::Find(_)
-        | Job::Export(_) => (None, None),
-        Job::Assess(order) | Job::AssessShare(order, _) | Job::Envelope(order) => {
-            (None, Some(&order.map))
-        }
-        Job::Suggest(order) | Job::SuggestShare(order, _) | Job::Propose(order, _) => {
-            (None, Some(&order.map))
-        }
-        Job::Evaluate(order) => (order.flight.as_ref(), Some(&order.about.map)),
-        Job::Field(order) => (None, Some(&order.map)),
-        Job::Train(order) => {
-            let labelled = order.labelled.as_ref();
-            (labelled.map(|frames| &frames.flight), Some(&order.map))
-        }
-        Job::Cut(order) => (Some(&order.flight), None),
-        Job::Contest(order) => (Some(&order.flight), Some(&order.map)),
-        Job::Brief(order) => (None, Some(&order.map)),
-        Job::Pack(order) => (None, Some(&order.map)),
-        Job::Open { key, .. }
-        | Job::ReadPlaces { key }
-        | Job::MakeFlight { key }
-        | Job::ReadLog { key, .. }
-        | Job::LogSeries { key, .. } => {
-            keys.push(key.as_str());
-            (None, None)
-        }
-        Job::AskLog(order) => {
-            keys.push(order.key.as_str());
-            (None, None)
-        }
-        Job::TakeHeights(order) => {
-            keys.push(order.key.as_str());
-            (None, None)
-        }
-        Job::Fly { flight, map, .. } | Job::ExplainMatch { flight, map, .. } => {
-            (Some(flight), Some(map))
-        }
-        Job::DescribeMap(map)
-        | Job::PrepareMap(map)
-        | Job::Tile { map, .. }
-        | Job::Distinctness { map, .. } => (None, Some(map)),
-    };
-    if let Some(FlightSource::Files(key)) = flight {
-        keys.push(key);
-    }
-    keys.extend(map.and_then(MapSource::key));
-    keys
 }
 
 #[cfg(test)]

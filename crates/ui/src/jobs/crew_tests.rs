@@ -8,8 +8,8 @@ use pilotage_core::plan::Candidate;
 use super::{Crew, WorkerPort};
 use crate::jobs::FlightSource;
 use crate::jobs::{
-    AssessmentOrder, COARSE, Job, JobEvent, JobId, MapSource, PredictionOrder, Reply, Request,
-    SimulationOptions, SuggestOrder,
+    AssessmentOrder, COARSE, Job, JobEvent, JobId, MapSource, PredictionOrder, Program, Reply,
+    Request, SimulationOptions, SuggestOrder,
 };
 
 #[derive(Debug, PartialEq)]
@@ -19,6 +19,11 @@ enum Note {
     Sent(usize, Request),
     Closed(usize),
 }
+
+/// Places of the whole program.
+const WHOLE_FLIES: usize = 3;
+const WHOLE_SHOWS: usize = 4;
+const WHOLE_ANSWERS: usize = 5;
 
 type Notes = Rc<RefCell<Vec<Note>>>;
 
@@ -37,7 +42,7 @@ impl WorkerPort for NotingPort {
 fn crew() -> (Crew<NotingPort>, Notes) {
     let notes = Notes::default();
     let line = notes.clone();
-    let crew = Crew::new(move |seat| {
+    let crew = Crew::new(move |seat, _| {
         line.borrow_mut().push(Note::Opened(seat));
         NotingPort(seat, line.clone())
     });
@@ -114,7 +119,7 @@ fn files_reach_a_worker_once_before_the_first_job_that_names_them() {
         Request::Start(first, describe_files()),
         Request::Start(second, describe_files()),
     ];
-    assert_eq!(sent_to(&notes, 1), expected);
+    assert_eq!(sent_to(&notes, WHOLE_SHOWS), expected);
 }
 
 #[test]
@@ -123,12 +128,12 @@ fn a_new_worker_gets_the_files_and_the_interrupted_job_again() {
     crew.start(provide());
     let id = crew.start(describe_files());
     crew.take_events();
-    crew.worker_died(1);
+    crew.worker_died(WHOLE_SHOWS);
     let again = [
         Request::Start(0, provide()),
         Request::Start(id, describe_files()),
     ];
-    assert_eq!(sent_to(&notes, 1)[2..], again);
+    assert_eq!(sent_to(&notes, WHOLE_SHOWS)[2..], again);
     assert_eq!(crew.take_lost(), 1);
     assert!(matches!(crew.take_events()[..], [(job, JobEvent::Progress(..))] if job == id));
 }
@@ -200,10 +205,13 @@ fn workers_that_have_nothing_to_do_end_with_what_was_open_and_begin_again_when_n
     let (mut crew, notes) = crew();
     crew.start(provide());
     let id = crew.start(describe_files());
-    crew.receive(1, Reply::Event(id, JobEvent::Finished));
+    crew.receive(WHOLE_SHOWS, Reply::Event(id, JobEvent::Finished));
     let flight = crew.start(fly());
     crew.let_go(&["flight".to_owned()].into());
-    assert!(notes.borrow().contains(&Note::Closed(1)), "it was idle");
+    assert!(
+        notes.borrow().contains(&Note::Closed(WHOLE_SHOWS)),
+        "it was idle"
+    );
     assert!(!notes.borrow().contains(&Note::Closed(0)), "it flies");
     crew.receive(0, Reply::Event(flight, JobEvent::Cancelled));
     assert!(notes.borrow().contains(&Note::Closed(0)), "it has flown");
@@ -214,7 +222,7 @@ fn workers_that_have_nothing_to_do_end_with_what_was_open_and_begin_again_when_n
         Request::Start(0, provide()),
         Request::Start(again, describe_files()),
     ];
-    assert_eq!(sent_to(&notes, 1)[2..], expected);
+    assert_eq!(sent_to(&notes, WHOLE_SHOWS)[2..], expected);
 }
 
 #[test]
@@ -225,16 +233,22 @@ fn the_worker_that_has_read_the_log_in_use_stays_to_be_asked_about_it() {
         file: "flight.bin".to_owned(),
     };
     let id = crew.start(read("drop"));
-    crew.receive(0, Reply::Event(id, JobEvent::Finished));
+    crew.receive(WHOLE_FLIES, Reply::Event(id, JobEvent::Finished));
     crew.let_go(&["drop".to_owned()].into());
     let id = crew.start(fly());
-    crew.receive(0, Reply::Event(id, JobEvent::Finished));
-    assert!(!notes.borrow().contains(&Note::Closed(0)), "it has the log");
+    crew.receive(WHOLE_FLIES, Reply::Event(id, JobEvent::Finished));
+    assert!(
+        !notes.borrow().contains(&Note::Closed(WHOLE_FLIES)),
+        "it has the log"
+    );
     let keys = vec!["drop".to_owned()];
     let told = Request::Start(0, Job::LetGo { keys });
-    assert!(sent_to(&notes, 0).contains(&told));
+    assert!(sent_to(&notes, WHOLE_FLIES).contains(&told));
     crew.let_go(&["another".to_owned()].into());
-    assert!(notes.borrow().contains(&Note::Closed(0)), "nobody asks");
+    assert!(
+        notes.borrow().contains(&Note::Closed(WHOLE_FLIES)),
+        "nobody asks"
+    );
 }
 
 #[test]
@@ -245,21 +259,25 @@ fn a_worker_with_a_new_job_stays_without_the_files_that_nobody_needs() {
     crew.let_go(&std::collections::BTreeSet::new());
     let next = crew.start(Job::DescribeMap(MapSource::Scenery));
     for id in [id, next] {
-        crew.receive(1, Reply::Event(id, JobEvent::Finished));
+        crew.receive(WHOLE_SHOWS, Reply::Event(id, JobEvent::Finished));
     }
-    assert!(!notes.borrow().contains(&Note::Closed(1)));
+    assert!(!notes.borrow().contains(&Note::Closed(WHOLE_SHOWS)));
     let told = Request::Start(0, Job::LetGo { keys: Vec::new() });
-    assert!(sent_to(&notes, 1).contains(&told));
-    let sent = sent_to(&notes, 1).len();
+    assert!(sent_to(&notes, WHOLE_SHOWS).contains(&told));
+    let sent = sent_to(&notes, WHOLE_SHOWS).len();
     crew.start(describe_files());
-    assert_eq!(sent_to(&notes, 1).len(), sent + 1, "the files are gone");
+    assert_eq!(
+        sent_to(&notes, WHOLE_SHOWS).len(),
+        sent + 1,
+        "the files are gone"
+    );
 }
 
 /// A landmark to measure, the workers that share it, and the numbers of their shares.
 fn measured() -> (Crew<NotingPort>, Notes, JobId, [JobId; 2]) {
     let (mut crew, notes) = crew();
     let id = crew.start(Job::Assess(Box::new(order())));
-    let shares = [0, 1].map(|seat| match sent_to(&notes, seat)[..] {
+    let shares = [WHOLE_FLIES, WHOLE_SHOWS].map(|seat| match sent_to(&notes, seat)[..] {
         [Request::Start(share, Job::AssessShare(..))] => share,
         _ => panic!("{:?}", notes.borrow()),
     });
@@ -290,21 +308,21 @@ fn progress(event: &JobEvent) -> f32 {
 fn two_workers_share_a_measurement_and_tell_of_it_as_one() {
     let (mut crew, notes, id, [even, odd]) = measured();
     let done = |share| JobEvent::Progress(share, "View".to_owned());
-    crew.receive(0, Reply::Event(even, done(0.5)));
-    crew.receive(1, Reply::Event(odd, done(0.25)));
+    crew.receive(WHOLE_FLIES, Reply::Event(even, done(0.5)));
+    crew.receive(WHOLE_SHOWS, Reply::Event(odd, done(0.25)));
     let told = crew.take_events();
     assert!(told.iter().all(|(of, _)| *of == id), "{told:?}");
     assert_eq!(progress(&told[0].1), 0.25);
     assert_eq!(progress(&told[1].1), 0.375);
-    for (seat, share) in [(1, odd), (0, even)] {
+    for (seat, share) in [(WHOLE_SHOWS, odd), (WHOLE_FLIES, even)] {
         crew.receive(seat, Reply::Event(share, JobEvent::Views(Vec::new())));
         crew.receive(seat, Reply::Event(share, JobEvent::Finished));
     }
     assert!(crew.take_events().is_empty(), "the result is not there yet");
-    let Some(Request::Start(sum, Job::SumUp(..))) = sent_to(&notes, 0).pop() else {
+    let Some(Request::Start(sum, Job::SumUp(..))) = sent_to(&notes, WHOLE_FLIES).pop() else {
         panic!("{:?}", notes.borrow());
     };
-    crew.receive(0, Reply::Event(sum, JobEvent::Finished));
+    crew.receive(WHOLE_FLIES, Reply::Event(sum, JobEvent::Finished));
     assert_eq!(crew.take_events(), [(id, JobEvent::Finished)]);
 }
 
@@ -312,18 +330,18 @@ fn two_workers_share_a_measurement_and_tell_of_it_as_one() {
 fn a_shared_measurement_is_cancelled_as_one_and_fails_as_one() {
     let (mut crew, notes, id, [even, odd]) = measured();
     crew.cancel(id);
-    assert!(sent_to(&notes, 0).contains(&Request::Cancel(even)));
-    assert!(sent_to(&notes, 1).contains(&Request::Cancel(odd)));
-    crew.receive(0, Reply::Event(even, JobEvent::Cancelled));
+    assert!(sent_to(&notes, WHOLE_FLIES).contains(&Request::Cancel(even)));
+    assert!(sent_to(&notes, WHOLE_SHOWS).contains(&Request::Cancel(odd)));
+    crew.receive(WHOLE_FLIES, Reply::Event(even, JobEvent::Cancelled));
     assert!(crew.take_events().is_empty());
-    crew.receive(1, Reply::Event(odd, JobEvent::Cancelled));
+    crew.receive(WHOLE_SHOWS, Reply::Event(odd, JobEvent::Cancelled));
     assert_eq!(crew.take_events(), [(id, JobEvent::Cancelled)]);
 
     let (mut crew, notes, id, [even, odd]) = measured();
     let failed = || JobEvent::Failed("too large.".to_owned());
-    crew.receive(0, Reply::Event(even, failed()));
+    crew.receive(WHOLE_FLIES, Reply::Event(even, failed()));
     assert_eq!(crew.take_events(), [(id, failed())]);
-    assert!(sent_to(&notes, 1).contains(&Request::Cancel(odd)));
+    assert!(sent_to(&notes, WHOLE_SHOWS).contains(&Request::Cancel(odd)));
 }
 
 #[test]
@@ -379,7 +397,7 @@ fn two_workers_share_a_proposal_and_a_third_job_chooses() {
     };
     let (mut crew, notes) = crew();
     let id = crew.start(Job::Suggest(Box::new(asked)));
-    let shares = [0, 1].map(|seat| match sent_to(&notes, seat)[..] {
+    let shares = [WHOLE_FLIES, WHOLE_SHOWS].map(|seat| match sent_to(&notes, seat)[..] {
         [Request::Start(share, Job::SuggestShare(..))] => share,
         _ => panic!("{:?}", notes.borrow()),
     });
@@ -393,22 +411,23 @@ fn two_workers_share_a_proposal_and_a_third_job_chooses() {
         probability: 1.0,
     };
     // The second share is done first; its places come last all the same.
-    for seat in [1, 0] {
-        let places = vec![place(seat as f64)];
+    for (part, seat) in [(1, WHOLE_SHOWS), (0, WHOLE_FLIES)] {
+        let places = vec![place(part as f64)];
         crew.receive(
             seat,
-            Reply::Event(shares[seat], JobEvent::Candidates(seat, places)),
+            Reply::Event(shares[part], JobEvent::Candidates(part, places)),
         );
-        crew.receive(seat, Reply::Event(shares[seat], JobEvent::Finished));
+        crew.receive(seat, Reply::Event(shares[part], JobEvent::Finished));
     }
     assert!(crew.take_events().is_empty(), "nothing is chosen yet");
-    let Some(Request::Start(last, Job::Propose(_, found))) = sent_to(&notes, 0).pop() else {
+    let Some(Request::Start(last, Job::Propose(_, found))) = sent_to(&notes, WHOLE_FLIES).pop()
+    else {
         panic!("{:?}", notes.borrow());
     };
     assert_eq!(found, [place(0.0), place(1.0)]);
     let chosen = JobEvent::Suggestions(Vec::new());
-    crew.receive(0, Reply::Event(last, chosen.clone()));
-    crew.receive(0, Reply::Event(last, JobEvent::Finished));
+    crew.receive(WHOLE_FLIES, Reply::Event(last, chosen.clone()));
+    crew.receive(WHOLE_FLIES, Reply::Event(last, JobEvent::Finished));
     assert_eq!(crew.take_events(), [(id, chosen), (id, JobEvent::Finished)]);
 }
 
@@ -432,8 +451,14 @@ fn train(left: Option<crate::jobs::TrainingLeft>) -> Job {
 fn trainings_go_on_side_by_side_and_one_that_is_held_makes_room() {
     let (mut crew, notes) = crew();
     let (first, second) = (crew.start(train(None)), crew.start(train(None)));
-    assert_eq!(sent_to(&notes, 0), [Request::Start(first, train(None))]);
-    assert_eq!(sent_to(&notes, 1), [Request::Start(second, train(None))]);
+    assert_eq!(
+        sent_to(&notes, WHOLE_FLIES),
+        [Request::Start(first, train(None))]
+    );
+    assert_eq!(
+        sent_to(&notes, WHOLE_SHOWS),
+        [Request::Start(second, train(None))]
+    );
     crew.hold(second, true);
     let third = crew.start(train(None));
     let expected = [
@@ -441,9 +466,9 @@ fn trainings_go_on_side_by_side_and_one_that_is_held_makes_room() {
         Request::Hold(second, true),
         Request::Start(third, train(None)),
     ];
-    assert_eq!(sent_to(&notes, 1), expected);
+    assert_eq!(sent_to(&notes, WHOLE_SHOWS), expected);
     assert!(
-        sent_to(&notes, 2).is_empty(),
+        sent_to(&notes, WHOLE_ANSWERS).is_empty(),
         "questions are answered at once"
     );
 }
@@ -460,8 +485,11 @@ fn a_training_does_not_wait_behind_a_flight_because_tiles_are_drawn_elsewhere() 
         crew.start(Job::Tile { map, window });
     }
     let training = crew.start(train(None));
-    let last = sent_to(&notes, 1).pop();
-    assert_eq!(last, Some(Request::Start(training, train(None))));
+    assert_eq!(
+        sent_to(&notes, WHOLE_SHOWS)[0],
+        Request::Start(training, train(None))
+    );
+    assert!(sent_to(&notes, WHOLE_FLIES).is_empty());
 }
 
 #[test]
@@ -485,14 +513,77 @@ fn a_training_whose_worker_dies_goes_on_behind_its_last_whole_stage_and_stays_he
         };
         Reply::Event(id, JobEvent::Training(Box::new(report)))
     };
-    crew.receive(0, report(Some(left.clone())));
-    crew.receive(0, report(None));
+    crew.receive(WHOLE_FLIES, report(Some(left.clone())));
+    crew.receive(WHOLE_FLIES, report(None));
     crew.hold(id, true);
-    crew.worker_died(0);
+    crew.worker_died(WHOLE_FLIES);
     let again = [
         Request::Start(id, train(Some(left))),
         Request::Hold(id, true),
     ];
-    let all = sent_to(&notes, 0);
+    let all = sent_to(&notes, WHOLE_FLIES);
     assert_eq!(all[all.len() - 2..], again);
+}
+
+#[test]
+fn the_small_program_flies_and_the_whole_one_is_opened_by_the_first_job_that_needs_it() {
+    let opened = Rc::new(RefCell::new(Vec::new()));
+    let (list, notes) = (opened.clone(), Notes::default());
+    let mut crew = Crew::new(move |seat, program| {
+        list.borrow_mut().push((seat, program));
+        NotingPort(seat, notes.clone())
+    });
+    crew.start(fly());
+    crew.start(Job::DescribeMap(MapSource::Scenery));
+    assert_eq!(
+        *opened.borrow(),
+        [(0, Program::Flying), (1, Program::Flying)]
+    );
+    crew.start(provide());
+    crew.start(describe_files());
+    assert_eq!(opened.borrow()[2..], [(4, Program::Whole)]);
+}
+
+#[test]
+fn a_small_job_goes_to_the_whole_program_where_only_that_is_there() {
+    let (mut crew, notes) = crew();
+    crew.start(provide());
+    crew.start(describe_files());
+    let scenery = || Job::DescribeMap(MapSource::Scenery);
+    let id = crew.start(scenery());
+    assert_eq!(
+        sent_to(&notes, WHOLE_SHOWS).last(),
+        Some(&Request::Start(id, scenery()))
+    );
+    assert!(!notes.borrow().contains(&Note::Opened(1)));
+}
+
+#[test]
+fn a_flight_waits_for_a_more_urgent_job_that_the_other_program_does_in_its_role() {
+    let (mut crew, notes) = crew();
+    let flight = crew.start(fly());
+    let make = |key: &str| Job::MakeFlight {
+        key: key.to_owned(),
+    };
+    let urgent = crew.start(make("a"));
+    let after = |seat| sent_to(&notes, seat).last().cloned();
+    assert_eq!(after(0), Some(Request::Hold(flight, true)), "it waits");
+    crew.receive(WHOLE_FLIES, Reply::Event(urgent, JobEvent::Finished));
+    assert_eq!(after(0), Some(Request::Hold(flight, false)), "it goes on");
+    // One that the user holds is held after the wait as well, and nothing waits for a held one.
+    crew.hold(flight, true);
+    let urgent = crew.start(make("b"));
+    crew.receive(WHOLE_FLIES, Reply::Event(urgent, JobEvent::Finished));
+    assert_eq!(after(0), Some(Request::Hold(flight, true)));
+    crew.hold(flight, false);
+    let urgent = crew.start(make("c"));
+    crew.hold(urgent, true);
+    assert_eq!(after(0), Some(Request::Hold(flight, false)));
+    // A worker that dies leaves nobody waiting for it.
+    crew.hold(urgent, false);
+    assert_eq!(after(0), Some(Request::Hold(flight, true)));
+    for _ in 0..3 {
+        crew.worker_died(WHOLE_FLIES);
+    }
+    assert_eq!(after(0), Some(Request::Hold(flight, false)));
 }

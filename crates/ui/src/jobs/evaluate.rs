@@ -374,7 +374,7 @@ mod tests {
     use pilotage_core::simulate::Scenario;
 
     use super::*;
-    use crate::jobs::{Job, JobRunner, MapSource, Reply, Request, SimulationOptions};
+    use crate::jobs::{Abilities, Job, JobRunner, MapSource, Reply, Request, SimulationOptions};
 
     /// A detector that marks every place of the ground alike.
     fn anything(bounds: pilotage_core::frames::GroundRect) -> TrainedDetector {
@@ -433,7 +433,7 @@ mod tests {
     }
 
     fn events(order: EvaluationOrder) -> Vec<JobEvent> {
-        let (mut runner, mut events) = (JobRunner::default(), Vec::new());
+        let (mut runner, mut events) = (JobRunner::new(Abilities::WHOLE), Vec::new());
         let mut keep = |reply| {
             if let Reply::Event(_, event) = reply {
                 events.push(event);

@@ -6,11 +6,10 @@ use std::sync::Arc;
 
 use pilotage_core::imagery::ByteSource;
 
-use super::{FileContent, Job, JobEvent, JobId, JobRunner, Reply, Request};
+use super::{Abilities, FileContent, Job, JobEvent, JobId, JobRunner, Reply, Request};
 use crate::host::{Host, OpenedFile};
 
 /// Runs jobs a slice at a time whenever the app asks for events, with a clock of its own.
-#[derive(Default)]
 pub struct InlineHost {
     runner: JobRunner,
     next_job: JobId,
@@ -34,10 +33,29 @@ pub struct InlineHost {
     pub lost: usize,
 }
 
+impl Default for InlineHost {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl InlineHost {
     /// A host with nothing stored.
     pub fn new() -> Self {
-        Self::default()
+        Self {
+            runner: JobRunner::new(Abilities::WHOLE),
+            next_job: 0,
+            waiting: Vec::new(),
+            clock: Cell::default(),
+            drops: VecDeque::new(),
+            stored: BTreeMap::new(),
+            saved: Vec::new(),
+            dialogs: 0,
+            link: String::new(),
+            announced: String::new(),
+            web: BTreeMap::new(),
+            lost: 0,
+        }
     }
 
     /// Moves the clock forward by milliseconds.

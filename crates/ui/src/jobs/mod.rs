@@ -30,8 +30,10 @@ mod logs;
 mod messages;
 mod opening;
 mod pack;
+mod places;
 mod predict;
 mod prepare;
+mod programs;
 mod protocol;
 mod reckon;
 mod runner;
@@ -66,6 +68,7 @@ pub use logs::ReadLog;
 pub use messages::{Reply, Request};
 pub use pack::PackOrder;
 pub use predict::{COARSE, PredictionOrder};
+pub use programs::{Abilities, Program};
 pub use protocol::{
     DetectorSearch, Distinctness, ExplainedBy, FlightSource, Job, JobEvent, JobId, MapInfo,
     MapSource, MatchPictures, Opened, SimulationOptions, Unplaced,

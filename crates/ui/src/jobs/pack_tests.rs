@@ -13,7 +13,7 @@ use pilotage_core::raster::{Picture, encode_png};
 
 use super::*;
 use crate::documents::Documents;
-use crate::jobs::{FileContent, WebMap};
+use crate::jobs::{Abilities, FileContent, WebMap};
 
 const WORLD_FILE: &[u8] = b"0.5\n0\n0\n-0.5\n570000.25\n5189999.75\n";
 
@@ -34,7 +34,7 @@ fn origin() -> Geodetic {
 
 /// The mission file over a map among `files`, and what is said to lack.
 fn packed(files: &[(&str, FileContent)], map: MapSource) -> (Vec<u8>, Option<String>) {
-    let mut workshop = Workshop::new();
+    let mut workshop = Workshop::new(Abilities::WHOLE);
     let big = MemoryBytes::new("big", vec![0; 70 << 20]);
     workshop.lend(1, Arc::new(big));
     let files: Vec<_> = files

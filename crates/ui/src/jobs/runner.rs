@@ -1,6 +1,6 @@
 //! The jobs of one worker.
 
-use super::{Advance, Job, JobEvent, JobId, Reply, Request, RunningJob, Workshop};
+use super::{Abilities, Advance, Job, JobEvent, JobId, Reply, Request, RunningJob, Workshop};
 
 /// Least time between two words on the progress of a job, milliseconds. The page is painted anew for
 /// each, which takes from the time of the job where no graphics card does it.
@@ -32,16 +32,18 @@ impl Entry {
 
 /// Takes requests and works on the most urgent job that is not held, the eldest among equals, a slice
 /// at a time.
-#[derive(Default)]
 pub struct JobRunner {
     workshop: Workshop,
     entries: Vec<Entry>,
 }
 
 impl JobRunner {
-    /// A runner without jobs.
-    pub fn new() -> Self {
-        Self::default()
+    /// A runner without jobs for a program that can do this.
+    pub fn new(abilities: Abilities) -> Self {
+        Self {
+            workshop: Workshop::new(abilities),
+            entries: Vec::new(),
+        }
     }
 
     /// What the jobs share.
@@ -127,7 +129,7 @@ fn as_sentence(mut event: JobEvent) -> JobEvent {
 const LEAVING: u8 = 7;
 
 /// Smaller is sooner: what people wait for with a finger on the map comes before a flight.
-fn urgency(job: &Job) -> u8 {
+pub(super) fn urgency(job: &Job) -> u8 {
     match job {
         Job::Provide { .. } => 0,
         Job::DescribeMap(_)
@@ -171,7 +173,7 @@ mod tests {
 
     #[test]
     fn files_that_come_while_others_wait_to_be_let_go_stay() {
-        let mut runner = JobRunner::new();
+        let mut runner = JobRunner::new(Abilities::WHOLE);
         let mut ignore = |_: Reply| {};
         let provide = |key: &str| Job::Provide {
             key: key.to_owned(),

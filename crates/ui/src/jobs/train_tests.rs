@@ -6,7 +6,7 @@ use pilotage_core::mission::LabelBox;
 use pilotage_core::simulate::Scenario;
 
 use super::*;
-use crate::jobs::{Job, JobId, JobRunner, Reply, Request, SimulationOptions};
+use crate::jobs::{Abilities, Job, JobId, JobRunner, Reply, Request, SimulationOptions};
 
 fn order() -> TrainOrder {
     let scenario = Scenario::named("distinct-400ft-calm").unwrap();
@@ -32,7 +32,6 @@ fn order() -> TrainOrder {
 }
 
 /// A worker and what it said.
-#[derive(Default)]
 struct Bench {
     runner: JobRunner,
     said: Vec<(JobId, JobEvent)>,
@@ -40,6 +39,14 @@ struct Bench {
 }
 
 impl Bench {
+    fn new() -> Self {
+        Self {
+            runner: JobRunner::new(Abilities::WHOLE),
+            said: Vec::new(),
+            time: Cell::new(0.0),
+        }
+    }
+
     fn ask(&mut self, request: Request) {
         let said = &mut self.said;
         self.runner.receive(request, &mut |reply| {
@@ -87,7 +94,7 @@ impl Bench {
 
 #[test]
 fn the_table_of_stages_grows_and_at_the_end_there_is_a_detector() {
-    let mut bench = Bench::default();
+    let mut bench = Bench::new();
     bench.start(1, order());
     // Every vote takes longer than the time between two words.
     while bench.turn(500.0) {}
@@ -127,11 +134,11 @@ fn the_table_of_stages_grows_and_at_the_end_there_is_a_detector() {
 
 #[test]
 fn a_training_that_was_broken_off_goes_on_to_the_very_same_detector() {
-    let mut whole = Bench::default();
+    let mut whole = Bench::new();
     whole.start(1, order());
     while whole.turn(1.0) {}
 
-    let mut first = Bench::default();
+    let mut first = Bench::new();
     first.start(1, order());
     let left = |bench: &Bench| bench.reports().iter().find_map(|r| r.left.clone());
     while left(&first).is_none() {
@@ -141,7 +148,7 @@ fn a_training_that_was_broken_off_goes_on_to_the_very_same_detector() {
     assert_eq!(first.said.last(), Some(&(1, JobEvent::Cancelled)));
     assert!(!first.runner.busy() && first.outcome().is_none());
 
-    let mut second = Bench::default();
+    let mut second = Bench::new();
     let left = left(&first).unwrap();
     assert_eq!(left.stages.len(), 1);
     let before = left.seconds;
@@ -171,7 +178,7 @@ fn labelled(landmark: &Landmark) -> LabelledFrames {
         wind: None,
         height: None,
     });
-    let flight = Workshop::new().flight(&source).unwrap();
+    let flight = Workshop::new(Abilities::WHOLE).flight(&source).unwrap();
     let flight = flight.borrow().flight.clone();
     let size = (flight.camera.width as u32, flight.camera.height as u32);
     let truth = &flight.truth.as_ref().unwrap().frames;
@@ -218,7 +225,7 @@ fn labelled(landmark: &Landmark) -> LabelledFrames {
 #[test]
 fn labelled_frames_are_learned_from_as_well() {
     let positives = |labelled: Option<LabelledFrames>| {
-        let mut bench = Bench::default();
+        let mut bench = Bench::new();
         bench.start(
             1,
             TrainOrder {
@@ -245,7 +252,7 @@ fn labelled_frames_are_learned_from_as_well() {
 
 #[test]
 fn a_training_that_is_held_keeps_its_place_and_lets_others_work() {
-    let mut bench = Bench::default();
+    let mut bench = Bench::new();
     bench.start(1, order());
     while bench.reports().is_empty() {
         assert!(bench.turn(100.0));
@@ -273,7 +280,7 @@ fn a_landmark_that_fits_into_no_picture_is_refused_in_words() {
     let middle = order.landmark.bounds.center();
     let bounds = pilotage_core::frames::GroundRect::centered(middle, 900.0, 900.0);
     order.landmark.reshape(bounds);
-    let mut bench = Bench::default();
+    let mut bench = Bench::new();
     bench.start(1, order);
     while bench.turn(1.0) {}
     let Some((1, JobEvent::Failed(why))) = bench.said.last() else {

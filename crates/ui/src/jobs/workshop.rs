@@ -5,49 +5,22 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 use std::sync::Arc;
 
-use pilotage_core::exchange::Written;
 use pilotage_core::flight::expression::Samples;
 use pilotage_core::flight::log::Log;
-use pilotage_core::frames::LocalFrame;
-use pilotage_core::imagery::{Blank, ByteSource, CachedImagery, Imagery, MapMemory, Window};
-use pilotage_core::mission::{MapOptions, open_map_with};
+use pilotage_core::imagery::{ByteSource, CachedImagery, Imagery, MapMemory};
 use pilotage_core::plan::{
     EnvelopeSurvey, OtherDays, PictureDays, Proposal, Rehearsal, SceneryDays,
 };
-use pilotage_core::raster::decode_picture;
+use pilotage_core::simulate::Scenario;
 use pilotage_core::simulate::scenery::Scenery;
-use pilotage_core::simulate::{IndoorHall, Scenario};
 
-use super::align::Align;
-use super::assess::{Assess, Share, sum_up};
-use super::brief::Brief;
 use super::content::{LentFiles, OpenAddress};
-use super::contest::Contest;
-use super::envelope::SurveyEnvelope;
-use super::evaluate::Evaluate;
-use super::explain::explained;
-use super::field::ComputeField;
 use super::file_pool::FilePool;
-use super::find::FindRoute;
 use super::flights::OpenFlight;
-use super::fly::Fly;
-use super::heights::TakeHeights;
-use super::log_answers::AnswerLog;
-use super::log_series::{KeptSamples, SendSeries, samples};
-use super::logs::ReadingLog;
-use super::pack::pack;
-use super::predict::Predict;
-use super::prepare::PrepareMap;
-use super::reckon::MakeCut;
-use super::running::Once;
-use super::suggest::{Suggest, choose};
-use super::tables::make_flight;
-use super::train::Train;
+use super::log_series::{KeptSamples, samples};
+use super::programs::Abilities;
 use super::web_map::{FetchedTiles, WEB_TILES};
-use super::{
-    FileContent, FlightSource, Job, JobEvent, MapInfo, MapSource, RunningJob, SeriesName, distinct,
-    opening, simulated,
-};
+use super::{FileContent, FlightSource, Job, MapInfo, MapSource, RunningJob, SeriesName};
 
 /// Memory for what one job reads of a map, megabytes.
 const CACHE_MEGABYTES: usize = 48;
@@ -74,8 +47,8 @@ struct KeptMap {
 }
 
 /// The store of a worker. Everything in it can be made anew from the files.
-#[derive(Default)]
 pub struct Workshop {
+    abilities: Abilities,
     /// Files by key; a zip that cannot be read is told when the files are used.
     files: BTreeMap<String, Result<Arc<FilePool>, String>>,
     lent: LentFiles,
@@ -95,105 +68,26 @@ pub struct Workshop {
 }
 
 impl Workshop {
-    /// An empty workshop.
-    pub fn new() -> Self {
-        Self::default()
+    /// An empty workshop of a program that can do this.
+    pub fn new(abilities: Abilities) -> Self {
+        Self {
+            abilities,
+            files: BTreeMap::new(),
+            lent: LentFiles::default(),
+            fetched: FetchedTiles::default(),
+            maps: Vec::new(),
+            flights: BTreeMap::new(),
+            log: None,
+            samples: KeptSamples::default(),
+            scenery: None,
+            days: None,
+            rehearsal: None,
+        }
     }
 
     /// Makes a job ready to advance.
     pub fn start(&mut self, job: Job) -> Box<dyn RunningJob> {
-        match job {
-            Job::Provide { key, files } => {
-                self.provide(key, &files);
-                once(|_, _| Ok(()))
-            }
-            Job::LetGo { keys } => once(move |workshop, _| {
-                workshop.let_go(&keys.into_iter().collect());
-                Ok(())
-            }),
-            Job::Open { key, near, origin } => once(move |workshop, emit| {
-                let files = workshop.files(&key)?;
-                let opened = opening::look_through(key, &files, near, origin)?;
-                emit(JobEvent::Opened(Box::new(opened)));
-                Ok(())
-            }),
-            Job::ReadLog { key, file } => Box::new(ReadingLog::new(key, file)),
-            Job::MakeFlight { key } => {
-                once(move |workshop, emit| make_flight(workshop, &key, emit))
-            }
-            Job::LogSeries { key, file, series } => Box::new(SendSeries::new(key, file, series)),
-            Job::AskLog(order) => Box::new(AnswerLog::new(*order)),
-            Job::Fly {
-                flight,
-                map,
-                mission,
-            } => Box::new(Fly::new(flight, map, mission)),
-            Job::Cut(order) => Box::new(MakeCut::new(*order)),
-            Job::Contest(order) => Box::new(Contest::new(*order)),
-            Job::Align(order) => Box::new(Align::new(*order)),
-            Job::DescribeMap(source) => once(move |workshop, emit| {
-                let map = workshop.map(&source)?;
-                let mut info = describe(map.as_ref());
-                info.origin = source.origin();
-                emit(JobEvent::MapInfo(info));
-                Ok(())
-            }),
-            Job::ReadPlaces { key } => once(move |workshop, emit| {
-                let files = workshop.files(&key)?;
-                emit(JobEvent::Places(opening::places(&files)?));
-                Ok(())
-            }),
-            Job::PrepareMap(source) => Box::new(PrepareMap::new(source)),
-            Job::TakeHeights(order) => Box::new(TakeHeights::new(*order)),
-            Job::Tile { map, window } => {
-                once(move |workshop, emit| send_tile(workshop, &map, window, emit))
-            }
-            Job::Distinctness {
-                map,
-                bounds,
-                radius,
-            } => once(move |workshop, emit| {
-                let map = workshop.map(&map)?;
-                let found = distinct::examine(map.as_ref(), bounds, radius);
-                emit(JobEvent::Distinctness(Box::new(found)));
-                Ok(())
-            }),
-            Job::Predict(order) => Box::new(Predict(*order)),
-            Job::Brief(order) => Box::new(Brief::new(order)),
-            Job::Assess(order) => Box::new(Assess::new(*order, Share::WHOLE)),
-            Job::AssessShare(order, share) => Box::new(Assess::new(*order, share)),
-            Job::SumUp(order, views) => once(move |_, emit| {
-                let found = sum_up(&order, &views)?;
-                emit(JobEvent::Assessment(Box::new(found)));
-                Ok(())
-            }),
-            Job::Envelope(order) => Box::new(SurveyEnvelope::new(*order)),
-            Job::Train(order) => Box::new(Train::new(*order)),
-            Job::Suggest(order) => Box::new(Suggest::new(*order, Share::WHOLE)),
-            Job::SuggestShare(order, share) => Box::new(Suggest::new(*order, share)),
-            Job::Propose(order, found) => once(move |workshop, emit| {
-                emit(JobEvent::Suggestions(choose(workshop, *order, found)?));
-                Ok(())
-            }),
-            Job::Evaluate(order) => Box::new(Evaluate::new(*order)),
-            Job::Field(order) => Box::new(ComputeField::new(*order)),
-            Job::Find(order) => Box::new(FindRoute::new(*order)),
-            Job::ExplainMatch { .. } => once(move |workshop, emit| {
-                emit(explained(workshop, &job)?);
-                Ok(())
-            }),
-            Job::Pack(order) => once(move |workshop, emit| {
-                let (bytes, lacks) = pack(workshop, &order)?;
-                emit(JobEvent::Packed { bytes, lacks });
-                Ok(())
-            }),
-            Job::Export(order) => once(move |_, emit| {
-                let Written { bytes, notes } = order.write()?;
-                emit(JobEvent::Exported { bytes, notes });
-                Ok(())
-            }),
-            Job::DecodePicture { encoded } => once(move |_, emit| decode(&encoded, emit)),
-        }
+        (self.abilities.begin)(self, job)
     }
 
     /// Lends a file that is read by pieces under a number.
@@ -322,40 +216,7 @@ impl Workshop {
             self.maps.push(kept);
             return Ok(map);
         }
-        let map: Arc<dyn Imagery> = match source {
-            MapSource::Scenery => Arc::new(self.scenery()),
-            MapSource::Hall => Arc::new(IndoorHall::map()),
-            MapSource::Nothing => Arc::new(Blank),
-            MapSource::Web(map) => Arc::new(map.open(&self.fetched)),
-            MapSource::Files(key) => {
-                let files = self.files(key)?;
-                let frame = match opening::flight_folder(&files)? {
-                    Some(folder) => folder.flight.frame_on_globe,
-                    None => None,
-                };
-                open_map(&files, frame)?
-            }
-            MapSource::Placed { key, origin } => {
-                let files = self.files(key)?;
-                open_map(&files, Some(LocalFrame::new(*origin)))?
-            }
-            MapSource::Picture {
-                key,
-                name,
-                origin,
-                place,
-            } => {
-                let options = MapOptions {
-                    frame: origin.map(LocalFrame::new),
-                    place: Some(*place),
-                    memory: MAP_MEMORY,
-                    ..MapOptions::default()
-                };
-                let files = self.files(key)?;
-                let map = open_map_with(files.as_ref(), name, &options);
-                Arc::new(map.map_err(|cause| cause.to_string())?)
-            }
-        };
+        let map = (self.abilities.open_map)(self, source)?;
         self.insert_map(source, map.clone());
         Ok(map)
     }
@@ -420,8 +281,13 @@ impl Workshop {
         })
     }
 
+    /// Tiles of the web that were handed in.
+    pub(super) fn fetched(&self) -> &FetchedTiles {
+        &self.fetched
+    }
+
     /// The generated ground, laid out once; clones share it.
-    fn scenery(&mut self) -> Scenery {
+    pub(super) fn scenery(&mut self) -> Scenery {
         self.scenery.get_or_insert_with(Scenario::map).clone()
     }
 
@@ -431,52 +297,12 @@ impl Workshop {
         if let Some(open) = self.flights.get(&key) {
             return Ok(open.clone());
         }
-        let open = match source {
-            FlightSource::Simulated(options) if options.is_indoors() => {
-                simulated::open_hall(options)
-            }
-            FlightSource::Simulated(options) => simulated::open(options, &self.scenery())?,
-            FlightSource::Nothing => return Err("no flight is open".to_owned()),
-            FlightSource::Files(key) => {
-                let files = self.files(key)?;
-                opening::flight(&files)?.ok_or("there is no flight among the files")?
-            }
-        };
+        let open = (self.abilities.open_flight)(self, source)?;
         let open = Rc::new(RefCell::new(open));
         self.flights.clear();
         self.flights.insert(key, open.clone());
         Ok(open)
     }
-}
-
-/// The map among files, in the world frame `frame` or else its own.
-fn open_map(files: &FilePool, frame: Option<LocalFrame>) -> Result<Arc<dyn Imagery>, String> {
-    let options = MapOptions {
-        frame,
-        memory: MAP_MEMORY,
-        ..MapOptions::default()
-    };
-    let map = opening::map(files, &options)?;
-    let (_, map) = map.ok_or("there is no map among the files")?;
-    Ok(Arc::new(map))
-}
-
-fn once<F>(work: F) -> Box<dyn RunningJob>
-where
-    F: FnOnce(&mut Workshop, &mut dyn FnMut(JobEvent)) -> Result<(), String> + 'static,
-{
-    Box::new(Once(Some(work)))
-}
-
-/// Says the pixels of an encoded picture.
-fn decode(encoded: &[u8], emit: &mut dyn FnMut(JobEvent)) -> Result<(), String> {
-    let picture = decode_picture(encoded).map_err(|cause| cause.to_string())?;
-    let opaque = |[r, g, b]: &[u8; 3]| [*r, *g, *b, u8::MAX];
-    emit(JobEvent::Picture {
-        width: picture.width(),
-        pixels: picture.pixels().iter().flat_map(opaque).collect(),
-    });
-    Ok(())
 }
 
 /// What is known of a map.
@@ -494,22 +320,4 @@ pub fn describe(map: &dyn Imagery) -> MapInfo {
 /// Bytes that are equal for equal sources.
 fn cache_key(source: &impl serde::Serialize) -> Vec<u8> {
     postcard::to_stdvec(source).unwrap_or_default()
-}
-/// Pixels of a window of a map, and what went wrong with it.
-fn send_tile(
-    workshop: &mut Workshop,
-    map: &MapSource,
-    window: Window,
-    emit: &mut dyn FnMut(JobEvent),
-) -> Result<(), String> {
-    let (pixels, whole) = workshop.map(map)?.window_so_far(&window);
-    emit(JobEvent::Tile {
-        window,
-        pixels,
-        whole,
-    });
-    for problem in workshop.new_problems(map) {
-        emit(JobEvent::Remark(problem));
-    }
-    Ok(())
 }

@@ -18,9 +18,9 @@ use pilotage_core::raster::Raster;
 use pilotage_core::study::{Comparison, Contender, Tally as FlightTally};
 use pilotage_ui::host::{Host, OpenedFile};
 use pilotage_ui::jobs::{
-    Assessment, AssessmentOrder, ContestOrder, DetectorSearch, Distinctness, ExplainedBy,
-    FieldOrder, FileContent, FlightSource, Glance, HeightsOrder, Job, JobEvent, JobId, JobRunner,
-    MapInfo, Opened, ReadLog, Reply, Request, SuggestOrder,
+    Abilities, Assessment, AssessmentOrder, ContestOrder, DetectorSearch, Distinctness,
+    ExplainedBy, FieldOrder, FileContent, FlightSource, Glance, HeightsOrder, Job, JobEvent, JobId,
+    JobRunner, MapInfo, Opened, ReadLog, Reply, Request, SuggestOrder,
 };
 
 use super::flight::{flight, mission, run, run_head};
@@ -197,7 +197,7 @@ impl ScriptedHost {
 
     /// Does what a worker would do.
     fn carry_out(&mut self, id: JobId, job: &Job) {
-        let mut runner = JobRunner::new();
+        let mut runner = JobRunner::new(Abilities::WHOLE);
         let events = &mut self.events;
         let mut keep = |reply| {
             if let Reply::Event(id, event) = reply {

@@ -1,0 +1,161 @@
+//! The workers' programs: the whole one does every job; the small one does those that flying over the
+//! generated ground needs, so that the first flight does not wait for what reads files, plans and trains.
+//!
+//! A program links what its [`Abilities`] name and nothing else.
+
+mod flying;
+mod whole;
+
+use std::sync::Arc;
+
+use pilotage_core::imagery::Imagery;
+
+use super::flights::OpenFlight;
+use super::running::Once;
+use super::{FlightSource, Job, JobEvent, MapSource, RunningJob, Workshop};
+
+/// A program of a worker.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Program {
+    /// Flies over the generated ground and shows it; small, and there first.
+    Flying,
+    /// Does every job.
+    Whole,
+}
+
+impl Program {
+    /// All of them, the smallest first.
+    pub const ALL: [Self; 2] = [Self::Flying, Self::Whole];
+
+    /// Its name, as the page's files are called.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Flying => "flying",
+            Self::Whole => "whole",
+        }
+    }
+
+    /// The smallest program that does a job.
+    pub fn of(job: &Job) -> Self {
+        if flying::does(job) {
+            Self::Flying
+        } else {
+            Self::Whole
+        }
+    }
+
+    /// What it can do.
+    pub fn abilities(self) -> Abilities {
+        match self {
+            Self::Flying => Abilities::FLYING,
+            Self::Whole => Abilities::WHOLE,
+        }
+    }
+}
+
+/// A map that was opened, or why not, in words.
+type OpenedMap = Result<Arc<dyn Imagery>, String>;
+
+/// What a worker can do: how it begins jobs, and what it opens for them.
+#[derive(Clone, Copy)]
+pub struct Abilities {
+    /// Makes a job ready to advance; one that it cannot do fails with its first step.
+    pub begin: fn(&mut Workshop, Job) -> Box<dyn RunningJob>,
+    /// Opens a map; the error says in words why not.
+    pub open_map: fn(&mut Workshop, &MapSource) -> OpenedMap,
+    /// Opens a flight; the error says in words why not.
+    pub open_flight: fn(&mut Workshop, &FlightSource) -> Result<OpenFlight, String>,
+}
+
+impl Abilities {
+    /// Those of [`Program::Flying`].
+    pub const FLYING: Self = Self {
+        begin: flying::begin,
+        open_map: flying::open_map,
+        open_flight: flying::open_flight,
+    };
+
+    /// Those of [`Program::Whole`].
+    pub const WHOLE: Self = Self {
+        begin: whole::begin,
+        open_map: whole::open_map,
+        open_flight: whole::open_flight,
+    };
+}
+
+/// A job that is one piece of work.
+fn once<F>(work: F) -> Box<dyn RunningJob>
+where
+    F: FnOnce(&mut Workshop, &mut dyn FnMut(JobEvent)) -> Result<(), String> + 'static,
+{
+    Box::new(Once(Some(work)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Advance, SimulationOptions};
+    use super::*;
+
+    /// What `job` says in the small program until it is over, or why it failed.
+    fn said(job: Job) -> Result<Vec<JobEvent>, String> {
+        let mut workshop = Workshop::new(Abilities::FLYING);
+        let mut running = workshop.start(job);
+        let mut events = Vec::new();
+        for _ in 0..10_000 {
+            match running.advance(&mut workshop, &|| 0.0, &mut |event| events.push(event))? {
+                Advance::More => {}
+                Advance::Done => return Ok(events),
+            }
+            // The flight is long; its first steps are enough.
+            if events
+                .iter()
+                .any(|event| matches!(event, JobEvent::Steps(_)))
+            {
+                return Ok(events);
+            }
+        }
+        Err("it does not end".to_owned())
+    }
+
+    #[test]
+    fn the_small_program_does_what_it_is_chosen_for_and_refuses_the_rest_in_words() {
+        let fly = |flight, map| Job::Fly {
+            flight,
+            map,
+            mission: None,
+        };
+        let simulated = |scenario: &str| {
+            FlightSource::Simulated(SimulationOptions {
+                scenario: scenario.to_owned(),
+                seed: 1,
+                other_day: false,
+                wind: None,
+                height: None,
+            })
+        };
+        for job in [
+            fly(simulated("distinct-400ft-wind"), MapSource::Scenery),
+            fly(simulated("indoor-hall"), MapSource::Hall),
+            Job::DescribeMap(MapSource::Scenery),
+            Job::DescribeMap(MapSource::Nothing),
+        ] {
+            assert_eq!(Program::of(&job), Program::Flying, "{job:?}");
+            let events = said(job.clone());
+            assert!(
+                events.as_ref().is_ok_and(|it| it.len() > 1),
+                "{job:?}: {events:?}"
+            );
+        }
+        let files = || MapSource::Files("drop".to_owned());
+        for job in [
+            fly(simulated("distinct-400ft-wind"), files()),
+            fly(FlightSource::Files("drop".to_owned()), MapSource::Scenery),
+            Job::DescribeMap(files()),
+            Job::PrepareMap(MapSource::Scenery),
+        ] {
+            assert_eq!(Program::of(&job), Program::Whole, "{job:?}");
+            let why = said(job.clone()).expect_err("the small program has no such ability");
+            assert!(why.contains("load the page again"), "{job:?}: {why}");
+        }
+    }
+}
