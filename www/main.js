@@ -50,6 +50,24 @@ function prepareWorkers() {
   };
 }
 
+/** What the first jobs of a visit tell, and a picture of the demo's ground, both stored by the build: bytes by key. */
+async function firstSeconds() {
+  const file = async (name) => {
+    const response = await fetch(new URL(`./first/${name}`, import.meta.url), { credentials: "same-origin" });
+    if (!response.ok) throw new Error(`${name}: ${response.status}`);
+    return response.blob();
+  };
+  const pixels = async () => {
+    const picture = await createImageBitmap(await file("ground.jpg"));
+    const canvas = new OffscreenCanvas(picture.width, picture.height).getContext("2d");
+    canvas.drawImage(picture, 0, 0);
+    return new Uint8Array(canvas.getImageData(0, 0, picture.width, picture.height).data.buffer);
+  };
+  const seconds = async () => new Uint8Array(await (await file("seconds.bin")).arrayBuffer());
+  const [told, ground] = await Promise.all([seconds(), pixels()]);
+  return new Map([["first seconds", told], ["first ground", ground]]);
+}
+
 function hasGraphics() {
   const context = document.createElement("canvas").getContext("webgl2");
   context?.getExtension("WEBGL_lose_context")?.loseContext();
@@ -70,7 +88,8 @@ function keepWatch(app) {
 async function start() {
   const begun = performance.now();
   // Begun before anything else: it takes longest.
-  const loading = Promise.all([openStorage(), init({ module_or_path: program() })]);
+  const first = firstSeconds().catch((error) => { console.warn("the first seconds are computed:", error); return new Map(); });
+  const loading = Promise.all([openStorage(), first, init({ module_or_path: program() })]);
   loading.catch(() => {});
   prepareWorkers();
   if (!hasGraphics()) {
@@ -78,9 +97,10 @@ async function start() {
     showTrouble("This browser cannot draw the map", "Pilotage draws with WebGL 2, which is missing or switched off here. Switch on hardware acceleration in the browser's settings, or use a current version of Chrome, Edge, Firefox or Safari.");
     return;
   }
-  const [storage] = await loading;
+  const [storage, told] = await loading;
   const loaded = performance.now();
   const app = new WebHandle();
+  for (const [key, bytes] of told) app.remember(key, bytes);
   for (const [key, kept] of storage.loaded) {
     if (kept instanceof Blob) app.remember_file(key, kept);
     else app.remember(key, kept);

@@ -20,6 +20,8 @@ cargo xtask serve [--port N] [--profile web-quick|web] [--no-build] [--dist FOLD
     builds the page and serves it on this machine (port 8080; 0 takes a free one)
 cargo xtask dist [--dist FOLDER]
     packs the page into a folder that any file server can host, and prints its sizes
+cargo xtask first-seconds
+    stores anew what the page shows first, once the program computes something else
 cargo xtask test [--quick] [--studies] [--changed] [--base REV] [--only WORD]
     runs every check; --quick leaves out the documentation, the oracles and the browser,
     --only all but the checks that have WORD in their name, such as journeys;
@@ -65,6 +67,13 @@ fn run(mut arguments: Arguments) -> Result<ExitCode, Failure> {
                 studies,
                 reach,
             })
+        }
+        Some("first-seconds") => {
+            arguments.finish()?;
+            let dist = places::page_under_test();
+            page::build(page::Profile::Quick, &dist)?;
+            test::store_first_seconds(&dist)?;
+            Ok(ExitCode::SUCCESS)
         }
         Some("help" | "--help" | "-h") => {
             println!("{USAGE}");

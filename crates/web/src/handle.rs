@@ -171,6 +171,14 @@ impl WebHandle {
         }
     }
 
+    /// How the stored first seconds compare with what the workers compute, as JSON.
+    pub fn first_seconds(&self) -> String {
+        match &*self.running.borrow() {
+            Some((_, host)) => host.first_seconds_json(),
+            None => "null".to_owned(),
+        }
+    }
+
     /// Ends a worker without a word, as a browser short of memory does; for tests.
     pub fn kill_worker(&self, index: usize) {
         if let Some((_, host)) = &*self.running.borrow() {

@@ -8,7 +8,9 @@ use js_sys::Uint8Array;
 use pilotage_core::navigator::{StepReport, StepTiming};
 use pilotage_ui::dialogs::Download;
 use pilotage_ui::host::{Host, OpenedFile};
-use pilotage_ui::jobs::{Crew, FileContent, Job, JobEvent, JobId, Reply, wanted_addresses};
+use pilotage_ui::jobs::{
+    Crew, FileContent, FirstSeconds, Job, JobEvent, JobId, Prelude, Reply, wanted_addresses,
+};
 
 use wasm_bindgen::JsValue;
 
@@ -38,6 +40,9 @@ pub struct PageHost {
 struct Inner {
     shell: Shell,
     crew: Crew<BrowserPort>,
+    prelude: Prelude,
+    /// What the prelude told of jobs that began.
+    told_first: Vec<(JobId, JobEvent)>,
     inbox: Inbox,
     remembered: Remembered,
     opened: Vec<Vec<OpenedFile>>,
@@ -77,16 +82,21 @@ impl PageHost {
 
     /// Services for a page with these remembered documents.
     pub fn new(shell: Shell, context: egui::Context, remembered: Remembered) -> Self {
+        let stored = remembered.bytes.get(FirstSeconds::KEY);
+        let stored = stored.and_then(|bytes| FirstSeconds::decode(bytes));
         let inbox = Inbox {
             notices: Rc::default(),
             context,
         };
         let line = inbox.clone();
-        let mut crew = Crew::new(move |seat, program| BrowserPort::open(seat, program, line.clone()));
+        let mut crew =
+            Crew::new(move |seat, program| BrowserPort::open(seat, program, line.clone()));
         crew.warm_up();
         let inner = Inner {
             shell,
             crew,
+            prelude: Prelude::new(stored),
+            told_first: Vec::new(),
             inbox,
             remembered,
             opened: Vec::new(),
@@ -135,6 +145,12 @@ impl PageHost {
         .to_string()
     }
 
+    /// Pieces of the stored first seconds that were computed by now, and how many came out otherwise, as JSON.
+    pub fn first_seconds_json(&self) -> String {
+        let (compared, different) = self.inner.borrow().prelude.checked();
+        serde_json::json!({ "compared": compared, "different": different }).to_string()
+    }
+
     /// Ends a worker without a word; for tests.
     pub fn silence_worker(&self, seat: usize) {
         if let Some(port) = self.inner.borrow().crew.port(seat) {
@@ -148,6 +164,12 @@ impl PageHost {
             port.crash();
         }
     }
+}
+
+/// What is stored for the first seconds is not what this program computes, which is a fault of the build.
+fn tell_of_difference(id: JobId) {
+    let text = format!("the stored first seconds differ from what job {id} computes");
+    web_sys::console::error_1(&text.into());
 }
 
 impl Inner {
@@ -197,7 +219,13 @@ impl Host for PageHost {
     fn start(&mut self, job: Job) -> JobId {
         let addresses = wanted_addresses(&job);
         if addresses.is_empty() {
-            return self.inner.borrow_mut().crew.start(job);
+            let mut inner = self.inner.borrow_mut();
+            let id = inner.crew.start(job.clone());
+            let first = inner.prelude.begin(id, &job);
+            inner
+                .told_first
+                .extend(first.into_iter().map(|it| (id, it)));
+            return id;
         }
         self.fetch_for(job, addresses)
     }
@@ -244,9 +272,15 @@ impl Host for PageHost {
     fn events(&mut self) -> Vec<(JobId, JobEvent)> {
         let mut inner = self.inner.borrow_mut();
         inner.read_notices();
-        let events = inner.crew.take_events();
-        for (_, event) in &events {
-            inner.note_timings(event);
+        let mut events = std::mem::take(&mut inner.told_first);
+        for (id, event) in inner.crew.take_events() {
+            inner.note_timings(&event);
+            let before = inner.prelude.checked().1;
+            let new = inner.prelude.hear(id, event);
+            events.extend(new.into_iter().map(|event| (id, event)));
+            if inner.prelude.checked().1 > before {
+                tell_of_difference(id);
+            }
         }
         events
     }

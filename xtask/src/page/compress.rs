@@ -13,7 +13,8 @@ use super::files;
 use crate::failure::Failure;
 
 /// Endings of files that shrink; pictures are compressed already.
-const SHRINKING: [&str; 8] = [
+const SHRINKING: [&str; 9] = [
+    "bin",
     "css",
     "html",
     "js",

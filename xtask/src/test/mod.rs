@@ -18,6 +18,7 @@ use crate::{
     places,
 };
 pub use changed::{Reach, reach};
+pub use native::store_first_seconds;
 use table::Table;
 
 /// Which checks are run, and on what.

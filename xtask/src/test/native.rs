@@ -6,6 +6,8 @@
 //! already, in this program's profile.
 
 use super::Reach;
+use std::path::Path;
+
 use crate::{
     failure::Failure,
     page::{PROGRAMS, Profile, TARGET, without_flags},
@@ -122,6 +124,15 @@ pub fn tests(packages: &Packages, studies: bool) -> Result<(), Failure> {
         tests.env("PILOTAGE_STUDIES", "1");
     }
     run(&mut tests, ADVICE)
+}
+
+/// Stores anew what the page shows first, as the program of the page in `dist` computes it, by the test that
+/// compares it with what this machine computes.
+pub fn store_first_seconds(dist: &Path) -> Result<(), Failure> {
+    let mut test = cargo(&["test", "--locked", "-p", "pilotage-ui", "--lib"]);
+    test.args(["--", "--exact"]);
+    test.arg("jobs::prelude::tests::the_stored_first_seconds_are_what_the_program_computes");
+    run(test.env("PILOTAGE_FIRST_SECONDS_OF", dist), ADVICE)
 }
 
 /// The tests of this program.

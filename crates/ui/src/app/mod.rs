@@ -159,7 +159,7 @@ impl App {
         let now = host.now();
         if !self.started {
             self.started = true;
-            self.start(host);
+            self.start(ui.ctx(), host);
         }
         self.receive(ui.ctx(), host);
         self.tick(now);

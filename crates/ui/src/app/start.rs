@@ -6,7 +6,7 @@ use crate::documents::{
     Documents, Ground, SESSION_KEY, Session, TERRAIN_KEY, UNREAD_KEY, VIEW_KEY, ViewState,
 };
 use crate::host::Host;
-use crate::jobs::FlightSource;
+use crate::jobs::{FirstSeconds, FlightSource};
 use crate::log::{OwnPresets, PRESETS_KEY};
 use crate::shell::keys::ShortcutListener;
 use crate::shell::{Toasts, apply_theme, fonts};
@@ -89,7 +89,8 @@ impl App {
         app
     }
 
-    pub(super) fn start(&mut self, host: &mut dyn Host) {
+    pub(super) fn start(&mut self, context: &egui::Context, host: &mut dyn Host) {
+        self.lay_first_ground(context, host);
         let terrain = host.recall(TERRAIN_KEY);
         if let Some(key) = terrain.and_then(|bytes| String::from_utf8(bytes).ok()) {
             self.documents.terrain = Ground::of_files(&key);
@@ -126,6 +127,26 @@ impl App {
             self.describe_map(host);
         }
         self.fly_session(host);
+    }
+
+    /// Shows the stored picture of the demo's ground until its tiles are there.
+    fn lay_first_ground(&mut self, context: &egui::Context, host: &dyn Host) {
+        let first = host.recall(FirstSeconds::KEY);
+        let first = first.and_then(|bytes| FirstSeconds::decode(&bytes));
+        let is_shown = |first: &FirstSeconds| first.map == self.documents.map_source;
+        let pixels = host.recall(FirstSeconds::GROUND_KEY);
+        let (Some(first), Some(pixels)) = (first.filter(is_shown), pixels) else {
+            return;
+        };
+        let side = (pixels.len() / 4).isqrt();
+        if 4 * side * side != pixels.len() {
+            return;
+        }
+        let image = egui::ColorImage::from_rgba_unmultiplied([side, side], &pixels);
+        self.views
+            .map
+            .tiles
+            .lay_ground(context, first.ground, image);
     }
 
     /// Flies what is open by name only: of files, what they tell is read first.

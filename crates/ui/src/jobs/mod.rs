@@ -32,6 +32,7 @@ mod opening;
 mod pack;
 mod places;
 mod predict;
+mod prelude;
 mod prepare;
 mod programs;
 mod protocol;
@@ -68,6 +69,7 @@ pub use logs::ReadLog;
 pub use messages::{Reply, Request};
 pub use pack::PackOrder;
 pub use predict::{COARSE, PredictionOrder};
+pub use prelude::{FirstSeconds, Prelude};
 pub use programs::{Abilities, Program};
 pub use protocol::{
     DetectorSearch, Distinctness, ExplainedBy, FlightSource, Job, JobEvent, JobId, MapInfo,

@@ -88,6 +88,8 @@ struct Held {
 #[derive(Default)]
 pub struct TileCache {
     held: HashMap<TileKey, Held>,
+    /// A picture of ground that stands in where there is no tile yet.
+    ground: Option<(GroundRect, TextureHandle)>,
     empty: HashSet<TileKey>,
     /// Tiles that are not whole, with the refresh after which they came.
     partial: HashMap<TileKey, u64>,
@@ -100,6 +102,12 @@ impl TileCache {
     /// Forgets everything: another map is shown.
     pub fn clear(&mut self) {
         *self = Self::default();
+    }
+
+    /// Lays a picture of the map below its tiles, until another map is shown.
+    pub fn lay_ground(&mut self, context: &egui::Context, ground: GroundRect, image: ColorImage) {
+        let texture = context.load_texture("ground", image, TextureOptions::LINEAR);
+        self.ground = Some((ground, texture));
     }
 
     /// Tiles that are missing, the most urgent first.
@@ -206,6 +214,11 @@ impl TileCache {
                 }
             }
         }
+        if !missing.is_empty()
+            && let Some((ground, texture)) = &self.ground
+        {
+            paint_textured(painter, view, ground, texture);
+        }
         stand_ins.sort_by_key(|k| (-k.level, k.north, k.east));
         stand_ins.dedup();
         for key in stand_ins.iter().chain(&tiles) {
@@ -248,19 +261,7 @@ impl TileCache {
             return;
         };
         held.last_used = self.frame;
-        let corners = view.corners(&key.window().rect());
-        let mut mesh = Mesh::with_texture(held.texture.id());
-        let uv = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
-        for (pos, (u, v)) in corners.into_iter().zip(uv) {
-            mesh.vertices.push(Vertex {
-                pos,
-                uv: pos2(u, v),
-                color: Color32::WHITE,
-            });
-        }
-        mesh.add_triangle(0, 1, 2);
-        mesh.add_triangle(0, 2, 3);
-        painter.add(Shape::mesh(mesh));
+        paint_textured(painter, view, &key.window().rect(), &held.texture);
     }
 
     fn evict(&mut self) {
@@ -277,6 +278,27 @@ impl TileCache {
             self.partial.clear();
         }
     }
+}
+
+/// Draws a picture of ground where it lies.
+fn paint_textured(
+    painter: &Painter,
+    view: &ScreenFromWorld,
+    ground: &GroundRect,
+    texture: &TextureHandle,
+) {
+    let mut mesh = Mesh::with_texture(texture.id());
+    let uv = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+    for (pos, (u, v)) in view.corners(ground).into_iter().zip(uv) {
+        mesh.vertices.push(Vertex {
+            pos,
+            uv: pos2(u, v),
+            color: Color32::WHITE,
+        });
+    }
+    mesh.add_triangle(0, 1, 2);
+    mesh.add_triangle(0, 2, 3);
+    painter.add(Shape::mesh(mesh));
 }
 
 fn intersection(a: &GroundRect, b: &GroundRect) -> Option<GroundRect> {

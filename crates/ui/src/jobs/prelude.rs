@@ -1,0 +1,225 @@
+//! The first seconds of a visit: what the first jobs tell, computed beforehand by the very same program and shipped
+//! with the page, so that nobody waits for what is the same at every first visit.
+//!
+//! The workers compute all of it nevertheless. What they say is compared with what was stored: what is equal has
+//! been shown already, what is not replaces it and is counted.
+
+use std::collections::BTreeMap;
+
+use pilotage_core::flight::Flight;
+use pilotage_core::frames::GroundRect;
+use pilotage_core::mission::Mission;
+use pilotage_core::navigator::{Run, StepReport, StepTiming};
+use serde::{Deserialize, Serialize};
+
+use super::{FlightSource, Job, JobEvent, JobId, MapInfo, MapSource, whole_bytes};
+
+/// What is stored: of the first jobs of a visit, which describe a map and fly over it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FirstSeconds {
+    /// The map.
+    pub map: MapSource,
+    /// What is known of it.
+    pub map_info: MapInfo,
+    /// The ground that the picture beside it shows, which stands in for tiles of the map.
+    pub ground: GroundRect,
+    /// Where the flight is from.
+    pub source: FlightSource,
+    /// The flight.
+    pub flight: Box<Flight>,
+    /// The mission that comes with it.
+    pub mission: Box<Mission>,
+    /// The head of its run.
+    pub run: Box<Run>,
+    /// The first steps, without the time that they took.
+    pub steps: Vec<StepReport>,
+    /// Some of the first pictures, by their index.
+    pub pictures: BTreeMap<usize, EncodedPicture>,
+}
+
+/// A picture as JPEG.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct EncodedPicture(#[serde(with = "whole_bytes")] pub Vec<u8>);
+
+impl FirstSeconds {
+    /// Key under which the page remembers it.
+    pub const KEY: &str = "first seconds";
+    /// Key of the pixels of the ground: red, green, blue and opacity, row by row, of a square picture.
+    pub const GROUND_KEY: &str = "first ground";
+
+    /// From a file of the page; `None` if another version of the program made it.
+    pub fn decode(bytes: &[u8]) -> Option<Self> {
+        postcard::from_bytes(bytes).ok()
+    }
+
+    /// As a file of the page.
+    pub fn encode(&self) -> Vec<u8> {
+        postcard::to_stdvec(self).unwrap_or_default()
+    }
+
+    fn picture(&self, index: usize) -> Option<JobEvent> {
+        let encoded = self.pictures.get(&index)?.0.clone();
+        Some(JobEvent::FramePicture { index, encoded })
+    }
+
+    /// What begins the run.
+    fn heads(&self) -> [JobEvent; 3] {
+        [
+            JobEvent::Flight(self.flight.clone()),
+            JobEvent::Mission(self.mission.clone()),
+            JobEvent::RunStarted(self.run.clone()),
+        ]
+    }
+}
+
+/// Tells what is stored when a job begins, and of what the worker says only what is new.
+#[derive(Default)]
+pub struct Prelude {
+    stored: Option<FirstSeconds>,
+    /// The job that describes the map, and the one that flies, as long as they agree with what is stored.
+    describing: Option<JobId>,
+    flying: Option<JobId>,
+    /// Steps of the flight that the worker has said.
+    steps: usize,
+    compared: usize,
+    different: usize,
+}
+
+impl Prelude {
+    /// With what is stored.
+    pub fn new(stored: Option<FirstSeconds>) -> Self {
+        Self {
+            stored,
+            ..Self::default()
+        }
+    }
+
+    /// What is told at once of a job that begins.
+    pub fn begin(&mut self, id: JobId, job: &Job) -> Vec<JobEvent> {
+        let Some(stored) = &self.stored else {
+            return Vec::new();
+        };
+        match job {
+            Job::DescribeMap(map) if *map == stored.map => {
+                self.describing = Some(id);
+                vec![JobEvent::MapInfo(stored.map_info.clone())]
+            }
+            Job::Fly {
+                flight,
+                map,
+                mission: None,
+            } if *flight == stored.source && *map == stored.map => {
+                self.flying = Some(id);
+                self.steps = 0;
+                let pictures = stored.pictures.keys().filter_map(|i| stored.picture(*i));
+                let steps = JobEvent::Steps(stored.steps.clone());
+                let heads = stored.heads().into_iter();
+                heads.chain(pictures).chain([steps]).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// Pieces of what was stored that the workers computed so far, and how many of them came out otherwise.
+    pub fn checked(&self) -> (usize, usize) {
+        (self.compared, self.different)
+    }
+
+    /// What of a worker's word is to be passed on.
+    pub fn hear(&mut self, id: JobId, event: JobEvent) -> Vec<JobEvent> {
+        let Some(stored) = &self.stored else {
+            return vec![event];
+        };
+        if self.describing == Some(id) {
+            if event.is_last() {
+                self.describing = None;
+            }
+            return match &event {
+                JobEvent::MapInfo(info) => {
+                    self.compared += 1;
+                    if *info == stored.map_info {
+                        return Vec::new();
+                    }
+                    self.different += 1;
+                    vec![event]
+                }
+                _ => vec![event],
+            };
+        }
+        if self.flying != Some(id) {
+            return vec![event];
+        }
+        let (rank, is_same) = match &event {
+            JobEvent::Flight(flight) => (0, *flight == stored.flight),
+            JobEvent::Mission(mission) => (1, *mission == stored.mission),
+            JobEvent::RunStarted(run) => {
+                self.steps = 0; // or once more, after a worker died
+                (2, *run == stored.run)
+            }
+            JobEvent::Steps(_) => return self.hear_steps(event),
+            JobEvent::FramePicture { index, encoded } => {
+                let Some(twin) = stored.pictures.get(index) else {
+                    return vec![event];
+                };
+                self.compared += 1;
+                if *encoded == twin.0 {
+                    return Vec::new();
+                }
+                self.different += 1;
+                return vec![event];
+            }
+            _ => {
+                if event.is_last() {
+                    self.flying = None;
+                }
+                return vec![event];
+            }
+        };
+        self.compared += 1;
+        if is_same {
+            return Vec::new();
+        }
+        self.different += 1;
+        self.flying = None;
+        let agreed = stored.heads().into_iter().take(rank);
+        agreed.chain([event]).collect()
+    }
+
+    fn hear_steps(&mut self, event: JobEvent) -> Vec<JobEvent> {
+        let (Some(stored), JobEvent::Steps(steps)) = (&self.stored, event) else {
+            return Vec::new();
+        };
+        let mut new: Vec<StepReport> = Vec::new();
+        let mut events = Vec::new();
+        for step in steps {
+            let twin = stored.steps.get(self.steps);
+            let Some(twin) = twin.filter(|_| self.flying.is_some()) else {
+                new.push(step);
+                continue;
+            };
+            self.compared += 1;
+            let timeless = StepReport {
+                timing: StepTiming::default(),
+                ..step.clone()
+            };
+            if timeless == *twin {
+                self.steps += 1;
+                continue;
+            }
+            // From here on the run is another one: it is told anew as far as it agreed.
+            self.different += 1;
+            self.flying = None;
+            events.extend(stored.heads());
+            new.extend_from_slice(&stored.steps[..self.steps]);
+            new.push(step);
+        }
+        if !new.is_empty() {
+            events.push(JobEvent::Steps(new));
+        }
+        events
+    }
+}
+
+#[cfg(test)]
+#[path = "prelude_tests.rs"]
+mod tests;
