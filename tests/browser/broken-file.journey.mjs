@@ -40,7 +40,7 @@ export async function run(page, tools) {
     await choose(page, files);
     const told = (s) => s.toasts.find((t) => t.trouble && expected.test(`${t.title} ${t.text}`));
     const state = await tools.waitFor(told, `a message like ${expected}`, 60_000);
-    console.log(`        ${told(state).title}: ${told(state).text}`);
+    tools.say(`${told(state).title}: ${told(state).text}`);
     tools.check(state.landmarks.length === before.landmarks.length, "landmarks were lost");
     tools.check(state.flight === before.flight, "the flight was lost");
     tools.check(state.run_steps >= before.run_steps && state.run_generation === before.run_generation, "the run was lost");

@@ -23,18 +23,70 @@ function program() {
   return found;
 }
 
-/** Launches the browser; `close` ends it and throws its profile away. */
-export async function launch() {
+/** Frames a second of journeys that do not judge how smoothly the page moves: without a graphics card every frame
+ * is painted by the cores that the program computes with. */
+const calm = 8;
+/** Steps after which the demo's flight rests in journeys that need no more of it: some 12 s of it. */
+const enough = 400;
+
+/** Launches the browser; `close` ends it and throws its profile away. `smooth` pages paint as often as they can, and
+ * the demo is flown to its end unless it may `rest`. */
+export async function launch({ smooth = false, rest = true } = {}) {
   const profile = mkdtempSync(join(tmpdir(), "pilotage-"));
   const remove = () => rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
   try {
     const context = await chromium.launchPersistentContext(profile, {
       executablePath: program(), headless: true, viewport, args: switches,
     });
+    if (!smooth) await context.addInitScript(paintSeldom, calm);
+    if (rest) await context.addInitScript(restFlight, enough);
     const close = async () => { await context.close(); remove(); };
     return { context, page: context.pages()[0] ?? await context.newPage(), close };
   } catch (error) {
     remove();
     throw error;
   }
+}
+
+/** Runs in the page before anything else of it: lets it paint no more than `rate` times a second. */
+function paintSeldom(rate) {
+  const own = { request: window.requestAnimationFrame.bind(window), cancel: window.cancelAnimationFrame.bind(window) };
+  const pending = new Map(); // what is asked for, by number: how to call it off
+  let numbers = 0;
+  let last = -Infinity;
+  window.requestAnimationFrame = (callback) => {
+    const number = (numbers += 1);
+    const paint = () => {
+      const frame = own.request((now) => {
+        pending.delete(number);
+        last = performance.now();
+        callback(now);
+      });
+      pending.set(number, () => own.cancel(frame));
+    };
+    const wait = last + 1000 / rate - performance.now();
+    if (wait <= 0) {
+      paint();
+    } else {
+      const timer = setTimeout(paint, wait);
+      pending.set(number, () => clearTimeout(timer));
+    }
+    return number;
+  };
+  window.cancelAnimationFrame = (number) => {
+    pending.get(number)?.();
+    pending.delete(number);
+  };
+}
+
+/** Runs in the page, too: lets the demo's flight rest once that many steps of it are flown. */
+function restFlight(steps) {
+  const timer = setInterval(() => {
+    if (typeof window.app?.state !== "function") return; // before, it is the canvas of that name
+    const { flight, run_steps: flown } = JSON.parse(window.app.state());
+    if (flight !== null && flight !== "distinct-400ft-wind") return clearInterval(timer);
+    if (flown < steps) return;
+    window.app.rest_flight();
+    clearInterval(timer);
+  }, 250);
 }

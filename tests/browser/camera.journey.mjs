@@ -14,7 +14,7 @@ const LATE = 0.7;
 
 export async function run(page, tools) {
   if (!existsSync(folder)) {
-    console.log("        skipped: no shared data");
+    tools.say("skipped: no shared data");
     return;
   }
   await tools.waitReady();
@@ -45,7 +45,7 @@ export async function run(page, tools) {
   const told = await tools.waitFor((s) => s.camera_log.estimate, "the estimate", 250_000);
   const { offset, yaw, pitch } = told.camera_log.estimate.told;
   const degrees = (it) => `${((180 / Math.PI) * it.value).toFixed(2)} ± ${((180 / Math.PI) * it.deviation).toFixed(2)}°`;
-  console.log(`        ${offset.value.toFixed(2)} ± ${offset.deviation.toFixed(2)} s, yaw ${degrees(yaw)}, pitch ${degrees(pitch)}`);
+  tools.say(`${offset.value.toFixed(2)} ± ${offset.deviation.toFixed(2)} s, yaw ${degrees(yaw)}, pitch ${degrees(pitch)}`);
   tools.check(Math.abs(offset.value + LATE) < 3 * offset.deviation, "the time offset is wrong");
   await tools.waitFor((s) => s.camera_log.position_rms?.[1] < 0.6 * s.camera_log.position_rms[0], "residuals that shrink");
   await page.waitForTimeout(800);
@@ -58,7 +58,7 @@ export async function run(page, tools) {
     "the hand away from the estimate",
   );
   const [, best, byHand] = tried.camera_log.position_rms;
-  console.log(`        RMS ${best.toFixed(2)} m at the estimate, ${byHand.toFixed(2)} m at ${tried.camera_log.by_hand.offset_s.toFixed(2)} s`);
+  tools.say(`RMS ${best.toFixed(2)} m at the estimate, ${byHand.toFixed(2)} m at ${tried.camera_log.by_hand.offset_s.toFixed(2)} s`);
   tools.check(byHand > best, "a worse time is no worse");
   await page.waitForTimeout(500);
   await tools.screenshot("camera-by-hand");
@@ -71,7 +71,7 @@ export async function run(page, tools) {
     250_000,
   );
   const moved = applied.camera_log.frame_times[0] - first;
-  console.log(`        the pictures moved by ${moved.toFixed(2)} s; ${applied.laid} of ${applied.frames} lie on the map`);
+  tools.say(`the pictures moved by ${moved.toFixed(2)} s; ${applied.laid} of ${applied.frames} lie on the map`);
   tools.check(Math.abs(moved + LATE) < 3 * offset.deviation, "the pictures did not move in time");
   await page.waitForTimeout(800);
   await tools.screenshot("camera-applied");

@@ -1,6 +1,7 @@
 // A run is kept, another flight is flown, and both are compared from take-off on.
 export const name = "a kept run is compared with the run of another flight, on the map and in numbers";
 export const tags = ["readers"];
+export const flies = true;
 
 export async function run(page, tools) {
   await tools.waitReady();
@@ -16,7 +17,7 @@ export async function run(page, tools) {
   await tools.click(await tools.find(null, "Keep it smoothed"));
   const two = await tools.waitFor((s) => s.compare.kept.length === 2 && rows(s).length > rows(first).length + 1, "the smoothed run");
   const smoothed = rows(two).find((r) => r.name.endsWith(", smoothed"));
-  console.log(`        RMS ${own.rms.toFixed(2)} m in flight, ${smoothed.rms.toFixed(2)} m smoothed`);
+  tools.say(`RMS ${own.rms.toFixed(2)} m in flight, ${smoothed.rms.toFixed(2)} m smoothed`);
   tools.check(smoothed.rms < own.rms, "all that was measured knows no more than what was measured so far");
   await tools.click(await tools.find(null, `Let go of ${smoothed.name}`));
   await tools.waitFor((s) => s.compare.kept.length === 1 && rows(s).length === rows(two).length - 1, "the smoothed run to go");
@@ -33,7 +34,7 @@ export async function run(page, tools) {
   await tools.click(await tools.find(null, "Times: From take-off"));
   const both = await tools.waitFor((s) => rows(s).find((r) => r.name === name)?.rms != null, "the kept run among the rows");
   const again = rows(both).find((r) => r.name === name);
-  console.log(`        ${name}: ${own.rms.toFixed(2)} m RMS of its own truth, ${again.rms.toFixed(1)} m of the other flight's`);
+  tools.say(`${name}: ${own.rms.toFixed(2)} m RMS of its own truth, ${again.rms.toFixed(1)} m of the other flight's`);
   await page.waitForTimeout(500);
   await tools.screenshot("compare");
 

@@ -23,7 +23,7 @@ export async function run(page, tools) {
     await page.setInputFiles("#files", [{ name: file, mimeType: "image/tiff", buffer: bytes }]);
     const told = (s) => s.toasts.find((t) => t.trouble && expected.test(`${t.title} ${t.text}`));
     const state = await tools.waitFor(told, `a message like ${expected}`, 60_000);
-    console.log(`        ${told(state).title}: ${told(state).text}`);
+    tools.say(`${told(state).title}: ${told(state).text}`);
     tools.check(state.map.name === before.map.name, "the map was lost");
     tools.check(state.landmarks.length === before.landmarks.length && state.flight === before.flight, "the flight was lost");
     tools.check(state.run_steps >= before.run_steps && state.run_generation === before.run_generation, "the run was lost");
@@ -44,5 +44,5 @@ export async function run(page, tools) {
   await page.setInputFiles("#files", [{ name: "holed.tif", mimeType: "image/tiff", buffer: holed }]);
   const told = (s) => s.toasts.find((t) => t.trouble && /holed\.tif/.test(t.text));
   const state = await tools.waitFor(told, "a word on the part that is missing", 60_000);
-  console.log(`        ${told(state).title}: ${told(state).text}`);
+  tools.say(`${told(state).title}: ${told(state).text}`);
 }

@@ -12,7 +12,7 @@ const folder = join(repository, "../shared/data/inertialnav_x8");
 
 export async function run(page, tools) {
   if (!existsSync(folder)) {
-    console.log("        skipped: no shared data");
+    tools.say("skipped: no shared data");
     return;
   }
   await tools.waitReady();
@@ -42,7 +42,7 @@ export async function run(page, tools) {
   const log = flown.log;
   tools.check(log?.read && log.format === "Tables" && log.topics === 4, JSON.stringify(log));
   tools.check(flown.side_tab === "Log" && log.panels.flat().includes("Roll"), `${flown.side_tab}, ${JSON.stringify(log.panels)}`);
-  console.log(`        ${log.topics} tables, ${log.messages} rows; ${log.findings.join("; ")}`);
+  tools.say(`${log.topics} tables, ${log.messages} rows; ${log.findings.join("; ")}`);
   await tools.find(null, /^In the air/);
   await tools.find(null, "TestLog2_ATT.Roll");
   await page.waitForTimeout(800);

@@ -5,13 +5,14 @@ import { fileURLToPath } from "node:url";
 
 export const name = "GPS is cut out of a real flight where the mouse drags, and the error grows within its radius";
 export const tags = ["readers"];
+export const flies = true;
 
 const repository = fileURLToPath(new URL("../../", import.meta.url));
 const folder = join(repository, "../shared/data/inertialnav_x8");
 
 export async function run(page, tools) {
   if (!existsSync(folder)) {
-    console.log("        skipped: no shared data");
+    tools.say("skipped: no shared data");
     return;
   }
   await tools.waitReady();
@@ -43,7 +44,7 @@ export async function run(page, tools) {
   await tools.click(await tools.find("Button", /^Cut GPS from/));
   const cut = await tools.waitFor((s) => s.cut?.results.length >= 3, "the ways through the cut", 120_000);
   for (const way of cut.cut.results) {
-    console.log(`        ${way.label}: ${way.end_error?.toFixed(1)} m at the end, 95 % radius ${way.radius?.toFixed(1)} m`);
+    tools.say(`${way.label}: ${way.end_error?.toFixed(1)} m at the end, 95 % radius ${way.radius?.toFixed(1)} m`);
   }
   const { winds } = cut.cut;
   tools.check(winds?.from_least_squares < 0.8, `the winds are ${winds?.from_least_squares} m/s apart`);

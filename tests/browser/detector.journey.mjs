@@ -1,9 +1,10 @@
 // A mission with a trained detector, dropped on the demo: what its detector saw, stage by stage.
 import { readFileSync } from "node:fs";
-import { drop } from "./geotiff.journey.mjs";
+import { drop } from "./drop.mjs";
 
 export const name = "what a trained detector saw is shown stage by stage, with its features, its score and the edges of its patch";
 export const tags = ["training"];
+export const flies = true;
 
 const mission = new URL("./trained.geojson", import.meta.url);
 

@@ -4,6 +4,8 @@ import { statSync } from "node:fs";
 import { rendererMemory } from "./memory.mjs";
 
 export const name = "a log of half a gigabyte is plotted within seconds and stays within memory";
+export const alone = true;
+export const flies = true;
 
 // Fields that are plotted until so many samples are on screen.
 const FIELDS = ["gyrx", "gyry", "gyrz", "accx", "accy", "accz"];
@@ -51,6 +53,6 @@ export async function run(page, tools) {
     `${state.log.messages} messages, ${state.log.points} samples plotted`,
     `dragging the cursor: ${frames.kept} frames, app time median ${frames.median?.toFixed(1)} ms, 95 % ${frames.p95?.toFixed(1)} ms`,
     `memory of the page and its workers: ${idle.toFixed(0)} MB before, at most ${peak.toFixed(0)} MB`,
-  ]) console.log(`        ${line}`);
+  ]) tools.say(`${line}`);
   tools.check(peak < 3000, `${peak.toFixed(0)} MB of memory`);
 }

@@ -1,5 +1,7 @@
 // Prints what planning costs; judges nothing.
 export const name = "figures of planning";
+export const alone = true;
+export const flies = true;
 
 const fine = (s) => s.plan.prediction?.fine;
 
@@ -45,7 +47,7 @@ export async function run(page, tools) {
     lines.push(`${wanted - before} measured in ${((Date.now() - begun) / 1e3).toFixed(1)} s`);
   }
   await tools.screenshot("figures-plan");
-  for (const line of lines) console.log(`        ${line}`);
+  for (const line of lines) tools.say(`${line}`);
 }
 
 function spread(values) {

@@ -5,6 +5,8 @@ import { join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 export const name = "figures of suggestions over a square mile";
+export const alone = true;
+export const flies = true;
 
 const repository = fileURLToPath(new URL("../../", import.meta.url));
 const ortho = join(repository, "../shared/data/brighton_beach");
@@ -51,7 +53,7 @@ export async function run(page, tools) {
   const begun = Date.now();
   const found = await tools.waitFor((s) => s.plan.suggested.list.length > 0 || s.plan.suggested.trouble, "suggestions", 300_000);
   const { list, trouble } = found.plan.suggested;
-  console.log(`        ${list.length} suggested over 1.6 km by 1.6 km in ${seconds(begun)} s ${trouble ?? ""}`);
+  tools.say(`${list.length} suggested over 1.6 km by 1.6 km in ${seconds(begun)} s ${trouble ?? ""}`);
   await tools.screenshot("figures-suggest");
 
   if (!existsSync(ortho)) return;
@@ -67,7 +69,7 @@ export async function run(page, tools) {
     await page.keyboard.press("d");
     const measuring = Date.now();
     await tools.waitFor((s) => s.plan.measured.length > i, "the landmark measured", 120_000);
-    console.log(`        ${landmark.name} of the orthophoto measured in ${seconds(measuring)} s`);
+    tools.say(`${landmark.name} of the orthophoto measured in ${seconds(measuring)} s`);
   }
   await tools.screenshot("figures-measured");
 }

@@ -1,5 +1,7 @@
 // Prints what training detectors with the usual plan costs, one alone and two side by side; judges nothing.
 export const name = "figures of training detectors";
+export const alone = true;
+export const flies = true;
 
 const over = (t) => t.state === "Done" || t.state === "Failed";
 
@@ -33,9 +35,9 @@ export async function run(page, tools) {
       return trainings(s, of).length === of.length && trainings(s, of).every(over);
     }, "the detectors", 380_000);
     const text = Object.entries(phases).map(([phase, at]) => `${phase} ${at.toFixed(1)}`).join(", ");
-    console.log(`        asked for after ${clicked.toFixed(1)} s; over after ${((Date.now() - begun) / 1e3).toFixed(1)} s; ${text}`);
+    tools.say(`asked for after ${clicked.toFixed(1)} s; over after ${((Date.now() - begun) / 1e3).toFixed(1)} s; ${text}`);
     for (const t of trainings(end, of)) {
-      console.log(`        ${t.name}: ${t.seconds.toFixed(1)} s of work, ${t.stages} stages, ${JSON.stringify(t.outcome ?? t.trouble)}`);
+      tools.say(`${t.name}: ${t.seconds.toFixed(1)} s of work, ${t.stages} stages, ${JSON.stringify(t.outcome ?? t.trouble)}`);
     }
   };
   await train(names.slice(0, 1));

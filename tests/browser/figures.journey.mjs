@@ -1,5 +1,7 @@
 // Prints what the page costs; judges nothing.
 export const name = "figures of the page";
+export const alone = true;
+export const flies = true;
 
 const steps = 72_000; // an hour at 20 Hz; with 14 plotted series, a million samples
 const frames = 60;
@@ -46,7 +48,7 @@ export async function run(page, tools) {
     `memory of the page ${n(memory / 1e6, 0)} MB with ${long} steps and ${flown.pictures} pictures`,
     `navigator per camera frame: predict ${n(timing.predict, 2)}, see ${n(timing.see, 2)}, update ${n(timing.update, 2)} ms, median of ${timing.frames}`,
   ];
-  for (const line of lines) console.log(`        ${line}`);
+  for (const line of lines) tools.say(`${line}`);
 }
 
 /** Milliseconds that frames cost the page's thread: its own time, not that of the rasteriser in

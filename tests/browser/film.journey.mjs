@@ -45,7 +45,7 @@ const recorded = (page, seconds) => page.evaluate(async (length) => {
 
 export async function run(page, tools) {
   if (!existsSync(log)) {
-    console.log("        skipped: no shared data");
+    tools.say("skipped: no shared data");
     return;
   }
   await tools.waitReady();
@@ -61,7 +61,7 @@ export async function run(page, tools) {
   const trouble = opened.toasts.find((t) => t.trouble);
   tools.check(!trouble, `${trouble?.title}: ${trouble?.text}`);
   const flown = await tools.waitFor((s) => s.frames > 0 && s.pictures > 0, "its frames", 60_000);
-  console.log(`        ${flown.frames} frames of a film of ${duration.toFixed(2)} s`);
+  tools.say(`${flown.frames} frames of a film of ${duration.toFixed(2)} s`);
   const wanted = duration / 0.5; // one every half second
   tools.check(flown.frames >= wanted - 1 && flown.frames <= wanted + 2, `${flown.frames} frames of ${duration} s`);
   await page.waitForTimeout(800);

@@ -62,7 +62,7 @@ export async function run(page, tools) {
   }
   const picked = await tools.waitFor((s) => s.georeferencer.rms_left_out, "the error of points left out");
   const { rms_pixels: pixels, rms_metres: metres, rms_left_out: left, epsg } = picked.georeferencer;
-  console.log(`        RMS ${pixels.toFixed(2)} px, ${metres.toFixed(2)} m, left out ${left.toFixed(2)} m`);
+  tools.say(`RMS ${pixels.toFixed(2)} px, ${metres.toFixed(2)} m, left out ${left.toFixed(2)} m`);
   tools.check(epsg === 32615, `the plane is EPSG:${epsg}`);
   tools.check(metres < 1.5 && left < 4, "the points do not fit");
   await tools.screenshot("georeference");

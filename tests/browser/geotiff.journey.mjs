@@ -1,23 +1,11 @@
 // A GeoTIFF, and an elevation model beside it, dropped on the page.
+import { drop } from "./drop.mjs";
 import { country, geotiff } from "./geotiff.mjs";
 
 export const name = "a GeoTIFF and heights open by drop: they lie where they should, and stay after a reload";
 export const tags = ["maps"];
 
 const [width, height, gsd] = [1600, 1200, 0.5];
-
-/** Drops files on the middle of the window, as a hand does. */
-export async function drop(page, files) {
-  const transfer = await page.evaluateHandle((list) => {
-    const made = new DataTransfer();
-    for (const { name, base64 } of list) {
-      const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-      made.items.add(new File([bytes], name));
-    }
-    return made;
-  }, files.map(({ name, buffer }) => ({ name, base64: buffer.toString("base64") })));
-  for (const kind of ["dragenter", "dragover", "drop"]) await page.dispatchEvent("#app", kind, { dataTransfer: transfer });
-}
 
 export async function run(page, tools) {
   await tools.waitReady();

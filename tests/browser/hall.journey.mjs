@@ -22,6 +22,6 @@ export async function run(page, tools) {
   await page.keyboard.press("Shift+C");
   const own = (s) => s.compare.errors.find((r) => r.name === "This run");
   const { rms, greatest } = own(await tools.waitFor((s) => own(s)?.rms > 0, "errors of the run"));
-  console.log(`        ${flown.accepted} posters found; ${rms.toFixed(3)} m RMS, at most ${greatest.toFixed(2)} m`);
+  tools.say(`${flown.accepted} posters found; ${rms.toFixed(3)} m RMS, at most ${greatest.toFixed(2)} m`);
   tools.check(rms <= 0.15 && greatest <= TWO_FEET, `${rms} m RMS, ${greatest} m`);
 }

@@ -1,8 +1,9 @@
 // Landmarks labelled in the pictures of the demo; saved as COCO, kept over a reload, read back.
-import { drop } from "./geotiff.journey.mjs";
+import { drop } from "./drop.mjs";
 
 export const name = "pictures are labelled, an undone label is gone, and labels come back after a reload and from their file";
 export const tags = ["readers", "training"];
+export const flies = true;
 
 const boxes = (s) => s.labels.flatMap((l) => l.boxes);
 

@@ -24,7 +24,7 @@ export async function run(page, tools) {
   const again = await tools.waitFor((s) => s.run_generation > drawn.run_generation, "the run to begin again", 60_000);
   tools.check(again.run_landmarks === before.run_landmarks + 1, "the new run does not use the new landmark");
   const seen = await tools.waitFor((s) => s.distinctness, "a word on how distinct it is", 60_000);
-  console.log(`        ${seen.distinctness}`);
+  tools.say(`${seen.distinctness}`);
   await tools.screenshot("landmark");
 
   await page.keyboard.press("Control+z");

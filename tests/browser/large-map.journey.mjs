@@ -9,6 +9,7 @@ import { rendererMemory } from "./memory.mjs";
 
 export const name = "a GeoTIFF of half a billion pixels opens, pans and stays small";
 export const tags = ["maps"];
+export const alone = true; // it judges time and the memory of the one page that there is
 
 /** The size of the largest map of the thesis. */
 const large = () => repeatingGeotiff({
@@ -62,7 +63,7 @@ async function look(page, tools, file) {
     `open after ${opened} ms, first pixels ${seen} ms, the whole view ${whole} ms`,
     `panning at ${near.metres_per_point.toFixed(2)} m per point: ${panned.kept} frames, app time median ${panned.median?.toFixed(1)} ms, 95 % ${panned.p95?.toFixed(1)} ms`,
     `resident memory of the page's process: ${idle.toFixed(0)} MB with the demo, at most ${peak.toFixed(0)} MB with the map; wasm of the page ${((await page.evaluate(() => window.app.memory_bytes())) / 1e6).toFixed(0)} MB`,
-  ]) console.log(`        ${line}`);
+  ]) tools.say(`${line}`);
   // Once more: what else keeps the machine busy may have passed, and nothing of the first may stay.
   const again = Date.now();
   await page.setInputFiles("#files", file);
@@ -70,7 +71,7 @@ async function look(page, tools, file) {
   const quickest = Math.min(opened, Date.now() - again);
   await tools.waitFor((s) => s.map.whole, "all of it again", 300_000);
   const twice = rendererMemory();
-  console.log(`        opened again: ${twice.toFixed(0)} MB`);
+  tools.say(`opened again: ${twice.toFixed(0)} MB`);
   tools.check(quickest < 2000, `it opened after ${quickest} ms`);
   tools.check(panned.median < 16.7, `${panned.median} ms of app time a frame`);
   tools.check(Math.max(peak, twice) < 500, `${peak.toFixed(0)} MB with the map, ${twice.toFixed(0)} MB opened again`);

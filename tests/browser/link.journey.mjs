@@ -31,7 +31,7 @@ export async function run(page, tools) {
   await command(page, tools, "copy a link to this view");
   await tools.waitFor((s) => s.toasts.some((t) => t.title === "Link copied"), "the word that it is copied");
   const link = await page.evaluate(() => navigator.clipboard.readText());
-  console.log(`        ${link}`);
+  tools.say(`${link}`);
   const seen = await tools.state();
 
   const download = page.waitForEvent("download");

@@ -22,12 +22,12 @@ async function open(page, tools, file, wanted) {
 
 export async function run(page, tools) {
   if (!existsSync(data)) {
-    console.log("        skipped: no shared data");
+    tools.say("skipped: no shared data");
     return;
   }
   await tools.waitReady();
   const bin = await open(page, tools, join(data, "ardupilot_bin/test.BIN"), "test.BIN");
-  console.log(`        ${bin.topics} topics, ${bin.messages} messages, ${bin.parameters} parameters; ${bin.findings.join("; ")}`);
+  tools.say(`${bin.topics} topics, ${bin.messages} messages, ${bin.parameters} parameters; ${bin.findings.join("; ")}`);
   tools.check(bin.format === "Dataflash" && bin.parameters > 700, JSON.stringify(bin));
   const before = await tools.waitFor((s) => s.log.panels.length > 0 && s.log.fields > 0, "its first fields", 20_000);
   await tools.click(await tools.find(null, "Fields of the log"));
@@ -40,7 +40,7 @@ export async function run(page, tools) {
   await tools.screenshot("log-dataflash");
 
   const ulg = await open(page, tools, join(data, "px4_ulog/sample.ulg"), "sample.ulg");
-  console.log(`        ${ulg.topics} topics, ${ulg.messages} messages; ${ulg.findings.join("; ")}`);
+  tools.say(`${ulg.topics} topics, ${ulg.messages} messages; ${ulg.findings.join("; ")}`);
   tools.check(ulg.format === "Ulog" && ulg.topics > 10, JSON.stringify(ulg));
   await page.waitForTimeout(800);
   await tools.screenshot("log-ulog");
@@ -52,5 +52,5 @@ export async function run(page, tools) {
   const refused = await tools.waitFor((s) => s.toasts.find((t) => t.trouble), "the letter to be refused", 20_000);
   const said = refused.toasts.find((t) => t.trouble);
   tools.check(said.text.includes("letter.bin") && refused.log.file === "sample.ulg", JSON.stringify(said));
-  console.log(`        ${said.title}: ${said.text}`);
+  tools.say(`${said.title}: ${said.text}`);
 }

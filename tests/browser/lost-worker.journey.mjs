@@ -1,5 +1,6 @@
 // A worker that dies, by a fault of its own or without a word, is replaced and its work done again.
 export const name = "killing the worker is survived";
+export const flies = true;
 
 export async function run(page, tools) {
   tools.expectMessage(/asked to crash|unreachable|worker stopped/);

@@ -10,7 +10,7 @@ const folder = join(fileURLToPath(new URL("../../", import.meta.url)), "../share
 
 export async function run(page, tools) {
   if (!existsSync(folder)) {
-    console.log("        skipped: no shared data");
+    tools.say("skipped: no shared data");
     return;
   }
   await tools.waitReady();
@@ -22,7 +22,7 @@ export async function run(page, tools) {
   // Two photos say no heading: that they cannot be flown by airspeed is said, and takes nothing away.
   const flown = await tools.waitFor((s) => s.log.unnavigable, "why they are not flown", 60_000);
   tools.check(/heading/.test(flown.log.unnavigable), flown.log.unnavigable);
-  console.log(`        ${flown.log.messages} photos; ${flown.log.unnavigable}`);
+  tools.say(`${flown.log.messages} photos; ${flown.log.unnavigable}`);
   tools.check(flown.log.panels.flat().includes("GPS height"), JSON.stringify(flown.log.panels));
   // They are on no map of another flight, with their places and pictures.
   const seen = await tools.waitFor((s) => s.flight && s.pictures === photos.length, "the photos themselves", 20_000);

@@ -1,6 +1,7 @@
 // Files of other programs dropped on the plan: what is not understood is kept, what is missing told.
 export const name = "a .plan with unknown commands and a KML with missing styles are read, and say what they lack";
 export const tags = ["plan"];
+export const flies = true;
 
 const file = (name, text) => ({ name, mimeType: "application/octet-stream", buffer: Buffer.from(text) });
 
@@ -42,7 +43,7 @@ export async function run(page, tools) {
   const open = async (name, text, pattern) => {
     await page.setInputFiles("#files", [file(name, text)]);
     const state = await tools.waitFor(told(pattern), `a word like ${pattern}`, 60_000);
-    console.log(`        ${told(pattern)(state).title}: ${told(pattern)(state).text}`);
+    tools.say(`${told(pattern)(state).title}: ${told(pattern)(state).text}`);
     return state;
   };
 

@@ -1,5 +1,5 @@
 // An elevation model dropped on a plan: the plan counts from its ground from then on, and says so.
-import { drop } from "./geotiff.journey.mjs";
+import { drop } from "./drop.mjs";
 import { geotiff } from "./geotiff.mjs";
 
 export const name = "a plan takes the height of the ground from an elevation model that is dropped on it, names it, and keeps altitudes in the frame that is chosen";
@@ -42,7 +42,7 @@ export async function run(page, tools) {
   await tools.find(null, new RegExp(` m above ground at ${ground.toFixed(0)} m AMSL$`));
   await tools.click(await tools.find("Button", "This altitude for all way-points"));
   const level = await tools.waitFor((s) => s.plan.routes[0].way_points.every((w) => w.frame === "AMSL") && fine(s), "the prediction at that altitude", 60_000);
-  console.log(`        σ ${opened.plan.prediction.worst_sigma.toFixed(1)} m over level ground, ${climbing.plan.prediction.worst_sigma.toFixed(1)} m from that altitude, ${level.plan.prediction.worst_sigma.toFixed(1)} m over the hill`);
+  tools.say(`σ ${opened.plan.prediction.worst_sigma.toFixed(1)} m over level ground, ${climbing.plan.prediction.worst_sigma.toFixed(1)} m from that altitude, ${level.plan.prediction.worst_sigma.toFixed(1)} m over the hill`);
   tools.check(level.plan.prediction.mean_width !== opened.plan.prediction.mean_width, "the hill changes nothing of the prediction");
 
   await tools.screenshot("plan-ground");

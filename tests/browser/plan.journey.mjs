@@ -9,7 +9,7 @@ export async function run(page, tools) {
   await tools.waitFor((s) => s.run_steps > 0, "the demo", 150_000);
   await page.keyboard.press("Shift+P");
   const first = await tools.waitFor((s) => s.workspace === "Plan" && fine(s), "the prediction of the demo's route", 90_000);
-  console.log(`        σ ${first.plan.prediction.worst_sigma.toFixed(1)} m, coarse in ${first.plan.prediction.coarse_took?.toFixed(0)} ms`);
+  tools.say(`σ ${first.plan.prediction.worst_sigma.toFixed(1)} m, coarse in ${first.plan.prediction.coarse_took?.toFixed(0)} ms`);
   await tools.screenshot("plan");
 
   // A route of one's own through the south-west, where no landmark is.

@@ -12,7 +12,7 @@ const flights = join(repository, "tests/flights/brighton");
 
 export async function run(page, tools) {
   if (!existsSync(folder)) {
-    console.log("        skipped: no shared data");
+    tools.say("skipped: no shared data");
     return;
   }
   await tools.waitReady();
@@ -27,8 +27,8 @@ export async function run(page, tools) {
   const flown = await tools.waitFor((s) => s.run_complete, "the flight to be navigated", 150_000);
   tools.check(flown.frames === 18, `${flown.frames} frames`);
   tools.check(flown.log?.read && flown.log.format === "Tables" && flown.side_tab === "Log", JSON.stringify(flown.log));
-  console.log(`        ${flown.log.topics} tables, ${flown.log.messages} rows; ${flown.log.findings.join("; ")}`);
-  console.log(`        ${flown.landmarks.length} landmarks, ${flown.candidates} looked for, ${flown.accepted} accepted`);
+  tools.say(`${flown.log.topics} tables, ${flown.log.messages} rows; ${flown.log.findings.join("; ")}`);
+  tools.say(`${flown.landmarks.length} landmarks, ${flown.candidates} looked for, ${flown.accepted} accepted`);
   tools.check(flown.landmarks.length === 0 || flown.accepted >= 10, "hardly a landmark was accepted");
   await tools.waitFor((s) => s.map.tiles > 0, "its map", 60_000);
   await tools.waitFor((s) => !s.map.follow && s.map.metres_per_point < 0.6, "the map to be fitted to the flight", 10_000);

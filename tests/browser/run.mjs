@@ -1,8 +1,10 @@
 // Walks every journey (*.journey.mjs) through the page, each in a browser of its own with an empty
 // profile. `node run.mjs [WORD]` takes those whose file name contains the word; without a word those
 // that judge something, which leaves out the figures. A journey exports the `tags` of the parts of the program
-// that it walks through; PILOTAGE_TAGS names those that changed.
+// that it walks through; PILOTAGE_TAGS names those that changed. Two walk at a time; one that exports `alone` has the
+// machine for itself and paints as often as it can, and only those that export `flies` have the demo flown to its end.
 import { mkdirSync, readdirSync } from "node:fs";
+import { availableParallelism, cpus } from "node:os";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { launch } from "./browser.mjs";
@@ -13,6 +15,7 @@ import { watch } from "./watch.mjs";
 const here = fileURLToPath(new URL(".", import.meta.url));
 const pictures = process.env.PILOTAGE_SCREENSHOTS ?? join(here, "../../target/screenshots");
 const longest = 400_000; // milliseconds for one journey, after which it counts as lost
+const abreast = Number(process.env.PILOTAGE_ABREAST ?? Math.min(2, availableParallelism())); // journeys at a time: one waits while another computes
 
 const word = process.argv[2] ?? "";
 const tags = (process.env.PILOTAGE_TAGS ?? "").split(",").filter(Boolean); // of the parts that changed; none: all
@@ -25,41 +28,73 @@ if (files.length === 0) {
 mkdirSync(pictures, { recursive: true });
 
 const server = await startServer();
-let passed = 0;
-let failed = 0;
+const results = []; // { file, name, seconds, error }
 let leftOut = 0;
+const together = []; // journeys that bear company; those that judge time or memory walk by themselves afterwards
+const alone = [];
 for (const file of files) {
-  const begun = Date.now();
-  const seconds = () => `${((Date.now() - begun) / 1000).toFixed(1)} s`;
-  let name = file;
-  try {
-    const journey = await import(pathToFileURL(join(here, file)));
-    name = journey.name ?? file;
-    if (tags.length > 0 && !(journey.tags ?? []).some((tag) => tags.includes(tag))) {
-      leftOut += 1;
-      continue;
-    }
-    await walk(journey, file.replace(/\.journey\.mjs$/, ""));
-    passed += 1;
-    console.log(`passed  ${name} (${seconds()})`);
-  } catch (error) {
-    failed += 1;
-    console.log(`FAILED  ${name} (${seconds()})\n        ${String(error.stack ?? error).replaceAll("\n", "\n        ")}`);
-  }
+  const journey = await import(pathToFileURL(join(here, file))).catch((error) => ({ run() { throw error; } }));
+  if (tags.length > 0 && !(journey.tags ?? []).some((tag) => tags.includes(tag))) leftOut += 1;
+  else (journey.alone ? alone : together).push({ file, journey });
 }
+const begun = Date.now();
+const atBegin = coreTimes();
+await Promise.all(Array.from({ length: abreast }, () => walkAll(together)));
+await walkAll(alone);
 server.stop();
+
+const longestFirst = results.toSorted((a, b) => b.seconds - a.seconds).slice(0, 10);
+if (results.length > 1) {
+  const { busy, all } = spent(atBegin, coreTimes());
+  console.log(`the longest: ${longestFirst.map(({ file, seconds }) => `${short(file)} ${seconds.toFixed(0)} s`).join(", ")}`);
+  console.log(`${((Date.now() - begun) / 1000).toFixed(0)} s, ${abreast} at a time, the cores ${(100 * busy / all).toFixed(0)} % busy`);
+}
 if (leftOut > 0) console.log(`${leftOut} left out: they walk through nothing of what changed (${tags.join(", ")})`);
-console.log(`${passed} passed, ${failed} failed`);
+const failed = results.filter(({ error }) => error).length;
+console.log(`${results.length - failed} passed, ${failed} failed`);
 process.exit(failed === 0 ? 0 : 1);
 
-/** Makes one journey; fails with its own complaint or with what the page did wrong. */
-async function walk(journey, shortName) {
+/** `demo` of `demo.journey.mjs`. */
+function short(file) {
+  return file.replace(/\.journey\.mjs$/, "");
+}
+
+/** Walks what is in `queue`, one journey after the other, until nothing is left for this walker or another. */
+async function walkAll(queue) {
+  for (let next = queue.shift(); next; next = queue.shift()) {
+    const { file, journey } = next;
+    const name = journey.name ?? file;
+    const start = Date.now();
+    const said = [];
+    const error = await walk(journey, short(file), said).then(() => null, (complaint) => complaint);
+    const seconds = (Date.now() - start) / 1000;
+    results.push({ file, name, seconds, error });
+    const told = `${error ? "FAILED" : "passed"}  ${name} (${seconds.toFixed(1)} s)`;
+    const lines = error ? String(error.stack ?? error).split("\n") : [];
+    console.log([told, ...[...said, ...lines].map((line) => `        ${line}`)].join("\n"));
+  }
+}
+
+/** The time that the cores have spent since the machine started, core by core, in milliseconds. */
+function coreTimes() {
+  return cpus().map(({ times }) => ({ idle: times.idle, all: Object.values(times).reduce((sum, time) => sum + time, 0) }));
+}
+
+/** What was spent between two readings: `busy` milliseconds of `all`. */
+function spent(before, after) {
+  const sum = (times, key) => times.reduce((total, core) => total + core[key], 0);
+  const all = sum(after, "all") - sum(before, "all");
+  return { all, busy: all - (sum(after, "idle") - sum(before, "idle")) };
+}
+
+/** Makes one journey, which may have something `said`; fails with its own complaint or with what the page did wrong. */
+async function walk(journey, shortName, said) {
   const atEnd = [];
-  const { page, close } = await launch();
+  const { page, close } = await launch({ smooth: journey.alone, rest: !journey.flies });
   atEnd.push(close);
   try {
     const watched = watch(page, server.url);
-    const tools = makeTools({ page, address: server.url, pictures, watched, atEnd });
+    const tools = makeTools({ page, address: server.url, pictures, watched, atEnd, said });
     let failure = null;
     try {
       await withinTime(journey.run(page, tools));

@@ -39,7 +39,7 @@ export async function run(page, tools) {
   });
   await addRoute(page, tools, others, 2);
   const refused = (s) => s.toasts.find((t) => t.trouble && /could not keep everything/.test(t.title));
-  console.log(`        ${refused(await tools.waitFor(refused, "a word that it could not be stored", 90_000)).text}`);
+  tools.say(`${refused(await tools.waitFor(refused, "a word that it could not be stored", 90_000)).text}`);
   await tools.screenshot("save-refused");
   tools.check(!(await files()).some((f) => f.endsWith(".unfinished")), "half a file was left behind");
   const { written } = await page.evaluate(() => ({ written: window.page.storage.written }));
@@ -77,6 +77,6 @@ export async function run(page, tools) {
   await tools.waitReady();
   const broken = (s) => s.toasts.find((t) => t.trouble && /broken off/.test(t.title));
   const after = await tools.waitFor((s) => broken(s) && s.plan.routes.length > others, "the visit after the crash", 150_000);
-  console.log(`        ${broken(after).text}`);
+  tools.say(`${broken(after).text}`);
   tools.check(after.plan.routes.length === others + 2, `${after.plan.routes.length} routes are there instead of ${others + 2}`);
 }

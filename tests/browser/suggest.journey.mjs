@@ -38,7 +38,7 @@ export async function run(page, tools) {
   const { list, trouble } = found.plan.suggested;
   tools.check(list.length >= COUNT, `${list.length} were suggested: ${trouble}`);
   tools.check(list.every((s) => s.reason.length > 20 && s.probability > 0 && s.probability <= 1), "a suggestion without a reason");
-  console.log(`        ${list.length} after ${((Date.now() - begun) / 1e3).toFixed(1)} s; the first: ${list[0].reason}`);
+  tools.say(`${list.length} after ${((Date.now() - begun) / 1e3).toFixed(1)} s; the first: ${list[0].reason}`);
   await page.mouse.move(...Object.values(tools.middle(await tools.find("Button", "Add suggestion 1"))));
   await page.waitForTimeout(300);
   await tools.screenshot("suggest");
@@ -59,7 +59,7 @@ export async function run(page, tools) {
   await tools.find("ProgressIndicator", "How far the measurement is");
   const measuring = Date.now();
   await tools.waitFor((s) => s.plan.measured.length > 0, "it measured", 120_000);
-  console.log(`        measured after ${((Date.now() - measuring) / 1e3).toFixed(1)} s`);
+  tools.say(`measured after ${((Date.now() - measuring) / 1e3).toFixed(1)} s`);
   await tools.screenshot("suggest-measured");
   await tools.click(await resting("From which heights"));
   const panel = (await resting("From which heights")).rect;

@@ -10,11 +10,14 @@ const pause = (milliseconds) => new Promise((resolve) => setTimeout(resolve, mil
 const matches = (wanted, text) => text != null
   && (wanted instanceof RegExp ? wanted.test(text) : text === wanted);
 
-/** The tools for one journey on `page`; pictures go to `pictures`, servers end by `atEnd`. */
-export function makeTools({ page, address, pictures, watched, atEnd }) {
+/** The tools for one journey on `page`; pictures go to `pictures`, words to `said`, servers end by `atEnd`. */
+export function makeTools({ page, address, pictures, watched, atEnd, said }) {
   const tools = {
     /** Where the page is served, with a slash at the end. */
     address,
+
+    /** Has a line printed below the journey's name when it is over. */
+    say: (line) => said.push(line),
 
     /** Announces an error message (a pattern) that this journey provokes on purpose. */
     expectMessage: watched.expectMessage,

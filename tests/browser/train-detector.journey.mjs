@@ -2,6 +2,7 @@
 // chosen, flown with; then all are trained side by side, paused and cancelled.
 export const name = "a detector is trained in the page, goes on after a reload, and the flight flies with it";
 export const tags = ["training"];
+export const flies = true;
 
 const idle = (page) => page.waitForFunction(() => window.page.storage.pending === 0, null, { timeout: 30_000 });
 const of = (s, landmark) => s.plan.trainings.find((t) => t.name === landmark);
@@ -47,7 +48,7 @@ export async function run(page, tools) {
   await show();
   const left = of(await tools.waitFor((s) => of(s, landmark), "the training that was left"), landmark);
   tools.check(left.state === "Paused" && left.stages >= 1, `it is ${left.state} with ${left.stages} stages`);
-  console.log(`        left at stage ${left.stages + 1} after ${left.seconds.toFixed(1)} s of work`);
+  tools.say(`left at stage ${left.stages + 1} after ${left.seconds.toFixed(1)} s of work`);
   await tools.screenshot("training-left");
   await tools.click(await tools.find("Button", `Resume the training of ${landmark}`));
   const done = await tools.waitFor((s) => of(s, landmark).state === "Done" || of(s, landmark).trouble, "the detector", 180_000);
@@ -55,7 +56,7 @@ export async function run(page, tools) {
   tools.check(outcome, `it came to nothing: ${trouble}`);
   // So few photos make a poor detector: how good one is with the usual ones is measured elsewhere.
   tools.check(stages >= left.stages && outcome.judged >= 10 && outcome.found > 0, `found in ${outcome.found} of ${outcome.judged}`);
-  console.log(`        ${stages} stages, found in ${outcome.found} of ${outcome.judged} held-out photos, ${seconds.toFixed(1)} s of work`);
+  tools.say(`${stages} stages, found in ${outcome.found} of ${outcome.judged} held-out photos, ${seconds.toFixed(1)} s of work`);
   const kept = done.landmarks.find((l) => l.name === landmark);
   tools.check(kept.trained && kept.detector === "template", "the detector is not kept with the landmark");
   await page.waitForTimeout(500);

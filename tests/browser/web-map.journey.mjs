@@ -133,8 +133,8 @@ export async function run(page, tools) {
     tools.check(done.download.failed === 0 && done.download.done > 4, JSON.stringify(done.download));
     const twice = [...server.counts.asked].filter(([, times]) => times > 1);
     tools.check(twice.length === 0, `asked for more than once: ${twice.join("; ")}`);
-    console.log(`        stopped after ${stopped.download.done} of ${stopped.download.all} tiles`);
-    console.log(`        ${done.download.done} tiles downloaded, ${server.counts.tiles} requested in all`);
+    tools.say(`stopped after ${stopped.download.done} of ${stopped.download.all} tiles`);
+    tools.say(`${done.download.done} tiles downloaded, ${server.counts.tiles} requested in all`);
     await page.keyboard.press("Escape");
 
     // The server fails; the page is loaded again.
@@ -145,10 +145,10 @@ export async function run(page, tools) {
     await page.reload();
     await tools.waitReady();
     await tools.waitFor((s) => s.map.name?.startsWith("127.0.0.1") && s.map.tiles > 3, "the tiles without the server", 60_000);
-    console.log(`        ${server.counts.tiles - before} requests after the reload`);
+    tools.say(`${server.counts.tiles - before} requests after the reload`);
 
     const far = await openFile(page, tools, `${server.address}/far.tif`);
-    console.log(`        ${server.counts.ranges} ranges, ${(server.counts.bytes / 1e6).toFixed(1)} MB`);
+    tools.say(`${server.counts.ranges} ranges, ${(server.counts.bytes / 1e6).toFixed(1)} MB`);
     tools.check(server.counts.ranges > 1 && Math.abs(far.map.gsd - 0.5) < 1e-3, "the file was not read by ranges");
     await tools.screenshot("web-map-file");
 

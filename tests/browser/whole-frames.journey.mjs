@@ -13,11 +13,11 @@ const flight = join(repository, "tests/flights/brighton/flight.json");
 
 export async function run(page, tools) {
   if (!existsSync(folder)) {
-    console.log("        skipped: no shared data");
+    tools.say("skipped: no shared data");
     return;
   }
   await tools.waitReady();
-  const before = await tools.waitFor((s) => s.run_complete, "the demo", 150_000);
+  const before = await tools.waitFor((s) => s.run_steps > 20, "the demo", 150_000);
   const layout = { ...JSON.parse(readFileSync(flight, "utf8")), data: undefined };
   delete layout.frames.stored_turn_deg;
   const files = [["flight.json", JSON.stringify(layout)]];
@@ -36,13 +36,13 @@ export async function run(page, tools) {
   await page.waitForTimeout(500);
   await tools.click(await tools.find(null, "Lay whole pictures on the map"));
   const flown = await tools.waitFor((s) => s.run_complete && s.laid >= 17, "the flight by whole pictures", 200_000);
-  console.log(`        ${flown.laid} of ${flown.frames} pictures laid on the map`);
+  tools.say(`${flown.laid} of ${flown.frames} pictures laid on the map`);
   await page.waitForTimeout(800);
   await tools.screenshot("whole-frames");
 
   // Nobody asked for it: the overview tells what the pictures say of the camera's clock.
   const told = await tools.waitFor((s) => s.log?.findings.some((f) => /lag|stamped/.test(f)), "the lag in the overview", 60_000);
-  console.log(`        ${told.log.findings.join("; ")}`);
+  tools.say(`${told.log.findings.join("; ")}`);
   await tools.click(await tools.find(null, "Close"));
   await tools.click(await tools.find(null, "Log", 10_000));
   await tools.find(null, /Pictures are stamped|No lag between/);

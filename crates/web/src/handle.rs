@@ -179,6 +179,13 @@ impl WebHandle {
         }
     }
 
+    /// Lets the flight that is being flown keep its place without working; for tests that need no more of it.
+    pub fn rest_flight(&self) {
+        if let Some((_, host)) = &*self.running.borrow() {
+            host.rest_flight();
+        }
+    }
+
     /// Ends a worker without a word, as a browser short of memory does; for tests.
     pub fn kill_worker(&self, index: usize) {
         if let Some((_, host)) = &*self.running.borrow() {

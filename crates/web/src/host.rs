@@ -151,6 +151,11 @@ impl PageHost {
         serde_json::json!({ "compared": compared, "different": different }).to_string()
     }
 
+    /// Lets what is being flown keep its place without working; for tests.
+    pub fn rest_flight(&self) {
+        self.inner.borrow_mut().crew.hold_flights();
+    }
+
     /// Ends a worker without a word; for tests.
     pub fn silence_worker(&self, seat: usize) {
         if let Some(port) = self.inner.borrow().crew.port(seat) {

@@ -181,6 +181,21 @@ impl<P: WorkerPort> Crew<P> {
         }
     }
 
+    /// Lets every flight that is being flown keep its place without working.
+    pub fn hold_flights(&mut self) {
+        let is_flight =
+            |(_, assigned): &(&JobId, &Assigned)| matches!(assigned.job, Job::Fly { .. });
+        let flights: Vec<JobId> = self
+            .jobs
+            .iter()
+            .filter(is_flight)
+            .map(|(id, _)| *id)
+            .collect();
+        for id in flights {
+            self.hold(id, true);
+        }
+    }
+
     /// Tells the worker of a job whether to work on it.
     fn tell_hold(&mut self, id: JobId) {
         let is_held = self.held.contains(&id) || self.waiting.contains(&id);
