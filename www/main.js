@@ -8,9 +8,21 @@ import { registerOffline } from "./offline.js";
 
 const root = document.documentElement;
 
+/** A file of the page; asked for again where the network fails for a moment. */
+async function own(path) {
+  for (let tries = 1; ; tries += 1) {
+    try {
+      return await fetch(new URL(path, import.meta.url), { credentials: "same-origin" });
+    } catch (error) {
+      if (tries === 3) throw error;
+      await new Promise((resolve) => { setTimeout(resolve, 250 * tries); });
+    }
+  }
+}
+
 /** The program's bytes, with progress told as they come; still compiled while they stream in. */
 async function program() {
-  const response = await fetch(new URL("./pkg/pilotage_web_bg.wasm", import.meta.url), { credentials: "same-origin" });
+  const response = await own("./pkg/pilotage_web_bg.wasm");
   if (!response.ok) throw new Error(`The program could not be loaded (${response.status} ${response.statusText}).`);
   const coded = response.headers.get("content-encoding");
   const total = coded ? 0 : Number(response.headers.get("content-length"));
@@ -32,8 +44,7 @@ function prepareWorkers() {
   const programs = new Map();
   const compiled = (program) => {
     if (!programs.has(program)) {
-      const address = new URL(`./pkg/pilotage_worker_${program}_bg.wasm`, import.meta.url);
-      const module = WebAssembly.compileStreaming(fetch(address, { credentials: "same-origin" }));
+      const module = WebAssembly.compileStreaming(own(`./pkg/pilotage_worker_${program}_bg.wasm`));
       module.catch(() => programs.delete(program)); // and ask again when it is needed again
       programs.set(program, module);
     }
@@ -53,7 +64,7 @@ function prepareWorkers() {
 /** What the first jobs of a visit tell, and a picture of the demo's ground, both stored by the build: bytes by key. */
 async function firstSeconds() {
   const file = async (name) => {
-    const response = await fetch(new URL(`./first/${name}`, import.meta.url), { credentials: "same-origin" });
+    const response = await own(`./first/${name}`);
     if (!response.ok) throw new Error(`${name}: ${response.status}`);
     return response.blob();
   };

@@ -8,6 +8,7 @@ mod install;
 mod native;
 mod oracles;
 mod policy;
+mod programs;
 mod table;
 
 use std::process::ExitCode;
@@ -50,7 +51,9 @@ pub fn run(choice: &Choice) -> Result<ExitCode, Failure> {
     }
     table.check("tests of the build program", native::build_program);
     if !packages.are_none() {
-        table.check("tests, native", || native::tests(&packages, choice.studies));
+        table.check("tests, native", || {
+            native::tests(&packages, choice.studies, choice.quick)
+        });
     }
     if !choice.quick {
         if !packages.are_none() {

@@ -5,7 +5,7 @@
 //! rules of the house are left out of the tests and have their own lines: their libraries are built
 //! already, in this program's profile.
 
-use super::Reach;
+use super::{Reach, programs};
 use std::path::Path;
 
 use crate::{
@@ -14,7 +14,7 @@ use crate::{
     process::{cargo, program, run, succeeds},
 };
 
-const ADVICE: &str = "cargo came with rustup";
+pub const ADVICE: &str = "cargo came with rustup";
 
 /// Has rustup bring `component`, without which cargo lacks `command`.
 fn ensure_component(component: &str, command: &str) -> Result<(), Failure> {
@@ -116,14 +116,19 @@ pub fn house_rules() -> Result<(), Failure> {
     run(&mut cargo(&arguments), ADVICE)
 }
 
-/// Every test that needs no other program; `studies` over all their seeds (`tests/src/studies.rs`).
-pub fn tests(packages: &Packages, studies: bool) -> Result<(), Failure> {
-    let mut tests = cargo(&["test", "--no-fail-fast"]);
-    tests.args(packages.arguments(&PACKAGES));
-    if studies {
-        tests.env("PILOTAGE_STUDIES", "1");
+/// Every test that needs no other program; `studies` over all their seeds (`tests/src/studies.rs`). `quick` leaves
+/// out what takes long, what has not changed since it passed, and examples in the documentation.
+pub fn tests(packages: &Packages, studies: bool, quick: bool) -> Result<(), Failure> {
+    let packages = packages.arguments(&PACKAGES);
+    let all: &[_] = &[("PILOTAGE_STUDIES", "1")];
+    let environment = if studies { all } else { &[] };
+    let tested = programs::test(&packages, environment, quick);
+    if quick {
+        return tested;
     }
-    run(&mut tests, ADVICE)
+    let mut examples = cargo(&["test", "--no-fail-fast", "--doc"]);
+    let examples = run(examples.args(&packages), ADVICE);
+    tested.and(examples)
 }
 
 /// Stores anew what the page shows first, as the program of the page in `dist` computes it, by the test that

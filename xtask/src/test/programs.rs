@@ -1,0 +1,284 @@
+//! The test programs that cargo builds, run several at a time: one ends with a single long test while another
+//! still has many.
+
+use std::{
+    collections::BTreeMap,
+    fs,
+    io::Write as _,
+    path::{Path, PathBuf},
+    process::{Command, Stdio},
+    sync::{Mutex, PoisonError},
+    time::Instant,
+};
+
+use serde_json::Value;
+
+use super::native::ADVICE;
+use crate::{
+    failure::Failure,
+    places,
+    process::{capture, cargo, program, succeed},
+};
+
+/// Programs that take longest, which begin before the others and which `--quick` leaves out.
+const LONG: [&str; 3] = ["hostile_data", "whole_frames", "scenarios"];
+/// What takes longest beside them, and begins next: it must not be what everybody waits for at the end.
+const EARLY: [&str; 5] = [
+    "pilotage_ui",
+    "journeys",
+    "pilotage_plan",
+    "golden_cascades",
+    "train",
+];
+
+/// A test program.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Program {
+    /// Package and target, such as `pilotage-tests/scenarios`.
+    name: String,
+    executable: PathBuf,
+    /// The folder of its package, in which its tests expect to be run.
+    folder: PathBuf,
+}
+
+impl Program {
+    /// Its place in the order in which they begin.
+    fn rank(&self) -> usize {
+        let target = self.name.rsplit('/').next();
+        let mut order = LONG.iter().chain(&EARLY);
+        let place = order.position(|early| Some(*early) == target);
+        place.unwrap_or(LONG.len() + EARLY.len())
+    }
+
+    fn takes_long(&self) -> bool {
+        self.rank() < LONG.len()
+    }
+}
+
+/// Builds the tests of the packages that `arguments` choose and runs them; `environment` is what they are told.
+/// `quick` leaves out what takes long and what has not changed since it passed.
+pub fn test(arguments: &[&str], environment: &[(&str, &str)], quick: bool) -> Result<(), Failure> {
+    let mut programs = build(arguments)?;
+    programs.sort_by_key(|one| (one.rank(), one.name.clone()));
+    let all = programs.len();
+    let mut passed = Passed::read();
+    if quick {
+        programs.retain(|one| !one.takes_long());
+        let left = all - programs.len();
+        programs.retain(|one| !passed.has(one));
+        println!(
+            "{} of {all} test programs; left out: {left} that take long ({}), {} that passed as they are",
+            programs.len(),
+            LONG.join(", "),
+            all - left - programs.len()
+        );
+    }
+    let outcomes = run_all(programs, environment);
+    let failed: Vec<&str> = outcomes
+        .iter()
+        .filter(|(_, has_passed)| !has_passed)
+        .map(|(one, _)| one.name.as_str())
+        .collect();
+    for (one, has_passed) in &outcomes {
+        passed.note(one, *has_passed);
+    }
+    passed.write()?;
+    if !failed.is_empty() {
+        return Err(Failure::Check(format!("{} failed", failed.join(", "))));
+    }
+    Ok(())
+}
+
+/// Has cargo build the test programs.
+fn build(arguments: &[&str]) -> Result<Vec<Program>, Failure> {
+    let mut cargo = cargo(&["test", "--no-run"]);
+    cargo.args(arguments);
+    cargo.arg("--message-format=json-render-diagnostics");
+    cargo.stderr(Stdio::inherit());
+    let output = capture(&mut cargo, ADVICE)?;
+    succeed(&cargo, output.status)?;
+    let text = String::from_utf8_lossy(&output.stdout);
+    Ok(text.lines().filter_map(of_message).collect())
+}
+
+/// The program that a message of cargo tells of.
+fn of_message(line: &str) -> Option<Program> {
+    let message: Value = serde_json::from_str(line).ok()?;
+    let is_test = message["profile"]["test"].as_bool()?;
+    let executable = PathBuf::from(message["executable"].as_str()?);
+    let folder = Path::new(message["manifest_path"].as_str()?).parent()?;
+    let target = message["target"]["name"].as_str()?;
+    // `path+file:///…/crates/ui#pilotage-ui@0.1.0`, or without a name where the folder has it
+    let id = message["package_id"].as_str()?.rsplit('#').next()?;
+    let package = match id.split_once('@') {
+        Some((name, _)) => name.to_owned(),
+        None => folder.file_name()?.to_str()?.to_owned(),
+    };
+    is_test.then(|| Program {
+        name: format!("{package}/{target}"),
+        executable,
+        folder: folder.to_owned(),
+    })
+}
+
+/// Runs the programs, as many at a time as there are cores, each on one; whether each passed.
+fn run_all(programs: Vec<Program>, environment: &[(&str, &str)]) -> Vec<(Program, bool)> {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let queue = Mutex::new(programs.into_iter());
+    let outcomes = Mutex::new(Vec::new());
+    std::thread::scope(|scope| {
+        for _ in 0..cores {
+            scope.spawn(|| {
+                loop {
+                    let next = queue.lock().unwrap_or_else(PoisonError::into_inner).next();
+                    let Some(next) = next else { return };
+                    let has_passed = run_one(&next, environment);
+                    let mut outcomes = outcomes.lock().unwrap_or_else(PoisonError::into_inner);
+                    outcomes.push((next, has_passed));
+                }
+            });
+        }
+    });
+    outcomes
+        .into_inner()
+        .unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Runs a program and prints how it went; all that it said if it failed.
+fn run_one(one: &Program, environment: &[(&str, &str)]) -> bool {
+    let mut command: Command = program(&one.executable);
+    command.current_dir(&one.folder);
+    command.env("CARGO_MANIFEST_DIR", &one.folder);
+    command.env("RUST_TEST_THREADS", "1");
+    command.envs(environment.iter().copied());
+    let begun = Instant::now();
+    let output = command.output();
+    let seconds = begun.elapsed().as_secs_f64();
+    let (has_passed, said) = match &output {
+        Ok(output) => {
+            let said = [output.stdout.as_slice(), output.stderr.as_slice()].concat();
+            (
+                output.status.success(),
+                String::from_utf8_lossy(&said).into_owned(),
+            )
+        }
+        Err(error) => (false, error.to_string()),
+    };
+    let result = said.lines().rfind(|line| line.starts_with("test result"));
+    let result = result
+        .unwrap_or("no result")
+        .trim_start_matches("test result: ");
+    let mut out = std::io::stdout().lock();
+    // A closed pipe is no reason to stop.
+    let _ = if has_passed {
+        writeln!(out, "{seconds:>7.1} s  {}: {result}", one.name)
+    } else {
+        writeln!(out, "FAILED {seconds:.1} s  {}\n{said}", one.name)
+    };
+    has_passed
+}
+
+/// Which programs passed, by what they were.
+struct Passed {
+    file: PathBuf,
+    prints: BTreeMap<String, String>,
+}
+
+impl Passed {
+    fn read() -> Self {
+        let file = places::target().join("passed-tests.json");
+        let bytes = fs::read(&file).unwrap_or_default();
+        let prints = serde_json::from_slice(&bytes).unwrap_or_default();
+        Self { file, prints }
+    }
+
+    fn write(&self) -> Result<(), Failure> {
+        let text = serde_json::json!(self.prints).to_string();
+        fs::write(&self.file, text).map_err(Failure::file(&self.file))
+    }
+
+    fn has(&self, one: &Program) -> bool {
+        let print = self.prints.get(&one.name);
+        print.is_some() && print == fingerprint(one).as_ref()
+    }
+
+    fn note(&mut self, one: &Program, has_passed: bool) {
+        self.prints.remove(&one.name);
+        if let Some(print) = fingerprint(one).filter(|_| has_passed) {
+            self.prints.insert(one.name.clone(), print);
+        }
+    }
+}
+
+/// Tells a program from what it was before: its name has a hash of what it is built from, its time the last build.
+fn fingerprint(one: &Program) -> Option<String> {
+    let known = fs::metadata(&one.executable).ok()?;
+    let built = known.modified().ok()?;
+    let since = built.duration_since(std::time::UNIX_EPOCH).ok()?;
+    Some(format!(
+        "{} {} {}",
+        one.executable.display(),
+        known.len(),
+        since.as_nanos()
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn programs_are_read_from_what_cargo_says() {
+        let line = r#"{"reason":"compiler-artifact","package_id":"path+file:///r/crates/core/plan#pilotage-plan@0.1.0","manifest_path":"/r/crates/core/plan/Cargo.toml","target":{"name":"scenarios"},"profile":{"test":true},"executable":"/r/target/debug/deps/scenarios-1"}"#;
+        let program = of_message(line).unwrap();
+        assert_eq!(program.name, "pilotage-plan/scenarios");
+        assert_eq!(program.folder, Path::new("/r/crates/core/plan"));
+        assert!(program.takes_long());
+        let unnamed = line.replace("#pilotage-plan@0.1.0", "#0.1.0");
+        assert_eq!(of_message(&unnamed).unwrap().name, "plan/scenarios");
+        for other in [
+            line.replace("\"test\":true", "\"test\":false"),
+            line.replace("\"/r/target/debug/deps/scenarios-1\"", "null"),
+            r#"{"reason":"build-finished","success":true}"#.to_owned(),
+            String::new(),
+        ] {
+            assert_eq!(of_message(&other), None, "{other}");
+        }
+    }
+
+    #[test]
+    fn what_fails_has_not_passed_and_what_is_built_anew_has_not_either() {
+        let folder = std::env::temp_dir().join(format!("pilotage-passed-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let one = Program {
+            name: "a/b".to_owned(),
+            executable: folder.join("b"),
+            folder: folder.clone(),
+        };
+        fs::write(&one.executable, "first").unwrap();
+        let mut passed = Passed {
+            file: folder.join("passed"),
+            prints: BTreeMap::new(),
+        };
+        assert!(!passed.has(&one));
+        passed.note(&one, true);
+        assert!(passed.has(&one));
+        fs::write(&one.executable, "another").unwrap();
+        assert!(!passed.has(&one));
+        passed.note(&one, true);
+        passed.note(&one, false);
+        assert!(!passed.has(&one));
+        fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn a_program_that_cannot_be_run_fails() {
+        let missing = Program {
+            name: "a/b".to_owned(),
+            executable: PathBuf::from("/nowhere/b"),
+            folder: std::env::temp_dir(),
+        };
+        let outcomes = run_all(vec![missing.clone()], &[]);
+        assert_eq!(outcomes, [(missing, false)]);
+    }
+}
