@@ -66,15 +66,15 @@ async function firstSeconds() {
   const file = async (name) => {
     const response = await own(`./first/${name}`);
     if (!response.ok) throw new Error(`${name}: ${response.status}`);
-    return response.blob();
+    return response.arrayBuffer();
   };
   const pixels = async () => {
-    const picture = await createImageBitmap(await file("ground.jpg"));
+    const picture = await createImageBitmap(new Blob([await file("ground.jpg")]));
     const canvas = new OffscreenCanvas(picture.width, picture.height).getContext("2d");
     canvas.drawImage(picture, 0, 0);
     return new Uint8Array(canvas.getImageData(0, 0, picture.width, picture.height).data.buffer);
   };
-  const seconds = async () => new Uint8Array(await (await file("seconds.bin")).arrayBuffer());
+  const seconds = async () => new Uint8Array(await file("seconds.bin"));
   const [told, ground] = await Promise.all([seconds(), pixels()]);
   return new Map([["first seconds", told], ["first ground", ground]]);
 }

@@ -312,6 +312,7 @@ impl App {
                 "follow": map.follow,
                 "track_up": map.track_up,
                 "tiles": map.tiles.count(),
+                "ground": map.tiles.has_ground(),
                 "tiles_wanted": map.tiles.wanted().len(),
                 "known": self.documents.map.is_some(),
                 "whole": map.tiles.is_whole(),

@@ -110,6 +110,11 @@ impl TileCache {
         self.ground = Some((ground, texture));
     }
 
+    /// Whether a picture of the map lies below its tiles.
+    pub fn has_ground(&self) -> bool {
+        self.ground.is_some()
+    }
+
     /// Tiles that are missing, the most urgent first.
     pub fn wanted(&self) -> &[TileKey] {
         &self.wanted
