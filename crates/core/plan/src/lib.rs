@@ -19,6 +19,7 @@ mod prediction;
 mod propagate;
 mod proposal;
 mod random_route;
+mod request;
 mod smooth;
 mod stated;
 mod suggest;
@@ -40,11 +41,10 @@ pub use honesty::{Comparison, Verification, compare};
 pub use no_fly::{NoFlyArea, inside};
 pub use offered::OfferedField;
 pub use poses::{poses_all_over, poses_over};
-pub use prediction::{
-    PlannedLandmark, Prediction, PredictionError, PredictionRequest, PredictionSample, Stretch,
-};
+pub use prediction::{Prediction, PredictionSample, Stretch};
 pub use proposal::{Proposal, ProposalQuestion};
 pub use random_route::{random_places, random_route};
+pub use request::{PlannedLandmark, PredictionError, PredictionRequest};
 pub use smooth::{Turns, fits};
 pub use stated::{StatedDetector, StatedFrames, as_stated};
 pub use suggest::{Candidate, Ranking, Suggestion, choose, choose_lasting, fading};

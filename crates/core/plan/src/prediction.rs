@@ -6,12 +6,11 @@ use serde::{Deserialize, Serialize};
 
 use super::corridor::{Belief, Corridor, corridor};
 use super::propagate::{Moment, Propagation, UnknownWind};
-use super::{DetectionStatistics, day_factor, winds};
+use super::request::{PredictionError, PredictionRequest};
+use super::{day_factor, winds};
 use pilotage_base::frames::GroundPoint;
-use pilotage_mission::settings::NavigatorSettings;
 use pilotage_navigator::navigator::vehicle;
 use pilotage_simulate::simulate::{FlightPlan, TrueFlight};
-use pilotage_vision::landmark::Landmark;
 
 /// Probability with which the true error lies inside the corridor.
 const PROBABILITY: f64 = 0.95;
@@ -25,34 +24,6 @@ const WORLDS_PER_WIND: usize = 6;
 const SLOWEST: f64 = 0.5;
 /// Moments of the plan that a flight may be ahead of the one compared last: a tail wind, a cut corner.
 const AHEAD: usize = 20;
-
-/// A landmark and what is expected of its detection.
-#[derive(Clone, Debug, PartialEq)]
-pub struct PlannedLandmark {
-    /// The landmark.
-    pub landmark: Landmark,
-    /// What is expected of it, by height.
-    pub detection: DetectionStatistics,
-}
-
-/// What to predict.
-#[derive(Clone, Copy, Debug)]
-pub struct PredictionRequest<'a> {
-    /// The route, the wind, the aircraft, its sensors and its camera.
-    pub plan: &'a FlightPlan,
-    /// How it will be navigated.
-    pub settings: &'a NavigatorSettings,
-    /// The landmarks over which it leads.
-    pub landmarks: &'a [PlannedLandmark],
-    /// Standard deviation of the wind about the plan's, per axis, m/s; zero where it is known.
-    pub wind_deviation: f64,
-    /// Worlds to try: ways in which wind and detections may turn out. 8 are coarse, 100 are fine.
-    pub worlds: usize,
-    /// Seed of the worlds.
-    pub seed: u64,
-    /// Uncertainty that the user accepts: standard deviation of the longer axis, metres.
-    pub limit: f64,
-}
 
 /// The predicted uncertainty at one frame.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -119,20 +90,6 @@ impl Prediction {
         }
         stretch(&self.samples[first..=last])
     }
-}
-
-/// Why nothing can be predicted.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum PredictionError {
-    /// The route has no two different way-points.
-    #[error("the route needs two way-points at different places")]
-    NoRoute,
-    /// The covariance became infinite.
-    #[error("the covariance is not finite at {time:.1} s; check the settings of the filter")]
-    NotFinite {
-        /// Seconds after the start.
-        time: f64,
-    },
 }
 
 impl Prediction {
@@ -358,6 +315,7 @@ fn over(sample: &PredictionSample, limit: f64) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use super::super::{DetectionStatistics, PlannedLandmark};
     use super::*;
     use crate::ExpectedDetection;
     use nalgebra::{Matrix4, Vector4};

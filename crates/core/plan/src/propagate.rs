@@ -6,7 +6,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 use super::corridor::Belief;
-use super::prediction::{PredictionError, PredictionRequest};
+use super::request::{PredictionError, PredictionRequest};
 use super::view::{Information, Look, PlannedFrame};
 use pilotage_base::frames::{GroundPoint, Pose};
 use pilotage_estimation::filter::{Gaussian, numerical_jacobian};

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix2, Matrix3, Matrix3x4, Matrix4, Matrix4x3, Vector3};
 
-use super::prediction::PlannedLandmark;
+use super::request::PlannedLandmark;
 use pilotage_base::frames::Pose;
 use pilotage_mission::settings::SensorNoise;
 use pilotage_raster::camera::CameraModel;

@@ -4,12 +4,14 @@
 //! counted with centres at half integers. All fits minimize the squared distances in the plane.
 
 mod fit;
+mod kind;
 mod plane;
 mod points_file;
 mod solve;
 #[cfg(test)]
 mod tests;
 
-pub use fit::{ControlPoint, Fit, FitError, Residual, TransformKind, fit};
+pub use fit::{ControlPoint, Fit, FitError, Residual, fit};
+pub use kind::TransformKind;
 pub use plane::in_metres;
 pub use points_file::{PointsFileError, read_points, write_points};

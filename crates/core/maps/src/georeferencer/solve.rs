@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, Matrix3, Point2, SMatrix, SVector, Vector2};
 
-use super::TransformKind;
+use super::kind::TransformKind;
 
 /// A pixel and its place.
 type Pair = (Point2<f64>, Point2<f64>);

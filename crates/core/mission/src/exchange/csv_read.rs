@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::ExchangeError;
 use super::csv_columns::{Column, Role, Unit, columns};
-use super::read::{Found, POINT_BOX};
+use super::found::{Found, POINT_BOX};
 use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
 use crate::mission::way_point_file::{action_of_word, frame_of_word};
 use crate::mission::{USUAL_ALTITUDE, WayPoint};

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde_json::Value;
 
 use super::ExchangeError;
-use super::read::{Found, POINT_BOX};
+use super::found::{Found, POINT_BOX};
 use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
 use crate::mission::text::Text;
 use crate::mission::{

@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::ExchangeError;
 use super::embedded::{self, Item};
-use super::read::{Found, POINT_BOX};
+use super::found::{Found, POINT_BOX};
 use super::xml::{Element, Source, escape};
 use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
 use crate::mission::{Route, USUAL_ALTITUDE, WayPoint, degrees, globe};

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde_json::Value;
 
 use super::embedded::{self, Item};
-use super::read::{Found, POINT_BOX};
+use super::found::{Found, POINT_BOX};
 use super::xml::{Element, Source};
 use super::{ExchangeError, kml_write};
 use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};

@@ -10,6 +10,7 @@ mod csv_write;
 mod embedded;
 mod error;
 mod format;
+mod found;
 mod geojson;
 mod gpx;
 mod item;

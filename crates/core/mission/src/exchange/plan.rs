@@ -9,9 +9,9 @@ use serde_json::Value;
 use serde_json::value::RawValue;
 
 use super::ExchangeError;
+use super::found::Found;
 use super::item::Item;
 use super::item_route::{self, Home, Step, Written, home_of, members, route_of, steps_of};
-use super::read::Found;
 use crate::mission::text::{Members, Text};
 use crate::mission::way_point_file::kept;
 use crate::mission::{MissionError, Route, degrees};

@@ -2,8 +2,7 @@
 
 use super::{ExchangeError, Format, csv_read, geojson, gpx, kml_read, plan, waypoints};
 use crate::mission::Route;
-pub(super) use crate::mission::found::POINT_BOX;
-use crate::mission::found::{self, FoundLandmark, FoundRoute};
+use crate::mission::found;
 use pilotage_base::frames::{Geodetic, LocalFrame};
 use pilotage_vision::landmark::Landmark;
 
@@ -20,16 +19,6 @@ pub struct Imported {
     pub landmarks: Vec<Landmark>,
     /// What was assumed, kept aside or left out, in sentences for people.
     pub notes: Vec<String>,
-}
-
-/// What a file brought, still on the globe.
-#[derive(Default)]
-pub(super) struct Found {
-    pub routes: Vec<FoundRoute>,
-    pub landmarks: Vec<FoundLandmark>,
-    pub notes: Vec<String>,
-    /// Origin that the file states.
-    pub origin: Option<Geodetic>,
 }
 
 /// Reads the routes and landmarks of a file in any format, told by its content and its name.

@@ -5,9 +5,9 @@
 use std::collections::BTreeMap;
 
 use super::ExchangeError;
+use super::found::Found;
 use super::item::{Item, WAY_POINT, counted};
 use super::item_route::{Home, Step, Written, home_of, route_of, steps_of};
-use super::read::Found;
 use crate::mission::{Route, degrees};
 use pilotage_base::frames::LocalFrame;
 

@@ -9,7 +9,7 @@ use super::function::floor_modulo;
 use super::grid::at_times;
 use super::nearest::nearest;
 use super::parse::seconds_of;
-use super::syntax::{Node, Operator, Part};
+use super::tree::{Node, Operator, Part};
 use super::{Expression, ExpressionError, Function, Samples, SeriesSource, Trouble};
 use super::{over_time, written};
 

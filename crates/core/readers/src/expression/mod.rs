@@ -22,6 +22,7 @@ mod parse;
 mod samples;
 mod syntax;
 mod token;
+mod tree;
 
 pub use complete::{Candidate, Completion, complete};
 pub use error::{ExpressionError, Trouble};

@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use super::nearest::nearest;
-use super::syntax::{Node, Operator, Part};
 use super::token::{Placed, Token, tokens};
+use super::tree::{Node, Operator, Part};
 use super::{ExpressionError, FUNCTIONS, Function, Trouble};
 
 /// Parts within each other that nobody writes, but that would fill the stack.

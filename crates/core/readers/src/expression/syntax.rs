@@ -1,72 +1,8 @@
-//! The tree of an expression.
-
-use std::ops::Range;
+//! An expression that was read.
 
 use super::nearest::nearest;
-use super::{ExpressionError, Function, Trouble, parse, written};
-
-/// Two numbers made one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Operator {
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
-    Modulo,
-    Power,
-    Less,
-    LessOrEqual,
-    Greater,
-    GreaterOrEqual,
-    Equal,
-    NotEqual,
-}
-
-/// A part of an expression.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Node {
-    /// A number.
-    Number(f64),
-    /// Seconds in the log's time base.
-    Time,
-    /// A series of the log.
-    Series(String),
-    /// The other sign.
-    Negative(Box<Part>),
-    /// Two parts made one.
-    Binary(Operator, Box<[Part; 2]>),
-    /// A function.
-    Call(Function, Vec<Part>),
-}
-
-/// A part of an expression and its bytes in the text.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Part {
-    pub node: Node,
-    pub place: Range<usize>,
-}
-
-impl Part {
-    /// The parts that it is made of.
-    pub fn parts(&self) -> &[Part] {
-        match &self.node {
-            Node::Number(_) | Node::Time | Node::Series(_) => &[],
-            Node::Negative(part) => std::slice::from_ref(part),
-            Node::Binary(_, parts) => &**parts,
-            Node::Call(_, parts) => parts,
-        }
-    }
-
-    /// Calls `visit` with every series in the order of the text.
-    pub fn visit_series<'a>(&'a self, visit: &mut dyn FnMut(&'a str, &Range<usize>)) {
-        if let Node::Series(name) = &self.node {
-            visit(name, &self.place);
-        }
-        for part in self.parts() {
-            part.visit_series(visit);
-        }
-    }
-}
+use super::tree::{Node, Part};
+use super::{ExpressionError, Trouble, parse, written};
 
 /// An expression whose words fit together.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,6 +2,7 @@
 
 mod beside_flight;
 mod flight;
+mod reading;
 mod ros;
 mod series;
 mod source;

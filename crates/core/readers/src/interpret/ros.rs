@@ -1,7 +1,7 @@
 //! Where messages of ROS and of Foxglove keep the roles.
 
 use super::Role;
-use super::source::{DEGREE, Reading, Source, field, of};
+use super::reading::{DEGREE, Reading, Source, field, of};
 
 const IMU: &str = "sensor_msgs/Imu";
 const FIX: &str = "sensor_msgs/NavSatFix";

@@ -2,7 +2,8 @@
 
 use nalgebra::{Quaternion, UnitQuaternion};
 
-use super::source::{Reading, Source, factor_of_unit, sources};
+use super::reading::{Reading, Source};
+use super::source::{factor_of_unit, sources};
 use crate::log::{FieldLayout, Log, Topic};
 use crate::role::{Role, RoleSeries};
 

@@ -9,6 +9,7 @@ use nalgebra::Point3;
 use super::camera::focal_in_pixels;
 use super::log::log;
 use super::read::{Photo, PhotoPlace, read_photo};
+use super::timed::Timed;
 use crate::folder::{FlightFolder, FolderFrames, Told};
 use pilotage_base::files::FileSet;
 use pilotage_base::frames::{Attitude, Geodetic, GroundPoint, LocalFrame, wrap_pi};
@@ -79,12 +80,6 @@ pub fn read_photos(files: &Arc<dyn FileSet>) -> Option<FlightFolder> {
         flight,
         notes,
     })
-}
-
-/// A photo with its time in the flight, seconds.
-pub(super) struct Timed {
-    pub time: f64,
-    pub photo: Photo,
 }
 
 /// Photos of one size, in the order of their times.

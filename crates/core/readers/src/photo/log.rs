@@ -1,7 +1,7 @@
 //! The log that photos are: what each tells of itself, and what that is in navigation.
 
-use super::flight::Timed;
 use super::read::{Photo, PhotoPlace};
+use super::timed::Timed;
 use crate::folder::of_samples;
 use crate::interpret::{Role, RoleSeries};
 use crate::log::{Cells, Column, Log, LogFormat};

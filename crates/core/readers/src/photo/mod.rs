@@ -13,6 +13,7 @@ mod log;
 mod read;
 #[cfg(test)]
 mod tests;
+mod timed;
 mod xmp;
 
 pub use flight::read_photos;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::aerial_camera::{AerialCamera, AerialCameraSettings, AerialFrame, frame_random};
-use super::scenario::FlightDay;
+use super::flight_day::FlightDay;
 use super::scenery::{DEMO_SEED, Scenery};
 use pilotage_base::frames::Pose;
 use pilotage_flight::{Flight, FrameError, FrameSource};

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::dryden::Turbulence;
 use super::flight::FlightPlan;
 use super::flight_airframe::Airframe;
+use super::flight_day::FlightDay;
 use super::flight_frames::{SimulatedFlight, SimulatedFrames};
 use super::route;
 use super::scenery::{DEMO_SEED, Day, DistinctFeature, Scenery};
@@ -70,41 +71,6 @@ pub struct Scenario {
     pub height: f64,
     /// Mean wind.
     pub wind: Wind,
-}
-
-/// On which day the camera sees the ground; the map is always that of the map's day.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum FlightDay {
-    /// The day on which the map was made.
-    Same,
-    /// Another season, light and haze, other cars and crops.
-    #[default]
-    Other,
-}
-
-impl FlightDay {
-    /// Name on the command line and in files.
-    pub fn key(self) -> &'static str {
-        match self {
-            Self::Same => "same",
-            Self::Other => "other",
-        }
-    }
-
-    /// The day of that name.
-    pub fn named(name: &str) -> Option<Self> {
-        [Self::Same, Self::Other]
-            .into_iter()
-            .find(|day| day.key() == name)
-    }
-
-    /// Its light and season.
-    pub fn day(self) -> Day {
-        match self {
-            Self::Same => Day::map_day(),
-            Self::Other => Day::other_day(),
-        }
-    }
 }
 
 /// What the user wants otherwise than the scenario has it.

@@ -6,8 +6,8 @@ use super::cascade::{
     Answer, Cascade, HogPicture, Kind, Patch, ShownFeature, hog_picture, stage_answers,
     stage_features,
 };
-use super::patch::window_around;
 use super::trained::{SearchedGround, TrainedDetector, search};
+use super::window::window_around;
 use super::{FrameView, Refusal, SearchRequest};
 use pilotage_base::frames::GroundPoint;
 use pilotage_raster::imagery::{Imagery, Window};

@@ -3,8 +3,8 @@
 use nalgebra::{Matrix2, Vector2};
 
 use super::features::{FeatureTemplate, Features};
-use super::patch::window_around;
 use super::peak::{FORBIDDEN, best_peaks, separation};
+use super::window::window_around;
 use pilotage_base::frames::{GroundPoint, GroundRect};
 use pilotage_base::statistics::normal_probability;
 use pilotage_raster::imagery::{Imagery, Window};

@@ -19,6 +19,7 @@ mod settings;
 mod template;
 mod tolerance;
 pub mod trained;
+mod window;
 
 pub use choice::DetectorChoice;
 pub use chosen::ChosenDetector;

@@ -7,7 +7,8 @@ use super::Landmark;
 use super::features::{FeatureTemplate, Features};
 use super::look_alike::{LookAlike, LookAlikes};
 use super::peak::{best_peaks, separation};
-use pilotage_base::frames::{GroundPoint, GroundRect};
+use super::window::window_around;
+use pilotage_base::frames::GroundRect;
 use pilotage_raster::imagery::{Imagery, Window};
 use pilotage_raster::raster::{Gray, bilinear};
 
@@ -25,22 +26,6 @@ pub fn level_of(gsd: f64) -> i32 {
 /// Ground sample distance of a level, metres per pixel.
 pub fn gsd_of(level: i32) -> f64 {
     (f64::from(level) / LEVELS_PER_OCTAVE).exp2()
-}
-
-/// The window in which the patch (of `size` pixels) may be moved by `reach` pixels around `center`.
-pub fn window_around(
-    center: GroundPoint,
-    gsd: f64,
-    size: (usize, usize),
-    reach: (usize, usize),
-) -> Window {
-    Window {
-        north_edge: center.north + (0.5 * size.1 as f64 + reach.1 as f64) * gsd,
-        west_edge: center.east - (0.5 * size.0 as f64 + reach.0 as f64) * gsd,
-        gsd,
-        width: size.0 + 2 * reach.0,
-        height: size.1 + 2 * reach.1,
-    }
 }
 
 /// A landmark's surroundings on the map at one scale.

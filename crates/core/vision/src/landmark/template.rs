@@ -11,9 +11,10 @@ use nalgebra::{Matrix4, Vector2};
 use super::alignment::{Alignment, Similarity, align};
 use super::features::Features;
 use super::look_alike::Searched;
-use super::patch::{FLAT_CONTRAST, PatchBank, gsd_of, level_of, window_around};
+use super::patch::{FLAT_CONTRAST, PatchBank, gsd_of, level_of};
 use super::peak::{FORBIDDEN, Peak, best_peaks, refine, separation};
 use super::rectify::{GroundView, rectify};
+use super::window::window_around;
 use super::{
     Detection, Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting, TemplateSettings,
 };

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::message_topic::MessageTopic;
 use super::record::{MESSAGE_HEAD, Message, Record};
+use super::schema::Schema;
 use crate::log::growing::Room;
 use crate::log::{Fact, Log};
 
@@ -13,14 +14,6 @@ use crate::log::{Fact, Log};
 const MOST_WAITING: usize = 64 << 20;
 /// The year 2000 in nanoseconds since 1970: what is earlier is no time of the day.
 const YEAR_2000: u64 = 946_684_800_000_000_000;
-
-/// What the messages of a channel look like.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Schema {
-    pub name: String,
-    pub encoding: String,
-    pub data: Vec<u8>,
-}
 
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Channel {

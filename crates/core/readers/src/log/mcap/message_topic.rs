@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::contents::Schema;
 use super::decode::Decoder;
+use super::schema::Schema;
 use super::units::units_of;
 use super::words::Meaning;
 use crate::log::growing::{Part, Path, Place, Room, Table};

@@ -7,6 +7,7 @@
 //! Times are those at which messages were logged, counted from the first message of the file, so that
 //! nothing of their nanoseconds is lost; [`Log::utc_at_zero`](super::Log::utc_at_zero) tells its date.
 
+mod attachment;
 mod bytes;
 mod chunk;
 mod contents;
@@ -15,6 +16,7 @@ mod inside;
 mod message_topic;
 mod reader;
 mod record;
+mod schema;
 mod search;
 #[cfg(test)]
 mod tests;

@@ -1,12 +1,13 @@
 //! The way back after damage.
 
+use super::MAGIC;
+use super::attachment::attachment;
 use super::chunk;
 use super::contents::Contents;
 use super::record::{
     ATTACHMENT, CHANNEL, CHUNK, FRAME, MESSAGE, MESSAGE_HEAD, SCHEMA, frame, is_known, may_begin,
     parse, whole_length,
 };
-use super::{MAGIC, reader};
 
 /// Longest record, in bytes, that is believed after damage by what is in it alone: looking at it must not take
 /// long, as it may have to be done at every byte.
@@ -60,7 +61,7 @@ fn is_sure(contents: &Contents, bytes: &[u8], over: bool) -> Option<bool> {
     let (kind, length) = frame(bytes)?;
     match kind {
         CHUNK => return chunk::head(bytes).map(|head| head.is_ok()),
-        ATTACHMENT => return reader::attachment(bytes).map(|head| head.is_ok()),
+        ATTACHMENT => return attachment(bytes).map(|head| head.is_ok()),
         _ => {}
     }
     let Some(length) = whole_length(length) else {

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::super::{FieldKind, FieldLayout};
-use super::frame::Checksum;
+use super::checksum::Checksum;
 use super::units::unit_and_scale;
 
 /// A line for each message, as `tests/oracles/mavlink_dialect.py` says.

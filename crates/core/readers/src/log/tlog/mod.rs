@@ -7,11 +7,13 @@
 //! definitions by `tests/oracles/mavlink_dialect.py`; the crate `mavlink` would be a type and some
 //! functions for each of its messages. Values come in plain units: centimetres as metres.
 
+mod checksum;
 mod dialect;
 mod frame;
 mod meaning;
 mod parameters;
 mod reader;
+mod row;
 mod units;
 mod vehicle;
 mod words;

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::super::{FieldKind, Log, Parameter};
-use super::meaning::{Row, Sender};
+use super::row::{Row, Sender};
 
 /// A parameter whose four bytes are not understood before the vehicle is known.
 struct Sent {

@@ -6,7 +6,8 @@ use super::super::stepping::{Step, Steps};
 use super::super::{Log, TopicName};
 use super::dialect::{Definition, Dialect};
 use super::frame::{Frame, NoFrame, STAMP, may_begin};
-use super::meaning::{Meaning, Row, Sender};
+use super::meaning::Meaning;
+use super::row::{Row, Sender};
 
 /// Most topics: kinds of messages times their senders. A file made to harm could have millions.
 const MOST_TOPICS: usize = 10_000;

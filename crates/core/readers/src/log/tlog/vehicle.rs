@@ -3,7 +3,7 @@
 use super::super::dataflash::Vehicle;
 use super::super::release::release;
 use super::super::{Log, ModeChange, px4_modes};
-use super::meaning::{Row, Sender};
+use super::row::{Row, Sender};
 
 /// `MAV_AUTOPILOT`: `ArduPilot`'s, PX4's, and what is no autopilot.
 const ARDUPILOT: u8 = 3;

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::super::{Log, LogMessage};
-use super::meaning::{Row, Sender};
+use super::row::{Row, Sender};
 
 /// What stands for pieces that never came.
 const MISSING: &str = " … ";

@@ -1,9 +1,9 @@
 //! What roofs are covered with, as seen from above.
 
+use super::face::Face;
 use super::fields::{line_share, repeated, stripes};
 use super::light::{Color, mix, scale};
 use super::noise::{fractal, hash2, smooth_step, unit};
-use super::roofs::Face;
 use super::things::{Cover, Solid};
 
 /// Fine variation at a place on a roof, and the roof's own tint from 0 to 1.

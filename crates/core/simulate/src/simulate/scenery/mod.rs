@@ -9,6 +9,7 @@ mod coverings;
 mod crowns;
 mod day;
 mod distinct;
+mod face;
 mod farm;
 mod fields;
 mod grid;

@@ -1,6 +1,7 @@
 //! Roofs: planes towards and away from the sun, coverings, parapets, stains.
 
 use super::coverings::{Grain, covering};
+use super::face::Face;
 use super::fields::{line_share, repeated, stripes};
 use super::light::{Color, mix, scale};
 use super::noise::{hash2, unit};
@@ -8,20 +9,6 @@ use super::shape::{Spot, spot};
 use super::texture::individual;
 use super::things::{Cover, Roof, Solid};
 use super::world::World;
-
-/// Form of a roof at a place.
-pub(super) struct Face {
-    pub(super) slope: Spot,
-    pub(super) height: f32,
-    /// Metres down from the ridge, measured level.
-    pub(super) down: f32,
-    /// Metres along the eaves.
-    pub(super) along: f32,
-    /// Share of steep glazing (saw teeth).
-    pub(super) glazing: f32,
-    /// Distance to a ridge or hip, metres.
-    pub(super) ridge: f32,
-}
 
 fn face(solid: &Solid, u: f32, v: f32) -> Face {
     let (a, b) = (solid.slab.half_along, solid.slab.half_across);

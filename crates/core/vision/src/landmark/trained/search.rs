@@ -6,8 +6,8 @@ use nalgebra::Point3;
 
 use super::{DetectorWindow, Variant};
 use crate::landmark::cascade::{Cascade, Responses, responses};
-use crate::landmark::patch::window_around;
 use crate::landmark::template::in_picture;
+use crate::landmark::window::window_around;
 use crate::landmark::{FrameView, GroundView, Refusal, rectify};
 use pilotage_base::frames::{GroundPoint, Pose};
 use pilotage_raster::imagery::Window;

@@ -8,7 +8,7 @@ mod ros;
 mod varint;
 mod wire;
 
-use super::contents::Schema;
+use super::schema::Schema;
 use crate::log::FieldKind;
 use crate::log::growing::{Part, Path, Place, Table};
 

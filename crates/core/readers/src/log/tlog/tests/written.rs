@@ -1,7 +1,7 @@
 //! A file of stamped messages written one by one.
 
+use super::super::checksum::Checksum;
 use super::super::dialect::Dialect;
-use super::super::frame::Checksum;
 
 /// Second zero of the files, microseconds since 1970.
 pub(super) const START: u64 = 1_700_000_000_000_000;

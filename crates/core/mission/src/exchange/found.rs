@@ -1,0 +1,16 @@
+//! What the readers of all formats give.
+
+use crate::mission::found::{FoundLandmark, FoundRoute};
+use pilotage_base::frames::Geodetic;
+
+pub(super) use crate::mission::found::POINT_BOX;
+
+/// What a file brought, still on the globe.
+#[derive(Default)]
+pub(super) struct Found {
+    pub routes: Vec<FoundRoute>,
+    pub landmarks: Vec<FoundLandmark>,
+    pub notes: Vec<String>,
+    /// Origin that the file states.
+    pub origin: Option<Geodetic>,
+}

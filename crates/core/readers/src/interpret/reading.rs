@@ -1,0 +1,62 @@
+//! A place where a role may be found, and how it is read there.
+
+use super::Role;
+
+pub(super) const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+/// How a value is made of the fields of a row.
+///
+/// Those of ROS have the world's axes east, north, up and the body's forward, left, up (REP 103, REP 105).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Reading {
+    /// A field; the factor to SI counts where the log states no unit itself.
+    Field(&'static str, f64),
+    /// An angle of the attitude that takes body to world, as a quaternion in the fields `name[0]` to
+    /// `name[3]`, the real part first.
+    Quaternion(&'static str),
+    /// The north or east part of a speed along a course: speed with its factor, course with its factor.
+    Course(&'static str, f64, &'static str, f64),
+    /// The north or east part of the air's velocity from the direction that wind comes from, with the
+    /// factor of the direction, and its speed.
+    WindFrom(&'static str, f64, &'static str),
+    /// An angle of the attitude that takes body to world after ROS, as a quaternion in the fields `name.x` to
+    /// `name.w`.
+    RosQuaternion(&'static str),
+    /// A kind of fix: none where the field is negative.
+    RosFix(&'static str),
+    /// The height at which the standard atmosphere has the pressure of a field, Pa.
+    Pressure(&'static str),
+}
+
+/// A place where a role may be found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Source {
+    /// The role.
+    pub role: Role,
+    /// Name of the topic, whichever instance comes first; or the [kind](crate::log::Topic::kind) of its
+    /// rows, and after an `@` what has to stand in its name.
+    pub topic: &'static str,
+    /// How a row is read.
+    pub reading: Reading,
+}
+
+pub(super) const fn field(
+    role: Role,
+    topic: &'static str,
+    name: &'static str,
+    factor: f64,
+) -> Source {
+    Source {
+        role,
+        topic,
+        reading: Reading::Field(name, factor),
+    }
+}
+
+pub(super) const fn of(role: Role, topic: &'static str, reading: Reading) -> Source {
+    Source {
+        role,
+        topic,
+        reading,
+    }
+}
