@@ -73,7 +73,10 @@ pub fn test(arguments: &[&str], environment: &[(&str, &str)], quick: bool) -> Re
             all - left - programs.len()
         );
     }
-    let outcomes = run_all(programs, environment);
+    let outcomes = run_all(programs, environment, &|told| {
+        // A closed pipe is no reason to stop.
+        let _ = writeln!(std::io::stdout(), "{told}");
+    });
     let failed: Vec<&str> = outcomes
         .iter()
         .filter(|(_, has_passed)| !has_passed)
@@ -121,8 +124,13 @@ fn of_message(line: &str) -> Option<Program> {
     })
 }
 
-/// Runs the programs, as many at a time as there are cores, each on one; whether each passed.
-fn run_all(programs: Vec<Program>, environment: &[(&str, &str)]) -> Vec<(Program, bool)> {
+/// Runs the programs, as many at a time as there are cores, each on one; whether each passed. How each went is told
+/// when it is over.
+fn run_all(
+    programs: Vec<Program>,
+    environment: &[(&str, &str)],
+    tell: &(dyn Fn(&str) + Sync),
+) -> Vec<(Program, bool)> {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let queue = Mutex::new(programs.into_iter());
     let outcomes = Mutex::new(Vec::new());
@@ -132,7 +140,8 @@ fn run_all(programs: Vec<Program>, environment: &[(&str, &str)]) -> Vec<(Program
                 loop {
                     let next = queue.lock().unwrap_or_else(PoisonError::into_inner).next();
                     let Some(next) = next else { return };
-                    let has_passed = run_one(&next, environment);
+                    let (has_passed, told) = run_one(&next, environment);
+                    tell(&told);
                     let mut outcomes = outcomes.lock().unwrap_or_else(PoisonError::into_inner);
                     outcomes.push((next, has_passed));
                 }
@@ -144,8 +153,8 @@ fn run_all(programs: Vec<Program>, environment: &[(&str, &str)]) -> Vec<(Program
         .unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Runs a program and prints how it went; all that it said if it failed.
-fn run_one(one: &Program, environment: &[(&str, &str)]) -> bool {
+/// Runs a program: whether it passed, and how it went in words, with all that it said if it failed.
+fn run_one(one: &Program, environment: &[(&str, &str)]) -> (bool, String) {
     let mut command: Command = program(&one.executable);
     command.current_dir(&one.folder);
     command.env("CARGO_MANIFEST_DIR", &one.folder);
@@ -168,14 +177,12 @@ fn run_one(one: &Program, environment: &[(&str, &str)]) -> bool {
     let result = result
         .unwrap_or("no result")
         .trim_start_matches("test result: ");
-    let mut out = std::io::stdout().lock();
-    // A closed pipe is no reason to stop.
-    let _ = if has_passed {
-        writeln!(out, "{seconds:>7.1} s  {}: {result}", one.name)
+    let told = if has_passed {
+        format!("{seconds:>7.1} s  {}: {result}", one.name)
     } else {
-        writeln!(out, "FAILED {seconds:.1} s  {}\n{said}", one.name)
+        format!("FAILED {seconds:.1} s  {}\n{said}", one.name)
     };
-    has_passed
+    (has_passed, told)
 }
 
 /// Which programs passed, by what they were.
@@ -278,7 +285,14 @@ mod tests {
             executable: PathBuf::from("/nowhere/b"),
             folder: std::env::temp_dir(),
         };
-        let outcomes = run_all(vec![missing.clone()], &[]);
+        let said = Mutex::new(Vec::new());
+        let tell = |told: &str| said.lock().unwrap().push(told.to_owned());
+        let outcomes = run_all(vec![missing.clone()], &[], &tell);
         assert_eq!(outcomes, [(missing, false)]);
+        let said = said.into_inner().unwrap();
+        assert!(
+            said[0].starts_with("FAILED") && said[0].contains("a/b"),
+            "{said:?}"
+        );
     }
 }
