@@ -8,8 +8,8 @@ use pilotage_core::plan::Candidate;
 use super::{Crew, WorkerPort};
 use crate::jobs::FlightSource;
 use crate::jobs::{
-    AssessmentOrder, COARSE, Job, JobEvent, JobId, MapSource, PredictionOrder, Program, Reply,
-    Request, SimulationOptions, SuggestOrder,
+    AssessmentOrder, COARSE, Job, JobEvent, JobId, MapSource, PredictionOrder, Reply, Request,
+    SimulationOptions, SuggestOrder,
 };
 
 #[derive(Debug, PartialEq)]
@@ -431,159 +431,8 @@ fn two_workers_share_a_proposal_and_a_third_job_chooses() {
     assert_eq!(crew.take_events(), [(id, chosen), (id, JobEvent::Finished)]);
 }
 
-fn train(left: Option<crate::jobs::TrainingLeft>) -> Job {
-    use pilotage_core::frames::{GroundPoint, GroundRect};
-    let bounds = GroundRect::centered(GroundPoint::new(0.0, 0.0), 20.0, 20.0);
-    Job::Train(Box::new(crate::jobs::TrainOrder {
-        map: MapSource::Scenery,
-        landmark: pilotage_core::landmark::Landmark::new(1, "barn", bounds),
-        camera: pilotage_core::camera::CameraModel::pinhole(640, 480, 1.0),
-        height: 120.0,
-        sensors: pilotage_core::navigator::NavigatorSettings::default().sensors,
-        ground_down: 0.0,
-        plan: pilotage_core::training::TrainingPlan::default(),
-        labelled: None,
-        left,
-    }))
-}
+#[path = "crew_program_tests.rs"]
+mod programs;
 
-#[test]
-fn trainings_go_on_side_by_side_and_one_that_is_held_makes_room() {
-    let (mut crew, notes) = crew();
-    let (first, second) = (crew.start(train(None)), crew.start(train(None)));
-    assert_eq!(
-        sent_to(&notes, WHOLE_FLIES),
-        [Request::Start(first, train(None))]
-    );
-    assert_eq!(
-        sent_to(&notes, WHOLE_SHOWS),
-        [Request::Start(second, train(None))]
-    );
-    crew.hold(second, true);
-    let third = crew.start(train(None));
-    let expected = [
-        Request::Start(second, train(None)),
-        Request::Hold(second, true),
-        Request::Start(third, train(None)),
-    ];
-    assert_eq!(sent_to(&notes, WHOLE_SHOWS), expected);
-    assert!(
-        sent_to(&notes, WHOLE_ANSWERS).is_empty(),
-        "questions are answered at once"
-    );
-}
-
-#[test]
-fn a_training_does_not_wait_behind_a_flight_because_tiles_are_drawn_elsewhere() {
-    use pilotage_core::frames::{GroundPoint, GroundRect};
-    let (mut crew, notes) = crew();
-    crew.start(fly());
-    let area = GroundRect::centered(GroundPoint::new(0.0, 0.0), 50.0, 50.0);
-    let window = pilotage_core::imagery::Window::covering(&area, 1.0);
-    for _ in 0..4 {
-        let map = MapSource::Scenery;
-        crew.start(Job::Tile { map, window });
-    }
-    let training = crew.start(train(None));
-    assert_eq!(
-        sent_to(&notes, WHOLE_SHOWS)[0],
-        Request::Start(training, train(None))
-    );
-    assert!(sent_to(&notes, WHOLE_FLIES).is_empty());
-}
-
-#[test]
-fn a_training_whose_worker_dies_goes_on_behind_its_last_whole_stage_and_stays_held() {
-    use crate::jobs::{TrainingLeft, TrainingReport};
-    let (mut crew, notes) = crew();
-    let id = crew.start(train(None));
-    let left = TrainingLeft {
-        progress: vec![4, 5, 6],
-        stages: Vec::new(),
-        seconds: 12.0,
-    };
-    let report = |left| {
-        let report = TrainingReport {
-            fraction: 0.5,
-            phase: pilotage_core::training::TrainingPhase::Mining,
-            stages: Vec::new(),
-            growing: None,
-            seconds: 13.0,
-            left,
-        };
-        Reply::Event(id, JobEvent::Training(Box::new(report)))
-    };
-    crew.receive(WHOLE_FLIES, report(Some(left.clone())));
-    crew.receive(WHOLE_FLIES, report(None));
-    crew.hold(id, true);
-    crew.worker_died(WHOLE_FLIES);
-    let again = [
-        Request::Start(id, train(Some(left))),
-        Request::Hold(id, true),
-    ];
-    let all = sent_to(&notes, WHOLE_FLIES);
-    assert_eq!(all[all.len() - 2..], again);
-}
-
-#[test]
-fn the_small_program_flies_and_the_whole_one_is_opened_by_the_first_job_that_needs_it() {
-    let opened = Rc::new(RefCell::new(Vec::new()));
-    let (list, notes) = (opened.clone(), Notes::default());
-    let mut crew = Crew::new(move |seat, program| {
-        list.borrow_mut().push((seat, program));
-        NotingPort(seat, notes.clone())
-    });
-    crew.start(fly());
-    crew.start(Job::DescribeMap(MapSource::Scenery));
-    assert_eq!(
-        *opened.borrow(),
-        [(0, Program::Flying), (1, Program::Flying)]
-    );
-    crew.start(provide());
-    crew.start(describe_files());
-    assert_eq!(opened.borrow()[2..], [(4, Program::Whole)]);
-}
-
-#[test]
-fn a_small_job_goes_to_the_whole_program_where_only_that_is_there() {
-    let (mut crew, notes) = crew();
-    crew.start(provide());
-    crew.start(describe_files());
-    let scenery = || Job::DescribeMap(MapSource::Scenery);
-    let id = crew.start(scenery());
-    assert_eq!(
-        sent_to(&notes, WHOLE_SHOWS).last(),
-        Some(&Request::Start(id, scenery()))
-    );
-    assert!(!notes.borrow().contains(&Note::Opened(1)));
-}
-
-#[test]
-fn a_flight_waits_for_a_more_urgent_job_that_the_other_program_does_in_its_role() {
-    let (mut crew, notes) = crew();
-    let flight = crew.start(fly());
-    let make = |key: &str| Job::MakeFlight {
-        key: key.to_owned(),
-    };
-    let urgent = crew.start(make("a"));
-    let after = |seat| sent_to(&notes, seat).last().cloned();
-    assert_eq!(after(0), Some(Request::Hold(flight, true)), "it waits");
-    crew.receive(WHOLE_FLIES, Reply::Event(urgent, JobEvent::Finished));
-    assert_eq!(after(0), Some(Request::Hold(flight, false)), "it goes on");
-    // One that the user holds is held after the wait as well, and nothing waits for a held one.
-    crew.hold(flight, true);
-    let urgent = crew.start(make("b"));
-    crew.receive(WHOLE_FLIES, Reply::Event(urgent, JobEvent::Finished));
-    assert_eq!(after(0), Some(Request::Hold(flight, true)));
-    crew.hold(flight, false);
-    let urgent = crew.start(make("c"));
-    crew.hold(urgent, true);
-    assert_eq!(after(0), Some(Request::Hold(flight, false)));
-    // A worker that dies leaves nobody waiting for it.
-    crew.hold(urgent, false);
-    assert_eq!(after(0), Some(Request::Hold(flight, true)));
-    for _ in 0..3 {
-        crew.worker_died(WHOLE_FLIES);
-    }
-    assert_eq!(after(0), Some(Request::Hold(flight, false)));
-}
+#[path = "crew_training_tests.rs"]
+mod trainings;

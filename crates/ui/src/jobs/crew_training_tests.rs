@@ -1,0 +1,97 @@
+//! Where trainings go on, and what becomes of one whose worker dies.
+
+use super::*;
+
+fn train(left: Option<crate::jobs::TrainingLeft>) -> Job {
+    use pilotage_core::frames::{GroundPoint, GroundRect};
+    let bounds = GroundRect::centered(GroundPoint::new(0.0, 0.0), 20.0, 20.0);
+    Job::Train(Box::new(crate::jobs::TrainOrder {
+        map: MapSource::Scenery,
+        landmark: pilotage_core::landmark::Landmark::new(1, "barn", bounds),
+        camera: pilotage_core::camera::CameraModel::pinhole(640, 480, 1.0),
+        height: 120.0,
+        sensors: pilotage_core::navigator::NavigatorSettings::default().sensors,
+        ground_down: 0.0,
+        plan: pilotage_core::training::TrainingPlan::default(),
+        labelled: None,
+        left,
+    }))
+}
+
+#[test]
+fn trainings_go_on_side_by_side_and_one_that_is_held_makes_room() {
+    let (mut crew, notes) = crew();
+    let (first, second) = (crew.start(train(None)), crew.start(train(None)));
+    assert_eq!(
+        sent_to(&notes, WHOLE_FLIES),
+        [Request::Start(first, train(None))]
+    );
+    assert_eq!(
+        sent_to(&notes, WHOLE_SHOWS),
+        [Request::Start(second, train(None))]
+    );
+    crew.hold(second, true);
+    let third = crew.start(train(None));
+    let expected = [
+        Request::Start(second, train(None)),
+        Request::Hold(second, true),
+        Request::Start(third, train(None)),
+    ];
+    assert_eq!(sent_to(&notes, WHOLE_SHOWS), expected);
+    assert!(
+        sent_to(&notes, WHOLE_ANSWERS).is_empty(),
+        "questions are answered at once"
+    );
+}
+
+#[test]
+fn a_training_does_not_wait_behind_a_flight_because_tiles_are_drawn_elsewhere() {
+    use pilotage_core::frames::{GroundPoint, GroundRect};
+    let (mut crew, notes) = crew();
+    crew.start(fly());
+    let area = GroundRect::centered(GroundPoint::new(0.0, 0.0), 50.0, 50.0);
+    let window = pilotage_core::imagery::Window::covering(&area, 1.0);
+    for _ in 0..4 {
+        let map = MapSource::Scenery;
+        crew.start(Job::Tile { map, window });
+    }
+    let training = crew.start(train(None));
+    assert_eq!(
+        sent_to(&notes, WHOLE_SHOWS)[0],
+        Request::Start(training, train(None))
+    );
+    assert!(sent_to(&notes, WHOLE_FLIES).is_empty());
+}
+
+#[test]
+fn a_training_whose_worker_dies_goes_on_behind_its_last_whole_stage_and_stays_held() {
+    use crate::jobs::{TrainingLeft, TrainingReport};
+    let (mut crew, notes) = crew();
+    let id = crew.start(train(None));
+    let left = TrainingLeft {
+        progress: vec![4, 5, 6],
+        stages: Vec::new(),
+        seconds: 12.0,
+    };
+    let report = |left| {
+        let report = TrainingReport {
+            fraction: 0.5,
+            phase: pilotage_core::training::TrainingPhase::Mining,
+            stages: Vec::new(),
+            growing: None,
+            seconds: 13.0,
+            left,
+        };
+        Reply::Event(id, JobEvent::Training(Box::new(report)))
+    };
+    crew.receive(WHOLE_FLIES, report(Some(left.clone())));
+    crew.receive(WHOLE_FLIES, report(None));
+    crew.hold(id, true);
+    crew.worker_died(WHOLE_FLIES);
+    let again = [
+        Request::Start(id, train(Some(left))),
+        Request::Hold(id, true),
+    ];
+    let all = sent_to(&notes, WHOLE_FLIES);
+    assert_eq!(all[all.len() - 2..], again);
+}
