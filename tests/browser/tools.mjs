@@ -93,8 +93,16 @@ export function makeTools({ page, address, pictures, watched, atEnd, said }) {
     /** Waits until what was done is drawn: one frame takes it in, the next shows it. */
     drawn: () => page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); })),
 
-    /** Clicks the middle of a node. */
+    /** Clicks the middle of a node, once it has come to rest: what stands above it may just have grown. */
     async click(node) {
+      const key = ({ role, label, value }) => JSON.stringify([role, label, value]);
+      for (let tries = 0; tries < 6; tries += 1) {
+        await tools.drawn();
+        const same = (await tools.a11y()).filter((other) => key(other) === key(node));
+        const moved = same.length === 1 && String(same[0].rect) !== String(node.rect);
+        if (!moved) break;
+        [node] = same;
+      }
       const { x, y } = tools.middle(node);
       await page.mouse.click(x, y);
     },
