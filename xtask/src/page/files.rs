@@ -5,17 +5,15 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::PROGRAMS;
+use super::{PROGRAMS, module_name};
 use crate::{failure::Failure, places};
 
 /// Makes `dist` an empty folder. Refuses one that holds something else than a page.
 pub fn clear(dist: &Path) -> Result<(), Failure> {
     if dist.exists() {
         let mut entries = fs::read_dir(dist).map_err(Failure::file(dist))?;
-        let is_page = dist
-            .join("pkg")
-            .join(format!("{}.js", PROGRAMS[0].replace('-', "_")))
-            .is_file();
+        let glue = format!("{}.js", module_name(PROGRAMS[0]));
+        let is_page = dist.join("pkg").join(glue).is_file();
         if entries.next().is_some() && !is_page {
             return Err(Failure::ForeignFolder(dist.to_owned()));
         }

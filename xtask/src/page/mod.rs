@@ -25,6 +25,11 @@ pub const PROGRAMS: [&str; 3] = [
     "pilotage-worker-whole",
 ];
 
+/// Name of a package's program in `pkg/`, without its endings.
+pub fn module_name(package: &str) -> String {
+    package.replace('-', "_")
+}
+
 /// How a page is built.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Profile {

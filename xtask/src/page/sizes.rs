@@ -2,7 +2,7 @@
 
 use std::{fs, path::Path};
 
-use super::{PROGRAMS, Profile, compress::beside, files, wasm, weights};
+use super::{PROGRAMS, Profile, compress::beside, files, module_name, wasm, weights};
 use crate::{failure::Failure, places};
 
 /// Crates that are printed of a program that is over its budget.
@@ -48,11 +48,8 @@ pub fn check(profile: Profile, dist: &Path) -> Result<(), Failure> {
         budgets(&text, profile).map_err(|reason| Failure::Content { path: file, reason })?;
     let mut over = Vec::new();
     for (name, budget) in &budgets {
-        let weight = size(
-            &dist
-                .join("pkg")
-                .join(format!("{}_bg.wasm.br", name.replace('-', "_"))),
-        )?;
+        let file = format!("{}_bg.wasm.br", module_name(name));
+        let weight = size(&dist.join("pkg").join(file))?;
         println!("{name}: {weight} bytes with brotli, of {budget}");
         if weight <= *budget {
             continue;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use wasm_bindgen_cli_support::Bindgen;
 
-use super::{PROGRAMS, Profile};
+use super::{PROGRAMS, Profile, module_name};
 use crate::{failure::Failure, places, process, progress::step};
 
 /// The target of the page.
@@ -41,7 +41,7 @@ pub fn compile(profile: Profile) -> Result<[PathBuf; PROGRAMS.len()], Failure> {
 
 /// The program of a package as the compiler leaves it, with its names.
 pub fn module(profile: Profile, package: &str) -> PathBuf {
-    let name = package.replace('-', "_");
+    let name = module_name(package);
     let folder = places::target().join(TARGET).join(profile.name());
     folder.join(format!("{name}.wasm"))
 }
