@@ -1,4 +1,4 @@
-//! What a prediction is asked for.
+//! The request for a prediction, and its errors.
 
 use super::DetectionStatistics;
 use pilotage_mission::settings::NavigatorSettings;

@@ -1,8 +1,8 @@
-//! What a picture may undergo.
+//! Kinds of transforms from pixels to the ground.
 
 use serde::{Deserialize, Serialize};
 
-/// What a picture may undergo on its way to the ground.
+/// A kind of transform from pixels to the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum TransformKind {
     /// Shift, turn, one scale: two points. For pictures that look straight down.

@@ -1,11 +1,11 @@
-//! What the readers of all formats give.
+//! The common result of the readers of all formats.
 
 use crate::mission::found::{FoundLandmark, FoundRoute};
 use pilotage_base::frames::Geodetic;
 
 pub(super) use crate::mission::found::POINT_BOX;
 
-/// What a file brought, still on the globe.
+/// The content of a file, still on the globe.
 #[derive(Default)]
 pub(super) struct Found {
     pub routes: Vec<FoundRoute>,
