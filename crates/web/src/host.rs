@@ -225,11 +225,12 @@ impl Host for PageHost {
         let addresses = wanted_addresses(&job);
         if addresses.is_empty() {
             let mut inner = self.inner.borrow_mut();
-            let id = inner.crew.start(job.clone());
+            let id = inner.crew.reserve();
             let first = inner.prelude.begin(id, &job);
             inner
                 .told_first
                 .extend(first.into_iter().map(|it| (id, it)));
+            inner.crew.start_as(id, job);
             return id;
         }
         self.fetch_for(job, addresses)

@@ -6,7 +6,7 @@ use crate::documents::{
     Documents, Ground, SESSION_KEY, Session, TERRAIN_KEY, UNREAD_KEY, VIEW_KEY, ViewState,
 };
 use crate::host::Host;
-use crate::jobs::{FirstSeconds, FlightSource};
+use crate::jobs::{FirstMap, FirstSeconds, FlightSource};
 use crate::log::{OwnPresets, PRESETS_KEY};
 use crate::shell::keys::ShortcutListener;
 use crate::shell::{Toasts, apply_theme, fonts};
@@ -132,8 +132,8 @@ impl App {
     /// Shows the stored picture of the demo's ground until its tiles are there.
     fn lay_first_ground(&mut self, context: &egui::Context, host: &dyn Host) {
         let first = host.recall(FirstSeconds::KEY);
-        let first = first.and_then(|bytes| FirstSeconds::decode(&bytes));
-        let is_shown = |first: &FirstSeconds| first.map == self.documents.map_source;
+        let first = first.and_then(|bytes| FirstMap::decode(&bytes));
+        let is_shown = |first: &FirstMap| first.source == self.documents.map_source;
         let pixels = host.recall(FirstSeconds::GROUND_KEY);
         let (Some(first), Some(pixels)) = (first.filter(is_shown), pixels) else {
             return;

@@ -99,8 +99,13 @@ impl<P: WorkerPort> Crew<P> {
 
     /// Begins a job.
     pub fn start(&mut self, job: Job) -> JobId {
-        self.last_job += 1;
-        let id = self.last_job;
+        let id = self.reserve();
+        self.start_as(id, job);
+        id
+    }
+
+    /// Begins a job under a reserved number.
+    pub fn start_as(&mut self, id: JobId, job: Job) {
         if let Job::Provide { key, files } = job {
             for seat in &mut self.seats {
                 seat.holds.remove(&key);
@@ -110,7 +115,6 @@ impl<P: WorkerPort> Crew<P> {
         } else {
             self.share_out(id, job);
         }
-        id
     }
 
     /// Gives a job to a worker, or to those that share it.

@@ -69,7 +69,7 @@ pub use logs::ReadLog;
 pub use messages::{Reply, Request};
 pub use pack::PackOrder;
 pub use predict::{COARSE, PredictionOrder};
-pub use prelude::{FirstSeconds, Prelude};
+pub use prelude::{FirstMap, FirstSeconds, Prelude};
 pub use programs::{Abilities, Program};
 pub use protocol::{
     DetectorSearch, Distinctness, ExplainedBy, FlightSource, Job, JobEvent, JobId, MapInfo,

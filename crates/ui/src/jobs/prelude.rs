@@ -12,17 +12,32 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Run, StepReport, StepTiming};
 use serde::{Deserialize, Serialize};
 
-use super::{FlightSource, Job, JobEvent, JobId, MapInfo, MapSource, whole_bytes};
+use super::{EncodedPicture, FlightSource, Job, JobEvent, JobId, MapInfo, MapSource};
 
-/// What is stored: of the first jobs of a visit, which describe a map and fly over it.
+/// The map of the first seconds.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct FirstSeconds {
-    /// The map.
-    pub map: MapSource,
-    /// What is known of it.
-    pub map_info: MapInfo,
+pub struct FirstMap {
+    /// Its source.
+    pub source: MapSource,
+    /// Its description.
+    pub info: MapInfo,
     /// The ground that the picture beside it shows, which stands in for tiles of the map.
     pub ground: GroundRect,
+}
+
+impl FirstMap {
+    /// From a file of the page, without the rest of it; `None` if another version of the program made it.
+    pub fn decode(bytes: &[u8]) -> Option<Self> {
+        let (map, _) = postcard::take_from_bytes(bytes).ok()?;
+        Some(map)
+    }
+}
+
+/// The stored first seconds: of the first jobs of a visit, which describe a map and fly over it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FirstSeconds {
+    /// The map, first in the file: the view needs no more of it.
+    pub map: FirstMap,
     /// Where the flight is from.
     pub source: FlightSource,
     /// The flight.
@@ -36,10 +51,6 @@ pub struct FirstSeconds {
     /// Some of the first pictures, by their index.
     pub pictures: BTreeMap<usize, EncodedPicture>,
 }
-
-/// A picture as JPEG.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct EncodedPicture(#[serde(with = "whole_bytes")] pub Vec<u8>);
 
 impl FirstSeconds {
     /// Key under which the page remembers it.
@@ -100,15 +111,15 @@ impl Prelude {
             return Vec::new();
         };
         match job {
-            Job::DescribeMap(map) if *map == stored.map => {
+            Job::DescribeMap(map) if *map == stored.map.source => {
                 self.describing = Some(id);
-                vec![JobEvent::MapInfo(stored.map_info.clone())]
+                vec![JobEvent::MapInfo(stored.map.info.clone())]
             }
             Job::Fly {
                 flight,
                 map,
                 mission: None,
-            } if *flight == stored.source && *map == stored.map => {
+            } if *flight == stored.source && *map == stored.map.source => {
                 self.flying = Some(id);
                 self.steps = 0;
                 let pictures = stored.pictures.keys().filter_map(|i| stored.picture(*i));
@@ -137,7 +148,7 @@ impl Prelude {
             return match &event {
                 JobEvent::MapInfo(info) => {
                     self.compared += 1;
-                    if *info == stored.map_info {
+                    if *info == stored.map.info {
                         return Vec::new();
                     }
                     self.different += 1;

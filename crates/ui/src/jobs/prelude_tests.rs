@@ -85,9 +85,11 @@ fn of_events(events: impl IntoIterator<Item = JobEvent>) -> FirstSeconds {
     let center = GroundPoint::new(start.north.round(), start.east.round());
     let demo = Session::demo();
     FirstSeconds {
-        map: demo.map,
-        map_info: map_info.expect("a map"),
-        ground: GroundRect::centered(center, 2.0 * REACH, 2.0 * REACH),
+        map: FirstMap {
+            source: demo.map,
+            info: map_info.expect("a map"),
+            ground: GroundRect::centered(center, 2.0 * REACH, 2.0 * REACH),
+        },
         source: demo.flight,
         flight: flight.expect("a flight"),
         mission: mission.expect("a mission"),
@@ -125,8 +127,8 @@ fn computed() -> (FirstSeconds, Picture) {
         }
     }
     let first = of_events(events);
-    let map = workshop.map(&first.map).expect("the scenery");
-    let pixels = map.window(&Window::covering(&first.ground, GROUND_GSD));
+    let map = workshop.map(&first.map.source).expect("the scenery");
+    let pixels = map.window(&Window::covering(&first.map.ground, GROUND_GSD));
     (first, pixels.map(|[r, g, b, _]| [r, g, b]))
 }
 
@@ -212,7 +214,9 @@ fn the_stored_first_seconds_are_what_the_program_computes() {
     let anew =
         "the program computes something else by now: `cargo xtask first-seconds` stores it anew";
     let stored = std::fs::read(&seconds).expect(anew);
+    let head = FirstMap::decode(&stored).expect(anew);
     let stored = FirstSeconds::decode(&stored).expect(anew);
+    assert_eq!(head, stored.map);
     for (index, encoded) in &stored.pictures {
         let [one, other] = [encoded, &computed.pictures[index]].map(|it| decode_picture(&it.0));
         let off = rms(&one.unwrap(), &other.unwrap());
@@ -243,7 +247,7 @@ fn begun() -> (Prelude, Vec<JobEvent>) {
     let stored = FirstSeconds::decode(&bytes).unwrap();
     let fly = Job::Fly {
         flight: stored.source.clone(),
-        map: stored.map.clone(),
+        map: stored.map.source.clone(),
         mission: None,
     };
     let mut prelude = Prelude::new(Some(stored));

@@ -15,7 +15,7 @@ use super::running::Once;
 use super::{FlightSource, Job, JobEvent, MapSource, RunningJob, Workshop};
 
 /// A program of a worker.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Program {
     /// Flies over the generated ground and shows it; small, and there first.
     Flying,
@@ -41,14 +41,6 @@ impl Program {
             Self::Flying
         } else {
             Self::Whole
-        }
-    }
-
-    /// What it can do.
-    pub fn abilities(self) -> Abilities {
-        match self {
-            Self::Flying => Abilities::FLYING,
-            Self::Whole => Abilities::WHOLE,
         }
     }
 }
