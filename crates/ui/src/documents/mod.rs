@@ -2,6 +2,7 @@
 
 mod add;
 mod edit;
+mod findings;
 mod ground;
 mod history;
 pub mod kept;

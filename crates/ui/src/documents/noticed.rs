@@ -1,9 +1,7 @@
-//! What a run and its pictures say of the flight, beside what its log says.
+//! What was noticed in a run.
 
-use pilotage_core::alignment::camera_findings;
 use pilotage_core::flight::overview::Finding;
-
-use super::Documents;
+use pilotage_core::navigator::Run;
 
 /// What was noticed in a run.
 #[derive(Clone, Debug, Default)]
@@ -13,25 +11,26 @@ pub struct Noticed {
     findings: Vec<Finding>,
 }
 
-impl Documents {
-    /// Looks over the run if it is complete and was not looked over yet.
-    pub fn tend_noticed(&mut self) {
-        let is_known = self.noticed.run == Some(self.run_generation);
-        if let Some(run) = self.run.as_ref().filter(|_| self.run_complete && !is_known) {
-            self.noticed = Noticed {
-                run: Some(self.run_generation),
-                findings: run.findings(),
-            };
-        }
+impl Noticed {
+    /// Whether the run of that generation was looked over.
+    pub fn is_of(&self, generation: u64) -> bool {
+        self.run == Some(generation)
     }
 
-    /// What the pictures say of the camera as it is flown, and what the navigator doubted in the run that is shown.
-    pub fn noticed(&self) -> Vec<Finding> {
-        let left = self.camera_log.left();
-        let mut all = left.map_or_else(Vec::new, |left| camera_findings(&left));
-        if self.noticed.run == Some(self.run_generation) {
-            all.extend_from_slice(&self.noticed.findings);
+    /// Looks over a run.
+    pub fn look_over(&mut self, run: &Run, generation: u64) {
+        *self = Self {
+            run: Some(generation),
+            findings: run.findings(),
+        };
+    }
+
+    /// What was noticed in the run of that generation; nothing while it was not looked over.
+    pub fn of(&self, generation: u64) -> &[Finding] {
+        if self.is_of(generation) {
+            &self.findings
+        } else {
+            &[]
         }
-        all
     }
 }

@@ -1,0 +1,24 @@
+//! What a run and its pictures say of the flight, beside what its log says.
+
+use pilotage_core::alignment::camera_findings;
+use pilotage_core::flight::overview::Finding;
+
+use super::Documents;
+
+impl Documents {
+    /// Looks over the run if it is complete and was not looked over yet.
+    pub fn tend_noticed(&mut self) {
+        let is_known = self.noticed.is_of(self.run_generation);
+        if let Some(run) = self.run.as_ref().filter(|_| self.run_complete && !is_known) {
+            self.noticed.look_over(run, self.run_generation);
+        }
+    }
+
+    /// What the pictures say of the camera as it is flown, and what the navigator doubted in the run that is shown.
+    pub fn noticed(&self) -> Vec<Finding> {
+        let left = self.camera_log.left();
+        let mut all = left.map_or_else(Vec::new, |left| camera_findings(&left));
+        all.extend_from_slice(self.noticed.of(self.run_generation));
+        all
+    }
+}
