@@ -2,7 +2,9 @@
 
 mod canvas;
 mod coordinates;
+mod marks;
 mod over_map;
+mod over_picture;
 mod panel;
 mod state;
 

@@ -4,7 +4,7 @@ use egui::{Align2, Painter, Pos2, Response, vec2};
 use nalgebra::Point2;
 
 use super::Georeferencer;
-use super::canvas::{nearest, paint_pending, paint_point, stretch};
+use super::marks::{nearest, paint_pending, paint_point, stretch};
 use crate::map::{ScreenFromWorld, paint_halo_text};
 use crate::tokens::Tokens;
 

@@ -1,0 +1,79 @@
+//! Control points as they are drawn and taken, in the picture and on the map alike.
+
+use egui::{Align2, Painter, Pos2, Stroke, pos2, vec2};
+
+use crate::map::paint_halo_text;
+use crate::tokens::Tokens;
+
+/// How near a point has to be to be taken, points.
+const REACH: f32 = 12.0;
+
+/// Length on screen that the largest residual is drawn with at most, points.
+const LONGEST_ARROW: f32 = 60.0;
+
+/// The nearest of `places` within reach of `at`.
+pub fn nearest(places: &[Pos2], at: Pos2) -> Option<usize> {
+    let near = |(_, p): &(usize, &Pos2)| p.distance(at) <= REACH;
+    let all = places.iter().enumerate().filter(near);
+    all.min_by(|a, b| a.1.distance(at).total_cmp(&b.1.distance(at)))
+        .map(|(index, _)| index)
+}
+
+/// Screen points per unit at which the largest arrow is well seen, but never drawn smaller than it is.
+pub fn stretch(arrows: &[egui::Vec2], points_per_unit: f32) -> f32 {
+    let largest = arrows.iter().map(|a| a.length()).fold(0.0, f32::max);
+    if largest <= 0.0 {
+        return 0.0;
+    }
+    (LONGEST_ARROW / largest).max(points_per_unit)
+}
+
+/// Draws a control point with its number and its residual.
+pub fn paint_point(
+    painter: &Painter,
+    at: Pos2,
+    index: usize,
+    enabled: bool,
+    chosen: bool,
+    arrow: Option<egui::Vec2>,
+    tokens: &Tokens,
+) {
+    let color = match (enabled, chosen) {
+        (_, true) => tokens.accent,
+        (true, false) => tokens.observed,
+        (false, false) => tokens.muted,
+    };
+    if let Some(arrow) = arrow.filter(|a| a.length() > 1.0) {
+        painter.arrow(at, arrow, Stroke::new(3.5, tokens.outline()));
+        painter.arrow(at, arrow, Stroke::new(2.0, tokens.corrected));
+    }
+    let radius = if chosen { 7.0 } else { 5.0 };
+    painter.circle_stroke(at, radius, Stroke::new(4.0, tokens.outline()));
+    painter.circle_stroke(at, radius, Stroke::new(2.0, color));
+    painter.circle_filled(at, 1.5, color);
+    if !enabled {
+        let arm = vec2(radius, radius);
+        painter.line_segment([at - arm, at + arm], Stroke::new(1.5, color));
+    }
+    let label = pos2(at.x + radius + 3.0, at.y - radius);
+    let text = (index + 1).to_string();
+    paint_halo_text(
+        painter,
+        label,
+        Align2::LEFT_BOTTOM,
+        &text,
+        tokens.normal(),
+        color,
+    );
+}
+
+/// Draws a point that is known on this side only.
+pub fn paint_pending(painter: &Painter, at: Pos2, tokens: &Tokens) {
+    for (from, to) in [
+        (vec2(-10.0, 0.0), vec2(10.0, 0.0)),
+        (vec2(0.0, -10.0), vec2(0.0, 10.0)),
+    ] {
+        painter.line_segment([at + from, at + to], Stroke::new(4.0, tokens.outline()));
+        painter.line_segment([at + from, at + to], Stroke::new(2.0, tokens.accent));
+    }
+}
