@@ -5,9 +5,9 @@ use std::collections::{HashMap, VecDeque};
 use nalgebra::{Matrix4, Vector4};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::plan::{DetectionStatistics, Envelope, ExpectedDetection};
-use serde::{Deserialize, Serialize};
 
 use super::kept::{Basis, KeptMeasurement, MEASURED_KEY, decode, encode, use_what_is_true};
+use super::measured::Measured;
 use crate::documents::Documents;
 use crate::host::Host;
 use crate::jobs::{Assessment, AssessmentOrder, Job, JobEvent, JobId, MapSource};
@@ -25,15 +25,6 @@ pub fn assumed() -> ExpectedDetection {
         per_frame: ASSUMED_PER_FRAME,
         covariance: Matrix4::from_diagonal(&spread.map(|sd: f64| sd * sd)),
     }
-}
-
-/// What was measured of a landmark.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Measured {
-    /// The last measurement.
-    pub last: Assessment,
-    /// By height.
-    pub statistics: DetectionStatistics,
 }
 
 /// Landmark ids being measured, and what came of it.

@@ -4,8 +4,9 @@ use egui::{Align2, Pos2, Rect, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
 use pilotage_core::landmark::Landmark;
 
 use super::PlanCommand;
-use super::assessments::{ASSUMED_PER_FRAME, ASSUMED_RECOGNISED, Measured};
+use super::assessments::{ASSUMED_PER_FRAME, ASSUMED_RECOGNISED};
 use super::marking::Purpose;
+use super::measured::Measured;
 use super::panel::button;
 use super::planner::Planner;
 use super::tallies;

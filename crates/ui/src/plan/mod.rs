@@ -19,6 +19,7 @@ mod landmarks_tab;
 mod lanes;
 pub(crate) mod legs;
 mod marking;
+mod measured;
 mod paint;
 mod panel;
 mod patterns;
@@ -38,7 +39,7 @@ mod way_points;
 mod words;
 
 pub use aircraft::energy_left;
-pub use assessments::{Assessments, Measured};
+pub use assessments::Assessments;
 pub use brief::{
     BriefLandmark, BriefScene, MOST_LANDMARKS, STYLE as BRIEF_STYLE, brief, brief_area,
 };
@@ -49,6 +50,7 @@ pub use forecast::Forecast;
 pub use heat::HeatCommand;
 pub use kept::{KeptMeasurement, MEASURED_KEY};
 pub use marking::{Marking, Purpose};
+pub use measured::Measured;
 pub use patterns::{Circumstances, Cover, Pattern};
 pub use planner::{PlanPreferences, PlanTab, Planner};
 pub use readouts::plan_readouts;
