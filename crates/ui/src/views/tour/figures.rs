@@ -9,7 +9,8 @@ use super::super::chart::Axes;
 use super::super::inspector::sentence::sigma;
 use super::super::parts::{self, figures};
 use super::super::{ellipse, picking};
-use super::moment::{self, Moment};
+use super::find::{accepted_nis, degrees_of_freedom, longest_gap};
+use super::moment::Moment;
 use super::stop::Stop;
 use super::unscented;
 use crate::context::ViewContext;
@@ -458,7 +459,7 @@ fn spread(painter: &Painter, rect: Rect, context: &ViewContext<'_>, run: &Run) {
     let Some(span) = run.span() else { return };
     let highest = thinned(run).map(|s| sigma(&s.after)).fold(0.0, f64::max);
     let axes = time_axes(rect, tokens, span, (0.0, 1.1 * factor * highest));
-    if let Some((from, to)) = moment::longest_gap(run) {
+    if let Some((from, to)) = longest_gap(run) {
         let x = axes.screen_x(run.steps[from].time)..=axes.screen_x(run.steps[to].time);
         let shade = Rect::from_x_y_ranges(x, axes.rect.y_range());
         painter.rect_filled(shade, 0.0, tokens.dead_reckoning.gamma_multiply(0.18));
@@ -517,9 +518,9 @@ fn bearing(painter: &Painter, rect: Rect, tokens: &Tokens, alpha: f64) {
 /// How often each NIS occurred, beside the chi-square density with two degrees of freedom.
 fn histogram(painter: &Painter, rect: Rect, tokens: &Tokens, run: &Run) {
     const BINS: usize = 24;
-    let freedom = moment::degrees_of_freedom(run) as f64;
+    let freedom = degrees_of_freedom(run) as f64;
     let highest_nis = chi_square_quantile(0.998, freedom);
-    let values = moment::accepted_nis(run);
+    let values = accepted_nis(run);
     let mut counts = [0_usize; BINS];
     for value in &values {
         let bin = (value / highest_nis * BINS as f64) as usize;

@@ -1,6 +1,7 @@
 //! Learn: a guided tour over the run on screen, with a telling moment at every stop.
 
 mod figures;
+mod find;
 mod moment;
 mod stop;
 mod unscented;
@@ -113,7 +114,7 @@ impl Tour {
         }
         let moment = context
             .run
-            .and_then(|run| moment::find(self.current(), run, context.flight, context.units));
+            .and_then(|run| find::find(self.current(), run, context.flight, context.units));
         self.found = Some((steps, moment));
     }
 
