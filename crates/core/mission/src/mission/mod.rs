@@ -5,6 +5,7 @@
 mod error;
 pub(crate) mod found;
 pub(crate) mod globe;
+mod labelling;
 mod labels;
 mod no_fly;
 pub mod package;
