@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, Dyn, SVector};
 
-use super::{CorrectedStep, Engine, Expectation, MeasurementModel, PredictedStep};
+use super::door::{CorrectedStep, Engine, Expectation, MeasurementModel, PredictedStep};
 use crate::navigator::Estimate;
 use pilotage_base::frames::GroundPoint;
 use pilotage_estimation::filter::{

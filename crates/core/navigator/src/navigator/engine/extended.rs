@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, Dyn};
 
-use super::Expectation;
+use super::door::Expectation;
 use super::estimator::{Corrected, Estimator, StateModel};
 use pilotage_estimation::filter::{
     Ekf, FilterError, Gaussian, PredictedMeasurement, Prediction, SigmaPoints, partial_jacobian,

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, Dyn};
 
-use super::Expectation;
+use super::door::Expectation;
 use super::estimator::{Corrected, Estimator, StateModel};
 use pilotage_estimation::filter::{FilterError, Gaussian, ParticleFilter, Prediction, SigmaPoints};
 use pilotage_estimation::vehicle::{ControlInput, VehicleModel};

@@ -3,7 +3,9 @@
 use nalgebra::{DMatrix, DVector, Vector2, dvector};
 
 use super::*;
+use crate::navigator::Estimate;
 use pilotage_base::frames::Attitude;
+use pilotage_estimation::vehicle::ControlInput;
 use pilotage_mission::settings::{EstimatorSettings, VehicleChoice};
 
 fn settings(choice: EstimatorChoice, vehicle: VehicleChoice) -> NavigatorSettings {

@@ -1,0 +1,74 @@
+//! What a filter with its vehicle model can be asked, and what it answers.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::navigator::Estimate;
+use pilotage_base::frames::GroundPoint;
+use pilotage_estimation::filter::FilterError;
+use pilotage_estimation::vehicle::ControlInput;
+
+/// What a measurement model may know of a state: position and the heading's bias, radians.
+pub type MeasurementModel<'a> = dyn Fn(GroundPoint, f64) -> Option<DVector<f64>> + 'a;
+
+/// A prediction, for the report.
+pub struct PredictedStep {
+    pub before: Estimate,
+    pub after: Estimate,
+    pub sigma_before: DMatrix<f64>,
+    pub sigma_after: DMatrix<f64>,
+}
+
+/// What a measurement should be.
+pub struct Expectation {
+    pub mean: DVector<f64>,
+    pub covariance: DMatrix<f64>,
+}
+
+/// A correction, for the report.
+pub struct CorrectedStep {
+    pub gain: DMatrix<f64>,
+    pub innovation: DVector<f64>,
+    pub innovation_covariance: DMatrix<f64>,
+    pub sigma_before: DMatrix<f64>,
+    pub sigma_after: DMatrix<f64>,
+    pub after: Estimate,
+}
+
+/// A filter with its vehicle model.
+pub trait Engine: Send {
+    fn state(&self) -> Estimate;
+
+    /// Names and units of the state's components.
+    fn components(&self) -> Vec<(String, String)>;
+
+    /// Bias of the heading in the present state, radians; zero without such a state.
+    fn heading_bias(&self) -> f64;
+
+    fn predict(&mut self, input: &ControlInput, dt: f64) -> Result<PredictedStep, FilterError>;
+
+    /// Takes what is measured for what was before the inputs of `past` (with their lengths in seconds, the
+    /// latest first), from here on.
+    fn look_back(&mut self, past: Vec<(ControlInput, f64)>);
+
+    /// Where the vehicle was when what is measured happened.
+    fn seen_from(&self) -> GroundPoint;
+
+    /// The same filter with `factor` times its covariance.
+    fn faded(&self, factor: f64) -> Result<Box<dyn Engine>, FilterError>;
+
+    /// Moves a state by the process model alone.
+    fn dead_reckon(&self, state: &DVector<f64>, input: &ControlInput, dt: f64) -> DVector<f64>;
+
+    fn expect(
+        &self,
+        model: &MeasurementModel<'_>,
+        noise: &DMatrix<f64>,
+    ) -> Result<Expectation, FilterError>;
+
+    fn correct(
+        &mut self,
+        model: &MeasurementModel<'_>,
+        noise: &DMatrix<f64>,
+        measurement: &DVector<f64>,
+    ) -> Result<CorrectedStep, FilterError>;
+}
