@@ -1,7 +1,11 @@
 //! Studies: the same flights navigated in several ways, judged in one table.
 
 mod compare;
+mod contender;
+mod row;
 mod tally;
 
-pub use compare::{Comparison, ComparisonRow, Contender};
+pub use compare::Comparison;
+pub use contender::Contender;
+pub use row::ComparisonRow;
 pub use tally::Tally;
