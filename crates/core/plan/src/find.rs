@@ -6,16 +6,11 @@
 //! stated worst, the cheapest path that never exceeds it. The least mean is that of the cheapest paths
 //! where every metre without a fix has a price.
 
-use std::sync::Arc;
-
-use nalgebra::Vector2;
-use serde::{Deserialize, Serialize};
-
-use super::blind_way::{Ground, Pace, Unsure};
-use super::field::Localizability;
+use super::found::{FoundRoute, FoundRoutes};
 use super::graph::{Aimed, Graph};
-use super::no_fly::{NoFlyArea, Obstacles};
-use super::smooth::{Turns, fits, flown, polish, pull_tight};
+use super::question::{Aim, RouteQuestion};
+use super::smooth::{polish, pull_tight};
+use super::turns::fits;
 use pilotage_base::frames::{GroundPoint, GroundRect};
 use pilotage_mission::settings::NavigatorSettings;
 
@@ -33,88 +28,6 @@ const CLOSE: f64 = 0.02;
 const SIMPLER: f64 = 0.04;
 /// Prices of a metre beside those without a fix, in worst metres of the shortest route.
 const PRICES: [f64; 6] = [0.0, 0.03, 0.08, 0.2, 0.5, 1.0];
-
-/// What the budget is about.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum BudgetOf {
-    /// The time in the wind.
-    #[default]
-    Time,
-    /// The length.
-    Length,
-}
-
-/// What is to be least.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Aim {
-    /// The worst uncertainty on the way.
-    #[default]
-    Worst,
-    /// The mean uncertainty over the way.
-    Mean,
-}
-
-/// Whether a place is forbidden, e.g. because the ground is too high there.
-pub type Forbidden = Arc<dyn Fn(&GroundPoint) -> bool + Send + Sync>;
-
-/// What to find.
-#[derive(Clone)]
-pub struct RouteQuestion {
-    /// Where the route begins; the position is known there.
-    pub from: GroundPoint,
-    /// Where it ends.
-    pub to: GroundPoint,
-    /// Where a fix would be had.
-    pub field: Arc<Localizability>,
-    /// Shorter side of the picture on the ground, metres: the length of a pass over a landmark.
-    pub pass: f64,
-    /// Areas to fly around.
-    pub no_fly: Vec<NoFlyArea>,
-    /// Distance that is kept from them, metres.
-    pub clearance: f64,
-    /// Other places that are forbidden.
-    pub forbidden: Option<Forbidden>,
-    /// Airspeed, m/s.
-    pub airspeed: f64,
-    /// Velocity of the air (north, east), m/s.
-    pub wind: Vector2<f64>,
-    /// How many times as fast the uncertainty grows before the first fix, while nobody knows the wind; 1 if
-    /// it is known.
-    pub before_first_fix: f64,
-    /// Radius of a turn, metres, and the way flown while rolling into it, metres.
-    pub turns: Turns,
-    /// Greatest cost of the route over that of the shortest allowed one, e.g. 1.3.
-    pub budget: f64,
-    /// What the cost is.
-    pub budget_of: BudgetOf,
-    /// What is to be least.
-    pub aim: Aim,
-}
-
-/// A route and what it is worth.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct FoundRoute {
-    /// Way-points, both ends included.
-    pub way_points: Vec<GroundPoint>,
-    /// Its length, metres.
-    pub length: f64,
-    /// How long it takes in the wind, without turns, seconds.
-    pub time: f64,
-    /// Greatest metres since the last fix: root mean square over the ways in which detections may turn
-    /// out. Those before the first fix count as often as the question says.
-    pub worst_blind: f64,
-    /// Their mean over the way.
-    pub mean_blind: f64,
-}
-
-/// The shortest allowed route, and the surest one within the budget.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct FoundRoutes {
-    /// The shortest allowed.
-    pub shortest: FoundRoute,
-    /// The surest; the shortest itself where nothing is better.
-    pub surest: FoundRoute,
-}
 
 /// Why no route was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -143,93 +56,6 @@ pub fn growth_before_first_fix(settings: &NavigatorSettings) -> f64 {
 }
 
 impl RouteQuestion {
-    fn obstacles(&self) -> Obstacles<'_> {
-        Obstacles {
-            areas: &self.no_fly,
-            clearance: self.clearance,
-        }
-    }
-
-    pub(super) fn ground(&self) -> Ground<'_> {
-        Ground {
-            field: &self.field,
-            pass: self.pass.max(1.0),
-            pace: Pace {
-                airspeed: self.airspeed,
-                wind: self.wind,
-            },
-            before_first_fix: self.before_first_fix.max(1.0),
-        }
-    }
-
-    fn forbids(&self, place: &GroundPoint) -> bool {
-        self.obstacles().forbid(place) || self.forbidden.as_ref().is_some_and(|f| f(place))
-    }
-
-    /// Whether one may fly straight from `a` to `b`.
-    pub(super) fn allows(&self, a: &GroundPoint, b: &GroundPoint) -> bool {
-        let Some(forbidden) = &self.forbidden else {
-            return self.obstacles().leave_free(a, b);
-        };
-        let way = b.to_vector() - a.to_vector();
-        let pieces = (way.norm() / self.field.step.max(1.0)).ceil().max(1.0);
-        self.obstacles().leave_free(a, b)
-            && (0..=pieces as usize).all(|i| {
-                let place = GroundPoint::from(a.to_vector() + way * (i as f64 / pieces));
-                !forbidden(&place)
-            })
-    }
-
-    /// What counts against the budget.
-    pub(super) fn cost(&self, length: f64, time: f64) -> f64 {
-        match self.budget_of {
-            BudgetOf::Length => length,
-            BudgetOf::Time => time,
-        }
-    }
-
-    /// Least cost that the way between two places can have.
-    pub(super) fn least_cost(&self, a: &GroundPoint, b: &GroundPoint) -> f64 {
-        let length = a.distance(b);
-        let fastest = self.airspeed + self.wind.norm();
-        self.cost(length, length / fastest.max(1e-3))
-    }
-
-    /// What a line over way-points is worth, flown with its turns before them; `None` where it is not
-    /// allowed.
-    pub fn judge(&self, way_points: &[GroundPoint]) -> Option<FoundRoute> {
-        let ground = self.ground();
-        let mut route = FoundRoute {
-            way_points: way_points.to_vec(),
-            ..FoundRoute::default()
-        };
-        let (mut unsure, mut integral) = (Unsure::START, 0.0);
-        for leg in way_points.windows(2) {
-            if !self.allows(&leg[0], &leg[1]) {
-                return None;
-            }
-            route.length += leg[0].distance(&leg[1]);
-            route.time += ground.time(&leg[0], &leg[1])?;
-        }
-        let mut length = 0.0;
-        for piece in flown(way_points, &self.turns).windows(2) {
-            let way = ground.follow(&piece[0], &piece[1])?;
-            route.worst_blind = way.worst(unsure).max(route.worst_blind);
-            integral += way.integral.of(unsure);
-            unsure = way.after(unsure);
-            length += way.length;
-        }
-        route.mean_blind = integral / length.max(1e-9);
-        Some(route)
-    }
-
-    pub(super) fn aimed(&self, route: &FoundRoute) -> f64 {
-        match self.aim {
-            Aim::Worst => route.worst_blind,
-            Aim::Mean => route.mean_blind,
-        }
-    }
-
     /// Finds both routes.
     pub fn find(self) -> Result<FoundRoutes, FindError> {
         let mut search = RouteSearch::new(self)?;

@@ -1,5 +1,14 @@
-use super::*;
+use std::sync::Arc;
+
+use nalgebra::Vector2;
+use pilotage_base::frames::{GroundPoint, GroundRect};
 use proptest::prelude::*;
+
+use super::*;
+use crate::field::Localizability;
+use crate::no_fly::NoFlyArea;
+use crate::question::{BudgetOf, Forbidden};
+use crate::turns::Turns;
 
 fn point(north: f64, east: f64) -> GroundPoint {
     GroundPoint::new(north, east)

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use super::blind_way::{BlindWay, Unsure};
-use super::find::RouteQuestion;
+use super::question::RouteQuestion;
 use pilotage_base::frames::GroundPoint;
 
 /// Metres without a fix are told apart by this ratio: a path is only followed further if it comes to a

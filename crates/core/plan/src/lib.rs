@@ -10,6 +10,7 @@ mod detection;
 mod envelope;
 mod field;
 mod find;
+mod found;
 mod graph;
 mod honesty;
 mod no_fly;
@@ -18,11 +19,13 @@ mod poses;
 mod prediction;
 mod propagate;
 mod proposal;
+mod question;
 mod random_route;
 mod request;
 mod smooth;
 mod stated;
 mod suggest;
+mod turns;
 mod view;
 mod winds;
 
@@ -33,18 +36,17 @@ pub use corridor::{Belief, Corridor, corridor};
 pub use detection::{DetectionStatistics, ExpectedDetection};
 pub use envelope::{Envelope, EnvelopeSurvey, Tally, tally_by};
 pub use field::{FieldBuilder, FieldView, FixSource, Localizability};
-pub use find::{
-    Aim, BudgetOf, FindError, Forbidden, FoundRoute, FoundRoutes, RouteQuestion, RouteSearch,
-    growth_before_first_fix,
-};
+pub use find::{FindError, RouteSearch, growth_before_first_fix};
+pub use found::{FoundRoute, FoundRoutes};
 pub use honesty::{Comparison, Verification, compare};
 pub use no_fly::{NoFlyArea, inside};
 pub use offered::OfferedField;
 pub use poses::{poses_all_over, poses_over};
 pub use prediction::{Prediction, PredictionSample, Stretch};
 pub use proposal::{Proposal, ProposalQuestion};
+pub use question::{Aim, BudgetOf, Forbidden, RouteQuestion};
 pub use random_route::{random_places, random_route};
 pub use request::{PlannedLandmark, PredictionError, PredictionRequest};
-pub use smooth::{Turns, fits};
 pub use stated::{StatedDetector, StatedFrames, as_stated};
 pub use suggest::{Candidate, Ranking, Suggestion, choose, choose_lasting, fading};
+pub use turns::{Turns, fits};
