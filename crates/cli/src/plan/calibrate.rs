@@ -10,7 +10,9 @@ use pilotage_core::plan::{
 };
 use pilotage_core::simulate::SensorSpec;
 
-use super::{Arguments, Ground, circumstances};
+use super::arguments::Arguments;
+use super::ground::Ground;
+use super::landmarks::circumstances;
 
 /// Passes over each place, each on a day of its own.
 const PASSES: usize = 10;

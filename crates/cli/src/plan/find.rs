@@ -1,9 +1,7 @@
 //! `pilotage plan --find FROM TO`: a route over ground where a fix will be had, beside the straight one.
 
-use std::path::PathBuf;
 use std::sync::Arc;
 
-use clap::ValueEnum;
 use pilotage_core::frames::units::GRAVITY;
 use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
 use pilotage_core::imagery::terrain::{Dem, Terrain as _};
@@ -15,7 +13,10 @@ use pilotage_core::plan::{
 use pilotage_core::simulate::{FlightPlan, GuidanceSettings};
 use serde::Serialize;
 
-use super::{Arguments, Ground, expected, rehearsed, way_points};
+use super::arguments::{Arguments, FindArguments, Least, Of, Over};
+use super::ground::{Ground, way_points};
+use super::landmarks::expected;
+use super::propose::rehearsed;
 use crate::files::DiskFile;
 
 /// Standard deviation of the position with which the field is computed, metres.
@@ -24,66 +25,6 @@ const POSITION: f64 = 15.0;
 const MOST_CELLS: f64 = 700.0;
 /// Worlds of each prediction.
 const WORLDS: usize = 32;
-
-/// What the route shall lead over.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Over {
-    /// The landmarks of the mission.
-    #[default]
-    Landmarks,
-    /// Whatever places of the map would serve as landmarks.
-    Map,
-}
-
-/// What the budget is about.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Of {
-    /// The time in the wind.
-    #[default]
-    Time,
-    /// The length.
-    Length,
-}
-
-/// What is to be least.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Least {
-    /// The worst uncertainty on the way.
-    #[default]
-    Worst,
-    /// The mean uncertainty over the way.
-    Mean,
-}
-
-/// How to find a route.
-#[derive(clap::Args)]
-pub struct FindArguments {
-    /// Find a route between two places, metres north and east, over ground where a fix will be had; it
-    /// takes the place of the route.
-    #[arg(long, num_args = 2, value_names = ["FROM", "TO"], allow_hyphen_values = true)]
-    pub find: Option<Vec<String>>,
-    /// Greatest cost of the found route over that of the shortest.
-    #[arg(long, default_value_t = 1.3)]
-    pub budget: f64,
-    /// What the cost is.
-    #[arg(long, default_value = "time")]
-    pub budget_of: Of,
-    /// What is to be least.
-    #[arg(long, default_value = "worst")]
-    pub least: Least,
-    /// What the route shall lead over.
-    #[arg(long, default_value = "landmarks")]
-    pub over: Over,
-    /// Distance that is kept from the no-fly areas of the mission, metres.
-    #[arg(long, default_value_t = 50.0)]
-    pub clearance: f64,
-    /// An elevation model; the route keeps clear of the ground in it.
-    #[arg(long, value_name = "FILE")]
-    pub dem: Option<PathBuf>,
-    /// Height that is kept above the ground of the elevation model, metres.
-    #[arg(long, default_value_t = 60.0)]
-    pub ground_clearance: f64,
-}
 
 /// What one of the two routes comes to.
 #[derive(Clone, Debug, Serialize)]

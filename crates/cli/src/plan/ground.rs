@@ -1,6 +1,5 @@
 //! What is planned over: a map, a mission on it, an aircraft.
 
-use std::path::PathBuf;
 use std::sync::Arc;
 
 use pilotage_core::camera::CameraModel;
@@ -11,32 +10,13 @@ use pilotage_core::mission::{Mission, Route, WayPoint};
 use pilotage_core::plan::{OtherDays, PictureDays, SceneryDays, random_route};
 use pilotage_core::simulate::{FlightPlan, Overrides, Scenario, SensorSpec, Target};
 
-use super::Arguments;
+use super::arguments::Arguments;
+use super::source::Source;
 use crate::files::Directory;
 use crate::mission_file::OpenMission;
 
 /// Memory for tiles of the map, megabytes.
 const MAP_CACHE: usize = 128;
-
-/// Where the map, the mission on it and the camera come from.
-#[derive(clap::Args)]
-pub struct Source {
-    /// A built-in scenario: its map, aircraft, camera and route.
-    #[arg(long, conflicts_with_all = ["mission", "map"])]
-    pub scenario: Option<String>,
-    /// A mission file (zip or GeoJSON); its first route is flown.
-    #[arg(long)]
-    pub mission: Option<PathBuf>,
-    /// The map of the mission, if the file does not hold it.
-    #[arg(long, requires = "mission")]
-    pub map: Option<PathBuf>,
-    /// A flight folder whose camera is flown, if the mission states none.
-    #[arg(long)]
-    pub flight: Option<PathBuf>,
-    /// Height above ground, metres, where neither route nor scenario states one.
-    #[arg(long)]
-    pub height: Option<f64>,
-}
 
 /// The map, the mission on it and how it is flown.
 pub struct Ground {

@@ -13,7 +13,7 @@ use pilotage_core::plan::{
 };
 use pilotage_core::simulate::{FlightDay, FlightPlan, Scenario, SimulatedFrames};
 
-use super::Ground;
+use super::ground::Ground;
 
 /// Seed of the day of the first flight, which was not rehearsed; that of another follows from its own.
 const FIRST_DAY: u64 = 770_001;

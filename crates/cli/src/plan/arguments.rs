@@ -1,0 +1,128 @@
+//! What a plan is made of: the arguments of the command.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use pilotage_core::plan::Proposal;
+
+use super::source::Source;
+
+/// What to plan.
+#[derive(Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    pub source: Source,
+    /// Propose that many landmarks from the map alone.
+    #[arg(long, value_name = "N")]
+    pub suggest: Option<usize>,
+    /// Side of the proposed boxes, metres; a third of the picture's shorter side on the ground if
+    /// it is not stated.
+    #[arg(long)]
+    pub side: Option<f64>,
+    /// Standard deviation of the position per axis, metres, when proposed landmarks are looked for:
+    /// how far around them look-alikes count.
+    #[arg(long, default_value_t = Proposal::POSITION)]
+    pub position: f64,
+    /// Predict the uncertainty along the route.
+    #[arg(long)]
+    pub predict: bool,
+    /// Way-points instead of the scenario's: metres north and east, "0,0;400,300".
+    #[arg(long, requires = "scenario", allow_hyphen_values = true)]
+    pub route: Option<String>,
+    /// A random route of that seed over the scenery instead of the scenario's, in a wind of which only
+    /// is known what the filter is told to expect.
+    #[arg(long, requires = "scenario", conflicts_with = "route")]
+    pub random_route: Option<u64>,
+    #[command(flatten)]
+    pub find: FindArguments,
+    /// Fly the plan with seeds A..B, B left out, over the generated scenery on another day, and compare
+    /// the errors with the prediction.
+    #[arg(long, requires_all = ["scenario", "predict"], value_name = "A..B")]
+    pub fly: Option<String>,
+    /// Fly without pictures: landmarks are found as often and as well as is expected of them.
+    #[arg(long, requires = "fly")]
+    pub as_stated: bool,
+    /// Fly about that many passes over places of every quality on days that were not rehearsed, and
+    /// compare how often they are found with what was said.
+    #[arg(long, requires = "scenario", value_name = "PASSES")]
+    pub calibrate: Option<usize>,
+    /// Where to draw the reliability diagram, SVG.
+    #[arg(long, requires = "calibrate")]
+    pub diagram: Option<PathBuf>,
+    /// Measure from which heights and with which tilts each landmark is found.
+    #[arg(long)]
+    pub envelope: bool,
+    /// Standard deviation of the position (longer axis) that is accepted, metres.
+    #[arg(long, default_value_t = 10.0)]
+    pub limit: f64,
+    /// Seed of rehearsal days and worlds.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Write the mission, with the proposed landmarks instead of its own and the found route as its
+    /// first.
+    #[arg(long)]
+    pub out: Option<PathBuf>,
+    /// Write the results as JSON.
+    #[arg(long)]
+    pub summary: Option<PathBuf>,
+}
+
+/// What the route shall lead over.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Over {
+    /// The landmarks of the mission.
+    #[default]
+    Landmarks,
+    /// Whatever places of the map would serve as landmarks.
+    Map,
+}
+
+/// What the budget is about.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Of {
+    /// The time in the wind.
+    #[default]
+    Time,
+    /// The length.
+    Length,
+}
+
+/// What is to be least.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Least {
+    /// The worst uncertainty on the way.
+    #[default]
+    Worst,
+    /// The mean uncertainty over the way.
+    Mean,
+}
+
+/// How to find a route.
+#[derive(Args)]
+pub struct FindArguments {
+    /// Find a route between two places, metres north and east, over ground where a fix will be had; it
+    /// takes the place of the route.
+    #[arg(long, num_args = 2, value_names = ["FROM", "TO"], allow_hyphen_values = true)]
+    pub find: Option<Vec<String>>,
+    /// Greatest cost of the found route over that of the shortest.
+    #[arg(long, default_value_t = 1.3)]
+    pub budget: f64,
+    /// What the cost is.
+    #[arg(long, default_value = "time")]
+    pub budget_of: Of,
+    /// What is to be least.
+    #[arg(long, default_value = "worst")]
+    pub least: Least,
+    /// What the route shall lead over.
+    #[arg(long, default_value = "landmarks")]
+    pub over: Over,
+    /// Distance that is kept from the no-fly areas of the mission, metres.
+    #[arg(long, default_value_t = 50.0)]
+    pub clearance: f64,
+    /// An elevation model; the route keeps clear of the ground in it.
+    #[arg(long, value_name = "FILE")]
+    pub dem: Option<PathBuf>,
+    /// Height that is kept above the ground of the elevation model, metres.
+    #[arg(long, default_value_t = 60.0)]
+    pub ground_clearance: f64,
+}

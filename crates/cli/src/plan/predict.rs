@@ -1,0 +1,54 @@
+//! `pilotage plan --predict`: the uncertainty along the route.
+
+use pilotage_core::plan::{PlannedLandmark, Prediction, PredictionRequest};
+
+use super::arguments::Arguments;
+use super::ground::Ground;
+use super::landmarks::expected;
+
+/// Measures the landmarks and predicts.
+pub fn predict(
+    arguments: &Arguments,
+    ground: &Ground,
+) -> Result<(Prediction, Vec<PlannedLandmark>), Box<dyn std::error::Error>> {
+    let plan = ground
+        .plan
+        .as_ref()
+        .ok_or("the mission has no route to predict along")?;
+    let settings = &ground.mission.navigator;
+    let landmarks = expected(arguments, ground, plan.ground_down);
+    let request = PredictionRequest {
+        plan,
+        settings,
+        landmarks: &landmarks,
+        wind_deviation: settings.start.wind,
+        worlds: 100,
+        seed: arguments.seed,
+        limit: arguments.limit,
+    };
+    let begun = std::time::Instant::now();
+    let prediction = request.predict()?;
+    let largest = prediction
+        .samples
+        .iter()
+        .map(|s| s.corridor.sigma_major)
+        .fold(0.0, f64::max);
+    println!(
+        "{} frames, largest standard deviation {largest:.1} m, predicted in {:.2} s",
+        prediction.samples.len(),
+        begun.elapsed().as_secs_f64()
+    );
+    for stretch in &prediction.over_limit {
+        println!(
+            "over {:.0} m from {:.0} m to {:.0} m: up to {:.1} m at north {:.0} m east {:.0} m, after {:.0} s of dead reckoning",
+            arguments.limit,
+            stretch.begin,
+            stretch.end,
+            stretch.sigma,
+            stretch.worst.north,
+            stretch.worst.east,
+            stretch.dead_reckoning
+        );
+    }
+    Ok((prediction, landmarks))
+}
