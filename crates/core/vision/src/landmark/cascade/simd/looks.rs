@@ -1,6 +1,6 @@
 //! How a node decides, for many windows at once.
 
-use super::lanes::{LANES, Lanes, Places};
+use super::places::{LANES, Lanes, Places};
 use crate::landmark::cascade::layout::{Corners, LEAST_EDGE, Tables};
 
 /// All bits or none.
