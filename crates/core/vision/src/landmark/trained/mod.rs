@@ -6,6 +6,7 @@
 
 mod detector;
 mod likelihood;
+mod mark;
 mod model;
 mod precision;
 mod search;
@@ -14,8 +15,8 @@ mod variants;
 pub use detector::CascadeDetector;
 pub(super) use detector::{BELIEVED, probabilities};
 pub use likelihood::Likelihood;
+pub use mark::Mark;
 pub use model::{DetectorWindow, TemplateLikelihood, TrainedDetector};
 pub use precision::{ByScore, MarkPrecision, Reading, ScoreScale};
-pub use search::{Mark, search};
-pub use search::{SearchedGround, to_bytes};
+pub use search::{SearchedGround, search, to_bytes};
 pub use variants::{Preparation, Steps, Variant, Variants};

@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use nalgebra::Point3;
 
-use super::{DetectorWindow, Variant};
+use super::{DetectorWindow, Mark, Variant};
 use crate::landmark::cascade::{Cascade, Responses, responses};
 use crate::landmark::template::in_picture;
 use crate::landmark::window::window_around;
@@ -21,25 +21,6 @@ const MOST_MARKS: usize = 8;
 const AROUND: i64 = 3;
 /// Share of the best score below which a neighbour says nothing of the place.
 const SHARE: f64 = 0.3;
-
-/// A place at which a cascade finds its landmark.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Mark {
-    /// Middle of the window on the ground under the assumed pose.
-    pub ground: GroundPoint,
-    /// How well it fits: for a window that passed every stage the sum of what it passed them by, at
-    /// least zero; below, a whole number less for each stage that it did not come to.
-    pub score: f64,
-    /// Stages passed.
-    pub stages: usize,
-    /// Whether the window is one of the outermost that were looked at and lie whole in the picture: one
-    /// beside it may fit better.
-    pub at_edge: bool,
-    /// Turn in which it was found, radians clockwise.
-    pub rotation: f64,
-    /// Logarithm of the size in which it was found.
-    pub log_scale: f64,
-}
 
 /// A score that orders windows by the stages passed and then by what they passed them by.
 fn score_of(stages: usize, margin: f64, all: usize) -> f64 {
