@@ -5,7 +5,7 @@ use egui::{Align2, Color32, Painter, Pos2, Rect, Response, Shape, Stroke};
 use super::PlottedSeries;
 use super::cloud::{Cloud, CloudKey};
 use super::pairs::{Pairs, Place};
-use super::panel::{PanelScene, colour, curve, nothing, wider};
+use super::scene::{PanelScene, colour, curve, nothing, wider};
 use super::words::series_name;
 use crate::command::Command;
 use crate::context::ViewContext;

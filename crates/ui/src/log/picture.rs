@@ -5,7 +5,7 @@ use egui::{Color32, Pos2, Rect, Stroke, pos2, vec2};
 use super::against::{self, AgainstScene};
 use super::arrangement::PanelContent;
 use super::cloud::{Cloud, CloudKey};
-use super::panel::{PanelScene, colour, curve, mode_bands, y_range};
+use super::scene::{PanelScene, colour, curve, mode_bands, y_range};
 use super::svg::{Anchor, Svg};
 use super::words::{clock, series_name};
 use super::{OpenLog, PlottedSeries};

@@ -5,10 +5,11 @@ use std::collections::BTreeSet;
 use egui::{ScrollArea, Ui};
 
 use super::arrangement::PanelContent;
-use super::panel::{self, LogPanel, PanelScene};
+use super::panel::LogPanel;
 use super::picture::Picture;
 use super::preset_menu::PresetMenu;
 use super::presets::OwnPresets;
+use super::scene::{PanelScene, axes, mode_bands};
 use super::{LogCommand, OpenLog};
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -206,7 +207,7 @@ impl LogPlots {
         let free = room - (header + gap) * count;
         let height = (free / count).max(LEAST_HEIGHT);
         let span = self.axis.span(whole);
-        let modes = panel::mode_bands(log, whole);
+        let modes = mode_bands(log, whole);
         let mut hover = None;
         let mut asked = Vec::new();
         ScrollArea::vertical()
@@ -233,7 +234,7 @@ impl LogPlots {
                     self.drawn_size = (response.rect.width(), response.rect.height());
                     hover = hover.or(shown.hover);
                     if panel.content.against.is_none() {
-                        let axes = panel::axes(&response, tokens, span);
+                        let axes = axes(&response, tokens, span);
                         let found = self.axis.interact(ui, context, &response, &axes, whole);
                         hover = hover.or(found);
                     }

@@ -1,10 +1,9 @@
 //! Figures of the plotted fields over the selected span of time, from every sample.
 
-use std::collections::BTreeMap;
-
 use egui::{Align, Align2, Color32, Layout, RichText, ScrollArea, Sense, Ui, pos2, vec2};
 use pilotage_core::flight::SpanStatistics;
 
+use super::figures::FieldFigures;
 use super::words::{clock, series_name};
 use super::{LogCommand, LogPlots, OpenLog, field_colour};
 use crate::command::Command;
@@ -15,18 +14,6 @@ use crate::views::parts;
 
 /// Fields that stand side by side at most.
 const MOST_COLUMNS: usize = 3;
-
-/// Figures of a field; none where it has no number, or why there is no such field.
-pub type FieldFigures = Result<Option<SpanStatistics>, String>;
-
-/// Figures of fields over a span of time, as far as they have come.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct SpanFigures {
-    /// From when to when, seconds in the log's time base.
-    pub span: (f64, f64),
-    /// By field.
-    pub fields: BTreeMap<SeriesName, FieldFigures>,
-}
 
 /// A row of the table: its name, and what it says of a field.
 struct Row {
