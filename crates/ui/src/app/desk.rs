@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use pilotage_core::frames::GroundRect;
 
-use super::keeping::Keeping;
-use super::logs::LogWork;
+use super::log_work::LogWork;
+use super::storage::Keeping;
 use crate::dialogs::Download;
 use crate::documents::link::Link;
 use crate::documents::{Session, Staged};

@@ -1,6 +1,7 @@
 //! Figures and tables of the log that is open, from its worker; arrangements and pictures of its plots.
 
 use super::exchange::stem;
+use super::log_work::{Asked, Table};
 use super::{App, SideTab};
 use crate::command::Workspace;
 use crate::host::Host;
@@ -14,44 +15,6 @@ const PIXELS_PER_POINT: f32 = 2.0;
 fn file_name(log: &str, (from, to): (f64, f64), ending: &str) -> String {
     let name = stem(log.rsplit_once('.').map_or(log, |(stem, _)| stem));
     format!("{name}-{from:.0}s-{to:.0}s.{ending}")
-}
-
-/// What figures were asked for last.
-#[derive(Debug, PartialEq)]
-struct Asked {
-    fields: Vec<SeriesName>,
-    span: (f64, f64),
-}
-
-/// A table being written.
-#[derive(Debug)]
-struct Table {
-    id: JobId,
-    /// Name of the file that it becomes.
-    name: String,
-    progress: f32,
-}
-
-/// What is asked about a log beside its series.
-#[derive(Debug, Default)]
-pub(super) struct LogAnswers {
-    asked: Option<Asked>,
-    figures: Option<(JobId, SpanFigures)>,
-    table: Option<Table>,
-}
-
-impl LogAnswers {
-    /// Whether a job is one of these.
-    pub fn has(&self, id: JobId) -> bool {
-        self.figures.as_ref().is_some_and(|(job, _)| *job == id)
-            || self.table.as_ref().is_some_and(|table| table.id == id)
-    }
-
-    /// How far a table is, and in words.
-    pub fn table_progress(&self) -> Option<(f32, &str)> {
-        let table = self.table.as_ref()?;
-        Some((table.progress, "Writing the table"))
-    }
 }
 
 impl App {

@@ -1,14 +1,12 @@
 //! The log that is open: read in a worker, flown as soon as all of it is there, its fields fetched when
 //! they are plotted.
 
-use std::collections::HashMap;
-
 use pilotage_core::flight::Flight;
 use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::mission::Mission;
 
 use super::desk::Opening;
-use super::log_answers::LogAnswers;
+use super::log_work::{LogAnswers, ReadingLog};
 use super::{App, SideTab};
 use crate::command::Workspace;
 use crate::documents::{Documents, Session, Staged};
@@ -22,50 +20,6 @@ const NEAR: f64 = 60_000.0;
 
 /// Times that a log is read again because nobody has it any more.
 const MOST_REREADS: u8 = 2;
-
-/// A log being read.
-#[derive(Debug)]
-pub(super) struct ReadingLog {
-    id: JobId,
-    /// Key of its files, and its name among them.
-    pub key: String,
-    file: String,
-    /// How far it is, 0 to 1.
-    pub progress: f32,
-    /// What it is doing.
-    pub words: String,
-    /// The map to fly over, where that is known already.
-    map: Option<MapSource>,
-    /// The mission to fly with, where there is one.
-    mission: Option<Mission>,
-    /// Whether it was open before, so that the mission that is open then is its own.
-    is_again: bool,
-    /// Whether the page shows it already.
-    is_shown: bool,
-}
-
-/// What is asked of the workers about logs.
-#[derive(Debug, Default)]
-pub(super) struct LogWork {
-    /// The log being read.
-    pub reading: Option<ReadingLog>,
-    /// Fields being fetched.
-    fetching: HashMap<JobId, SeriesName>,
-    /// Whether the worker that had the log is gone.
-    lost: bool,
-    /// What else is asked about the log.
-    pub answers: LogAnswers,
-    /// How often the log that is open was read again for that.
-    rereads: u8,
-}
-
-impl LogWork {
-    /// Whether a job is about a log.
-    pub fn has(&self, id: JobId) -> bool {
-        let is_reading = self.reading.as_ref().is_some_and(|r| r.id == id);
-        is_reading || self.fetching.contains_key(&id) || self.answers.has(id)
-    }
-}
 
 impl App {
     /// Reads a log that was dropped, over the map that was dropped with it.

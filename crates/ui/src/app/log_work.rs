@@ -1,0 +1,90 @@
+//! What is asked of the workers about logs, as far as it has come.
+
+use std::collections::HashMap;
+
+use pilotage_core::mission::Mission;
+
+use crate::jobs::{JobId, MapSource, SeriesName};
+use crate::log::SpanFigures;
+
+/// A log being read.
+#[derive(Debug)]
+pub(super) struct ReadingLog {
+    pub id: JobId,
+    /// Key of its files, and its name among them.
+    pub key: String,
+    pub file: String,
+    /// How far it is, 0 to 1.
+    pub progress: f32,
+    /// What it is doing.
+    pub words: String,
+    /// The map to fly over, where that is known already.
+    pub map: Option<MapSource>,
+    /// The mission to fly with, where there is one.
+    pub mission: Option<Mission>,
+    /// Whether it was open before, so that the mission that is open then is its own.
+    pub is_again: bool,
+    /// Whether the page shows it already.
+    pub is_shown: bool,
+}
+
+/// What is asked of the workers about logs.
+#[derive(Debug, Default)]
+pub(super) struct LogWork {
+    /// The log being read.
+    pub reading: Option<ReadingLog>,
+    /// Fields being fetched.
+    pub fetching: HashMap<JobId, SeriesName>,
+    /// Whether the worker that had the log is gone.
+    pub lost: bool,
+    /// What else is asked about the log.
+    pub answers: LogAnswers,
+    /// How often the log that is open was read again for that.
+    pub rereads: u8,
+}
+
+impl LogWork {
+    /// Whether a job is about a log.
+    pub fn has(&self, id: JobId) -> bool {
+        let is_reading = self.reading.as_ref().is_some_and(|r| r.id == id);
+        is_reading || self.fetching.contains_key(&id) || self.answers.has(id)
+    }
+}
+
+/// What figures were asked for last.
+#[derive(Debug, PartialEq)]
+pub(super) struct Asked {
+    pub fields: Vec<SeriesName>,
+    pub span: (f64, f64),
+}
+
+/// A table being written.
+#[derive(Debug)]
+pub(super) struct Table {
+    pub id: JobId,
+    /// Name of the file that it becomes.
+    pub name: String,
+    pub progress: f32,
+}
+
+/// What is asked about a log beside its series.
+#[derive(Debug, Default)]
+pub(super) struct LogAnswers {
+    pub asked: Option<Asked>,
+    pub figures: Option<(JobId, SpanFigures)>,
+    pub table: Option<Table>,
+}
+
+impl LogAnswers {
+    /// Whether a job is one of these.
+    pub fn has(&self, id: JobId) -> bool {
+        self.figures.as_ref().is_some_and(|(job, _)| *job == id)
+            || self.table.as_ref().is_some_and(|table| table.id == id)
+    }
+
+    /// How far a table is, and in words.
+    pub fn table_progress(&self) -> Option<(f32, &str)> {
+        let table = self.table.as_ref()?;
+        Some((table.progress, "Writing the table"))
+    }
+}
