@@ -5,8 +5,8 @@ use pilotage_core::frames::GroundPoint;
 use super::App;
 use crate::host::Host;
 use crate::jobs::{BriefOrder, BriefPictures, Job, JobEvent};
+use crate::plan::flown::{camera, cruise};
 use crate::plan::legs::legs;
-use crate::plan::planner::{self as planning, cruise};
 use crate::plan::route_tab::assumptions;
 use crate::plan::{
     BRIEF_STYLE, BriefLandmark, BriefScene, MOST_LANDMARKS, brief, brief_area, energy_left,
@@ -115,7 +115,7 @@ impl App {
         let wind = planner.wind(documents);
         let legs = legs(route, cruise(), &wind);
         let (speed, speed_unit) = self.view.units.speed();
-        let camera = planning::camera(documents);
+        let camera = camera(documents);
         let across = 2.0 * (0.5 * camera.width as f64 / camera.focal).atan();
         let mut assumed = vec![
             format!(

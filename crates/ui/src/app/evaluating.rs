@@ -8,7 +8,7 @@ use crate::host::Host;
 use crate::jobs::{
     AssessmentOrder, EvaluationOrder, EvaluationReport, FlightSource, Job, JobEvent, JobId,
 };
-use crate::plan::planner as planning;
+use crate::plan::flown;
 use crate::shell::{muted, text_button, title};
 use crate::views::{DetectorCommand, EvaluationScene, EvaluationView};
 
@@ -103,10 +103,10 @@ impl App {
         let about = AssessmentOrder {
             map: documents.map_source.clone(),
             landmark: landmark.clone(),
-            camera: planning::camera(documents),
+            camera: flown::camera(documents),
             height: self.views.planner.flown_height(documents),
             navigator: documents.mission.navigator.clone(),
-            ground_down: planning::ground_down(documents),
+            ground_down: flown::ground_down(documents),
         };
         let order = EvaluationOrder {
             about,

@@ -6,7 +6,8 @@ use pilotage_core::mission::Route;
 use super::{App, SideTab};
 use crate::documents::landmarks::{Drawn, LandmarkChange};
 use crate::plan::{
-    Cover, Marking, Pattern, PlanCommand, PlanTab, Purpose, SuggestCommand, planner as planning,
+    Cover, Marking, Pattern, PlanCommand, PlanTab, Purpose, SuggestCommand, flown,
+    planner as planning,
 };
 
 impl App {
@@ -124,7 +125,7 @@ impl App {
     fn add_survey(&mut self, corners: &[GroundPoint]) {
         let planner = &mut self.views.planner;
         let documents = &mut self.documents;
-        let usual = planning::usual_altitude(documents);
+        let usual = flown::usual_altitude(documents);
         let altitude = planner.selected(&documents.mission);
         let altitude = altitude
             .and_then(|r| r.way_points.first())

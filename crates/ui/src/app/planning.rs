@@ -10,7 +10,7 @@ use crate::host::Host;
 use crate::jobs::{AssessmentOrder, FlightSource, JobEvent, JobId, scenario_route};
 use crate::plan::routes::{Step, like};
 use crate::plan::{
-    Cover, FindCommand, FindPick, HeatCommand, Outlook, Pattern, PlanCommand, PlanTab,
+    Cover, FindCommand, FindPick, HeatCommand, Outlook, Pattern, PlanCommand, PlanTab, flown,
     planner as planning,
 };
 
@@ -164,7 +164,7 @@ impl App {
         let planner = &mut views.planner;
         if let PlanCommand::AddWayPoint(at) = &command {
             let at = at.unwrap_or(views.map.camera.center);
-            let usual = planning::usual_altitude(documents);
+            let usual = flown::usual_altitude(documents);
             if let Some(id) = planner.route {
                 documents.edit_route(id, Step::Whole, |route| {
                     let new = like(route.way_points.last(), at, usual);
@@ -195,7 +195,7 @@ impl App {
                 planner.route = documents.duplicate_route(id).or(Some(id));
             }
             PlanCommand::SetPattern { pattern, finished } => {
-                let usual = planning::usual_altitude(documents);
+                let usual = flown::usual_altitude(documents);
                 let route = planner.selected(&documents.mission);
                 let made_for = planning::made_for(planner, documents, route);
                 documents.edit_route(id, Step::of(finished), |route| {
@@ -205,7 +205,7 @@ impl App {
             }
             PlanCommand::CorridorAlong => {
                 if let Some(route) = planner.selected(&documents.mission).cloned() {
-                    let usual = planning::usual_altitude(documents);
+                    let usual = flown::usual_altitude(documents);
                     let altitude = route.way_points.first().map_or(usual, |w| w.altitude);
                     let made_for = planning::made_for(planner, documents, Some(&route));
                     let line: Vec<GroundPoint> =
@@ -261,10 +261,10 @@ impl App {
         let mut orders = landmarks.map(|landmark| AssessmentOrder {
             map: documents.map_source.clone(),
             landmark: landmark.clone(),
-            camera: planning::camera(documents),
+            camera: flown::camera(documents),
             height,
             navigator: documents.mission.navigator.clone(),
-            ground_down: planning::ground_down(documents),
+            ground_down: flown::ground_down(documents),
         });
         if *command == PlanCommand::SurveyEnvelope {
             planner.assessments.survey(orders.next());

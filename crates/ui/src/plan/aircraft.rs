@@ -6,8 +6,9 @@ use pilotage_core::mission::Route;
 use pilotage_core::mission::turn::{too_short, turn_radius};
 
 use super::PlanCommand;
+use super::flown::cruise;
 use super::legs::Leg;
-use super::planner::{PlanPreferences, cruise};
+use super::planner::PlanPreferences;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::shell::{caption, icon_button, icons::Icon, muted};

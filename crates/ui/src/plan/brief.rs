@@ -9,8 +9,8 @@ use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Route;
 use pilotage_core::plan::Prediction;
 
+use super::flown::cruise;
 use super::legs::{Leg, time_text, totals};
-use super::planner::cruise;
 use super::way_points::{action_words, altitude_words};
 use super::words::{Outlook, distance_text};
 use crate::jobs::{BriefPictures, EncodedPicture};

@@ -4,13 +4,13 @@ use pilotage_core::frames::{Altitude, GroundPoint};
 use pilotage_core::mission::WayPointAction;
 use pilotage_core::simulate::Wind;
 
-use super::finder::FindCommand;
-use super::heat::HeatCommand;
-use super::marking::Purpose;
+use super::find_command::FindCommand;
+use super::heat_command::HeatCommand;
 use super::patterns::Pattern;
-use super::planner::PlanTab;
-use super::suggestions::SuggestCommand;
-use super::trainings::TrainCommand;
+use super::purpose::Purpose;
+use super::suggest_command::SuggestCommand;
+use super::tab::PlanTab;
+use super::train_command::TrainCommand;
 use crate::documents::landmarks::LandmarkChange;
 
 /// A change of a no-fly area.

@@ -7,8 +7,9 @@ use pilotage_core::plan::Prediction;
 
 use super::PlanCommand;
 use super::corridor_paint::corridor_band;
-use super::finder::{FindCommand, FindPick};
-use super::planner::{PlanTab, Planner};
+use super::find_command::{FindCommand, FindPick};
+use super::planner::Planner;
+use super::tab::PlanTab;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::map::{ScreenFromWorld, paint_halo_text};

@@ -5,12 +5,14 @@ use pilotage_core::frames::AltitudeFrame;
 use pilotage_core::plan::{Aim, BudgetOf};
 
 use super::PlanCommand;
+use super::button::button;
 use super::command::AreaChange;
+use super::compared::Compared;
+use super::find_command::{FindCommand, FindPick};
 use super::find_tool::hint;
-use super::finder::{Compared, FindCommand, FindPick};
-use super::heat::{HeatCommand, HeatOf};
+use super::heat::BLIND;
+use super::heat_command::{HeatCommand, HeatOf};
 use super::legs::time_text;
-use super::panel::button;
 use super::planner::Planner;
 use super::way_points::altitude_words;
 use super::words::distance_text;
@@ -125,10 +127,7 @@ fn heat_state(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
         return;
     }
     let (factor, unit) = context.units.length();
-    let share = planner
-        .heat
-        .field()
-        .and_then(|f| f.blind_share(super::heat::BLIND));
+    let share = planner.heat.field().and_then(|f| f.blind_share(BLIND));
     if let Some((share, order)) = share.zip(planner.heat.order()) {
         ui.label(muted(
             tokens,

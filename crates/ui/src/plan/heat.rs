@@ -1,72 +1,16 @@
 //! The heat map: where a fix would be had, as a worker computes it.
 
 use egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
-use pilotage_core::plan::{FieldView, FixSource, Localizability, PlannedLandmark};
-use serde::{Deserialize, Serialize};
+use pilotage_core::plan::Localizability;
 
-use super::planner::{Planner, camera, height, usual_altitude};
-use crate::documents::Documents;
 use crate::host::Host;
-use crate::jobs::{FieldFrom, FieldOrder, Job, JobEvent, JobId};
+use crate::jobs::{FieldOrder, Job, JobEvent, JobId};
 use crate::views::color_map::viridis;
 
 /// A place where a fix is less likely than this is blind.
 pub const BLIND: f64 = 0.2;
 /// How long the plan must rest before the heat map is computed anew, milliseconds.
 const REST: f64 = 300.0;
-
-/// What gives fixes.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub enum HeatOf {
-    /// The landmarks that are switched on.
-    #[default]
-    Landmarks,
-    /// Whatever the map offers.
-    Map,
-}
-
-/// How the heat map is shown; remembered between visits.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(default)]
-pub struct HeatPreferences {
-    /// Whether it is shown.
-    pub shown: bool,
-    /// Whether only blind areas are marked.
-    pub blind: bool,
-    /// How much of the map it covers, 0 to 1.
-    pub opacity: f32,
-    /// Standard deviation of the position that is assumed, metres.
-    pub position: f64,
-    /// What gives fixes.
-    pub of: HeatOf,
-}
-
-impl Default for HeatPreferences {
-    fn default() -> Self {
-        Self {
-            shown: false,
-            blind: false,
-            opacity: 0.6,
-            position: 10.0,
-            of: HeatOf::default(),
-        }
-    }
-}
-
-/// What people can ask of the heat map.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum HeatCommand {
-    /// Show or hide it.
-    Toggle,
-    /// Mark blind areas only, or show the probability everywhere.
-    ToggleBlind,
-    /// Show it in another way.
-    Set(HeatPreferences),
-    /// Stop computing it; what is known stays.
-    Stop,
-    /// Compute it after all.
-    Resume,
-}
 
 /// A heat map under way.
 #[derive(Debug)]
@@ -227,86 +171,4 @@ impl Heat {
 /// What marks a blind place.
 pub fn blind_color() -> Color32 {
     Color32::from_rgb(214, 60, 90)
-}
-
-impl Planner {
-    /// The ground, the camera at a height above it, metres, and what gives fixes, for the heat map or a
-    /// search; `None` without a map.
-    pub fn field_order(
-        &self,
-        documents: &Documents,
-        of: HeatOf,
-        height: f64,
-    ) -> Option<FieldOrder> {
-        let mission = &documents.mission;
-        let map = documents.map.as_ref()?;
-        let view = self.field_view(documents, height);
-        let from = match of {
-            HeatOf::Landmarks => {
-                let enabled = mission.landmarks.iter().filter(|l| l.enabled);
-                let sources = enabled.filter_map(|l| {
-                    let planned = PlannedLandmark {
-                        landmark: l.clone(),
-                        detection: self.assessments.expected(l),
-                    };
-                    FixSource::of(&planned, view.height)
-                });
-                FieldFrom::Landmarks(sources.collect())
-            }
-            HeatOf::Map => FieldFrom::Map {
-                search_sigmas: mission.navigator.detector.search_sigmas,
-            },
-        };
-        Some(FieldOrder {
-            map: documents.map_source.clone(),
-            region: map.bounds,
-            view,
-            from,
-        })
-    }
-
-    /// How the ground is looked at from a height above it, metres, and how uncertain the position is then.
-    pub fn field_view(&self, documents: &Documents, height: f64) -> FieldView {
-        let sensors = &documents.mission.navigator.sensors;
-        FieldView {
-            camera: camera(documents),
-            height,
-            position: self.preferences.heat.position,
-            tilt: sensors.roll.max(sensors.pitch),
-        }
-    }
-
-    /// Height above ground of the selected route, or the usual one, metres.
-    pub fn flown_height(&self, documents: &Documents) -> f64 {
-        self.selected(&documents.mission).map_or_else(
-            || usual_altitude(documents).metres,
-            |route| height(route, documents),
-        )
-    }
-
-    /// What the heat map is to show; `None` while it is hidden.
-    pub fn heat_order(&self, documents: &Documents) -> Option<FieldOrder> {
-        let heat = &self.preferences.heat;
-        if heat.shown {
-            self.field_order(documents, heat.of, self.flown_height(documents))
-        } else {
-            None
-        }
-    }
-
-    /// Carries a command out.
-    pub fn heat_command(&mut self, command: HeatCommand) {
-        let heat = &mut self.preferences.heat;
-        match command {
-            HeatCommand::Toggle => heat.shown = !heat.shown,
-            HeatCommand::ToggleBlind => {
-                // Whoever asks for blind areas wants to see them.
-                heat.blind = !heat.blind || !heat.shown;
-                heat.shown = true;
-            }
-            HeatCommand::Set(preferences) => *heat = preferences,
-            HeatCommand::Stop => self.heat.stop(true),
-            HeatCommand::Resume => self.heat.stop(false),
-        }
-    }
 }

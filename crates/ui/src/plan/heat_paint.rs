@@ -4,7 +4,8 @@ use egui::epaint::{Mesh, Vertex};
 use egui::{Align2, Color32, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, StrokeKind, Ui};
 use egui::{WidgetInfo, pos2, vec2};
 
-use super::heat::{BLIND, HeatOf, blind_color};
+use super::heat::{BLIND, blind_color};
+use super::heat_command::HeatOf;
 use super::planner::Planner;
 use crate::map::{ScreenFromWorld, paint_halo_text};
 use crate::tokens::Tokens;

@@ -11,7 +11,8 @@ use pilotage_core::plan::Envelope;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::Measured;
+use super::flown;
+use super::measured::Measured;
 use crate::documents::Documents;
 use crate::jobs::{AssessmentOrder, MapSource};
 
@@ -59,7 +60,7 @@ impl Basis {
     /// What measurements would depend on now.
     fn now(documents: &Documents) -> Option<Self> {
         let navigator = &documents.mission.navigator;
-        let camera = super::planner::camera(documents);
+        let camera = flown::camera(documents);
         Self::with(documents, &camera, navigator.sensors, navigator.detector)
     }
 

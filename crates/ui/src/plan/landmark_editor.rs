@@ -6,7 +6,7 @@ use egui::{DragValue, TextEdit, Ui};
 use pilotage_core::landmark::Landmark;
 
 use super::PlanCommand;
-use super::marking::Purpose;
+use super::purpose::Purpose;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::landmarks::LandmarkChange;

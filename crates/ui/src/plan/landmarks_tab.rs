@@ -5,12 +5,12 @@ use pilotage_core::landmark::Landmark;
 
 use super::PlanCommand;
 use super::assessments::{ASSUMED_PER_FRAME, ASSUMED_RECOGNISED};
-use super::marking::Purpose;
+use super::button::button;
 use super::measured::Measured;
-use super::panel::button;
 use super::planner::Planner;
+use super::purpose::Purpose;
 use super::tallies;
-use super::trainings::TrainCommand;
+use super::train_command::TrainCommand;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;

@@ -3,42 +3,10 @@
 use egui::{Align2, Color32, CursorIcon, Key, Painter, Response, Shape, Stroke, Ui, vec2};
 use pilotage_core::frames::GroundPoint;
 
-use super::PlanCommand;
+use super::command::PlanCommand;
+use super::purpose::Purpose;
 use crate::map::{ScreenFromWorld, paint_halo_text};
 use crate::tokens::Tokens;
-
-/// What the marked places are for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Purpose {
-    /// The outline of a new landmark.
-    Outline,
-    /// A new landmark of which only a point is known.
-    Point,
-    /// The reference point of the selected landmark.
-    Reference,
-    /// The area of a survey.
-    Survey,
-}
-
-impl Purpose {
-    /// Whether one click is all.
-    pub fn is_point(self) -> bool {
-        matches!(self, Self::Point | Self::Reference)
-    }
-
-    /// What to do, in words on the map.
-    fn advice(self, corners: usize) -> &'static str {
-        match (self, corners) {
-            (Self::Point, _) => "Click on the landmark",
-            (Self::Reference, _) => "Click on the point that is measured",
-            (Self::Survey, 0..3) => "Click the corners of the area one after the other",
-            (Self::Outline, 0..3) => "Click its corners one after the other",
-            (Self::Outline | Self::Survey, _) => {
-                "Enter or a double click ends it, Backspace takes a corner back"
-            }
-        }
-    }
-}
 
 /// Places being marked.
 #[derive(Clone, Debug, PartialEq)]

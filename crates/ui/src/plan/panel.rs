@@ -6,16 +6,15 @@ use super::PlanCommand;
 use super::chart::ChartScene;
 use super::ground_tab::ground_tab;
 use super::landmarks_tab::landmarks_tab;
-use super::planner::{PlanTab, Planner};
+use super::planner::Planner;
 use super::profile::{self, ProfileScene};
 use super::route_tab::route_tab;
+use super::tab::PlanTab;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::shell::catalog::catalog;
-use crate::shell::{
-    Examined, LandmarkList, caption, icon_button, icons::Icon, muted, tab, text_button,
-};
+use crate::shell::{Examined, LandmarkList, caption, icon_button, icons::Icon, muted, tab};
 
 impl Planner {
     /// Draws the column.
@@ -193,18 +192,4 @@ fn export_menu(ui: &mut Ui, context: &mut ViewContext<'_>) {
             }
         }
     });
-}
-
-/// A button that sends a command.
-pub fn button(
-    ui: &mut Ui,
-    context: &mut ViewContext<'_>,
-    icon: Option<Icon>,
-    label: &str,
-    strong: bool,
-    command: PlanCommand,
-) {
-    if text_button(ui, context.tokens, icon, label, strong).clicked() {
-        context.commands.push(Command::Plan(command));
-    }
 }

@@ -1,16 +1,10 @@
 //! Routes that are made of a pattern: a survey over an area, a corridor along a line.
 
-use egui::{DragValue, Ui};
 use pilotage_core::camera::CameraModel;
 use pilotage_core::frames::{Altitude, Geodetic, GroundPoint, LocalFrame};
 use pilotage_core::mission::pattern::{Passes, corridor, fewest_passes, picture_on_ground, survey};
 use pilotage_core::mission::{Route, WayPoint};
 use serde::{Deserialize, Serialize};
-
-use super::PlanCommand;
-use crate::command::Command;
-use crate::context::ViewContext;
-use crate::shell::{caption, icon_button, icons::Icon, muted};
 
 /// Property of a route with the pattern that it is made of.
 const PROPERTY: &str = "pattern";
@@ -85,7 +79,8 @@ impl Pattern {
         route.properties.remove(PROPERTY);
     }
 
-    fn passes(&self, c: &Circumstances) -> Passes {
+    /// How its passes lie beside each other.
+    pub(super) fn passes(&self, c: &Circumstances) -> Passes {
         let (across, _) = picture_on_ground(&c.camera, c.height);
         Passes {
             spacing: across * (1.0 - self.side_overlap),
@@ -95,7 +90,7 @@ impl Pattern {
     }
 
     /// Distance between pictures along a pass, metres.
-    fn between_pictures(&self, c: &Circumstances) -> f64 {
+    pub(super) fn between_pictures(&self, c: &Circumstances) -> f64 {
         let (_, along) = picture_on_ground(&c.camera, c.height);
         along * (1.0 - self.forward_overlap)
     }
@@ -132,108 +127,6 @@ impl Pattern {
         let text = serde_json::to_string(self).unwrap_or_default();
         route.properties.insert(PROPERTY.to_owned(), text);
     }
-}
-
-/// Draws what a pattern is made of.
-pub fn pattern_card(
-    ui: &mut Ui,
-    route: &Route,
-    pattern: &Pattern,
-    circumstances: &Circumstances,
-    cruise: f64,
-    context: &mut ViewContext<'_>,
-) {
-    let tokens = context.tokens;
-    let (factor, unit) = context.units.length();
-    let mut next = pattern.clone();
-    let mut finished = true;
-    let title = match pattern.cover {
-        Cover::Survey => "Survey of an area",
-        Cover::Corridor { .. } => "Corridor along a line",
-    };
-    caption(ui, tokens, title);
-    ui.horizontal_wrapped(|ui| {
-        ui.label(muted(tokens, "Overlap aside"));
-        finished &= percent(ui, "Overlap with the pass beside", &mut next.side_overlap);
-        ui.label(muted(tokens, "ahead"));
-        finished &= percent(
-            ui,
-            "Overlap with the next picture",
-            &mut next.forward_overlap,
-        );
-        match &mut next.cover {
-            Cover::Survey => {
-                let stated = next.course_deg;
-                let mut course = stated.unwrap_or(0.0);
-                ui.label(muted(tokens, "course"));
-                let field =
-                    DragValue::new(&mut course)
-                        .speed(1.0)
-                        .custom_formatter(move |value, _| match stated {
-                            Some(_) => format!("{:03.0}°", value.rem_euclid(360.0)),
-                            None => "fewest passes".to_owned(),
-                        });
-                let field = ui.add(field).accessible_name("Course of the passes");
-                if field.changed() {
-                    next.course_deg = Some(course.rem_euclid(360.0));
-                }
-                finished &= !field.dragged();
-                let label = "The course with the fewest passes";
-                if stated.is_some() && icon_button(ui, tokens, Icon::Undo, label).clicked() {
-                    next.course_deg = None;
-                }
-            }
-            Cover::Corridor { width_m } => {
-                let mut width = *width_m * factor;
-                ui.label(muted(tokens, "width"));
-                let field = DragValue::new(&mut width)
-                    .range(1.0..=20_000.0)
-                    .speed(1.0)
-                    .fixed_decimals(0)
-                    .suffix(format!(" {unit}"));
-                let field = ui.add(field).accessible_name("Width of the corridor");
-                if field.changed() {
-                    *width_m = width / factor;
-                }
-                finished &= !field.dragged();
-            }
-        }
-    });
-    let per_pass = match pattern.cover {
-        Cover::Survey => 2,
-        Cover::Corridor { .. } => pattern.places.len().max(1),
-    };
-    let count = route.way_points.len() / per_pass;
-    let between = pattern.between_pictures(circumstances);
-    let words = format!(
-        "{count} passes, at most {:.0} {unit} apart; a picture every {:.0} {unit}, {:.1} s in calm air.",
-        pattern.passes(circumstances).spacing * factor,
-        between * factor,
-        between / cruise
-    );
-    ui.label(muted(tokens, words));
-    if next != *pattern {
-        let set = PlanCommand::SetPattern {
-            pattern: Box::new(next),
-            finished,
-        };
-        context.commands.push(Command::Plan(set));
-    }
-}
-
-/// A share as a percentage; false while it is dragged.
-fn percent(ui: &mut Ui, name: &str, share: &mut f64) -> bool {
-    let mut shown = 100.0 * *share;
-    let field = DragValue::new(&mut shown)
-        .range(0.0..=95.0)
-        .speed(0.5)
-        .fixed_decimals(0)
-        .suffix(" %");
-    let field = ui.add(field).accessible_name(name);
-    if field.changed() {
-        *share = shown / 100.0;
-    }
-    !field.dragged()
 }
 
 #[cfg(test)]

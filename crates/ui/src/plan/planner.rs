@@ -1,39 +1,33 @@
 //! What the Plan workspace remembers beside the documents.
 
-use pilotage_core::camera::CameraModel;
-use pilotage_core::frames::{Altitude, AltitudeFrame, GroundPoint, GroundRect, LocalFrame};
+use pilotage_core::frames::{Altitude, GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::mission::turn::turn_radius;
-use pilotage_core::mission::{Mission, Route, WayPoint};
-use pilotage_core::simulate::{Airframe, Scenario, SimulationChoice, Target, Wind};
+use pilotage_core::mission::{Mission, Route};
+use pilotage_core::simulate::{Airframe, Wind};
 use pilotage_core::training::TrainingPlan;
 use serde::{Deserialize, Serialize};
 
 use super::assessments::Assessments;
 use super::chart::Chart;
-use super::finder::{FindPreferences, Finder};
+use super::find_command::FindPreferences;
+use super::finder::Finder;
+use super::flown::{
+    camera, cruise, flight_wind, flown_over, ground_down, height, line, usual_altitude,
+};
 use super::forecast::Forecast;
-use super::heat::{Heat, HeatPreferences};
+use super::heat::Heat;
+use super::heat_command::HeatPreferences;
 use super::landmark_editor::LandmarkEditor;
 use super::landmark_table::LandmarkTable;
 use super::marking::Marking;
 use super::patterns::Circumstances;
-use super::profile::{Sample, on_leg, profile};
 use super::remedy::Remedies;
 use super::routes::route_of;
 use super::suggestions::Suggestions;
+use super::tab::PlanTab;
 use super::trainings::Trainings;
 use crate::documents::Documents;
-use crate::jobs::{FlightSource, PredictionOrder, scenario_wind};
-
-/// Height of a first way-point where no flight says another, metres above ground.
-const USUAL_HEIGHT: f64 = 120.0;
-
-/// Where the ground lets the height change otherwise than evenly, a leg is predicted in pieces: from so
-/// many metres off on, and none shorter than that many, so that turns have room before they begin.
-const UNEVEN: f64 = 4.0;
-const SHORTEST_PIECE: f64 = 200.0;
-/// Places at which a piece is looked at.
-const BENDS: u32 = 20;
+use crate::jobs::PredictionOrder;
 
 /// What the user accepts and assumes; remembered between visits.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -76,18 +70,6 @@ impl Default for PlanPreferences {
             profile: false,
         }
     }
-}
-
-/// What the column at the right shows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum PlanTab {
-    /// Routes, legs and prediction.
-    #[default]
-    Route,
-    /// Landmarks and how well they are found.
-    Landmarks,
-    /// Where fixes would be had, no-fly areas, and finding a route.
-    Ground,
 }
 
 /// The state of the Plan workspace.
@@ -212,35 +194,6 @@ impl Planner {
     }
 }
 
-/// Airspeed in cruise of the aircraft that is planned for, m/s.
-pub fn cruise() -> f64 {
-    Airframe::sig_kadet_senior().cruise
-}
-
-/// The mean wind of the open flight.
-pub fn flight_wind(documents: &Documents) -> Wind {
-    match &documents.flight_source {
-        FlightSource::Simulated(options) => scenario_wind(options),
-        FlightSource::Files(_) | FlightSource::Nothing => Wind::default(),
-    }
-}
-
-/// The camera that is planned with.
-pub fn camera(documents: &Documents) -> CameraModel {
-    let flown = documents.flight.as_ref().map(|f| f.camera.clone());
-    documents
-        .mission
-        .camera
-        .clone()
-        .or(flown)
-        .unwrap_or_else(Scenario::camera)
-}
-
-/// Down coordinate of the ground plane, metres.
-pub fn ground_down(documents: &Documents) -> f64 {
-    documents.flight.as_ref().map_or(0.0, |f| f.ground_down)
-}
-
 /// What the passes of a pattern over `places` are made for, if they are flown at `altitude`.
 pub fn circumstances(
     planner: &Planner,
@@ -263,89 +216,6 @@ pub fn made_for(planner: &Planner, documents: &Documents, route: Option<&Route>)
     let altitude = first.unwrap_or_else(|| usual_altitude(documents));
     let places: Vec<GroundPoint> = way_points.iter().map(|w| w.position).collect();
     circumstances(planner, documents, altitude, &places)
-}
-
-/// A route over places, all at one altitude.
-pub fn line(places: &[GroundPoint], altitude: Altitude) -> Route {
-    let way_points = places.iter().map(|p| WayPoint::new(*p, altitude));
-    Route {
-        way_points: way_points.collect(),
-        ..Route::default()
-    }
-}
-
-/// Mean height of a route above the ground below it, metres.
-pub fn height(route: &Route, documents: &Documents) -> f64 {
-    let relief = documents.relief();
-    let samples = profile(route, &|p| relief.at(p), relief.take_off(route));
-    let (mut sum, mut length) = (0.0, 0.0);
-    for pair in samples.windows(2) {
-        let step = pair[1].distance - pair[0].distance;
-        sum += step * 0.5 * (pair[0].above() + pair[1].above());
-        length += step;
-    }
-    let first = || route.way_points.first().map(|w| relief.above(route, w));
-    let mean = (length > 0.0).then(|| sum / length).or_else(first);
-    mean.unwrap_or(USUAL_HEIGHT).max(1.0)
-}
-
-/// Where a route is flown and how: its way-points with their heights above ground, metres, and
-/// airspeeds, and between them places from which on the ground lets the height change otherwise.
-fn flown_over(route: &Route, documents: &Documents) -> (Vec<GroundPoint>, Vec<Target>) {
-    let relief = documents.relief();
-    let ground = |p: &GroundPoint| relief.at(p);
-    let take_off = relief.take_off(route);
-    let (mut places, mut targets) = (Vec::new(), Vec::new());
-    let mut add = |sample: &Sample, airspeed| {
-        places.push(sample.place);
-        targets.push(Target {
-            height: sample.above().max(1.0),
-            airspeed,
-        });
-    };
-    for (index, way_point) in route.way_points.iter().enumerate() {
-        let before = index.checked_sub(1).map(|i| &route.way_points[i]);
-        let leg = on_leg((before.unwrap_or(way_point), way_point), &ground, take_off);
-        if let Some(before) = before.filter(|_| !relief.is_level()) {
-            let length = before.position.distance(&way_point.position);
-            let mut bends = Vec::new();
-            let above = |share: f64| leg(share).above();
-            bend(&above, (0.0, 1.0), SHORTEST_PIECE / length, &mut bends);
-            for share in bends {
-                add(&leg(share), way_point.speed);
-            }
-        }
-        add(&leg(1.0), way_point.speed);
-    }
-    (places, targets)
-}
-
-/// Shares of a leg between `a` and `b` at which its height above ground stops to change evenly, no two
-/// closer than `least`.
-fn bend(above: &dyn Fn(f64) -> f64, (a, b): (f64, f64), least: f64, bends: &mut Vec<f64>) {
-    let (from, to) = (above(a), above(b));
-    let off = |s: f64| (above(s) - from - (s - a) / (b - a) * (to - from)).abs();
-    let inner = (1..BENDS).map(|i| a + (b - a) * f64::from(i) / f64::from(BENDS));
-    let worst = inner
-        .filter(|s| s - a >= least && b - s >= least)
-        .map(|s| (s, off(s)))
-        .max_by(|x, y| x.1.total_cmp(&y.1));
-    if let Some((at, _)) = worst.filter(|(_, off)| *off > UNEVEN) {
-        bend(above, (a, at), least, bends);
-        bends.push(at);
-        bend(above, (at, b), least, bends);
-    }
-}
-
-/// The altitude of a first way-point.
-pub fn usual_altitude(documents: &Documents) -> Altitude {
-    let flown = match &documents.flight_source {
-        FlightSource::Simulated(options) => options
-            .height
-            .or_else(|| Some(SimulationChoice::named(&options.scenario)?.height)),
-        FlightSource::Files(_) | FlightSource::Nothing => None,
-    };
-    Altitude::new(flown.unwrap_or(USUAL_HEIGHT), AltitudeFrame::AboveGround)
 }
 
 /// The ground that the plan is about: routes and landmarks.

@@ -3,7 +3,8 @@
 use pilotage_core::frames::{Altitude, Geodetic, GroundRect};
 use pilotage_core::imagery::terrain::HeightGrid;
 
-use super::super::planner::{self as planning, Planner, height};
+use super::super::flown::{height, line};
+use super::super::planner::Planner;
 use super::*;
 use crate::documents::Session;
 
@@ -45,7 +46,7 @@ fn geoid() -> HeightDatum {
 
 fn route(metres: f64, frame: AltitudeFrame, east: &[f64]) -> Route {
     let places: Vec<GroundPoint> = east.iter().map(|e| GroundPoint::new(0.0, *e)).collect();
-    planning::line(&places, Altitude::new(metres, frame))
+    line(&places, Altitude::new(metres, frame))
 }
 
 /// The order of a prediction along a route of the mission.

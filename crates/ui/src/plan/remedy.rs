@@ -1,26 +1,17 @@
 //! What would mend the worst stretch of a route: a landmark, more height, another line; by its figures.
 
-use egui::{Align2, Painter, Stroke, Ui};
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::plan::{DetectionStatistics, Prediction, Stretch};
 use pilotage_core::simulate::Target;
 
-use super::PlanCommand;
 use super::assessments::assumed;
 use super::chart::sample_at;
-use super::finder::FindCommand;
 use super::forecast::Forecast;
-use super::planner::Planner;
 use super::words::distance_text;
-use crate::command::Command;
-use crate::context::ViewContext;
 use crate::documents::landmarks::POINT_SIDE;
 use crate::host::Host;
 use crate::jobs::{Job, JobEvent, JobId, PredictionOrder};
-use crate::map::{ScreenFromWorld, paint_halo_text};
-use crate::shell::text_button;
-use crate::tokens::Tokens;
 use crate::units::Units;
 
 /// Worlds of each comparison: the same ones for each, so that few tell.
@@ -35,7 +26,7 @@ const HELPS: f64 = 0.9;
 pub struct Remedies {
     /// The plan and the limit that it is about.
     of: Option<(PredictionOrder, f64)>,
-    worst: Option<Worst>,
+    pub(super) worst: Option<Worst>,
     asked: Option<JobId>,
     /// Largest standard deviation on the stretch as planned, with a landmark, and higher, metres.
     sigmas: Vec<f64>,
@@ -43,11 +34,11 @@ pub struct Remedies {
 
 /// A stretch and where it lies.
 #[derive(Clone, Copy, Debug)]
-struct Worst {
+pub(super) struct Worst {
     stretch: Stretch,
     /// Where it begins: a fix there is of most use.
-    begin: GroundPoint,
-    end: GroundPoint,
+    pub(super) begin: GroundPoint,
+    pub(super) end: GroundPoint,
 }
 
 impl Worst {
@@ -186,45 +177,4 @@ fn imagined(at: GroundPoint) -> (Landmark, DetectionStatistics) {
     let bounds = GroundRect::centered(at, POINT_SIDE, POINT_SIDE);
     let landmark = Landmark::new(u32::MAX, "a landmark here", bounds);
     (landmark, DetectionStatistics::everywhere(assumed()))
-}
-
-impl Planner {
-    /// Draws what mends the worst stretch, with a button that looks for another line.
-    pub(super) fn remedies_card(&self, ui: &mut Ui, context: &mut ViewContext<'_>) {
-        let tokens = context.tokens;
-        for sentence in self.remedies.sentences(context.units) {
-            ui.label(egui::RichText::new(sentence).color(tokens.text));
-        }
-        let Some(worst) = self.remedies.worst else {
-            return;
-        };
-        if text_button(ui, tokens, None, "Find another line past it", false).clicked() {
-            for command in [
-                FindCommand::Begin,
-                FindCommand::Click(worst.begin),
-                FindCommand::Click(worst.end),
-                FindCommand::Start,
-            ] {
-                let command = Command::Plan(PlanCommand::Find(command));
-                context.commands.push(command);
-            }
-        }
-    }
-
-    /// Marks on the map where a landmark would mend the worst stretch.
-    pub(crate) fn paint_remedy(&self, painter: &Painter, view: &ScreenFromWorld, tokens: &Tokens) {
-        let Some(worst) = self.remedies.worst else {
-            return;
-        };
-        let at = view.apply(&worst.begin);
-        for stroke in [
-            Stroke::new(5.0, tokens.outline()),
-            Stroke::new(2.0, tokens.warning),
-        ] {
-            painter.circle_stroke(at, 9.0, stroke);
-        }
-        let (below, align) = (at + egui::vec2(0.0, 14.0), Align2::CENTER_TOP);
-        let text = "a landmark here would help";
-        paint_halo_text(painter, below, align, text, tokens.small(), tokens.warning);
-    }
 }

@@ -1,49 +1,22 @@
-//! Landmarks that a worker proposes for the route: asked for, listed, drawn, added.
+//! Landmarks that a worker proposes for the route: asked for, and what came of it.
 
-use egui::{Align2, DragValue, Painter, Rect, Shape, Stroke, Ui, vec2};
-use pilotage_core::frames::GroundRect;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::plan::Suggestion;
-use serde_json::{Value, json};
 
-use super::PlanCommand;
-use super::panel::button;
-use super::planner::{Planner, cruise, ground_down};
-use crate::command::Command;
-use crate::context::ViewContext;
-use crate::documents::{Added, Documents};
 use crate::host::Host;
 use crate::jobs::{Job, JobEvent, JobId, MapSource, SuggestOrder};
-use crate::map::{ScreenFromWorld, paint_halo_text, paint_lifted_line};
-use crate::shell::{caption, icon_button, icons::Icon, muted};
-use crate::tokens::Tokens;
-
-/// What people can ask of proposals.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SuggestCommand {
-    /// How many to propose.
-    Count(usize),
-    /// Look for them.
-    Start,
-    /// Stop looking.
-    Stop,
-    /// Make landmarks of all, or of one of them.
-    Add(Option<usize>),
-    /// Forget them.
-    Dismiss,
-}
 
 /// What is proposed.
 #[derive(Debug, Default)]
 pub struct Suggestions {
     /// What was asked for, and what came of it.
-    found: Option<(SuggestOrder, Vec<Suggestion>)>,
-    trouble: Option<String>,
-    asked: Option<(JobId, SuggestOrder)>,
-    progress: (f32, String),
-    wants: Option<bool>,
+    pub(super) found: Option<(SuggestOrder, Vec<Suggestion>)>,
+    pub(super) trouble: Option<String>,
+    pub(super) asked: Option<(JobId, SuggestOrder)>,
+    pub(super) progress: (f32, String),
+    pub(super) wants: Option<bool>,
     /// The one below the pointer in the list.
-    hovered: Option<usize>,
+    pub(super) hovered: Option<usize>,
 }
 
 impl Suggestions {
@@ -103,216 +76,14 @@ impl Suggestions {
         true
     }
 
-    fn list(&self) -> &[Suggestion] {
+    /// All of them.
+    pub(super) fn list(&self) -> &[Suggestion] {
         self.found.as_ref().map_or(&[], |(_, list)| list)
     }
 }
 
 /// Whether a landmark was made of it.
-fn is_added(suggestion: &Suggestion, landmarks: &[Landmark]) -> bool {
+pub(super) fn is_added(suggestion: &Suggestion, landmarks: &[Landmark]) -> bool {
     let bounds = suggestion.candidate.bounds;
     landmarks.iter().any(|l| l.bounds == bounds)
-}
-
-impl Planner {
-    /// What landmarks are to be proposed for; `None` while the map is missing.
-    pub fn suggest_order(&self, documents: &Documents) -> Option<SuggestOrder> {
-        documents.map.as_ref()?;
-        let mission = &documents.mission;
-        let way_points = self.selected(mission).map_or(&[][..], |r| &r.way_points);
-        let speed = way_points.first().and_then(|w| w.speed);
-        Some(SuggestOrder {
-            map: documents.map_source.clone(),
-            view: self.field_view(documents, self.flown_height(documents)),
-            way_points: way_points.iter().map(|w| w.position).collect(),
-            speed: speed.unwrap_or_else(cruise),
-            ground_down: ground_down(documents),
-            navigator: mission.navigator.clone(),
-            taken: mission.landmarks.iter().map(|l| l.bounds).collect(),
-            count: self.preferences.suggest,
-        })
-    }
-
-    /// Carries a command out; the landmarks that were added.
-    pub fn suggest_command(&mut self, command: SuggestCommand, documents: &mut Documents) -> Added {
-        let suggestions = &mut self.suggestions;
-        match command {
-            SuggestCommand::Count(count) => self.preferences.suggest = count.clamp(1, 99),
-            SuggestCommand::Start => suggestions.wants = Some(true),
-            SuggestCommand::Stop => suggestions.wants = Some(false),
-            SuggestCommand::Dismiss => (suggestions.found, suggestions.trouble) = (None, None),
-            SuggestCommand::Add(which) => {
-                let free = documents.mission.free_landmark_id();
-                let list = suggestions.list().iter().enumerate();
-                let wanted = list.filter(|(i, s)| {
-                    which.is_none_or(|w| w == *i) && !is_added(s, &documents.mission.landmarks)
-                });
-                let landmarks: Vec<Landmark> = wanted
-                    .zip(free..)
-                    .map(|((_, s), id)| {
-                        let name = format!("Suggestion {id}");
-                        let mut landmark = Landmark::new(id, name, s.candidate.bounds);
-                        landmark.set_notes(&s.reason);
-                        landmark
-                    })
-                    .collect();
-                if !landmarks.is_empty() {
-                    return documents.add_all(vec![(Vec::new(), landmarks)]);
-                }
-            }
-        }
-        Added::default()
-    }
-
-    /// Draws what is proposed beside the table of landmarks.
-    pub(super) fn suggestions_card(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
-        let tokens = context.tokens;
-        let say = |command| Command::Plan(PlanCommand::Suggest(command));
-        let under_way = self.suggestions.asked.is_some();
-        ui.horizontal(|ui| {
-            if under_way {
-                if icon_button(ui, tokens, Icon::Close, "Stop suggesting").clicked() {
-                    context.commands.push(say(SuggestCommand::Stop));
-                }
-                let (share, words) = &self.suggestions.progress;
-                ui.vertical(|ui| {
-                    let bar = egui::ProgressBar::new(*share).desired_height(4.0);
-                    ui.add(bar).accessible_name("How far suggesting is");
-                    ui.add(egui::Label::new(muted(tokens, words)).truncate());
-                });
-                return;
-            }
-            let count = self.preferences.suggest;
-            let place = match self.selected(context.mission) {
-                Some(_) => "this route",
-                None => "the map",
-            };
-            let label = format!("Suggest {count} landmarks for {place}");
-            let start = PlanCommand::Suggest(SuggestCommand::Start);
-            button(ui, context, None, &label, false, start);
-            let mut wanted = count;
-            let field = DragValue::new(&mut wanted).range(1..=99).speed(0.1);
-            let name = "How many landmarks to suggest";
-            if ui.add(field).accessible_name(name).changed() {
-                context.commands.push(say(SuggestCommand::Count(wanted)));
-            }
-        });
-        if let Some(why) = &self.suggestions.trouble {
-            let text = format!("Nothing is suggested: {why}");
-            ui.label(egui::RichText::new(text).color(tokens.warning));
-        }
-        if !self.suggestions.list().is_empty() {
-            self.suggestions_list(ui, context);
-        }
-    }
-
-    fn suggestions_list(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>) {
-        let tokens = context.tokens;
-        let mission = context.mission;
-        let say = |command| Command::Plan(PlanCommand::Suggest(command));
-        let Some((order, list)) = &self.suggestions.found else {
-            return;
-        };
-        let added = |s: &Suggestion| is_added(s, &mission.landmarks);
-        caption(ui, tokens, "Suggested");
-        ui.horizontal(|ui| {
-            if !list.iter().all(added) {
-                let all = PlanCommand::Suggest(SuggestCommand::Add(None));
-                button(ui, context, Some(Icon::Plus), "Add all", true, all);
-            }
-            let dismiss = PlanCommand::Suggest(SuggestCommand::Dismiss);
-            button(ui, context, None, "Dismiss", false, dismiss);
-        });
-        let route = self.selected(mission).map_or(&[][..], |r| &r.way_points);
-        if !route.iter().map(|w| &w.position).eq(&order.way_points) {
-            ui.label(muted(tokens, "The route is another one since."));
-        }
-        let mut hovered = None;
-        for (index, suggestion) in list.iter().enumerate() {
-            let number = index + 1;
-            let row = ui.horizontal(|ui| {
-                if added(suggestion) {
-                    let (rect, _) = ui.allocate_exact_size(vec2(32.0, 32.0), egui::Sense::hover());
-                    let at = rect.center();
-                    ui.painter().circle_filled(at, 4.0, tokens.truth);
-                } else {
-                    let label = format!("Add suggestion {number}");
-                    if icon_button(ui, tokens, Icon::Plus, &label).clicked() {
-                        let add = SuggestCommand::Add(Some(index));
-                        context.commands.push(say(add));
-                    }
-                }
-                let made = if added(suggestion) { "Added: " } else { "" };
-                // A number and its unit stay on one line.
-                let reason = suggestion.reason.replace(" %", "\u{a0}%");
-                let text = format!("{number}  {made}{reason}.");
-                ui.add(egui::Label::new(muted(tokens, text)).wrap());
-            });
-            if ui.rect_contains_pointer(row.response.rect) {
-                hovered = Some(index);
-            }
-        }
-        self.suggestions.hovered = hovered;
-        ui.add_space(tokens.space);
-    }
-
-    /// Draws on the map what is proposed and was not added, with the look-alike of one of them.
-    pub(crate) fn paint_suggestions(
-        &self,
-        painter: &Painter,
-        view: &ScreenFromWorld,
-        landmarks: &[Landmark],
-        tokens: &Tokens,
-    ) {
-        let dashed = |bounds: &GroundRect, color| {
-            let mut corners = view.corners(bounds).to_vec();
-            corners.extend(corners.first().copied());
-            let below = Stroke::new(4.0, tokens.outline());
-            painter.add(Shape::line(corners.clone(), below));
-            painter.extend(Shape::dashed_line(
-                &corners,
-                Stroke::new(2.0, color),
-                6.0,
-                4.0,
-            ));
-            Rect::from_points(&corners)
-        };
-        for (index, suggestion) in self.suggestions.list().iter().enumerate() {
-            if is_added(suggestion, landmarks) {
-                continue;
-            }
-            let candidate = &suggestion.candidate;
-            if self.suggestions.hovered == Some(index) {
-                let b = &candidate.bounds;
-                let rival = GroundRect::centered(candidate.rival_place, b.height(), b.width());
-                let ends = [view.apply(&b.center()), view.apply(&rival.center())];
-                paint_lifted_line(painter, ends, 1.0, tokens.warning, tokens);
-                dashed(&rival, tokens.warning);
-            }
-            let around = dashed(&candidate.bounds, tokens.accent);
-            let (at, align) = (around.center(), Align2::CENTER_CENTER);
-            let text = format!("{}", index + 1);
-            paint_halo_text(painter, at, align, &text, tokens.normal(), tokens.accent);
-        }
-    }
-
-    /// What is proposed, for journeys.
-    pub fn suggestions_json(&self, landmarks: &[Landmark]) -> Value {
-        let suggestions = &self.suggestions;
-        let of = |s: &Suggestion| {
-            let middle = s.candidate.bounds.center();
-            json!({
-                "north": middle.north,
-                "east": middle.east,
-                "probability": s.candidate.probability,
-                "reason": s.reason,
-                "added": is_added(s, landmarks),
-            })
-        };
-        json!({
-            "list": suggestions.list().iter().map(of).collect::<Vec<_>>(),
-            "progress": suggestions.asked.as_ref().map(|_| suggestions.progress.0),
-            "trouble": suggestions.trouble,
-        })
-    }
 }

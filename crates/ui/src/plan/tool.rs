@@ -7,7 +7,8 @@ use pilotage_core::mission::{Mission, Route};
 
 use super::PlanCommand;
 use super::command::AreaChange;
-use super::planner::{PlanTab, Planner};
+use super::planner::Planner;
+use super::tab::PlanTab;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::landmarks::LandmarkChange;

@@ -6,9 +6,11 @@ use pilotage_core::landmark::{DetectorChoice, Landmark};
 use pilotage_core::training::{StageReport, TrainingPhase};
 
 use super::PlanCommand;
-use super::panel::button;
+use super::button::button;
 use super::planner::Planner;
-use super::trainings::{TrainCommand, Training, TrainingState, labels_of, left_words};
+use super::train_command::TrainCommand;
+use super::train_orders::labels_of;
+use super::trainings::{Training, TrainingState, left_words};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;

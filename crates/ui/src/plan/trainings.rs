@@ -1,18 +1,13 @@
 //! Detectors being trained: which, how far, and what is kept so that they can go on after a reload.
 
-use pilotage_core::frames::GroundPoint;
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::{FrameLabels, Mission};
-use pilotage_core::training::TrainingPlan;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use super::planner::{Planner, camera, ground_down};
 use crate::documents::Documents;
 use crate::host::Host;
 use crate::jobs::{
-    FlightSource, Job, JobEvent, JobId, LabelledFrames, TrainOrder, TrainingLeft, TrainingOutcome,
-    TrainingReport,
+    Job, JobEvent, JobId, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport,
 };
 
 /// Key in the browser's storage.
@@ -23,25 +18,6 @@ const FORM: u8 = 1;
 const AT_A_TIME: usize = 2;
 /// Most trainings that are kept, the latest.
 const MOST_KEPT: usize = 40;
-
-/// What people can ask of trainings.
-#[derive(Clone, Debug, PartialEq)]
-pub enum TrainCommand {
-    /// Train detectors for these landmarks.
-    Start(Vec<u32>),
-    /// For those that are marked.
-    Selected,
-    /// For every landmark that is switched on and has none yet; for all of them if none is left.
-    All,
-    /// How many photos each learns from.
-    Photos(usize),
-    /// Let the training of a landmark, or every one, keep its place.
-    Pause(Option<u32>),
-    /// Go on.
-    Resume(Option<u32>),
-    /// Stop for good and forget what was done.
-    Cancel(Option<u32>),
-}
 
 /// Where a training stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -370,80 +346,5 @@ pub fn left_words(left: Option<&TrainingLeft>) -> String {
     match left {
         Some(left) => format!("Paused at stage {}", left.stages.len() + 1),
         None => "Paused".to_owned(),
-    }
-}
-
-/// The place that the landmark's map patch would be taken for it.
-fn look_alike(landmark: &Landmark, documents: &Documents) -> Vec<GroundPoint> {
-    let least = documents.mission.navigator.detector.least_score;
-    let examined = documents.distinctness_of(landmark.id);
-    let strongest = examined.and_then(|d| d.look_alike);
-    strongest
-        .filter(|(_, score)| *score >= least)
-        .map(|(place, _)| place)
-        .into_iter()
-        .collect()
-}
-
-/// What people said of frames about a landmark.
-pub(super) fn labels_of<'a>(
-    landmark: &'a Landmark,
-    mission: &'a Mission,
-) -> impl Iterator<Item = &'a FrameLabels> {
-    let told = |l: &&FrameLabels| l.of(landmark.id).is_some() || l.lacks(landmark.id);
-    mission.labels.iter().filter(told)
-}
-
-/// Frames of the flight that is open to learn a landmark from.
-fn labelled(landmark: &Landmark, documents: &Documents) -> Option<LabelledFrames> {
-    let labels: Vec<_> = labels_of(landmark, &documents.mission).cloned().collect();
-    let is_open = documents.flight_source != FlightSource::Nothing;
-    (is_open && !labels.is_empty()).then(|| LabelledFrames {
-        flight: documents.flight_source.clone(),
-        labels,
-    })
-}
-
-impl Planner {
-    /// What is to be trained for landmarks.
-    pub fn train_orders(&self, ids: &[u32], documents: &Documents) -> Vec<TrainOrder> {
-        let mission = &documents.mission;
-        let height = self.flown_height(documents);
-        let landmarks = ids.iter().filter_map(|id| mission.landmark(*id));
-        let order = |landmark: &Landmark| {
-            let mut landmark = landmark.clone();
-            landmark.keep_trained_text(None);
-            let usual = TrainingPlan::default();
-            let photos = self.preferences.photos;
-            TrainOrder {
-                map: documents.map_source.clone(),
-                camera: camera(documents),
-                height,
-                sensors: mission.navigator.sensors,
-                ground_down: ground_down(documents),
-                plan: TrainingPlan {
-                    photos,
-                    days: usual.days.min(photos),
-                    held_out: usual.held_out.min(photos),
-                    look_alikes: look_alike(&landmark, documents),
-                    ..usual
-                },
-                labelled: labelled(&landmark, documents),
-                left: None,
-                landmark,
-            }
-        };
-        landmarks.map(order).collect()
-    }
-
-    /// Landmarks that "train all" is about: those that are switched on and have no detector yet.
-    pub fn untrained(documents: &Documents) -> Vec<u32> {
-        let on = || documents.mission.landmarks.iter().filter(|l| l.enabled);
-        let without: Vec<u32> = on().filter(|l| !l.is_trained()).map(|l| l.id).collect();
-        if without.is_empty() {
-            on().map(|l| l.id).collect()
-        } else {
-            without
-        }
     }
 }

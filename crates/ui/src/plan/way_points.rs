@@ -8,8 +8,9 @@ use pilotage_core::frames::{Altitude, AltitudeFrame, AltitudeReference, GroundPo
 use pilotage_core::mission::{Route, WayPointAction};
 
 use super::PlanCommand;
+use super::flown::cruise;
 use super::legs::{Leg, time_text};
-use super::planner::{Planner, cruise};
+use super::planner::Planner;
 use super::relief::Relief;
 use super::tool::middle;
 use super::words::distance_text;

@@ -1,0 +1,32 @@
+//! A route that was found in numbers, to be compared with another.
+
+use super::words::Outlook;
+use crate::jobs::Foreseen;
+
+/// One route of the comparison in numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Compared {
+    /// Length over the way-points, metres.
+    pub length: f64,
+    /// How long it takes with its turns, seconds.
+    pub time: f64,
+    /// Largest predicted standard deviation, metres.
+    pub worst: f64,
+    /// Its mean along the route, metres.
+    pub mean: f64,
+}
+
+impl Compared {
+    /// What a route comes to; `None` without a prediction.
+    pub fn of(foreseen: &Foreseen) -> Option<Self> {
+        let samples = &foreseen.prediction.samples;
+        let outlook = Outlook::of(&foreseen.prediction)?;
+        let sum: f64 = samples.iter().map(|s| s.corridor.sigma_major).sum();
+        Some(Self {
+            length: foreseen.route.length,
+            time: samples.last()?.time,
+            worst: outlook.sigma,
+            mean: sum / samples.len() as f64,
+        })
+    }
+}

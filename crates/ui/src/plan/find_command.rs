@@ -1,0 +1,77 @@
+//! What is looked for when a route is found, and what can be asked of the search.
+
+use pilotage_core::frames::GroundPoint;
+use pilotage_core::plan::{Aim, BudgetOf};
+use serde::{Deserialize, Serialize};
+
+use super::heat_command::HeatOf;
+
+/// What is looked for; remembered between visits.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct FindPreferences {
+    /// Greatest cost over that of the shortest route.
+    pub budget: f64,
+    /// What the cost is.
+    pub budget_of: BudgetOf,
+    /// What is to be least.
+    pub aim: Aim,
+    /// What it shall lead over.
+    pub over: HeatOf,
+    /// Distance that is kept from no-fly areas, metres.
+    pub clearance: f64,
+    /// Height that is kept above the ground of the elevation model, metres.
+    pub ground_clearance: f64,
+}
+
+impl Default for FindPreferences {
+    fn default() -> Self {
+        Self {
+            budget: 1.3,
+            budget_of: BudgetOf::default(),
+            aim: Aim::default(),
+            over: HeatOf::default(),
+            clearance: 50.0,
+            ground_clearance: 60.0,
+        }
+    }
+}
+
+/// What the next click on the map says.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum FindPick {
+    /// Nothing.
+    #[default]
+    Nothing,
+    /// Where the route begins.
+    From,
+    /// Where it ends.
+    To,
+    /// The next corner of a no-fly area.
+    Area,
+}
+
+/// What people can ask of the search.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FindCommand {
+    /// Choose both ends on the map, one after the other.
+    Begin,
+    /// Say what the next click means.
+    Pick(FindPick),
+    /// A click on the map.
+    Click(GroundPoint),
+    /// Finish the no-fly area that is being drawn.
+    FinishArea,
+    /// Look for other things.
+    Set(FindPreferences),
+    /// Search.
+    Start,
+    /// Stop searching.
+    Stop,
+    /// Make a route of what was found.
+    Accept,
+    /// Forget what was found.
+    Dismiss,
+    /// Delete a no-fly area, by its number.
+    DeleteArea(usize),
+}

@@ -1,0 +1,188 @@
+//! Which route to find, and what becomes of it.
+
+use pilotage_core::frames::units::GRAVITY;
+use pilotage_core::frames::{Altitude, AltitudeFrame, AltitudeReference, GroundPoint, GroundRect};
+use pilotage_core::plan::Turns;
+use pilotage_core::simulate::GuidanceSettings;
+use serde_json::{Value, json};
+
+use super::compared::Compared;
+use super::find_command::{FindCommand, FindPick};
+use super::flown::{cruise, ground_down, height, line, usual_altitude};
+use super::heat_command::HeatOf;
+use super::planner::Planner;
+use super::tab::PlanTab;
+use crate::documents::Documents;
+use crate::jobs::{FindOrder, Foreseen, HighGround, PredictionOrder};
+
+impl Planner {
+    /// Which route to find; `None` while an end or the map is missing.
+    pub fn find_order(&self, documents: &Documents) -> Option<FindOrder> {
+        let mission = &documents.mission;
+        let (from, to) = (self.finder.from?, self.finder.to?);
+        let wanted = &self.preferences.find;
+        let height = height(
+            &line(&[from, to], self.found_altitude(documents)),
+            documents,
+        );
+        let mut field = self.field_order(documents, wanted.over, height)?;
+        if wanted.over == HeatOf::Map {
+            // No farther around than a route within a usual budget leads.
+            let far = 0.5 * from.distance(&to) + height;
+            let near = GroundRect::around([from, to])?.grown(far);
+            if !near.overlaps(&field.region) {
+                return None;
+            }
+            field.region = GroundRect {
+                south: near.south.max(field.region.south),
+                north: near.north.min(field.region.north),
+                west: near.west.max(field.region.west),
+                east: near.east.min(field.region.east),
+            };
+        }
+        let wind = self.wind(documents);
+        let bank = self.preferences.bank;
+        let guidance = GuidanceSettings::within(bank);
+        let speed = cruise() + wind.speed;
+        let enabled = mission.landmarks.iter().filter(|l| l.enabled);
+        Some(FindOrder {
+            from,
+            to,
+            flight: PredictionOrder {
+                way_points: vec![from, to],
+                height: field.view.height,
+                targets: Vec::new(),
+                airspeed: None,
+                bank: Some(bank),
+                wind,
+                camera: field.view.camera.clone(),
+                ground_down: ground_down(documents),
+                navigator: mission.navigator.clone(),
+                landmarks: enabled
+                    .map(|l| (l.clone(), self.assessments.expected(l)))
+                    .collect(),
+                worlds: 0,
+            },
+            field,
+            no_fly: mission.no_fly.iter().map(|z| z.corners.clone()).collect(),
+            clearance: wanted.clearance,
+            high_ground: self.highest_ground(documents).and_then(|highest| {
+                Some(HighGround {
+                    heights: documents.terrain.heights()?.as_ref().clone(),
+                    highest,
+                })
+            }),
+            turns: Turns {
+                radius: speed * speed / (GRAVITY * guidance.planned_bank.tan()),
+                roll_in: speed * guidance.roll_in,
+            },
+            budget: wanted.budget,
+            budget_of: wanted.budget_of,
+            aim: wanted.aim,
+        })
+    }
+
+    /// The altitude of a route that is found: that of the selected route.
+    pub fn found_altitude(&self, documents: &Documents) -> Altitude {
+        let route = self.selected(&documents.mission);
+        let first = route.and_then(|r| r.way_points.first());
+        first.map_or_else(|| usual_altitude(documents), |w| w.altitude)
+    }
+
+    /// Height above which ground is flown around, metres above the datum of the elevation model, where
+    /// one is open and A is chosen.
+    pub fn highest_ground(&self, documents: &Documents) -> Option<f64> {
+        let altitude = self.found_altitude(documents);
+        let clearance = self.preferences.find.ground_clearance;
+        documents.terrain.heights()?;
+        let reference = AltitudeReference {
+            take_off: documents.relief().at(&self.finder.from?),
+            ground: 0.0,
+        };
+        match altitude.frame {
+            // It follows the ground; too low is too low everywhere.
+            AltitudeFrame::AboveGround if altitude.metres >= clearance => None,
+            AltitudeFrame::AboveGround => Some(f64::NEG_INFINITY),
+            AltitudeFrame::Amsl | AltitudeFrame::AboveTakeOff => {
+                Some(altitude.amsl(&reference) - clearance)
+            }
+        }
+    }
+
+    /// Carries a command out; true if the mission changed.
+    pub fn find_command(&mut self, command: FindCommand, documents: &mut Documents) -> bool {
+        let finder = &mut self.finder;
+        match command {
+            FindCommand::Begin => {
+                (finder.from, finder.to, finder.found) = (None, None, None);
+                finder.trouble = None;
+                finder.pick = FindPick::From;
+            }
+            FindCommand::Pick(pick) => {
+                finder.pick = if finder.pick == pick {
+                    FindPick::Nothing
+                } else {
+                    pick
+                };
+                finder.corners.clear();
+            }
+            FindCommand::Click(at) => finder.click(at),
+            FindCommand::FinishArea => {
+                let corners = std::mem::take(&mut finder.corners);
+                finder.pick = FindPick::Nothing;
+                if corners.len() >= 3 {
+                    finder.found = None;
+                    documents.add_no_fly(corners);
+                    return true;
+                }
+            }
+            FindCommand::Set(preferences) => self.preferences.find = preferences,
+            FindCommand::Start => finder.wants = Some(true),
+            FindCommand::Stop => finder.wants = Some(false),
+            FindCommand::Accept => {
+                let Some(found) = finder.found.take() else {
+                    return false;
+                };
+                let altitude = self.found_altitude(documents);
+                let found = line(&found.surest.route.way_points, altitude);
+                let id = documents.add_route(Some("Found route"), found.way_points);
+                self.route = Some(id);
+                self.way_point = None;
+                self.tab = PlanTab::Route;
+                return true;
+            }
+            FindCommand::Dismiss => finder.found = None,
+            FindCommand::DeleteArea(index) => {
+                finder.found = None;
+                return documents.delete_no_fly(index);
+            }
+        }
+        false
+    }
+
+    /// The search for journeys.
+    pub fn find_json(&self) -> Value {
+        let finder = &self.finder;
+        let place = |p: GroundPoint| json!([p.north, p.east]);
+        let of = |foreseen: &Foreseen| {
+            Compared::of(foreseen).map(|c| {
+                json!({
+                    "length": c.length,
+                    "time": c.time,
+                    "worst": c.worst,
+                    "mean": c.mean,
+                    "way_points": foreseen.route.way_points.len(),
+                })
+            })
+        };
+        json!({
+            "from": finder.from.map(place),
+            "to": finder.to.map(place),
+            "pick": format!("{:?}", finder.pick),
+            "progress": finder.under_way().map(|(share, _)| share),
+            "trouble": finder.trouble,
+            "shortest": finder.found.as_ref().and_then(|f| of(&f.shortest)),
+            "surest": finder.found.as_ref().and_then(|f| of(&f.surest)),
+        })
+    }
+}

@@ -1,0 +1,108 @@
+//! What the heat map is to show of the plan.
+
+use pilotage_core::plan::{FieldView, FixSource, Localizability, PlannedLandmark};
+use serde_json::{Value, json};
+
+use super::flown::{camera, height, usual_altitude};
+use super::heat::BLIND;
+use super::heat_command::{HeatCommand, HeatOf};
+use super::planner::Planner;
+use crate::documents::Documents;
+use crate::jobs::{FieldFrom, FieldOrder};
+
+impl Planner {
+    /// The ground, the camera at a height above it, metres, and what gives fixes, for the heat map or a
+    /// search; `None` without a map.
+    pub fn field_order(
+        &self,
+        documents: &Documents,
+        of: HeatOf,
+        height: f64,
+    ) -> Option<FieldOrder> {
+        let mission = &documents.mission;
+        let map = documents.map.as_ref()?;
+        let view = self.field_view(documents, height);
+        let from = match of {
+            HeatOf::Landmarks => {
+                let enabled = mission.landmarks.iter().filter(|l| l.enabled);
+                let sources = enabled.filter_map(|l| {
+                    let planned = PlannedLandmark {
+                        landmark: l.clone(),
+                        detection: self.assessments.expected(l),
+                    };
+                    FixSource::of(&planned, view.height)
+                });
+                FieldFrom::Landmarks(sources.collect())
+            }
+            HeatOf::Map => FieldFrom::Map {
+                search_sigmas: mission.navigator.detector.search_sigmas,
+            },
+        };
+        Some(FieldOrder {
+            map: documents.map_source.clone(),
+            region: map.bounds,
+            view,
+            from,
+        })
+    }
+
+    /// How the ground is looked at from a height above it, metres, and how uncertain the position is then.
+    pub fn field_view(&self, documents: &Documents, height: f64) -> FieldView {
+        let sensors = &documents.mission.navigator.sensors;
+        FieldView {
+            camera: camera(documents),
+            height,
+            position: self.preferences.heat.position,
+            tilt: sensors.roll.max(sensors.pitch),
+        }
+    }
+
+    /// Height above ground of the selected route, or the usual one, metres.
+    pub fn flown_height(&self, documents: &Documents) -> f64 {
+        self.selected(&documents.mission).map_or_else(
+            || usual_altitude(documents).metres,
+            |route| height(route, documents),
+        )
+    }
+
+    /// What the heat map is to show; `None` while it is hidden.
+    pub fn heat_order(&self, documents: &Documents) -> Option<FieldOrder> {
+        let heat = &self.preferences.heat;
+        if heat.shown {
+            self.field_order(documents, heat.of, self.flown_height(documents))
+        } else {
+            None
+        }
+    }
+
+    /// Carries a command out.
+    pub fn heat_command(&mut self, command: HeatCommand) {
+        let heat = &mut self.preferences.heat;
+        match command {
+            HeatCommand::Toggle => heat.shown = !heat.shown,
+            HeatCommand::ToggleBlind => {
+                // Whoever asks for blind areas wants to see them.
+                heat.blind = !heat.blind || !heat.shown;
+                heat.shown = true;
+            }
+            HeatCommand::Set(preferences) => *heat = preferences,
+            HeatCommand::Stop => self.heat.stop(true),
+            HeatCommand::Resume => self.heat.stop(false),
+        }
+    }
+
+    /// The heat map for journeys.
+    pub fn heat_json(&self) -> Value {
+        let heat = &self.preferences.heat;
+        let field = self.heat.field();
+        json!({
+            "shown": heat.shown,
+            "blind": heat.blind,
+            "known": field.map(Localizability::known),
+            "blind_share": field.and_then(|f| f.blind_share(BLIND)),
+            "complete": self.heat.is_complete(),
+            "progress": self.heat.under_way().map(|(share, _)| share),
+            "trouble": self.heat.trouble(),
+        })
+    }
+}

@@ -1,0 +1,57 @@
+//! Edits of areas that must not be flown over, each one undo step; a drag is one.
+
+use pilotage_core::frames::GroundPoint;
+use pilotage_core::mission::NoFlyZone;
+
+use super::command::AreaChange;
+use super::routes::Step;
+use crate::documents::Documents;
+
+impl Documents {
+    /// Adds an area that must not be flown over.
+    pub fn add_no_fly(&mut self, corners: Vec<GroundPoint>) {
+        self.history.remember(&self.mission);
+        self.mission_edited = true;
+        let number = self.mission.no_fly.len() + 1;
+        self.mission.no_fly.push(NoFlyZone {
+            name: format!("No-fly area {number}"),
+            corners,
+            ..NoFlyZone::default()
+        });
+    }
+
+    /// Changes an area that must not be flown over.
+    pub fn edit_no_fly(&mut self, index: usize, step: Step, change: AreaChange) {
+        let Some(zone) = self.mission.no_fly.get(index) else {
+            return;
+        };
+        let mut zone = zone.clone();
+        match change {
+            AreaChange::Name(name) => zone.name = name,
+            AreaChange::Corner(corner, to) => {
+                if let Some(place) = zone.corners.get_mut(corner) {
+                    *place = to;
+                }
+            }
+        }
+        if zone != self.mission.no_fly[index] {
+            self.history.begin_drag(&self.mission);
+            self.mission.no_fly[index] = zone;
+            self.mission_edited = true;
+        }
+        if step == Step::Whole {
+            self.history.finish_drag(&self.mission);
+        }
+    }
+
+    /// Deletes an area that must not be flown over; false if there is none of that number.
+    pub fn delete_no_fly(&mut self, index: usize) -> bool {
+        if index >= self.mission.no_fly.len() {
+            return false;
+        }
+        self.history.remember(&self.mission);
+        self.mission_edited = true;
+        self.mission.no_fly.remove(index);
+        true
+    }
+}

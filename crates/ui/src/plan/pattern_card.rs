@@ -1,0 +1,112 @@
+//! What a route is made of, to be changed.
+
+use egui::{DragValue, Ui};
+use pilotage_core::mission::Route;
+
+use super::command::PlanCommand;
+use super::patterns::{Circumstances, Cover, Pattern};
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::shell::{caption, icon_button, icons::Icon, muted};
+
+/// Draws what a pattern is made of.
+pub fn pattern_card(
+    ui: &mut Ui,
+    route: &Route,
+    pattern: &Pattern,
+    circumstances: &Circumstances,
+    cruise: f64,
+    context: &mut ViewContext<'_>,
+) {
+    let tokens = context.tokens;
+    let (factor, unit) = context.units.length();
+    let mut next = pattern.clone();
+    let mut finished = true;
+    let title = match pattern.cover {
+        Cover::Survey => "Survey of an area",
+        Cover::Corridor { .. } => "Corridor along a line",
+    };
+    caption(ui, tokens, title);
+    ui.horizontal_wrapped(|ui| {
+        ui.label(muted(tokens, "Overlap aside"));
+        finished &= percent(ui, "Overlap with the pass beside", &mut next.side_overlap);
+        ui.label(muted(tokens, "ahead"));
+        finished &= percent(
+            ui,
+            "Overlap with the next picture",
+            &mut next.forward_overlap,
+        );
+        match &mut next.cover {
+            Cover::Survey => {
+                let stated = next.course_deg;
+                let mut course = stated.unwrap_or(0.0);
+                ui.label(muted(tokens, "course"));
+                let field =
+                    DragValue::new(&mut course)
+                        .speed(1.0)
+                        .custom_formatter(move |value, _| match stated {
+                            Some(_) => format!("{:03.0}°", value.rem_euclid(360.0)),
+                            None => "fewest passes".to_owned(),
+                        });
+                let field = ui.add(field).accessible_name("Course of the passes");
+                if field.changed() {
+                    next.course_deg = Some(course.rem_euclid(360.0));
+                }
+                finished &= !field.dragged();
+                let label = "The course with the fewest passes";
+                if stated.is_some() && icon_button(ui, tokens, Icon::Undo, label).clicked() {
+                    next.course_deg = None;
+                }
+            }
+            Cover::Corridor { width_m } => {
+                let mut width = *width_m * factor;
+                ui.label(muted(tokens, "width"));
+                let field = DragValue::new(&mut width)
+                    .range(1.0..=20_000.0)
+                    .speed(1.0)
+                    .fixed_decimals(0)
+                    .suffix(format!(" {unit}"));
+                let field = ui.add(field).accessible_name("Width of the corridor");
+                if field.changed() {
+                    *width_m = width / factor;
+                }
+                finished &= !field.dragged();
+            }
+        }
+    });
+    let per_pass = match pattern.cover {
+        Cover::Survey => 2,
+        Cover::Corridor { .. } => pattern.places.len().max(1),
+    };
+    let count = route.way_points.len() / per_pass;
+    let between = pattern.between_pictures(circumstances);
+    let words = format!(
+        "{count} passes, at most {:.0} {unit} apart; a picture every {:.0} {unit}, {:.1} s in calm air.",
+        pattern.passes(circumstances).spacing * factor,
+        between * factor,
+        between / cruise
+    );
+    ui.label(muted(tokens, words));
+    if next != *pattern {
+        let set = PlanCommand::SetPattern {
+            pattern: Box::new(next),
+            finished,
+        };
+        context.commands.push(Command::Plan(set));
+    }
+}
+
+/// A share as a percentage; false while it is dragged.
+fn percent(ui: &mut Ui, name: &str, share: &mut f64) -> bool {
+    let mut shown = 100.0 * *share;
+    let field = DragValue::new(&mut shown)
+        .range(0.0..=95.0)
+        .speed(0.5)
+        .fixed_decimals(0)
+        .suffix(" %");
+    let field = ui.add(field).accessible_name(name);
+    if field.changed() {
+        *share = shown / 100.0;
+    }
+    !field.dragged()
+}

@@ -1,0 +1,53 @@
+//! What would mend the worst stretch of a route, in sentences and on the map.
+
+use egui::{Align2, Painter, Stroke, Ui};
+
+use super::command::PlanCommand;
+use super::find_command::FindCommand;
+use super::planner::Planner;
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::map::{ScreenFromWorld, paint_halo_text};
+use crate::shell::text_button;
+use crate::tokens::Tokens;
+
+impl Planner {
+    /// Draws what mends the worst stretch, with a button that looks for another line.
+    pub(super) fn remedies_card(&self, ui: &mut Ui, context: &mut ViewContext<'_>) {
+        let tokens = context.tokens;
+        for sentence in self.remedies.sentences(context.units) {
+            ui.label(egui::RichText::new(sentence).color(tokens.text));
+        }
+        let Some(worst) = self.remedies.worst else {
+            return;
+        };
+        if text_button(ui, tokens, None, "Find another line past it", false).clicked() {
+            for command in [
+                FindCommand::Begin,
+                FindCommand::Click(worst.begin),
+                FindCommand::Click(worst.end),
+                FindCommand::Start,
+            ] {
+                let command = Command::Plan(PlanCommand::Find(command));
+                context.commands.push(command);
+            }
+        }
+    }
+
+    /// Marks on the map where a landmark would mend the worst stretch.
+    pub(crate) fn paint_remedy(&self, painter: &Painter, view: &ScreenFromWorld, tokens: &Tokens) {
+        let Some(worst) = self.remedies.worst else {
+            return;
+        };
+        let at = view.apply(&worst.begin);
+        for stroke in [
+            Stroke::new(5.0, tokens.outline()),
+            Stroke::new(2.0, tokens.warning),
+        ] {
+            painter.circle_stroke(at, 9.0, stroke);
+        }
+        let (below, align) = (at + egui::vec2(0.0, 14.0), Align2::CENTER_TOP);
+        let text = "a landmark here would help";
+        paint_halo_text(painter, below, align, text, tokens.small(), tokens.warning);
+    }
+}

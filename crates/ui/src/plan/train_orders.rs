@@ -1,0 +1,86 @@
+//! What is to be trained for landmarks, and from which pictures.
+
+use pilotage_core::frames::GroundPoint;
+use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::{FrameLabels, Mission};
+use pilotage_core::training::TrainingPlan;
+
+use super::flown::{camera, ground_down};
+use super::planner::Planner;
+use crate::documents::Documents;
+use crate::jobs::{FlightSource, LabelledFrames, TrainOrder};
+
+/// The place that the landmark's map patch would be taken for it.
+fn look_alike(landmark: &Landmark, documents: &Documents) -> Vec<GroundPoint> {
+    let least = documents.mission.navigator.detector.least_score;
+    let examined = documents.distinctness_of(landmark.id);
+    let strongest = examined.and_then(|d| d.look_alike);
+    strongest
+        .filter(|(_, score)| *score >= least)
+        .map(|(place, _)| place)
+        .into_iter()
+        .collect()
+}
+
+/// What people said of frames about a landmark.
+pub(super) fn labels_of<'a>(
+    landmark: &'a Landmark,
+    mission: &'a Mission,
+) -> impl Iterator<Item = &'a FrameLabels> {
+    let told = |l: &&FrameLabels| l.of(landmark.id).is_some() || l.lacks(landmark.id);
+    mission.labels.iter().filter(told)
+}
+
+/// Frames of the flight that is open to learn a landmark from.
+fn labelled(landmark: &Landmark, documents: &Documents) -> Option<LabelledFrames> {
+    let labels: Vec<_> = labels_of(landmark, &documents.mission).cloned().collect();
+    let is_open = documents.flight_source != FlightSource::Nothing;
+    (is_open && !labels.is_empty()).then(|| LabelledFrames {
+        flight: documents.flight_source.clone(),
+        labels,
+    })
+}
+
+impl Planner {
+    /// What is to be trained for landmarks.
+    pub fn train_orders(&self, ids: &[u32], documents: &Documents) -> Vec<TrainOrder> {
+        let mission = &documents.mission;
+        let height = self.flown_height(documents);
+        let landmarks = ids.iter().filter_map(|id| mission.landmark(*id));
+        let order = |landmark: &Landmark| {
+            let mut landmark = landmark.clone();
+            landmark.keep_trained_text(None);
+            let usual = TrainingPlan::default();
+            let photos = self.preferences.photos;
+            TrainOrder {
+                map: documents.map_source.clone(),
+                camera: camera(documents),
+                height,
+                sensors: mission.navigator.sensors,
+                ground_down: ground_down(documents),
+                plan: TrainingPlan {
+                    photos,
+                    days: usual.days.min(photos),
+                    held_out: usual.held_out.min(photos),
+                    look_alikes: look_alike(&landmark, documents),
+                    ..usual
+                },
+                labelled: labelled(&landmark, documents),
+                left: None,
+                landmark,
+            }
+        };
+        landmarks.map(order).collect()
+    }
+
+    /// Landmarks that "train all" is about: those that are switched on and have no detector yet.
+    pub fn untrained(documents: &Documents) -> Vec<u32> {
+        let on = || documents.mission.landmarks.iter().filter(|l| l.enabled);
+        let without: Vec<u32> = on().filter(|l| !l.is_trained()).map(|l| l.id).collect();
+        if without.is_empty() {
+            on().map(|l| l.id).collect()
+        } else {
+            without
+        }
+    }
+}
