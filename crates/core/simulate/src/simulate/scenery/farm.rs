@@ -3,9 +3,9 @@
 use std::f32::consts::{FRAC_PI_2, PI};
 
 use super::house::ROOFS;
-use super::labels::SceneKind;
 use super::noise::Dice;
 use super::plan::Plan;
+use super::scene_kind::SceneKind;
 use super::shape::{Outline, Slab, Spot, smooth_curve};
 use super::things::{Cover, Form, Ground, Habit, Road, RoadClass, Roof};
 

@@ -1,14 +1,12 @@
 //! Fields and woodland floor: crops in rows, tramlines, headlands, damp patches, worn edges.
 
+use super::bend::BEND;
 use super::light::{Color, mix, scale};
 use super::noise::{floor, hash2, smooth_step, unit};
 use super::parcels::Cover;
 use super::shape::{Spot, spot};
-use super::texture::{LAND_SCALE, Texture, individual};
+use super::texture::{LAND_SCALE, individual};
 use super::world::World;
-
-/// How far field boundaries wander from the straight lines of the plan, metres.
-const BEND: f32 = 5.5;
 
 /// A smooth periodic wave from -1 to 1, one crest per `period`, faded before it aliases.
 #[inline]
@@ -33,20 +31,6 @@ pub(super) fn line_share(distance: f32, half_width: f32, gsd: f32) -> f32 {
 #[inline]
 pub(super) fn repeated(x: f32, period: f32) -> f32 {
     x - period * floor(x / period + 0.5) as f32
-}
-
-/// Where a place of the straight plan lies on the ground.
-pub(super) fn bent(land: &Texture, planned: Spot) -> Spot {
-    let [n, e, ..] = land.sample(planned * LAND_SCALE, 0.01);
-    let first = planned - spot(n, e) * BEND;
-    let [n, e, ..] = land.sample(first * LAND_SCALE, 0.01);
-    planned - spot(n, e) * BEND
-}
-
-/// Where a place on the ground lies in the straight plan.
-pub(super) fn unbent(land: &Texture, p: Spot) -> Spot {
-    let [n, e, ..] = land.sample(p * LAND_SCALE, 0.01);
-    p + spot(n, e) * BEND
 }
 
 impl World {

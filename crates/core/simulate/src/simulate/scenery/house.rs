@@ -2,9 +2,9 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use super::labels::SceneKind;
 use super::noise::Dice;
 use super::plan::Plan;
+use super::scene_kind::SceneKind;
 use super::shape::Slab;
 use super::things::{Cover, Ground, Habit, Roof};
 

@@ -1,74 +1,12 @@
 //! What the scenery knows about itself.
 
-use serde::{Deserialize, Serialize};
-
-use super::fields::bent;
+use super::bend::bent;
 use super::parcels::Cover;
+use super::scene_kind::{SceneKind, SceneLabel};
 use super::shape::{Outline, Spot};
 use super::things::{Form, Ground, Habit, RoadClass};
-use super::world::{World, ground_polygon};
+use super::world::World;
 use pilotage_base::frames::{GroundPoint, GroundRect};
-
-/// What a labelled thing is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
-pub enum SceneKind {
-    /// A large building, or a part of one.
-    Building,
-    /// A dwelling house or a small outbuilding.
-    House,
-    /// One tree crown.
-    Tree,
-    /// A field or meadow.
-    Field,
-    /// A parcel of woodland.
-    Wood,
-    /// A sealed road.
-    Road,
-    /// An unsealed track.
-    Track,
-    /// A pedestrian crossing.
-    Crossing,
-    /// A swimming pool.
-    Pool,
-    /// A pond.
-    Pond,
-    /// A stream.
-    Stream,
-    /// A parked car.
-    Car,
-    /// A car park.
-    CarPark,
-    /// A farm or works yard.
-    Yard,
-    /// A tank or silo.
-    Tank,
-    /// A playing field, cemetery, quarry or other open place.
-    Place,
-}
-
-/// One labelled outline.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct SceneLabel {
-    /// What it is.
-    pub kind: SceneKind,
-    /// Its name, if it has one.
-    pub name: Option<String>,
-    /// Its outline on the ground, world metres, in order.
-    pub polygon: Vec<GroundPoint>,
-}
-
-/// A place that can serve as a landmark.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct DistinctFeature {
-    /// Plain English name, the same for every seed.
-    pub name: String,
-    /// What it is.
-    pub kind: SceneKind,
-    /// Outline of the feature itself, world metres.
-    pub outline: Vec<GroundPoint>,
-    /// The box to use as a landmark: the feature with its surroundings.
-    pub landmark_box: GroundRect,
-}
 
 /// A parcel's outline as it lies on the ground, with corners every 20 m or so.
 fn bent_outline(world: &World, corners: &[Spot]) -> Vec<GroundPoint> {
@@ -148,4 +86,9 @@ pub(super) fn labels(world: &World, rect: &GroundRect) -> Vec<SceneLabel> {
         }
     }
     labels
+}
+
+/// Corners of an outline in world metres.
+fn ground_polygon(outline: &Outline) -> Vec<GroundPoint> {
+    outline.corners().into_iter().map(Spot::ground).collect()
 }

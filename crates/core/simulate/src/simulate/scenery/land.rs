@@ -3,8 +3,8 @@
 use super::grid::{Grid, REACH};
 use super::parcels::Parcels;
 use super::plan::{Plan, Segment, segment_grid};
+use super::shape::{Spot, spot};
 use super::texture::Textures;
-use super::world::square;
 use super::{distinct, network, settlement, water, woods};
 
 /// The plan without the cars of a day, its grids, and the textures of the ground.
@@ -78,4 +78,9 @@ impl Land {
             textures,
         }
     }
+}
+
+/// Corners of a square around a place.
+fn square(center: Spot, radius: f32) -> Vec<Spot> {
+    vec![center + spot(radius, radius), center - spot(radius, radius)]
 }

@@ -5,6 +5,8 @@
 //! geometry and differ in light, season, crops and parked cars. The distinct places lie where the
 //! built-in flight scenarios expect them, whatever the seed.
 
+mod bend;
+mod cast;
 mod coverings;
 mod crowns;
 mod day;
@@ -12,6 +14,7 @@ mod distinct;
 mod face;
 mod farm;
 mod fields;
+mod foliage;
 mod grid;
 mod house;
 mod labels;
@@ -26,6 +29,7 @@ mod render;
 mod road_table;
 mod roadway;
 mod roofs;
+mod scene_kind;
 mod settlement;
 mod shadows;
 mod shape;
@@ -44,7 +48,7 @@ mod tests;
 use std::sync::Arc;
 
 pub use day::{Day, Season};
-pub use labels::{DistinctFeature, SceneKind, SceneLabel};
+pub use scene_kind::{DistinctFeature, SceneKind, SceneLabel};
 
 use land::Land;
 use pilotage_base::frames::GroundRect;

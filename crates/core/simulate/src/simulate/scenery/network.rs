@@ -1,8 +1,8 @@
 //! The road network: fixed curves, named for people.
 
-use super::labels::SceneKind;
 use super::plan::Plan;
 use super::road_table::ROADS;
+use super::scene_kind::SceneKind;
 use super::shape::{Outline, Slab, Spot, smooth_curve, spot};
 use super::things::RoadClass::{Main, Street, Track};
 use super::things::{Ground, Road, RoadClass};

@@ -1,8 +1,8 @@
 //! The plan on paper: lists of objects, filled by the builders in their order.
 
 use super::grid::Grid;
-use super::labels::{DistinctFeature, SceneKind};
 use super::noise::Dice;
+use super::scene_kind::{DistinctFeature, SceneKind};
 use super::shape::{Outline, Slab, Spot, spot};
 use super::things::{
     Cover, Crown, Form, Ground, Habit, Prop, Road, RoadClass, Roof, Solid, Surface,

@@ -1,6 +1,6 @@
 //! The objects that the scenery is made of.
 
-use super::labels::SceneKind;
+use super::scene_kind::SceneKind;
 use super::shape::{Outline, Slab, Spot};
 
 /// What a flat surface is made of.

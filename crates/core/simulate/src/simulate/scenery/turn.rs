@@ -1,6 +1,6 @@
 //! From the plan's coordinates to the world's and back: half a turn about the origin.
 
-use super::labels::{DistinctFeature, SceneLabel};
+use super::scene_kind::{DistinctFeature, SceneLabel};
 use pilotage_base::frames::{GroundPoint, GroundRect};
 use pilotage_raster::imagery::Window;
 

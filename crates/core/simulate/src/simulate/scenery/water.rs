@@ -1,7 +1,7 @@
 //! The pond and the stream.
 
-use super::labels::SceneKind;
 use super::plan::Plan;
+use super::scene_kind::SceneKind;
 use super::shape::{Outline, Slab, Spot, polygon_distance, smooth_curve, spot};
 use super::things::{Ground, Road, RoadClass};
 

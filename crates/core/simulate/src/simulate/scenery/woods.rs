@@ -1,6 +1,6 @@
 //! Where trees grow: woods, hedges, road sides, water sides and single trees.
 
-use super::fields::{bent, unbent};
+use super::bend::{bent, unbent};
 use super::grid::{Grid, REACH};
 use super::noise::{Dice, hash2, unit, value_noise};
 use super::parcels::{Parcels, Use};

@@ -2,16 +2,15 @@
 
 use std::sync::Arc;
 
-use super::crowns::Foliage;
-use super::day::Day;
-use super::day::Season;
+use super::cast::{CrownShadow, Shadow, prop_vertices};
+use super::day::{Day, Season};
+use super::foliage::Foliage;
 use super::grid::Grid;
 use super::land::Land;
 use super::light::Light;
 use super::noise::{hash2, unit};
 use super::parcels::Parcels;
-use super::shadows::{CrownShadow, Shadow, prop_vertices};
-use super::shape::{Outline, Slab, Spot, spot};
+use super::shape::Slab;
 use super::things::{Form, Prop};
 
 /// The land, and what a day makes of it.
@@ -28,10 +27,6 @@ pub(super) struct World {
     pub(super) foliage: Foliage,
     pub(super) growth: u32,
     pub(super) light: Light,
-}
-
-pub(super) fn square(center: Spot, radius: f32) -> Vec<Spot> {
-    vec![center + spot(radius, radius), center - spot(radius, radius)]
 }
 
 impl World {
@@ -134,9 +129,4 @@ fn parked(stalls: &[(Slab, f32)], day: &Day) -> Vec<Prop> {
         }
     }
     cars
-}
-
-/// Corners of an outline in world metres.
-pub(super) fn ground_polygon(outline: &Outline) -> Vec<pilotage_base::frames::GroundPoint> {
-    outline.corners().into_iter().map(Spot::ground).collect()
 }

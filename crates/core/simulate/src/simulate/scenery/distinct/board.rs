@@ -2,9 +2,9 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use super::super::labels::SceneKind;
 use super::super::noise::Dice;
 use super::super::plan::Plan;
+use super::super::scene_kind::SceneKind;
 use super::super::shape::{Slab, Spot};
 use super::super::things::Habit;
 

@@ -2,8 +2,8 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use super::super::labels::SceneKind::{Building, Pool, Tank};
 use super::super::plan::{LEG_ONE_HEADING, Plan, leg_one};
+use super::super::scene_kind::SceneKind::{Building, Pool, Tank};
 use super::super::shape::{Outline, spot};
 use super::super::things::Cover::{Glass, Metal, Plain, Tiles};
 use super::super::things::Roof::{Cone, Dome, Gable, Hip, Vault};

@@ -2,8 +2,8 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use super::super::labels::SceneKind::{Building, Place};
 use super::super::plan::Plan;
+use super::super::scene_kind::SceneKind::{Building, Place};
 use super::super::shape::{Outline, Spot, spot};
 use super::super::things::Cover::{Ballast, Metal, Tiles};
 use super::super::things::Roof::{Cone, Flat, Gable};

@@ -2,8 +2,8 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use super::super::labels::SceneKind::Building;
 use super::super::plan::{LEG_ONE_HEADING, Plan, leg_one};
+use super::super::scene_kind::SceneKind::Building;
 use super::super::shape::{Outline, Slab};
 use super::super::things::Cover::{Ballast, Felt, Glass, Metal, Plain};
 use super::super::things::Roof::{Flat, Hip, Vault};

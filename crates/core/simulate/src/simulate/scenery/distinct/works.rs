@@ -2,8 +2,8 @@
 
 use std::f32::consts::FRAC_PI_2;
 
-use super::super::labels::SceneKind::{Building, Tank};
 use super::super::plan::{LEG_ONE_HEADING, Plan, leg_one};
+use super::super::scene_kind::SceneKind::{Building, Tank};
 use super::super::shape::{Slab, spot};
 use super::super::things::Cover::{Felt, Glass, Metal, Plain, Tiles};
 use super::super::things::Roof::{Cone, Flat, Gable, Sawtooth};
