@@ -1,19 +1,9 @@
 //! A camera put in time and place beside its log, in a worker.
 
-use pilotage_core::alignment::{CameraEvidence, CameraPrior, CameraSearch};
-use serde::{Deserialize, Serialize};
+use pilotage_core::alignment::CameraSearch;
 
 use super::running::SLICE;
-use super::{Advance, JobEvent, RunningJob, Workshop};
-
-/// A camera to be estimated.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct AlignOrder {
-    /// The frames that were laid on the map, and the log around them.
-    pub evidence: CameraEvidence,
-    /// What is believed before.
-    pub believed: CameraPrior,
-}
+use super::{Advance, AlignOrder, JobEvent, RunningJob, Workshop};
 
 /// An estimate under way: events `Progress`, at the end `CameraAligned`.
 pub struct Align {

@@ -2,34 +2,13 @@
 
 use std::sync::Arc;
 
-use pilotage_core::camera::CameraModel;
 use pilotage_core::imagery::Imagery;
-use pilotage_core::landmark::Landmark;
-use pilotage_core::navigator::NavigatorSettings;
-use pilotage_core::plan::{Assessor, Breakdown, Circumstances, ExpectedDetection, Rehearsal, View};
-use serde::{Deserialize, Serialize};
+use pilotage_core::plan::{Assessor, Breakdown, Circumstances, Rehearsal, View};
 
 use super::running::SLICE;
-use super::{Advance, JobEvent, MapSource, RunningJob, Workshop};
+use super::{Advance, Assessment, AssessmentOrder, Glance, JobEvent, RunningJob, Share, Workshop};
 
 const SEED: u64 = 11;
-
-/// Which landmark to measure, and how it will be looked for.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct AssessmentOrder {
-    /// The map.
-    pub map: MapSource,
-    /// The landmark.
-    pub landmark: Landmark,
-    /// The camera.
-    pub camera: CameraModel,
-    /// Height of the camera above ground, metres.
-    pub height: f64,
-    /// How it will be navigated.
-    pub navigator: NavigatorSettings,
-    /// Down coordinate of the ground plane, metres.
-    pub ground_down: f64,
-}
 
 impl AssessmentOrder {
     /// Prepares to look at the landmark on `days`.
@@ -55,63 +34,6 @@ impl AssessmentOrder {
             circumstances,
             SEED,
         ))
-    }
-}
-
-/// One look at a landmark.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Glance {
-    /// Heading of the camera, radians.
-    pub heading: f64,
-    /// Distance from the middle of the picture, pixels.
-    pub off_centre: f64,
-    /// Which of the days it was on.
-    pub day: usize,
-    /// Whether it was accepted and right.
-    pub found: bool,
-    /// Whether a wrong place was accepted.
-    pub wrong: bool,
-}
-
-/// How well a landmark is found.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Assessment {
-    /// The landmark as it was measured.
-    pub landmark: Landmark,
-    /// Height above ground, metres.
-    pub height: f64,
-    /// What is to be expected.
-    pub expected: ExpectedDetection,
-    /// Share of the views in which a wrong place was accepted.
-    pub false_matches: f64,
-    /// Every view.
-    pub views: Vec<Glance>,
-    /// What they depend on.
-    pub breakdown: Breakdown,
-}
-
-/// A share of the looks at a landmark: those on every `of`-th day, so that several workers draw the
-/// ground of one day each.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Share {
-    /// Which of them, from 0.
-    pub part: usize,
-    /// How many there are.
-    pub of: usize,
-}
-
-impl Share {
-    /// Everything.
-    pub const WHOLE: Self = Self { part: 0, of: 1 };
-
-    /// Whether a look is of this share.
-    fn has(&self, look: usize) -> bool {
-        look % Rehearsal::DAYS % self.of == self.part
-    }
-
-    /// How many looks there are in it.
-    fn count(&self) -> usize {
-        (0..Rehearsal::VIEWS).filter(|look| self.has(*look)).count()
     }
 }
 

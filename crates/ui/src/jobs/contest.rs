@@ -6,28 +6,15 @@ use std::sync::Arc;
 
 use pilotage_core::flight::Flight;
 use pilotage_core::imagery::Imagery;
-use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{EstimatorChoice, Navigator, Run};
 use pilotage_core::study::{Comparison, Contender, Tally};
-use serde::{Deserialize, Serialize};
 
 use super::flights::OpenFlight;
 use super::running::SLICE;
-use super::{Advance, FlightSource, JobEvent, MapSource, RunningJob, Workshop};
+use super::{Advance, ContestOrder, JobEvent, RunningJob, Workshop};
 
 /// Seed of what an estimator draws.
 const SEED: u64 = 1;
-
-/// A flight to be flown by every estimator on the mission's own vehicle model.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ContestOrder {
-    /// The flight.
-    pub flight: FlightSource,
-    /// The map.
-    pub map: MapSource,
-    /// Landmarks and settings.
-    pub mission: Mission,
-}
 
 /// A contest under way: events `Progress`, at the end `ContestJudged`.
 pub struct Contest {
@@ -142,7 +129,7 @@ impl RunningJob for Contest {
 #[cfg(test)]
 mod tests {
     use super::super::InlineHost;
-    use super::super::{Job, SimulationOptions};
+    use super::super::{FlightSource, Job, MapSource, SimulationOptions};
     use super::*;
     use crate::host::Host;
     use pilotage_core::simulate::Scenario;

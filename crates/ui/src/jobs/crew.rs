@@ -3,10 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::places::{PLACES, ROLES, file_keys, place, program_at, role_at, role_for};
-use super::predict::COARSE;
 use super::runner::urgency;
 use super::shared::{Follows, SHARES, SharedJob};
-use super::{FileContent, Job, JobEvent, JobId, Program, Reply, Request};
+use super::{COARSE, FileContent, Job, JobEvent, JobId, Program, Reply, Request};
 
 /// Time without an answer after which a worker counts as dead, milliseconds. A fault in a worker and
 /// its end are noticed at once by other means; this is for one that hangs, and long enough for the

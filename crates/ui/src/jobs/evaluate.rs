@@ -12,11 +12,12 @@ use pilotage_core::training::evaluation::{
     AtThreshold, DetectorJudge, EvaluatedLook, Evaluation, EvaluationSettings, FrameJudge,
     JudgingPlan, Plot, Rate,
 };
-use serde::{Deserialize, Serialize};
 
 use super::flights::OpenFlight;
 use super::running::SLICE;
-use super::{Advance, AssessmentOrder, FlightSource, JobEvent, RunningJob, Workshop};
+use super::{
+    Advance, EvaluationOrder, EvaluationReport, FlightSource, JobEvent, RunningJob, Workshop,
+};
 
 /// Most real frames that are looked at, evenly spread over the flight.
 const MOST_FRAMES: usize = 200;
@@ -24,38 +25,6 @@ const MOST_FRAMES: usize = 200;
 const TOLD_EVERY: usize = 50;
 /// Samples of days for these, which are soon replaced.
 const FEW_REPLICATES: usize = 100;
-
-/// Which detector to judge, and by which real frames.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct EvaluationOrder {
-    /// The landmark with its detector, and the flights for which it is judged.
-    pub about: AssessmentOrder,
-    /// A recorded flight; its frames are looked at if the truth of it is known.
-    pub flight: Option<FlightSource>,
-    /// Photos to take.
-    pub photos: usize,
-    /// Days on which they are taken.
-    pub days: usize,
-}
-
-/// What came of an evaluation, ready to be shown and saved.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct EvaluationReport {
-    /// The landmark.
-    pub landmark: u32,
-    /// Its name.
-    pub name: String,
-    /// The figures that matter most.
-    pub figures: Vec<String>,
-    /// What they rest on.
-    pub basis: String,
-    /// The plots, each with itself as SVG.
-    pub plots: Vec<(Plot, String)>,
-    /// Every figure as one table.
-    pub csv: String,
-    /// Whether there is more to be looked at.
-    pub is_partial: bool,
-}
 
 impl EvaluationReport {
     /// What is told of `looks` for the detector whose own threshold is `least_score`.
@@ -374,7 +343,9 @@ mod tests {
     use pilotage_core::simulate::Scenario;
 
     use super::*;
-    use crate::jobs::{Abilities, Job, JobRunner, MapSource, Reply, Request, SimulationOptions};
+    use crate::jobs::{
+        Abilities, AssessmentOrder, Job, JobRunner, MapSource, Reply, Request, SimulationOptions,
+    };
 
     /// A detector that marks every place of the ground alike.
     fn anything(bounds: pilotage_core::frames::GroundRect) -> TrainedDetector {

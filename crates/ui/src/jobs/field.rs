@@ -1,11 +1,9 @@
 //! Where a fix would be had, as a job: the field streams in while it is computed.
 
-use pilotage_core::frames::GroundRect;
-use pilotage_core::plan::{FieldBuilder, FieldView, FixSource, Localizability, OfferedField};
-use serde::{Deserialize, Serialize};
+use pilotage_core::plan::{FieldBuilder, FixSource, Localizability, OfferedField};
 
 use super::running::slice;
-use super::{Advance, JobEvent, MapSource, RunningJob, Workshop};
+use super::{Advance, FieldFrom, FieldOrder, JobEvent, RunningJob, Workshop};
 
 /// Cells along the longer side of the map at most.
 const MOST_CELLS: f64 = 260.0;
@@ -15,31 +13,6 @@ const DAYS: usize = 2;
 const EVERY: f64 = 400.0;
 /// Why nothing can be seen.
 pub(super) const LOOKS_AWAY: &str = "the camera does not look down at the ground";
-
-/// What gives fixes.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum FieldFrom {
-    /// Landmarks, and what is expected of them.
-    Landmarks(Vec<FixSource>),
-    /// Whatever the map itself offers: every place is rehearsed as if it were a landmark.
-    Map {
-        /// Half width of the detector's search in standard deviations.
-        search_sigmas: f64,
-    },
-}
-
-/// Which field to compute.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct FieldOrder {
-    /// The map.
-    pub map: MapSource,
-    /// The ground to be covered.
-    pub region: GroundRect,
-    /// How it is looked at.
-    pub view: FieldView,
-    /// What gives fixes.
-    pub from: FieldFrom,
-}
 
 impl FieldOrder {
     /// Side of a cell, metres: a ninth of the picture, but no more cells than can be seen.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use pilotage_core::flight::files::{FileSet, ZipFiles};
 use pilotage_core::imagery::ByteSource;
 
-use super::content::{FileContent, LentFiles};
+use super::{FileContent, LentFiles};
 
 /// Largest file that is read whole, bytes.
 const LARGEST_WHOLE: u64 = 1 << 30;

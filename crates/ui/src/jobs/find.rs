@@ -3,76 +3,24 @@
 use std::sync::Arc;
 
 use pilotage_core::frames::GroundPoint;
-use pilotage_core::imagery::terrain::{HeightGrid, Terrain as _};
+use pilotage_core::imagery::terrain::Terrain as _;
 use pilotage_core::plan::{
-    Aim, BudgetOf, Forbidden, FoundRoute, Localizability, NoFlyArea, OfferedField, Prediction,
-    RouteQuestion, RouteSearch, Turns, growth_before_first_fix,
+    Aim, Forbidden, FoundRoute, Localizability, OfferedField, RouteQuestion, RouteSearch,
+    growth_before_first_fix,
 };
 use pilotage_core::simulate::Airframe;
-use serde::{Deserialize, Serialize};
 
 use super::field::LOOKS_AWAY;
 use super::running::slice;
-use super::{Advance, FieldFrom, FieldOrder, JobEvent, PredictionOrder, RunningJob, Workshop};
+use super::{
+    Advance, FieldFrom, FindOrder, Foreseen, FoundPlan, HighGround, JobEvent, PredictionOrder,
+    RunningJob, Workshop,
+};
 
 /// Cells along the longer side of the ground that is searched, at most.
 const MOST_CELLS: f64 = 700.0;
 /// Worlds of the two predictions.
 const WORLDS: usize = 32;
-
-/// Which route to find.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct FindOrder {
-    /// Where it begins.
-    pub from: GroundPoint,
-    /// Where it ends.
-    pub to: GroundPoint,
-    /// The ground and how it is looked at.
-    pub field: FieldOrder,
-    /// How it is flown and navigated; the way-points are found.
-    pub flight: PredictionOrder,
-    /// Areas to fly around.
-    pub no_fly: Vec<NoFlyArea>,
-    /// Distance that is kept from them, metres.
-    pub clearance: f64,
-    /// Ground that is flown around because it is too high.
-    pub high_ground: Option<HighGround>,
-    /// How the aircraft turns.
-    pub turns: Turns,
-    /// Greatest cost over that of the shortest route.
-    pub budget: f64,
-    /// What the cost is.
-    pub budget_of: BudgetOf,
-    /// What is to be least.
-    pub aim: Aim,
-}
-
-/// Ground above a height.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct HighGround {
-    /// The height of the ground; where it is not known, it is none.
-    pub heights: HeightGrid,
-    /// What is above that is too high, metres above the datum of the heights.
-    pub highest: f64,
-}
-
-/// A route and what is predicted of it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Foreseen {
-    /// The route.
-    pub route: FoundRoute,
-    /// The prediction.
-    pub prediction: Prediction,
-}
-
-/// The shortest route and the one that was found.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct FoundPlan {
-    /// The shortest allowed.
-    pub shortest: Foreseen,
-    /// The surest.
-    pub surest: Foreseen,
-}
 
 impl Foreseen {
     /// What was to be least: the standard deviation (longer axis) at the worst place or in the mean,

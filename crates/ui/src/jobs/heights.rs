@@ -1,50 +1,15 @@
 //! The heights of an area, taken from an elevation model in the worker for use on the page.
 
-use pilotage_core::frames::{Geodetic, GroundRect, LocalFrame};
-use pilotage_core::imagery::terrain::{Dem, HeightDatum, HeightGrid, Terrain as _};
-use serde::{Deserialize, Serialize};
+use pilotage_core::frames::LocalFrame;
+use pilotage_core::imagery::terrain::{Dem, HeightGrid, Terrain as _};
 
 use super::running::SLICE;
-use super::{Advance, JobEvent, RunningJob, Workshop, opening};
+use super::{Advance, HeightsOrder, JobEvent, RunningJob, Workshop, opening};
 
 /// Most posts along a side of what is sent to the page.
 const MOST_POSTS: usize = 640;
 /// Rows between two looks at the clock.
 const ROWS: usize = 4;
-
-/// Which heights are wanted.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct HeightsOrder {
-    /// Key of the files with the elevation model.
-    pub key: String,
-    /// Origin of the world frame.
-    pub origin: Geodetic,
-    /// The ground whose heights are wanted, in the world frame.
-    pub area: GroundRect,
-}
-
-/// What is known of an elevation model.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct TerrainInfo {
-    /// Name for people.
-    pub name: String,
-    /// What its heights count from.
-    pub datum: HeightDatum,
-    /// Metres between its posts.
-    pub spacing: f64,
-    /// A place in its middle.
-    pub middle: Geodetic,
-}
-
-/// What is known of an elevation model in its own frame.
-pub fn describe_terrain(dem: &Dem) -> TerrainInfo {
-    TerrainInfo {
-        name: dem.name().to_owned(),
-        datum: dem.datum().clone(),
-        spacing: dem.spacing(),
-        middle: dem.frame().geodetic_from_ground(&dem.bounds().center()),
-    }
-}
 
 /// Heights being taken.
 pub struct TakeHeights {

@@ -6,30 +6,13 @@ use pilotage_core::flight::beside_log::PICTURE_TABLE;
 use pilotage_core::flight::columns::{ColumnRole, GuessedTable};
 use pilotage_core::flight::files::FileSet as _;
 use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame};
-use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::Route;
-use serde::{Deserialize, Serialize};
 
+use super::ImportedFile;
 use super::file_pool::{FilePool, has_ending};
 
 /// Farthest from the mission's origin that a file may lie, metres: beyond, the plane on which a
 /// mission is planned is no longer the ground.
 const FARTHEST: f64 = 100e3;
-
-/// What a file of another program brought, placed in the mission's world.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ImportedFile {
-    /// Name of the file.
-    pub name: String,
-    /// Name of its format.
-    pub format: String,
-    /// Its routes; identities are unique in this file only.
-    pub routes: Vec<Route>,
-    /// Its landmarks, likewise.
-    pub landmarks: Vec<Landmark>,
-    /// What was assumed, kept aside or left out, in sentences.
-    pub notes: Vec<String>,
-}
 
 /// Whether a file is a mission of this program, which is opened instead of added.
 pub fn is_mission(name: &str, bytes: &[u8]) -> bool {

@@ -4,52 +4,12 @@ use std::rc::Rc;
 
 use pilotage_core::flight::expression::Samples;
 use pilotage_core::flight::{SpanStatistics, SpanTable};
-use serde::{Deserialize, Serialize};
 
 use super::running::slice;
-use super::{Advance, JobEvent, RunningJob, SeriesName, Workshop, whole_bytes};
+use super::{Advance, JobEvent, LogAnswer, LogOrder, LogQuestion, RunningJob, Workshop};
 
 /// Rows of a table written at a time.
 const ROWS: usize = 4096;
-
-/// Something to find out about a log.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct LogOrder {
-    /// Key of the files.
-    pub key: String,
-    /// Name of the log among them.
-    pub file: String,
-    /// Of which series, each with its name for people.
-    pub series: Vec<(SeriesName, String)>,
-    /// From when to when, seconds in the log's time base, both included.
-    pub span: (f64, f64),
-    /// What.
-    pub question: LogQuestion,
-}
-
-/// What to find out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum LogQuestion {
-    /// Figures of each series: answers `Statistics`, one by one.
-    Statistics,
-    /// A table of comma-separated values: answer `Table`.
-    Table,
-}
-
-/// What was found out.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum LogAnswer {
-    /// Figures of a series: none if it has no number in the span, or why there is no such series.
-    Statistics(SeriesName, Result<Option<SpanStatistics>, String>),
-    /// A table.
-    Table {
-        /// Comma-separated values with a heading.
-        #[serde(with = "whole_bytes")]
-        text: Vec<u8>,
-        /// Why series are not in it, of those that are not.
-        lacks: Vec<String>,
-    },
-}
 
 /// A log that is looked through: events `LogAnswer`.
 pub struct AnswerLog {

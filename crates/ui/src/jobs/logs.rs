@@ -4,55 +4,22 @@ use std::cell::RefCell;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use pilotage_core::flight::Flight;
-use pilotage_core::flight::beside_log::add_pictures;
-use pilotage_core::flight::files::FileSet;
+use pilotage_core::flight::files::FileSet as _;
 use pilotage_core::flight::interpret::{flight_from_log, log_of_flight};
-use pilotage_core::flight::log::{HEAD, Log, LogReader, Outline, read_log, recognise};
-use pilotage_core::flight::overview::{Overview, overview};
-use pilotage_core::frames::LocalFrame;
+use pilotage_core::flight::log::{Log, LogReader, Outline, recognise};
+use pilotage_core::flight::overview::overview;
 use pilotage_core::imagery::ByteSource;
-use serde::{Deserialize, Serialize};
 
 use super::file_pool::FilePool;
-use super::flights::{KeptFrames, OpenFlight};
+use super::log_flights::{head, with_pictures};
 use super::opening::{flight_folder, open_folder};
 use super::running::slice;
-use super::{Advance, JobEvent, RunningJob, Workshop};
+use super::{Advance, JobEvent, ReadLog, RunningJob, Workshop};
 
 /// Bytes that are read at a time.
 const PIECE: usize = 2 << 20;
 /// Milliseconds after which what was read so far is told first; each time later twice as long.
 const FIRST_WORD: f64 = 300.0;
-
-/// What a log came to when all of it was read.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ReadLog {
-    /// What it holds.
-    pub outline: Outline,
-    /// The flight at a glance.
-    pub overview: Overview,
-    /// The world frame on the globe of the flight that it tells of, or why it tells of none. The flight stays
-    /// where it is navigated: that of a long log is large.
-    pub flight: Result<Option<LocalFrame>, String>,
-    /// Why the pictures beside it are not part of that.
-    pub lost_pictures: Option<String>,
-}
-
-/// The first log among files, by what is in it.
-pub fn log_among(pool: &FilePool) -> Option<String> {
-    let mut names = pool.names();
-    names.sort();
-    names.into_iter().find(|name| {
-        let head = pool.source(name).and_then(|source| head(source.as_ref()));
-        head.is_some_and(|head| recognise(&head).is_some())
-    })
-}
-
-fn head(source: &dyn ByteSource) -> Option<Vec<u8>> {
-    let length = HEAD.min(source.length() as usize);
-    source.read(0, length).ok()
-}
 
 /// A log that is read.
 struct Reading {
@@ -216,43 +183,6 @@ impl ReadingLog {
         emit(JobEvent::Finished);
         Ok(Advance::Done)
     }
-}
-
-/// A flight with the pictures that lie beside its log, or why it has none of them.
-fn with_pictures(mut flight: Flight, pool: Arc<FilePool>) -> (OpenFlight, Option<String>) {
-    let files: Arc<dyn FileSet> = pool;
-    match add_pictures(&mut flight, &files) {
-        Ok(Some(source)) => {
-            let frames = KeptFrames::stored(&flight, source);
-            let flight = Arc::new(flight);
-            let open = OpenFlight {
-                flight,
-                frames,
-                mission: None,
-            };
-            (open, None)
-        }
-        Ok(None) => (OpenFlight::without_pictures(flight), None),
-        Err(cause) => (
-            OpenFlight::without_pictures(flight),
-            Some(cause.to_string()),
-        ),
-    }
-}
-
-/// The flight that the log among the files tells of; reads all of it at once.
-pub fn flight_of_log(pool: &Arc<FilePool>) -> Result<Option<OpenFlight>, String> {
-    let Some(file) = log_among(pool) else {
-        return Ok(None);
-    };
-    let source = pool.source(&file).ok_or("the log is gone")?;
-    let blame = |cause: String| format!("{file}: {cause}");
-    let Some(log) = read_log(source.as_ref()).map_err(blame)? else {
-        return Ok(None);
-    };
-    let flight = flight_from_log(&log).into_flight();
-    let flight = flight.map_err(|cause| cause.to_string())?;
-    Ok(Some(with_pictures(flight, pool.clone()).0))
 }
 
 #[cfg(test)]

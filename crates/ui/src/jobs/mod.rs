@@ -6,9 +6,7 @@
 
 mod align;
 mod assess;
-mod beside;
 mod brief;
-mod content;
 mod contest;
 mod crew;
 mod distinct;
@@ -16,6 +14,7 @@ mod envelope;
 mod evaluate;
 mod explain;
 mod export;
+mod fetched_tiles;
 mod field;
 mod file_pool;
 mod find;
@@ -24,7 +23,9 @@ mod fly;
 mod heights;
 mod imports;
 mod inline;
+mod lent;
 mod log_answers;
+mod log_flights;
 mod log_series;
 mod logs;
 mod messages;
@@ -35,52 +36,39 @@ mod predict;
 mod prelude;
 mod prepare;
 mod programs;
-mod protocol;
 mod reckon;
 mod runner;
 mod running;
+mod samples;
 mod shared;
 mod simulated;
 mod suggest;
 mod tables;
 mod train;
-mod web_map;
-mod whole_bytes;
+mod wanted_tiles;
 mod workshop;
 
-pub use align::AlignOrder;
-pub use assess::{Assessment, AssessmentOrder, Glance, Share};
-pub use beside::{BESIDE, Beside};
-pub use brief::{BriefOrder, BriefPictures, EncodedPicture};
-pub use content::{FileContent, LentFiles, OpenAddress};
-pub use contest::ContestOrder;
 pub use crew::{Crew, WorkerPort};
-pub use evaluate::{EvaluationOrder, EvaluationReport};
-pub use export::ExportOrder;
-pub use field::{FieldFrom, FieldOrder};
+pub use fetched_tiles::WEB_TILES;
 pub use file_pool::has_ending;
-pub use find::{FindOrder, Foreseen, FoundPlan, HighGround};
-pub use heights::{HeightsOrder, TerrainInfo};
-pub use imports::ImportedFile;
 pub use inline::InlineHost;
-pub use log_answers::{LogAnswer, LogOrder, LogQuestion};
-pub use log_series::{LogSeries, SeriesName};
-pub use logs::ReadLog;
-pub use messages::{Reply, Request};
-pub use pack::PackOrder;
-pub use predict::{COARSE, PredictionOrder};
+pub use lent::{LentFiles, OpenAddress};
+pub use messages::{
+    AidedResult, AlignOrder, Assessment, AssessmentOrder, BESIDE, Beside, BriefOrder,
+    BriefPictures, COARSE, ContestOrder, Cut, CutOrder, CutReport, DetectorSearch, Distinctness,
+    EncodedPicture, EvaluationOrder, EvaluationReport, ExplainedBy, ExportOrder, FieldFrom,
+    FieldOrder, FileContent, FindOrder, FlightSource, Foreseen, FoundPlan, Glance, HeightsOrder,
+    HighGround, ImportedFile, Job, JobEvent, JobId, LabelledFrames, LogAnswer, LogOrder,
+    LogQuestion, LogSeries, MadeFlight, MapInfo, MapSource, MatchPictures, Opened, PackOrder,
+    PredictionOrder, ReadLog, Reply, Request, SeriesName, Share, SimulationOptions, StudyReport,
+    SuggestOrder, TerrainInfo, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport, Unplaced,
+    WebMap, WindReport,
+};
 pub use prelude::{FirstMap, FirstSeconds, Prelude};
 pub use programs::{Abilities, Program};
-pub use protocol::{
-    DetectorSearch, Distinctness, ExplainedBy, FlightSource, Job, JobEvent, JobId, MapInfo,
-    MapSource, MatchPictures, Opened, SimulationOptions, Unplaced,
-};
-pub use reckon::{AidedResult, Cut, CutOrder, CutReport, StudyReport, WindReport};
 pub use runner::JobRunner;
 pub use running::{Advance, RunningJob};
 pub use simulated::{scenario_route, scenario_wind};
-pub use suggest::SuggestOrder;
-pub use tables::{COLUMNS_FILE, MadeFlight, write_columns};
-pub use train::{LabelledFrames, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport};
-pub use web_map::{WEB_TILES, WebMap, wanted_addresses};
+pub use tables::{COLUMNS_FILE, write_columns};
+pub use wanted_tiles::wanted_addresses;
 pub use workshop::Workshop;

@@ -9,21 +9,19 @@ use pilotage_core::flight::photo::read_photos;
 use pilotage_core::flight::{FLIGHT_FILE, FlightFolder, FolderError, read_flight};
 use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::imagery::GeoTiffError;
-use pilotage_core::imagery::terrain::Dem;
+use pilotage_core::imagery::terrain::{Dem, Terrain as _};
 use pilotage_core::imagery::tiff::{SampleKind, TiffFile};
 use pilotage_core::mission::package::{PACKAGE_HEAD, read_head};
 use pilotage_core::mission::{MapError, MapOptions, Mission, OpenMap, open_map_with, read_mission};
 use pilotage_core::navigator::Run;
 
-use super::beside::BESIDE;
 use super::file_pool::{FilePool, has_ending};
 use super::flights::OpenFlight;
-use super::heights::describe_terrain;
 use super::imports::{imports, is_mission, labels};
-use super::logs::{flight_of_log, log_among};
+use super::log_flights::{flight_of_log, log_among};
 use super::tables::{COLUMNS_FILE, flight_of_maps, tables_among};
 use super::workshop::{MAP_MEMORY, describe};
-use super::{MapInfo, Opened, Unplaced};
+use super::{BESIDE, MapInfo, Opened, TerrainInfo, Unplaced};
 use crate::documents::decode_run;
 
 /// Endings of picture files.
@@ -292,11 +290,21 @@ fn unknown(pool: &FilePool) -> String {
     )
 }
 
+/// What is known of an elevation model in its own frame.
+fn describe_terrain(dem: &Dem) -> TerrainInfo {
+    TerrainInfo {
+        name: dem.name().to_owned(),
+        datum: dem.datum().clone(),
+        spacing: dem.spacing(),
+        middle: dem.frame().geodetic_from_ground(&dem.bounds().center()),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use pilotage_tests::pmtiles::archive_of_one_tile;
 
-    use super::super::content::LentFiles;
+    use super::super::LentFiles;
     use super::*;
 
     fn look(files: &[(&str, &[u8])]) -> Result<Opened, String> {

@@ -5,26 +5,13 @@ use std::collections::BTreeMap;
 use pilotage_core::flight::files::{FileSet as _, folder_of};
 use pilotage_core::imagery::Georeference;
 use pilotage_core::mission::package::{MissionPackage, write_package};
-use pilotage_core::mission::{MapOptions, Mission, belongs_to, place_files};
-use serde::{Deserialize, Serialize};
+use pilotage_core::mission::{MapOptions, belongs_to, place_files};
 
-use super::beside::BESIDE;
-use super::{Beside, MapSource, Workshop, opening};
+use super::{BESIDE, MapSource, PackOrder, Workshop, opening};
 
 /// Most bytes of a map that a mission file takes with it: the page holds them more than once while
 /// it saves.
 const MOST_PACKED: u64 = 64 << 20;
-
-/// What goes into a mission file.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct PackOrder {
-    /// The mission.
-    pub mission: Mission,
-    /// What is open beside it.
-    pub beside: Beside,
-    /// The map, whose files go with it.
-    pub map: MapSource,
-}
 
 /// Files by name, or why they cannot go with the mission and where to have them.
 type Files = Result<Vec<(String, Vec<u8>)>, String>;

@@ -7,12 +7,13 @@ use pilotage_core::flight::files::MemoryFiles;
 use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame, ReferenceSystem};
 use pilotage_core::imagery::web_tiles::TileTemplate;
 use pilotage_core::imagery::{Georeference, Imagery as _, MemoryBytes, WorldFile};
-use pilotage_core::mission::open_map;
 use pilotage_core::mission::package::read_package;
+use pilotage_core::mission::{Mission, open_map};
 use pilotage_core::raster::{Picture, encode_png};
 
 use super::*;
 use crate::documents::Documents;
+use crate::jobs::Beside;
 use crate::jobs::{Abilities, FileContent, WebMap};
 
 const WORLD_FILE: &[u8] = b"0.5\n0\n0\n-0.5\n570000.25\n5189999.75\n";

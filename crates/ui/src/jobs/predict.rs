@@ -1,49 +1,15 @@
 //! The uncertainty along a planned route, as a job.
 
-use pilotage_core::camera::CameraModel;
-use pilotage_core::frames::{GroundPoint, LocalFrame};
-use pilotage_core::landmark::Landmark;
-use pilotage_core::navigator::NavigatorSettings;
-use pilotage_core::plan::{DetectionStatistics, PlannedLandmark, Prediction, PredictionRequest};
-use pilotage_core::simulate::{Airframe, FlightPlan, SensorSpec, Target, Wind, world_origin};
-use serde::{Deserialize, Serialize};
+use pilotage_core::frames::LocalFrame;
+use pilotage_core::plan::{PlannedLandmark, Prediction, PredictionRequest};
+use pilotage_core::simulate::{Airframe, FlightPlan, SensorSpec, world_origin};
 
-use super::{Advance, JobEvent, RunningJob, Workshop};
+use super::{Advance, JobEvent, PredictionOrder, RunningJob, Workshop};
 
 /// Seed of the worlds: the same plan always has the same prediction.
 const SEED: u64 = 1;
 /// Time beyond that of the way itself before a flight that does not get on is broken off, seconds.
 const PATIENCE: f64 = 120.0;
-
-/// What to predict.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct PredictionOrder {
-    /// Way-points over the ground.
-    pub way_points: Vec<GroundPoint>,
-    /// Height above ground, metres.
-    pub height: f64,
-    /// How each way-point is flown over; none where all are flown over alike.
-    pub targets: Vec<Target>,
-    /// Airspeed, m/s; the aircraft's cruise if `None`.
-    pub airspeed: Option<f64>,
-    /// Bank limit, radians; the aircraft's if `None`.
-    pub bank: Option<f64>,
-    /// Mean wind.
-    pub wind: Wind,
-    /// The camera.
-    pub camera: CameraModel,
-    /// Down coordinate of the ground plane, metres.
-    pub ground_down: f64,
-    /// How it will be navigated.
-    pub navigator: NavigatorSettings,
-    /// The landmarks that are switched on, and what is expected of them.
-    pub landmarks: Vec<(Landmark, DetectionStatistics)>,
-    /// Worlds to try: [`COARSE`], or 100 for a fine one.
-    pub worlds: usize,
-}
-
-/// Worlds of a coarse prediction.
-pub const COARSE: usize = 8;
 
 /// A prediction as a job.
 pub struct Predict(pub PredictionOrder);

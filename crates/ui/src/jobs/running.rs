@@ -1,6 +1,6 @@
 //! A job that is under way.
 
-use super::{JobEvent, Workshop};
+use super::{Job, JobEvent, Workshop};
 
 /// Longest time that a slice of work should take, milliseconds.
 pub const SLICE: f64 = 25.0;
@@ -38,6 +38,13 @@ pub trait RunningJob {
         clock: &dyn Fn() -> f64,
         emit: &mut dyn FnMut(JobEvent),
     ) -> Result<Advance, String>;
+}
+
+impl Workshop {
+    /// Makes a job ready to advance.
+    pub fn start(&mut self, job: Job) -> Box<dyn RunningJob> {
+        (self.abilities.begin)(self, job)
+    }
 }
 
 /// A job that is one piece of work, done in one call.

@@ -2,29 +2,19 @@
 
 use std::sync::Arc;
 
+use pilotage_core::flight::FlightFolder;
 use pilotage_core::flight::columns::{ColumnMap, GuessedTable, flight_of_tables, guess_tables};
 use pilotage_core::flight::files::FileSet;
-use pilotage_core::flight::{Flight, FlightFolder};
-use serde::{Deserialize, Serialize};
 
 use super::file_pool::FilePool;
 use super::flights::OpenFlight;
-use super::{JobEvent, Workshop};
+use super::{JobEvent, MadeFlight, Workshop};
 
 /// Name of the file, beside the tables, that says what their columns mean.
 pub const COLUMNS_FILE: &str = "columns.json";
 
 /// Endings of tables.
 const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
-
-/// A flight made of tables.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct MadeFlight {
-    /// The flight.
-    pub flight: Flight,
-    /// What was left out or assumed, in words.
-    pub notes: Vec<String>,
-}
 
 /// What people said of the columns, as the file [`COLUMNS_FILE`] has it.
 pub fn write_columns(maps: &[ColumnMap]) -> Vec<u8> {

@@ -2,11 +2,16 @@
 
 use std::cell::Cell;
 
-use pilotage_core::mission::LabelBox;
+use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::{FrameLabels, LabelBox};
 use pilotage_core::simulate::Scenario;
+use pilotage_core::training::{TrainingPhase, TrainingPlan};
 
 use super::*;
-use crate::jobs::{Abilities, Job, JobId, JobRunner, Reply, Request, SimulationOptions};
+use crate::jobs::{
+    Abilities, FlightSource, Job, JobId, JobRunner, LabelledFrames, MapSource, Reply, Request,
+    SimulationOptions,
+};
 
 fn order() -> TrainOrder {
     let scenario = Scenario::named("distinct-400ft-calm").unwrap();

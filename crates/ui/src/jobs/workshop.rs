@@ -14,13 +14,13 @@ use pilotage_core::plan::{
 use pilotage_core::simulate::Scenario;
 use pilotage_core::simulate::scenery::Scenery;
 
-use super::content::{LentFiles, OpenAddress};
+use super::fetched_tiles::{FetchedTiles, WEB_TILES};
 use super::file_pool::FilePool;
 use super::flights::OpenFlight;
-use super::log_series::{KeptSamples, samples};
+use super::lent::{LentFiles, OpenAddress};
 use super::programs::Abilities;
-use super::web_map::{FetchedTiles, WEB_TILES};
-use super::{FileContent, FlightSource, Job, MapInfo, MapSource, RunningJob, SeriesName};
+use super::samples::{KeptSamples, samples};
+use super::{FileContent, FlightSource, MapInfo, MapSource, SeriesName};
 
 /// Memory for what one job reads of a map, megabytes.
 const CACHE_MEGABYTES: usize = 48;
@@ -48,7 +48,7 @@ struct KeptMap {
 
 /// The store of a worker. Everything in it can be made anew from the files.
 pub struct Workshop {
-    abilities: Abilities,
+    pub(super) abilities: Abilities,
     /// Files by key; a zip that cannot be read is told when the files are used.
     files: BTreeMap<String, Result<Arc<FilePool>, String>>,
     lent: LentFiles,
@@ -83,11 +83,6 @@ impl Workshop {
             days: None,
             rehearsal: None,
         }
-    }
-
-    /// Makes a job ready to advance.
-    pub fn start(&mut self, job: Job) -> Box<dyn RunningJob> {
-        (self.abilities.begin)(self, job)
     }
 
     /// Lends a file that is read by pieces under a number.

@@ -8,7 +8,7 @@ use pilotage_core::imagery::Imagery;
 use pilotage_core::mission::{MapOptions, open_map_with};
 
 use super::super::align::Align;
-use super::super::assess::{Assess, Share, sum_up};
+use super::super::assess::{Assess, sum_up};
 use super::super::brief::Brief;
 use super::super::contest::Contest;
 use super::super::envelope::SurveyEnvelope;
@@ -28,7 +28,7 @@ use super::super::suggest::{Suggest, choose};
 use super::super::tables::make_flight;
 use super::super::train::Train;
 use super::super::workshop::MAP_MEMORY;
-use super::super::{FlightSource, Job, JobEvent, MapSource, RunningJob, Workshop, opening};
+use super::super::{FlightSource, Job, JobEvent, MapSource, RunningJob, Share, Workshop, opening};
 use super::{OpenedMap, flying, once};
 
 /// Makes a job ready to advance.

@@ -1,90 +1,18 @@
-//! Maps of the web: which tiles a job needs, and those that were fetched.
+//! Which tiles of the web a job needs.
 //!
 //! The page fetches (and its browser keeps) tiles; a worker gets them before the job that reads them.
 
-use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
-
-use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
+use pilotage_core::frames::GroundRect;
 use pilotage_core::imagery::Window;
-use pilotage_core::imagery::web_tiles::{TileNumber, TileStore, TileTemplate, WebTiles, tiles_for};
-use pilotage_core::raster::{Raster, Rgba, decode_picture_with_coverage};
-use serde::{Deserialize, Serialize};
 
-use super::{FieldFrom, Job, MapSource};
+use super::{FieldFrom, Job, MapSource, WebMap};
 
-/// Key under which fetched tiles are given to a worker: files whose names are addresses.
-pub const WEB_TILES: &str = "tiles of the web";
-/// Bytes of tiles, as they were fetched, that a worker keeps.
-const MOST_BYTES: usize = 48 << 20;
-/// Bytes of unpacked tiles that a map keeps.
-const UNPACKED: usize = 32 << 20;
-/// How far the map reaches from the origin, metres: beyond, the plane leaves the globe.
-const REACH: f64 = 100_000.0;
 /// Most tiles that are fetched for one job.
 const MOST_PER_JOB: usize = 512;
 /// How far around a landmark pixels are needed to look for it, metres.
 const AROUND_LANDMARK: f64 = 80.0;
 
-/// A map of the web in a world frame.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct WebMap {
-    /// Where its tiles come from.
-    pub template: TileTemplate,
-    /// Origin of the world frame.
-    pub origin: Geodetic,
-}
-
 impl WebMap {
-    fn frame(&self) -> LocalFrame {
-        LocalFrame::new(self.origin)
-    }
-
-    fn zooms(&self) -> (u8, u8) {
-        (self.template.least_zoom, self.template.most_zoom)
-    }
-
-    /// The ground that it covers.
-    pub fn area() -> GroundRect {
-        GroundRect::centered(GroundPoint::default(), 2.0 * REACH, 2.0 * REACH)
-    }
-
-    /// Metres per pixel of its deepest tiles.
-    pub fn finest(&self) -> f64 {
-        let metres = TileNumber::side(self.template.most_zoom) * self.origin.latitude.cos();
-        metres / self.template.side as f64
-    }
-
-    /// Addresses of the tiles that a window is drawn from.
-    fn of_window(&self, window: &Window) -> Vec<String> {
-        let tiles = tiles_for(window, &self.frame(), self.zooms(), self.template.side);
-        tiles.map_or_else(Vec::new, |(first, last)| self.between(first, last))
-    }
-
-    fn between(&self, first: TileNumber, last: TileNumber) -> Vec<String> {
-        let rows = first.y..=last.y;
-        let all = rows.flat_map(|y| (first.x..=last.x).map(move |x| TileNumber { x, y, ..first }));
-        all.map(|tile| self.template.address_of(&tile)).collect()
-    }
-
-    /// Number of tiles over `area` at every zoom from `zooms.0` to `zooms.1`.
-    pub fn count_over(&self, area: &GroundRect, zooms: (u8, u8)) -> u64 {
-        let of = |zoom| {
-            let (first, last) = TileNumber::covering(area, &self.frame(), zoom);
-            u64::from(last.x - first.x + 1) * u64::from(last.y - first.y + 1)
-        };
-        (zooms.0..=zooms.1).map(of).sum()
-    }
-
-    /// Addresses of those tiles, coarse ones first.
-    pub fn addresses_over(&self, area: &GroundRect, zooms: (u8, u8)) -> Vec<String> {
-        let of = |zoom| {
-            let (first, last) = TileNumber::covering(area, &self.frame(), zoom);
-            self.between(first, last)
-        };
-        (zooms.0..=zooms.1).flat_map(of).collect()
-    }
-
     /// Addresses of the deepest tiles over areas that are not too many: of wide ones coarser tiles.
     fn finest_over(&self, areas: &[GroundRect]) -> Vec<String> {
         let count = |zoom| {
@@ -98,15 +26,6 @@ impl WebMap {
         let zoom = deepest.unwrap_or(least);
         let of = |area| self.addresses_over(area, (zoom, zoom));
         areas.iter().flat_map(of).collect()
-    }
-
-    /// The map over the tiles that a worker has.
-    pub fn open(&self, fetched: &FetchedTiles) -> WebTiles {
-        let store = Store {
-            template: self.template.clone(),
-            fetched: fetched.clone(),
-        };
-        WebTiles::new(Box::new(store), self.frame(), Self::area(), UNPACKED)
     }
 }
 
@@ -212,84 +131,17 @@ pub fn wanted_addresses(job: &Job) -> Vec<String> {
     all
 }
 
-/// Tiles as they were fetched, by address; clones share them.
-#[derive(Clone, Default)]
-pub struct FetchedTiles(Arc<Mutex<Fetched>>);
-
-#[derive(Default)]
-struct Fetched {
-    tiles: HashMap<String, (u64, Arc<[u8]>)>,
-    bytes: usize,
-    clock: u64,
-}
-
-impl FetchedTiles {
-    /// Keeps a tile; those that were not asked for longest go for it.
-    pub fn keep(&self, address: &str, bytes: Arc<[u8]>) {
-        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        all.clock += 1;
-        let now = all.clock;
-        all.bytes += bytes.len();
-        if let Some((_, old)) = all.tiles.insert(address.to_owned(), (now, bytes)) {
-            all.bytes -= old.len();
-        }
-        while all.bytes > MOST_BYTES && all.tiles.len() > 1 {
-            let ages = all
-                .tiles
-                .iter()
-                .map(|(address, (used, _))| (*used, address));
-            let Some(oldest) = ages.min().map(|(_, address)| address.clone()) else {
-                return;
-            };
-            if let Some((_, gone)) = all.tiles.remove(&oldest) {
-                all.bytes -= gone.len();
-            }
-        }
-    }
-
-    fn get(&self, address: &str) -> Option<Arc<[u8]>> {
-        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        all.clock += 1;
-        let now = all.clock;
-        let (used, bytes) = all.tiles.get_mut(address)?;
-        *used = now;
-        Some(bytes.clone())
-    }
-}
-
-/// The tiles of one template.
-struct Store {
-    template: TileTemplate,
-    fetched: FetchedTiles,
-}
-
-impl TileStore for Store {
-    fn name(&self) -> &str {
-        &self.template.name
-    }
-
-    fn zooms(&self) -> (u8, u8) {
-        (self.template.least_zoom, self.template.most_zoom)
-    }
-
-    fn side(&self) -> usize {
-        self.template.side
-    }
-
-    fn tile(&self, tile: &TileNumber) -> Option<Raster<Rgba>> {
-        let bytes = self.fetched.get(&self.template.address_of(tile))?;
-        decode_picture_with_coverage(&bytes).ok()
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use pilotage_core::camera::CameraModel;
+    use pilotage_core::frames::{Geodetic, GroundPoint};
     use pilotage_core::imagery::Imagery as _;
+    use pilotage_core::imagery::web_tiles::TileTemplate;
     use pilotage_core::plan::FieldView;
     use pilotage_core::raster::{Picture, encode_png};
 
     use super::*;
+    use crate::jobs::fetched_tiles::FetchedTiles;
     use crate::jobs::{BriefOrder, FieldOrder};
 
     fn map() -> WebMap {
@@ -386,16 +238,5 @@ mod tests {
         let deep = map.count_over(&area, (17, 17)) as f64 / map.count_over(&area, (16, 16)) as f64;
         assert!((2.5..4.5).contains(&deep), "{deep}");
         assert!(all[0].contains("/12/") && all[all.len() - 1].contains("/17/"));
-    }
-
-    #[test]
-    fn a_worker_keeps_no_more_than_its_share() {
-        let fetched = FetchedTiles::default();
-        for i in 0..30 {
-            fetched.keep(&i.to_string(), vec![0; 4 << 20].into());
-        }
-        let all = fetched.0.lock().unwrap();
-        assert!(all.bytes <= MOST_BYTES && all.tiles.contains_key("29"));
-        assert!(!all.tiles.contains_key("0"));
     }
 }

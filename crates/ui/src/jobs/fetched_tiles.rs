@@ -1,0 +1,113 @@
+//! Tiles of the web that were fetched, and maps over them.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use pilotage_core::imagery::web_tiles::{TileNumber, TileStore, TileTemplate, WebTiles};
+use pilotage_core::raster::{Raster, Rgba, decode_picture_with_coverage};
+
+use super::WebMap;
+
+/// Key under which fetched tiles are given to a worker: files whose names are addresses.
+pub const WEB_TILES: &str = "tiles of the web";
+/// Bytes of tiles, as they were fetched, that a worker keeps.
+const MOST_BYTES: usize = 48 << 20;
+/// Bytes of unpacked tiles that a map keeps.
+const UNPACKED: usize = 32 << 20;
+
+/// Tiles as they were fetched, by address; clones share them.
+#[derive(Clone, Default)]
+pub struct FetchedTiles(Arc<Mutex<Fetched>>);
+
+#[derive(Default)]
+struct Fetched {
+    tiles: HashMap<String, (u64, Arc<[u8]>)>,
+    bytes: usize,
+    clock: u64,
+}
+
+impl FetchedTiles {
+    /// Keeps a tile; those that were not asked for longest go for it.
+    pub fn keep(&self, address: &str, bytes: Arc<[u8]>) {
+        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        all.clock += 1;
+        let now = all.clock;
+        all.bytes += bytes.len();
+        if let Some((_, old)) = all.tiles.insert(address.to_owned(), (now, bytes)) {
+            all.bytes -= old.len();
+        }
+        while all.bytes > MOST_BYTES && all.tiles.len() > 1 {
+            let ages = all
+                .tiles
+                .iter()
+                .map(|(address, (used, _))| (*used, address));
+            let Some(oldest) = ages.min().map(|(_, address)| address.clone()) else {
+                return;
+            };
+            if let Some((_, gone)) = all.tiles.remove(&oldest) {
+                all.bytes -= gone.len();
+            }
+        }
+    }
+
+    fn get(&self, address: &str) -> Option<Arc<[u8]>> {
+        let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        all.clock += 1;
+        let now = all.clock;
+        let (used, bytes) = all.tiles.get_mut(address)?;
+        *used = now;
+        Some(bytes.clone())
+    }
+}
+
+/// The tiles of one template.
+struct Store {
+    template: TileTemplate,
+    fetched: FetchedTiles,
+}
+
+impl TileStore for Store {
+    fn name(&self) -> &str {
+        &self.template.name
+    }
+
+    fn zooms(&self) -> (u8, u8) {
+        (self.template.least_zoom, self.template.most_zoom)
+    }
+
+    fn side(&self) -> usize {
+        self.template.side
+    }
+
+    fn tile(&self, tile: &TileNumber) -> Option<Raster<Rgba>> {
+        let bytes = self.fetched.get(&self.template.address_of(tile))?;
+        decode_picture_with_coverage(&bytes).ok()
+    }
+}
+
+impl WebMap {
+    /// The map over the tiles that a worker has.
+    pub fn open(&self, fetched: &FetchedTiles) -> WebTiles {
+        let store = Store {
+            template: self.template.clone(),
+            fetched: fetched.clone(),
+        };
+        WebTiles::new(Box::new(store), self.frame(), Self::area(), UNPACKED)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_worker_keeps_no_more_than_its_share() {
+        let fetched = FetchedTiles::default();
+        for i in 0..30 {
+            fetched.keep(&i.to_string(), vec![0; 4 << 20].into());
+        }
+        let all = fetched.0.lock().unwrap();
+        assert!(all.bytes <= MOST_BYTES && all.tiles.contains_key("29"));
+        assert!(!all.tiles.contains_key("0"));
+    }
+}

@@ -1,0 +1,13 @@
+//! A camera to be put in time and place beside its log.
+
+use pilotage_core::alignment::{CameraEvidence, CameraPrior};
+use serde::{Deserialize, Serialize};
+
+/// A camera to be estimated.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct AlignOrder {
+    /// The frames that were laid on the map, and the log around them.
+    pub evidence: CameraEvidence,
+    /// What is believed before.
+    pub believed: CameraPrior,
+}

@@ -1,0 +1,83 @@
+//! How well a landmark is found: what to measure, and what came of it.
+
+use pilotage_core::camera::CameraModel;
+use pilotage_core::landmark::Landmark;
+use pilotage_core::navigator::NavigatorSettings;
+use pilotage_core::plan::{Breakdown, ExpectedDetection, Rehearsal};
+use serde::{Deserialize, Serialize};
+
+use super::MapSource;
+
+/// Which landmark to measure, and how it will be looked for.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct AssessmentOrder {
+    /// The map.
+    pub map: MapSource,
+    /// The landmark.
+    pub landmark: Landmark,
+    /// The camera.
+    pub camera: CameraModel,
+    /// Height of the camera above ground, metres.
+    pub height: f64,
+    /// How it will be navigated.
+    pub navigator: NavigatorSettings,
+    /// Down coordinate of the ground plane, metres.
+    pub ground_down: f64,
+}
+
+/// One look at a landmark.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Glance {
+    /// Heading of the camera, radians.
+    pub heading: f64,
+    /// Distance from the middle of the picture, pixels.
+    pub off_centre: f64,
+    /// Which of the days it was on.
+    pub day: usize,
+    /// Whether it was accepted and right.
+    pub found: bool,
+    /// Whether a wrong place was accepted.
+    pub wrong: bool,
+}
+
+/// How well a landmark is found.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Assessment {
+    /// The landmark as it was measured.
+    pub landmark: Landmark,
+    /// Height above ground, metres.
+    pub height: f64,
+    /// What is to be expected.
+    pub expected: ExpectedDetection,
+    /// Share of the views in which a wrong place was accepted.
+    pub false_matches: f64,
+    /// Every view.
+    pub views: Vec<Glance>,
+    /// What they depend on.
+    pub breakdown: Breakdown,
+}
+
+/// A share of the looks at a landmark: those on every `of`-th day, so that several workers draw the
+/// ground of one day each.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Share {
+    /// Which of them, from 0.
+    pub part: usize,
+    /// How many there are.
+    pub of: usize,
+}
+
+impl Share {
+    /// Everything.
+    pub const WHOLE: Self = Self { part: 0, of: 1 };
+
+    /// Whether a look is of this share.
+    pub(in crate::jobs) fn has(&self, look: usize) -> bool {
+        look % Rehearsal::DAYS % self.of == self.part
+    }
+
+    /// How many looks there are in it.
+    pub(in crate::jobs) fn count(&self) -> usize {
+        (0..Rehearsal::VIEWS).filter(|look| self.has(*look)).count()
+    }
+}

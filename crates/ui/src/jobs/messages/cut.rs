@@ -1,0 +1,74 @@
+//! Satellite navigation to be cut out of a flight, and what came of it.
+
+use pilotage_core::instruments::{CutStudy, Growth, PositionFix};
+use serde::{Deserialize, Serialize};
+
+use super::FlightSource;
+
+/// What to cut.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub enum Cut {
+    /// One stretch, seconds in the flight's time base.
+    Stretch(f64, f64),
+    /// Stretches of so many seconds, all along the time in the air.
+    AllAlong(f64),
+}
+
+/// A cut to be made.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CutOrder {
+    /// The flight.
+    pub flight: FlightSource,
+    /// What to cut.
+    pub cut: Cut,
+    /// Positions that the run found in the pictures, and what to call them.
+    pub seen: Option<(String, Vec<PositionFix>)>,
+}
+
+/// One way to navigate through the cut.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct AidedResult {
+    /// What it is called.
+    pub label: String,
+    /// Error and doubt against the time since the cut.
+    pub growth: Vec<Growth>,
+    /// Estimated places: seconds in the flight's time base, metres north and east.
+    pub places: Vec<[f64; 3]>,
+}
+
+/// What came of a cut.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CutReport {
+    /// The stretch, seconds in the flight's time base.
+    pub span: (f64, f64),
+    /// Each way to navigate.
+    pub results: Vec<AidedResult>,
+    /// What the program noticed, in sentences.
+    pub remarks: Vec<String>,
+    /// The wind, if it can be told.
+    pub winds: Option<WindReport>,
+}
+
+/// Winds of a flight beside each other: seconds in the flight's time base, velocity of the air north and east, m/s.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct WindReport {
+    /// By the unscented filter from satellite navigation.
+    pub by_gps: Vec<[f64; 3]>,
+    /// By least squares over the whole flight.
+    pub by_least_squares: Option<[f64; 2]>,
+    /// As the autopilot estimated it; empty where the log has none.
+    pub by_autopilot: Vec<[f64; 3]>,
+    /// Root mean square by which the filter differs from least squares, m/s.
+    pub from_least_squares: Option<f64>,
+    /// The same from the autopilot.
+    pub from_autopilot: Option<f64>,
+}
+
+/// What came of cuts all along a flight.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct StudyReport {
+    /// How long each was, seconds.
+    pub length: f64,
+    /// Each way to navigate.
+    pub studies: Vec<CutStudy>,
+}

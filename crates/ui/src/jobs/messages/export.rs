@@ -1,0 +1,33 @@
+//! A file to be written for another program.
+
+use pilotage_core::exchange::Format;
+use pilotage_core::exchange::labels::LabelFormat;
+use pilotage_core::frames::Geodetic;
+use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::{FrameLabels, Route};
+use serde::{Deserialize, Serialize};
+
+/// What is written, and how.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum ExportOrder {
+    /// Routes and landmarks.
+    Places {
+        /// The format.
+        format: Format,
+        /// Routes.
+        routes: Vec<Route>,
+        /// Landmarks.
+        landmarks: Vec<Landmark>,
+        /// Origin of the world in which they lie.
+        origin: Geodetic,
+    },
+    /// Labels of pictures.
+    Labels {
+        /// The format.
+        format: LabelFormat,
+        /// What was said of each picture.
+        frames: Vec<FrameLabels>,
+        /// The landmarks, whose names are written.
+        landmarks: Vec<Landmark>,
+    },
+}

@@ -1,0 +1,20 @@
+//! What files of other programs brought.
+
+use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::Route;
+use serde::{Deserialize, Serialize};
+
+/// What a file of another program brought, placed in the mission's world.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ImportedFile {
+    /// Name of the file.
+    pub name: String,
+    /// Name of its format.
+    pub format: String,
+    /// Its routes; identities are unique in this file only.
+    pub routes: Vec<Route>,
+    /// Its landmarks, likewise.
+    pub landmarks: Vec<Landmark>,
+    /// What was assumed, kept aside or left out, in sentences.
+    pub notes: Vec<String>,
+}

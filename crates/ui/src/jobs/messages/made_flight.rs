@@ -1,0 +1,13 @@
+//! A flight made of tables.
+
+use pilotage_core::flight::Flight;
+use serde::{Deserialize, Serialize};
+
+/// A flight made of tables.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MadeFlight {
+    /// The flight.
+    pub flight: Flight,
+    /// What was left out or assumed, in words.
+    pub notes: Vec<String>,
+}

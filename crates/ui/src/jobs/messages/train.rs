@@ -1,0 +1,93 @@
+//! A detector to be trained, how that goes, and what came of it.
+
+use pilotage_core::camera::CameraModel;
+use pilotage_core::landmark::Landmark;
+use pilotage_core::landmark::cascade::train::StageRow;
+use pilotage_core::mission::FrameLabels;
+use pilotage_core::navigator::SensorNoise;
+use pilotage_core::training::{StageReport, TrainingPhase, TrainingPlan};
+use serde::{Deserialize, Serialize};
+
+use super::{FlightSource, MapSource, whole_bytes};
+
+/// Which detector to train, and for which flights.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TrainOrder {
+    /// The map.
+    pub map: MapSource,
+    /// The landmark.
+    pub landmark: Landmark,
+    /// The camera.
+    pub camera: CameraModel,
+    /// Height of the camera above ground, metres.
+    pub height: f64,
+    /// Errors of the camera's pose of which the filter does not know.
+    pub sensors: SensorNoise,
+    /// Down coordinate of the ground plane, metres.
+    pub ground_down: f64,
+    /// How much it is shown.
+    pub plan: TrainingPlan,
+    /// Frames of a flight in which people showed the landmark, to learn from as well.
+    pub labelled: Option<LabelledFrames>,
+    /// Where the same training was left.
+    pub left: Option<TrainingLeft>,
+}
+
+/// Frames of a flight, and what people said of them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LabelledFrames {
+    /// The flight.
+    pub flight: FlightSource,
+    /// The labels.
+    pub labels: Vec<FrameLabels>,
+}
+
+/// Where a training can go on after its worker is gone.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TrainingLeft {
+    /// Its stages that are whole, as the worker wrote them.
+    #[serde(with = "whole_bytes")]
+    pub progress: Vec<u8>,
+    /// How they went.
+    pub stages: Vec<StageReport>,
+    /// Work in it, seconds.
+    pub seconds: f64,
+}
+
+/// Where a training stands.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TrainingReport {
+    /// How much is done, about: 0 to 1.
+    pub fraction: f32,
+    /// What is being done.
+    pub phase: TrainingPhase,
+    /// How the whole stages went.
+    pub stages: Vec<StageReport>,
+    /// The stage that grows.
+    pub growing: Option<StageRow>,
+    /// Work so far, seconds.
+    pub seconds: f64,
+    /// Where it could go on, once another stage is whole.
+    pub left: Option<TrainingLeft>,
+}
+
+/// What came of a training.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct TrainingOutcome {
+    /// The detector, as [`Landmark::trained_text`] says it.
+    pub detector: String,
+    /// How its stages went.
+    pub stages: Vec<StageReport>,
+    /// Held-out photos of the landmark, and those in which it is found.
+    pub judged: usize,
+    /// Of these, those in which it is found.
+    pub found: usize,
+    /// Of all held-out photos, those in which something else is taken for it.
+    pub false_alarms: usize,
+    /// Score from which on a mark counts.
+    pub least_score: f64,
+    /// Standard deviation of the place, north and east, metres.
+    pub sigmas: [f64; 2],
+    /// Work in it, seconds.
+    pub seconds: f64,
+}

@@ -1,0 +1,71 @@
+//! A map of the web, and which tiles lie where in it.
+
+use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
+use pilotage_core::imagery::Window;
+use pilotage_core::imagery::web_tiles::{TileNumber, TileTemplate, tiles_for};
+use serde::{Deserialize, Serialize};
+
+/// How far the map reaches from the origin, metres: beyond, the plane leaves the globe.
+const REACH: f64 = 100_000.0;
+
+/// A map of the web in a world frame.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct WebMap {
+    /// Where its tiles come from.
+    pub template: TileTemplate,
+    /// Origin of the world frame.
+    pub origin: Geodetic,
+}
+
+impl WebMap {
+    /// The world frame.
+    pub(in crate::jobs) fn frame(&self) -> LocalFrame {
+        LocalFrame::new(self.origin)
+    }
+
+    /// Least and greatest zoom of its tiles.
+    pub(in crate::jobs) fn zooms(&self) -> (u8, u8) {
+        (self.template.least_zoom, self.template.most_zoom)
+    }
+
+    /// The ground that it covers.
+    pub fn area() -> GroundRect {
+        GroundRect::centered(GroundPoint::default(), 2.0 * REACH, 2.0 * REACH)
+    }
+
+    /// Metres per pixel of its deepest tiles.
+    pub fn finest(&self) -> f64 {
+        let metres = TileNumber::side(self.template.most_zoom) * self.origin.latitude.cos();
+        metres / self.template.side as f64
+    }
+
+    /// Addresses of the tiles that a window is drawn from.
+    pub(in crate::jobs) fn of_window(&self, window: &Window) -> Vec<String> {
+        let tiles = tiles_for(window, &self.frame(), self.zooms(), self.template.side);
+        tiles.map_or_else(Vec::new, |(first, last)| self.between(first, last))
+    }
+
+    fn between(&self, first: TileNumber, last: TileNumber) -> Vec<String> {
+        let rows = first.y..=last.y;
+        let all = rows.flat_map(|y| (first.x..=last.x).map(move |x| TileNumber { x, y, ..first }));
+        all.map(|tile| self.template.address_of(&tile)).collect()
+    }
+
+    /// Number of tiles over `area` at every zoom from `zooms.0` to `zooms.1`.
+    pub fn count_over(&self, area: &GroundRect, zooms: (u8, u8)) -> u64 {
+        let of = |zoom| {
+            let (first, last) = TileNumber::covering(area, &self.frame(), zoom);
+            u64::from(last.x - first.x + 1) * u64::from(last.y - first.y + 1)
+        };
+        (zooms.0..=zooms.1).map(of).sum()
+    }
+
+    /// Addresses of those tiles, coarse ones first.
+    pub fn addresses_over(&self, area: &GroundRect, zooms: (u8, u8)) -> Vec<String> {
+        let of = |zoom| {
+            let (first, last) = TileNumber::covering(area, &self.frame(), zoom);
+            self.between(first, last)
+        };
+        (zooms.0..=zooms.1).flat_map(of).collect()
+    }
+}
