@@ -11,6 +11,7 @@ mod gradient;
 mod halve;
 mod image;
 mod integral;
+mod orientation;
 mod peak;
 mod pool;
 mod pyramid;
@@ -22,10 +23,11 @@ pub use codec::{
     CodecError, decode_picture, decode_picture_with_coverage, encode_jpeg, encode_png,
     encode_png_with_coverage,
 };
-pub use correlation::{SearchSpectrum, Template};
+pub use correlation::{ChannelSearch, ChannelSurface, ChannelTemplate, SearchSpectrum, Template};
 pub use gradient::Gradient;
 pub use image::{Gray, Picture, Raster, Rgb, Rgba, luminance};
 pub use integral::IntegralImage;
+pub use orientation::{DIRECTIONS, OrientationField};
 pub use peak::{Peak, highest_peak, refine_peak, rival_peak};
 pub use pyramid::{PYRAMID_LEVELS, Pyramid, bilinear};
 pub use warp::{Sample, warp_projective, warp_similar};

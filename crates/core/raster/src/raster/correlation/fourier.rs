@@ -149,18 +149,42 @@ impl Spectrum {
     /// The correlation of a picture with a kernel: sample y·stride + x is place (x, y).
     pub fn correlate(&self, kernel: &Self) -> Buffer<f32> {
         debug_assert_eq!((self.stride, self.length), (kernel.stride, kernel.length));
-        let plan = plan(self.length);
         let mut product = Buffer::<Complex32>::dirty(self.bins.len());
         simd::multiply(&self.bins, &kernel.bins, &mut product);
+        self.back(product, kernel.delay)
+    }
+
+    /// The sum of the correlations of the channels of a picture with those of a kernel, all of one size.
+    pub fn correlate_sum(
+        pictures: &[Self],
+        kernels: impl Iterator<Item = Self>,
+    ) -> Option<Buffer<f32>> {
+        let mut sum: Option<(Buffer<Complex32>, usize)> = None;
+        for (picture, kernel) in pictures.iter().zip(kernels) {
+            let (sum, _) = sum.get_or_insert_with(|| {
+                (Buffer::<Complex32>::zeros(picture.bins.len()), kernel.delay)
+            });
+            let bins = picture.bins.iter().zip(kernel.bins.iter());
+            for (sum, (a, b)) in sum.iter_mut().zip(bins) {
+                sum.re += a.re * b.re - a.im * b.im;
+                sum.im += a.re * b.im + a.im * b.re;
+            }
+        }
+        let (product, delay) = sum?;
+        Some(pictures.first()?.back(product, delay))
+    }
+
+    /// Transforms a product back; places begin at the kernel's delay.
+    fn back(&self, mut product: Buffer<Complex32>, delay: usize) -> Buffer<f32> {
+        let plan = plan(self.length);
         let mut scratch = Buffer::<Complex32>::dirty(plan.inverse.get_inplace_scratch_len());
         plan.inverse
             .process_with_scratch(&mut product, &mut scratch);
-        // Places begin at the delay.
         let half = self.length / 2;
-        let mut samples = Buffer::<f32>::dirty(self.length - kernel.delay);
-        let (real, imaginary) = samples.split_at_mut(half.saturating_sub(kernel.delay));
-        simd::untwist_real(&product, &plan.twist, kernel.delay.min(half), real);
-        let from = kernel.delay.saturating_sub(half);
+        let mut samples = Buffer::<f32>::dirty(self.length - delay);
+        let (real, imaginary) = samples.split_at_mut(half.saturating_sub(delay));
+        simd::untwist_real(&product, &plan.twist, delay.min(half), real);
+        let from = delay.saturating_sub(half);
         simd::untwist_imaginary(&product, &plan.twist, from, imaginary);
         samples
     }

@@ -14,6 +14,7 @@
 //! Because the template is free of its mean, the numerator is a plain cross-correlation. Small ones
 //! run directly on vector registers, large ones through a Fourier transform; [`cost`] decides.
 
+mod channels;
 mod cost;
 mod fourier;
 mod normalize;
@@ -22,5 +23,6 @@ mod template;
 #[cfg(test)]
 mod tests;
 
+pub use channels::{ChannelSearch, ChannelSurface, ChannelTemplate};
 pub use search::SearchSpectrum;
 pub use template::Template;
