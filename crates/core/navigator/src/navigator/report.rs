@@ -9,7 +9,7 @@ use pilotage_base::frames::{GroundPoint, GroundRect, Pose};
 use pilotage_estimation::filter::Gaussian;
 use pilotage_flight::{ChannelName, Flight};
 use pilotage_vision::landmark::Refusal;
-use pilotage_vision::registration::MapShape;
+use pilotage_vision::registration::{LaidBy, MapShape};
 
 /// What drove the prediction.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -188,10 +188,17 @@ pub struct LaidReport {
     pub place: Option<LaidPlace>,
     /// Why it did not correct the estimate, in words; `None` if it did.
     pub refusal: Option<String>,
+    /// By what it was believed.
+    #[serde(default)]
+    pub laid_by: LaidBy,
     /// Patches that could have been found on the map.
     pub tried: usize,
-    /// Logarithm (base 10) of the agreements as good as this one that chance would give on other ground.
+    /// Logarithm (base 10) of how likely the place is wrong: agreements as good as this one that chance would
+    /// give on other ground, or the probability that the whole frame lies elsewhere.
     pub log_false_alarms: f64,
+    /// Probability of the likeliest place by the whole frame's edges; runs of before do not say.
+    #[serde(default)]
+    pub probability: Option<f64>,
 }
 
 impl LaidReport {

@@ -21,7 +21,7 @@ use pilotage_mission::settings::NavigatorSettings;
 use pilotage_raster::imagery::Imagery;
 use pilotage_raster::raster::Pyramid;
 use pilotage_vision::registration::{
-    FollowSettings, Follower, Look, Measured, NotRegistered, Registration,
+    FollowSettings, Follower, LaidBy, Look, Measured, NotRegistered, Registration,
 };
 
 /// Numbers of a place: north and east.
@@ -151,24 +151,21 @@ fn report(found: &Registration) -> LaidReport {
             shape: found.fit.at.shape,
         }),
         refusal: None,
+        laid_by: found.laid_by,
+        probability: Some(found.probability),
         tried: found.tried,
         log_false_alarms: found.log_false_alarms,
     }
 }
 
 fn not_laid(cause: &NotRegistered) -> LaidReport {
-    let (tried, log_false_alarms) = match *cause {
-        NotRegistered::Disagreement {
-            tried,
-            log_false_alarms,
-        } => (tried, log_false_alarms),
-        NotRegistered::NothingAlike | NotRegistered::Ambiguous { .. } => (0, 0.0),
-    };
     LaidReport {
         place: None,
         refusal: Some(cause.to_string()),
-        tried,
-        log_false_alarms,
+        laid_by: LaidBy::default(),
+        tried: 0,
+        log_false_alarms: 0.0,
+        probability: Some(cause.probability()),
     }
 }
 

@@ -29,6 +29,10 @@ pub struct FollowSettings {
     pub slope_deviation: f64,
     /// Deviation of how the map is stretched, before a frame has shown it.
     pub shape_deviation: f64,
+    /// Deviation of the map's own place per axis, metres: of satellite and aerial maps some 3, of an orthophoto
+    /// made with ground control or by the flight itself near 0.
+    #[serde(default)]
+    pub map_deviation: f64,
 }
 
 impl Default for FollowSettings {
@@ -43,6 +47,7 @@ impl Default for FollowSettings {
             tilt_deviation: 1.05_f64.to_radians(),
             slope_deviation: 3_f64.to_radians(),
             shape_deviation: 0.1,
+            map_deviation: 0.0,
         }
     }
 }
@@ -144,6 +149,7 @@ impl Follower {
             tilt_deviation: s.tilt_deviation,
             slope_deviation: s.slope_deviation,
             shape: self.shape(),
+            map_deviation: s.map_deviation,
             shape_deviation: self.along.variance.max(self.across.variance).sqrt(),
         }
     }

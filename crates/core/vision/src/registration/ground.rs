@@ -4,45 +4,102 @@ use super::look::{Look, MapPose};
 use super::texture::local_contrast;
 use pilotage_base::frames::GroundRect;
 use pilotage_raster::imagery::{Imagery, Window};
-use pilotage_raster::raster::{Gray, IntegralImage};
+use pilotage_raster::raster::{Gray, IntegralImage, OrientationField, gaussian_blur};
+
+/// What of the ground is compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Texture {
+    /// Brightness against the surroundings: fine and exact where map and frame are of one day.
+    Contrast,
+    /// Where edges run and how, which stays from one date and sensor to another.
+    Edges,
+    /// Edges and, with less weight, contrast: tells one place from another better than either, but shadows and
+    /// crops move its summit.
+    EdgesAndContrast,
+}
+
+/// Weight of contrast beside edges.
+const CONTRAST: f32 = 0.3;
+/// What it is clipped to, standard deviations.
+const CLIPPED: f32 = 2.0;
+/// Standard deviation over which it is smoothed, pixels, as edges are.
+const SMOOTHED: f64 = 1.2;
+/// Pixels to each side that decide what is bright beside edges.
+const SURROUNDINGS: usize = 12;
 
 /// A north-up picture of ground with what of it is covered.
 #[derive(Debug)]
 pub struct GroundPicture {
     /// Which ground.
     pub window: Window,
-    /// Local contrast, zero where nothing is covered.
-    pub texture: Gray,
+    /// What is compared, one channel or several; zero where nothing is covered.
+    pub channels: Vec<Gray>,
+    /// One where the ground is covered, else zero.
+    pub covered: Gray,
     /// Sums of the cover, for whole patches at a glance.
     cover: IntegralImage,
 }
 
 impl GroundPicture {
-    fn new(window: Window, luminance: &Gray, covered: &Gray, radius: usize) -> Self {
+    fn new(
+        window: Window,
+        luminance: &Gray,
+        covered: Gray,
+        texture: Texture,
+        radius: usize,
+    ) -> Self {
+        let (channels, covered) = match texture {
+            Texture::Contrast => (vec![local_contrast(luminance, &covered, radius)], covered),
+            Texture::Edges => {
+                let field = OrientationField::new(luminance, &covered);
+                (field.channels, field.covered)
+            }
+            Texture::EdgesAndContrast => {
+                let mut field = OrientationField::new(luminance, &covered);
+                let smooth = gaussian_blur(luminance, SMOOTHED);
+                let contrast = local_contrast(&smooth, &field.covered, SURROUNDINGS);
+                let weighed = |v: f32| CONTRAST * v.clamp(-CLIPPED, CLIPPED);
+                field.channels.push(contrast.map(weighed));
+                (field.channels, field.covered)
+            }
+        };
         Self {
             window,
-            texture: local_contrast(luminance, covered, radius),
-            cover: IntegralImage::new(covered),
+            cover: IntegralImage::new(&covered),
+            channels,
+            covered,
         }
     }
 
-    /// `map` over `rect`, `radius` pixels of surroundings on each side deciding what is bright.
-    pub fn of_map(map: &dyn Imagery, rect: &GroundRect, gsd: f64, radius: usize) -> Self {
+    /// `map` over `rect`; for contrast, `radius` pixels of surroundings on each side decide what is bright.
+    pub fn of_map(
+        map: &dyn Imagery,
+        rect: &GroundRect,
+        gsd: f64,
+        texture: Texture,
+        radius: usize,
+    ) -> Self {
         let window = Window::covering(rect, gsd);
         let pixels = map.window(&window);
         let covered = pixels.map(|p| if p[3] == 255 { 1.0 } else { 0.0 });
-        Self::new(window, &pixels.to_gray(), &covered, radius)
+        Self::new(window, &pixels.to_gray(), covered, texture, radius)
     }
 
     /// The part of `window` that a frame shows, under its assumed pose.
-    pub fn of_frame(look: &Look<'_>, place: &MapPose, window: &Window, radius: usize) -> Self {
+    pub fn of_frame(
+        look: &Look<'_>,
+        place: &MapPose,
+        window: &Window,
+        texture: Texture,
+        radius: usize,
+    ) -> Self {
         let seen = look.rectified(place, window);
         let covered = if seen.complete {
             Gray::filled(window.width, window.height, 1.0)
         } else {
             seen.seen
         };
-        Self::new(*window, &seen.luminance, &covered, radius)
+        Self::new(*window, &seen.luminance, covered, texture, radius)
     }
 
     /// Share of a rectangle of pixels that is covered, 0 where it reaches outside.

@@ -1,33 +1,43 @@
 //! A whole frame laid on the map: where the camera was and how it was turned, from many places of the
 //! picture at once.
 //!
-//! A sweep compares the whole frame with the map, coarsely, at every heading, height and place that is
-//! possible ([`HeadingPrior`] may know nothing). At the best of them the frame is cut into patches, each
-//! of which is looked for on the map for itself; what agrees on one map of the plane determines the pose
-//! by robust least squares, together with how the map is stretched ([`MapShape`]). It is believed if
-//! chance cannot explain so much agreement and no other place does as well.
+//! A sweep correlates the whole frame's orientation field with the map's, coarsely, at every heading, height
+//! and place that is possible ([`HeadingPrior`] may know nothing), and tells how probable each is. The best of
+//! them are brought to the top of their summits. Where map and frame are of the same days, small patches are
+//! found again for themselves, and determine the pose to centimetres by robust least squares, together with how
+//! the map is stretched ([`MapShape`]); they are believed if chance cannot explain so much agreement and no
+//! other place does as well. Where they are not, the whole frame is believed by its probability.
 //!
 //! Conte 2009, section 5.7, registers by the whole frame alone, with heading and height from the
 //! autopilot; here they are found.
 
 mod agreement;
 mod camera_place;
+mod contrast;
+mod edges;
+mod evidence;
 mod fit;
 mod follower;
+mod grid;
 mod ground;
 mod look;
 mod patches;
 mod prior;
 mod register;
 mod shape;
+mod summit;
 mod sweep;
 mod texture;
+mod weighed;
 
 pub use camera_place::CameraPlace;
+pub use evidence::Evidence;
 pub use fit::{PoseFit, UNKNOWNS};
 pub use follower::{FollowSettings, Follower, Measured};
 pub use look::{Look, MapPose};
 pub use patches::PatchMatch;
 pub use prior::{HeadingPrior, PosePrior};
-pub use register::{NotRegistered, Registration, register};
+pub use register::{LaidBy, NotRegistered, Registration, register};
 pub use shape::MapShape;
+pub use summit::{Climbed, Summit, climb};
+pub use sweep::{Guess, sweep};

@@ -2,9 +2,9 @@
 
 use nalgebra::{Point2, Vector2};
 
-use super::ground::GroundPicture;
+use super::ground::{GroundPicture, Texture};
 use pilotage_base::frames::GroundPoint;
-use pilotage_raster::raster::{Template, highest_peak};
+use pilotage_raster::raster::{ChannelSearch, ChannelTemplate, Gray, Template, highest_peak};
 
 use super::look::{Look, MapPose};
 
@@ -27,6 +27,8 @@ pub struct PatchMatch {
 /// How patches are cut and how far they are looked for; all in pixels of the ground sample distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PatchPlan {
+    /// What of them is compared.
+    pub texture: Texture,
     /// Ground sample distance, metres.
     pub gsd: f64,
     /// Side of a patch.
@@ -58,6 +60,7 @@ pub struct PatchSearch {
 /// Looks for the patches of a frame, laid on the map at `place`.
 pub fn find_patches(look: &Look<'_>, place: &MapPose, plan: PatchPlan) -> Option<PatchSearch> {
     let PatchPlan {
+        texture,
         gsd,
         side,
         stride,
@@ -66,9 +69,9 @@ pub fn find_patches(look: &Look<'_>, place: &MapPose, plan: PatchPlan) -> Option
     let footprint = look.footprint(place)?;
     let margin = reach as f64 * gsd;
     let radius = side / 2;
-    let map = GroundPicture::of_map(look.map, &footprint.grown(margin), gsd, radius);
+    let map = GroundPicture::of_map(look.map, &footprint.grown(margin), gsd, texture, radius);
     let (window, (left, top)) = map.window.touching(&footprint)?;
-    let frame = GroundPicture::of_frame(look, place, &window, radius);
+    let frame = GroundPicture::of_frame(look, place, &window, texture, radius);
     let mut search = PatchSearch {
         matches: Vec::new(),
         tried: 0,
@@ -82,22 +85,15 @@ pub fn find_patches(look: &Look<'_>, place: &MapPose, plan: PatchPlan) -> Option
             {
                 continue;
             }
-            let Some(patch) = frame.texture.crop(column, row, side, side) else {
-                continue;
-            };
-            let Some(template) = Template::new(&patch) else {
-                continue;
-            };
-            search.tried += 1;
             let first = (
                 map_column.saturating_sub(reach),
                 map_row.saturating_sub(reach),
             );
-            let surface = template.correlate_at(
-                &map.texture,
-                first.0..map_column + reach + 1,
-                first.1..map_row + reach + 1,
-            );
+            let last = (map_column + reach, map_row + reach);
+            let Some(surface) = correlate(&frame, (column, row), side, &map, first, last) else {
+                continue;
+            };
+            search.tried += 1;
             let Some(peak) = highest_peak(&surface) else {
                 continue;
             };
@@ -124,4 +120,29 @@ pub fn find_patches(look: &Look<'_>, place: &MapPose, plan: PatchPlan) -> Option
         }
     }
     Some(search)
+}
+
+/// The correlation of the patch of `frame` at `corner` with the map, for its top-left corner at `first` to
+/// `last`; `None` if there is nothing to compare.
+fn correlate(
+    frame: &GroundPicture,
+    corner: (usize, usize),
+    side: usize,
+    map: &GroundPicture,
+    first: (usize, usize),
+    last: (usize, usize),
+) -> Option<Gray> {
+    if let ([frame], [map]) = (&frame.channels[..], &map.channels[..]) {
+        let template = Template::new(&frame.crop(corner.0, corner.1, side, side)?)?;
+        return Some(template.correlate_at(map, first.0..last.0 + 1, first.1..last.1 + 1));
+    }
+    let cut = |picture: &Gray| picture.crop(corner.0, corner.1, side, side);
+    let channels: Option<Vec<Gray>> = frame.channels.iter().map(cut).collect();
+    let template = ChannelTemplate::new(&channels?, &cut(&frame.covered)?)?;
+    let width = (last.0 + side).min(map.covered.width()) - first.0;
+    let height = (last.1 + side).min(map.covered.height()) - first.1;
+    let cut = |picture: &Gray| picture.crop(first.0, first.1, width, height);
+    let channels: Option<Vec<Gray>> = map.channels.iter().map(cut).collect();
+    let surface = ChannelSearch::new(&channels?, &cut(&map.covered)?).correlate(&template)?;
+    Some(surface.score)
 }

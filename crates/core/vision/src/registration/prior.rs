@@ -88,6 +88,8 @@ pub struct PosePrior {
     pub shape: MapShape,
     /// Standard deviation of both of the shape's numbers.
     pub shape_deviation: f64,
+    /// Standard deviation of the map's own place per axis, metres.
+    pub map_deviation: f64,
 }
 
 impl PosePrior {
@@ -106,6 +108,27 @@ impl PosePrior {
     /// Share of an apparent tilt that is the camera's: the rest is the ground's slope.
     pub(super) fn share_of_tilt(&self) -> f64 {
         (self.tilt_deviation / self.apparent_tilt_deviation()).powi(2)
+    }
+
+    /// Natural logarithm of the density of a height and a heading, against that at the mean of each.
+    pub(super) fn log_density(&self, height: f64, heading: f64) -> f64 {
+        let deviations = |off: f64, deviation: f64| {
+            if deviation > 0.0 {
+                off / deviation
+            } else {
+                0.0
+            }
+        };
+        let height = deviations((height / self.height).ln(), self.log_height_deviation);
+        let heading = match self.heading {
+            HeadingPrior::Unknown => 0.0,
+            HeadingPrior::Around {
+                heading: mean,
+                deviation,
+                ..
+            } => deviations(wrap_pi(heading - mean), deviation),
+        };
+        -0.5 * (height * height + heading * heading)
     }
 
     /// Attitude with this heading.

@@ -1,29 +1,40 @@
-//! From a guess to a pose that can be trusted, or to none.
+//! From what is known of a pose to one that can be trusted, or to none.
 
-use nalgebra::Matrix2;
+use nalgebra::{Matrix2, Matrix6};
+use serde::{Deserialize, Serialize};
 
 use super::CameraPlace;
-use super::agreement::{agree, least_likely};
-use super::fit::{PoseFit, fit, residual};
+use super::contrast::{ByContrast, begin, by_contrast, is_promising};
+use super::edges::pieces;
+use super::fit::PoseFit;
 use super::look::{Look, MapPose};
-use super::patches::{PatchMatch, PatchPlan, PatchSearch, find_patches};
+use super::patches::PatchMatch;
 use super::prior::PosePrior;
+use super::summit::climb;
 use super::sweep::{Guess, are_beside, sweep};
 use pilotage_base::frames::GroundPoint;
 use pilotage_raster::camera::CameraModel;
 
-/// Guesses of the sweep that are refined at first.
+/// Guesses of the sweep that are kept.
 const GUESSES: usize = 6;
-/// Of these, those that agree best are refined to the end.
+/// Of these, those whose coarse patches agree best are looked at finely.
 const FINISHED: usize = 2;
-/// A frame of other ground is believed once in ten thousand, as a logarithm (base 10).
+/// Guesses less probable than this are not made exact.
+const LEAST_PROBABLE: f64 = 1e-3;
+/// A frame of other ground is believed by its patches once in ten thousand, as a logarithm (base 10).
 const MOST_FALSE_ALARMS: f64 = -4.0;
-/// Pixels across the shorter side of the footprint that give enough patches, if map and frame have as many.
-const ENOUGH: f64 = 256.0;
-/// Independent patches that are enough.
-const WANTED: f64 = 64.0;
-/// Tolerances of the agreement beyond which a match is an outlier of the fit.
-const OUTLYING: f64 = 3.0;
+/// Probability from which a frame is believed as a whole.
+const BELIEVED: f64 = 0.95;
+
+/// By what a frame was believed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub enum LaidBy {
+    /// Small patches agree on one pose: map and frame look alike in detail.
+    #[default]
+    Patches,
+    /// The edges of the whole frame correlate with one place by far best.
+    WholeFrame,
+}
 
 /// A frame laid on the map.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,9 +45,14 @@ pub struct Registration {
     pub matches: Vec<PatchMatch>,
     /// Patches that could have been found.
     pub tried: usize,
-    /// Logarithm (base 10) of the agreements as good as this one that chance would give on a map of
-    /// other ground.
+    /// By what it was believed.
+    pub laid_by: LaidBy,
+    /// Logarithm (base 10) of how likely it is wrong: the agreements as good as this one that chance would
+    /// give on a map of other ground, or the probability that the whole frame lies elsewhere.
     pub log_false_alarms: f64,
+    /// Probability of this place by the whole frame alone, against all others that the prior allows and
+    /// against none.
+    pub probability: f64,
     /// Where the camera is, the slope of the ground told from its tilt.
     pub camera: CameraPlace,
     /// Place of the map in the middle of the picture.
@@ -46,152 +62,46 @@ pub struct Registration {
     /// Turn of the stored picture against the mount beyond the one that is known, radians clockwise, a
     /// multiple of a quarter turn: π for one stored upside down. Zero where the heading is not measured.
     pub stored_turn: f64,
-    /// Correlation of the whole frame with the map at the guess from which it came.
-    pub guess_score: f64,
+    /// Correlation of the whole frame's edges with the map.
+    pub score: f64,
 }
 
 /// Why a frame could not be laid on the map.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum NotRegistered {
-    /// Nowhere within reach does the picture look like the map.
-    #[error("nothing within reach looks like the picture")]
+    /// There is no map where the picture may be.
+    #[error("there is no map within reach, or nothing in the picture to compare with it")]
     NothingAlike,
-    /// The best agreement may be chance.
-    #[error("too few of {tried} patches agree on a pose (10^{log_false_alarms:.1} by chance)")]
-    Disagreement {
-        /// Patches that could have been found.
-        tried: usize,
-        /// Logarithm (base 10) of the false alarms.
-        log_false_alarms: f64,
+    /// The likeliest place is not likely enough.
+    #[error("the likeliest place has a probability of {:.0} %; nothing within reach looks enough like the picture", 100.0 * probability)]
+    Doubtful {
+        /// Its probability.
+        probability: f64,
     },
     /// Another place explains the picture about as well.
-    #[error("two places {distance:.0} m apart explain the picture")]
+    #[error("two places {distance:.0} m apart explain the picture ({:.0} % and {:.0} %)", 100.0 * probability, 100.0 * other)]
     Ambiguous {
         /// Distance between the two, metres.
         distance: f64,
+        /// Probability of the likelier one.
+        probability: f64,
+        /// Probability of the other one.
+        other: f64,
     },
 }
 
-/// A guess under refinement.
-struct Candidate {
-    at: MapPose,
-    guess: Guess,
-    log_false_alarms: f64,
-}
-
-/// Patches found at one level, and the pose that they agree on.
-struct Level {
-    search: PatchSearch,
-    fit: PoseFit,
-    /// Of the raw agreement, in which overlapping patches count fully; to compare guesses.
-    agreement: f64,
-    pixels_per_metre: f64,
-}
-
-/// How patches are cut at a guess: at first coarsely, then at the distance that is fine enough for a frame
-/// that shows nothing but map; and the finest that map and frame have.
-fn plans(look: &Look<'_>, guess: &Guess) -> Option<([PatchPlan; 2], f64)> {
-    let footprint = look.footprint(&guess.at)?;
-    let height = look.ground_down - guess.at.pose.position_in_world.z;
-    let finest = look.map.native_gsd().max(height / look.camera.focal);
-    let fine = finest.max(footprint.width().min(footprint.height()) / ENOUGH);
-    let coarse = PatchPlan {
-        gsd: 2.0 * fine,
-        side: 16,
-        stride: 6,
-        reach: 12,
-    };
-    let middle = PatchPlan {
-        gsd: fine,
-        side: 24,
-        stride: 12,
-        reach: 10,
-    };
-    Some(([coarse, middle], finest))
-}
-
-/// The last look: finer where little of the frame shows mapped ground, so that it still gives enough
-/// patches to be sure of.
-fn last_plan(middle: &PatchSearch, finest: f64) -> PatchPlan {
-    let independent = middle.tried as f64 / middle.plan.overlap() as f64;
-    let share = (independent / WANTED).sqrt().min(1.0);
-    PatchPlan {
-        gsd: (middle.plan.gsd * share).max(finest),
-        reach: 6,
-        ..middle.plan
+impl NotRegistered {
+    /// Probability of the likeliest place.
+    pub fn probability(&self) -> f64 {
+        match *self {
+            Self::NothingAlike => 0.0,
+            Self::Doubtful { probability } | Self::Ambiguous { probability, .. } => probability,
+        }
     }
 }
 
-fn level(look: &Look<'_>, prior: &PosePrior, at: &MapPose, plan: PatchPlan) -> Option<Level> {
-    let search = find_patches(look, at, plan)?;
-    let agreement = agree(&search)?;
-    let height = look.ground_down - at.pose.position_in_world.z;
-    let pixels_per_metre = look.camera.focal / height;
-    let members: Vec<PatchMatch> = agreement
-        .members
-        .iter()
-        .map(|&index| search.matches[index])
-        .collect();
-    let limit = OUTLYING * agreement.tolerance.max(plan.gsd) * pixels_per_metre;
-    let first = fit(look, at, &members, prior, limit)?;
-    // Once more with all that fit the pose, whose perspective the agreement lacks.
-    let fit = fit(look, &first.at, &search.matches, prior, limit)?;
-    Some(Level {
-        search,
-        fit,
-        agreement: agreement.log_false_alarms,
-        pixels_per_metre,
-    })
-}
-
-/// The first look at a guess.
-fn begin(look: &Look<'_>, prior: &PosePrior, guess: Guess) -> Option<Candidate> {
-    let ([coarse, _], _) = plans(look, &guess)?;
-    let level = level(look, prior, &guess.at, coarse)?;
-    Some(Candidate {
-        at: level.fit.at,
-        guess,
-        log_false_alarms: level.agreement,
-    })
-}
-
-/// The rest of the way.
-fn finish(look: &Look<'_>, prior: &PosePrior, candidate: &Candidate) -> Option<Registration> {
-    let ([_, plan], finest) = plans(look, &candidate.guess)?;
-    let middle = level(look, prior, &candidate.at, plan)?;
-    let plan = last_plan(&middle.search, finest);
-    let last = level(look, prior, &middle.fit.at, plan)?;
-    let residuals: Vec<f64> = last
-        .search
-        .matches
-        .iter()
-        .map(|m| {
-            residual(look, &last.fit.at, m)
-                .map_or(f64::INFINITY, |r| r.norm() / last.pixels_per_metre)
-        })
-        .collect();
-    // Four matches determine pose and shape.
-    let (log_false_alarms, radius) = least_likely(&residuals, &last.search, 4, plan.overlap());
-    let matches = last.search.matches.iter().zip(&residuals);
-    let (centre, centre_covariance) = last.fit.centre(look)?;
-    Some(Registration {
-        matches: matches
-            .filter(|(_, r)| **r <= radius)
-            .map(|(m, _)| *m)
-            .collect(),
-        tried: last.search.tried,
-        log_false_alarms,
-        camera: last.fit.camera(look, prior)?,
-        centre,
-        centre_covariance,
-        stored_turn: 0.0,
-        guess_score: candidate.guess.score,
-        fit: last.fit,
-    })
-}
-
-/// Lays a frame on the map: sweeps over all that the prior allows, refines the best guesses, and
-/// believes one only if chance cannot explain it and no other does as well.
+/// Lays a frame on the map: sweeps over all that the prior allows, makes the likeliest poses exact, and
+/// believes one if its patches agree as chance would not have it, or if the whole frame leaves little doubt.
 pub fn register(look: &Look<'_>, prior: &PosePrior) -> Result<Registration, NotRegistered> {
     let turns = prior.heading.turns();
     let cameras: Vec<CameraModel> = turns
@@ -203,47 +113,132 @@ pub fn register(look: &Look<'_>, prior: &PosePrior) -> Result<Registration, NotR
         .map(|camera| Look { camera, ..*look })
         .collect();
     let guesses = sweep(&looks, prior, GUESSES);
-    let mut candidates: Vec<Candidate> = guesses
-        .into_iter()
-        .filter_map(|guess| begin(&looks[guess.turn], prior, guess))
-        .collect();
-    candidates.sort_by(|a, b| a.log_false_alarms.total_cmp(&b.log_false_alarms));
-    let mut finished: Vec<Registration> = candidates
+    let turned = |guess: &Guess, laid: Registration| Registration {
+        stored_turn: turns[guess.turn],
+        ..laid
+    };
+    let likely = guesses
         .iter()
-        .take(FINISHED)
-        .filter_map(|candidate| {
-            let turn = candidate.guess.turn;
-            let found = finish(&looks[turn], prior, candidate)?;
-            Some(Registration {
-                stored_turn: turns[turn],
-                ..found
-            })
-        })
+        .enumerate()
+        .filter(|(index, guess)| *index == 0 || guess.probability > LEAST_PROBABLE);
+    let mut laid: Vec<Registration> = likely
+        .filter_map(|(_, guess)| Some(turned(guess, exact(&looks[guess.turn], prior, guess)?)))
         .collect();
-    finished.sort_by(|a, b| a.log_false_alarms.total_cmp(&b.log_false_alarms));
-    judge(finished, look.ground_down)
+    let is_sure = |r: &Registration| r.laid_by == LaidBy::Patches || r.probability >= BELIEVED;
+    if !laid.iter().any(is_sure) {
+        // Patches of a map of the same day may know better.
+        let mut begun: Vec<_> = guesses
+            .iter()
+            .filter_map(|g| Some((g, begin(&looks[g.turn], prior, &g.at)?)))
+            .collect();
+        begun.sort_by(|a, b| a.1.1.total_cmp(&b.1.1));
+        let finished = begun
+            .into_iter()
+            .take(FINISHED)
+            .filter_map(|(guess, (at, _))| {
+                let found = by_patches(&looks[guess.turn], prior, guess, &at)?;
+                Some(turned(guess, found))
+            });
+        laid.extend(finished);
+    }
+    // What patches agree on comes before what is only alike as a whole.
+    laid.sort_by(|a, b| {
+        let rank = |r: &Registration| (r.laid_by != LaidBy::Patches, r.log_false_alarms);
+        let (a, b) = (rank(a), rank(b));
+        a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
+    });
+    judge(laid, &guesses, look.ground_down)
 }
 
-/// The first of `finished`, best first, if it can be believed.
-fn judge(finished: Vec<Registration>, ground_down: f64) -> Result<Registration, NotRegistered> {
-    let mut finished = finished.into_iter();
-    let best = finished.next().ok_or(NotRegistered::NothingAlike)?;
-    if best.log_false_alarms > MOST_FALSE_ALARMS {
-        return Err(NotRegistered::Disagreement {
-            tried: best.tried,
-            log_false_alarms: best.log_false_alarms,
-        });
+/// A guess made exact.
+fn exact(look: &Look<'_>, prior: &PosePrior, guess: &Guess) -> Option<Registration> {
+    let climbed = climb(look, prior, guess);
+    let start = climbed.map_or(guess.at, |climbed| climbed.top.at);
+    if is_promising(look, &start)
+        && let Some(laid) = by_patches(look, prior, guess, &start)
+    {
+        return Some(laid);
     }
+    let fit = climbed?.fit(look, prior)?;
+    let (matches, tried) = pieces(look, &fit.at)?;
+    let by_edges = ByContrast {
+        fit,
+        matches,
+        tried,
+        log_false_alarms: guess.log_doubt,
+    };
+    registration(look, prior, guess, LaidBy::WholeFrame, by_edges)
+}
+
+/// What patches around a pose agree on, if chance does not explain it.
+fn by_patches(
+    look: &Look<'_>,
+    prior: &PosePrior,
+    guess: &Guess,
+    start: &MapPose,
+) -> Option<Registration> {
+    let found = by_contrast(look, prior, start)?;
+    (found.log_false_alarms <= MOST_FALSE_ALARMS)
+        .then(|| registration(look, prior, guess, LaidBy::Patches, found))
+        .flatten()
+}
+
+fn registration(
+    look: &Look<'_>,
+    prior: &PosePrior,
+    guess: &Guess,
+    laid_by: LaidBy,
+    found: ByContrast,
+) -> Option<Registration> {
+    let (centre, centre_covariance) = found.fit.centre(look)?;
+    let mut camera = found.fit.camera(look, prior)?;
+    let of_map = prior.map_deviation.powi(2);
+    camera.covariance += Matrix6::from_diagonal(&[of_map, of_map, 0.0, 0.0, 0.0, 0.0].into());
+    Some(Registration {
+        fit: found.fit,
+        matches: found.matches,
+        tried: found.tried,
+        laid_by,
+        log_false_alarms: found.log_false_alarms,
+        probability: guess.probability,
+        camera,
+        centre,
+        centre_covariance: centre_covariance + Matrix2::identity() * of_map,
+        stored_turn: 0.0,
+        score: guess.score,
+    })
+}
+
+/// The first of `laid`, best first, if it can be believed.
+fn judge(
+    laid: Vec<Registration>,
+    guesses: &[Guess],
+    ground_down: f64,
+) -> Result<Registration, NotRegistered> {
+    let mut laid = laid.into_iter();
+    let best = laid.next().ok_or(NotRegistered::NothingAlike)?;
     let elsewhere = |other: &Registration| {
         other.stored_turn != best.stored_turn
             || !are_beside(&best.fit.at, &other.fit.at, ground_down)
     };
-    match finished.find(elsewhere) {
-        Some(other) if other.log_false_alarms < best.log_false_alarms - MOST_FALSE_ALARMS => {
-            Err(NotRegistered::Ambiguous {
-                distance: best.centre.distance(&other.centre),
-            })
+    let rival = laid.find(elsewhere);
+    let ambiguous = |other: &Registration| NotRegistered::Ambiguous {
+        distance: best.centre.distance(&other.centre),
+        probability: best.probability,
+        other: other.probability,
+    };
+    match (best.laid_by, rival) {
+        (LaidBy::Patches, Some(other))
+            if other.laid_by == LaidBy::Patches
+                && other.log_false_alarms < best.log_false_alarms - MOST_FALSE_ALARMS =>
+        {
+            Err(ambiguous(&other))
         }
-        _ => Ok(best),
+        (LaidBy::Patches, _) => Ok(best),
+        _ if best.probability >= BELIEVED => Ok(best),
+        (_, Some(other)) if other.probability > 0.5 * best.probability => Err(ambiguous(&other)),
+        _ => Err(NotRegistered::Doubtful {
+            probability: guesses.first().map_or(0.0, |guess| guess.probability),
+        }),
     }
 }

@@ -2,6 +2,7 @@
 
 use egui::{RichText, Ui};
 use pilotage_core::navigator::{JointReport, LaidReport, Run};
+use pilotage_core::registration::LaidBy;
 
 use super::super::parts::{self, Reading, figures};
 use super::matrix;
@@ -17,6 +18,10 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, laid: &LaidReport) {
                 .color(tokens.refused),
         );
     }
+    if let Some(probability) = laid.probability {
+        let reading = Reading::new("likeliest place", parts::brief(100.0 * probability), "%");
+        parts::reading(ui, tokens, &reading);
+    }
     let Some(place) = &laid.place else { return };
     let agreeing = format!("{} of {}", place.matches.len(), laid.tried);
     parts::reading(
@@ -24,8 +29,12 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, laid: &LaidReport) {
         tokens,
         &Reading::new("patches that agree", agreeing, ""),
     );
+    let doubt = match laid.laid_by {
+        LaidBy::Patches => "as many by chance",
+        LaidBy::WholeFrame => "elsewhere, or not here",
+    };
     let chance = format!("10^{:.0}", laid.log_false_alarms);
-    parts::reading(ui, tokens, &Reading::new("as many by chance", chance, ""));
+    parts::reading(ui, tokens, &Reading::new(doubt, chance, ""));
     let (factor, unit) = context.units.length();
     let deviation = |i: usize| place.covariance[(i, i)].max(0.0).sqrt();
     let position = place.pose.position_in_world;

@@ -8,6 +8,7 @@ use pilotage_core::navigator::{
     CandidateReport, Disbelief, Doubt, Estimate, FrameReport, Instrument, LaidReport, Outcome, Run,
     StepReport,
 };
+use pilotage_core::registration::LaidBy;
 
 use super::super::parts::figures;
 use super::super::plots::DEAD_RECKONING_AFTER;
@@ -84,10 +85,16 @@ fn whole_picture(
     let (factor, unit) = units.length();
     let off = frame.joint.as_ref().map_or(0.0, |j| j.innovation.norm());
     let agreeing = laid.place.as_ref().map_or(0, |place| place.matches.len());
+    let by = match (laid.laid_by, laid.probability) {
+        (LaidBy::WholeFrame, Some(probability)) => format!(
+            "by its edges, which fit nowhere else as well ({} %)",
+            figures(100.0 * probability)
+        ),
+        _ => format!("{agreeing} of {} patches agreeing", laid.tried),
+    };
     let mut text = format!(
-        "The whole picture lies {} {unit} from where expected, {agreeing} of {} patches agreeing: the 1σ of the estimate goes from {} to {} {unit}.",
+        "The whole picture lies {} {unit} from where expected, {by}: the 1σ of the estimate goes from {} to {} {unit}.",
         figures(factor * off),
-        laid.tried,
         figures(factor * sigma(&step.predicted)),
         figures(factor * sigma(&step.after))
     );
@@ -399,7 +406,9 @@ mod tests {
             place: None,
             refusal: None,
             tried: 60,
+            laid_by: LaidBy::Patches,
             log_false_alarms: -30.0,
+            probability: Some(1.0),
         };
         frame.laid = Some(laid.clone());
         let text = of(&fixture, index);

@@ -4,7 +4,7 @@ use nalgebra::{Matrix2, Matrix6, Point2, Point3};
 use pilotage_core::flight::{Channel, ChannelName, Flight};
 use pilotage_core::frames::Pose;
 use pilotage_core::navigator::{LaidPlace, LaidReport, StepReport};
-use pilotage_core::registration::MapShape;
+use pilotage_core::registration::{LaidBy, MapShape};
 
 use super::flight::flight;
 
@@ -76,7 +76,9 @@ pub fn lay_frames(steps: &mut [StepReport], opened: &Flight, flown: &Flight) {
             }),
             refusal: None,
             tried: 40,
+            laid_by: LaidBy::Patches,
             log_false_alarms: -20.0,
+            probability: Some(1.0),
         });
     }
 }

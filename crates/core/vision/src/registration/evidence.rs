@@ -1,0 +1,54 @@
+//! How much a correlation says for a place.
+//!
+//! A frame that does not belong to a place correlates with it by chance, with a standard deviation σ that the
+//! frame itself tells (laid on the same ground turned by half a turn). 1 / σ² is the number of independent
+//! numbers N in which it is compared, and a Gaussian model of both pictures gives the place the likelihood
+//! (1 - ρ²)^(-N/2) against chance. Ground repeats itself and pictures differ by more than noise, so that
+//! logarithm is tempered: with the temperature below, probabilities hold on real pairs of dates.
+
+use pilotage_raster::raster::ChannelSurface;
+
+/// Share of the logarithm of the likelihood that is believed.
+pub const TEMPERED: f64 = 0.6;
+
+/// What correlations of a frame mean.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Evidence {
+    /// Standard deviation of the correlation with ground that is not the frame's, where all of it lies over the
+    /// map.
+    pub chance: f64,
+}
+
+impl Evidence {
+    /// From surfaces of the frame over ground that is not its own.
+    pub fn from_chance(surfaces: impl Iterator<Item = ChannelSurface>) -> Option<Self> {
+        let (mut count, mut squares) = (0.0_f64, 0.0_f64);
+        for surface in surfaces {
+            for (index, value) in surface.score.pixels().iter().enumerate() {
+                let share = surface.share_at(index);
+                squares += f64::from(share * value * value);
+                count += f64::from(u8::from(share > 0.0));
+            }
+        }
+        let chance = (squares / count.max(1.0)).sqrt();
+        (chance > 0.0).then_some(Self { chance })
+    }
+
+    /// Natural logarithm of the tempered likelihood of a place with this correlation against chance, where a
+    /// `share` of the frame lies over the map.
+    pub fn log_likelihood(&self, score: f64, share: f64) -> f64 {
+        if score <= 0.0 {
+            return 0.5 * (1.0 - TEMPERED).ln();
+        }
+        let independent = share * self.chance.powi(-2);
+        let square = score.min(0.999).powi(2);
+        // Under chance the mean of the likelihood is one.
+        -0.5 * TEMPERED * independent * (1.0 - square).ln() + 0.5 * (1.0 - TEMPERED).ln()
+    }
+
+    /// Derivative of [`Self::log_likelihood`] by the correlation.
+    pub fn slope(&self, score: f64) -> f64 {
+        let score = score.clamp(0.0, 0.999);
+        TEMPERED * self.chance.powi(-2) * score / (1.0 - score * score)
+    }
+}

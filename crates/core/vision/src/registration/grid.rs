@@ -1,0 +1,156 @@
+//! How finely poses are tried.
+
+use super::look::{Look, MapPose};
+use super::prior::{PosePrior, REACH};
+use super::sweep::Guess;
+use nalgebra::Point3;
+use pilotage_base::frames::{GroundPoint, GroundRect, Pose, wrap_pi};
+
+/// Pixels across the longer side of the frame.
+pub(super) const ACROSS: f64 = 96.0;
+/// Fewest pixels across that still tell one place from another.
+const LEAST_ACROSS: f64 = 36.0;
+/// Shift of a pixel at the edge of the frame that the edges forgive, pixels; it is about as wide as they are
+/// spread.
+const FORGIVEN: f64 = 2.5;
+/// Pixels of the map times headings times heights that there is time for: some 0.3 s.
+const AFFORDABLE: f64 = 5e6;
+
+/// The fineness of a sweep.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Grid {
+    /// Pixels across the longer side of the frame.
+    pub across: f64,
+}
+
+/// Poses that are tried.
+#[derive(Clone, Debug)]
+pub(super) struct Poses {
+    /// Place around which it is looked for.
+    pub center: GroundPoint,
+    /// How far to each side, metres.
+    pub reach: f64,
+    /// Heights above the ground plane, metres.
+    pub heights: Vec<f64>,
+    /// Headings, radians.
+    pub headings: Vec<f64>,
+    /// Which turns of the stored picture.
+    pub turns: Vec<usize>,
+}
+
+impl Grid {
+    /// The finest.
+    pub fn full() -> Self {
+        Self { across: ACROSS }
+    }
+
+    /// Whether it is the finest.
+    pub fn is_full(self) -> bool {
+        self.across >= ACROSS
+    }
+
+    /// From one heading to the next, radians, and from one height to the next, as a logarithm.
+    pub fn step(self) -> f64 {
+        2.0 * FORGIVEN / (0.5 * self.across)
+    }
+
+    /// Distance, against the height, and turn within which poses are one: what is found from one of them is
+    /// found from the other, and neighbours on the grid are one.
+    pub fn beside(self) -> (f64, f64) {
+        let coarser = ACROSS / self.across;
+        (0.15_f64.max(0.06 * coarser), 0.2_f64.max(1.2 * self.step()))
+    }
+
+    /// The ground sample distance for a frame that covers `extent`.
+    pub fn gsd(self, extent: &GroundRect) -> f64 {
+        extent.width().max(extent.height()) / self.across
+    }
+
+    /// The finest for which there is time; `None` if the frame does not look down.
+    pub fn affordable(looks: &[Look<'_>], prior: &PosePrior) -> Option<Self> {
+        let full = Self::full();
+        let look = looks.first()?;
+        let extent = look.footprint(&above(look, prior, prior.height, 0.0, prior.position))?;
+        let area = area(
+            looks,
+            prior,
+            prior.position,
+            REACH * prior.position_deviation,
+            prior.height,
+        )?;
+        let pixels = area.width() * area.height() / full.gsd(&extent).powi(2);
+        let tried = prior.heights(full.step()).len()
+            * prior.heading.candidates(full.step()).len()
+            * looks.len();
+        // Twice as fine means four times the pixels, and twice the headings and the heights.
+        let share = (AFFORDABLE / (pixels * tried as f64)).powf(0.25);
+        Some(Self {
+            across: (ACROSS * share).clamp(LEAST_ACROSS, ACROSS),
+        })
+    }
+}
+
+impl Poses {
+    /// Those between the steps of a coarse grid around a guess.
+    pub fn around(look: &Look<'_>, guess: &Guess, grid: Grid) -> Self {
+        let position = guess.at.pose.position_in_world;
+        let height = look.ground_down - position.z;
+        // Half a coarse step to each side, at the fine one's distance.
+        let half = 0.5 * grid.step();
+        let count = (half / Grid::full().step()).ceil().max(1.0) as i32;
+        let between = || (-count..=count).map(move |i| f64::from(i) * half / f64::from(count));
+        let heading = guess.at.pose.attitude.yaw;
+        let extent = look.footprint(&guess.at);
+        Self {
+            center: GroundPoint::new(position.x, position.y),
+            reach: 2.5 * extent.map_or(0.0, |extent| grid.gsd(&extent)),
+            heights: between().map(|off| height * off.exp()).collect(),
+            headings: between().map(|off| wrap_pi(heading + off)).collect(),
+            turns: vec![guess.turn],
+        }
+    }
+}
+
+/// The pose with this height and heading over a place.
+pub(super) fn above(
+    look: &Look<'_>,
+    prior: &PosePrior,
+    height: f64,
+    heading: f64,
+    below: GroundPoint,
+) -> MapPose {
+    MapPose {
+        pose: Pose {
+            position_in_world: Point3::new(below.north, below.east, look.ground_down - height),
+            attitude: prior.attitude(heading),
+        },
+        shape: prior.shape,
+    }
+}
+
+/// The ground that the frame may show at any heading, up to `height` and `reach` metres around `center`, no
+/// farther than half a frame beyond the map; `None` if that is nowhere.
+pub(super) fn area(
+    looks: &[Look<'_>],
+    prior: &PosePrior,
+    center: GroundPoint,
+    reach: f64,
+    height: f64,
+) -> Option<GroundRect> {
+    // The frame, tilted by the prior, lies in a circle about the farther of its ends.
+    let ends = looks
+        .iter()
+        .filter_map(|look| look.footprint(&above(look, prior, height, 0.0, center)))
+        .flat_map(|extent| extent.corners());
+    let half = ends.map(|c| c.distance(&center)).fold(0.0, f64::max);
+    let side = 2.0 * (reach + half);
+    let wanted = GroundRect::centered(center, side, side);
+    let map = looks.first()?.map.bounds().grown(half);
+    let cut = GroundRect {
+        north: wanted.north.min(map.north),
+        south: wanted.south.max(map.south),
+        west: wanted.west.max(map.west),
+        east: wanted.east.min(map.east),
+    };
+    (half > 0.0 && cut.north > cut.south && cut.east > cut.west).then_some(cut)
+}

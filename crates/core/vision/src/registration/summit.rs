@@ -1,0 +1,250 @@
+//! A guess of the sweep brought to the top of its summit: heading, height and tilt between the steps, the
+//! place between the pixels; and how sharp the summit is (Laplace's approximation).
+
+use nalgebra::{Matrix2, SMatrix};
+
+use super::evidence::Evidence;
+use super::fit::{PoseFit, UNKNOWNS, differences, moved};
+use super::grid::{ACROSS, Grid};
+use super::ground::{GroundPicture, Texture};
+use super::look::{Look, MapPose};
+use super::prior::PosePrior;
+use super::sweep::Guess;
+use super::weighed::frame_template;
+use pilotage_base::frames::wrap_pi;
+use pilotage_raster::raster::{ChannelSearch, highest_peak};
+
+/// Ground sample distances against that of the sweep, and rounds at each; every round halves the steps.
+const LEVELS: [(f64, usize); 2] = [(1.0, 3), (0.6, 2)];
+/// How far the summit may lie from the guess, pixels of the sweep.
+const MARGIN: f64 = 8.0;
+/// First step of roll and of pitch, radians.
+const TILT: f64 = 0.04;
+
+/// Unknowns beside the place.
+#[derive(Clone, Copy)]
+enum Axis {
+    Heading,
+    LogHeight,
+    Roll,
+    Pitch,
+}
+
+/// A pose, its correlation, and the logarithm of its likelihood and prior.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Summit {
+    /// The pose over the map.
+    pub at: MapPose,
+    /// Correlation of the whole frame with the map.
+    pub score: f64,
+    /// Natural logarithm of likelihood and prior.
+    pub log_weight: f64,
+    /// Second derivatives of the logarithm by the place in the middle of the picture (north, east), per m².
+    pub curvature: Matrix2<f64>,
+}
+
+/// A summit, and how sharp it is along the axes on which it was climbed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Climbed {
+    /// The top.
+    pub top: Summit,
+    /// Variances of heading (radians²), logarithm of the height, roll and pitch (radians²), prior and
+    /// likelihood taken together, the place following each.
+    pub variances: [f64; 4],
+}
+
+impl Axis {
+    const ALL: [Self; 4] = [Self::Heading, Self::LogHeight, Self::Roll, Self::Pitch];
+
+    /// The first step.
+    fn step(self) -> f64 {
+        match self {
+            Self::Heading | Self::LogHeight => 0.5 * Grid::full().step(),
+            Self::Roll | Self::Pitch => TILT,
+        }
+    }
+
+    fn moved(self, look: &Look<'_>, at: &MapPose, by: f64) -> MapPose {
+        let mut at = *at;
+        let attitude = &mut at.pose.attitude;
+        match self {
+            Self::Heading => attitude.yaw = wrap_pi(attitude.yaw + by),
+            Self::Roll => attitude.roll += by,
+            Self::Pitch => attitude.pitch += by,
+            Self::LogHeight => {
+                let height = look.ground_down - at.pose.position_in_world.z;
+                at.pose.position_in_world.z = look.ground_down - height * by.exp();
+            }
+        }
+        at
+    }
+}
+
+/// The pose at the top.
+pub fn climb(look: &Look<'_>, prior: &PosePrior, guess: &Guess) -> Option<Climbed> {
+    let evidence = &guess.evidence;
+    let mut best: Option<(Summit, [f64; 4])> = None;
+    let mut share = 1.0;
+    for (finer, rounds) in LEVELS {
+        let start = best.map_or(guess.at, |(best, _)| best.at);
+        let level = Level::new(look, prior, &start, evidence, finer)?;
+        let mut top = level.summit(&start)?;
+        for _ in 0..rounds {
+            for axis in Axis::ALL {
+                top = level.along(axis, share * axis.step(), top);
+            }
+            share *= 0.5;
+        }
+        best = Some((top, Axis::ALL.map(|axis| level.variance(axis, &top))));
+    }
+    best.map(|(top, variances)| Climbed { top, variances })
+}
+
+/// The map around a guess at one ground sample distance.
+struct Level<'a> {
+    look: &'a Look<'a>,
+    prior: &'a PosePrior,
+    evidence: &'a Evidence,
+    ground: GroundPicture,
+    search: ChannelSearch,
+    gsd: f64,
+}
+
+impl<'a> Level<'a> {
+    fn new(
+        look: &'a Look<'a>,
+        prior: &'a PosePrior,
+        start: &MapPose,
+        evidence: &'a Evidence,
+        finer: f64,
+    ) -> Option<Self> {
+        let footprint = look.footprint(start)?;
+        let across = footprint.width().max(footprint.height());
+        let gsd = finer * across / ACROSS;
+        // At any heading and height of the first round, which are the farthest.
+        let around = footprint.grown(MARGIN * gsd + 0.1 * across);
+        let ground = GroundPicture::of_map(look.map, &around, gsd, Texture::Edges, 0);
+        let search = ChannelSearch::new(&ground.channels, &ground.covered);
+        Some(Self {
+            look,
+            prior,
+            evidence,
+            ground,
+            search,
+            gsd,
+        })
+    }
+
+    /// The best place of a pose.
+    fn summit(&self, at: &MapPose) -> Option<Summit> {
+        let (template, (left, top)) =
+            frame_template(self.look, at, &self.ground.window, Texture::Edges)?;
+        let surface = self.search.correlate(&template)?;
+        let peak = highest_peak(&surface.score)?;
+        let (column, row) = peak.sample;
+        let share = f64::from(surface.share_at(row * surface.score.width() + column));
+        let (east, north) = (peak.x - left as f64, top as f64 - peak.y);
+        if east.abs().max(north.abs()) > MARGIN {
+            return None;
+        }
+        let mut at = *at;
+        at.pose.position_in_world.x += north * self.gsd;
+        at.pose.position_in_world.y += east * self.gsd;
+        let attitude = at.pose.attitude;
+        let height = self.look.ground_down - at.pose.position_in_world.z;
+        let tilt =
+            (attitude.roll - self.prior.roll).powi(2) + (attitude.pitch - self.prior.pitch).powi(2);
+        let log_prior = self.prior.log_density(height, attitude.yaw)
+            - 0.5 * tilt / self.prior.apparent_tilt_deviation().powi(2);
+        Some(Summit {
+            at,
+            score: peak.value,
+            log_weight: self.evidence.log_likelihood(peak.value, share) + log_prior,
+            // Rows run south and columns east.
+            curvature: share * self.evidence.slope(peak.value) / (self.gsd * self.gsd)
+                * Matrix2::new(
+                    peak.hessian[(1, 1)],
+                    -peak.hessian[(0, 1)],
+                    -peak.hessian[(0, 1)],
+                    peak.hessian[(0, 0)],
+                ),
+        })
+    }
+
+    /// Variance along an axis by the curvature of the logarithm at the top.
+    fn variance(&self, axis: Axis, top: &Summit) -> f64 {
+        let step = 0.25 * axis.step();
+        let fall = |by: f64| {
+            let beside = self.summit(&axis.moved(self.look, &top.at, by))?;
+            Some(top.log_weight - beside.log_weight)
+        };
+        let falls = fall(step).zip(fall(-step));
+        let curvature = falls.map_or(0.0, |(a, b)| (a + b) / (step * step));
+        // Never known worse than to the first step, within which the summit was found.
+        1.0 / curvature.max(axis.step().powi(-2))
+    }
+
+    /// The best of `best` and of what lies around it along an axis.
+    fn along(&self, axis: Axis, step: f64, best: Summit) -> Summit {
+        let at = |by: f64| self.summit(&axis.moved(self.look, &best.at, by));
+        let (less, more) = (at(-step), at(step));
+        let value = |side: &Option<Summit>| side.map_or(best.log_weight - 1.0, |s| s.log_weight);
+        let between = vertex(value(&less), best.log_weight, value(&more));
+        let all = [Some(best), less, more, at(between * step)];
+        all.into_iter()
+            .flatten()
+            .max_by(|a, b| a.log_weight.total_cmp(&b.log_weight))
+            .unwrap_or(best)
+    }
+}
+
+impl Climbed {
+    /// The pose with its covariance: that of the place in the middle of the picture, and what place and tilt
+    /// of the camera have in common around it.
+    pub fn fit(&self, look: &Look<'_>, prior: &PosePrior) -> Option<PoseFit> {
+        let at = self.top.at;
+        let centre = differences(|step| Some(look.centre(&moved(&at, step))?.to_vector()))?;
+        let place = (-self.top.curvature)
+            .try_inverse()
+            .filter(|c| c.determinant() > 0.0)?;
+        let height = look.ground_down - at.pose.position_in_world.z;
+        let [heading, log_height, roll, pitch] = self.variances;
+        let shape = prior.shape_deviation.powi(2);
+        let others = [
+            log_height * height * height,
+            roll,
+            pitch,
+            heading,
+            shape,
+            shape,
+        ];
+        // The middle of the picture stays where it is seen: the camera moves with what changes that.
+        let mut jacobian = SMatrix::<f64, UNKNOWNS, UNKNOWNS>::identity();
+        jacobian
+            .fixed_view_mut::<2, 6>(0, 2)
+            .copy_from(&-centre.fixed_columns::<6>(2));
+        let mut own = SMatrix::<f64, UNKNOWNS, UNKNOWNS>::zeros();
+        own.fixed_view_mut::<2, 2>(0, 0).copy_from(&place);
+        for (index, variance) in others.into_iter().enumerate() {
+            own[(index + 2, index + 2)] = variance;
+        }
+        let pixels_per_metre = look.camera.focal / height;
+        Some(PoseFit {
+            at,
+            covariance: jacobian * own * jacobian.transpose(),
+            deviation: (0.5 * place.trace()).sqrt() * pixels_per_metre,
+        })
+    }
+}
+
+/// Where the parabola through three values at -1, 0 and 1 is highest, within these.
+fn vertex(less: f64, here: f64, more: f64) -> f64 {
+    let curvature = less - 2.0 * here + more;
+    if curvature < 0.0 {
+        (0.5 * (less - more) / curvature).clamp(-1.0, 1.0)
+    } else if less > more {
+        -1.0
+    } else {
+        1.0
+    }
+}

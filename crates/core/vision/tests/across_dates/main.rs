@@ -1,0 +1,209 @@
+//! Photos laid on maps of other dates and other sensors: what the program is for.
+//!
+//! Nothing was fitted to these sets but the temperature of the evidence (`evidence.rs`), to which they are not
+//! sensitive. `cargo test -p pilotage-vision --test across_dates -- --nocapture` prints every photo.
+#![expect(
+    clippy::unwrap_used,
+    reason = "a test stops where something is missing"
+)]
+
+mod photos;
+
+use photos::{Photo, Site};
+use pilotage_base::frames::GroundPoint;
+use pilotage_vision::registration::{
+    HeadingPrior, Look, MapShape, NotRegistered, PosePrior, Registration, register,
+};
+
+/// What is not known of a photo; deviations.
+#[derive(Clone, Copy)]
+struct Doubt {
+    /// Metres per axis; the photo is looked for around a place this far off.
+    position: f64,
+    /// Radians; `None`: nothing is known.
+    heading: Option<f64>,
+    log_height: f64,
+}
+
+/// The shift of the two maps, as the data say: 5 pixels to the left and 11 up on the map of March; metres, north
+/// and east.
+const SHIFT: nalgebra::Vector2<f64> = nalgebra::Vector2::new(11.0 * 0.243, -5.0 * 0.243);
+
+/// `± limit`, as a deviation of what is searched to 2.5 of them.
+fn within(limit: f64) -> f64 {
+    limit / 2.5
+}
+
+/// What came of a photo.
+struct Outcome {
+    name: String,
+    /// Error of the ground in the middle of the picture, (north, east), metres, by what the file says.
+    error: Option<nalgebra::Vector2<f64>>,
+    result: Result<Registration, NotRegistered>,
+}
+
+impl Outcome {
+    fn off(&self) -> f64 {
+        self.error.map_or(f64::INFINITY, |e| e.norm())
+    }
+}
+
+/// Lays every `each`-th photo for itself.
+fn lay(site: &Site, doubt: Doubt, each: usize) -> Vec<Outcome> {
+    let mut outcomes = Vec::new();
+    for (index, photo) in site.photos.iter().enumerate().step_by(each) {
+        let look = Look {
+            camera: &photo.camera,
+            ground_down: 0.0,
+            luminance: &photo.luminance,
+            map: &site.map,
+        };
+        // Every way in turn; the golden angle spreads them.
+        let way = 2.399_963 * index as f64;
+        let begun = std::time::Instant::now();
+        let result = register(&look, &prior(photo, doubt, way));
+        let error = result
+            .as_ref()
+            .ok()
+            .map(|r| r.centre.to_vector() - photo.centre.to_vector());
+        let told = match &result {
+            Ok(r) => format!("{:?}, probability {:.5}", r.laid_by, r.probability),
+            Err(cause) => cause.to_string(),
+        };
+        let outcome = Outcome {
+            name: photo.name.clone(),
+            error,
+            result,
+        };
+        println!(
+            "{}: {:.1} m off; {told}; {:.0} ms",
+            outcome.name,
+            outcome.off(),
+            begun.elapsed().as_secs_f64() * 1e3
+        );
+        outcomes.push(outcome);
+    }
+    outcomes
+}
+
+fn prior(photo: &Photo, doubt: Doubt, way: f64) -> PosePrior {
+    PosePrior {
+        position: GroundPoint::new(
+            photo.below.north + doubt.position * way.cos(),
+            photo.below.east + doubt.position * way.sin(),
+        ),
+        position_deviation: doubt.position,
+        height: photo.height,
+        log_height_deviation: doubt.log_height,
+        heading: doubt
+            .heading
+            .map_or(HeadingPrior::Unknown, |deviation| HeadingPrior::Around {
+                heading: photo.heading,
+                deviation,
+                may_be_turned: false,
+            }),
+        roll: 0.0,
+        pitch: photo.pitch,
+        tilt_deviation: 3_f64.to_radians(),
+        slope_deviation: 3_f64.to_radians(),
+        shape: MapShape::default(),
+        shape_deviation: 0.02,
+        map_deviation: 3.0,
+    }
+}
+
+/// How many lie within so many metres, and how many are believed and lie farther off than 20 m.
+fn tally(outcomes: &[Outcome], metres: f64) -> (usize, usize) {
+    let near = outcomes.iter().filter(|o| o.off() < metres).count();
+    let wrong = outcomes
+        .iter()
+        .filter(|o| o.result.is_ok() && o.off() > 20.0)
+        .count();
+    println!(
+        "{near} of {} within {metres} m, {wrong} wrong",
+        outcomes.len()
+    );
+    (near, wrong)
+}
+
+#[test]
+fn every_photo_over_a_town_is_found_with_a_rough_heading_and_its_covariance_is_honest() {
+    let Some(site) = photos::fengyuan() else {
+        return;
+    };
+    let doubt = Doubt {
+        position: 10.0,
+        heading: Some(within(15_f64.to_radians())),
+        log_height: within(0.12),
+    };
+    let outcomes = lay(&site, doubt, 1);
+    assert_eq!(tally(&outcomes, 15.0), (30, 0));
+    let nees = outcomes.iter().map(|o| {
+        let found = o.result.as_ref().unwrap();
+        let error = o.error.unwrap();
+        let information = found.centre_covariance.try_inverse().unwrap();
+        0.5 * (error.transpose() * information * error)[0]
+    });
+    let nees = nees.sum::<f64>() / outcomes.len() as f64;
+    println!("NEES per degree of freedom {nees:.2}");
+    assert!((0.7..1.5).contains(&nees), "{nees}");
+}
+
+#[test]
+fn photos_over_a_town_are_found_with_a_compass_forty_degrees_off() {
+    let Some(site) = photos::fengyuan() else {
+        return;
+    };
+    let doubt = Doubt {
+        position: 40.0,
+        heading: Some(within(40_f64.to_radians())),
+        log_height: within(0.15),
+    };
+    let (near, wrong) = tally(&lay(&site, doubt, 1), 15.0);
+    assert!(near >= 29 && wrong == 0, "{near}, {wrong}");
+}
+
+#[test]
+fn photos_over_a_town_are_found_anywhere_on_the_map_with_no_heading() {
+    let Some(site) = photos::fengyuan() else {
+        return;
+    };
+    let doubt = Doubt {
+        position: 200.0,
+        heading: None,
+        log_height: within(0.15),
+    };
+    let outcomes = lay(&site, doubt, 3);
+    let (near, wrong) = tally(&outcomes, 15.0);
+    assert!(near >= 8 && wrong == 0, "{near}, {wrong}");
+}
+
+#[test]
+fn frames_over_fields_and_river_lie_at_one_place_on_maps_of_two_dates() {
+    let Some((january, march)) = photos::adm("map_january").zip(photos::adm("map_march")) else {
+        return;
+    };
+    let doubt = Doubt {
+        position: 10.0,
+        heading: Some(within(15_f64.to_radians())),
+        log_height: within(0.12),
+    };
+    let (one, two) = (lay(&january, doubt, 1), lay(&march, doubt, 1));
+    let both: Vec<f64> = one
+        .iter()
+        .zip(&two)
+        .filter_map(|(a, b)| Some((b.error? - a.error? - SHIFT).norm()))
+        .collect();
+    let same = both.iter().filter(|apart| **apart < 3.0).count();
+    println!("laid on both {}, at one place {same}", both.len());
+    for outcomes in [&one, &two] {
+        // Its own navigation is off by 12 m for nine in ten.
+        let (_, wrong) = tally(outcomes, 15.0);
+        assert_eq!(wrong, 0);
+    }
+    assert!(
+        same >= 44 && both.len() - same <= 6,
+        "{same} of {}",
+        both.len()
+    );
+}
