@@ -5,6 +5,8 @@ use std::sync::Arc;
 
 use nalgebra::Point3;
 
+use super::attitude::attitude;
+use super::groups::quaternion_roles;
 use super::together::common_name;
 use super::{ColumnMap, ColumnRole, MappedColumn, time};
 use crate::folder::{
@@ -22,6 +24,18 @@ const FARTHEST: f64 = 1e6;
 const LONGEST: f64 = 1e6;
 /// Name of the column of times that rows are given where none is measured.
 const ROW_TIME: &str = "#time";
+
+/// Names of the columns that the angles of a quaternion are put into.
+const ANGLES: [(ChannelName, &str); 3] = [
+    (ChannelName::Roll, "#roll"),
+    (ChannelName::Pitch, "#pitch"),
+    (ChannelName::Heading, "#heading"),
+];
+/// Names of the columns that the wind's velocity is put into.
+const WIND: [(ChannelName, &str); 2] = [
+    (ChannelName::WindNorth, "#wind_north"),
+    (ChannelName::WindEast, "#wind_east"),
+];
 
 /// The flight that tables among the files tell of, each read as its map says. Cells that make no sense are left out and
 /// counted in the notes.
@@ -60,6 +74,7 @@ pub fn flight_of_tables(
         {
             table.number_rows(ROW_TIME, 1.0 / rate);
         }
+        derive(map, &mut table)?;
         let dropped = table.keep_rows_in_time(&time);
         if dropped > 0 {
             notes.push(format!(
@@ -118,9 +133,67 @@ pub fn flight_of_tables(
     leave_out_strays(&mut folder, &mut notes);
     notes.extend(height_above_start(&mut folder));
     notes.extend(apart(&folder, maps, &layout));
+    for map in maps {
+        notes.extend(map.findings.iter().chain(&map.questions).cloned());
+    }
     folder.notes.splice(0..0, notes);
     folder.flight.truth = track(&folder);
     Ok(folder)
+}
+
+/// Adds columns of what only several columns together say: attitude out of a quaternion, the wind's velocity out of
+/// strength and direction. All are in SI and radians.
+fn derive(map: &ColumnMap, table: &mut Table) -> Result<(), FolderError> {
+    for is_ros in [false, true] {
+        let parts = quaternion_roles(is_ros).map(|role| map.column(role));
+        let [Some(w), Some(x), Some(y), Some(z)] = parts else {
+            continue;
+        };
+        let number = crate::folder::Dimension::Number;
+        let mut values = Vec::with_capacity(4);
+        for column in [w, x, y, z] {
+            values.push(table.values(&value(column), number)?);
+        }
+        let found = |row: usize| {
+            let part = |index: usize| values[index].get(row).copied().flatten();
+            attitude([part(0)?, part(1)?, part(2)?, part(3)?], is_ros)
+        };
+        let found: Vec<_> = (0..table.len()).map(found).collect();
+        table.add_numbers(ANGLES[0].1, found.iter().map(|a| Some((*a)?.roll)));
+        table.add_numbers(ANGLES[1].1, found.iter().map(|a| Some((*a)?.pitch)));
+        table.add_numbers(ANGLES[2].1, found.iter().map(|a| Some((*a)?.yaw)));
+    }
+    let wind = map
+        .column(ColumnRole::WindSpeed)
+        .zip(map.column(ColumnRole::WindFrom));
+    if let Some((speed, from)) = wind {
+        let speed = table.values(&value(speed), crate::folder::Dimension::Speed)?;
+        let from = table.values(&value(from), crate::folder::Dimension::Angle)?;
+        let along = |part: fn(f64) -> f64| -> Vec<Option<f64>> {
+            let pairs = speed.iter().zip(&from);
+            pairs
+                .map(|(speed, from)| Some(-(*speed)? * part((*from)?)))
+                .collect()
+        };
+        let (north, east) = (along(f64::cos), along(f64::sin));
+        table.add_numbers(WIND[0].1, north);
+        table.add_numbers(WIND[1].1, east);
+    }
+    Ok(())
+}
+
+/// Channels that are made of what [`derive`] adds, with the names of the columns.
+fn derived(map: &ColumnMap) -> Vec<(ChannelName, &'static str)> {
+    let has = |role| map.column(role).is_some();
+    let mut found = Vec::new();
+    let is_quaternion = |is_ros| quaternion_roles(is_ros).into_iter().all(has);
+    if is_quaternion(false) || is_quaternion(true) {
+        found.extend(ANGLES);
+    }
+    if has(ColumnRole::WindSpeed) && has(ColumnRole::WindFrom) {
+        found.extend(WIND);
+    }
+    found
 }
 
 fn value(column: &MappedColumn) -> ValueColumn {
@@ -180,6 +253,15 @@ fn of_map(map: &ColumnMap, time: &TimeColumn) -> Vec<ChannelFile> {
             ..channel("gps_velocity")
         });
     }
+    channels.extend(derived(map).into_iter().map(|(name, column)| ChannelFile {
+        value: Some(ValueColumn {
+            column: column.to_owned(),
+            unit: None,
+            scale: 1.0,
+            offset: 0.0,
+        }),
+        ..channel(name.key())
+    }));
     channels.extend(map.columns.iter().filter_map(|column| match column.role {
         ColumnRole::Channel(name) => Some(ChannelFile {
             value: Some(value(column)),

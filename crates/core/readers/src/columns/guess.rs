@@ -1,20 +1,16 @@
 //! What the columns of a table mean, guessed.
 
-use std::borrow::Cow;
-use std::collections::BTreeSet;
-
+use super::groups::{Group, Kind, context, groups, quaternion_roles, telling};
 use super::header::{Parts, parts};
-use super::names::{NameGuess, meanings};
+use super::names::{NameGuess, is_otherwise, meanings};
+use super::physics::{self, Evidence, Hint};
+use super::rows::Rows;
+use super::sampling::sampled;
 use super::time::unit_of_time;
 use super::values::{UnitGuess, are_degrees, unit};
-use super::{Alternative, ColumnMap, ColumnRole, MappedColumn, Sample, TableShape};
-use crate::folder::{Dimension, decoded};
+use super::{Alternative, ColumnMap, ColumnRole, MappedColumn, Sample};
+use crate::folder::Dimension;
 
-/// Bytes of the beginning that are looked at for the shape, and of each of the places that are looked at for values.
-const HEAD: usize = 1 << 16;
-const PIECE: usize = 1 << 12;
-/// How many such places there are.
-const PLACES: usize = 64;
 /// Below this a name says nothing.
 const LEAST: f64 = 0.3;
 /// Words of columns that number their rows.
@@ -24,119 +20,51 @@ const NUMBERS: [&str; 10] = [
 
 /// What the columns of a table mean; `None` if it is no table with numbers.
 ///
-/// Looks at its beginning and at some places all over it, so that it takes no longer for a long one.
+/// Names and values are looked at first, at the table's beginning and at some places all over it; then units and axes
+/// are judged together by what columns must have to do with each other.
 pub fn guess_table(file: &str, bytes: &[u8]) -> Option<ColumnMap> {
-    guess_with_samples(file, bytes).map(|(map, ..)| map)
+    let guess = guess_with_samples(file, bytes)?;
+    let mut maps = [guess.map];
+    let rows = Rows::of(bytes, &maps[0].shape, maps[0].columns.len());
+    let evidence = [Evidence {
+        rows,
+        hints: guess.hints,
+        groups: guess.groups,
+    }];
+    physics::judge(&mut maps.iter_mut().collect::<Vec<_>>(), &evidence);
+    let [map] = maps;
+    Some(map)
 }
 
-/// What the columns of a table mean, with samples of them all and which share of its rows they are, about.
-pub(super) fn guess_with_samples(
-    file: &str,
-    bytes: &[u8],
-) -> Option<(ColumnMap, Vec<Sample>, f64)> {
-    let head = text(&bytes[..bytes.len().min(HEAD)]);
-    let shape = TableShape::of(&head)?;
-    let (mut samples, share) = samples(&head, bytes, &shape);
-    tell_apart(&mut samples);
+/// What names and values say of a table, with samples of all columns.
+pub(super) struct Guess {
+    pub map: ColumnMap,
+    pub samples: Vec<Sample>,
+    /// Which share of the table's rows are in the samples, about.
+    pub share: f64,
+    pub hints: Vec<Hint>,
+    pub groups: Vec<Group>,
+}
+
+/// What names and values say of the columns of a table; `None` if it is none.
+pub(super) fn guess_with_samples(file: &str, bytes: &[u8]) -> Option<Guess> {
+    let (shape, samples, share) = sampled(bytes)?;
+    let (columns, hints, groups) = guess_columns(file, &samples, share);
     let map = ColumnMap {
         file: file.to_owned(),
         shape,
-        columns: guess_columns(&samples, share),
+        columns,
         rows_per_second: None,
+        findings: Vec::new(),
+        questions: Vec::new(),
     };
-    Some((map, samples, share))
-}
-
-/// Gives every column a name of its own: `Alt`, `Alt (2)`; `#3` where the third has none.
-fn tell_apart(samples: &mut [Sample]) {
-    let mut taken = BTreeSet::new();
-    for (index, sample) in samples.iter_mut().enumerate() {
-        if sample.name.is_empty() {
-            sample.name = format!("#{}", index + 1);
-        }
-        let plain = sample.name.clone();
-        let mut number = 1;
-        while !taken.insert(sample.name.clone()) {
-            number += 1;
-            sample.name = format!("{plain} ({number})");
-        }
-    }
-}
-
-/// Text of bytes that may end within a letter.
-fn text(bytes: &[u8]) -> Cow<'_, str> {
-    match decoded(bytes) {
-        Cow::Borrowed(bytes) => String::from_utf8_lossy(bytes),
-        Cow::Owned(bytes) => Cow::Owned(String::from_utf8_lossy(&bytes).into_owned()),
-    }
-}
-
-/// Samples of all columns, and which share of all rows they are, about.
-fn samples(head: &str, bytes: &[u8], shape: &TableShape) -> (Vec<Sample>, f64) {
-    let mut lines = head.lines().skip(shape.skipped_lines);
-    let mut line = || {
-        lines
-            .next()
-            .map(|line| line.trim_start_matches(['#', '%', '!']).trim())
-    };
-    let names = if shape.has_header { line() } else { None };
-    let units = if shape.has_units { line() } else { None };
-    let cells = |line: Option<&str>| -> Vec<String> {
-        let cells = line
-            .map(|line| shape.separator.cells(line))
-            .unwrap_or_default();
-        cells.into_iter().map(Cow::into_owned).collect()
-    };
-    let (names, units) = (cells(names), cells(units));
-    let mut samples: Vec<Sample> = Vec::new();
-    let (mut rows, mut looked_at) = (0_usize, 0_usize);
-    let mut add = |line: &str| {
-        if line.trim().is_empty() || line.starts_with('#') {
-            return;
-        }
-        rows += 1;
-        looked_at += line.len() + 1;
-        for (index, cell) in shape.separator.cells(line).iter().enumerate() {
-            if samples.len() <= index {
-                samples.push(Sample {
-                    name: names
-                        .get(index)
-                        .cloned()
-                        .unwrap_or_else(|| format!("#{}", index + 1)),
-                    unit: units.get(index).cloned().unwrap_or_default(),
-                    ..Sample::default()
-                });
-            }
-            let sample = &mut samples[index];
-            match shape.number(cell) {
-                Some(number) => sample.numbers.push(number),
-                None if cell.is_empty() => sample.empty += 1,
-                None => sample.texts.push(cell.clone().into_owned()),
-            }
-        }
-    };
-    let skipped = shape.skipped_lines + shape.head_lines();
-    // The last line of a piece may be cut off.
-    let whole = |text: &str| text.rfind('\n').map_or(0, |end| end + 1);
-    if bytes.len() <= HEAD {
-        head.lines().skip(skipped).for_each(&mut add);
-    } else {
-        head[..whole(head)]
-            .lines()
-            .skip(skipped)
-            .take(PIECE / 8)
-            .for_each(&mut add);
-        for place in 1..PLACES {
-            let start = (bytes.len() - PIECE).max(1) / PLACES * place;
-            if start < HEAD {
-                continue;
-            }
-            let piece = text(&bytes[start..(start + PIECE).min(bytes.len())]);
-            piece[..whole(&piece)].lines().skip(1).for_each(&mut add);
-        }
-    }
-    let share = looked_at as f64 / bytes.len().max(1) as f64;
-    (samples, share.clamp(1e-9, 1.0))
+    Some(Guess {
+        map,
+        samples,
+        share,
+        hints,
+        groups,
+    })
 }
 
 /// A column that may be the time.
@@ -197,17 +125,35 @@ pub(super) fn times(samples: &[Sample], share: f64) -> Vec<TimeGuess> {
     samples.iter().enumerate().filter_map(candidate).collect()
 }
 
-/// What columns mean of which these are samples, `share` of all rows.
-pub(crate) fn guess_columns(samples: &[Sample], share: f64) -> Vec<MappedColumn> {
+/// What columns mean of which these are samples, `share` of all rows, what their names say for sure, and which belong
+/// together.
+fn guess_columns(
+    file: &str,
+    samples: &[Sample],
+    share: f64,
+) -> (Vec<MappedColumn>, Vec<Hint>, Vec<Group>) {
     let time = guess_time(samples, share);
-    let taken: Vec<(Parts, Vec<NameGuess>)> = samples
-        .iter()
-        .map(|sample| {
-            let parts = parts(&sample.name, &sample.unit);
-            let guesses = meanings(parts.plain_words());
-            (parts, guesses)
-        })
-        .collect();
+    let names: Vec<Parts> = samples.iter().map(|s| parts(&s.name, &s.unit)).collect();
+    let is_numeric: Vec<bool> = samples.iter().map(Sample::is_numeric).collect();
+    let groups = groups(file, &names, &is_numeric);
+    let mut guesses: Vec<Vec<NameGuess>> = names.iter().map(|p| by_name(file, p)).collect();
+    let mut hints = vec![Hint::default(); samples.len()];
+    for group in &groups {
+        let roles = group.kind.map_or([None; 3], Kind::roles);
+        for (column, role) in group.columns.iter().zip(roles) {
+            hints[*column].is_axis = true;
+            if let Some((role, sign)) = role {
+                guesses[*column] = vec![NameGuess {
+                    role,
+                    sign,
+                    confidence: 0.85,
+                }];
+            } else if group.kind.is_some() {
+                guesses[*column].clear();
+            }
+        }
+    }
+    let taken: Vec<(Parts, Vec<NameGuess>)> = names.into_iter().zip(guesses).collect();
     let has_degrees = has_degrees(samples, &taken);
     let mut columns: Vec<MappedColumn> = samples
         .iter()
@@ -218,8 +164,44 @@ pub(crate) fn guess_columns(samples: &[Sample], share: f64) -> Vec<MappedColumn>
             _ => column(sample, parts, guesses, has_degrees),
         })
         .collect();
+    for (index, (parts, _)) in taken.iter().enumerate() {
+        let dimension = columns[index].role.quantity().map(Dimension::of);
+        hints[index].is_stated = match dimension {
+            Some(dimension) => parts.unit(dimension).is_some(),
+            None => columns[index].role == ColumnRole::Time && parts.time_unit().is_some(),
+        };
+    }
+    for group in groups.iter().filter(|g| g.kind == Some(Kind::Quaternion)) {
+        for (column, role) in group.columns.iter().zip(quaternion_roles(false)) {
+            columns[*column] = MappedColumn {
+                role,
+                confidence: 0.7,
+                reason: "four columns are called as the parts of a quaternion".to_owned(),
+                ..unused(&columns[*column].name, "")
+            };
+        }
+    }
     settle(&mut columns);
-    columns
+    (columns, hints, groups)
+}
+
+/// What the name of a column may mean; that of its file, where it says nothing itself.
+fn by_name(file: &str, parts: &Parts) -> Vec<NameGuess> {
+    let told = telling(parts.plain_words());
+    let context = context(file);
+    if !told.is_empty() {
+        let is_for = is_otherwise(&context) && !is_otherwise(&told);
+        let mut guesses = meanings(parts.plain_words());
+        for guess in &mut guesses {
+            guess.confidence *= if is_for { 0.3 } else { 1.0 };
+        }
+        return guesses;
+    }
+    let mut guesses = meanings(&context);
+    for guess in &mut guesses {
+        guess.confidence *= 0.85;
+    }
+    guesses
 }
 
 /// Whether some angle of the table is surely in degrees, or in radians.
@@ -358,6 +340,7 @@ fn settle(columns: &mut [MappedColumn]) {
     for (one, other) in [
         (Latitude, Longitude),
         (SpeedOverGround, Course),
+        (ColumnRole::WindSpeed, ColumnRole::WindFrom),
         (Channel(GpsNorth), Channel(GpsEast)),
     ] {
         for (one, other) in [(one, other), (other, one)] {
@@ -370,6 +353,23 @@ fn settle(columns: &mut [MappedColumn]) {
                 let reason = format!("{} is of no use without {}", one.label(), other.label());
                 give_up(column, reason);
             }
+        }
+    }
+    let is_of_quaternion = |role| {
+        matches!(
+            role,
+            ColumnRole::Quaternion(_) | ColumnRole::RosQuaternion(_)
+        )
+    };
+    if columns
+        .iter()
+        .any(|column| column.role == Channel(pilotage_flight::ChannelName::Heading))
+    {
+        let quaternion = columns
+            .iter_mut()
+            .filter(|column| is_of_quaternion(column.role));
+        for column in quaternion {
+            give_up(column, "heading, roll and pitch say the same".to_owned());
         }
     }
     // Places on the globe say where metres are counted from.

@@ -3,7 +3,7 @@
 use crate::folder::Dimension;
 
 /// Ways of writing the units that are known, besides their own names.
-const SPELLINGS: [(&str, &[&str]); 22] = [
+const SPELLINGS: [(&str, &[&str]); 34] = [
     ("m", &["meter", "meters", "metre", "metres", "mtr"]),
     ("ft", &["feet", "foot"]),
     (
@@ -35,7 +35,13 @@ const SPELLINGS: [(&str, &[&str]); 22] = [
     ("km/h", &["kmh", "kph", "kmph", "km h", "km/hr"]),
     ("ft/s", &["fps", "ft s", "ft/sec", "feet/second"]),
     ("mph", &["mi/h", "miles/hour"]),
-    ("cm/s", &["cm s", "cmps"]),
+    ("cm/s", &["cm s", "cmps", "cms", "cm/sec"]),
+    ("dm/s", &["dm s", "dmps", "dm/sec"]),
+    ("mm/s", &["mm s", "mmps", "mm/sec"]),
+    (
+        "dm",
+        &["decimeter", "decimeters", "decimetre", "decimetres"],
+    ),
     ("rad", &["radian", "radians"]),
     (
         "deg",
@@ -49,7 +55,31 @@ const SPELLINGS: [(&str, &[&str]); 22] = [
             "deglongitude",
         ],
     ),
-    ("cdeg", &["centideg", "centidegrees", "deg*100", "deg100"]),
+    (
+        "ddeg",
+        &[
+            "decideg",
+            "decidegrees",
+            "deg*10",
+            "deg10",
+            "0.1deg",
+            "1e 1deg",
+        ],
+    ),
+    (
+        "cdeg",
+        &[
+            "centideg",
+            "centidegrees",
+            "deg*100",
+            "deg100",
+            "0.01deg",
+            "1e 2deg",
+        ],
+    ),
+    ("mrad", &["millirad", "milliradians"]),
+    ("deg1e5", &["dege5", "1e5deg", "deg*1e5", "1e 5deg", "e5"]),
+    ("deg1e6", &["dege6", "1e6deg", "deg*1e6", "1e 6deg", "e6"]),
     (
         "deg1e7",
         &["dege7", "1e7deg", "1e7", "deg*1e7", "1e 7deg", "e7"],
@@ -67,6 +97,17 @@ const SPELLINGS: [(&str, &[&str]); 22] = [
         &[
             "m/s/s", "m/s^2", "m/s²", "m s2", "mps2", "mss", "m/s**2", "m s 2",
         ],
+    ),
+    ("mrad/s", &["mrad s", "mradps"]),
+    ("ddeg/s", &["ddeg s", "decideg/s", "0.1deg/s"]),
+    ("cdeg/s", &["cdeg s", "centideg/s", "0.01deg/s"]),
+    (
+        "cm/s2",
+        &["cm/s/s", "cm/s^2", "cm/s²", "cmss", "cm s 2", "cm s2"],
+    ),
+    (
+        "mm/s2",
+        &["mm/s/s", "mm/s^2", "mm/s²", "mmss", "mm s 2", "mm s2"],
     ),
     ("g", &["gee", "gs", "g0"]),
     ("mg", &["milli g", "millig"]),
@@ -120,6 +161,13 @@ pub(super) fn parts(name: &str, unit: &str) -> Parts {
     } else {
         beside
     };
+    // What stands in brackets may count, as in `q[0]`.
+    let is_count = |text: &str| text.len() == 1 && text.bytes().all(|b| b.is_ascii_digit());
+    let (plain, unit) = if is_count(unit.trim()) {
+        (format!("{plain} {unit}"), String::new())
+    } else {
+        (plain, unit)
+    };
     let bare = unit
         .trim()
         .to_lowercase()
@@ -169,6 +217,35 @@ fn words(name: &str) -> Vec<String> {
 }
 
 impl Parts {
+    /// What the name has besides the letter or number of an axis, and that: `GyrX` is `gyr` and `x`,
+    /// `gyro_rad[0]` is `gyro` and `0`, `q1` is `q` and `1`.
+    pub fn component(&self) -> Option<(Vec<String>, char)> {
+        let is_axis =
+            |word: &str| matches!(word, "x" | "y" | "z" | "w" | "0" | "1" | "2" | "3" | "4");
+        let first = |word: &str| word.chars().next();
+        let words = self.plain_words();
+        let (last, before) = words.split_last()?;
+        if is_axis(last) && words.len() > 1 || is_axis(last) && first(last)?.is_alphabetic() {
+            let stem = Self {
+                words: before.to_vec(),
+                unit: String::new(),
+            };
+            return Some((stem.plain_words().to_vec(), first(last)?));
+        }
+        if is_axis(&words[0]) {
+            return Some((words[1..].to_vec(), first(&words[0])?));
+        }
+        let letter = last.chars().next_back()?;
+        let stem = &last[..last.len() - letter.len_utf8()];
+        let mut axis = [0; 4];
+        if !is_axis(letter.encode_utf8(&mut axis)) || stem.is_empty() {
+            return None;
+        }
+        let mut stem_words = before.to_vec();
+        stem_words.push(stem.to_owned());
+        Some((stem_words, letter))
+    }
+
     /// Whether the name itself says its unit, and how many of its last words that takes.
     fn suffix(&self, find: impl Fn(&str) -> Option<&'static str>) -> Option<(&'static str, usize)> {
         (1..=2).rev().find_map(|count| {
@@ -187,7 +264,20 @@ impl Parts {
     /// The unit that is stated for a column of that dimension; `None` if none is, or none that is known.
     pub fn unit(&self, dimension: Dimension) -> Option<&'static str> {
         let find = |text: &str| unit_in(text, dimension);
-        find(&self.unit).or_else(|| self.suffix(find).map(|(unit, _)| unit))
+        let before_axis = || {
+            let (last, words) = self.words.split_last()?;
+            let is_axis = last.len() == 1 && "xyzw0123".contains(last.as_str());
+            let words = words.to_vec();
+            let parts = Self {
+                words,
+                unit: String::new(),
+            };
+            let found = parts.suffix(find).filter(|_| is_axis);
+            found.map(|(unit, _)| unit).filter(|unit| unit.len() > 1)
+        };
+        find(&self.unit)
+            .or_else(|| self.suffix(find).map(|(unit, _)| unit))
+            .or_else(before_axis)
     }
 
     /// The unit of time that is stated.

@@ -21,8 +21,44 @@ pub enum ColumnRole {
     SpeedOverGround,
     /// Direction of the way over ground, clockwise from true north.
     Course,
+    /// Strength of the wind.
+    WindSpeed,
+    /// Direction that the wind comes from, clockwise from true north, as weather reports have it.
+    WindFrom,
+    /// A part of the quaternion that turns body axes (forward, right, down) into north, east, down.
+    Quaternion(QuaternionPart),
+    /// A part of the quaternion that turns body axes (forward, left, up) into east, north, up, as ROS has it.
+    RosQuaternion(QuaternionPart),
     /// A channel of the flight.
     Channel(ChannelName),
+}
+
+/// A part of a quaternion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum QuaternionPart {
+    /// The real one.
+    W,
+    /// Along the first axis.
+    X,
+    /// Along the second axis.
+    Y,
+    /// Along the third axis.
+    Z,
+}
+
+impl QuaternionPart {
+    /// All four, the real one first.
+    pub const ALL: [Self; 4] = [Self::W, Self::X, Self::Y, Self::Z];
+
+    fn letter(self) -> &'static str {
+        match self {
+            Self::W => "w",
+            Self::X => "x",
+            Self::Y => "y",
+            Self::Z => "z",
+        }
+    }
 }
 
 impl ColumnRole {
@@ -35,8 +71,15 @@ impl ColumnRole {
             Self::Longitude,
             Self::SpeedOverGround,
             Self::Course,
+            Self::WindSpeed,
+            Self::WindFrom,
         ];
-        first.into_iter().chain(ChannelName::ALL.map(Self::Channel))
+        let parts = QuaternionPart::ALL;
+        first
+            .into_iter()
+            .chain(ChannelName::ALL.map(Self::Channel))
+            .chain(parts.map(Self::Quaternion))
+            .chain(parts.map(Self::RosQuaternion))
     }
 
     /// Name for people.
@@ -48,6 +91,12 @@ impl ColumnRole {
             Self::Longitude => "longitude".to_owned(),
             Self::SpeedOverGround => "speed over ground".to_owned(),
             Self::Course => "course over ground".to_owned(),
+            Self::WindSpeed => "wind speed".to_owned(),
+            Self::WindFrom => "wind from".to_owned(),
+            Self::Quaternion(part) => format!("attitude quaternion {}", part.letter()),
+            Self::RosQuaternion(part) => {
+                format!("attitude quaternion {}, ROS axes", part.letter())
+            }
             Self::Channel(name) => name.key().replace('_', " ").replace("gps", "GPS"),
         }
     }
@@ -55,9 +104,11 @@ impl ColumnRole {
     /// What it measures; `None` for times and for nothing.
     pub fn quantity(self) -> Option<Quantity> {
         match self {
-            Self::Nothing | Self::Time => None,
-            Self::Latitude | Self::Longitude | Self::Course => Some(Quantity::Angle),
-            Self::SpeedOverGround => Some(Quantity::Speed),
+            Self::Nothing | Self::Time | Self::Quaternion(_) | Self::RosQuaternion(_) => None,
+            Self::Latitude | Self::Longitude | Self::Course | Self::WindFrom => {
+                Some(Quantity::Angle)
+            }
+            Self::SpeedOverGround | Self::WindSpeed => Some(Quantity::Speed),
             Self::Channel(name) => Some(name.quantity()),
         }
     }
@@ -125,6 +176,12 @@ pub struct ColumnMap {
     pub columns: Vec<MappedColumn>,
     /// Rows a second where no column is the time; then rows are that far apart.
     pub rows_per_second: Option<f64>,
+    /// What was found out about the columns together that one would not expect, in sentences.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub findings: Vec<String>,
+    /// What nothing in the table tells and a person can, in questions.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub questions: Vec<String>,
 }
 
 impl ColumnMap {
@@ -156,15 +213,26 @@ impl ColumnMap {
         for (one, other) in [
             (ColumnRole::Latitude, ColumnRole::Longitude),
             (ColumnRole::SpeedOverGround, ColumnRole::Course),
+            (ColumnRole::WindSpeed, ColumnRole::WindFrom),
         ] {
             if has(ColumnRole::Course) && one == ColumnRole::SpeedOverGround && !has(one)
-                || one == ColumnRole::Latitude && has(one) != has(other)
+                || one != ColumnRole::SpeedOverGround && has(one) != has(other)
             {
                 let (has_one, lacks) = if has(one) { (one, other) } else { (other, one) };
                 return Some(format!(
                     "{} is of no use without {}",
                     has_one.label(),
                     lacks.label()
+                ));
+            }
+        }
+        let quaternions: [fn(QuaternionPart) -> ColumnRole; 2] =
+            [ColumnRole::Quaternion, ColumnRole::RosQuaternion];
+        for of in quaternions {
+            let count = QuaternionPart::ALL.iter().filter(|p| has(of(**p))).count();
+            if count % 4 != 0 {
+                return Some(format!(
+                    "a quaternion has four parts, and {count} of them are columns"
                 ));
             }
         }

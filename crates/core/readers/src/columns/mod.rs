@@ -4,13 +4,20 @@
 //! the first rows beside it; [`guess_tables`] does so for tables that were written together;
 //! [`flight_of_tables`] makes a flight of tables by their maps, as corrected.
 
+mod attitude;
 mod build;
+#[cfg(test)]
+mod conventions;
+mod groups;
 mod guess;
 mod header;
 mod map;
 mod names;
+mod physics;
 mod preview;
+mod rows;
 mod sample;
+mod sampling;
 mod shape;
 #[cfg(test)]
 mod tests;
@@ -20,7 +27,7 @@ mod values;
 
 pub use build::flight_of_tables;
 pub use guess::guess_table;
-pub use map::{Alternative, ColumnMap, ColumnRole, MappedColumn};
+pub use map::{Alternative, ColumnMap, ColumnRole, MappedColumn, QuaternionPart};
 pub use preview::{Preview, preview};
 pub(super) use sample::Sample;
 pub(super) use shape::number;

@@ -33,7 +33,9 @@ const fn turned(role: ColumnRole, confidence: f64, names: &'static str) -> Rule 
     }
 }
 
-use ColumnRole::{Channel, Course, Latitude, Longitude, SpeedOverGround, Time};
+use ColumnRole::{
+    Channel, Course, Latitude, Longitude, SpeedOverGround, Time, WindFrom, WindSpeed,
+};
 
 const RULES: &[Rule] = &[
     rule(
@@ -182,17 +184,27 @@ const RULES: &[Rule] = &[
     rule(
         Channel(ChannelName::WindNorth),
         0.9,
-        "wind north|wind n|wn|vwn|wind velocity north|wind vel n",
+        "wind north|wind n|wn|vwn|wind velocity north|wind vel n|windspeed north|wind speed north",
     ),
     rule(
         Channel(ChannelName::WindEast),
         0.9,
-        "wind east|wind e|we|vwe|wind velocity east|wind vel e",
+        "wind east|wind e|we|vwe|wind velocity east|wind vel e|windspeed east|wind speed east",
+    ),
+    rule(
+        WindSpeed,
+        0.9,
+        "wind speed|wind spd|windspeed|wind strength|wind velocity|wspd|wind magnitude",
+    ),
+    rule(
+        WindFrom,
+        0.9,
+        "wind direction|wind dir|wind from|wind bearing|wind angle|wdir|wind heading|winddir|wind course|wind azimuth|wind to",
     ),
 ];
 
 /// Words with which a column is about something else than what was measured.
-const OTHERWISE: [&str; 30] = [
+const OTHERWISE: [&str; 37] = [
     "desired",
     "des",
     "target",
@@ -223,6 +235,13 @@ const OTHERWISE: [&str; 30] = [
     "count",
     "status",
     "nav",
+    "covariance",
+    "setpoints",
+    "errors",
+    "innov",
+    "innovation",
+    "residual",
+    "goal",
 ];
 
 /// What a name may mean.
@@ -253,10 +272,19 @@ static LEXICON: LazyLock<Lexicon> = LazyLock::new(|| {
     Lexicon { rules_of, longest }
 });
 
+/// Whether words say that a column is about something else than what was measured.
+pub(super) fn is_otherwise(words: &[String]) -> bool {
+    let plain = |word: &String| {
+        word.trim_end_matches(|c: char| c.is_ascii_digit())
+            .to_owned()
+    };
+    let mut words = words.iter().map(plain);
+    words.any(|word| OTHERWISE.contains(&word.as_str()))
+}
+
 /// Everything that a name of these words may mean, the likeliest first.
 pub(super) fn meanings(words: &[String]) -> Vec<NameGuess> {
-    let is_otherwise = words.iter().any(|word| OTHERWISE.contains(&word.as_str()));
-    let doubt = if is_otherwise { 0.3 } else { 1.0 };
+    let doubt = if is_otherwise(words) { 0.3 } else { 1.0 };
     let shares = shares(words);
     let mut found: Vec<NameGuess> = RULES
         .iter()

@@ -19,6 +19,12 @@ const USUAL_STEP: f64 = 0.05;
 /// Seconds in units of numbers.
 const SECONDS: [(&str, f64); 4] = [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9)];
 
+/// Seconds in a unit of times; 1 for dates.
+pub(super) fn seconds(unit: &str) -> f64 {
+    let known = SECONDS.iter().find(|(name, _)| *name == unit);
+    known.map_or(1.0, |(_, seconds)| *seconds)
+}
+
 /// The unit of a column that may be the time, how surely it is one, and why; `None` if it is none. `stated` is the unit
 /// that its name says; `share` of the table's rows are in the sample.
 pub(super) fn unit_of_time(

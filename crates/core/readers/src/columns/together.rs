@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::guess::{TimeGuess, give_up, guess_with_samples, time_column, times};
+use super::guess::{Guess, TimeGuess, give_up, guess_with_samples, time_column, times};
+use super::physics::{self, Evidence};
+use super::rows::Rows;
 use super::{ColumnMap, ColumnRole, Preview, Sample, preview};
 use pilotage_base::files::FileSet;
 use pilotage_flight::ChannelName;
@@ -71,7 +73,23 @@ fn seconds(unit: &str) -> Option<f64> {
 pub fn guess_tables(files: &dyn FileSet, names: &[String]) -> Vec<GuessedTable> {
     let read = |name: &String| {
         let bytes = files.read(name)?;
-        let (map, samples, share) = guess_with_samples(name, &bytes)?;
+        let Guess {
+            map,
+            samples,
+            share,
+            hints,
+            groups,
+        } = guess_with_samples(name, &bytes)?;
+        let rows = if map.column(ColumnRole::Time).is_some() {
+            Rows::of(&bytes, &map.shape, map.columns.len())
+        } else {
+            Rows::default()
+        };
+        let evidence = Evidence {
+            rows,
+            hints,
+            groups,
+        };
         let cells = |sample: &Sample| sample.numbers.len() + sample.texts.len() + sample.empty;
         let table = GuessedTable {
             preview: preview(&bytes, &map, SHOWN),
@@ -80,10 +98,10 @@ pub fn guess_tables(files: &dyn FileSet, names: &[String]) -> Vec<GuessedTable> 
             map,
             is_proposed: false,
         };
-        Some((table, Clock::all(&samples, share)))
+        Some((table, (Clock::all(&samples, share), evidence)))
     };
     let found: Vec<_> = names.iter().filter_map(read).collect();
-    let mut flights: BTreeMap<String, (Vec<GuessedTable>, Vec<Vec<Clock>>)> = BTreeMap::new();
+    let mut flights: BTreeMap<String, Vec<(GuessedTable, _)>> = BTreeMap::new();
     let is_several = are_of_several_flights(found.iter().map(|(table, _)| table));
     for (table, clocks) in found {
         let flight = if is_several {
@@ -92,11 +110,15 @@ pub fn guess_tables(files: &dyn FileSet, names: &[String]) -> Vec<GuessedTable> 
             ""
         };
         let of_flight = flights.entry(flight.to_owned()).or_default();
-        of_flight.0.push(table);
-        of_flight.1.push(clocks);
+        of_flight.push((table, clocks));
     }
-    let together = |(mut tables, clocks): (Vec<GuessedTable>, Vec<Vec<Clock>>)| {
+    let together = |of_flight: Vec<(GuessedTable, (Vec<Clock>, Evidence))>| {
+        let (mut tables, known): (Vec<_>, Vec<_>) = of_flight.into_iter().unzip();
+        let (clocks, evidence): (Vec<_>, Vec<_>) = known.into_iter().unzip();
         agree_on_time(&mut tables, &clocks);
+        settle(&mut tables);
+        let mut maps: Vec<_> = tables.iter_mut().map(|table| &mut table.map).collect();
+        physics::judge(&mut maps, &evidence);
         settle(&mut tables);
         tables
     };
@@ -218,6 +240,10 @@ fn channels(map: &ColumnMap) -> Vec<(ChannelName, Vec<usize>)> {
             [ColumnRole::SpeedOverGround, ColumnRole::Course],
             [ChannelName::GpsVelocityNorth, ChannelName::GpsVelocityEast],
         ),
+        (
+            [ColumnRole::WindSpeed, ColumnRole::WindFrom],
+            [ChannelName::WindNorth, ChannelName::WindEast],
+        ),
     ];
     for ([first, second], names) in pairs {
         let Some((first, second)) = place(first).zip(place(second)) else {
@@ -227,6 +253,13 @@ fn channels(map: &ColumnMap) -> Vec<(ChannelName, Vec<usize>)> {
         let is_told = channels.iter().any(|(name, _)| *name == names[0]);
         if !is_told || names[0] == ChannelName::GpsNorth {
             channels.extend(names.map(|name| (name, vec![first, second])));
+        }
+    }
+    for is_ros in [false, true] {
+        let parts = super::groups::quaternion_roles(is_ros).map(place);
+        if let [Some(w), Some(x), Some(y), Some(z)] = parts {
+            let angles = [ChannelName::Roll, ChannelName::Pitch, ChannelName::Heading];
+            channels.extend(angles.map(|name| (name, vec![w, x, y, z])));
         }
     }
     channels

@@ -66,7 +66,8 @@ impl FlightFolder {
 fn sentence(note: &str) -> String {
     let mut letters = note.chars();
     let first = letters.next().map(char::to_uppercase).into_iter().flatten();
-    format!("{}{}.", first.collect::<String>(), letters.as_str())
+    let end = if note.ends_with(['.', '?']) { "" } else { "." };
+    format!("{}{}{end}", first.collect::<String>(), letters.as_str())
 }
 
 /// The files of a flight while it is read; each table is parsed once.

@@ -107,6 +107,23 @@ impl Table {
         }
     }
 
+    /// Adds a column `name` of these numbers, one per row; the cell of one that is missing is empty.
+    pub(crate) fn add_numbers(
+        &mut self,
+        name: &str,
+        numbers: impl IntoIterator<Item = Option<f64>>,
+    ) {
+        let width = self.header.len();
+        self.header.push(name.to_owned());
+        for ((_, row), number) in self.rows.iter_mut().zip(numbers) {
+            row.truncate(width);
+            while row.len() < width {
+                row.push_field("");
+            }
+            row.push_field(&number.map_or_else(String::new, |number| number.to_string()));
+        }
+    }
+
     /// Leaves out the rows whose time is missing or before that of a row before them; returns how many.
     pub(crate) fn keep_rows_in_time(&mut self, map: &TimeColumn) -> usize {
         let Ok(index) = self.index(&map.column) else {

@@ -19,6 +19,7 @@ const LENGTHS: &[(&str, f64)] = &[
     ("m", 1.0),
     ("ft", METRES_PER_FOOT),
     ("km", 1000.0),
+    ("dm", 0.1),
     ("cm", 0.01),
     ("mm", 0.001),
 ];
@@ -28,18 +29,37 @@ const SPEEDS: &[(&str, f64)] = &[
     ("km/h", 1.0 / 3.6),
     ("ft/s", METRES_PER_FOOT),
     ("mph", 0.447_04),
+    ("dm/s", 0.1),
     ("cm/s", 0.01),
+    ("mm/s", 0.001),
 ];
 const ANGLES: &[(&str, f64)] = &[
     ("rad", 1.0),
     ("deg", std::f64::consts::PI / 180.0),
+    // Tenths and hundredths of degrees.
+    ("ddeg", std::f64::consts::PI / 1800.0),
     ("cdeg", std::f64::consts::PI / 18_000.0),
+    ("mrad", 1e-3),
+    ("deg1e5", std::f64::consts::PI / 1.8e7),
+    ("deg1e6", std::f64::consts::PI / 1.8e8),
     ("deg1e7", std::f64::consts::PI / 1.8e9),
 ];
-const ANGULAR_RATES: &[(&str, f64)] = &[("rad/s", 1.0), ("deg/s", std::f64::consts::PI / 180.0)];
+const ANGULAR_RATES: &[(&str, f64)] = &[
+    ("rad/s", 1.0),
+    ("deg/s", std::f64::consts::PI / 180.0),
+    ("ddeg/s", std::f64::consts::PI / 1800.0),
+    ("cdeg/s", std::f64::consts::PI / 18_000.0),
+    ("mrad/s", 1e-3),
+];
 /// Standard gravity, m/s².
 const GRAVITY: f64 = 9.806_65;
-const ACCELERATIONS: &[(&str, f64)] = &[("m/s2", 1.0), ("g", GRAVITY), ("mg", 1e-3 * GRAVITY)];
+const ACCELERATIONS: &[(&str, f64)] = &[
+    ("m/s2", 1.0),
+    ("g", GRAVITY),
+    ("mg", 1e-3 * GRAVITY),
+    ("cm/s2", 0.01),
+    ("mm/s2", 0.001),
+];
 const NUMBERS: &[(&str, f64)] = &[("px", 1.0), ("", 1.0)];
 
 impl Dimension {

@@ -1,0 +1,164 @@
+//! One flight, written in many units and axes: each has to be read as the same values, or with a question.
+
+mod flown;
+mod written;
+
+use std::sync::Arc;
+
+use pilotage_base::files::{FileSet, MemoryFiles};
+use pilotage_base::frames::wrap_pi;
+use pilotage_flight::ChannelName;
+
+use super::{ColumnMap, flight_of_tables, guess_tables};
+use flown::{Craft, Moment, moments};
+use written::{Choices, table};
+
+/// What became of a table.
+#[derive(Debug, PartialEq)]
+enum Verdict {
+    Right,
+    Asked(Vec<String>),
+    Wrong(Vec<String>),
+}
+
+fn read(text: &str) -> (Vec<ColumnMap>, Result<pilotage_flight::Flight, String>) {
+    let files: Arc<dyn FileSet> = Arc::new(MemoryFiles(
+        [("flight.csv".to_owned(), text.as_bytes().to_vec())].into(),
+    ));
+    let tables = guess_tables(files.as_ref(), &files.names());
+    let maps: Vec<ColumnMap> = tables.into_iter().map(|t| t.map).collect();
+    let flight = flight_of_tables(&files, &maps).map(|folder| folder.flight);
+    (maps, flight.map_err(|e| e.to_string()))
+}
+
+/// Compares what is read of a table with what was flown.
+fn verdict(text: &str, flown: &[Moment], choices: &Choices) -> Verdict {
+    let (maps, flight) = read(text);
+    let flight = match flight {
+        Ok(flight) => flight,
+        Err(cause) => return Verdict::Wrong(vec![cause]),
+    };
+    let mut wrong = Vec::new();
+    for (name, value) in choices.expected() {
+        let channel = flight.channel(name);
+        let start = flight.span().0;
+        let off = |moment: &Moment| {
+            let found = channel.and_then(|c| c.interpolated(start + moment.time));
+            let expected = value(moment);
+            let difference = found.map_or(f64::INFINITY, |found| found - expected);
+            if name.is_angle() {
+                wrap_pi(difference).abs()
+            } else {
+                difference.abs()
+            }
+        };
+        let worst = flown
+            .iter()
+            .skip(20)
+            .step_by(31)
+            .map(off)
+            .fold(0.0, f64::max);
+        let size = flown.iter().map(|m| value(m).abs()).fold(0.0, f64::max);
+        // Values are written with four digits after the point; positions with seven of a degree.
+        let allowed = 0.01 * size + 0.002;
+        if worst > allowed {
+            wrong.push(format!("{}: off by {worst:.3} of {size:.3}", name.key()));
+        }
+    }
+    if wrong.is_empty() {
+        return Verdict::Right;
+    }
+    let questions: Vec<String> = maps.iter().flat_map(|map| map.questions.clone()).collect();
+    wrong.extend(maps.iter().flat_map(|map| map.findings.clone()));
+    if questions.is_empty() {
+        Verdict::Wrong(wrong)
+    } else {
+        wrong.extend(questions);
+        Verdict::Asked(wrong)
+    }
+}
+
+/// How many of the tables are read right, asked about and wrong, with the wrong ones in words.
+fn count(craft: Craft, all: &[Choices]) -> (usize, usize, Vec<String>) {
+    let flown = moments(craft);
+    let (mut right, mut asked, mut wrong) = (0, 0, Vec::new());
+    for choices in all {
+        match verdict(&table(&flown, choices), &flown, choices) {
+            Verdict::Right => right += 1,
+            Verdict::Asked(why) => {
+                println!("asked: {choices:?}\n    {}", why.join("\n    "));
+                asked += 1;
+            }
+            Verdict::Wrong(why) => wrong.push(format!("{choices:?}\n    {}", why.join("\n    "))),
+        }
+    }
+    (right, asked, wrong)
+}
+
+#[test]
+fn an_airplane_is_read_the_same_in_each_convention_by_itself() {
+    let all = Choices::one_by_one();
+    let (right, asked, wrong) = count(Craft::Airplane, &all);
+    println!(
+        "{right} right, {asked} asked, {} wrong of {}",
+        wrong.len(),
+        all.len()
+    );
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(right * 20 >= all.len() * 19, "{right} of {}", all.len());
+}
+
+#[test]
+fn an_airplane_is_read_the_same_in_mixed_conventions() {
+    let all = Choices::mixed(60, false);
+    let (right, asked, wrong) = count(Craft::Airplane, &all);
+    println!(
+        "{right} right, {asked} asked, {} wrong of {}",
+        wrong.len(),
+        all.len()
+    );
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(right * 20 >= all.len() * 19, "{right} of {}", all.len());
+}
+
+#[test]
+fn tables_with_few_columns_are_read_right_or_asked_about() {
+    let all = Choices::mixed(60, true);
+    let (right, asked, wrong) = count(Craft::Airplane, &all);
+    println!(
+        "{right} right, {asked} asked, {} wrong of {}",
+        wrong.len(),
+        all.len()
+    );
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(right * 4 >= all.len() * 3, "{right} of {}", all.len());
+}
+
+#[test]
+fn a_copter_that_looks_elsewhere_is_read_right_or_asked_about() {
+    let all = Choices::mixed(60, false);
+    let (right, asked, wrong) = count(Craft::Copter, &all);
+    println!(
+        "{right} right, {asked} asked, {} wrong of {}",
+        wrong.len(),
+        all.len()
+    );
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert!(right * 4 >= all.len() * 3, "{right} of {}", all.len());
+}
+
+#[test]
+fn what_contradicts_itself_is_a_sentence() {
+    let flown = moments(Craft::Airplane);
+    let choices = Choices {
+        course_header: Some("course_deg"),
+        course: written::Angle::Tenths,
+        ..Choices::default()
+    };
+    let (maps, flight) = read(&table(&flown, &choices));
+    let findings = maps[0].findings.join("; ");
+    assert!(findings.contains("differ by a factor of 10"), "{findings}");
+    let north = flight.unwrap();
+    let channel = north.channel(ChannelName::GpsVelocityNorth).unwrap();
+    assert!(channel.values.iter().all(|v| v.abs() < 40.0));
+}

@@ -1,0 +1,324 @@
+//! Columns that belong together: three along axes, four of a quaternion, told by what their names have in common.
+
+use pilotage_flight::ChannelName;
+
+use super::header::Parts;
+use super::names::is_otherwise;
+use super::{ColumnRole, QuaternionPart};
+
+/// Words that say nothing of what a column measures.
+const FILLERS: [&str; 22] = [
+    "field",
+    "data",
+    "value",
+    "values",
+    "val",
+    "measured",
+    "measurement",
+    "meas",
+    "msg",
+    "pose",
+    "twist",
+    "vector",
+    "body",
+    "raw",
+    "filtered",
+    "sensor",
+    "avg",
+    "imu",
+    "est",
+    "estimated",
+    "state",
+    "mavros",
+];
+
+/// What three columns along axes measure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Acceleration,
+    Rate,
+    Velocity,
+    Position,
+    Euler,
+    Wind,
+    Quaternion,
+    /// Something that is of no use, such as a magnetic field.
+    Other,
+}
+
+use Kind::{Acceleration, Euler, Other, Position, Quaternion, Rate, Velocity, Wind};
+
+/// Words that say it.
+const WORDS: [(Kind, &[&str]); 8] = [
+    (
+        Other,
+        &[
+            "mag",
+            "magnetometer",
+            "field strength",
+            "b",
+            "magn",
+            "force",
+            "moment",
+            "torque",
+            "color",
+        ],
+    ),
+    (Wind, &["wind", "windspeed"]),
+    (
+        Quaternion,
+        &[
+            "q",
+            "quat",
+            "quaternion",
+            "orientation",
+            "att q",
+            "attitude q",
+            "attitude",
+            "att",
+            "quaternions",
+        ],
+    ),
+    (
+        Acceleration,
+        &[
+            "acc",
+            "accel",
+            "acceleration",
+            "accelerometer",
+            "accelerations",
+            "linear acceleration",
+            "specific force",
+            "a",
+            "f",
+            "fb",
+            "sf",
+        ],
+    ),
+    (
+        Rate,
+        &[
+            "gyr",
+            "gyro",
+            "gyros",
+            "gyroscope",
+            "angular velocity",
+            "angular rate",
+            "angular",
+            "rate",
+            "rates",
+            "omega",
+            "w",
+            "wb",
+            "body rate",
+            "rotation rate",
+            "ang vel",
+        ],
+    ),
+    (
+        Euler,
+        &[
+            "euler",
+            "rpy",
+            "attitude",
+            "att",
+            "angles",
+            "euler angles",
+            "orientation",
+            "angle",
+        ],
+    ),
+    (
+        Velocity,
+        &[
+            "vel",
+            "velocity",
+            "v",
+            "linear",
+            "linear velocity",
+            "lin vel",
+            "speed",
+            "velocities",
+        ],
+    ),
+    (
+        Position,
+        &[
+            "pos",
+            "position",
+            "p",
+            "xyz",
+            "local position",
+            "translation",
+            "coordinates",
+            "ned",
+        ],
+    ),
+];
+
+impl Kind {
+    /// What the columns along the first, second and third axis are, and the sign of their values, before anything is
+    /// known of the axes: forward, right, down, or north, east, down.
+    pub fn roles(self) -> [Option<(ColumnRole, f64)>; 3] {
+        use ChannelName as Name;
+        let all = |names: [Name; 3]| names.map(|name| Some((ColumnRole::Channel(name), 1.0)));
+        match self {
+            Acceleration => all([
+                Name::AccelerationForward,
+                Name::AccelerationRight,
+                Name::AccelerationDown,
+            ]),
+            Rate => all([Name::RollRate, Name::PitchRate, Name::YawRate]),
+            Velocity => all([
+                Name::GpsVelocityNorth,
+                Name::GpsVelocityEast,
+                Name::GpsVelocityDown,
+            ]),
+            Euler => all([Name::Roll, Name::Pitch, Name::Heading]),
+            Wind => {
+                let [north, east, _] = all([Name::WindNorth, Name::WindEast, Name::WindEast]);
+                [north, east, None]
+            }
+            Position => [
+                Some((ColumnRole::Channel(Name::GpsNorth), 1.0)),
+                Some((ColumnRole::Channel(Name::GpsEast), 1.0)),
+                Some((ColumnRole::Channel(Name::GpsHeight), -1.0)),
+            ],
+            Quaternion | Other => [None; 3],
+        }
+    }
+
+    /// What words say; the kind whose words stand last.
+    fn of(words: &[String], count: usize) -> Option<Self> {
+        let found = |(kind, names): &(Self, &[&str])| {
+            if (*kind == Quaternion) != (count == 4)
+                && *kind != Other
+                && (count == 4 || *kind == Quaternion)
+            {
+                return None;
+            }
+            let places = names.iter().filter_map(|name| {
+                let count = name.split(' ').count();
+                let place = words
+                    .windows(count)
+                    .rposition(|window| window.join(" ") == **name)?;
+                (name.len() > 2 || words.len() == count).then_some((place + count, count))
+            });
+            places.max().map(|place| (place, *kind))
+        };
+        // Of equals the first.
+        let all = WORDS.iter().filter_map(found);
+        let best = all.fold(
+            None,
+            |best: Option<((usize, usize), Self)>, found| match best {
+                Some(best) if best.0 >= found.0 => Some(best),
+                _ => Some(found),
+            },
+        );
+        best.map(|(_, kind)| kind)
+    }
+}
+
+/// Columns along the axes of one thing.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Group {
+    /// What they measure, as far as names tell.
+    pub kind: Option<Kind>,
+    /// Three columns, or four of a quaternion in the order of their names.
+    pub columns: Vec<usize>,
+    /// Of a quaternion: whether names say which part is which, the real one first in `columns` then.
+    pub is_told: bool,
+}
+
+/// Words of a name without those that say nothing of what is measured.
+pub(super) fn telling(words: &[String]) -> Vec<String> {
+    let tells = |word: &&String| !FILLERS.contains(&word.as_str());
+    words.iter().filter(tells).cloned().collect()
+}
+
+/// Last words of a file's name, of which a column without a telling name has its meaning: at most three.
+pub(super) fn context(file: &str) -> Vec<String> {
+    let name = file.rsplit('/').next().unwrap_or(file);
+    let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    let words: Vec<&str> = stem.rsplit('-').next().map_or_else(Vec::new, |last| {
+        last.split(|c: char| !c.is_alphanumeric()).collect()
+    });
+    let mut words: Vec<String> = words.iter().map(|word| word.to_lowercase()).collect();
+    words.retain(|word| !word.is_empty() && !word.bytes().all(|b| b.is_ascii_digit()));
+    if words.len() > 3 {
+        words.drain(..words.len() - 3);
+    }
+    words
+}
+
+/// What names have in common, and the axes' letters with their columns.
+type Stem = (Vec<String>, Vec<(char, usize)>);
+
+/// The groups among columns of those names, of which `is_numeric` says that they hold numbers.
+pub(super) fn groups(file: &str, names: &[Parts], is_numeric: &[bool]) -> Vec<Group> {
+    let file_words = context(file);
+    let mut stems: Vec<Stem> = Vec::new();
+    for (index, parts) in names.iter().enumerate() {
+        let Some((stem, letter)) = parts.component().filter(|_| is_numeric[index]) else {
+            continue;
+        };
+        match stems.iter_mut().find(|(known, _)| *known == stem) {
+            Some((_, columns)) => columns.push((letter, index)),
+            None => stems.push((stem, vec![(letter, index)])),
+        }
+    }
+    let group = |(stem, columns): Stem| {
+        if is_otherwise(&stem) || is_otherwise(&file_words) {
+            return None;
+        }
+        let letters: String = columns.iter().map(|(letter, _)| *letter).collect();
+        let told = telling(&stem);
+        let kind = |count| {
+            let by_name = Kind::of(&told, count);
+            let by_file = || Kind::of(&file_words, count);
+            match by_name {
+                // A velocity in a file of winds is the wind.
+                Some(Velocity) if by_file() == Some(Wind) => Some(Wind),
+                Some(kind) => Some(kind),
+                None if told.is_empty() => by_file(),
+                None => None,
+            }
+        };
+        let at = |wanted: &str| -> Option<Vec<usize>> {
+            let column = |letter| columns.iter().find(|(l, _)| *l == letter).map(|(_, c)| *c);
+            wanted.chars().map(column).collect()
+        };
+        let four = match letters.len() {
+            4 => ["wxyz", "0123", "1234"]
+                .iter()
+                .find_map(|w| Some((*w, at(w)?))),
+            _ => None,
+        };
+        if let Some((wanted, columns)) = four {
+            return Some(Group {
+                kind: kind(4).or(Some(Quaternion)),
+                columns,
+                is_told: wanted == "wxyz",
+            });
+        }
+        let three = ["xyz", "012", "123"].iter().find_map(|wanted| at(wanted));
+        let columns = three.filter(|_| letters.len() == 3)?;
+        Some(Group {
+            kind: kind(3),
+            columns,
+            is_told: false,
+        })
+    };
+    stems.into_iter().filter_map(group).collect()
+}
+
+/// The roles of a quaternion's parts, the real one first.
+pub(super) fn quaternion_roles(is_ros: bool) -> [ColumnRole; 4] {
+    QuaternionPart::ALL.map(|part| {
+        if is_ros {
+            ColumnRole::RosQuaternion(part)
+        } else {
+            ColumnRole::Quaternion(part)
+        }
+    })
+}

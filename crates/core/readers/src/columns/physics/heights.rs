@@ -1,0 +1,168 @@
+//! Heights against vertical velocities and against each other.
+
+use pilotage_flight::ChannelName;
+
+use super::Known;
+use super::axes::{centred, compare};
+use super::board::{Basis, Board, Id, nearest};
+use super::grid::quantile;
+use super::velocity::sign_by_height;
+use crate::columns::ColumnRole;
+use crate::folder::Dimension;
+
+const HEIGHTS: [ChannelName; 3] = [
+    ChannelName::GpsHeight,
+    ChannelName::BarometricHeight,
+    ChannelName::HeightAboveGround,
+];
+
+/// Judges the vertical velocity's sign and the heights' units; keeps the vertical velocity.
+pub(super) fn judge(board: &mut Board, known: &mut Known) {
+    let down = board.find(ColumnRole::Channel(ChannelName::GpsVelocityDown));
+    let ids: Vec<Id> = HEIGHTS
+        .iter()
+        .filter_map(|name| board.find(ColumnRole::Channel(*name)))
+        .collect();
+    let rate = |board: &Board, id: Id| known.grid.rate(&board.values(id));
+    if let (Some(down), Some(height)) = (down, ids.first()) {
+        vertical(board, known, down, *height);
+    }
+    for id in &ids {
+        plausible(board, known, *id);
+    }
+    let down = down.map(|id| (id, known.grid.mean(&board.values(id))));
+    for id in &ids {
+        let by_velocity = down.as_ref();
+        let climbing = rate(board, *id);
+        if let Some((down, down_values)) = by_velocity {
+            let up: Vec<f64> = down_values.iter().map(|v| -v).collect();
+            let is_sure = board.basis(*down) != Basis::Assumed;
+            match compare(&up, &climbing) {
+                // Two that agree in the units that they have confirm each other.
+                Some((correlation, factor, _)) if correlation > 0.6 && !is_sure => {
+                    let is_same = factor.ln().abs() < 0.3;
+                    if is_same && board.basis(*id) == Basis::Assumed {
+                        board.confirm(*id);
+                        board.confirm(*down);
+                    }
+                    if is_same {
+                        continue;
+                    }
+                }
+                Some((correlation, factor, _)) if correlation > 0.6 => {
+                    settle(board, *id, factor, "the vertical velocity");
+                    continue;
+                }
+                _ => {}
+            }
+        }
+        let others = ids
+            .iter()
+            .filter(|other| *other != id && board.basis(**other) != Basis::Assumed);
+        let other = others.copied().next();
+        if let Some(other) = other {
+            let height = |id: Id| centred(&known.grid.mean(&board.values(id)));
+            if let Some((correlation, factor, _)) = compare(&height(other), &height(*id))
+                && correlation > 0.9
+            {
+                let name = board.name(other);
+                settle(board, *id, factor, &name);
+            }
+        }
+    }
+    let height = ids
+        .iter()
+        .find(|id| board.basis(**id) != Basis::Assumed)
+        .or(ids.first());
+    let down = match (&down, height) {
+        (Some((id, _)), _) => known.grid.mean(&board.values(*id)),
+        (None, Some(height)) => rate(board, *height).iter().map(|up| -up).collect(),
+        (None, None) => return,
+    };
+    known.velocity[2] = down;
+}
+
+/// A height of no stated unit that changes much faster than the aircraft flies is in the next smaller unit in which it
+/// does not.
+fn plausible(board: &mut Board, known: &Known, id: Id) {
+    if board.basis(id) != Basis::Assumed {
+        return;
+    }
+    let speed = quantile(&known.speed(), 0.9);
+    let raw = known.grid.rate(&board.raw(id));
+    let raw: Vec<f64> = raw.iter().map(|rate| rate.abs()).collect();
+    let climb = quantile(&raw, 0.9);
+    let is_slow = |unit: &&str| {
+        let factor = Dimension::Length.factor(Some(unit)).unwrap_or(1.0);
+        climb.is_nan() || climb * factor <= 1.2 * speed + 5.0
+    };
+    let unit = board.column(id).unit.clone();
+    if known.is_of_track && !is_slow(&unit.as_str()) {
+        let found = ["m", "ft", "cm", "mm"]
+            .into_iter()
+            .find(|unit| is_slow(unit));
+        if let Some(found) = found {
+            let role = board.column(id).role;
+            let why = format!("in {unit} it would climb faster than the aircraft flies");
+            board.take(id, role, found, &why);
+        }
+    }
+}
+
+fn settle(board: &mut Board, id: Id, factor: f64, what: &str) {
+    let present = board.column(id).role.factor(&board.column(id).unit);
+    let factor = factor * present.unwrap_or(1.0);
+    // Pressure and receivers differ; units by three at least.
+    if nearest(Dimension::Length, factor).is_some_and(|(_, off)| off.abs() < 0.45) {
+        board.settle_unit(&[id], factor, 0.45, what);
+    }
+}
+
+/// Up or down, where the name does not say: by what the height does.
+fn vertical(board: &mut Board, known: &Known, down: Id, height: Id) {
+    let climbing = known.grid.rate(&board.values(height));
+    let velocity = known.grid.mean(&board.raw(down));
+    let sign = sign_by_height(&climbing, &velocity);
+    if let Some(sign) = sign.filter(|sign| *sign != board.column(down).scale.signum()) {
+        let name = board.name(down);
+        let role = board.column(down).role;
+        board.assign(down, role, sign, 0.0);
+        let way = if sign > 0.0 { "down" } else { "up" };
+        board.tell(
+            down.0,
+            format!("{name}: it is positive {way}, as the height says"),
+        );
+    }
+    // The receiver's vertical velocity in a unit of its own, if it is none of three.
+    if board.basis(down) == Basis::Assumed && board.basis(height) != Basis::Assumed {
+        let up: Vec<f64> = climbing.iter().map(|v| -v).collect();
+        let values = known.grid.mean(&board.raw(down));
+        let sign = board.column(down).scale;
+        let values: Vec<f64> = values.iter().map(|v| v * sign).collect();
+        if let Some((correlation, factor, _)) = compare(&up, &values)
+            && correlation > 0.6
+        {
+            board.settle_unit(&[down], factor, 0.35, "the change of the height");
+        }
+    }
+}
+
+/// Heights that nothing else tells: by the climb that an airplane's pitch makes.
+pub(super) fn by_pitch(board: &mut Board, known: &Known) {
+    let speed = known.speed();
+    let pitch = centred(&known.attitude[1]);
+    let climb: Vec<f64> = pitch.iter().zip(&speed).map(|(p, v)| p * v).collect();
+    let is_fast = quantile(&speed, 0.5) > 7.0;
+    for name in HEIGHTS {
+        let id = board.find(ColumnRole::Channel(name));
+        let Some(id) = id.filter(|id| is_fast && board.basis(*id) == Basis::Assumed) else {
+            continue;
+        };
+        let climbing = centred(&known.grid.rate(&board.values(id)));
+        if let Some((correlation, factor, _)) = compare(&climb, &climbing)
+            && correlation > 0.7
+        {
+            settle(board, id, factor, "pitch and speed");
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! What nothing in the tables tells, asked of people: one question for all units that had to be assumed.
+
+use pilotage_flight::{ChannelName, Quantity};
+
+use super::board::{Basis, Board};
+use crate::columns::ColumnRole;
+
+/// Adds a question about a table.
+pub(super) fn add(board: &mut Board, table: usize, question: String) {
+    let questions = &mut board.maps[table].questions;
+    if !questions.contains(&question) {
+        questions.push(question);
+    }
+}
+
+/// Asks for the units that nothing tells.
+pub(super) fn ask(board: &mut Board) {
+    same_units(board);
+    let mut assumed: Vec<(usize, String)> = Vec::new();
+    for table in 0..board.maps.len() {
+        for index in 0..board.maps[table].columns.len() {
+            let column = board.column((table, index));
+            let matters = matches!(
+                column.role.quantity(),
+                Some(Quantity::Speed | Quantity::Length | Quantity::Angle | Quantity::AngularRate)
+            );
+            let is_used = column.role != ColumnRole::Nothing && matters;
+            if is_used && board.basis((table, index)) == Basis::Assumed {
+                assumed.push((table, format!("{} in {}", column.name, column.unit)));
+            }
+        }
+    }
+    let Some((table, _)) = assumed.first().cloned() else {
+        return;
+    };
+    let words: Vec<String> = assumed.into_iter().map(|(_, words)| words).collect();
+    let question = format!(
+        "No unit is stated, and nothing else tells it, of: {}. Is that right?",
+        words.join(", ")
+    );
+    add(board, table, question);
+}
+
+/// A group keeps its units: what is assumed takes the unit of what was found of the same quantity in its table.
+fn same_units(board: &mut Board) {
+    for table in 0..board.maps.len() {
+        let count = board.maps[table].columns.len();
+        for index in 0..count {
+            let id = (table, index);
+            let Some(quantity) = board.column(id).role.quantity() else {
+                continue;
+            };
+            if board.basis(id) != Basis::Assumed
+                || quantity == Quantity::Length
+                || matches!(
+                    board.column(id).role,
+                    ColumnRole::WindSpeed
+                        | ColumnRole::Channel(ChannelName::WindNorth | ChannelName::WindEast)
+                )
+            {
+                continue;
+            }
+            let is_like = |other: &usize| {
+                let other = (table, *other);
+                let column = board.column(other);
+                let is_place = matches!(column.role, ColumnRole::Latitude | ColumnRole::Longitude);
+                column.role.quantity() == Some(quantity)
+                    && board.basis(other) == Basis::Found
+                    && !is_place
+            };
+            let Some(other) = (0..count).find(is_like) else {
+                continue;
+            };
+            let unit = board.column((table, other)).unit.clone();
+            let name = board.name((table, other));
+            let factor = board.column(id).role.factor(&unit).unwrap_or(1.0);
+            let reach = super::grid::quantile(&board.raw(id).map(f64::abs).values, 1.0) * factor;
+            let most = match quantity {
+                Quantity::Angle => 7.0,
+                Quantity::Speed => 400.0,
+                Quantity::AngularRate => 40.0,
+                _ => f64::INFINITY,
+            };
+            if reach <= most {
+                board.found(id, &unit, &format!("in {unit}, as {name} is"));
+            }
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! Rows of a table from its beginning to its end, so that its columns can be held against each other.
+
+use super::{ColumnMap, ColumnRole, TableShape, time};
+use crate::folder::{Moment, date_and_time, decoded};
+
+/// Rows that are looked at, about.
+const MOST: usize = 30_000;
+
+/// Rows of a table at even distances.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Rows {
+    /// Cells of each column, NaN where there is no number; dates are seconds since 1970.
+    pub columns: Vec<Vec<f64>>,
+}
+
+impl Rows {
+    /// Rows of a table of that shape and number of columns.
+    pub fn of(bytes: &[u8], shape: &TableShape, count: usize) -> Self {
+        let bytes = decoded(bytes);
+        let skipped = shape.skipped_lines + shape.head_lines();
+        let lines = || bytes.split(|byte| *byte == b'\n').skip(skipped);
+        let stride = lines().count().div_ceil(MOST).max(1);
+        let mut columns = vec![Vec::new(); count];
+        for line in lines().step_by(stride) {
+            if line.first().is_none_or(|byte| *byte == b'#') {
+                continue;
+            }
+            let line = String::from_utf8_lossy(line);
+            if line.trim().is_empty() {
+                continue;
+            }
+            let cells = shape.separator.cells(line.trim_end_matches('\r'));
+            for (index, column) in columns.iter_mut().enumerate() {
+                let cell = cells.get(index).map_or("", |cell| cell.as_ref());
+                column.push(value(cell, shape));
+            }
+        }
+        Self { columns }
+    }
+
+    /// Times of the rows by the table's map, seconds; empty where it has none.
+    pub fn times(&self, map: &ColumnMap) -> Vec<f64> {
+        let is_time = |column: &super::MappedColumn| column.role == ColumnRole::Time;
+        let Some(index) = map.columns.iter().position(is_time) else {
+            return Vec::new();
+        };
+        let seconds = time::seconds(&map.columns[index].unit);
+        let times = self.columns.get(index).into_iter().flatten();
+        times.map(|time| time * seconds).collect()
+    }
+}
+
+fn value(cell: &str, shape: &TableShape) -> f64 {
+    if let Some(number) = shape.number(cell) {
+        return number;
+    }
+    match date_and_time(cell) {
+        Some(Moment::Absolute(whole, fraction)) => whole as f64 + fraction,
+        _ => f64::NAN,
+    }
+}

@@ -1,0 +1,116 @@
+//! Samples of a table's columns: its beginning and some places all over it.
+
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+
+use super::{Sample, TableShape};
+use crate::folder::decoded;
+
+/// Bytes of the beginning that are looked at for the shape, and of each of the places that are looked at for values.
+const HEAD: usize = 1 << 16;
+const PIECE: usize = 1 << 12;
+/// How many such places there are.
+const PLACES: usize = 64;
+/// Samples of all columns, each with a name of its own, how the table is written, and which share of all rows the samples
+/// are, about; `None` if it is no table.
+pub(super) fn sampled(bytes: &[u8]) -> Option<(TableShape, Vec<Sample>, f64)> {
+    let head = text(&bytes[..bytes.len().min(HEAD)]);
+    let shape = TableShape::of(&head)?;
+    let (mut samples, share) = samples(&head, bytes, &shape);
+    tell_apart(&mut samples);
+    Some((shape, samples, share))
+}
+
+/// Gives every column a name of its own: `Alt`, `Alt (2)`; `#3` where the third has none.
+fn tell_apart(samples: &mut [Sample]) {
+    let mut taken = BTreeSet::new();
+    for (index, sample) in samples.iter_mut().enumerate() {
+        if sample.name.is_empty() {
+            sample.name = format!("#{}", index + 1);
+        }
+        let plain = sample.name.clone();
+        let mut number = 1;
+        while !taken.insert(sample.name.clone()) {
+            number += 1;
+            sample.name = format!("{plain} ({number})");
+        }
+    }
+}
+
+/// Text of bytes that may end within a letter.
+fn text(bytes: &[u8]) -> Cow<'_, str> {
+    match decoded(bytes) {
+        Cow::Borrowed(bytes) => String::from_utf8_lossy(bytes),
+        Cow::Owned(bytes) => Cow::Owned(String::from_utf8_lossy(&bytes).into_owned()),
+    }
+}
+
+/// Samples of all columns, and which share of all rows they are, about.
+fn samples(head: &str, bytes: &[u8], shape: &TableShape) -> (Vec<Sample>, f64) {
+    let mut lines = head.lines().skip(shape.skipped_lines);
+    let mut line = || {
+        lines
+            .next()
+            .map(|line| line.trim_start_matches(['#', '%', '!']).trim())
+    };
+    let names = if shape.has_header { line() } else { None };
+    let units = if shape.has_units { line() } else { None };
+    let cells = |line: Option<&str>| -> Vec<String> {
+        let cells = line
+            .map(|line| shape.separator.cells(line))
+            .unwrap_or_default();
+        cells.into_iter().map(Cow::into_owned).collect()
+    };
+    let (names, units) = (cells(names), cells(units));
+    let mut samples: Vec<Sample> = Vec::new();
+    let (mut rows, mut looked_at) = (0_usize, 0_usize);
+    let mut add = |line: &str| {
+        if line.trim().is_empty() || line.starts_with('#') {
+            return;
+        }
+        rows += 1;
+        looked_at += line.len() + 1;
+        for (index, cell) in shape.separator.cells(line).iter().enumerate() {
+            if samples.len() <= index {
+                samples.push(Sample {
+                    name: names
+                        .get(index)
+                        .cloned()
+                        .unwrap_or_else(|| format!("#{}", index + 1)),
+                    unit: units.get(index).cloned().unwrap_or_default(),
+                    ..Sample::default()
+                });
+            }
+            let sample = &mut samples[index];
+            match shape.number(cell) {
+                Some(number) => sample.numbers.push(number),
+                None if cell.is_empty() => sample.empty += 1,
+                None => sample.texts.push(cell.clone().into_owned()),
+            }
+        }
+    };
+    let skipped = shape.skipped_lines + shape.head_lines();
+    // The last line of a piece may be cut off.
+    let whole = |text: &str| text.rfind('\n').map_or(0, |end| end + 1);
+    if bytes.len() <= HEAD + PLACES * PIECE {
+        // Places of a shorter table would overlap.
+        let all = text(bytes);
+        all.lines().skip(skipped).for_each(&mut add);
+    } else {
+        head[..whole(head)]
+            .lines()
+            .skip(skipped)
+            .take(PIECE / 8)
+            .for_each(&mut add);
+        for place in 1..PLACES {
+            let start = (bytes.len() - PIECE).max(1) / PLACES * place;
+            if start < HEAD {
+                continue;
+            }
+            let piece = text(&bytes[start..(start + PIECE).min(bytes.len())]);
+            piece[..whole(&piece)].lines().skip(1).for_each(&mut add);
+        }
+    }
+    let share = looked_at as f64 / bytes.len().max(1) as f64;
+    (samples, share.clamp(1e-9, 1.0))
+}
