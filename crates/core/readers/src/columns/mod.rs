@@ -32,4 +32,5 @@ pub use preview::{Preview, preview};
 pub(super) use sample::Sample;
 pub(super) use shape::number;
 pub use shape::{Separator, TableShape};
+pub(super) use time::unit_of_time;
 pub use together::{GuessedTable, guess_tables, tables_lack};

@@ -114,7 +114,7 @@ const RULES: &[Rule] = &[
     rule(
         Channel(ChannelName::GpsHeight),
         0.6,
-        "alt|altitude|hgt|elevation|abs alt|absolute altitude|ellipsoid height",
+        "alt|altitude|hgt|h|elevation|abs alt|absolute altitude|ellipsoid height",
     ),
     rule(
         Channel(ChannelName::GpsNorth),

@@ -95,7 +95,7 @@ fn a_flight_of_a_written_table_has_its_origin_channels_and_values() {
     let maps = [guess_table("east.csv", eastward().as_bytes()).unwrap()];
     let folder = flight_of_tables(&files, &maps).unwrap();
     assert_eq!(folder.notes.len(), 1, "{:?}", folder.notes);
-    assert!(folder.notes[0].ends_with("of: Climb in m/s. Is that right?"));
+    assert!(folder.notes[0].ends_with("taken: GPS velocity down (Climb) in m/s. Is that right?"));
     let flight = folder.flight;
     assert_eq!(flight.name, "east");
     let origin = flight.frame_on_globe.unwrap().origin;

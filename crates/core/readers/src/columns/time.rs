@@ -27,7 +27,7 @@ pub(super) fn seconds(unit: &str) -> f64 {
 
 /// The unit of a column that may be the time, how surely it is one, and why; `None` if it is none. `stated` is the unit
 /// that its name says; `share` of the table's rows are in the sample.
-pub(super) fn unit_of_time(
+pub(crate) fn unit_of_time(
     sample: &Sample,
     stated: Option<&'static str>,
     share: f64,

@@ -328,16 +328,18 @@ pub(super) fn common_name(maps: &[ColumnMap]) -> String {
     let Some(first) = maps.first() else {
         return "Flight".to_owned();
     };
-    let start = beginning(&first.file);
-    let is_common = maps.len() > 1 && maps.iter().all(|map| beginning(&map.file) == start);
-    let start = short(start.trim_end_matches('/'));
-    if is_common && !start.is_empty() {
-        return start.to_owned();
-    }
     let name = short(&first.file);
-    name.rsplit_once('.')
-        .map_or(name, |(stem, _)| stem)
-        .to_owned()
+    let is_common = |end: &usize| {
+        maps.iter()
+            .all(|map| short(&map.file).starts_with(&name[..*end]))
+    };
+    let ends = name.match_indices(['_', '-']).map(|(end, _)| end);
+    let end = ends
+        .rev()
+        .find(is_common)
+        .filter(|end| *end > 0 && maps.len() > 1);
+    let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    end.map_or(stem, |end| &name[..end]).to_owned()
 }
 
 /// Why no flight can be made of these tables together, in words; `None` if one can.

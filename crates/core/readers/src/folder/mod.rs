@@ -14,6 +14,7 @@ mod read;
 mod table;
 #[cfg(test)]
 mod tests;
+mod time_unit;
 mod units;
 mod write;
 

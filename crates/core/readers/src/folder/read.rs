@@ -16,6 +16,7 @@ use super::log::Tables;
 use super::pictures::FolderFrames;
 use super::position::Positions;
 use super::table::Table;
+use super::time_unit;
 use super::units::Dimension;
 use crate::log::Log;
 use pilotage_base::files::{FileSet, Unresolved, find, folder_of, joined};
@@ -185,6 +186,11 @@ fn read_with(
         tables,
         notes: Vec::new(),
     };
+    let mut layout = layout.clone();
+    if folder.tables.is_empty() {
+        time_unit::settle(&mut folder, &mut layout);
+    }
+    let layout = &layout;
     let frame_on_globe = layout
         .origin
         .map(|origin| origin.geodetic().map(LocalFrame::new))

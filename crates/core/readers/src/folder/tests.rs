@@ -240,6 +240,37 @@ fn a_log_without_pictures_needs_no_camera_and_gives_velocity_as_speed_and_course
 }
 
 #[test]
+fn times_that_cannot_be_seconds_are_read_in_their_unit_and_told() {
+    for (per_second, start, unit) in [
+        (1e3, 0.0, "milliseconds"),
+        (1e6, 5e6, "microseconds"),
+        (1e9, 0.0, "nanoseconds"),
+        (1e9, 1.7e18, "nanoseconds"),
+    ] {
+        let row = |i: u32| {
+            format!(
+                "{:.0},{}\n",
+                start + per_second * 0.2 * f64::from(i),
+                20 + i % 3
+            )
+        };
+        let table = "stamp,v\n".to_owned() + &(0..100).map(row).collect::<String>();
+        let map = r#"{"pilotage_flight": 1, "name": "n", "start": {"north_m": 0, "east_m": 0,
+            "standard_deviation_m": 1}, "channels": [{"name": "airspeed", "file": "t.csv",
+            "time": {"column": "stamp"}, "value": {"column": "v"}}]}"#;
+        let files = [("flight.json", map), ("t.csv", &table)];
+        let files = files.map(|(name, text)| (name.to_owned(), text.as_bytes().to_vec()));
+        let folder = read_flight(Arc::new(MemoryFiles(files.into()))).unwrap();
+        let (first, last) = folder.flight.span();
+        assert!(
+            (last - first - 19.8).abs() < 1e-5,
+            "{unit}: {first} to {last}"
+        );
+        assert!(folder.notes[0].contains(unit), "{:?}", folder.notes);
+    }
+}
+
+#[test]
 fn what_is_wrong_is_told_with_file_and_place() {
     let edited = |name: &str, from: &str, to: &str| {
         let mut files = foreign("\"scale\": 1");

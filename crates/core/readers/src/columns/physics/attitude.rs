@@ -292,6 +292,13 @@ fn same_unit(board: &mut Board, heading: Option<Id>, id: Id) {
         return;
     }
     let unit = board.column(heading).unit.clone();
+    // Another table keeps its own unit; that both are in the same is enough.
+    if heading.0 != id.0 {
+        if board.column(id).unit == unit {
+            board.confirm(id);
+        }
+        return;
+    }
     let factor = Dimension::Angle.factor(Some(&unit)).unwrap_or(1.0);
     let reach = quantile(&board.raw(id).map(f64::abs).values, 1.0);
     if reach * factor < 3.3 && board.column(id).unit != unit || board.column(id).unit == unit {

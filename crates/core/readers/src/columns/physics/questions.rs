@@ -26,7 +26,15 @@ pub(super) fn ask(board: &mut Board) {
             );
             let is_used = column.role != ColumnRole::Nothing && matters;
             if is_used && board.basis((table, index)) == Basis::Assumed {
-                assumed.push((table, format!("{} in {}", column.name, column.unit)));
+                assumed.push((
+                    table,
+                    format!(
+                        "{} ({}) in {}",
+                        column.role.label(),
+                        column.name,
+                        column.unit
+                    ),
+                ));
             }
         }
     }
@@ -35,7 +43,7 @@ pub(super) fn ask(board: &mut Board) {
     };
     let words: Vec<String> = assumed.into_iter().map(|(_, words)| words).collect();
     let question = format!(
-        "No unit is stated, and nothing else tells it, of: {}. Is that right?",
+        "No unit is stated, and nothing else tells it; taken: {}. Is that right?",
         words.join(", ")
     );
     add(board, table, question);
