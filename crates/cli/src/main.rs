@@ -2,6 +2,7 @@
 
 mod align;
 mod bench;
+mod columns;
 mod compare;
 mod convert;
 mod detect;
@@ -14,6 +15,8 @@ mod inspect_log;
 mod inspect_wind;
 mod map;
 mod mission_file;
+mod opening;
+mod outage;
 mod plan;
 mod replay;
 mod simulate;
@@ -54,6 +57,8 @@ enum Job {
     Detect(detect::Arguments),
     /// Convert routes and landmarks between file formats.
     Convert(convert::Arguments),
+    /// Show what the columns of tables mean, and save it to be edited.
+    Columns(columns::Arguments),
     /// Say what a file or folder is.
     Inspect(inspect::Arguments),
     /// Look at maps: what they are, and pictures out of them.
@@ -82,6 +87,7 @@ fn main() -> ExitCode {
         Job::Evaluate(arguments) => evaluate::run(&arguments),
         Job::Detect(arguments) => detect::run(&arguments),
         Job::Convert(arguments) => convert::run(&arguments),
+        Job::Columns(arguments) => columns::run(&arguments),
         Job::Inspect(arguments) => inspect::run(&arguments),
         Job::Map(arguments) => map::run(&arguments),
         Job::Bench(arguments) => bench::run(&arguments),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
-use pilotage_core::flight::{Flight, FrameSource, read_flight};
+use pilotage_core::flight::{Flight, FrameSource};
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Mission;
@@ -17,8 +17,9 @@ use pilotage_core::simulate::{Overrides, Scenario};
 use serde::Serialize;
 
 use crate::Outcome;
-use crate::files::{Directory, open_map};
+use crate::files::open_map;
 use crate::mission_file::OpenMission;
+use crate::opening::open;
 use crate::simulate::{Day, scenario};
 use crate::statistics::{Quantiles, error_over_bound, print, table};
 
@@ -28,8 +29,12 @@ pub const MAP_CACHE: usize = 128;
 /// What to replay.
 #[derive(clap::Args)]
 pub struct Arguments {
+    /// What was flown: a flight folder, a log, tables, or a folder of photos. Without --map it is navigated by its
+    /// instruments alone, through GPS outages all along.
+    #[arg(conflicts_with_all = ["scenario", "flight"])]
+    path: Option<PathBuf>,
     /// A built-in scenario; by the landmarks of another mission over the same ground, if one is given.
-    #[arg(long, conflicts_with_all = ["flight", "map"])]
+    #[arg(long, conflicts_with_all = ["flight", "map", "columns"])]
     scenario: Option<String>,
     /// Seed of the scenario.
     #[arg(long, default_value_t = 1)]
@@ -50,6 +55,12 @@ pub struct Arguments {
     /// Map picture with its georeference beside it.
     #[arg(long)]
     map: Option<PathBuf>,
+    /// What the columns of tables mean, as `pilotage columns --save` wrote it.
+    #[arg(long, value_name = "MAP")]
+    columns: Option<PathBuf>,
+    /// Length of the GPS outages, where there is no map.
+    #[arg(long, value_name = "SECONDS", default_value_t = 60.0)]
+    outage: f64,
     /// Changes to the filter, e.g. alpha=0.5,vehicle=airplane-wind.
     #[arg(long, default_value = "")]
     filter: String,
@@ -78,9 +89,31 @@ pub fn run(arguments: &Arguments) -> Outcome {
     if let Some(name) = &arguments.scenario {
         return replay_scenario(&scenario(name)?, arguments);
     }
-    let (Some(flight), Some(map)) = (&arguments.flight, &arguments.map) else {
-        return Err("say --scenario NAME, or --flight DIR --map FILE".into());
+    let Some(path) = arguments.path.as_ref().or(arguments.flight.as_ref()) else {
+        return Err("say what was flown, or --scenario NAME".into());
     };
+    let opened = open(path, arguments.columns.as_deref())?;
+    let found = opened.into_flight()?;
+    let nothing = || {
+        format!(
+            "{}: neither a flight folder, a log, tables nor photos",
+            path.display()
+        )
+    };
+    let (flight, mut frames, notes) = found.ok_or_else(nothing)?;
+    for note in &notes {
+        eprintln!("note: {note}");
+    }
+    let Some(map) = &arguments.map else {
+        return crate::outage::study(&flight, arguments.outage);
+    };
+    if flight.frames.is_empty() {
+        return Err(format!(
+            "{}: it has no pictures to be found on the map; leave out --map to navigate by instruments",
+            path.display()
+        )
+        .into());
+    }
     let (landmarks, mut settings) = match &arguments.mission {
         Some(path) => {
             let mission = OpenMission::read(path)?.package.mission;
@@ -88,15 +121,17 @@ pub fn run(arguments: &Arguments) -> Outcome {
         }
         None => (Vec::new(), by_whole_frames()),
     };
-    let folder = read_flight(Arc::new(Directory::open(flight)?))?;
-    for note in &folder.notes {
-        eprintln!("note: {note}");
-    }
     crate::filter_options::apply(&mut settings, &arguments.filter)?;
-    let imagery = open_map(map, folder.flight.frame_on_globe, MAP_CACHE)?;
-    let mut frames = folder.frames;
-    let flight = Arc::new(folder.flight);
-    let run = navigate(&flight, &landmarks, imagery, &settings, &mut frames, false)?;
+    let imagery = open_map(map, flight.frame_on_globe, MAP_CACHE)?;
+    let flight = Arc::new(flight);
+    let run = navigate(
+        &flight,
+        &landmarks,
+        imagery,
+        &settings,
+        frames.as_mut(),
+        false,
+    )?;
     let summary = summarize(&flight, &run, None);
     report(arguments, &flight, &run, &summary)
 }

@@ -1,0 +1,226 @@
+//! Flights of whatever kind: folders, tables, logs, photos.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use pilotage_core::flight::beside_log::add_pictures;
+use pilotage_core::flight::columns::{ColumnMap, flight_of_tables, guess_tables};
+use pilotage_core::flight::files::FileSet;
+use pilotage_core::flight::interpret::flight_from_log;
+use pilotage_core::flight::log::{HEAD, Log, read_log, recognise};
+use pilotage_core::flight::photo::read_photos;
+use pilotage_core::flight::{
+    FLIGHT_FILE, Flight, FlightFolder, FolderError, FrameError, FrameSource, read_flight,
+};
+use pilotage_core::imagery::ByteSource;
+use pilotage_core::raster::Picture;
+
+use crate::files::{Directory, DiskFile};
+
+/// Endings of tables.
+pub const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
+/// Name of the file, beside tables, that says what their columns mean.
+pub const COLUMNS_FILE: &str = "columns.json";
+
+/// What a path holds.
+pub enum Opened {
+    /// A flight out of a folder, tables or photos.
+    Folder(Box<FlightFolder>),
+    /// A log of another program, and the files beside it.
+    Log(Box<Log>, Arc<dyn FileSet>),
+    /// None of these.
+    Nothing,
+}
+
+/// Pictures of a flight.
+pub type Frames = Box<dyn FrameSource>;
+
+impl Opened {
+    /// The flight with its pictures, and what was assumed or left out, in sentences; `None` where there is none.
+    ///
+    /// # Errors
+    /// A log that tells of no flight, or a table of pictures beside it that cannot be read.
+    pub fn into_flight(self) -> Result<Option<(Flight, Frames, Vec<String>)>, String> {
+        match self {
+            Self::Folder(folder) => {
+                Ok(Some((folder.flight, Box::new(folder.frames), folder.notes)))
+            }
+            Self::Log(log, beside) => {
+                let flight = flight_from_log(&log).into_flight();
+                let mut flight = flight.map_err(|e| e.to_string())?;
+                let frames = add_pictures(&mut flight, &beside).map_err(|e| e.to_string())?;
+                let frames = frames.unwrap_or_else(|| Box::new(NoPictures));
+                Ok(Some((flight, frames, Vec::new())))
+            }
+            Self::Nothing => Ok(None),
+        }
+    }
+}
+
+/// The pictures of a flight without a camera.
+struct NoPictures;
+
+impl FrameSource for NoPictures {
+    fn picture(&mut self, index: usize) -> Result<Picture, FrameError> {
+        Err(FrameError::OutOfRange(index))
+    }
+
+    fn encoded(&mut self, index: usize) -> Result<Vec<u8>, FrameError> {
+        Err(FrameError::OutOfRange(index))
+    }
+}
+
+/// Opens a path: a flight folder or its flight.json; tables, as `columns` or a file of that kind beside them says, else
+/// as their columns are guessed; a log; photos.
+///
+/// # Errors
+/// What is there and cannot be read.
+pub fn open(path: &Path, columns: Option<&Path>) -> Result<Opened, Box<dyn std::error::Error>> {
+    let is_flight_file = path.file_name().is_some_and(|n| n == FLIGHT_FILE);
+    if path.is_dir() || is_flight_file {
+        let files: Arc<dyn FileSet> = Arc::new(Directory::open(path)?);
+        return open_folder(&files, columns);
+    }
+    let file = DiskFile::open(path, &path.to_string_lossy());
+    let file = file.map_err(|e| format!("{}: {e}", path.display()))?;
+    if let Some(log) = read_log(&file)? {
+        let beside: Arc<dyn FileSet> = Arc::new(Directory::around(path)?);
+        return Ok(Opened::Log(Box::new(log), beside));
+    }
+    if !has_ending(path, &TABLES) {
+        return Ok(Opened::Nothing);
+    }
+    let (files, names) = tables_at(&[path.to_owned()])?;
+    let folder = open_tables(&files, &names, columns)?;
+    Ok(folder.map_or(Opened::Nothing, |folder| Opened::Folder(Box::new(folder))))
+}
+
+fn open_folder(
+    files: &Arc<dyn FileSet>,
+    columns: Option<&Path>,
+) -> Result<Opened, Box<dyn std::error::Error>> {
+    match read_flight(Arc::clone(files)) {
+        Err(FolderError::NoFlightFile) => {}
+        other => return Ok(Opened::Folder(Box::new(other?))),
+    }
+    if columns.is_none()
+        && let Some(source) = log_among(files.as_ref())
+        && let Some(log) = read_log(source.as_ref())?
+    {
+        return Ok(Opened::Log(Box::new(log), Arc::clone(files)));
+    }
+    let names = table_names(files.as_ref());
+    if let Some(folder) = open_tables(files, &names, columns)? {
+        return Ok(Opened::Folder(Box::new(folder)));
+    }
+    let photos = read_photos(files).ok_or(FolderError::NoFlightFile)?;
+    Ok(Opened::Folder(Box::new(photos)))
+}
+
+/// The first log among files, by what is in it.
+fn log_among(files: &dyn FileSet) -> Option<Arc<dyn ByteSource>> {
+    let mut names = files.names();
+    names.sort();
+    names.into_iter().find_map(|name| {
+        let source = files.source(&name)?;
+        let length = HEAD.min(usize::try_from(source.length()).unwrap_or(HEAD));
+        let head = source.read(0, length).ok()?;
+        recognise(&head).map(|_| source)
+    })
+}
+
+/// The names among files that may be tables, in order.
+pub fn table_names(files: &dyn FileSet) -> Vec<String> {
+    let mut names = files.names();
+    names.retain(|name| has_ending(Path::new(name), &TABLES));
+    names.sort();
+    names
+}
+
+/// The folder in which tables at these paths lie, and their names in it: all tables of a folder.
+///
+/// # Errors
+/// A path that is not there, or tables in several folders.
+pub fn tables_at(paths: &[PathBuf]) -> Result<(Arc<dyn FileSet>, Vec<String>), String> {
+    let [first, others @ ..] = paths else {
+        return Err("say which tables".to_owned());
+    };
+    if first.is_dir() {
+        let files = Directory::open(first).map_err(|e| format!("{}: {e}", first.display()))?;
+        let names = table_names(&files);
+        return Ok((Arc::new(files), names));
+    }
+    let files = Directory::around(first)?;
+    if let Some(other) = others.iter().find(|other| other.parent() != first.parent()) {
+        return Err(format!(
+            "{}: it is in another folder than {}",
+            other.display(),
+            first.display()
+        ));
+    }
+    let name = |path: &PathBuf| path.file_name().map(|n| n.to_string_lossy().into_owned());
+    Ok((Arc::new(files), paths.iter().filter_map(name).collect()))
+}
+
+fn open_tables(
+    files: &Arc<dyn FileSet>,
+    names: &[String],
+    columns: Option<&Path>,
+) -> Result<Option<FlightFolder>, Box<dyn std::error::Error>> {
+    let guessed = || -> Vec<ColumnMap> {
+        let tables = guess_tables(files.as_ref(), names).into_iter();
+        tables.filter(|t| t.is_proposed).map(|t| t.map).collect()
+    };
+    let maps = said(files.as_ref(), names, columns)?.unwrap_or_else(guessed);
+    if maps.is_empty() {
+        return Ok(None);
+    }
+    Ok(Some(flight_of_tables(files, &maps)?))
+}
+
+/// What people said of the columns of tables: in the file `columns`, or in one called [`COLUMNS_FILE`] beside them.
+/// A map of one table is taken for the only table, whatever that is called.
+///
+/// # Errors
+/// A file that is not there or no column map, or maps of tables that are not there.
+pub fn said(
+    files: &dyn FileSet,
+    names: &[String],
+    columns: Option<&Path>,
+) -> Result<Option<Vec<ColumnMap>>, String> {
+    let bytes = match columns {
+        Some(path) => Some(std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?),
+        None => files.read(COLUMNS_FILE),
+    };
+    let Some(bytes) = bytes else { return Ok(None) };
+    let file = columns.map_or(COLUMNS_FILE.to_owned(), |path| path.display().to_string());
+    let mut maps: Vec<ColumnMap> =
+        serde_json::from_slice(&bytes).map_err(|e| format!("{file}: {e}"))?;
+    if let ([map], [name]) = (maps.as_mut_slice(), names) {
+        map.file.clone_from(name);
+    }
+    let short = |name: &str| name.rsplit('/').next().unwrap_or(name).to_owned();
+    for map in &mut maps {
+        let by_whole = names.iter().find(|name| **name == map.file);
+        let by_short = || names.iter().find(|name| short(name) == short(&map.file));
+        match by_whole.or_else(by_short) {
+            Some(name) => map.file.clone_from(name),
+            // A map beside tables may tell of more than are looked at.
+            None if columns.is_none() => {}
+            None => {
+                return Err(format!(
+                    "{file}: there is no table {} among these",
+                    map.file
+                ));
+            }
+        }
+    }
+    maps.retain(|map| names.contains(&map.file));
+    Ok(Some(maps).filter(|maps| !maps.is_empty()))
+}
+
+/// Whether a file's name ends so.
+pub fn has_ending(path: &Path, endings: &[&str]) -> bool {
+    let ending = path.extension().and_then(|ending| ending.to_str());
+    ending.is_some_and(|ending| endings.iter().any(|e| ending.eq_ignore_ascii_case(e)))
+}

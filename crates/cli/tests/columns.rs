@@ -1,0 +1,102 @@
+//! `pilotage columns` and what uses its maps, as a user calls them.
+
+use std::fmt::Write as _;
+use std::path::PathBuf;
+use std::process::Command;
+
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let folder = format!("pilotage-columns-{name}-{}", std::process::id());
+        let folder = std::env::temp_dir().join(folder);
+        std::fs::create_dir_all(&folder).expect("the temporary folder can be written");
+        Self(folder)
+    }
+
+    /// What the program says, or why it fails.
+    fn run(&self, arguments: &[&str]) -> Result<String, String> {
+        let output = Command::new(env!("CARGO_BIN_EXE_pilotage"))
+            .current_dir(&self.0)
+            .args(arguments)
+            .output()
+            .expect("the program starts");
+        let words = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        if output.status.success() {
+            Ok(words(&output.stdout))
+        } else {
+            Err(words(&output.stderr))
+        }
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        std::fs::remove_dir_all(&self.0).ok();
+    }
+}
+
+/// Circles in still air, course in tenths of degrees, speeds in cm/s.
+fn circles() -> String {
+    let mut text = String::from("t,lat,lon,alt,course,speed,psi,tas\n");
+    let (radius, speed) = (100.0, 15.0);
+    for row in 0..1500 {
+        let time = 0.2 * f64::from(row);
+        let turn: f64 = speed / radius * time;
+        let (north, east) = (radius * turn.sin(), -radius * turn.cos());
+        let course = turn.rem_euclid(std::f64::consts::TAU).to_degrees();
+        let alt = 400.0 + 50.0 * (time / 30.0).min(1.0);
+        writeln!(
+            text,
+            "{time:.1},{:.7},{:.7},{alt:.1},{:.0},{:.0},{course:.1},{:.0}",
+            47.0 + north / 111_195.0,
+            8.0 + east / 111_195.0 / 47.0_f64.to_radians().cos(),
+            10.0 * course,
+            100.0 * speed,
+            100.0 * speed
+        )
+        .expect("a text can be written to");
+    }
+    text
+}
+
+#[test]
+fn a_map_is_printed_saved_edited_and_used_again() {
+    let folder = Folder::new("map");
+    std::fs::write(folder.0.join("a.csv"), circles()).expect("the folder can be written");
+    let shown = folder.run(&["columns", "a.csv"]).unwrap();
+    assert!(shown.contains("course over ground       ddeg"), "{shown}");
+    assert!(shown.contains("question: No unit is stated"), "{shown}");
+    folder
+        .run(&["columns", "a.csv", "--save", "map.json"])
+        .unwrap();
+    let map = std::fs::read_to_string(folder.0.join("map.json")).unwrap();
+    std::fs::write(
+        folder.0.join("map.json"),
+        map.replace("\"ddeg\"", "\"deg\""),
+    )
+    .unwrap();
+    let edited = folder
+        .run(&["columns", "a.csv", "--columns", "map.json"])
+        .unwrap();
+    assert!(edited.contains("course over ground       deg "), "{edited}");
+    let other = folder.run(&["inspect", "a.csv", "--columns", "nowhere.json"]);
+    assert!(other.unwrap_err().contains("nowhere.json"));
+    // What lies beside the table is found without being named.
+    folder
+        .run(&["columns", "a.csv", "--columns", "map.json", "--save"])
+        .unwrap();
+    let beside = folder.run(&["columns", "a.csv"]).unwrap();
+    assert!(beside.contains("course over ground       deg "), "{beside}");
+}
+
+#[test]
+fn a_table_is_replayed_without_a_flight_file() {
+    let folder = Folder::new("replay");
+    std::fs::write(folder.0.join("a.csv"), circles()).expect("the folder can be written");
+    let said = folder.run(&["replay", "a.csv"]).unwrap();
+    assert!(said.contains("without GPS for 60 s"), "{said}");
+    assert!(said.contains("Airspeed and wind"), "{said}");
+    let neither = folder.run(&["replay", "a.csv", "--map", "b.tif"]);
+    assert!(neither.unwrap_err().contains("no pictures"));
+}
