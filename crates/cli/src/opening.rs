@@ -5,9 +5,10 @@ use std::sync::Arc;
 
 use pilotage_core::flight::beside_log::add_pictures;
 use pilotage_core::flight::columns::{ColumnMap, flight_of_tables, guess_tables};
-use pilotage_core::flight::files::FileSet;
+use pilotage_core::flight::files::{FileSet, ZipFiles};
 use pilotage_core::flight::interpret::flight_from_log;
 use pilotage_core::flight::log::{HEAD, Log, read_log, recognise};
+use pilotage_core::flight::mat::{self, MatFiles};
 use pilotage_core::flight::photo::read_photos;
 use pilotage_core::flight::{
     FLIGHT_FILE, Flight, FlightFolder, FolderError, FrameError, FrameSource, read_flight,
@@ -81,6 +82,9 @@ pub fn open(path: &Path, columns: Option<&Path>) -> Result<Opened, Box<dyn std::
         let files: Arc<dyn FileSet> = Arc::new(Directory::open(path)?);
         return open_folder(&files, columns);
     }
+    if let Some(files) = unpacked(path)? {
+        return open_folder(&files, columns);
+    }
     let file = DiskFile::open(path, &path.to_string_lossy());
     let file = file.map_err(|e| format!("{}: {e}", path.display()))?;
     if let Some(log) = read_log(&file)? {
@@ -93,6 +97,25 @@ pub fn open(path: &Path, columns: Option<&Path>) -> Result<Opened, Box<dyn std::
     let (files, names) = tables_at(&[path.to_owned()])?;
     let folder = open_tables(&files, &names, columns)?;
     Ok(folder.map_or(Opened::Nothing, |folder| Opened::Folder(Box::new(folder))))
+}
+
+/// What a zip or a MATLAB file holds, as files; `None` of anything else.
+fn unpacked(path: &Path) -> Result<Option<Arc<dyn FileSet>>, String> {
+    let blame = |e: &dyn std::fmt::Display| format!("{}: {e}", path.display());
+    let is_zip = has_ending(path, &["zip"]);
+    if !is_zip && !has_ending(path, &[mat::ENDING]) {
+        return Ok(None);
+    }
+    let bytes = std::fs::read(path).map_err(|e| blame(&e))?;
+    if is_zip {
+        let files = ZipFiles::open(&bytes).map_err(|e| blame(&e))?;
+        return Ok(Some(Arc::new(files)));
+    }
+    let name = path
+        .file_name()
+        .map_or_else(String::new, |n| n.to_string_lossy().into_owned());
+    let files = MatFiles::open(&name, &bytes).map_err(|e| e.to_string())?;
+    Ok(Some(Arc::new(files)))
 }
 
 fn open_folder(
@@ -113,8 +136,18 @@ fn open_folder(
     if let Some(folder) = open_tables(files, &names, columns)? {
         return Ok(Opened::Folder(Box::new(folder)));
     }
-    let photos = read_photos(files).ok_or(FolderError::NoFlightFile)?;
+    let photos = read_photos(files).ok_or_else(|| nothing(&names))?;
     Ok(Opened::Folder(Box::new(photos)))
+}
+
+/// That nothing among files is a flight, and what to do.
+fn nothing(tables: &[String]) -> String {
+    if tables.is_empty() {
+        return FolderError::NoFlightFile.to_string();
+    }
+    "there is no flight.json among the files, and of their tables no flight can be made as they are guessed; see \
+     `pilotage columns`"
+        .to_owned()
 }
 
 /// The first log among files, by what is in it.
@@ -149,6 +182,10 @@ pub fn tables_at(paths: &[PathBuf]) -> Result<(Arc<dyn FileSet>, Vec<String>), S
         let files = Directory::open(first).map_err(|e| format!("{}: {e}", first.display()))?;
         let names = table_names(&files);
         return Ok((Arc::new(files), names));
+    }
+    if let Some(files) = unpacked(first)? {
+        let names = table_names(files.as_ref());
+        return Ok((files, names));
     }
     let files = Directory::around(first)?;
     if let Some(other) = others.iter().find(|other| other.parent() != first.parent()) {

@@ -20,6 +20,15 @@ pub fn study(flight: &Flight, seconds: f64) -> Outcome {
     for way in ways {
         let settings = ReckonSettings::default();
         let study = study_cuts(&instruments, &way, &plan, &settings, &mut |_| true)?;
+        if study.cuts.is_empty() {
+            let (start, end) = instruments.stretch;
+            return Err(format!(
+                "{}: {:.0} s in the air are too few for GPS outages of {seconds:.0} s; say a shorter --outage",
+                flight.name,
+                end - start
+            )
+            .into());
+        }
         println!(
             "    {:32} {:4} outages, off at the end {:6.1} m median, {:6.1} m in 90 %; the 95 % ellipse holds {:.0} %",
             study.label,

@@ -6,6 +6,7 @@ pub mod expression;
 mod folder;
 pub mod interpret;
 pub mod log;
+pub mod mat;
 pub mod overview;
 pub mod photo;
 pub mod role;

@@ -1,9 +1,10 @@
-//! Files as they were dropped: plain ones and zips, looked through as one set.
+//! Files as they were dropped: plain ones, zips and MATLAB files, looked through as one set.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use pilotage_core::flight::files::{FileSet, ZipFiles};
+use pilotage_core::flight::mat::{self, MatFiles};
 use pilotage_core::imagery::ByteSource;
 
 use super::{FileContent, LentFiles};
@@ -14,22 +15,28 @@ const LARGEST_WHOLE: u64 = 1 << 30;
 /// Files of one drop.
 pub struct FilePool {
     plain: BTreeMap<String, Arc<dyn ByteSource>>,
-    zips: Vec<ZipFiles>,
+    /// What zips and MATLAB files hold.
+    inner: Vec<Box<dyn FileSet>>,
 }
 
 impl FilePool {
-    /// Takes the files; zips are looked into, and one that cannot be read is named.
+    /// Takes the files; zips and MATLAB files are looked into, and one that cannot be read is named.
     pub fn new(files: &[(String, FileContent)], lent: &LentFiles) -> Result<Self, String> {
         let mut pool = Self {
             plain: BTreeMap::new(),
-            zips: Vec::new(),
+            inner: Vec::new(),
         };
         for (path, content) in files {
             let blame = |cause: String| format!("{path}: {cause}");
             let source = content.source(path, lent).map_err(blame)?;
             if has_ending(path, &["zip"]) {
                 let bytes = whole(source.as_ref()).map_err(blame)?;
-                pool.zips.push(ZipFiles::open(&bytes).map_err(blame)?);
+                pool.inner
+                    .push(Box::new(ZipFiles::open(&bytes).map_err(blame)?));
+            } else if has_ending(path, &[mat::ENDING]) {
+                let bytes = whole(source.as_ref()).map_err(blame)?;
+                let tables = MatFiles::open(path, &bytes).map_err(|cause| cause.to_string())?;
+                pool.inner.push(Box::new(tables));
             } else {
                 pool.plain.insert(path.clone(), source);
             }
@@ -69,20 +76,20 @@ pub fn has_ending(name: &str, endings: &[&str]) -> bool {
 
 impl FileSet for FilePool {
     fn names(&self) -> Vec<String> {
-        let zipped = self.zips.iter().flat_map(FileSet::names);
-        self.plain.keys().cloned().chain(zipped).collect()
+        let inner = self.inner.iter().flat_map(|files| files.names());
+        self.plain.keys().cloned().chain(inner).collect()
     }
 
     fn read(&self, name: &str) -> Option<Vec<u8>> {
         if let Some(source) = self.plain.get(name) {
             return whole(source.as_ref()).ok();
         }
-        self.zips.iter().find_map(|zip| zip.read(name))
+        self.inner.iter().find_map(|files| files.read(name))
     }
 
     fn source(&self, name: &str) -> Option<Arc<dyn ByteSource>> {
         let plain = self.plain.get(name).cloned();
-        plain.or_else(|| self.zips.iter().find_map(|zip| zip.source(name)))
+        plain.or_else(|| self.inner.iter().find_map(|files| files.source(name)))
     }
 }
 

@@ -110,6 +110,8 @@ pub(super) fn times(samples: &[Sample], share: f64) -> Vec<TimeGuess> {
         let is_date = unit == super::time::DATE;
         let by_name = match named {
             0.0 if is_date => 0.9,
+            // `GPStime` has no seam before the word.
+            0.0 if ends_in_time(&sample.name) => 0.7,
             // Among columns with names the time has one.
             0.0 if has_names || is_number => return None,
             0.0 => 0.6,
@@ -123,6 +125,12 @@ pub(super) fn times(samples: &[Sample], share: f64) -> Vec<TimeGuess> {
         })
     };
     samples.iter().enumerate().filter_map(candidate).collect()
+}
+
+/// Whether a name ends in the word for times, without a seam before it.
+fn ends_in_time(name: &str) -> bool {
+    let name = name.trim().to_lowercase();
+    name.ends_with("time") || name.ends_with("timestamp")
 }
 
 /// What columns mean of which these are samples, `share` of all rows, what their names say for sure, and which belong

@@ -1,0 +1,151 @@
+//! Elements of a MATLAB file: tag, length, data.
+
+use std::borrow::Cow;
+use std::io::Read;
+
+use flate2::bufread::ZlibDecoder;
+
+/// Bytes of the header before the first element.
+const HEADER: usize = 128;
+/// Most bytes that one compressed element is unpacked to.
+const MOST: u64 = 1 << 30;
+/// Type of a compressed element.
+const COMPRESSED: u32 = 15;
+
+/// An element.
+#[derive(Clone, Debug)]
+pub struct Element<'a> {
+    /// Type of its data.
+    pub kind: u32,
+    /// Its data.
+    pub data: Cow<'a, [u8]>,
+    /// Whether numbers have their largest byte first.
+    pub is_big: bool,
+}
+
+/// A number of two or four bytes.
+fn number(bytes: &[u8], is_big: bool) -> u32 {
+    let one = |value: u32, byte: &u8| value << 8 | u32::from(*byte);
+    if is_big {
+        bytes.iter().fold(0, one)
+    } else {
+        bytes.iter().rev().fold(0, one)
+    }
+}
+
+/// The elements of a file one after the other, those that are compressed unpacked; `None` if it is no such file.
+/// Ends before what is cut off or damaged.
+pub fn elements(bytes: &[u8]) -> Option<Vec<Element<'_>>> {
+    let mark = bytes.get(126..HEADER)?;
+    let is_big = match mark {
+        b"IM" => false,
+        b"MI" => true,
+        _ => return None,
+    };
+    let version = number(bytes.get(124..126)?, is_big);
+    if version >> 8 != 1 {
+        return None;
+    }
+    let unpacked = split(&bytes[HEADER..], is_big)
+        .into_iter()
+        .filter_map(|element| {
+            if element.kind != COMPRESSED {
+                return Some(element);
+            }
+            let mut data = Vec::new();
+            let decoder = ZlibDecoder::new(element.data.as_ref());
+            // What comes before damage is kept.
+            let _ = decoder.take(MOST).read_to_end(&mut data);
+            let inner = split(&data, is_big).into_iter().next()?;
+            Some(Element {
+                kind: inner.kind,
+                data: Cow::Owned(inner.data.into_owned()),
+                is_big,
+            })
+        });
+    Some(unpacked.collect())
+}
+
+/// The elements within others.
+pub fn inside<'a>(element: &'a Element<'_>) -> Vec<Element<'a>> {
+    split(&element.data, element.is_big)
+}
+
+fn split(mut bytes: &[u8], is_big: bool) -> Vec<Element<'_>> {
+    let mut elements = Vec::new();
+    while let Some(tag) = bytes.get(..8) {
+        let first = number(&tag[..4], is_big);
+        // Small elements have type and length in four bytes and up to four bytes of data behind them.
+        let (kind, start, length): (u32, usize, usize) = if first >> 16 == 0 {
+            (first, 8, number(&tag[4..], is_big) as usize)
+        } else {
+            (first & 0xffff, 4, (first >> 16) as usize)
+        };
+        let Some(data) = start
+            .checked_add(length)
+            .and_then(|end| bytes.get(start..end))
+        else {
+            break;
+        };
+        elements.push(Element {
+            kind,
+            data: Cow::Borrowed(data),
+            is_big,
+        });
+        // Data is filled up to eight bytes, but for that which is compressed.
+        let end = if start == 4 {
+            8
+        } else if kind == COMPRESSED {
+            8 + length
+        } else {
+            8 + length.next_multiple_of(8)
+        };
+        bytes = bytes.get(end..).unwrap_or_default();
+    }
+    elements
+}
+
+impl Element<'_> {
+    /// Its numbers, whatever they are stored as; `None` if it holds none.
+    pub fn numbers(&self) -> Option<Vec<f64>> {
+        let size = match self.kind {
+            1 | 2 | 16 => 1,
+            3 | 4 | 17 => 2,
+            5..=7 | 18 => 4,
+            9 | 12 | 13 => 8,
+            _ => return None,
+        };
+        let one = |bytes: &[u8]| {
+            let mut little = [0_u8; 8];
+            for (place, byte) in little.iter_mut().zip(bytes) {
+                *place = *byte;
+            }
+            if self.is_big {
+                little[..size].reverse();
+            }
+            let whole = u64::from_le_bytes(little);
+            match self.kind {
+                1 => f64::from(little[0].cast_signed()),
+                3 => f64::from((whole as u16).cast_signed()),
+                5 => f64::from((whole as u32).cast_signed()),
+                7 => f64::from(f32::from_bits(whole as u32)),
+                9 => f64::from_bits(whole),
+                12 => whole.cast_signed() as f64,
+                _ => whole as f64,
+            }
+        };
+        Some(self.data.chunks_exact(size).map(one).collect())
+    }
+
+    /// Its letters.
+    pub fn text(&self) -> String {
+        match self.kind {
+            4 | 17 => {
+                let letters = self.numbers().unwrap_or_default();
+                let letters: Vec<u16> = letters.into_iter().map(|letter| letter as u16).collect();
+                String::from_utf16_lossy(&letters)
+            }
+            _ => String::from_utf8_lossy(&self.data).into_owned(),
+        }
+    }
+}

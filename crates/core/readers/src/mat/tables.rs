@@ -1,0 +1,192 @@
+//! Tables out of the variables of a MATLAB file.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use super::value::Value;
+
+/// What the variable with the names of a matrix' columns is called, behind the name of the matrix.
+const LABELS: [&str; 6] = [
+    "_label", "_labels", "_names", "_columns", "_header", "_fields",
+];
+/// Rows below which numbers are no table.
+const LEAST: usize = 3;
+
+/// Columns of one length with their names.
+type Columns = Vec<(String, Vec<f64>)>;
+
+/// Tables as text, by the names of files that they stand for: `stem/variable.csv`.
+///
+/// A matrix whose columns another variable names (`GPS` by `GPS_label`, as Mission Planner writes them) is a table, and
+/// so is a structure whose fields are columns. Vectors of one length are a table together, matrices of as many rows
+/// without names join them.
+pub fn of(stem: &str, variables: &[(String, Value)]) -> BTreeMap<String, Vec<u8>> {
+    let mut found: BTreeMap<String, Columns> = BTreeMap::new();
+    let mut loose: Columns = Vec::new();
+    for (name, value) in variables {
+        match value {
+            Value::Numbers { .. } => match labels(name, variables) {
+                Some(labels) => {
+                    let columns = named(value, &labels);
+                    found.entry(name.clone()).or_default().extend(columns);
+                }
+                None => loose.extend(columns(name, value)),
+            },
+            Value::Fields(fields) => {
+                let mut columns = Vec::new();
+                flatten("", fields, &mut columns);
+                by_length(name, columns, &mut found);
+            }
+            _ => {}
+        }
+    }
+    by_length("variables", loose, &mut found);
+    let tables = found.into_iter().filter(|(_, columns)| columns.len() > 1);
+    let file = |(name, columns): (String, Columns)| (format!("{stem}/{name}.csv"), text(&columns));
+    tables.map(file).collect()
+}
+
+/// The names of a matrix' columns that another variable has.
+fn labels(name: &str, variables: &[(String, Value)]) -> Option<Vec<String>> {
+    let is_label = |other: &str| {
+        let ending = other.strip_prefix(name);
+        ending.is_some_and(|ending| LABELS.iter().any(|l| ending.eq_ignore_ascii_case(l)))
+    };
+    let (_, value) = variables.iter().find(|(other, _)| is_label(other))?;
+    let Value::Cells(cells) = value else {
+        return None;
+    };
+    let text = |cell: &Value| match cell {
+        Value::Text(text) => text.trim().to_owned(),
+        _ => String::new(),
+    };
+    Some(cells.iter().map(text).collect())
+}
+
+/// The columns of a matrix by these names; of one that is turned its rows.
+fn named(value: &Value, labels: &[String]) -> Columns {
+    let Value::Numbers {
+        rows,
+        columns,
+        values,
+    } = value
+    else {
+        return Vec::new();
+    };
+    let (rows, columns) = (*rows, *columns);
+    let cut = |index: usize| -> Vec<f64> {
+        if columns == labels.len() {
+            values[index * rows..(index + 1) * rows].to_vec()
+        } else {
+            values.iter().skip(index).step_by(rows).copied().collect()
+        }
+    };
+    if columns != labels.len() && rows != labels.len() {
+        return self::columns("", value);
+    }
+    labels
+        .iter()
+        .enumerate()
+        .map(|(index, label)| (label.clone(), cut(index)))
+        .collect()
+}
+
+/// The columns of numbers: one of a vector, `name_1` and so on of a matrix, the longer side of which are its rows.
+fn columns(name: &str, value: &Value) -> Columns {
+    let Value::Numbers {
+        rows,
+        columns,
+        values,
+    } = value
+    else {
+        return Vec::new();
+    };
+    let (rows, columns) = (*rows, *columns);
+    let (length, count) = (rows.max(columns), rows.min(columns));
+    if length < LEAST || count == 0 || count > 64 {
+        return Vec::new();
+    }
+    let cut = |index: usize| -> Vec<f64> {
+        if rows >= columns {
+            values[index * rows..(index + 1) * rows].to_vec()
+        } else {
+            values.iter().skip(index).step_by(rows).copied().collect()
+        }
+    };
+    let called = |index: usize| {
+        if count == 1 {
+            name.to_owned()
+        } else {
+            format!("{name}_{}", index + 1)
+        }
+    };
+    (0..count)
+        .map(|index| (called(index), cut(index)))
+        .collect()
+}
+
+/// The columns that the fields of a structure are, and those of structures in it.
+fn flatten(prefix: &str, fields: &[(String, Value)], found: &mut Columns) {
+    for (name, value) in fields {
+        let name = if prefix.is_empty() {
+            name.clone()
+        } else {
+            format!("{prefix}.{name}")
+        };
+        match value {
+            Value::Numbers { .. } => match labels(name.as_str(), fields) {
+                Some(labels) => found.extend(named(value, &labels)),
+                None => found.extend(columns(&name, value)),
+            },
+            Value::Fields(inner) => flatten(&name, inner, found),
+            _ => {}
+        }
+    }
+}
+
+/// Puts columns of each length into a table of their own, called `name`, or `name_2` and so on.
+fn by_length(name: &str, columns: Columns, found: &mut BTreeMap<String, Columns>) {
+    let mut lengths: Vec<usize> = Vec::new();
+    for (column, values) in columns {
+        if values.len() < LEAST {
+            continue;
+        }
+        let known = lengths.iter().position(|length| *length == values.len());
+        let number = known.unwrap_or_else(|| {
+            lengths.push(values.len());
+            lengths.len() - 1
+        });
+        let table = match number {
+            0 => name.to_owned(),
+            number => format!("{name}_{}", number + 1),
+        };
+        found.entry(table).or_default().push((column, values));
+    }
+}
+
+/// The columns as a table separated by commas.
+fn text(columns: &Columns) -> Vec<u8> {
+    let mut text = String::new();
+    for (index, (name, _)) in columns.iter().enumerate() {
+        let comma = if index > 0 { "," } else { "" };
+        let _ = write!(text, "{comma}\"{}\"", name.replace('"', "\"\""));
+    }
+    text.push('\n');
+    let rows = columns
+        .iter()
+        .map(|(_, values)| values.len())
+        .max()
+        .unwrap_or(0);
+    for row in 0..rows {
+        for (index, (_, values)) in columns.iter().enumerate() {
+            if index > 0 {
+                text.push(',');
+            }
+            if let Some(value) = values.get(row).filter(|value| value.is_finite()) {
+                let _ = write!(text, "{value}");
+            }
+        }
+        text.push('\n');
+    }
+    text.into_bytes()
+}
