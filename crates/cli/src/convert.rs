@@ -12,7 +12,8 @@ use crate::Outcome;
 /// What to convert into what.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// File with routes or landmarks: .plan, .waypoints, .kml, .kmz, .geojson, .gpx or .csv.
+    /// File with routes or landmarks: .plan, .waypoints, .kml, .kmz, .geojson, .gpx or .csv. Or labels of pictures:
+    /// COCO (.json), Pascal VOC (.xml, a .zip or a folder of them).
     from: PathBuf,
     /// File to write; its extension names the format.
     to: PathBuf,
@@ -27,6 +28,9 @@ pub struct Arguments {
 /// Reads, chooses and writes; what was assumed or left out is told on the error stream.
 pub fn run(arguments: &Arguments) -> Outcome {
     let (from, to) = (&arguments.from, &arguments.to);
+    if let Some((_, labels)) = crate::labels::read(from)? {
+        return crate::labels::convert(labels, to);
+    }
     let name = to.to_string_lossy();
     let format = Format::of_name(&name).ok_or_else(|| {
         let known: Vec<_> = Format::ALL.iter().map(|f| f.extensions()[0]).collect();

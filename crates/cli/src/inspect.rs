@@ -10,24 +10,45 @@ use crate::{Outcome, inspect_log};
 /// What to look at.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// A flight log, a flight folder, tables of a flight, photos, a mission, or a saved run.
+    /// A flight log, a flight folder, tables of a flight, photos, labels of pictures, a mission, or a saved run.
     path: PathBuf,
     /// What the columns of tables mean, as `pilotage columns --save` wrote it.
     #[arg(long, value_name = "MAP")]
     columns: Option<PathBuf>,
+    /// Print the parameters of a log whose names have this in them; all without it.
+    #[arg(long, value_name = "NAME", num_args = 0..=1, default_missing_value = "")]
+    parameters: Option<String>,
+    /// Print how many rows of each kind a log has.
+    #[arg(long)]
+    counts: bool,
 }
 
 /// Says what the path holds.
 pub fn run(arguments: &Arguments) -> Outcome {
     let path = &arguments.path;
+    if !path.is_dir()
+        && let Some((format, found)) = crate::labels::read(path)?
+    {
+        crate::labels::describe(format, found);
+        return Ok(());
+    }
     match open(path, arguments.columns.as_deref())? {
         Opened::Folder(folder) => {
             describe(&folder.flight);
             inspect_log::describe_folder(&folder);
+            if arguments.counts {
+                inspect_log::counts(&folder.log());
+            }
             return Ok(());
         }
         Opened::Log(log, _) => {
             inspect_log::describe(&log);
+            if arguments.counts {
+                inspect_log::counts(&log);
+            }
+            if let Some(part) = &arguments.parameters {
+                inspect_log::parameters(&log, part);
+            }
             return Ok(());
         }
         Opened::Nothing => {}

@@ -1,5 +1,7 @@
 //! What a flight log holds, in words.
 
+use std::collections::BTreeMap;
+
 use pilotage_core::flight::FlightFolder;
 use pilotage_core::flight::interpret::{flight_from_log, log_of_flight};
 use pilotage_core::flight::log::Log;
@@ -38,6 +40,17 @@ fn measured(log: &Log, seen: &Overview) {
         log.report.messages,
         log.vehicle
     );
+    let mut names: Vec<&str> = log.parameters.iter().map(|p| p.name.as_str()).collect();
+    names.sort_unstable();
+    names.dedup();
+    if !names.is_empty() || !log.modes.is_empty() {
+        println!(
+            "    {} parameters, {} changes of mode, {} words of the autopilot",
+            names.len(),
+            log.modes.len(),
+            log.messages.len()
+        );
+    }
     let aloft: f64 = seen.airborne.iter().map(|(a, b)| b - a).sum();
     println!(
         "    in the air {aloft:.0} s, {:.2} km over ground",
@@ -76,4 +89,49 @@ fn judged(seen: &Overview) {
             Some(lacks) => println!("cannot: {}. {lacks}", ability.what),
         }
     }
+}
+
+/// Prints how many rows of each kind there are, and their rate.
+pub fn counts(log: &Log) {
+    for topic in log.topics.iter().filter(|topic| !topic.is_empty()) {
+        let times = &topic.times;
+        let span = times.last().zip(times.first()).map_or(0.0, |(b, a)| b - a);
+        let rate = if span > 0.0 {
+            (times.len() - 1) as f64 / span
+        } else {
+            0.0
+        };
+        println!(
+            "    {:32} {:8} rows {rate:9.2} Hz",
+            topic.name.to_string(),
+            times.len()
+        );
+    }
+}
+
+/// Prints the parameters whose names have `part` in them, in whatever case, as they were last set.
+pub fn parameters(log: &Log, part: &str) {
+    let part = part.to_lowercase();
+    let mut last: BTreeMap<&str, (f64, usize)> = BTreeMap::new();
+    for parameter in &log.parameters {
+        let known = last.entry(&parameter.name).or_insert((parameter.value, 0));
+        if known.0.to_bits() != parameter.value.to_bits() {
+            *known = (parameter.value, known.1 + 1);
+        }
+    }
+    let shown = last
+        .iter()
+        .filter(|(name, _)| name.to_lowercase().contains(&part));
+    for (name, (value, changes)) in shown {
+        let mut defaults = log.defaults.iter().filter(|default| default.name == **name);
+        let default = defaults.next().filter(|default| default.value != *value);
+        let default = default.map_or_else(String::new, |d| format!("  (default {})", d.value));
+        let changes = match changes {
+            0 => String::new(),
+            1 => "  changed once".to_owned(),
+            more => format!("  changed {more} times"),
+        };
+        println!("    {name:24} {value}{default}{changes}");
+    }
+    println!("{} parameters", last.len());
 }

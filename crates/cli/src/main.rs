@@ -13,6 +13,7 @@ mod georef;
 mod inspect;
 mod inspect_log;
 mod inspect_wind;
+mod labels;
 mod map;
 mod mission_file;
 mod opening;
@@ -55,7 +56,7 @@ enum Job {
     Evaluate(Box<evaluate::Arguments>),
     /// Run a cascade over pictures.
     Detect(detect::Arguments),
-    /// Convert routes and landmarks between file formats.
+    /// Convert routes, landmarks and labels between file formats.
     Convert(convert::Arguments),
     /// Show what the columns of tables mean, and save it to be edited.
     Columns(columns::Arguments),

@@ -81,3 +81,32 @@ fn notes_go_to_the_error_stream_and_one_of_several_routes_is_chosen() {
     let output = folder.convert("a.gpx", "points.csv", &["--landmarks"]);
     assert!(words(&output.stdout).contains("0 routes and 1 landmark"));
 }
+
+#[test]
+fn labels_go_from_one_format_into_the_other_and_are_counted() {
+    let folder = Folder::new("labels");
+    let coco = r#"{"images": [{"id": 1, "file_name": "a.jpg", "width": 100, "height": 80}],
+        "annotations": [{"id": 1, "image_id": 1, "category_id": 7, "bbox": [10, 20, 30, 40]}],
+        "categories": [{"id": 7, "name": "barn"}]}"#;
+    std::fs::write(folder.0.join("a.json"), coco).expect("the folder can be written");
+    for pair in [["a.json", "b.zip"], ["b.zip", "c.json"]] {
+        let output = folder.convert(pair[0], pair[1], &[]);
+        assert!(output.status.success(), "{}", words(&output.stderr));
+    }
+    let text = std::fs::read_to_string(folder.0.join("c.json")).expect("it was written");
+    let found: serde_json::Value = serde_json::from_str(&text).expect("it is JSON");
+    assert_eq!(
+        found["annotations"][0]["bbox"],
+        serde_json::json!([10.0, 20.0, 30.0, 40.0])
+    );
+    let inspect = Command::new(env!("CARGO_BIN_EXE_pilotage"))
+        .current_dir(&folder.0)
+        .args(["inspect", "b.zip"])
+        .output()
+        .expect("the program starts");
+    let said = words(&inspect.stdout);
+    assert!(
+        said.contains("1 boxes in 1 pictures") && said.contains("barn"),
+        "{said}"
+    );
+}

@@ -120,6 +120,25 @@ impl FoundLabels {
     }
 }
 
+impl FoundLabels {
+    /// The labels by themselves, where there is no mission: landmarks are numbered in the order of their names, as which
+    /// each name counts once. With what was left out, in sentences.
+    pub fn numbered(mut self) -> (Vec<FrameLabels>, Vec<String>) {
+        let boxes = self.frames.iter().flat_map(|frame| &frame.boxes);
+        let boxes = boxes.map(|label| label.name.trim().to_owned());
+        let named: BTreeSet<String> = boxes.chain(self.names.values().cloned()).collect();
+        let numbers: BTreeMap<String, u32> = named.into_iter().zip(1..).collect();
+        for frame in &mut self.frames {
+            for label in &mut frame.boxes {
+                label.landmark = numbers.get(label.name.trim()).copied().unwrap_or(0);
+            }
+            let number = |id: &u32| numbers.get(self.names.get(id)?).copied();
+            frame.absent = frame.absent.iter().filter_map(number).collect();
+        }
+        (self.frames, self.notes)
+    }
+}
+
 /// Reads a file of labels in either format, told by its content; errors name the file and the place.
 pub fn read_labels(name: &str, bytes: &[u8]) -> Result<FoundLabels, ExchangeError> {
     let wrong = |cause: &str| ExchangeError::File {

@@ -1,0 +1,99 @@
+//! Files of labels, Pascal VOC and COCO: what is in them, and one made of the other.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use pilotage_core::exchange::labels::{FoundLabels, LabelFormat, read_labels, write_labels};
+use pilotage_core::flight::files::{FileSet, ZipFiles};
+
+use crate::Outcome;
+use crate::files::Directory;
+use crate::opening::has_ending;
+
+/// The labels at a path: a file, a zip or a folder of them, with the format of the first. `None` if there are none.
+///
+/// # Errors
+/// A file of labels that cannot be read.
+pub fn read(path: &Path) -> Result<Option<(LabelFormat, FoundLabels)>, Box<dyn std::error::Error>> {
+    let mut files: Vec<(String, Vec<u8>)> = Vec::new();
+    if path.is_dir() || has_ending(path, &["zip"]) {
+        let set: Box<dyn FileSet> = if path.is_dir() {
+            Box::new(Directory::open(path)?)
+        } else {
+            let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
+            Box::new(ZipFiles::open(&bytes).map_err(|e| format!("{}: {e}", path.display()))?)
+        };
+        let mut names = set.names();
+        names.retain(|name| has_ending(Path::new(name), &["xml", "json"]));
+        names.sort();
+        files.extend(
+            names
+                .into_iter()
+                .filter_map(|name| Some((name.clone(), set.read(&name)?))),
+        );
+    } else if has_ending(path, &["xml", "json"]) {
+        let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
+        files.push((path.display().to_string(), bytes));
+    }
+    let mut found: Option<(LabelFormat, FoundLabels)> = None;
+    for (name, bytes) in files {
+        let Some(format) = LabelFormat::of(&bytes) else {
+            continue;
+        };
+        let labels = read_labels(&name, &bytes)?;
+        match &mut found {
+            Some((_, all)) => all.add(labels),
+            None => found = Some((format, labels)),
+        }
+    }
+    Ok(found)
+}
+
+/// Prints what labels there are.
+pub fn describe(format: LabelFormat, labels: FoundLabels) {
+    let (frames, notes) = labels.numbered();
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    for label in frames.iter().flat_map(|frame| &frame.boxes) {
+        *counts.entry(&label.name).or_default() += 1;
+    }
+    println!(
+        "{} labels: {} boxes in {} pictures",
+        format.name(),
+        counts.values().sum::<usize>(),
+        frames.len()
+    );
+    for (name, count) in counts {
+        println!("    {name:32} {count:6} boxes");
+    }
+    for note in notes {
+        println!("note: {note}");
+    }
+}
+
+/// Writes labels to a file: COCO where it ends in .json, Pascal VOC where in .zip.
+pub fn convert(labels: FoundLabels, to: &Path) -> Outcome {
+    let format = if has_ending(to, &["json"]) {
+        LabelFormat::Coco
+    } else if has_ending(to, &["zip"]) {
+        LabelFormat::Voc
+    } else {
+        return Err(format!(
+            "{}: labels are written to .json (COCO) or .zip (Pascal VOC)",
+            to.display()
+        )
+        .into());
+    };
+    let (frames, notes) = labels.numbered();
+    let written = write_labels(format, &frames, &[])?;
+    crate::files::write_whole(to, written.bytes)?;
+    for note in notes {
+        eprintln!("note: {note}");
+    }
+    println!(
+        "{}: {}: {}",
+        to.display(),
+        format.name(),
+        written.notes.join("; ")
+    );
+    Ok(())
+}
