@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use pilotage_core::flight::FlightFolder;
 use pilotage_core::flight::interpret::{flight_from_log, log_of_flight};
 use pilotage_core::flight::log::Log;
-use pilotage_core::flight::overview::{Overview, Severity, overview};
+use pilotage_core::flight::overview::{Overview, Severity, modes, overview};
 
 /// Prints what the log is, what measured, what looks wrong and what can be done with it.
 pub fn describe(log: &Log) {
@@ -51,11 +51,17 @@ fn measured(log: &Log, seen: &Overview) {
             log.messages.len()
         );
     }
-    let aloft: f64 = seen.airborne.iter().map(|(a, b)| b - a).sum();
+    let aloft: f64 = seen.airborne.iter().fold(0.0, |sum, (a, b)| sum + b - a);
     println!(
         "    in the air {aloft:.0} s, {:.2} km over ground",
         1e-3 * seen.distance
     );
+    if !log.modes.is_empty() {
+        for (from, to) in &seen.airborne {
+            let modes = modes(log, *from, *to).join(", ");
+            println!("    flew from {from:.0} to {to:.0} s: {modes}");
+        }
+    }
     for sensor in &seen.sensors {
         println!(
             "    {:22} {:32} {:8} samples {:7.1} Hz",

@@ -120,7 +120,7 @@ fn its_overview_tells_rates_a_gap_and_what_can_be_done() {
     assert!((gap.from - 19.9).abs() < 1e-9 && (gap.to - 26.0).abs() < 1e-9);
     let titles: Vec<&str> = seen.findings.iter().map(|f| f.title.as_str()).collect();
     assert!(
-        titles.contains(&"Heading is missing for 6.1 s"),
+        titles.contains(&"Airspeed and 2 more are missing for 6.1 s"),
         "{titles:?}"
     );
     // What a gimbal holds may rest.

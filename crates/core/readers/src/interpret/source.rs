@@ -36,6 +36,7 @@ const DATAFLASH: &[Source] = &[
     field(Role::HeightAboveGround, "CTUN", "TAlt", 1.0),
     field(Role::BarometricHeight, "BARO", "Alt", 1.0),
     field(Role::BarometricHeight, "CTUN", "BAlt", 1.0),
+    field(Role::BarometricHeight, "CTUN", "BarAlt", 1.0),
     field(Role::BarometricHeight, "NTUN", "Alt", 1.0),
     field(Role::Latitude, "GPS", "Lat", DEGREE),
     field(Role::Longitude, "GPS", "Lng", DEGREE),

@@ -3,9 +3,11 @@
 mod ability;
 mod air_data;
 mod airborne;
+mod causes;
 mod glitch;
 mod reading;
 mod sensor;
+mod states;
 #[cfg(test)]
 mod tests;
 
@@ -16,6 +18,7 @@ pub use air_data::{AirDataFit, fit_air_data};
 pub use airborne::airborne;
 pub use pilotage_flight::{Finding, Severity};
 pub use sensor::{Gap, Sensor};
+pub use states::modes;
 
 use super::interpret::{Measured, Role};
 use super::log::Log;
@@ -58,7 +61,8 @@ pub fn overview(log: &Log, measured: &Measured<'_>) -> Overview {
     let found = measured.found;
     let of = |role| found.iter().find(|s| s.role == role);
     let span = log.span().unwrap_or((0.0, 0.0));
-    let airborne = airborne(found);
+    // What the autopilot says of itself outweighs what speeds and heights look like.
+    let airborne = states::airborne(log).unwrap_or_else(|| airborne(found));
     let sensors: Vec<Sensor> = found.iter().map(Sensor::of).collect();
     let air_data = fit_air_data(found, &airborne);
     let speed = of(Role::GpsVelocityNorth).zip(of(Role::GpsVelocityEast));
@@ -80,9 +84,10 @@ pub fn overview(log: &Log, measured: &Measured<'_>) -> Overview {
     let steps = states.windows(2).filter(|w| is_up(w[1].time));
     let distance = steps
         .map(|w| (w[1].position - w[0].position).xy().norm())
-        .sum();
+        .fold(0.0, |sum, step| sum + step);
     let mut findings = reading::of_reading(log, found);
-    findings.extend(sensors.iter().flat_map(Sensor::findings));
+    findings.extend(states::several(log, &airborne));
+    findings.extend(causes::findings(&sensors, &airborne));
     findings.extend(glitch::findings(found, states));
     findings.extend(air_data.iter().flat_map(AirDataFit::findings));
     findings.sort_by_key(|finding| std::cmp::Reverse(finding.severity));

@@ -35,30 +35,58 @@ pub fn of_reading(log: &Log, found: &[RoleSeries]) -> Vec<Finding> {
         text: remark.clone(),
         span: None,
     }));
-    for series in found {
-        if series.out_of_order > 0 {
-            findings.push(Finding {
-                severity: Severity::Warning,
-                title: format!("Times of {} go back or stand still", series.source),
-                text: format!(
-                    "{} of {} samples were left out for it.",
-                    series.out_of_order,
-                    series.times.len() + series.out_of_order
-                ),
-                span: None,
-            });
-        }
-        if series.implausible > 0 {
-            findings.push(Finding {
-                severity: Severity::Note,
-                title: format!("{} holds values that cannot be", series.source),
-                text: format!(
-                    "{} samples are no number or beyond anything that flies, and were left out.",
-                    series.implausible
-                ),
-                span: None,
-            });
+    findings.extend(
+        together(found, |series| series.out_of_order).map(|(sources, of)| Finding {
+            severity: Severity::Warning,
+            title: format!("Times of {sources} go back or stand still"),
+            text: format!(
+                "{} of {} samples were left out for it.",
+                of.out_of_order,
+                of.times.len() + of.out_of_order
+            ),
+            span: None,
+        }),
+    );
+    findings.extend(
+        together(found, |series| series.implausible).map(|(sources, of)| Finding {
+            severity: Severity::Note,
+            title: format!("{sources} holds values that cannot be"),
+            text: format!(
+                "{} samples are no number or beyond anything that flies, and were left out.",
+                of.implausible
+            ),
+            span: None,
+        }),
+    );
+    findings
+}
+
+/// The series of which some samples were left out, those of one topic with as many together: their sources in words and
+/// the first of them.
+fn together(
+    found: &[RoleSeries],
+    count: fn(&RoleSeries) -> usize,
+) -> impl Iterator<Item = (String, &RoleSeries)> {
+    let mut groups: Vec<Vec<&RoleSeries>> = Vec::new();
+    for series in found.iter().filter(|series| count(series) > 0) {
+        let is_like = |group: &&mut Vec<&RoleSeries>| {
+            topic(group[0]) == topic(series) && count(group[0]) == count(series)
+        };
+        match groups.iter_mut().find(is_like) {
+            Some(group) => group.push(series),
+            None => groups.push(vec![series]),
         }
     }
-    findings
+    groups.into_iter().map(|group| match group.as_slice() {
+        [one] => (one.source.clone(), *one),
+        several => (topic(several[0]).to_owned(), several[0]),
+    })
+}
+
+/// The topic of a series' source.
+fn topic(series: &RoleSeries) -> &str {
+    series
+        .source
+        .rsplit_once('.')
+        .map_or(&series.source, |(topic, _)| topic)
 }

@@ -3,7 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use super::super::interpret::{Role, RoleSeries};
-use super::{Finding, Severity};
 
 /// Times the usual interval from which on a pause is a gap.
 const GAP: f64 = 5.0;
@@ -68,61 +67,10 @@ impl Sensor {
             is_dead: !series.is_held && series.values.iter().all(|v| *v == first),
         }
     }
-
-    /// What looks wrong about it.
-    pub fn findings(&self) -> Vec<Finding> {
-        let mut findings = Vec::new();
-        let name = self.role.label();
-        let counts = matches!(self.role, Role::GpsFix | Role::GpsSatellites);
-        if self.is_dead && !counts && self.samples > 1 {
-            findings.push(Finding {
-                severity: Severity::Warning,
-                title: format!("{name} never moves"),
-                text: format!(
-                    "{} shows one number in all {} samples: the sensor was probably not there.",
-                    self.source, self.samples
-                ),
-                span: None,
-            });
-        } else if let Some((from, to)) = self.stuck {
-            findings.push(Finding {
-                severity: Severity::Warning,
-                title: format!("{name} is stuck for {:.0} s", to - from),
-                text: format!(
-                    "{} shows one number from {from:.1} to {to:.1} s.",
-                    self.source
-                ),
-                span: Some((from, to)),
-            });
-        }
-        let longest = self
-            .gaps
-            .iter()
-            .max_by(|a, b| (a.to - a.from).total_cmp(&(b.to - b.from)));
-        if let Some(gap) = longest {
-            let others = match self.gaps.len() {
-                1 => String::new(),
-                n => format!(" {n} gaps in all."),
-            };
-            findings.push(Finding {
-                severity: Severity::Note,
-                title: format!("{name} is missing for {:.1} s", gap.to - gap.from),
-                text: format!(
-                    "{} has no sample between {:.1} and {:.1} s, though it usually has {}.{others}",
-                    self.source,
-                    gap.from,
-                    gap.to,
-                    often(self.rate)
-                ),
-                span: Some((gap.from, gap.to)),
-            });
-        }
-        findings
-    }
 }
 
 /// So many samples a second in words.
-fn often(rate: f64) -> String {
+pub(super) fn often(rate: f64) -> String {
     if rate >= 0.95 {
         format!("{rate:.0} a second")
     } else {

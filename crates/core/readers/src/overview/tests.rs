@@ -18,6 +18,12 @@ fn series(role: Role, times: Vec<f64>, values: Vec<f64>) -> RoleSeries {
     }
 }
 
+/// What is told of sensors in a flight of an hour.
+fn told(found: &[&RoleSeries]) -> Vec<Finding> {
+    let sensors: Vec<Sensor> = found.iter().map(|series| Sensor::of(series)).collect();
+    causes::findings(&sensors, &[(0.0, 3600.0)])
+}
+
 /// Five rows a second for so many seconds.
 fn times(seconds: usize) -> Vec<f64> {
     (0..5 * seconds).map(|i| 0.2 * i as f64).collect()
@@ -83,9 +89,74 @@ fn photos_taken_well_above_the_ground_were_taken_in_the_air_however_far_apart() 
 #[test]
 fn what_a_gimbal_holds_is_neither_dead_nor_stuck() {
     let mut held = series(Role::Pitch, times(60), vec![0.1; 300]);
-    assert!(!Sensor::of(&held).findings().is_empty());
+    assert!(!told(&[&held]).is_empty());
     held.is_held = true;
-    assert!(Sensor::of(&held).findings().is_empty());
+    assert!(told(&[&held]).is_empty());
+}
+
+#[test]
+fn one_cause_is_one_note_and_on_the_ground_nothing_is_stuck() {
+    let gap = |role| {
+        let kept = times(60).into_iter().filter(|t| !(10.0..14.0).contains(t));
+        let kept: Vec<f64> = kept.collect();
+        let values = kept.iter().map(|t| t.sin()).collect();
+        series(role, kept, values)
+    };
+    let lost = [Role::Latitude, Role::Longitude, Role::GpsHeight].map(gap);
+    let findings = told(&lost.each_ref());
+    assert_eq!(findings.len(), 1, "{findings:?}");
+    assert!(
+        findings[0]
+            .title
+            .starts_with("Latitude and 2 more are missing for 4.")
+    );
+    let dead = [Role::Roll, Role::Pitch].map(|role| series(role, times(20), vec![0.0; 100]));
+    let findings = told(&dead.each_ref());
+    assert_eq!(findings[0].title, "Roll and 1 more never move");
+    assert_eq!(findings.len(), 1);
+    // An estimator of a wind that says nothing is no sensor that is not there.
+    assert!(told(&[&series(Role::WindNorth, times(20), vec![0.0; 100])]).is_empty());
+    let mut values: Vec<f64> = times(60).iter().map(|t| 18.0 + t.sin()).collect();
+    values[100..160].fill(17.0);
+    let stuck = [Sensor::of(&series(Role::Airspeed, times(60), values))];
+    assert_eq!(causes::findings(&stuck, &[(0.0, 60.0)]).len(), 1);
+    assert_eq!(causes::findings(&stuck, &[(40.0, 60.0)]), []);
+}
+
+#[test]
+fn what_the_autopilot_says_of_flying_is_believed_and_two_flights_are_two() {
+    use super::super::log::{Cells, Column, LogFormat, ModeChange};
+    let mut log = Log::new("two", LogFormat::Dataflash);
+    let events = [
+        (1.0, 10.0),
+        (5.0, 28.0),
+        (40.0, 18.0),
+        (60.0, 28.0),
+        (90.0, 18.0),
+        (95.0, 11.0),
+    ];
+    let times = events.map(|(time, _)| Some(time));
+    let ids = Column {
+        name: "Id".to_owned(),
+        unit: String::new(),
+        cells: Cells::Numbers(events.map(|(_, id)| id).to_vec()),
+    };
+    log.add_columns("EV", &times, &[ids]);
+    for (time, mode) in [(0.0, "STABILIZE"), (20.0, "AUTO"), (50.0, "LOITER")] {
+        log.modes.push(ModeChange {
+            time,
+            mode: mode.to_owned(),
+        });
+    }
+    let flights = states::airborne(&log).unwrap();
+    assert_eq!(flights, [(5.0, 40.0), (60.0, 90.0)]);
+    let told = states::several(&log, &flights).unwrap();
+    assert_eq!(told.title, "2 flights in one log");
+    assert_eq!(
+        told.text,
+        "It was in the air from 5 to 40 s (STABILIZE, AUTO), from 60 to 90 s (LOITER)."
+    );
+    assert_eq!(states::several(&log, &flights[..1]), None);
 }
 
 #[test]
@@ -152,7 +223,7 @@ fn a_gap_a_stuck_sensor_and_a_dead_one_are_told_with_their_times() {
     assert!((sensor.rate - 5.0).abs() < 1e-6);
     assert_eq!(sensor.gaps.len(), 1);
     assert!(
-        sensor.findings()[0]
+        told(&[&gap])[0]
             .title
             .starts_with("Heading is missing for 4.")
     );
@@ -166,13 +237,13 @@ fn a_gap_a_stuck_sensor_and_a_dead_one_are_told_with_their_times() {
         }
     };
     stuck.values = stuck.times.iter().map(|t| value(*t)).collect();
-    let finding = &Sensor::of(&stuck).findings()[0];
+    let finding = &told(&[&stuck])[0];
     assert_eq!(finding.title, "Airspeed is stuck for 12 s");
     let (from, to) = finding.span.unwrap();
     assert!((from - 20.0).abs() < 0.3 && (to - 31.8).abs() < 0.3);
 
     let dead = series(Role::Pitch, times(20), vec![0.0; 100]);
-    assert_eq!(Sensor::of(&dead).findings()[0].title, "Pitch never moves");
+    assert_eq!(told(&[&dead])[0].title, "Pitch never moves");
 }
 
 #[test]

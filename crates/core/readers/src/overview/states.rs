@@ -1,0 +1,118 @@
+//! Flying and landed, as the autopilot itself says.
+
+use super::{Finding, Severity};
+use crate::log::{Log, Topic};
+
+/// Shortest stretch that counts, seconds.
+const LEAST: f64 = 3.0;
+/// Pause on the ground from which on two flights are two, seconds.
+const PAUSE: f64 = 5.0;
+
+/// Events of `ArduPilot` that say so, by their numbers: not landed; landed, disarmed.
+const TAKE_OFF: f64 = 28.0;
+const DOWN: [f64; 2] = [18.0, 11.0];
+
+/// Where logs say whether they fly: topic, field, and what a value there says.
+const STATES: [(&str, &str, fn(f64) -> Option<bool>); 4] = [
+    ("EV", "Id", by_event),
+    ("vehicle_land_detected", "landed", |landed| {
+        Some(landed == 0.0)
+    }),
+    // On the ground 1; in the air, taking off, landing 2 to 4; nobody knows 0.
+    ("EXTENDED_SYS_STATE", "landed_state", |state| {
+        (state > 0.0).then_some(state > 1.0)
+    }),
+    ("STAT", "isFlying", |flying| Some(flying != 0.0)),
+];
+
+fn by_event(id: f64) -> Option<bool> {
+    if id == TAKE_OFF {
+        Some(true)
+    } else {
+        DOWN.contains(&id).then_some(false)
+    }
+}
+
+/// Stretches in the air as the autopilot says, seconds in the log's time base; `None` if it does not, or never says that
+/// it flew.
+pub fn airborne(log: &Log) -> Option<Vec<(f64, f64)>> {
+    let (_, end) = log.span()?;
+    STATES.into_iter().find_map(|(topic, field, says)| {
+        let stretches = stretches(log.first(topic)?, field, says, end);
+        (!stretches.is_empty()).then_some(stretches)
+    })
+}
+
+fn stretches(
+    topic: &Topic,
+    field: &str,
+    says: fn(f64) -> Option<bool>,
+    end: f64,
+) -> Vec<(f64, f64)> {
+    let Some(layout) = topic.field(field) else {
+        return Vec::new();
+    };
+    let states = topic.times.iter().enumerate();
+    let states =
+        states.filter_map(|(index, time)| Some((*time, says(topic.value(layout, index)?)?)));
+    let mut found = Vec::new();
+    let mut since = None;
+    for (time, is_flying) in states {
+        match (since, is_flying) {
+            (None, true) => since = Some(time),
+            (Some(from), false) => {
+                found.push((from, time));
+                since = None;
+            }
+            _ => {}
+        }
+    }
+    found.extend(since.map(|from| (from, end)));
+    found.retain(|(from, to)| to - from >= LEAST);
+    found
+}
+
+/// That a log holds several flights, with their times and modes.
+pub fn several(log: &Log, airborne: &[(f64, f64)]) -> Option<Finding> {
+    let mut flights: Vec<(f64, f64)> = Vec::new();
+    for (from, to) in airborne {
+        match flights.last_mut() {
+            Some(last) if from - last.1 < PAUSE => last.1 = *to,
+            _ => flights.push((*from, *to)),
+        }
+    }
+    if flights.len() < 2 {
+        return None;
+    }
+    let each = flights.iter().map(|(from, to)| {
+        let modes = modes(log, *from, *to);
+        let modes = if modes.is_empty() {
+            String::new()
+        } else {
+            format!(" ({})", modes.join(", "))
+        };
+        format!("from {from:.0} to {to:.0} s{modes}")
+    });
+    Some(Finding {
+        severity: Severity::Note,
+        title: format!("{} flights in one log", flights.len()),
+        text: format!("It was in the air {}.", each.collect::<Vec<_>>().join(", ")),
+        span: flights.first().copied(),
+    })
+}
+
+/// The modes that were flown between two times, in their order, each once.
+pub fn modes(log: &Log, from: f64, to: f64) -> Vec<&str> {
+    let mut modes: Vec<&str> = Vec::new();
+    let before = log.modes.iter().rev().find(|change| change.time <= from);
+    let within = log
+        .modes
+        .iter()
+        .filter(|change| change.time > from && change.time <= to);
+    for change in before.into_iter().chain(within) {
+        if !modes.contains(&change.mode.as_str()) {
+            modes.push(&change.mode);
+        }
+    }
+    modes
+}
