@@ -1,5 +1,6 @@
 //! What the columns of a table mean, guessed.
 
+use super::ColumnRole::{Latitude, Longitude};
 use super::groups::{Group, Kind, context, groups, quaternion_roles, telling};
 use super::header::{Parts, parts};
 use super::names::{NameGuess, is_otherwise, meanings};
@@ -189,8 +190,45 @@ fn guess_columns(
             };
         }
     }
+    hemispheres(samples, &mut columns);
     settle(&mut columns);
     (columns, hints, groups)
+}
+
+/// Turns latitudes and longitudes whose hemisphere stands in a column of its own, where that is south or west.
+fn hemispheres(samples: &[Sample], columns: &mut [MappedColumn]) {
+    for (role, letters) in [(Latitude, ["N", "S"]), (Longitude, ["E", "W"])] {
+        let is_of = |sample: &&Sample| {
+            let mut texts = sample.texts.iter();
+            sample.numbers.is_empty()
+                && !sample.texts.is_empty()
+                && texts.all(|text| letters.contains(&text.as_str()))
+        };
+        let Some(sample) = samples.iter().find(is_of) else {
+            continue;
+        };
+        let turned = sample
+            .texts
+            .iter()
+            .filter(|text| **text == letters[1])
+            .count();
+        let is_positive = |at: usize| samples[at].range().is_some_and(|(low, _)| low >= 0.0);
+        let place = columns.iter().position(|column| column.role == role);
+        let Some(place) = place.filter(|place| turned > 0 && is_positive(*place)) else {
+            continue;
+        };
+        let column = &mut columns[place];
+        if turned == sample.texts.len() {
+            column.scale = -1.0;
+            column.reason += &format!("; {} says {}", sample.name, letters[1]);
+        } else {
+            let reason = format!(
+                "{} changes between {} and {}",
+                sample.name, letters[0], letters[1]
+            );
+            give_up(column, reason);
+        }
+    }
 }
 
 /// What the name of a column may mean; that of its file, where it says nothing itself.
@@ -331,7 +369,7 @@ fn column(
 
 /// Leaves each role to the column that most likely is it, and takes away those that are of no use alone.
 fn settle(columns: &mut [MappedColumn]) {
-    use ColumnRole::{Channel, Course, Latitude, Longitude, SpeedOverGround};
+    use ColumnRole::{Channel, Course, SpeedOverGround};
     use pilotage_flight::ChannelName::{GpsEast, GpsNorth};
     for index in 0..columns.len() {
         let (role, confidence) = (columns[index].role, columns[index].confidence);

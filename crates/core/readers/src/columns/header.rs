@@ -304,6 +304,14 @@ impl Parts {
     }
 }
 
+/// Whether a text is a unit of anything, in any spelling.
+pub(super) fn is_unit(text: &str) -> bool {
+    let text = text.trim().to_lowercase();
+    find_in(&SPELLINGS, &text)
+        .or_else(|| find_in(&TIMES, &text))
+        .is_some()
+}
+
 fn find_in(spellings: &[(&'static str, &[&str])], text: &str) -> Option<&'static str> {
     let is_it = |(name, others): &&(&'static str, &[&str])| *name == text || others.contains(&text);
     spellings.iter().find(is_it).map(|(name, _)| *name)

@@ -11,6 +11,8 @@ mod conventions;
 mod groups;
 mod guess;
 mod header;
+#[cfg(test)]
+mod logger_tests;
 mod map;
 mod names;
 mod physics;

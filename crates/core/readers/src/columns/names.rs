@@ -284,7 +284,14 @@ pub(super) fn is_otherwise(words: &[String]) -> bool {
 
 /// Everything that a name of these words may mean, the likeliest first.
 pub(super) fn meanings(words: &[String]) -> Vec<NameGuess> {
-    let doubt = if is_otherwise(words) { 0.3 } else { 1.0 };
+    let is_of_camera = |word: &String| ["gimbal", "camera", "mount"].contains(&word.as_str());
+    let doubt = if is_otherwise(words) {
+        0.3
+    } else if words.iter().any(is_of_camera) {
+        0.75
+    } else {
+        1.0
+    };
     let shares = shares(words);
     let mut found: Vec<NameGuess> = RULES
         .iter()

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
+use super::shape::unit_behind;
 use super::{Sample, TableShape};
 use crate::folder::decoded;
 
@@ -83,7 +84,14 @@ fn samples(head: &str, bytes: &[u8], shape: &TableShape) -> (Vec<Sample>, f64) {
             }
             let sample = &mut samples[index];
             match shape.number(cell) {
-                Some(number) => sample.numbers.push(number),
+                Some(number) => {
+                    if sample.unit.is_empty()
+                        && let Some(unit) = unit_behind(cell)
+                    {
+                        unit.clone_into(&mut sample.unit);
+                    }
+                    sample.numbers.push(number);
+                }
                 None if cell.is_empty() => sample.empty += 1,
                 None => sample.texts.push(cell.clone().into_owned()),
             }

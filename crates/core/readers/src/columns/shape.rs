@@ -141,12 +141,45 @@ impl TableShape {
     }
 }
 
-/// The number in a cell: with a decimal comma where told so, else with a point.
+/// The number in a cell: with a decimal comma where told so, else with a point. A unit may stand behind it, or the letter
+/// of a hemisphere: south and west are negative.
 pub(crate) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
-    if has_decimal_comma && cell.contains(',') {
-        return cell.replacen(',', ".", 1).parse().ok();
+    let plain = |text: &str| -> Option<f64> {
+        if has_decimal_comma && text.contains(',') {
+            return text.replacen(',', ".", 1).parse().ok();
+        }
+        text.parse().ok()
+    };
+    plain(cell).or_else(|| {
+        let (value, behind) = split_unit(cell)?;
+        let value = plain(value)?;
+        match behind {
+            "S" | "W" => Some(-value),
+            "N" | "E" => Some(value),
+            unit => super::header::is_unit(unit).then_some(value),
+        }
+    })
+}
+
+/// A cell that begins with a digit or sign, parted before the letters that it ends in.
+fn split_unit(cell: &str) -> Option<(&str, &str)> {
+    if !cell.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)) {
+        return None;
     }
-    cell.parse().ok()
+    let end = cell.rfind(|c: char| c.is_ascii_digit() || c == '.')? + 1;
+    // Units may end in digits: m/s2.
+    let start = cell[..end]
+        .find(|c: char| c.is_alphabetic() || c == '°')
+        .filter(|start| !cell[*start..].starts_with(['e', 'E']));
+    let (value, unit) = cell.split_at(start.unwrap_or(end));
+    let (value, unit) = (value.trim(), unit.trim());
+    (!unit.is_empty() && unit.len() <= 12).then_some((value, unit))
+}
+
+/// The unit that stands behind the number in a cell.
+pub(super) fn unit_behind(cell: &str) -> Option<&str> {
+    let (_, unit) = split_unit(cell)?;
+    super::header::is_unit(unit).then_some(unit)
 }
 
 fn is_remark(line: &str) -> bool {

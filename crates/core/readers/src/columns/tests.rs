@@ -10,13 +10,13 @@ use pilotage_flight::ChannelName;
 use ColumnRole::{Channel, Course, Latitude, Longitude, Nothing, SpeedOverGround, Time};
 
 /// What a column of a table was guessed to be, and in which unit.
-fn guessed(map: &ColumnMap, column: &str) -> (ColumnRole, String) {
+pub(super) fn guessed(map: &ColumnMap, column: &str) -> (ColumnRole, String) {
     let column = map.columns.iter().find(|c| c.name == column);
     let column = column.unwrap_or_else(|| panic!("no such column in {}", map.file));
     (column.role, column.unit.clone())
 }
 
-fn is(role: ColumnRole, unit: &str) -> (ColumnRole, String) {
+pub(super) fn is(role: ColumnRole, unit: &str) -> (ColumnRole, String) {
     (role, unit.to_owned())
 }
 
@@ -33,7 +33,7 @@ fn eastward() -> String {
     table
 }
 
-fn files(tables: &[(&str, &str)]) -> Arc<dyn FileSet> {
+pub(super) fn files(tables: &[(&str, &str)]) -> Arc<dyn FileSet> {
     let entry = |(name, text): &(&str, &str)| ((*name).to_owned(), text.as_bytes().to_vec());
     Arc::new(MemoryFiles(tables.iter().map(entry).collect()))
 }

@@ -4,6 +4,7 @@
 
 mod channels;
 mod clock;
+mod date;
 mod error;
 mod guess;
 mod layout;
@@ -18,7 +19,8 @@ mod time_unit;
 mod units;
 mod write;
 
-pub(super) use clock::{Moment, TimeFormat, date_and_time};
+pub(super) use clock::{Moment, TimeFormat};
+pub(super) use date::date_and_time;
 pub use error::FolderError;
 pub(super) use layout::{ChannelFile, FlightFile, StartFile, TimeColumn, VERSION, ValueColumn};
 pub(super) use log::of_samples;

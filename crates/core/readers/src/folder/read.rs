@@ -6,7 +6,8 @@ use std::sync::Arc;
 use nalgebra::{Point3, Vector2};
 
 use super::channels::read_channel;
-use super::clock::{Moment, date_and_time};
+use super::clock::Moment;
+use super::date::date_and_time;
 use super::error::FolderError;
 use super::guess::guess;
 use super::layout::{

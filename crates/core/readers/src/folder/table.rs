@@ -124,30 +124,27 @@ impl Table {
         }
     }
 
-    /// Leaves out the rows whose time is missing or before that of a row before them; returns how many.
+    /// Leaves out the rows whose time is missing, and as few as can be so that times never go back: of a time that
+    /// leaps ahead it is that row, not all behind it. Returns how many.
     pub(crate) fn keep_rows_in_time(&mut self, map: &TimeColumn) -> usize {
         let Ok(index) = self.index(&map.column) else {
             return 0;
         };
-        let total = self.rows.len();
         let has_comma = self.has_decimal_comma;
-        let mut last: Option<Moment> = None;
-        self.rows.retain(|(_, row)| {
+        let mut origin = None;
+        let mut second = |row: &csv::StringRecord| {
             let cell = point(row.get(index).unwrap_or(""), has_comma);
-            let Ok(moment) = map.format.parse(&cell) else {
-                return false;
-            };
-            let origin = match last {
-                Some(Moment::Absolute(whole, fraction)) => Some((whole, fraction)),
-                _ => None,
-            };
-            let before = last.map_or(f64::NEG_INFINITY, |last| last.since(origin));
-            let is_later = moment.since(origin) >= before;
-            if is_later {
-                last = Some(moment);
+            let moment = map.format.parse(&cell).ok()?;
+            if let (None, Moment::Absolute(whole, fraction)) = (origin, moment) {
+                origin = Some((whole, fraction));
             }
-            is_later
-        });
+            Some(moment.since(origin))
+        };
+        let times: Vec<Option<f64>> = self.rows.iter().map(|(_, row)| second(row)).collect();
+        let is_kept = longest_growing(&times);
+        let total = self.rows.len();
+        let mut kept = is_kept.iter();
+        self.rows.retain(|_| kept.next().copied().unwrap_or(false));
         total - self.rows.len()
     }
 
@@ -292,6 +289,31 @@ impl Table {
             })
             .collect()
     }
+}
+
+/// Which numbers belong to the longest part of them that never goes down.
+fn longest_growing(numbers: &[Option<f64>]) -> Vec<bool> {
+    // The last of the best part of each length, and what stands before each number in its part.
+    let mut last_of: Vec<usize> = Vec::new();
+    let mut before: Vec<Option<usize>> = vec![None; numbers.len()];
+    for (index, number) in numbers.iter().enumerate() {
+        let Some(number) = number else { continue };
+        let is_before = |other: &usize| numbers[*other].is_some_and(|other| other <= *number);
+        let length = last_of.partition_point(is_before);
+        before[index] = length.checked_sub(1).map(|length| last_of[length]);
+        if length == last_of.len() {
+            last_of.push(index);
+        } else {
+            last_of[length] = index;
+        }
+    }
+    let mut kept = vec![false; numbers.len()];
+    let mut next = last_of.last().copied();
+    while let Some(index) = next {
+        kept[index] = true;
+        next = before[index];
+    }
+    kept
 }
 
 /// Line in the file and cells of each row, `before` lines of which were taken already.

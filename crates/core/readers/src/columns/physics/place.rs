@@ -198,7 +198,12 @@ fn reading(board: &Board, grid: &Grid, pair: (Id, Id), unit: &str) -> Option<([V
 
 /// North and east of the first place, metres, where places change; `None` if they are none.
 fn track(board: &Board, (latitude, longitude): (Id, Id), factor: f64) -> Option<[Series; 2]> {
-    let (latitude, longitude) = (board.raw(latitude), board.raw(longitude));
+    // A hemisphere in a column of its own turns the sign.
+    let read = |id: Id| {
+        let scale = board.column(id).scale;
+        board.raw(id).map(|value| value * scale)
+    };
+    let (latitude, longitude) = (read(latitude), read(longitude));
     let mut places: Vec<(f64, f64, f64)> = Vec::new();
     for (time, raw) in latitude.times.iter().zip(&latitude.values) {
         let (a, b) = (raw * factor, longitude.at(*time) * factor);

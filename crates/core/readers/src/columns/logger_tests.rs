@@ -1,0 +1,97 @@
+//! Tables as loggers and radios write them: dates, hemispheres, units in cells, times that leap.
+
+use pilotage_flight::ChannelName;
+
+use super::ColumnRole::Channel;
+use super::tests::{files, guessed, is};
+use super::{flight_of_tables, guess_table};
+
+#[test]
+fn tables_of_loggers_are_read_as_they_are() {
+    let place = |i: u32| (47.0 + 8e-6 * f64::from(i), 8.0 + 3e-6 * f64::from(i));
+    let rows = |head: &str, row: &dyn Fn(u32) -> String| {
+        head.to_owned() + "\n" + &(0..60).map(|i| row(i) + "\n").collect::<String>()
+    };
+    let time = |i: u32| format!("{:06.3}", 0.1 * f64::from(i));
+    let times: [(&str, &dyn Fn(u32) -> String); 5] = [
+        ("slashes", &|i| format!("2024/05/01 10:00:{}", time(i))),
+        ("day first", &|i| format!("01.05.2024 10:00:{}", time(i))),
+        ("month first", &|i| format!("5/1/2024 10:00:{} AM", time(i))),
+        ("time of day", &|i| format!("10:00:{}", time(i))),
+        ("date beside", &|i| format!("10:00:{}", time(i))),
+    ];
+    for (what, of) in times {
+        let table = rows("time,latitude,longitude", &|i| {
+            let (lat, lon) = place(i);
+            format!("{},{lat:.6},{lon:.6}", of(i))
+        });
+        let files = files(&[("a.csv", &table)]);
+        let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+        let flight = flight_of_tables(&files, &maps).unwrap().flight;
+        let (first, last) = flight.span();
+        assert!(
+            (last - first - 5.9).abs() < 1e-6,
+            "{what}: {first} to {last}"
+        );
+    }
+    let hemispheres = rows("time,latitude,N/S,longitude,E/W", &|i| {
+        let (lat, lon) = place(i);
+        format!("{},{lat:.6},S,{lon:.6},W", 0.1 * f64::from(i))
+    });
+    let letters = rows("time,latitude,longitude", &|i| {
+        let (lat, lon) = place(i);
+        format!("{},{lat:.6}S,{lon:.6}W", 0.1 * f64::from(i))
+    });
+    for table in [hemispheres, letters] {
+        let files = files(&[("a.csv", &table)]);
+        let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+        let flight = flight_of_tables(&files, &maps).unwrap().flight;
+        let origin = flight.frame_on_globe.unwrap().origin;
+        assert!(
+            (origin.latitude.to_degrees() + 47.0).abs() < 1e-6,
+            "{table}"
+        );
+        assert!(
+            (origin.longitude.to_degrees() + 8.0).abs() < 1e-6,
+            "{table}"
+        );
+        assert!(flight.value(ChannelName::GpsNorth, 5.9).unwrap() < -50.0);
+    }
+    let units = rows("time,height,airspeed", &|i| {
+        format!("{},{} ft,18.0 km/h", 0.1 * f64::from(i), 100 + i % 7)
+    });
+    let map = guess_table("a.csv", units.as_bytes()).unwrap();
+    let height = Channel(ChannelName::HeightAboveGround);
+    assert_eq!(guessed(&map, "height"), is(height, "ft"));
+    assert_eq!(
+        guessed(&map, "airspeed"),
+        is(Channel(ChannelName::Airspeed), "km/h")
+    );
+}
+
+#[test]
+fn a_time_that_leaps_ahead_takes_only_its_own_row() {
+    let row = |i: u32| {
+        let time = if i == 50 { 1e9 } else { 0.1 * f64::from(i) };
+        format!("{time:.1},{}\n", i % 9)
+    };
+    let table = "time,roll_deg\n".to_owned() + &(0..100).map(row).collect::<String>();
+    let files = files(&[("a.csv", &table)]);
+    let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+    let folder = flight_of_tables(&files, &maps).unwrap();
+    assert_eq!(
+        folder
+            .flight
+            .channel(ChannelName::Roll)
+            .unwrap()
+            .values
+            .len(),
+        99
+    );
+    assert!(
+        folder
+            .notes
+            .iter()
+            .any(|note| note.contains("1 rows were left out"))
+    );
+}

@@ -1,0 +1,183 @@
+//! Dates and times as programs, cameras and loggers write them.
+
+use super::clock::Moment;
+
+/// Reads a date and time, or a time of day alone (of 1970-01-01): `2016-06-23T16:31:59.5+02:00`, `2016:06:23 16:31:59`,
+/// `2024/05/01 10:00:00`, `01.05.2024 10:00:00`, `5/1/2024 10:00:00 AM`, `10:00:00.250`. Times without a zone are taken
+/// as they are.
+///
+/// Of days and months that stand before the year and could be either, the first is the month where a slash stands between
+/// them or a half of the day is told, else the day. Nothing but the date rests on it.
+pub(crate) fn date_and_time(text: &str) -> Option<Moment> {
+    let text = text.trim();
+    if !text.is_ascii() || text.len() < 7 {
+        return None;
+    }
+    let (date, time) = match text.split_once(['T', 't', ' ']) {
+        Some((date, time)) if !is_half(time.trim()) => (Some(date), time.trim()),
+        _ => (None, text),
+    };
+    let (seconds, has_half) = time_of_day(time)?;
+    let day = match date {
+        Some(date) => day(date, has_half)?,
+        None => 0,
+    };
+    let (whole, fraction) = seconds;
+    Some(Moment::Absolute(day * 86_400 + whole, fraction))
+}
+
+fn is_half(text: &str) -> bool {
+    text.eq_ignore_ascii_case("am") || text.eq_ignore_ascii_case("pm")
+}
+
+/// So many digits as a number.
+fn digits(text: &str, least: usize, most: usize) -> Option<i64> {
+    let is_number =
+        (least..=most).contains(&text.len()) && text.bytes().all(|b| b.is_ascii_digit());
+    is_number.then(|| text.parse().ok())?
+}
+
+/// Seconds since midnight in Greenwich and their fraction, and whether a half of the day is told.
+fn time_of_day(text: &str) -> Option<((i64, f64), bool)> {
+    let (hour, rest) = text.split_once(':')?;
+    let (minute, rest) = rest.split_once(':')?;
+    let end = rest
+        .bytes()
+        .take_while(|b| b.is_ascii_digit() || *b == b'.')
+        .count();
+    let (second, zone) = rest.split_at(end);
+    let (second, fraction) = match second.split_once('.') {
+        Some((second, fraction)) => (second, format!("0.{fraction}").parse::<f64>().ok()?),
+        None => (second, 0.0),
+    };
+    let (mut hour, minute, second) = (
+        digits(hour, 1, 2)?,
+        digits(minute, 2, 2)?,
+        digits(second, 2, 2)?,
+    );
+    let zone = zone.trim();
+    let has_half = is_half(zone);
+    if has_half {
+        if !(1..=12).contains(&hour) {
+            return None;
+        }
+        hour = hour % 12
+            + if zone.eq_ignore_ascii_case("pm") {
+                12
+            } else {
+                0
+            };
+    }
+    if hour > 24 || minute > 59 || second > 60 {
+        return None;
+    }
+    let offset = match zone {
+        "" | "Z" | "z" => 0,
+        _ if has_half => 0,
+        zone => zone_offset(zone)?,
+    };
+    Some((
+        (hour * 3600 + minute * 60 + second - offset, fraction),
+        has_half,
+    ))
+}
+
+/// Days from 1970-01-01 to a date of three numbers.
+fn day(text: &str, has_half: bool) -> Option<i64> {
+    let separator = text.chars().find(|letter| "-/.:".contains(*letter))?;
+    let parts: Vec<&str> = text.split(separator).collect();
+    let [first, second, third] = parts.as_slice() else {
+        return None;
+    };
+    let (year, month, day) = if first.len() == 4 {
+        (
+            digits(first, 4, 4)?,
+            digits(second, 1, 2)?,
+            digits(third, 1, 2)?,
+        )
+    } else {
+        let (a, b) = (digits(first, 1, 2)?, digits(second, 1, 2)?);
+        let is_month_first = b > 12 || a <= 12 && (separator == '/' || has_half);
+        let (month, day) = if is_month_first { (a, b) } else { (b, a) };
+        (digits(third, 4, 4)?, month, day)
+    };
+    let is_day = (1..=12).contains(&month) && (1..=31).contains(&day);
+    is_day.then(|| days_since_1970(year, month, day))
+}
+
+/// Seconds east of Greenwich from `+hh:mm`, `-hhmm` or `+hh`.
+fn zone_offset(zone: &str) -> Option<i64> {
+    let sign = match zone.as_bytes().first()? {
+        b'+' => 1,
+        b'-' => -1,
+        _ => return None,
+    };
+    let digits: String = zone[1..].chars().filter(|c| *c != ':').collect();
+    if !digits.bytes().all(|b| b.is_ascii_digit()) || !matches!(digits.len(), 2 | 4) {
+        return None;
+    }
+    let hours: i64 = digits[..2].parse().ok()?;
+    let minutes: i64 = digits.get(2..4).map_or(Some(0), |m| m.parse().ok())?;
+    Some(sign * (hours * 3600 + minutes * 60))
+}
+
+/// Days since 1970-01-01 in the Gregorian calendar (years that begin in March make leap days last).
+fn days_since_1970(year: i64, month: i64, day: i64) -> i64 {
+    let year = if month <= 2 { year - 1 } else { year };
+    let era = year.div_euclid(400);
+    let year_of_era = year.rem_euclid(400);
+    let month_from_march = (month + 9) % 12;
+    let day_of_year = (153 * month_from_march + 2) / 5 + day - 1;
+    let day_of_era = year_of_era * 365 + year_of_era / 4 - year_of_era / 100 + day_of_year;
+    era * 146_097 + day_of_era - 719_468
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_camera_time_and_an_iso_time_mean_the_same_moment() {
+        // date -u -d '2016-06-23 16:31:59' +%s
+        let expected = Some(Moment::Absolute(1_466_699_519, 0.0));
+        for text in [
+            "2016:06:23 16:31:59",
+            "2016-06-23T16:31:59Z",
+            "2016-06-23T18:31:59+02:00",
+            "2016/06/23 16:31:59",
+            "2016/6/23 16:31:59",
+            "23.06.2016 16:31:59",
+            "6/23/2016 4:31:59 PM",
+            "23/06/2016 16:31:59",
+        ] {
+            assert_eq!(date_and_time(text), expected, "{text}");
+        }
+        assert_eq!(
+            date_and_time("2016-02-29 00:00:00.25"),
+            Some(Moment::Absolute(1_456_704_000, 0.25))
+        );
+        assert_eq!(
+            date_and_time("10:00:00.5"),
+            Some(Moment::Absolute(36_000, 0.5))
+        );
+        assert_eq!(date_and_time("12:00:01 AM"), Some(Moment::Absolute(1, 0.0)));
+    }
+
+    #[test]
+    fn what_is_no_date_is_refused() {
+        for text in [
+            "",
+            "2016:06:23",
+            "2016:13:23 16:31:59",
+            "2016:06:23 16:31:5x",
+            "2016-06-23T16:31:59 Paris",
+            "2016:06:23 16:31:59é",
+            "2016-06-23T16:31:59+2",
+            "13:00:00 PM",
+            "47.5 8.25",
+            "a:bb:cc d",
+        ] {
+            assert_eq!(date_and_time(text), None, "{text}");
+        }
+    }
+}
