@@ -220,7 +220,7 @@ fn hemispheres(samples: &[Sample], columns: &mut [MappedColumn]) {
         let column = &mut columns[place];
         if turned == sample.texts.len() {
             column.scale = -1.0;
-            column.reason += &format!("; {} says {}", sample.name, letters[1]);
+            column.reason = format!("{}; {} says {}", column.reason, sample.name, letters[1]);
         } else {
             let reason = format!(
                 "{} changes between {} and {}",

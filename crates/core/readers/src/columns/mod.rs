@@ -8,6 +8,7 @@ mod attitude;
 mod build;
 #[cfg(test)]
 mod conventions;
+mod flights;
 mod groups;
 mod guess;
 mod header;

@@ -204,7 +204,7 @@ const RULES: &[Rule] = &[
 ];
 
 /// Words with which a column is about something else than what was measured.
-const OTHERWISE: [&str; 37] = [
+const OTHERWISE: [&str; 40] = [
     "desired",
     "des",
     "target",
@@ -242,6 +242,9 @@ const OTHERWISE: [&str; 37] = [
     "innovation",
     "residual",
     "goal",
+    "estimator",
+    "limits",
+    "delta",
 ];
 
 /// What a name may mean.

@@ -30,6 +30,30 @@ impl Sample {
         })
     }
 
+    /// Smallest and largest number, without the hundredth at either end where that lies far off.
+    pub fn inner_range(&self) -> Option<(f64, f64)> {
+        let mut sorted: Vec<f64> = self
+            .numbers
+            .iter()
+            .copied()
+            .filter(|v| v.is_finite())
+            .collect();
+        sorted.sort_by(f64::total_cmp);
+        let skipped = sorted.len() / 100 + usize::from(sorted.len() > 20);
+        let inner = sorted.get(skipped..sorted.len().checked_sub(skipped)?)?;
+        let (low, high) = (*inner.first()?, *inner.last()?);
+        let far = high - low;
+        let (first, last) = (*sorted.first()?, *sorted.last()?);
+        let near = |end: f64, inner: f64| {
+            if (end - inner).abs() > far {
+                inner
+            } else {
+                end
+            }
+        };
+        Some((near(first, low), near(last, high)))
+    }
+
     /// Largest amount of a number.
     pub fn reach(&self) -> f64 {
         self.range()

@@ -13,6 +13,9 @@ pub(super) const DATE: &str = "date and time";
 const SPAN: (f64, f64) = (2.0, 50_000.0);
 const STEP: (f64, f64) = (2e-4, 30.0);
 
+/// Seconds since 1970 of flights: from 1990 to 2040.
+const EPOCH: std::ops::Range<f64> = 6.3e8..2.3e9;
+
 /// Time between rows of a usual log, seconds.
 const USUAL_STEP: f64 = 0.05;
 
@@ -46,14 +49,14 @@ pub(crate) fn unit_of_time(
     if let Some(unit) = stated {
         return Some((unit, 1.0, format!("its name says {unit}, and values grow")));
     }
-    let (first, last) = sample.range()?;
+    let (first, last) = sample.inner_range()?;
     let rows = sample.numbers.len() as f64 / share;
     let step = (last - first) / rows.max(2.0);
-    // Seconds since 1970 have ten digits today.
-    let epoch = SECONDS
-        .iter()
-        .find(|(_, seconds)| (1e8..1e10).contains(&(first * seconds)));
-    if let Some((unit, _)) = epoch.filter(|_| first > 1e8) {
+    // Seconds since 1970 have ten digits today; rows of a flight are as far apart as in any other count.
+    let epoch = SECONDS.iter().find(|(_, seconds)| {
+        EPOCH.contains(&(first * seconds)) && (1e-6..STEP.1).contains(&(step * seconds))
+    });
+    if let Some((unit, _)) = epoch {
         return Some((
             unit,
             0.9,

@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::flights::beginnings_of_flights;
+use super::groups::context;
 use super::guess::{Guess, TimeGuess, give_up, guess_with_samples, time_column, times};
 use super::physics::{self, Evidence};
 use super::rows::Rows;
@@ -102,14 +104,13 @@ pub fn guess_tables(files: &dyn FileSet, names: &[String]) -> Vec<GuessedTable> 
     };
     let found: Vec<_> = names.iter().filter_map(read).collect();
     let mut flights: BTreeMap<String, Vec<(GuessedTable, _)>> = BTreeMap::new();
-    let is_several = are_of_several_flights(found.iter().map(|(table, _)| table));
+    let sure = found.iter().filter(|(table, _)| table.is_of_a_flight());
+    let sure: Vec<&str> = sure.map(|(table, _)| table.map.file.as_str()).collect();
+    let beginnings = beginnings_of_flights(&sure);
     for (table, clocks) in found {
-        let flight = if is_several {
-            beginning(&table.map.file)
-        } else {
-            ""
-        };
-        let of_flight = flights.entry(flight.to_owned()).or_default();
+        let begins = |start: &&String| table.map.file.starts_with(start.as_str());
+        let flight = beginnings.iter().find(begins).cloned().unwrap_or_default();
+        let of_flight = flights.entry(flight).or_default();
         of_flight.push((table, clocks));
     }
     let together = |of_flight: Vec<(GuessedTable, (Vec<Clock>, Evidence))>| {
@@ -136,22 +137,6 @@ pub fn guess_tables(files: &dyn FileSet, names: &[String]) -> Vec<GuessedTable> 
         }
     }
     flights.into_iter().flatten().collect()
-}
-
-/// Whether at least two flights have two tables each.
-fn are_of_several_flights<'a>(tables: impl Iterator<Item = &'a GuessedTable>) -> bool {
-    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
-    for table in tables.filter(|table| table.is_of_a_flight()) {
-        *counts.entry(beginning(&table.map.file)).or_default() += 1;
-    }
-    counts.values().filter(|count| **count > 1).count() > 1
-}
-
-/// What the names of tables of one flight have in common: the folder, and what stands before the last `_` or `-`.
-fn beginning(file: &str) -> &str {
-    let name = file.rfind('/').map_or(0, |at| at + 1);
-    let end = file[name..].rfind(['_', '-']).map_or(name, |at| name + at);
-    &file[..end]
 }
 
 /// A column of times that are counted: when it begins and ends, seconds.
@@ -269,6 +254,10 @@ fn channels(map: &ColumnMap) -> Vec<(ChannelName, Vec<usize>)> {
 fn preference(table: &GuessedTable, name: ChannelName, columns: &[usize]) -> f64 {
     let columns = columns.iter().map(|index| &table.map.columns[*index]);
     let confidence = columns.map(|column| column.confidence).fold(1.0, f64::min);
+    let words = context(&table.map.file);
+    let is_called = words
+        .iter()
+        .any(|word| ["gps", "gnss", "fix"].contains(&word.as_str()));
     let is_receiver = table.map.column(ColumnRole::Latitude).is_some();
     let of_satellites = matches!(
         name,
@@ -276,8 +265,25 @@ fn preference(table: &GuessedTable, name: ChannelName, columns: &[usize]) -> f64
             | ChannelName::GpsVelocityNorth
             | ChannelName::GpsVelocityEast
             | ChannelName::GpsVelocityDown
+            | ChannelName::GpsNorth
+            | ChannelName::GpsEast
     );
+    // Roll, pitch and heading of one table belong together.
+    let angles = [ChannelName::Roll, ChannelName::Pitch, ChannelName::Heading];
+    let given: Vec<ChannelName> = channels(&table.map)
+        .into_iter()
+        .map(|(name, _)| name)
+        .collect();
+    let is_whole = angles.contains(&name) && angles.iter().all(|angle| given.contains(angle));
+    let by_group = if is_whole { 2.0 * EQUAL } else { 0.0 };
+    let by_name = if is_called && of_satellites {
+        EQUAL
+    } else {
+        0.0
+    };
     confidence
+        + by_name
+        + by_group
         + if is_receiver && of_satellites {
             RECEIVER
         } else {

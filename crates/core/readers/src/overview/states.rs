@@ -12,8 +12,11 @@ const PAUSE: f64 = 5.0;
 const TAKE_OFF: f64 = 28.0;
 const DOWN: [f64; 2] = [18.0, 11.0];
 
+/// What a value says of flying, if anything.
+type Says = fn(f64) -> Option<bool>;
+
 /// Where logs say whether they fly: topic, field, and what a value there says.
-const STATES: [(&str, &str, fn(f64) -> Option<bool>); 4] = [
+const STATES: [(&str, &str, Says); 4] = [
     ("EV", "Id", by_event),
     ("vehicle_land_detected", "landed", |landed| {
         Some(landed == 0.0)
@@ -43,12 +46,7 @@ pub fn airborne(log: &Log) -> Option<Vec<(f64, f64)>> {
     })
 }
 
-fn stretches(
-    topic: &Topic,
-    field: &str,
-    says: fn(f64) -> Option<bool>,
-    end: f64,
-) -> Vec<(f64, f64)> {
+fn stretches(topic: &Topic, field: &str, says: Says, end: f64) -> Vec<(f64, f64)> {
     let Some(layout) = topic.field(field) else {
         return Vec::new();
     };

@@ -142,21 +142,7 @@ fn airspeed(board: &mut Board, known: &Known, id: Id) -> Option<Vector2<f64>> {
             board.confirm(id);
         }
     } else if nearest(Dimension::Speed, fit.factor).is_some_and(|(_, off)| off.abs() < 0.3) {
-        // Airspeed in a unit of its own: that of the ground speed, if this is as near.
-        let beside = board
-            .find(ColumnRole::SpeedOverGround)
-            .map(|other| board.column(other).unit.clone());
-        let beside = beside.filter(|unit| {
-            let factor = Dimension::Speed.factor(Some(unit)).unwrap_or(1.0);
-            (fit.factor / factor).ln().abs() < tolerance
-        });
-        let factor = beside.and_then(|unit| Dimension::Speed.factor(Some(&unit)).ok());
-        board.settle_unit(
-            &[id],
-            factor.unwrap_or(fit.factor),
-            0.3,
-            "the velocity over ground",
-        );
+        unit_of_airspeed(board, id, fit.factor, tolerance);
     } else {
         let name = board.name(id);
         let times = (fit.factor / present).max(present / fit.factor);
@@ -189,6 +175,42 @@ fn ask(board: &mut Board, ids: &[Id], is_from: bool) {
         ids[0].0,
         format!("Does {names} say where the wind comes from or where it blows to? Taken: {taken}"),
     );
+}
+
+/// Settles the unit of an airspeed that is this factor of SI: airspeeds are off by more than some units differ.
+fn unit_of_airspeed(board: &mut Board, id: Id, factor: f64, tolerance: f64) {
+    let off = |unit: &str| {
+        let known = Dimension::Speed.factor(Some(unit)).unwrap_or(1.0);
+        (factor / known).ln().abs()
+    };
+    let what = "the velocity over ground";
+    let beside = board.find(ColumnRole::SpeedOverGround);
+    let beside = beside.filter(|other| board.basis(*other) == Basis::Found);
+    let beside = beside.map(|other| board.column(other).unit.clone());
+    if let Some(unit) = beside.filter(|unit| off(unit) < tolerance) {
+        let known = Dimension::Speed.factor(Some(&unit)).unwrap_or(1.0);
+        board.settle_unit(&[id], known, 0.1, what);
+        return;
+    }
+    let usual = ["m/s", "kt", "km/h", "cm/s", "mm/s"].into_iter();
+    let nearest = usual.min_by(|a, b| off(a).total_cmp(&off(b)));
+    let Some(unit) = nearest.filter(|unit| off(unit) < 0.3) else {
+        board.settle_unit(&[id], factor, 0.3, what);
+        return;
+    };
+    let rival = ["mph", "ft/s"].into_iter().find(|other| off(other) < 0.2);
+    let known = Dimension::Speed.factor(Some(unit)).unwrap_or(1.0);
+    board.settle_unit(&[id], known, 0.1, what);
+    if let Some(rival) = rival {
+        let name = board.name(id);
+        super::questions::add(
+            board,
+            id.0,
+            format!(
+                "Is {name} in {unit} or in {rival}? An airspeed may be off by more than these differ; taken: {unit}"
+            ),
+        );
+    }
 }
 
 /// Strength and direction: from where, or where to.

@@ -58,9 +58,12 @@ impl<'a, 'b> Board<'a, 'b> {
             with_times(times) && self.maps[*index].columns.iter().any(is_used)
         });
         let spans = used.map(|(_, times)| {
+            // A time that leaps is none.
+            let inner = (quantile(times, 0.01), quantile(times, 0.99));
+            let margin = 0.02 * (inner.1 - inner.0);
             (
-                quantile(times, 0.0),
-                quantile(times, 1.0),
+                quantile(times, 0.0).max(inner.0 - margin),
+                quantile(times, 1.0).min(inner.1 + margin),
                 quantile(&steps(times), 0.5),
             )
         });

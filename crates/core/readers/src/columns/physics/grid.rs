@@ -80,9 +80,11 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// Cells of about a second from `start` to `end`; `None` if there are fewer than eight.
+    /// Cells of about a second from `start` to `end`, shorter ones of less than half a minute, none shorter than
+    /// `least`; `None` if there are fewer than eight.
     pub fn new(start: f64, end: f64, least: f64) -> Option<Self> {
-        let step = (1.0_f64).max(least).max((end - start) / MOST);
+        let usual = ((end - start) / 30.0).min(1.0);
+        let step = usual.max(least).max((end - start) / MOST);
         let count = ((end - start) / step).floor();
         (count >= 8.0 && count.is_finite()).then_some(Self {
             start,
@@ -164,10 +166,10 @@ mod tests {
 
     #[test]
     fn cells_have_the_mean_of_their_samples_and_the_change_over_them() {
-        let times: Vec<f64> = (0..=200).map(|i| f64::from(i) * 0.1).collect();
+        let times: Vec<f64> = (0..=400).map(|i| f64::from(i) * 0.1).collect();
         let series = Series::new(&times, times.iter().map(|t| 3.0 * t));
-        let grid = Grid::new(0.0, 20.0, 0.0).unwrap();
-        assert_eq!(grid.count, 20);
+        let grid = Grid::new(0.0, 40.0, 0.0).unwrap();
+        assert_eq!(grid.count, 40);
         let (mean, rate) = (grid.mean(&series), grid.rate(&series));
         assert!((mean[4] - 3.0 * 4.45).abs() < 1e-9);
         assert!(rate.iter().all(|rate| (rate - 3.0).abs() < 1e-9));

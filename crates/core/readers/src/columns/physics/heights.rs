@@ -24,6 +24,9 @@ pub(super) fn judge(board: &mut Board, known: &mut Known) {
         .filter_map(|name| board.find(ColumnRole::Channel(*name)))
         .collect();
     let rate = |board: &Board, id: Id| known.grid.rate(&board.values(id));
+    if let Some(down) = down {
+        as_beside(board, down);
+    }
     if let (Some(down), Some(height)) = (down, ids.first()) {
         vertical(board, known, down, *height);
     }
@@ -80,6 +83,17 @@ pub(super) fn judge(board: &mut Board, known: &mut Known) {
         (None, None) => return,
     };
     known.velocity[2] = down;
+}
+
+/// A group keeps its units: a vertical velocity is in that of the speed over ground beside it.
+fn as_beside(board: &mut Board, down: Id) {
+    let speed = board.find_in(down.0, ColumnRole::SpeedOverGround);
+    let sure = speed.filter(|id| board.basis(*id) == Basis::Found);
+    if let Some(speed) = sure.filter(|_| board.basis(down) == Basis::Assumed) {
+        let unit = board.column(speed).unit.clone();
+        let name = board.name(speed);
+        board.found(down, &unit, &format!("in {unit}, as {name} is"));
+    }
 }
 
 /// A height of no stated unit that changes much faster than the aircraft flies is in the next smaller unit in which it

@@ -24,7 +24,9 @@ pub(super) fn ask(board: &mut Board) {
                 column.role.quantity(),
                 Some(Quantity::Speed | Quantity::Length | Quantity::Angle | Quantity::AngularRate)
             );
-            let is_used = column.role != ColumnRole::Nothing && matters;
+            // Places on the globe tell their unit by their range.
+            let is_place = matches!(column.role, ColumnRole::Latitude | ColumnRole::Longitude);
+            let is_used = column.role != ColumnRole::Nothing && matters && !is_place;
             if is_used && board.basis((table, index)) == Basis::Assumed {
                 assumed.push((
                     table,
