@@ -7,6 +7,7 @@ use nalgebra::Point3;
 
 use super::attitude::attitude;
 use super::groups::quaternion_roles;
+use super::rows::pair;
 use super::together::common_name;
 use super::{ColumnMap, ColumnRole, MappedColumn, time};
 use crate::folder::{
@@ -25,6 +26,8 @@ const LONGEST: f64 = 1e6;
 /// Name of the column of times that rows are given where none is measured.
 const ROW_TIME: &str = "#time";
 
+/// Names of the columns that the places of two numbers a cell are put into.
+const PLACE: [&str; 2] = ["#latitude", "#longitude"];
 /// Names of the columns that the angles of a quaternion are put into.
 const ANGLES: [(ChannelName, &str); 3] = [
     (ChannelName::Roll, "#roll"),
@@ -144,6 +147,31 @@ pub fn flight_of_tables(
 /// Adds columns of what only several columns together say: attitude out of a quaternion, the wind's velocity out of
 /// strength and direction. All are in SI and radians.
 fn derive(map: &ColumnMap, table: &mut Table) -> Result<(), FolderError> {
+    if let Some(column) = map.column(ColumnRole::Place) {
+        let texts = table.texts(&column.name)?;
+        let places: Vec<Option<(f64, f64)>> = texts.into_iter().map(pair).collect();
+        table.add_numbers(PLACE[0], places.iter().map(|place| Some((*place)?.0)));
+        table.add_numbers(PLACE[1], places.iter().map(|place| Some((*place)?.1)));
+    }
+    if let Some((whole, rest)) = map
+        .column(ColumnRole::Time)
+        .zip(map.column(ColumnRole::TimeRest))
+    {
+        let number = crate::folder::Dimension::Number;
+        let read = |column: &MappedColumn| {
+            let plain = MappedColumn {
+                unit: String::new(),
+                ..column.clone()
+            };
+            table.values(&value(&plain), number)
+        };
+        let (whole_values, rest_values) = (read(whole)?, read(rest)?);
+        let seconds = (time::seconds(&whole.unit), time::seconds(&rest.unit));
+        let pairs = whole_values.iter().zip(&rest_values);
+        let times = pairs.map(|(whole, rest)| Some((*whole)? * seconds.0 + (*rest)? * seconds.1));
+        let times: Vec<Option<f64>> = times.collect();
+        table.add_numbers(ROW_TIME, times);
+    }
     for is_ros in [false, true] {
         let parts = quaternion_roles(is_ros).map(|role| map.column(role));
         let [Some(w), Some(x), Some(y), Some(z)] = parts else {
@@ -206,7 +234,8 @@ fn value(column: &MappedColumn) -> ValueColumn {
 }
 
 fn time_column(map: &ColumnMap) -> TimeColumn {
-    let column = map.column(ColumnRole::Time);
+    let is_split = map.column(ColumnRole::TimeRest).is_some();
+    let column = map.column(ColumnRole::Time).filter(|_| !is_split);
     let format = match column.map_or("s", |column| column.unit.as_str()) {
         "ms" => TimeFormat::Milliseconds,
         "us" => TimeFormat::Microseconds,
@@ -239,6 +268,17 @@ fn of_map(map: &ColumnMap, time: &TimeColumn) -> Vec<ChannelFile> {
         channels.push(ChannelFile {
             latitude: Some(latitude),
             longitude: Some(longitude),
+            ..channel("gps")
+        });
+    }
+    if let Some(place) = map.column(ColumnRole::Place) {
+        let part = |column: &str| ValueColumn {
+            column: column.to_owned(),
+            ..value(place)
+        };
+        channels.push(ChannelFile {
+            latitude: Some(part(PLACE[0])),
+            longitude: Some(part(PLACE[1])),
             ..channel("gps")
         });
     }
@@ -280,13 +320,16 @@ fn first_place(
 ) -> Option<(OriginFile, Option<f64>)> {
     maps.iter().find_map(|map| {
         let table = tables.get(&map.file)?;
-        let angles = |role| {
+        let channel = channels
+            .iter()
+            .find(|c| c.file == map.file && c.name == "gps")?;
+        let angles = |column: &Option<ValueColumn>| {
             let dimension = crate::folder::Dimension::Angle;
-            table.values(&value(map.column(role)?), dimension).ok()
+            table.values(column.as_ref()?, dimension).ok()
         };
-        let pairs = angles(ColumnRole::Latitude)?
+        let pairs = angles(&channel.latitude)?
             .into_iter()
-            .zip(angles(ColumnRole::Longitude)?);
+            .zip(angles(&channel.longitude)?);
         let is_place = |(latitude, longitude): &(f64, f64)| {
             latitude.abs() <= std::f64::consts::FRAC_PI_2
                 && longitude.abs() <= std::f64::consts::TAU

@@ -1,12 +1,12 @@
 //! What the columns of a table mean, guessed.
 
-use super::ColumnRole::{Latitude, Longitude};
 use super::groups::{Group, Kind, context, groups, quaternion_roles, telling};
 use super::header::{Parts, parts};
 use super::names::{NameGuess, is_otherwise, meanings};
 use super::physics::{self, Evidence, Hint};
 use super::rows::Rows;
 use super::sampling::sampled;
+use super::several::{hemispheres, parts_of_time, places};
 use super::time::unit_of_time;
 use super::values::{UnitGuess, are_degrees, unit};
 use super::{Alternative, ColumnMap, ColumnRole, MappedColumn, Sample};
@@ -191,44 +191,10 @@ fn guess_columns(
         }
     }
     hemispheres(samples, &mut columns);
+    places(samples, &mut columns);
+    parts_of_time(samples, &mut columns);
     settle(&mut columns);
     (columns, hints, groups)
-}
-
-/// Turns latitudes and longitudes whose hemisphere stands in a column of its own, where that is south or west.
-fn hemispheres(samples: &[Sample], columns: &mut [MappedColumn]) {
-    for (role, letters) in [(Latitude, ["N", "S"]), (Longitude, ["E", "W"])] {
-        let is_of = |sample: &&Sample| {
-            let mut texts = sample.texts.iter();
-            sample.numbers.is_empty()
-                && !sample.texts.is_empty()
-                && texts.all(|text| letters.contains(&text.as_str()))
-        };
-        let Some(sample) = samples.iter().find(is_of) else {
-            continue;
-        };
-        let turned = sample
-            .texts
-            .iter()
-            .filter(|text| **text == letters[1])
-            .count();
-        let is_positive = |at: usize| samples[at].range().is_some_and(|(low, _)| low >= 0.0);
-        let place = columns.iter().position(|column| column.role == role);
-        let Some(place) = place.filter(|place| turned > 0 && is_positive(*place)) else {
-            continue;
-        };
-        let column = &mut columns[place];
-        if turned == sample.texts.len() {
-            column.scale = -1.0;
-            column.reason = format!("{}; {} says {}", column.reason, sample.name, letters[1]);
-        } else {
-            let reason = format!(
-                "{} changes between {} and {}",
-                sample.name, letters[0], letters[1]
-            );
-            give_up(column, reason);
-        }
-    }
 }
 
 /// What the name of a column may mean; that of its file, where it says nothing itself.
@@ -281,7 +247,7 @@ pub(super) fn time_column(name: &str, time: &TimeGuess) -> MappedColumn {
     }
 }
 
-fn unused(name: &str, reason: &str) -> MappedColumn {
+pub(super) fn unused(name: &str, reason: &str) -> MappedColumn {
     MappedColumn {
         name: name.to_owned(),
         role: ColumnRole::Nothing,
@@ -369,7 +335,7 @@ fn column(
 
 /// Leaves each role to the column that most likely is it, and takes away those that are of no use alone.
 fn settle(columns: &mut [MappedColumn]) {
-    use ColumnRole::{Channel, Course, SpeedOverGround};
+    use ColumnRole::{Channel, Course, Latitude, Longitude, SpeedOverGround};
     use pilotage_flight::ChannelName::{GpsEast, GpsNorth};
     for index in 0..columns.len() {
         let (role, confidence) = (columns[index].role, columns[index].confidence);
@@ -419,7 +385,10 @@ fn settle(columns: &mut [MappedColumn]) {
         }
     }
     // Places on the globe say where metres are counted from.
-    if columns.iter().any(|column| column.role == Latitude) {
+    if columns
+        .iter()
+        .any(|column| matches!(column.role, Latitude | ColumnRole::Place))
+    {
         for column in columns.iter_mut() {
             if matches!(column.role, Channel(GpsNorth | GpsEast)) {
                 give_up(column, "latitude and longitude say more".to_owned());

@@ -95,3 +95,56 @@ fn a_time_that_leaps_ahead_takes_only_its_own_row() {
             .any(|note| note.contains("1 rows were left out"))
     );
 }
+
+#[test]
+fn a_radio_writes_places_into_one_cell() {
+    let row = |i: u32| {
+        let t = 0.1 * f64::from(i);
+        let (lat, lon) = (47.0 + 8e-6 * f64::from(i), 8.0 + 3e-6 * f64::from(i));
+        format!(
+            "2024-05-01,10:00:{t:06.3},{lat:.6} {lon:.6},33.0,14.3,{:.1}\n",
+            30.0 + t
+        )
+    };
+    let table = "Date,Time,GPS,GSpd(kmh),Hdg(°),Alt(m)\n".to_owned()
+        + &(0..200).map(row).collect::<String>();
+    let files = files(&[("radio.csv", &table)]);
+    let maps = [guess_table("radio.csv", table.as_bytes()).unwrap()];
+    assert_eq!(
+        guessed(&maps[0], "GPS"),
+        is(super::ColumnRole::Place, "deg")
+    );
+    let flight = flight_of_tables(&files, &maps).unwrap().flight;
+    let origin = flight.frame_on_globe.unwrap().origin;
+    assert!((origin.latitude.to_degrees() - 47.0).abs() < 1e-9);
+    let (first, last) = flight.span();
+    assert!((last - first - 19.9).abs() < 1e-6);
+    let north = flight.value(ChannelName::GpsNorth, first + 19.9).unwrap();
+    assert!((north - 177.0).abs() < 1.0, "{north}");
+}
+
+#[test]
+fn seconds_and_their_parts_in_two_columns_are_one_time() {
+    for start in [0_u64, 1_700_000_000] {
+        let row = |i: u64| {
+            let nanoseconds = i * 50_000_000;
+            let (whole, rest) = (
+                start + nanoseconds / 1_000_000_000,
+                nanoseconds % 1_000_000_000,
+            );
+            format!("{whole},{rest},{}\n", i % 9)
+        };
+        let table = "header.stamp.sec,header.stamp.nanosec,roll_deg\n".to_owned()
+            + &(0..400).map(row).collect::<String>();
+        let files = files(&[("a.csv", &table)]);
+        let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+        let roll = flight_of_tables(&files, &maps).unwrap().flight;
+        let roll = roll.channel(ChannelName::Roll).unwrap();
+        assert_eq!(roll.values.len(), 400);
+        assert!(
+            roll.times
+                .windows(2)
+                .all(|w| (w[1] - w[0] - 0.05).abs() < 1e-6)
+        );
+    }
+}

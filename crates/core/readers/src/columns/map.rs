@@ -21,6 +21,10 @@ pub enum ColumnRole {
     SpeedOverGround,
     /// Direction of the way over ground, clockwise from true north.
     Course,
+    /// What is added to the time, where seconds and parts of them stand in two columns.
+    TimeRest,
+    /// Latitude and longitude in one cell.
+    Place,
     /// Strength of the wind.
     WindSpeed,
     /// Direction that the wind comes from, clockwise from true north, as weather reports have it.
@@ -71,6 +75,8 @@ impl ColumnRole {
             Self::Longitude,
             Self::SpeedOverGround,
             Self::Course,
+            Self::Place,
+            Self::TimeRest,
             Self::WindSpeed,
             Self::WindFrom,
         ];
@@ -91,6 +97,8 @@ impl ColumnRole {
             Self::Longitude => "longitude".to_owned(),
             Self::SpeedOverGround => "speed over ground".to_owned(),
             Self::Course => "course over ground".to_owned(),
+            Self::Place => "latitude and longitude".to_owned(),
+            Self::TimeRest => "part of the time".to_owned(),
             Self::WindSpeed => "wind speed".to_owned(),
             Self::WindFrom => "wind from".to_owned(),
             Self::Quaternion(part) => format!("attitude quaternion {}", part.letter()),
@@ -104,8 +112,12 @@ impl ColumnRole {
     /// What it measures; `None` for times and for nothing.
     pub fn quantity(self) -> Option<Quantity> {
         match self {
-            Self::Nothing | Self::Time | Self::Quaternion(_) | Self::RosQuaternion(_) => None,
-            Self::Latitude | Self::Longitude | Self::Course | Self::WindFrom => {
+            Self::Nothing
+            | Self::Time
+            | Self::TimeRest
+            | Self::Quaternion(_)
+            | Self::RosQuaternion(_) => None,
+            Self::Latitude | Self::Longitude | Self::Place | Self::Course | Self::WindFrom => {
                 Some(Quantity::Angle)
             }
             Self::SpeedOverGround | Self::WindSpeed => Some(Quantity::Speed),
@@ -117,7 +129,7 @@ impl ColumnRole {
     pub fn units(self) -> Vec<&'static str> {
         match self {
             Self::Nothing => Vec::new(),
-            Self::Time => super::time::UNITS.to_vec(),
+            Self::Time | Self::TimeRest => super::time::UNITS.to_vec(),
             role => {
                 let dimension = role.quantity().map(crate::folder::Dimension::from);
                 dimension.map_or_else(Vec::new, crate::folder::Dimension::names)
@@ -236,8 +248,12 @@ impl ColumnMap {
                 ));
             }
         }
-        let is_used =
-            |column: &&MappedColumn| !matches!(column.role, ColumnRole::Nothing | ColumnRole::Time);
+        let is_used = |column: &&MappedColumn| {
+            !matches!(
+                column.role,
+                ColumnRole::Nothing | ColumnRole::Time | ColumnRole::TimeRest
+            )
+        };
         if self.columns.iter().find(is_used).is_none() {
             return Some("no column is anything that a flight has a place for".to_owned());
         }

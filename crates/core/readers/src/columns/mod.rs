@@ -21,6 +21,7 @@ mod preview;
 mod rows;
 mod sample;
 mod sampling;
+mod several;
 mod shape;
 #[cfg(test)]
 mod tests;

@@ -1,5 +1,7 @@
 //! Rows of a table from its beginning to its end, so that its columns can be held against each other.
 
+use std::collections::BTreeMap;
+
 use super::{ColumnMap, ColumnRole, TableShape, time};
 use crate::folder::{Moment, date_and_time, decoded};
 
@@ -11,6 +13,15 @@ const MOST: usize = 30_000;
 pub(super) struct Rows {
     /// Cells of each column, NaN where there is no number; dates are seconds since 1970.
     pub columns: Vec<Vec<f64>>,
+    /// Cells that hold a place, latitude and longitude, of columns in which some do; NaN elsewhere.
+    pub places: BTreeMap<usize, [Vec<f64>; 2]>,
+}
+
+/// The two numbers in a cell, as radios write places: `47.000000 8.000000`.
+pub(super) fn pair(cell: &str) -> Option<(f64, f64)> {
+    let mut parts = cell.split([' ', ';', ',']).filter(|part| !part.is_empty());
+    let pair = (parts.next()?.parse().ok()?, parts.next()?.parse().ok()?);
+    (parts.next().is_none() && cell.contains('.')).then_some(pair)
 }
 
 impl Rows {
@@ -20,7 +31,8 @@ impl Rows {
         let skipped = shape.skipped_lines + shape.head_lines();
         let lines = || bytes.split(|byte| *byte == b'\n').skip(skipped);
         let stride = lines().count().div_ceil(MOST).max(1);
-        let mut columns = vec![Vec::new(); count];
+        let mut columns: Vec<Vec<f64>> = vec![Vec::new(); count];
+        let mut places: BTreeMap<usize, [Vec<f64>; 2]> = BTreeMap::new();
         for line in lines().step_by(stride) {
             if line.first().is_none_or(|byte| *byte == b'#') {
                 continue;
@@ -32,10 +44,24 @@ impl Rows {
             let cells = shape.separator.cells(line.trim_end_matches('\r'));
             for (index, column) in columns.iter_mut().enumerate() {
                 let cell = cells.get(index).map_or("", |cell| cell.as_ref());
-                column.push(value(cell, shape));
+                let number = value(cell, shape);
+                if number.is_nan()
+                    && let Some((first, second)) = pair(cell)
+                {
+                    let both = places.entry(index).or_default();
+                    for (part, value) in both.iter_mut().zip([first, second]) {
+                        part.resize(column.len(), f64::NAN);
+                        part.push(value);
+                    }
+                }
+                column.push(number);
             }
         }
-        Self { columns }
+        for (index, both) in &mut places {
+            both.iter_mut()
+                .for_each(|part| part.resize(columns[*index].len(), f64::NAN));
+        }
+        Self { columns, places }
     }
 
     /// Times of the rows by the table's map, seconds; empty where it has none.
@@ -44,9 +70,17 @@ impl Rows {
         let Some(index) = map.columns.iter().position(is_time) else {
             return Vec::new();
         };
-        let seconds = time::seconds(&map.columns[index].unit);
-        let times = self.columns.get(index).into_iter().flatten();
-        times.map(|time| time * seconds).collect()
+        let scaled = |index: usize| -> Vec<f64> {
+            let seconds = time::seconds(&map.columns[index].unit);
+            let times = self.columns.get(index).into_iter().flatten();
+            times.map(|time| time * seconds).collect()
+        };
+        let times = scaled(index);
+        let is_rest = |column: &super::MappedColumn| column.role == ColumnRole::TimeRest;
+        match map.columns.iter().position(is_rest) {
+            Some(rest) => times.iter().zip(scaled(rest)).map(|(a, b)| a + b).collect(),
+            None => times,
+        }
     }
 }
 

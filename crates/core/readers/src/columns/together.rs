@@ -240,6 +240,10 @@ fn channels(map: &ColumnMap) -> Vec<(ChannelName, Vec<usize>)> {
             channels.extend(names.map(|name| (name, vec![first, second])));
         }
     }
+    if let Some(index) = place(ColumnRole::Place) {
+        channels
+            .extend([ChannelName::GpsNorth, ChannelName::GpsEast].map(|name| (name, vec![index])));
+    }
     for is_ros in [false, true] {
         let parts = super::groups::quaternion_roles(is_ros).map(place);
         if let [Some(w), Some(x), Some(y), Some(z)] = parts {
@@ -258,7 +262,8 @@ fn preference(table: &GuessedTable, name: ChannelName, columns: &[usize]) -> f64
     let is_called = words
         .iter()
         .any(|word| ["gps", "gnss", "fix"].contains(&word.as_str()));
-    let is_receiver = table.map.column(ColumnRole::Latitude).is_some();
+    let has = |role| table.map.column(role).is_some();
+    let is_receiver = has(ColumnRole::Latitude) || has(ColumnRole::Place);
     let of_satellites = matches!(
         name,
         ChannelName::GpsHeight

@@ -124,6 +124,15 @@ impl<'a, 'b> Board<'a, 'b> {
         Series::new(&self.times[id.0], values.iter().copied())
     }
 
+    /// The places in a column of two numbers a cell, latitude and longitude as they stand there.
+    pub fn places(&self, id: Id) -> [Series; 2] {
+        let known = self.evidence[id.0].rows.places.get(&id.1);
+        [0, 1].map(|part| {
+            let values = known.map_or(&[][..], |both| both[part].as_slice());
+            Series::new(&self.times[id.0], values.iter().copied())
+        })
+    }
+
     /// The values of a column as its map reads them, SI and radians.
     pub fn values(&self, id: Id) -> Series {
         let column = self.column(id);

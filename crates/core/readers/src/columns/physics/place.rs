@@ -45,10 +45,25 @@ pub(super) fn judge(board: &mut Board, known: &mut Known) {
     let longitude = latitude.and_then(|id| board.find_in(id.0, ColumnRole::Longitude));
     match latitude.zip(longitude) {
         Some(pair) => on_globe(board, known, pair),
-        None => in_metres(board, known),
+        None => match board.find(ColumnRole::Place) {
+            Some(id) => in_pairs(board, known, id),
+            None => in_metres(board, known),
+        },
     }
     if known.is_of_track {
         calm(known);
+    }
+}
+
+/// Places of two numbers in a cell are degrees.
+fn in_pairs(board: &Board, known: &mut Known, id: Id) {
+    let [latitude, longitude] = board.places(id);
+    let degree = 1.0_f64.to_radians();
+    if let Some(track) = track(&latitude, &longitude, degree) {
+        let [north, east] = track.each_ref().map(|part| known.grid.rate(part));
+        known.velocity[0] = north;
+        known.velocity[1] = east;
+        known.is_of_track = true;
     }
 }
 
@@ -180,7 +195,12 @@ fn norms([north, east]: &[Vec<f64>; 2]) -> Vec<f64> {
 /// The velocity of the track in a unit, and how likely it is; `None` if these are no places.
 fn reading(board: &Board, grid: &Grid, pair: (Id, Id), unit: &str) -> Option<([Vec<f64>; 2], f64)> {
     let factor = Dimension::Angle.factor(Some(unit)).ok()?;
-    let track = track(board, pair, factor)?;
+    // A hemisphere in a column of its own turns the sign.
+    let read = |id: Id| {
+        let scale = board.column(id).scale;
+        board.raw(id).map(|value| value * scale)
+    };
+    let track = track(&read(pair.0), &read(pair.1), factor)?;
     let velocity = track.each_ref().map(|part| grid.rate(part));
     let speed = quantile(&norms(&velocity), 0.9);
     if speed > FASTEST {
@@ -197,13 +217,7 @@ fn reading(board: &Board, grid: &Grid, pair: (Id, Id), unit: &str) -> Option<([V
 }
 
 /// North and east of the first place, metres, where places change; `None` if they are none.
-fn track(board: &Board, (latitude, longitude): (Id, Id), factor: f64) -> Option<[Series; 2]> {
-    // A hemisphere in a column of its own turns the sign.
-    let read = |id: Id| {
-        let scale = board.column(id).scale;
-        board.raw(id).map(|value| value * scale)
-    };
-    let (latitude, longitude) = (read(latitude), read(longitude));
+fn track(latitude: &Series, longitude: &Series, factor: f64) -> Option<[Series; 2]> {
     let mut places: Vec<(f64, f64, f64)> = Vec::new();
     for (time, raw) in latitude.times.iter().zip(&latitude.values) {
         let (a, b) = (raw * factor, longitude.at(*time) * factor);

@@ -25,7 +25,10 @@ pub(super) fn ask(board: &mut Board) {
                 Some(Quantity::Speed | Quantity::Length | Quantity::Angle | Quantity::AngularRate)
             );
             // Places on the globe tell their unit by their range.
-            let is_place = matches!(column.role, ColumnRole::Latitude | ColumnRole::Longitude);
+            let is_place = matches!(
+                column.role,
+                ColumnRole::Latitude | ColumnRole::Longitude | ColumnRole::Place
+            );
             let is_used = column.role != ColumnRole::Nothing && matters && !is_place;
             if is_used && board.basis((table, index)) == Basis::Assumed {
                 assumed.push((

@@ -1,0 +1,123 @@
+//! What only several columns together say, or several numbers in one: places in a cell, parts of a time, hemispheres.
+
+use super::ColumnRole::{Latitude, Longitude};
+use super::guess::{give_up, unused};
+use super::header::parts;
+use super::rows::pair;
+use super::{ColumnRole, MappedColumn, Sample};
+
+/// Finds the column that has latitude and longitude in each cell.
+pub(super) fn places(samples: &[Sample], columns: &mut [MappedColumn]) {
+    if columns.iter().any(|column| column.role == Latitude) {
+        return;
+    }
+    let is_place =
+        |text: &String| pair(text).is_some_and(|(a, b)| a.abs() <= 90.0 && b.abs() <= 360.0);
+    let found = samples.iter().position(|sample| {
+        let count = sample.texts.iter().filter(|text| is_place(text)).count();
+        sample.numbers.is_empty() && count > 2 && 10 * count >= 9 * sample.texts.len()
+    });
+    if let Some(index) = found {
+        columns[index] = MappedColumn {
+            role: ColumnRole::Place,
+            unit: "deg".to_owned(),
+            confidence: 0.9,
+            reason: "each cell has two numbers that are a place on the globe".to_owned(),
+            ..unused(&columns[index].name, "")
+        };
+    }
+}
+
+/// Puts seconds and the parts of them in a second column together, as ROS writes stamps: `stamp.sec`, `stamp.nanosec`.
+pub(super) fn parts_of_time(samples: &[Sample], columns: &mut [MappedColumn]) {
+    let split = |name: &str| {
+        let words = parts(name, "").words;
+        let (last, stem) = words.split_last()?;
+        Some((last.clone(), stem.to_vec()))
+    };
+    let find = |endings: &[&str], stem: Option<&[String]>| {
+        samples.iter().position(|sample| {
+            let found = split(&sample.name);
+            found.is_some_and(|(last, of)| {
+                endings.contains(&last.as_str()) && stem.is_none_or(|stem| *stem == of)
+            })
+        })
+    };
+    let parts = [
+        ("ns", ["nanosec", "nsec", "nsecs", "nanosecs"]),
+        ("us", ["microsec", "usec", "usecs", "microsecs"]),
+    ];
+    for (unit, endings) in parts {
+        let Some(rest) = find(&endings, None) else {
+            continue;
+        };
+        let stem = split(&samples[rest].name).map(|(_, stem)| stem);
+        let Some(whole) = find(&["sec", "secs", "seconds"], stem.as_deref()) else {
+            continue;
+        };
+        let has_other = columns
+            .iter()
+            .any(|c| c.role == ColumnRole::Time && c.unit != "s");
+        if has_other || !samples[whole].is_numeric() || !samples[rest].is_numeric() {
+            continue;
+        }
+        for column in columns
+            .iter_mut()
+            .filter(|column| column.role == ColumnRole::Time)
+        {
+            give_up(
+                column,
+                "seconds and parts of them stand in two other columns".to_owned(),
+            );
+        }
+        for (index, role, unit) in [
+            (whole, ColumnRole::Time, "s"),
+            (rest, ColumnRole::TimeRest, unit),
+        ] {
+            columns[index] = MappedColumn {
+                role,
+                unit: unit.to_owned(),
+                confidence: 0.9,
+                reason: "seconds and parts of them stand in two columns".to_owned(),
+                ..unused(&columns[index].name, "")
+            };
+        }
+        return;
+    }
+}
+
+/// Turns latitudes and longitudes whose hemisphere stands in a column of its own, where that is south or west.
+pub(super) fn hemispheres(samples: &[Sample], columns: &mut [MappedColumn]) {
+    for (role, letters) in [(Latitude, ["N", "S"]), (Longitude, ["E", "W"])] {
+        let is_of = |sample: &&Sample| {
+            let mut texts = sample.texts.iter();
+            sample.numbers.is_empty()
+                && !sample.texts.is_empty()
+                && texts.all(|text| letters.contains(&text.as_str()))
+        };
+        let Some(sample) = samples.iter().find(is_of) else {
+            continue;
+        };
+        let turned = sample
+            .texts
+            .iter()
+            .filter(|text| **text == letters[1])
+            .count();
+        let is_positive = |at: usize| samples[at].range().is_some_and(|(low, _)| low >= 0.0);
+        let place = columns.iter().position(|column| column.role == role);
+        let Some(place) = place.filter(|place| turned > 0 && is_positive(*place)) else {
+            continue;
+        };
+        let column = &mut columns[place];
+        if turned == sample.texts.len() {
+            column.scale = -1.0;
+            column.reason = format!("{}; {} says {}", column.reason, sample.name, letters[1]);
+        } else {
+            let reason = format!(
+                "{} changes between {} and {}",
+                sample.name, letters[0], letters[1]
+            );
+            give_up(column, reason);
+        }
+    }
+}
