@@ -26,7 +26,8 @@ const NUMBERS: [&str; 10] = [
 pub fn guess_table(file: &str, bytes: &[u8]) -> Option<ColumnMap> {
     let guess = guess_with_samples(file, bytes)?;
     let mut maps = [guess.map];
-    let rows = Rows::of(bytes, &maps[0].shape, maps[0].columns.len());
+    let wanted = wanted(&maps[0], &guess.groups, &[]);
+    let rows = Rows::of(bytes, &maps[0].shape, &wanted);
     let evidence = [Evidence {
         rows,
         hints: guess.hints,
@@ -35,6 +36,18 @@ pub fn guess_table(file: &str, bytes: &[u8]) -> Option<ColumnMap> {
     physics::judge(&mut maps.iter_mut().collect::<Vec<_>>(), &evidence);
     let [map] = maps;
     Some(map)
+}
+
+/// Which columns may come to mean something: those that do, those at `times` that may be the time, and groups of which
+/// nobody knows yet what they are.
+pub(super) fn wanted(map: &ColumnMap, groups: &[Group], times: &[usize]) -> Vec<bool> {
+    let unknown = groups.iter().filter(|group| group.kind.is_none());
+    let unknown: Vec<usize> = unknown.flat_map(|group| group.columns.clone()).collect();
+    let columns = map.columns.iter().enumerate();
+    let is_wanted = |(index, column): (usize, &MappedColumn)| {
+        column.role != ColumnRole::Nothing || unknown.contains(&index) || times.contains(&index)
+    };
+    columns.map(is_wanted).collect()
 }
 
 /// What names and values say of a table, with samples of all columns.

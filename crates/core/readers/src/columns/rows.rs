@@ -6,7 +6,7 @@ use super::{ColumnMap, ColumnRole, TableShape, time};
 use crate::folder::{Moment, date_and_time, decoded};
 
 /// Rows that are looked at, about.
-const MOST: usize = 30_000;
+const MOST: usize = 20_000;
 
 /// Rows of a table at even distances.
 #[derive(Clone, Debug, Default)]
@@ -25,13 +25,13 @@ pub(super) fn pair(cell: &str) -> Option<(f64, f64)> {
 }
 
 impl Rows {
-    /// Rows of a table of that shape and number of columns.
-    pub fn of(bytes: &[u8], shape: &TableShape, count: usize) -> Self {
+    /// Rows of a table of that shape; of columns that are not wanted nothing is kept.
+    pub fn of(bytes: &[u8], shape: &TableShape, wanted: &[bool]) -> Self {
         let bytes = decoded(bytes);
         let skipped = shape.skipped_lines + shape.head_lines();
         let lines = || bytes.split(|byte| *byte == b'\n').skip(skipped);
         let stride = lines().count().div_ceil(MOST).max(1);
-        let mut columns: Vec<Vec<f64>> = vec![Vec::new(); count];
+        let mut columns: Vec<Vec<f64>> = vec![Vec::new(); wanted.len()];
         let mut places: BTreeMap<usize, [Vec<f64>; 2]> = BTreeMap::new();
         for line in lines().step_by(stride) {
             if line.first().is_none_or(|byte| *byte == b'#') {
@@ -42,7 +42,8 @@ impl Rows {
                 continue;
             }
             let cells = shape.separator.cells(line.trim_end_matches('\r'));
-            for (index, column) in columns.iter_mut().enumerate() {
+            let kept = columns.iter_mut().enumerate();
+            for (index, column) in kept.filter(|(index, _)| wanted[*index]) {
                 let cell = cells.get(index).map_or("", |cell| cell.as_ref());
                 let number = value(cell, shape);
                 if number.is_nan()
@@ -58,8 +59,9 @@ impl Rows {
             }
         }
         for (index, both) in &mut places {
-            both.iter_mut()
-                .for_each(|part| part.resize(columns[*index].len(), f64::NAN));
+            for part in both {
+                part.resize(columns[*index].len(), f64::NAN);
+            }
         }
         Self { columns, places }
     }

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::flights::beginnings_of_flights;
 use super::groups::context;
-use super::guess::{Guess, TimeGuess, give_up, guess_with_samples, time_column, times};
+use super::guess::{Guess, TimeGuess, give_up, guess_with_samples, time_column, times, wanted};
 use super::physics::{self, Evidence};
 use super::rows::Rows;
 use super::{ColumnMap, ColumnRole, Preview, Sample, preview};
@@ -82,8 +82,10 @@ pub fn guess_tables(files: &dyn FileSet, names: &[String]) -> Vec<GuessedTable> 
             hints,
             groups,
         } = guess_with_samples(name, &bytes)?;
+        let clocks = Clock::all(&samples, share);
         let rows = if map.column(ColumnRole::Time).is_some() {
-            Rows::of(&bytes, &map.shape, map.columns.len())
+            let times: Vec<usize> = clocks.iter().map(|clock| clock.guess.column).collect();
+            Rows::of(&bytes, &map.shape, &wanted(&map, &groups, &times))
         } else {
             Rows::default()
         };
@@ -100,7 +102,7 @@ pub fn guess_tables(files: &dyn FileSet, names: &[String]) -> Vec<GuessedTable> 
             map,
             is_proposed: false,
         };
-        Some((table, (Clock::all(&samples, share), evidence)))
+        Some((table, (clocks, evidence)))
     };
     let found: Vec<_> = names.iter().filter_map(read).collect();
     let mut flights: BTreeMap<String, Vec<(GuessedTable, _)>> = BTreeMap::new();

@@ -29,11 +29,20 @@ pub fn of_reading(log: &Log, found: &[RoleSeries]) -> Vec<Finding> {
             span: None,
         });
     }
-    findings.extend(report.remarks.iter().map(|remark| Finding {
-        severity: Severity::Note,
-        title: "About the file".to_owned(),
-        text: remark.clone(),
-        span: None,
+    findings.extend(report.remarks.iter().map(|remark| {
+        // What nothing in the file tells, a person can.
+        let is_question = remark.contains("? ") || remark.ends_with('?');
+        let (severity, title) = if is_question {
+            (Severity::Warning, "A question about the file")
+        } else {
+            (Severity::Note, "About the file")
+        };
+        Finding {
+            severity,
+            title: title.to_owned(),
+            text: remark.clone(),
+            span: None,
+        }
     }));
     findings.extend(
         together(found, |series| series.out_of_order).map(|(sources, of)| Finding {

@@ -22,6 +22,9 @@ const UNITS: [(&str, f64); 5] = [
 /// How likely another unit of time is than that which values alone said.
 const OTHER_TIME: f64 = 0.2;
 
+/// Likelihood that no reading in another unit of time reaches: four times [`OTHER_TIME`].
+const LIKELY: f64 = 0.8;
+
 /// Speeds over ground that are usual, m/s: a flight is hardly ever slower or faster for long.
 const USUAL: std::ops::Range<f64> = 0.3..120.0;
 /// Nothing that is meant here flies faster, m/s.
@@ -154,6 +157,13 @@ fn readings(board: &mut Board, known: &Known, pair: (Id, Id)) -> Vec<Reading> {
     }
     let mut readings = Vec::new();
     for unit_of_time in time_units {
+        // No other unit of time outweighs a reading that is likely by itself.
+        if readings
+            .iter()
+            .any(|reading: &Reading| reading.likelihood >= LIKELY)
+        {
+            break;
+        }
         if let Some(unit) = unit_of_time {
             board.set_time_unit(latitude.0, unit);
         }
