@@ -19,6 +19,7 @@ mod mission_file;
 mod opening;
 mod outage;
 mod plan;
+mod register;
 mod replay;
 mod simulate;
 mod statistics;
@@ -56,6 +57,8 @@ enum Job {
     Evaluate(Box<evaluate::Arguments>),
     /// Run a cascade over pictures.
     Detect(detect::Arguments),
+    /// Lay photos on a map, of whatever date: where each was taken, how surely, or why not.
+    Register(register::Arguments),
     /// Convert routes, landmarks and labels between file formats.
     Convert(convert::Arguments),
     /// Show what the columns of tables mean, and save it to be edited.
@@ -87,6 +90,7 @@ fn main() -> ExitCode {
         Job::Train(arguments) => train::run(&arguments),
         Job::Evaluate(arguments) => evaluate::run(&arguments),
         Job::Detect(arguments) => detect::run(&arguments),
+        Job::Register(arguments) => register::run(&arguments),
         Job::Convert(arguments) => convert::run(&arguments),
         Job::Columns(arguments) => columns::run(&arguments),
         Job::Inspect(arguments) => inspect::run(&arguments),

@@ -10,7 +10,7 @@ const USUAL_FOCAL_PER_WIDTH: f64 = 0.6;
 const SENSOR_ASPECT: f64 = 4.0 / 3.0;
 
 /// Focal length of a photo in pixels, and in words where it comes from.
-pub(super) fn focal_in_pixels(photo: &Photo) -> (f64, &'static str) {
+pub fn focal_in_pixels(photo: &Photo) -> (f64, &'static str) {
     let (width, height) = (photo.width as f64, photo.height as f64);
     if let Some(focal) = photo.calibrated_focal {
         return (focal, "as calibrated by the maker");

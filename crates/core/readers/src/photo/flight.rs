@@ -8,6 +8,7 @@ use nalgebra::Point3;
 
 use super::camera::focal_in_pixels;
 use super::log::log;
+use super::pose::{looking_down, photo_pose};
 use super::read::{Photo, PhotoPlace, read_photo};
 use super::timed::Timed;
 use crate::folder::{FlightFolder, FolderFrames, Told};
@@ -252,14 +253,6 @@ fn states(photos: &[Timed], frame: &LocalFrame) -> Vec<TruthState> {
     states
 }
 
-/// The attitude of a camera that looks straight down where it is level, from one that looks level.
-fn looking_down(gimbal: Attitude) -> Attitude {
-    Attitude {
-        pitch: wrap_pi(gimbal.pitch + FRAC_PI_2),
-        ..gimbal
-    }
-}
-
 fn channels(photos: &[Timed], states: &[TruthState], notes: &mut Vec<String>) -> Vec<Channel> {
     let series = |name: ChannelName, value: &dyn Fn(&Photo) -> Option<f64>| {
         let samples = photos
@@ -288,11 +281,20 @@ fn channels(photos: &[Timed], states: &[TruthState], notes: &mut Vec<String>) ->
     }
     channels.extend(height);
     let of_gimbal = photos.iter().any(|p| p.photo.gimbal.is_some());
+    // Zero angles of a gimbal say nothing, but that there is one: the camera does not roll with the aircraft.
+    let is_blank = !of_gimbal && photos.iter().any(|p| p.photo.is_gimbal_blank);
     let attitude = |photo: &Photo| {
         if of_gimbal {
             photo.gimbal.map(looking_down)
         } else {
-            photo.aircraft
+            photo.aircraft.map(|aircraft| {
+                let told = photo_pose(photo);
+                Attitude {
+                    roll: told.roll,
+                    pitch: told.pitch,
+                    ..aircraft
+                }
+            })
         }
     };
     let heading = series(ChannelName::Heading, &|p| {
@@ -302,6 +304,9 @@ fn channels(photos: &[Timed], states: &[TruthState], notes: &mut Vec<String>) ->
     });
     notes.push(match (of_gimbal, &heading) {
         (true, _) => "heading, pitch and roll are those of the camera's gimbal".to_owned(),
+        (false, Some(_)) if is_blank => "the gimbal's angles are all zero and do not count: the heading is that of \
+                                         the aircraft, and the camera is taken to look straight down"
+            .to_owned(),
         (false, Some(_)) => {
             "heading, pitch and roll are those of the aircraft, to which the camera counts as \
                              fixed, looking straight down"

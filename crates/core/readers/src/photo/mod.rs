@@ -10,11 +10,14 @@ mod exif;
 mod flight;
 mod head;
 mod log;
+mod pose;
 mod read;
 #[cfg(test)]
 mod tests;
 mod timed;
 mod xmp;
 
+pub use camera::focal_in_pixels;
 pub use flight::read_photos;
+pub use pose::{PhotoPose, photo_pose};
 pub use read::{Photo, PhotoError, PhotoPlace, read_photo};

@@ -45,6 +45,9 @@ pub struct Photo {
     pub height_above_take_off: Option<f64>,
     /// Attitude of the camera: pitch 0 looks level, -π/2 straight down.
     pub gimbal: Option<Attitude>,
+    /// Whether the angles of the gimbal are there and all zero, which some firmware writes whatever they are: then
+    /// they do not count.
+    pub is_gimbal_blank: bool,
     /// Attitude of the aircraft.
     pub aircraft: Option<Attitude>,
     /// Direction in which it was taken, radians clockwise from true north.
@@ -133,6 +136,11 @@ fn photo(name: String, (width, height): (usize, usize), exif: &Exif, xmp: &Xmp) 
     let (taken, is_utc) = taken(exif);
     let dji = |name: &str| xmp.number(&[&format!("drone-dji:{name}")]);
     let millimetres = |value: f64| value / 1e3;
+    let gimbal = attitude(xmp, "Gimbal").or_else(|| camera_attitude(xmp));
+    let aircraft = attitude(xmp, "Flight");
+    let is_zero = |a: &Attitude| [a.roll, a.pitch, a.yaw].iter().all(|angle| *angle == 0.0);
+    let is_gimbal_blank =
+        gimbal.as_ref().is_some_and(is_zero) && !aircraft.as_ref().is_none_or(is_zero);
     Photo {
         name,
         bytes: 0,
@@ -143,8 +151,9 @@ fn photo(name: String, (width, height): (usize, usize), exif: &Exif, xmp: &Xmp) 
         is_utc,
         place: place(&exif.gps, xmp),
         height_above_take_off: dji("RelativeAltitude"),
-        gimbal: attitude(xmp, "Gimbal").or_else(|| camera_attitude(xmp)),
-        aircraft: attitude(xmp, "Flight"),
+        gimbal: gimbal.filter(|_| !is_gimbal_blank),
+        is_gimbal_blank,
+        aircraft,
         direction: direction(&exif.gps),
         focal_length: positive(exif.photo.real(exif::FOCAL_LENGTH)).map(millimetres),
         focal_length_35: positive(exif.photo.real(exif::FOCAL_LENGTH_35)).map(millimetres),

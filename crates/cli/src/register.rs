@@ -1,0 +1,373 @@
+//! `pilotage register`: photos laid on a map.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Instant;
+
+use pilotage_core::camera::CameraModel;
+use pilotage_core::flight::photo::{Photo, focal_in_pixels, photo_pose, read_photo};
+use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame};
+use pilotage_core::imagery::{CachedImagery, Imagery};
+use pilotage_core::mission::OpenMap;
+use pilotage_core::raster::{PYRAMID_LEVELS, Pyramid, decode_picture, encode_png};
+use pilotage_core::registration::{
+    HeadingPrior, LaidBy, Look, MapShape, PosePrior, Registration, overlay, register,
+};
+use serde::Serialize;
+
+use crate::Outcome;
+use crate::files::{Directory, DiskFile};
+use crate::replay::MAP_CACHE;
+
+/// Deviations within which it is searched.
+const REACH: f64 = 2.5;
+/// Where nothing tells the height: metres, and how far it is searched, percent.
+const USUAL_HEIGHT: (f64, f64) = (100.0, 150.0);
+/// Pixels across the picture of `--overlay`.
+const ACROSS: usize = 1200;
+
+/// What to lay on what.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Map with its georeference in it or beside it.
+    map: PathBuf,
+    /// Photos (JPEG or PNG) of a camera that looks down.
+    #[arg(required = true, value_name = "PHOTO")]
+    photos: Vec<PathBuf>,
+    /// Place below the camera, degrees; what the photo says if absent, and the whole map if it says nothing.
+    #[arg(long, value_name = "LAT,LON", allow_hyphen_values = true)]
+    at: Option<String>,
+    /// How far from there it is searched to each side, metres.
+    #[arg(long, value_name = "METRES", default_value_t = 40.0)]
+    within: f64,
+    /// Height above the ground, metres; what the photo says if absent.
+    #[arg(long, value_name = "METRES")]
+    height: Option<f64>,
+    /// How far from it heights are searched, percent.
+    #[arg(long, value_name = "PERCENT", default_value_t = 20.0)]
+    height_within: f64,
+    /// Heading of the picture's top, degrees from north; what the photo says if absent.
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
+    heading: Option<f64>,
+    /// How far from it headings are searched, degrees; 180 is all around. Compasses of small drones are 30 off.
+    #[arg(long, value_name = "DEGREES", default_value_t = 40.0)]
+    heading_within: f64,
+    /// How far the camera looks ahead of straight down, degrees; what the photo says if absent.
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
+    ahead: Option<f64>,
+    /// Focal length in pixels of the picture; what the photo says if absent.
+    #[arg(long, value_name = "PIXELS")]
+    focal: Option<f64>,
+    /// Stated accuracy of the map, standard deviation per axis in metres. Satellite and aerial maps of the web have
+    /// some 3.
+    #[arg(long, value_name = "METRES", default_value_t = 3.0)]
+    map_accuracy: f64,
+    /// Folder for a picture of each photo that was laid, in a chequerboard with the map.
+    #[arg(long, value_name = "FOLDER")]
+    overlay: Option<PathBuf>,
+    /// Answer as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+/// What came of a photo.
+#[derive(Serialize)]
+struct Answer {
+    photo: String,
+    seconds: f64,
+    /// What was assumed, and from where.
+    assumed: Vec<String>,
+    #[serde(flatten)]
+    laid: Option<Laid>,
+    /// Why it was not laid.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    refused: Option<String>,
+    /// Of the likeliest place.
+    probability: f64,
+}
+
+/// Where a photo was laid.
+#[derive(Serialize)]
+struct Laid {
+    /// Ground in the middle of the picture, degrees.
+    centre_lat_lon: Option<[f64; 2]>,
+    /// The same in metres north and east of the map's origin, with its covariance, m².
+    centre_north_east_m: [f64; 2],
+    centre_covariance_m2: [[f64; 2]; 2],
+    /// Place below the camera, degrees, and metres north, east.
+    camera_lat_lon: Option<[f64; 2]>,
+    camera_north_east_m: [f64; 2],
+    camera_deviation_m: [f64; 2],
+    height_m: f64,
+    height_deviation_m: f64,
+    heading_deg: f64,
+    heading_deviation_deg: f64,
+    roll_deg: f64,
+    pitch_deg: f64,
+    /// Quarter turns apart, the picture was stored so.
+    stored_turn_deg: f64,
+    /// "patches" or "whole frame".
+    laid_by: &'static str,
+    /// Patches that agree, of those that could be found.
+    patches: [usize; 2],
+    log10_doubt: f64,
+}
+
+/// The map and where it lies.
+struct Ground {
+    map: Arc<dyn Imagery>,
+    world: Option<LocalFrame>,
+}
+
+/// Lays every photo.
+pub fn run(arguments: &Arguments) -> Outcome {
+    let ground = Ground::open(&arguments.map)?;
+    let mut answers = Vec::new();
+    for path in &arguments.photos {
+        let answer = answer(arguments, &ground, path)?;
+        if !arguments.json {
+            print(&answer);
+        }
+        answers.push(answer);
+    }
+    if arguments.json {
+        println!("{}", serde_json::to_string_pretty(&answers)?);
+    } else if answers.len() > 1 {
+        let laid = answers.iter().filter(|a| a.laid.is_some()).count();
+        println!("{laid} of {} photos were laid", answers.len());
+    }
+    Ok(())
+}
+
+impl Ground {
+    fn open(path: &Path) -> Result<Self, Box<dyn std::error::Error>> {
+        let directory = Directory::around(path)?;
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let map: OpenMap = pilotage_core::mission::open_map(&directory, &name, None)?;
+        let world = map.frame().copied();
+        Ok(Self {
+            map: Arc::new(CachedImagery::new(Arc::new(map), MAP_CACHE)),
+            world,
+        })
+    }
+
+    fn lat_lon(&self, ground: GroundPoint) -> Option<[f64; 2]> {
+        let at = self.world.as_ref()?.geodetic_from_ground(&ground);
+        Some([at.latitude.to_degrees(), at.longitude.to_degrees()])
+    }
+}
+
+fn answer(
+    arguments: &Arguments,
+    ground: &Ground,
+    path: &Path,
+) -> Result<Answer, Box<dyn std::error::Error>> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let told = |cause: &dyn std::fmt::Display| format!("{}: {cause}", path.display());
+    let bytes = std::fs::read(path).map_err(|e| told(&e))?;
+    let picture = decode_picture(&bytes).map_err(|e| told(&e))?;
+    let file = DiskFile::open(path, &name).map_err(|e| told(&e))?;
+    // What is no JPEG says nothing of itself.
+    let photo = read_photo(&file).unwrap_or_default();
+    let photo = Photo {
+        width: picture.width(),
+        height: picture.height(),
+        ..photo
+    };
+    let mut assumed = Vec::new();
+    let (focal, from) = match arguments.focal {
+        Some(focal) => (focal, "as you said"),
+        None => focal_in_pixels(&photo),
+    };
+    assumed.push(format!("focal length {focal:.0} pixels, {from}"));
+    let across = 2.0 * (0.5 * picture.width() as f64 / focal).atan();
+    let camera = CameraModel::pinhole(picture.width(), picture.height(), across);
+    let prior = prior(arguments, ground, &photo, &mut assumed)?;
+    let luminance = Pyramid::new(picture.to_gray(), PYRAMID_LEVELS);
+    let look = Look {
+        camera: &camera,
+        ground_down: 0.0,
+        luminance: &luminance,
+        map: ground.map.as_ref(),
+    };
+    let begun = Instant::now();
+    let result = register(&look, &prior);
+    let seconds = begun.elapsed().as_secs_f64();
+    if let (Ok(found), Some(folder)) = (&result, &arguments.overlay) {
+        std::fs::create_dir_all(folder)?;
+        if let Some(picture) = overlay(&look, found, ACROSS) {
+            let target = folder.join(Path::new(&*name).with_extension("png"));
+            std::fs::write(&target, encode_png(&picture)?)
+                .map_err(|e| format!("{}: {e}", target.display()))?;
+        }
+    }
+    Ok(Answer {
+        photo: name.into_owned(),
+        seconds,
+        assumed,
+        probability: result
+            .as_ref()
+            .map_or_else(|e| e.probability(), |r| r.probability),
+        refused: result.as_ref().err().map(ToString::to_string),
+        laid: result.ok().map(|found| laid(ground, &found)),
+    })
+}
+
+/// What is known of a photo before it is looked at.
+fn prior(
+    arguments: &Arguments,
+    ground: &Ground,
+    photo: &Photo,
+    assumed: &mut Vec<String>,
+) -> Result<PosePrior, Box<dyn std::error::Error>> {
+    let at = arguments.at.as_deref().map(lat_lon).transpose()?;
+    let of_photo = photo.place.map(|p| Geodetic {
+        latitude: p.latitude,
+        longitude: p.longitude,
+        height: 0.0,
+    });
+    let bounds = ground.map.bounds();
+    let known = at.or(of_photo).zip(ground.world.as_ref());
+    let (position, within) = if let Some((place, world)) = known {
+        let by = if at.is_some() {
+            "as you said"
+        } else {
+            "as the photo says"
+        };
+        assumed.push(format!("place {by}, within {:.0} m", arguments.within));
+        (world.ground_from_geodetic(&place), arguments.within)
+    } else {
+        assumed.push("place anywhere on the map".to_owned());
+        (bounds.center(), 0.5 * bounds.width().max(bounds.height()))
+    };
+    let told = photo_pose(photo);
+    let (height, height_within) = match (arguments.height, told.height.filter(|h| *h > 0.0)) {
+        (Some(height), _) => (height, arguments.height_within),
+        (None, Some(height)) => {
+            assumed.push(format!(
+                "height {height:.0} m, which the photo counts from take-off"
+            ));
+            (height, arguments.height_within)
+        }
+        (None, None) => {
+            assumed.push(format!(
+                "height {:.0} m give or take {:.0} %: nothing tells it",
+                USUAL_HEIGHT.0, USUAL_HEIGHT.1
+            ));
+            USUAL_HEIGHT
+        }
+    };
+    let degrees = |text: f64| text.to_radians();
+    let heading = arguments.heading.map(degrees).or(told.heading);
+    assumed.push(match (arguments.heading, told.heading) {
+        (Some(heading), _) => format!("heading {heading:.0}° as you said"),
+        (None, Some(heading)) => format!(
+            "heading {:.0}°, pitch {:.0}° {}",
+            heading.to_degrees().rem_euclid(360.0),
+            told.pitch.to_degrees(),
+            told.told_by
+        ),
+        (None, None) => "any heading".to_owned(),
+    });
+    let heading = match heading {
+        Some(heading) if arguments.heading_within < 180.0 => HeadingPrior::Around {
+            heading,
+            deviation: degrees(arguments.heading_within) / REACH,
+            may_be_turned: false,
+        },
+        _ => HeadingPrior::Unknown,
+    };
+    Ok(PosePrior {
+        position,
+        position_deviation: within.max(1.0) / REACH,
+        height,
+        log_height_deviation: (1.0 + 0.01 * height_within).ln() / REACH,
+        heading,
+        roll: told.roll,
+        pitch: arguments.ahead.map_or(told.pitch, degrees),
+        tilt_deviation: degrees(3.0),
+        slope_deviation: degrees(3.0),
+        shape: MapShape::default(),
+        shape_deviation: 0.02,
+        map_deviation: arguments.map_accuracy,
+    })
+}
+
+fn lat_lon(text: &str) -> Result<Geodetic, String> {
+    let parts: Option<Vec<f64>> = text.split(',').map(|p| p.trim().parse().ok()).collect();
+    match parts.as_deref() {
+        Some([latitude, longitude]) if latitude.abs() <= 90.0 && longitude.abs() <= 180.0 => {
+            Ok(Geodetic::from_degrees(*latitude, *longitude, 0.0))
+        }
+        _ => Err(format!(
+            "--at: \"{text}\" is not a latitude and a longitude in degrees with a comma between"
+        )),
+    }
+}
+
+fn laid(ground: &Ground, found: &Registration) -> Laid {
+    let pose = found.camera.pose;
+    let below = GroundPoint::new(pose.position_in_world.x, pose.position_in_world.y);
+    let deviation = |i: usize| found.camera.covariance[(i, i)].max(0.0).sqrt();
+    let covariance = found.centre_covariance;
+    Laid {
+        centre_lat_lon: ground.lat_lon(found.centre),
+        centre_north_east_m: [found.centre.north, found.centre.east],
+        centre_covariance_m2: [
+            [covariance[(0, 0)], covariance[(0, 1)]],
+            [covariance[(1, 0)], covariance[(1, 1)]],
+        ],
+        camera_lat_lon: ground.lat_lon(below),
+        camera_north_east_m: [below.north, below.east],
+        camera_deviation_m: [deviation(0), deviation(1)],
+        height_m: -pose.position_in_world.z,
+        height_deviation_m: deviation(2),
+        heading_deg: pose.attitude.yaw.to_degrees().rem_euclid(360.0),
+        heading_deviation_deg: deviation(5).to_degrees(),
+        roll_deg: pose.attitude.roll.to_degrees(),
+        pitch_deg: pose.attitude.pitch.to_degrees(),
+        stored_turn_deg: found.stored_turn.to_degrees(),
+        laid_by: match found.laid_by {
+            LaidBy::Patches => "patches",
+            LaidBy::WholeFrame => "whole frame",
+        },
+        patches: [found.matches.len(), found.tried],
+        log10_doubt: found.log_false_alarms,
+    }
+}
+
+fn print(answer: &Answer) {
+    println!(
+        "{} ({:.2} s): {}",
+        answer.photo,
+        answer.seconds,
+        answer.assumed.join("; ")
+    );
+    let Some(laid) = &answer.laid else {
+        let cause = answer.refused.as_deref().unwrap_or_default();
+        println!("  not laid: {cause}");
+        return;
+    };
+    let place = |at: &Option<[f64; 2]>, metres: [f64; 2]| match at {
+        Some([latitude, longitude]) => format!("{latitude:.6}, {longitude:.6}"),
+        None => format!("{:.1} m north, {:.1} m east", metres[0], metres[1]),
+    };
+    let covariance = laid.centre_covariance_m2;
+    println!(
+        "  middle of the picture {} ± {:.1} m; camera above {}; {:.1} ± {:.1} m high; heading {:.1} ± {:.1}°",
+        place(&laid.centre_lat_lon, laid.centre_north_east_m),
+        (0.5 * (covariance[0][0] + covariance[1][1])).sqrt(),
+        place(&laid.camera_lat_lon, laid.camera_north_east_m),
+        laid.height_m,
+        laid.height_deviation_m,
+        laid.heading_deg,
+        laid.heading_deviation_deg,
+    );
+    println!(
+        "  by {} ({} of {} patches agree), {:.2} % by the whole frame",
+        laid.laid_by,
+        laid.patches[0],
+        laid.patches[1],
+        100.0 * answer.probability
+    );
+}

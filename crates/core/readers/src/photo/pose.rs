@@ -1,0 +1,104 @@
+//! What one photo tells of where its camera was and how it was turned.
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::read::Photo;
+use pilotage_base::frames::{Attitude, wrap_pi};
+
+/// How a camera that looks down was turned; zero roll and pitch look straight down with the picture's top ahead.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PhotoPose {
+    /// Heading, radians clockwise from north, where anything tells it.
+    pub heading: Option<f64>,
+    /// Roll, radians.
+    pub roll: f64,
+    /// Pitch, radians; positive looks ahead.
+    pub pitch: f64,
+    /// Height above take-off, metres: above the ground only where that is level.
+    pub height: Option<f64>,
+    /// Who told the attitude, for people.
+    pub told_by: &'static str,
+}
+
+/// The attitude of a gimbal, whose pitch of -π/2 looks straight down, as one of a camera that looks down at zero.
+pub(super) fn looking_down(gimbal: Attitude) -> Attitude {
+    Attitude {
+        pitch: wrap_pi(gimbal.pitch + FRAC_PI_2),
+        ..gimbal
+    }
+}
+
+/// What a photo tells of its pose: by the gimbal, else by the aircraft's heading with the camera straight down,
+/// else by the direction in EXIF.
+pub fn photo_pose(photo: &Photo) -> PhotoPose {
+    let pose = |heading, roll, pitch, told_by| PhotoPose {
+        heading,
+        roll,
+        pitch,
+        height: photo.height_above_take_off,
+        told_by,
+    };
+    match (photo.gimbal, photo.aircraft) {
+        (Some(gimbal), _) => {
+            let camera = looking_down(gimbal);
+            pose(
+                Some(wrap_pi(camera.yaw)),
+                wrap_pi(camera.roll),
+                camera.pitch,
+                "by the gimbal",
+            )
+        }
+        (None, Some(aircraft)) if photo.is_gimbal_blank => pose(
+            Some(wrap_pi(aircraft.yaw)),
+            0.0,
+            0.0,
+            "by the aircraft, since the gimbal's angles are all zero; the camera is taken to look straight down",
+        ),
+        (None, Some(aircraft)) => pose(
+            Some(wrap_pi(aircraft.yaw)),
+            aircraft.roll,
+            aircraft.pitch,
+            "by the aircraft, to which the camera counts as fixed",
+        ),
+        (None, None) => {
+            let told_by = match photo.direction {
+                Some(_) => "by the direction in EXIF",
+                None => "by nothing",
+            };
+            pose(photo.direction.map(wrap_pi), 0.0, 0.0, told_by)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn attitude(roll: f64, pitch: f64, yaw: f64) -> Option<Attitude> {
+        Some(Attitude { roll, pitch, yaw })
+    }
+
+    #[test]
+    fn the_gimbal_comes_before_the_aircraft_unless_it_is_blank() {
+        let both = Photo {
+            gimbal: attitude(0.0, -FRAC_PI_2, 1.0),
+            aircraft: attitude(0.1, 0.2, 2.0),
+            ..Photo::default()
+        };
+        let told = photo_pose(&both);
+        assert_eq!((told.heading, told.roll, told.pitch), (Some(1.0), 0.0, 0.0));
+        let blank = Photo {
+            gimbal: None,
+            is_gimbal_blank: true,
+            ..both.clone()
+        };
+        let told = photo_pose(&blank);
+        assert_eq!((told.heading, told.roll, told.pitch), (Some(2.0), 0.0, 0.0));
+        let fixed = Photo {
+            gimbal: None,
+            ..both
+        };
+        let told = photo_pose(&fixed);
+        assert_eq!((told.heading, told.roll, told.pitch), (Some(2.0), 0.1, 0.2));
+    }
+}
