@@ -160,13 +160,25 @@ impl Log {
         values.find(|p| p.name == name).map(|p| p.value)
     }
 
-    /// First and last time of any row, seconds; `None` without rows.
+    /// First and last time of any row, seconds; `None` without rows. A time that leaps ahead of the rows around it, as one
+    /// damaged byte makes it, is none.
     pub fn span(&self) -> Option<(f64, f64)> {
-        let times = self.topics.iter().flat_map(|topic| &topic.times);
-        times
+        let sound = self.topics.iter().flat_map(|topic| {
+            let times = &topic.times;
+            let leaps = |at: usize| {
+                let around = at
+                    .checked_sub(1)
+                    .and_then(|at| times.get(at))
+                    .zip(times.get(at + 1));
+                around.is_some_and(|(before, after)| times[at] > *after && after >= before)
+            };
+            let kept = times.iter().enumerate().filter(move |(at, _)| !leaps(*at));
+            kept.map(|(_, time)| *time)
+        });
+        sound
             .filter(|time| time.is_finite())
             .fold(None, |span, time| {
-                let (first, last) = span.unwrap_or((*time, *time));
+                let (first, last) = span.unwrap_or((time, time));
                 Some((time.min(first), time.max(last)))
             })
     }

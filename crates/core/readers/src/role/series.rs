@@ -3,6 +3,9 @@
 use super::Role;
 use pilotage_base::frames::wrap_pi;
 
+/// How many times further than the next sample one lies that leapt ahead of its time.
+const LEAP: f64 = 100.0;
+
 /// A role found in a log.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RoleSeries {
@@ -43,6 +46,7 @@ impl RoleSeries {
         };
         let (plausible, wraps) = (role.plausible(), role.is_angle());
         let mut last = f64::NEG_INFINITY;
+        let mut before_last = f64::NEG_INFINITY;
         for (time, value) in samples {
             let value = value.filter(|v| v.is_finite() && v.abs() <= plausible);
             let Some(value) = value.filter(|_| time.is_finite()) else {
@@ -51,8 +55,16 @@ impl RoleSeries {
             };
             if time <= last {
                 series.out_of_order += 1;
-                continue;
+                // Where the last one leapt far ahead, it is that which is wrong, not all behind it.
+                let is_alone = !before_last.is_finite() || time <= before_last;
+                if is_alone || last - before_last < LEAP * (time - before_last) {
+                    continue;
+                }
+                series.times.pop();
+                series.values.pop();
+                last = before_last;
             }
+            before_last = last;
             last = time;
             series.times.push(time);
             series
@@ -66,5 +78,24 @@ impl RoleSeries {
     pub fn at(&self, time: f64) -> Option<f64> {
         let after = self.times.partition_point(|t| *t <= time + 1e-9);
         self.values.get(after.saturating_sub(1)).copied()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_time_that_leaps_ahead_takes_only_its_own_sample() {
+        let time = |i: u32| if i == 50 { 9e12 } else { 0.1 * f64::from(i) };
+        let samples = (0..200).map(|i| (time(i), Some(1.0 + f64::from(i))));
+        let series = RoleSeries::new(Role::Airspeed, "A.b", samples);
+        assert_eq!((series.times.len(), series.out_of_order), (199, 1));
+        assert!((series.times[198] - 19.9).abs() < 1e-9);
+        // A step back is what is wrong itself.
+        let time = |i: u32| if i == 50 { 1.0 } else { 0.1 * f64::from(i) };
+        let samples = (0..200).map(|i| (time(i), Some(1.0)));
+        let series = RoleSeries::new(Role::Airspeed, "A.b", samples);
+        assert_eq!((series.times.len(), series.out_of_order), (199, 1));
     }
 }
