@@ -347,7 +347,7 @@ fn column(
 }
 
 /// Leaves each role to the column that most likely is it, and takes away those that are of no use alone.
-fn settle(columns: &mut [MappedColumn]) {
+pub(super) fn settle(columns: &mut [MappedColumn]) {
     use ColumnRole::{Channel, Course, Latitude, Longitude, SpeedOverGround};
     use pilotage_flight::ChannelName::{GpsEast, GpsNorth};
     for index in 0..columns.len() {

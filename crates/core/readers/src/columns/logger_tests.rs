@@ -148,3 +148,28 @@ fn seconds_and_their_parts_in_two_columns_are_one_time() {
         );
     }
 }
+
+#[test]
+fn a_speed_that_contradicts_the_track_leaves_a_flight_without_it() {
+    let row = |i: u32| {
+        let (lat, lon) = (47.0 + 8e-6 * f64::from(i), 8.0 + 3e-6 * f64::from(i));
+        format!("{},{lat:.6},{lon:.6},5.0,20.0\n", 0.1 * f64::from(i))
+    };
+    let table =
+        "time,latitude,longitude,speed,course\n".to_owned() + &(0..60).map(row).collect::<String>();
+    let files = files(&[("a.csv", &table)]);
+    let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+    let folder = flight_of_tables(&files, &maps).unwrap();
+    assert!(
+        folder
+            .flight
+            .channel(ChannelName::GpsVelocityNorth)
+            .is_none()
+    );
+    let told = "differ by a factor of 1.8, which no unit explains";
+    assert!(
+        folder.notes.iter().any(|note| note.contains(told)),
+        "{:?}",
+        folder.notes
+    );
+}

@@ -21,6 +21,7 @@ mod velocity;
 
 use super::ColumnMap;
 use super::groups::Group;
+use super::guess::settle;
 use super::rows::Rows;
 use board::Board;
 use grid::Grid;
@@ -76,6 +77,10 @@ pub(super) fn judge(maps: &mut [&mut ColumnMap], evidence: &[Evidence]) {
     unknown::inertial(&mut board, &known);
     inertial::judge(&mut board, &mut known);
     air::judge(&mut board, &known);
+    // What contradicted the track may have left others alone.
+    for map in board.maps.iter_mut() {
+        settle(&mut map.columns);
+    }
     questions::ask(&mut board);
 }
 
