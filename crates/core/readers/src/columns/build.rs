@@ -9,7 +9,7 @@ use super::attitude::attitude;
 use super::groups::quaternion_roles;
 use super::rows::pair;
 use super::together::common_name;
-use super::{ColumnMap, ColumnRole, MappedColumn, time};
+use super::{ColumnMap, ColumnRole, MappedColumn, pictures, time};
 use crate::folder::{
     ChannelFile, FlightFile, FlightFolder, FolderError, StartFile, Table, TimeColumn, TimeFormat,
     VERSION, ValueColumn, read_tables,
@@ -111,6 +111,9 @@ pub fn flight_of_tables(
         );
     }
     let at_origin = (first.is_some() || !is_placed).then_some(0.0);
+    let (pictures, note) = pictures::named(files, maps, &tables, &channels).unzip();
+    let (frames, camera) = pictures.unzip();
+    notes.extend(note);
     let layout = FlightFile {
         pilotage_flight: VERSION,
         name: common_name(maps),
@@ -118,7 +121,7 @@ pub fn flight_of_tables(
         data: None,
         origin: first.map(|(origin, _)| origin),
         ground_down_m: 0.0,
-        camera: None,
+        camera,
         time_origin: None,
         start: StartFile {
             time_s: first.and_then(|(_, time)| time),
@@ -129,7 +132,7 @@ pub fn flight_of_tables(
             standard_deviation_m: GPS_DEVIATION,
         },
         channels,
-        frames: None,
+        frames,
         truth: None,
     };
     let mut folder = read_tables(Arc::clone(files), &layout, tables)?;

@@ -1,8 +1,12 @@
 //! Tables as loggers and radios write them: dates, hemispheres, units in cells, times that leap.
 
-use pilotage_flight::ChannelName;
+use pilotage_flight::{ChannelName, FrameSource as _};
 
 use super::ColumnRole::Channel;
+use std::sync::Arc;
+
+use pilotage_base::files::{FileSet, MemoryFiles};
+
 use super::tests::{files, guessed, is};
 use super::{flight_of_tables, guess_table};
 
@@ -171,5 +175,44 @@ fn a_speed_that_contradicts_the_track_leaves_a_flight_without_it() {
         folder.notes.iter().any(|note| note.contains(told)),
         "{:?}",
         folder.notes
+    );
+}
+
+#[test]
+fn pictures_that_a_table_names_are_the_frames_of_its_flight() {
+    let row = |i: u32| {
+        let lat = 47.0 + 4e-5 * f64::from(i);
+        format!(
+            "p{i}.png,{},{lat:.6},8.0,{},{}\n",
+            2 * i,
+            100 + i % 3,
+            10 * i
+        )
+    };
+    let table = "file,time_s,lat,lon,height_agl_m,heading_deg\n".to_owned()
+        + &(0..6).map(row).collect::<String>();
+    let mut png = std::io::Cursor::new(Vec::new());
+    let picture = image::RgbImage::from_pixel(8, 6, image::Rgb([7; 3]));
+    picture.write_to(&mut png, image::ImageFormat::Png).unwrap();
+    let mut all = MemoryFiles([("x/t.csv".to_owned(), table.clone().into_bytes())].into());
+    for i in 0..6 {
+        all.0
+            .insert(format!("x/shots/p{i}.png"), png.get_ref().clone());
+    }
+    let files: Arc<dyn FileSet> = Arc::new(all);
+    let maps = [guess_table("x/t.csv", table.as_bytes()).unwrap()];
+    let mut folder = flight_of_tables(&files, &maps).unwrap();
+    assert_eq!(folder.flight.frames.len(), 6);
+    assert_eq!(folder.flight.frames[3].time, 6.0);
+    assert_eq!(
+        (folder.flight.camera.width, folder.flight.camera.height),
+        (8, 6)
+    );
+    assert_eq!(folder.frames.picture(5).unwrap().width(), 8);
+    assert!(
+        folder
+            .notes
+            .iter()
+            .any(|note| note.contains("names 6 pictures"))
     );
 }

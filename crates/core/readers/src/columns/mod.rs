@@ -17,6 +17,7 @@ mod logger_tests;
 mod map;
 mod names;
 mod physics;
+mod pictures;
 mod preview;
 mod rows;
 mod sample;

@@ -22,7 +22,9 @@ mod write;
 pub(super) use clock::{Moment, TimeFormat};
 pub(super) use date::date_and_time;
 pub use error::FolderError;
-pub(super) use layout::{ChannelFile, FlightFile, StartFile, TimeColumn, VERSION, ValueColumn};
+pub(super) use layout::{
+    ChannelFile, FlightFile, FramesFile, StartFile, TimeColumn, VERSION, ValueColumn,
+};
 pub(super) use log::of_samples;
 pub use pictures::FolderFrames;
 pub use read::{FLIGHT_FILE, FlightFolder, read_flight};
