@@ -110,7 +110,7 @@ impl Navigator {
             (
                 ChannelName::HeightAboveGround,
                 "add a height channel, or lay whole frames on the map",
-                !is_found_by_frames,
+                !is_found_by_frames && !landmarks.is_empty(),
             ),
         ] {
             let has_none = flight.channel(name).is_none_or(|c| c.times.is_empty());
