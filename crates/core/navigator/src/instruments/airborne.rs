@@ -5,8 +5,12 @@ use super::series::LONGEST_GAP;
 use super::statistics::quantile;
 use pilotage_flight::stretches::{FLYING_SHARE, HOVERING, STANDING, stretches};
 
+/// Airspeed, in multiples of what stands, that nine of ten of an airplane's samples in the air do not stay below.
+const AIRPLANE: f64 = 2.0;
+
 /// Stretches in the air, seconds: faster, through the air or over ground, than a third of its fast speeds, or
-/// well above where it began if it is nothing that needs speed.
+/// well above where it began if it is nothing that needs speed. A multirotor that hovers flies, with an airspeed that
+/// shows nothing or without one.
 ///
 /// Of both speeds the larger counts, since flying against the wind is slow over ground, and an airspeed may be
 /// missing or stuck; but what stands on the ground does not fly however strong the wind or wrong the zero of the
@@ -26,11 +30,21 @@ pub fn airborne(readings: &Readings) -> Vec<(f64, f64)> {
         .collect();
     let sorted = speeds.iter().map(|(_, speed)| *speed).collect();
     let least = (FLYING_SHARE * quantile(sorted, 0.9)).max(STANDING);
-    let ground = readings.height.values().first().copied();
+    let airspeeds = readings.airspeed.values().to_vec();
+    let needs_speed = quantile(airspeeds, 0.9) > AIRPLANE * STANDING;
+    let ground = if readings.is_above_ground {
+        Some(0.0)
+    } else {
+        readings.height.values().first().copied()
+    };
     let hovers = |time| {
         let height = readings.height.at(time).zip(ground);
-        readings.airspeed.is_empty() && height.is_some_and(|(h, ground)| h - ground > HOVERING)
+        !needs_speed && height.is_some_and(|(h, ground)| h - ground > HOVERING)
     };
+    if speeds.is_empty() {
+        let heights = readings.height.times().iter();
+        return stretches(heights.map(|time| (*time, hovers(*time))));
+    }
     let flying = speeds
         .iter()
         .map(|(time, speed)| (*time, *speed > least || hovers(*time)));
@@ -82,5 +96,28 @@ mod tests {
             2,
             "nothing tells of the time between"
         );
+    }
+
+    #[test]
+    fn who_hovers_flies_and_who_stands_does_not() {
+        let mut readings = Readings::default();
+        for i in 0..600 {
+            let time = 0.1 * f64::from(i);
+            readings.velocities.push(time, Vector2::zeros());
+            let is_up = (10.0..50.0).contains(&time);
+            readings
+                .height
+                .push(time, if is_up { 104.0 } else { 100.0 });
+            // A tube without a wind in it.
+            readings.airspeed.push(time, 0.5 + 0.5 * time.sin());
+        }
+        let flown = airborne(&readings);
+        assert!(flown.len() == 1, "{flown:?}");
+        assert!((flown[0].0 - 10.0).abs() < 0.2 && (flown[0].1 - 49.9).abs() < 0.2);
+        readings.velocities = crate::instruments::Series::new();
+        readings.airspeed = crate::instruments::Series::new();
+        assert_eq!(airborne(&readings).len(), 1, "by its height alone");
+        readings.height = crate::instruments::Series::new();
+        assert_eq!(airborne(&readings), []);
     }
 }

@@ -51,18 +51,27 @@ pub fn gaps<T: Sample>(series: &Series<T>, airborne: &[(f64, f64)]) -> Vec<(f64,
     gaps
 }
 
-/// What there is to say of stretches in which an instrument is not used.
+/// What there is to say of stretches in which an instrument is not used: one note, however many they are.
 pub fn stuck_findings(what: &str, spans: &[(f64, f64)]) -> Vec<Finding> {
-    let finding = |(from, to): &(f64, f64)| Finding {
+    let longest = spans
+        .iter()
+        .max_by(|a, b| (a.1 - a.0).total_cmp(&(b.1 - b.0)));
+    let Some((from, to)) = longest else {
+        return Vec::new();
+    };
+    let more = match spans.len() {
+        1 => String::new(),
+        n => format!(" So it is {n} times; this is the longest."),
+    };
+    vec![Finding {
         severity: Severity::Warning,
         title: format!("{what} is stuck"),
         text: format!(
             "It shows one and the same number until {to:.1} s and is refused from {from:.1} s on, when that \
-             could be noticed."
+             could be noticed.{more}"
         ),
         span: Some((*from, *to)),
-    };
-    spans.iter().map(finding).collect()
+    }]
 }
 
 /// What there is to say of pauses.

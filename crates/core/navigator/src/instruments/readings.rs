@@ -26,8 +26,10 @@ pub struct Readings {
     pub positions: Series<Vector2<f64>>,
     /// Velocities over ground by satellite navigation, m/s north and east.
     pub velocities: Series<Vector2<f64>>,
-    /// Height by air pressure, or else above ground, metres.
+    /// Height by air pressure, or else above ground, metres; nothing but whether it flew depends on it.
     pub height: Series,
+    /// Whether that is above the ground, so that zero is the ground and not where it began.
+    pub is_above_ground: bool,
     /// Wind as the autopilot estimated it: velocity of the air, m/s north and east.
     pub autopilot_wind: Series<Vector2<f64>>,
     /// Whether positions and velocities are the truth of a simulated flight, which comes without delay.
@@ -39,11 +41,11 @@ pub struct Readings {
 impl Readings {
     /// Reads and cleans the channels of a flight.
     pub fn of(flight: &Flight) -> Self {
-        let mut findings = Vec::new();
+        let mut refused = Vec::new();
         let mut clean = |name| {
             let channel = flight.channel(name)?;
-            let (series, finding) = cleaned(channel);
-            findings.extend(finding);
+            let (series, left_out) = cleaned(channel);
+            refused.extend(left_out);
             Some(series)
         };
         let mut read = |name| clean(name).unwrap_or_default();
@@ -66,6 +68,7 @@ impl Readings {
             positions,
             velocities,
             height: Series::new(),
+            is_above_ground: false,
             autopilot_wind,
             are_true: false,
             findings: Vec::new(),
@@ -73,8 +76,9 @@ impl Readings {
         readings.height = read(ChannelName::BarometricHeight);
         if readings.height.is_empty() {
             readings.height = read(ChannelName::HeightAboveGround);
+            readings.is_above_ground = true;
         }
-        readings.findings = findings;
+        readings.findings = left_out_findings(&refused);
         readings.stand_in(flight);
         readings
     }
@@ -138,8 +142,16 @@ fn plausible(quantity: Quantity) -> f64 {
     }
 }
 
-/// The samples of a channel that can be, angles unwrapped, and what there is to say of the others.
-fn cleaned(channel: &Channel) -> (Series, Option<Finding>) {
+/// Samples of a channel that were left out.
+struct LeftOut {
+    name: ChannelName,
+    samples: usize,
+    no_number: usize,
+    out_of_order: usize,
+}
+
+/// The samples of a channel that can be, angles unwrapped, and what was left out.
+fn cleaned(channel: &Channel) -> (Series, Option<LeftOut>) {
     let limit = plausible(channel.name.quantity());
     let samples: Vec<(f64, f64)> = channel
         .times
@@ -162,38 +174,73 @@ fn cleaned(channel: &Channel) -> (Series, Option<Finding>) {
     }
     let no_number = samples.len() - numbers.len();
     let out_of_order = numbers.len() - series.times().len();
-    (
-        series,
-        refused(channel.name, samples.len(), no_number, out_of_order),
-    )
+    let left_out = LeftOut {
+        name: channel.name,
+        samples: samples.len(),
+        no_number,
+        out_of_order,
+    };
+    (series, (no_number + out_of_order > 0).then_some(left_out))
 }
 
-fn refused(
-    name: ChannelName,
-    samples: usize,
-    no_number: usize,
-    out_of_order: usize,
-) -> Option<Finding> {
-    let mut reasons = Vec::new();
-    if out_of_order > 0 {
-        reasons.push(format!("the times of {out_of_order} repeat or go back"));
+impl LeftOut {
+    fn reasons(&self) -> String {
+        let mut reasons = Vec::new();
+        if self.out_of_order > 0 {
+            reasons.push(format!(
+                "the times of {} repeat or go back",
+                self.out_of_order
+            ));
+        }
+        if self.no_number > 0 {
+            reasons.push(format!(
+                "{} are no number or beyond anything that flies",
+                self.no_number
+            ));
+        }
+        format!("Of {} samples, {}.", self.samples, reasons.join(" and "))
     }
-    if no_number > 0 {
-        reasons.push(format!(
-            "{no_number} are no number or beyond anything that flies"
-        ));
+
+    fn label(&self) -> String {
+        self.name.key().replace('_', " ")
     }
-    let share = (no_number + out_of_order) as f64 / samples.max(1) as f64;
-    (!reasons.is_empty()).then(|| Finding {
-        severity: if share > 0.01 {
-            Severity::Warning
-        } else {
-            Severity::Note
-        },
-        title: format!("Samples of {} were left out", name.key().replace('_', " ")),
-        text: format!("Of {samples} samples, {}.", reasons.join(" and ")),
+}
+
+/// One note of all channels of which samples were left out.
+fn left_out_findings(all: &[LeftOut]) -> Vec<Finding> {
+    let share = |l: &LeftOut| (l.no_number + l.out_of_order) as f64 / l.samples.max(1) as f64;
+    let severity = if all.iter().any(|l| share(l) > 0.01) {
+        Severity::Warning
+    } else {
+        Severity::Note
+    };
+    let (title, text) = match all {
+        [] => return Vec::new(),
+        [one] => (
+            format!("Samples of {} were left out", one.label()),
+            one.reasons(),
+        ),
+        [first, others @ ..] => {
+            let each = all
+                .iter()
+                .map(|l| format!("{}: {}", l.label(), l.reasons()));
+            let each: Vec<String> = each.collect();
+            (
+                format!(
+                    "Samples of {} and {} more were left out",
+                    first.label(),
+                    others.len()
+                ),
+                each.join(" "),
+            )
+        }
+    };
+    vec![Finding {
+        severity,
+        title,
+        text,
         span: None,
-    })
+    }]
 }
 
 /// The longest part of the samples whose times increase strictly.
@@ -246,7 +293,7 @@ mod tests {
         assert_eq!(series.times(), [0.0, 1.0, 2.0, 3.0]);
         assert_eq!(series.values(), [1.0, 2.0, 4.0, 5.0]);
         assert_eq!(
-            finding.unwrap().text,
+            finding.unwrap().reasons(),
             "Of 5 samples, the times of 1 repeat or go back."
         );
     }
@@ -262,7 +309,7 @@ mod tests {
         ];
         let (series, finding) = cleaned(&channel(ChannelName::Airspeed, &samples));
         assert_eq!(series.times(), [0.0, 3.0]);
-        let text = finding.unwrap().text;
+        let text = finding.unwrap().reasons();
         assert!(text.contains("the times of 1 repeat") && text.contains("2 are no number"));
     }
 
@@ -270,8 +317,22 @@ mod tests {
     fn a_heading_that_wraps_is_unwrapped() {
         let samples = [(0.0, 3.1), (1.0, -3.1), (2.0, -2.9)];
         let (series, finding) = cleaned(&channel(ChannelName::Heading, &samples));
-        assert_eq!(finding, None);
+        assert!(finding.is_none());
         let middle = series.at(0.5).unwrap();
         assert!((middle - std::f64::consts::PI).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_log_whose_times_repeat_says_so_once() {
+        let repeats = [(0.0, 1.0), (0.0, 1.0), (1.0, 1.0)];
+        let names = [ChannelName::Airspeed, ChannelName::Roll, ChannelName::Pitch];
+        let left_out = names.map(|name| cleaned(&channel(name, &repeats)).1.unwrap());
+        let findings = left_out_findings(&left_out);
+        assert_eq!(findings.len(), 1);
+        assert_eq!(
+            findings[0].title,
+            "Samples of airspeed and 2 more were left out"
+        );
+        assert!(left_out_findings(&[]).is_empty());
     }
 }
