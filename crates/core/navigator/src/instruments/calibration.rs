@@ -3,7 +3,9 @@
 use nalgebra::{Rotation2, Vector2};
 use serde::{Deserialize, Serialize};
 
+use super::blend::Blend;
 use super::fit::{AirFit, FitPrior, FitProblem};
+use super::fit_refusal::FitRefusal;
 use super::readings::Readings;
 use super::series::Series;
 use super::slip::SideForce;
@@ -17,6 +19,9 @@ const LAST_STEP: f64 = 0.01;
 /// Offset of the compass from which on it is told, radians.
 const COMPASS_OFF: f64 = 0.1;
 
+/// Standard deviation of the airspeed's scale about 1 before it was measured: ArduPilot takes ratios of 1.5 to 3 about
+/// 2 between speed squared and pressure for right (`ARSPD_RATIO`), and air at 1500 m makes another 1.08.
+const SCALE: f64 = 0.15;
 /// Standard deviation of the sideslip's length about zero before it was measured, m: a fuselage has a few metres, a
 /// bare wing some twenty.
 const SLIP_LENGTH: f64 = 30.0;
@@ -30,6 +35,8 @@ pub enum HeadingSource {
     Logged,
     /// The turn rates, integrated since take-off.
     Gyros,
+    /// The mean of both.
+    Both,
 }
 
 /// Seconds by which readings come late, against the attitude.
@@ -51,9 +58,7 @@ pub struct CalibrationSettings {
     pub expected_delays: Delays,
     /// Standard deviation of each about that, seconds.
     pub delay_deviation: f64,
-    /// Standard deviation of the error of the velocity that remembers itself, m/s per axis.
-    pub error_deviation: f64,
-    /// Its correlation time, seconds.
+    /// Time for which the error of a velocity is remembered where delays are told by what is new, seconds.
     pub error_memory: f64,
     /// What is believed of scale, heading and wind, for the logged heading.
     pub logged: FitPrior,
@@ -72,10 +77,9 @@ impl Default for CalibrationSettings {
                 gps: 0.2,
             },
             delay_deviation: 0.15,
-            error_deviation: 1.0,
             error_memory: 1.0,
             logged: FitPrior {
-                scale: 0.1,
+                scale: SCALE,
                 heading: 0.2,
                 drift: 0.0,
                 wind: 5.0,
@@ -83,7 +87,7 @@ impl Default for CalibrationSettings {
                 slip_offset: SLIP_LENGTH * SIDE_FORCE,
             },
             gyros: FitPrior {
-                scale: 0.1,
+                scale: SCALE,
                 heading: 1.0,
                 drift: 0.003,
                 wind: 5.0,
@@ -101,10 +105,14 @@ pub struct Calibration {
     pub as_of: f64,
     /// The heading it is for.
     pub heading: HeadingSource,
+    /// How both headings become one, where it is for their mean.
+    pub blend: Option<Blend>,
     /// Delays.
     pub delays: Delays,
     /// Wind, scale, offset and drift; `None` before there are enough samples.
     pub fit: Option<AirFit>,
+    /// What the track wants that cannot be, if it does.
+    pub refused: Option<FitRefusal>,
     /// True airspeed to assume while none is measured, m/s.
     pub cruise: f64,
     /// How the airspeed strays from that, standard deviation in m/s.
@@ -141,8 +149,17 @@ impl Calibration {
                 ),
             );
         }
+        findings.extend(self.refused.map(|refused| refused.finding()));
         let Some(fit) = self.fit else {
             return findings;
+        };
+        let mut say = |severity, title: String, text: String| {
+            findings.push(Finding {
+                severity,
+                title,
+                text,
+                span: None,
+            });
         };
         let off = fit.scale - 1.0;
         if off.abs() > 0.03 && off.abs() > 2.0 * fit.scale_deviation {
@@ -198,7 +215,7 @@ impl Calibration {
 }
 
 /// Finds delays, wind, scale and heading offset from the stretch `span` (seconds) of a flight.
-pub fn calibrate(
+pub(super) fn calibrate(
     readings: &Readings,
     nose: &Series<Vector2<f64>>,
     side_force: &SideForce,
@@ -206,52 +223,88 @@ pub fn calibrate(
     span: (f64, f64),
     settings: &CalibrationSettings,
 ) -> Calibration {
-    let problem = FitProblem {
+    let mut problem = problem(readings, nose, side_force, heading, span, settings);
+    let none = readings.are_true.then(Delays::default);
+    let given = settings.given_delays.or(none);
+    let start = given.unwrap_or(settings.expected_delays);
+    let (mean, _) = cruise(readings, span, 1.0);
+    let (mut fit, refused) = believable(&mut problem, start, mean);
+    let mut delays = start;
+    if let Some(first) = fit.filter(|_| given.is_none()) {
+        let expected = settings.expected_delays;
+        let score = |delays: Delays| {
+            let fit = problem.solve(delays.airspeed, delays.gps, Some(&first))?;
+            let off = Vector2::new(
+                delays.airspeed - expected.airspeed,
+                delays.gps - expected.gps,
+            );
+            Some(fit.log_likelihood - 0.5 * off.norm_squared() / settings.delay_deviation.powi(2))
+        };
+        delays = search(start, &score);
+        fit = problem.solve(delays.airspeed, delays.gps, None);
+    }
+    let (cruise, cruise_deviation) = cruise(readings, span, fit.map_or(1.0, |fit| fit.scale));
+    Calibration {
+        as_of: span.1,
+        heading,
+        blend: None,
+        delays,
+        fit,
+        refused,
+        cruise,
+        cruise_deviation,
+    }
+}
+
+/// What is fitted to what in the stretch `span` (seconds) of a flight.
+pub(super) fn problem<'a>(
+    readings: &'a Readings,
+    nose: &'a Series<Vector2<f64>>,
+    side_force: &'a SideForce,
+    heading: HeadingSource,
+    span: (f64, f64),
+    settings: &CalibrationSettings,
+) -> FitProblem<'a> {
+    FitProblem {
         velocities: &readings.velocities,
         airspeed: &readings.airspeed,
         nose,
         side_force,
         span,
         memory: settings.error_memory,
-        deviation: settings.error_deviation,
         prior: match heading {
-            HeadingSource::Logged => settings.logged,
+            HeadingSource::Logged | HeadingSource::Both => settings.logged,
             HeadingSource::Gyros => settings.gyros,
         },
-    };
-    let expected = settings.expected_delays;
-    let score = |delays: Delays| {
-        let fit = problem.solve(delays.airspeed, delays.gps)?;
-        let off = Vector2::new(
-            delays.airspeed - expected.airspeed,
-            delays.gps - expected.gps,
-        );
-        let unlikely = 0.5 * off.norm_squared() / settings.delay_deviation.powi(2);
-        Some((fit.log_likelihood - unlikely, fit))
-    };
-    let none = readings.are_true.then(Delays::default);
-    let (delays, fit) = match settings.given_delays.or(none) {
-        Some(delays) => (delays, score(delays).map(|(_, fit)| fit)),
-        None => search(expected, &score),
-    };
-    let (cruise, cruise_deviation) = cruise(readings, span, fit.map_or(1.0, |fit| fit.scale));
-    Calibration {
-        as_of: span.1,
-        heading,
-        delays,
-        fit,
-        cruise,
-        cruise_deviation,
+    }
+}
+
+/// A fit in which nothing cannot be, at a mean airspeed of `airspeed` m/s, and what was refused of it at first; the
+/// problem is left with priors that keep it so.
+fn believable(
+    problem: &mut FitProblem<'_>,
+    delays: Delays,
+    airspeed: f64,
+) -> (Option<AirFit>, Option<FitRefusal>) {
+    let mut refused = None;
+    loop {
+        let fit = problem.solve(delays.airspeed, delays.gps, None);
+        let Some(wrong) = fit.and_then(|fit| FitRefusal::of(&fit, airspeed)) else {
+            return (fit, refused);
+        };
+        // A sideslip that cannot be and a scale that still cannot be without it: the scale is the worse.
+        let is_new = refused.is_none() || matches!(refused, Some(FitRefusal::Slip(..)));
+        let Some(prior) = wrong.believed(problem.prior).filter(|_| is_new) else {
+            return (None, Some(wrong));
+        };
+        (problem.prior, refused) = (prior, Some(wrong));
     }
 }
 
 /// Climbs from `start` to the delays of the best score, by steps that halve.
-fn search(
-    start: Delays,
-    score: &impl Fn(Delays) -> Option<(f64, AirFit)>,
-) -> (Delays, Option<AirFit>) {
+fn search(start: Delays, score: &impl Fn(Delays) -> Option<f64>) -> Delays {
     let Some(mut best) = score(start) else {
-        return (start, None);
+        return start;
     };
     let mut at = start;
     let mut step = FIRST_STEP;
@@ -266,12 +319,12 @@ fn search(
             };
             Some((there, score(there)?))
         });
-        match candidates.max_by(|a, b| a.1.0.total_cmp(&b.1.0)) {
-            Some((there, found)) if found.0 > best.0 => (at, best) = (there, found),
+        match candidates.max_by(|a, b| a.1.total_cmp(&b.1)) {
+            Some((there, found)) if found > best => (at, best) = (there, found),
             _ => step *= 0.5,
         }
     }
-    (at, Some(best.1))
+    at
 }
 
 /// Mean and standard deviation of the true airspeed over a stretch, m/s: by the airspeed, or by the speed over

@@ -1,26 +1,39 @@
-//! Wind, airspeed scale and heading by least squares from what satellite navigation says of the velocity.
+//! Wind, airspeed scale, heading and slip from what satellite navigation says of the velocity.
 
-use nalgebra::{Matrix2, Rotation2, SMatrix, SVector, Vector2};
+use nalgebra::{Rotation2, SMatrix, SVector, Vector2};
 use serde::{Deserialize, Serialize};
 
+use super::rows::{Row, rows};
 use super::series::Series;
-use super::slip::{SideForce, Slip};
+use super::slip::SideForce;
+use super::track_noise::{Left, TrackNoise, means, means_over};
 
-/// Unknowns of the fit: a and b of the factor on the velocity over ground, what the wind adds north and east, drift,
-/// length and offset of the sideslip.
+/// Unknowns of the fit: the two of the factor on the air velocity, what the wind is north and east, drift, length and
+/// offset of the sideslip.
 const UNKNOWNS: usize = 7;
-/// Times about that of a velocity over ground at which the air data are read for it, seconds: receivers tell means,
-/// and noise is less.
-const AVERAGED: [f64; 5] = [-0.1, -0.05, 0.0, 0.05, 0.1];
+/// Those of them that are no wind.
+const NO_WIND: [usize; 5] = [0, 1, 4, 5, 6];
+/// Where length and offset of the sideslip stand among the unknowns.
+const SLIP_LENGTH: usize = 5;
+const SLIP_OFFSET: usize = 6;
+/// Mean square of how the nose strays from which on it turned: what wagging adds to it, some degrees, is a hundredth of
+/// that.
+const TURNED: f64 = 0.25;
 /// Fewest velocities of a fit.
 const FEWEST: usize = 20;
 /// Residuals beyond so many standard deviations are left out when the fit is made again.
 const OUTLIER: f64 = 5.0;
-/// Rounds in which the heading's offset moves to where it belongs, residuals say how much the samples weigh, and
-/// outliers are left out.
-const ROUNDS: usize = 5;
-/// Least standard deviation of a sample, m/s: no air is smoother.
-const SMOOTHEST: f64 = 0.1;
+/// Rounds in which the heading's offset moves to where it belongs, residuals say what noise there is, and outliers are
+/// left out.
+const ROUNDS: usize = 4;
+/// The same while the noise is known.
+const ROUNDS_IN_KNOWN_NOISE: usize = 2;
+/// Standard deviation of a prior that leaves anything open.
+const ANYTHING: f64 = 10.0;
+/// Time over which what is left is evened for a comparison, seconds.
+const SECOND: f64 = 1.0;
+/// Share of a moment's variance below which it counts as nothing, so that moments that say the same can be weighed.
+const NOTHING: f64 = 1e-9;
 
 /// What is believed of the unknowns before any measurement, standard deviations.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -39,15 +52,24 @@ pub struct FitPrior {
     pub slip_offset: f64,
 }
 
-/// One wind, one scale of the airspeed, one offset and drift of the heading, one readiness to slip sideways, by
-/// whitened least squares.
+/// One wind, one scale of the airspeed, one offset and drift of the heading, one readiness to slip sideways.
 ///
-/// The velocity over ground v of satellite navigation is smooth; gusts and noise are in the air velocity
-/// u = V cos θ (cos ψ, sin ψ) as read. So u is explained by v and not the other way round, which would take every
-/// gust for a smaller scale: u = a v + b v⊥ + c - d (t - t₀) (v - w)⊥ - s + e, with x⊥ the same turned to the
-/// right by 90° and s the slip by the side force (`slip.rs`), linear in a, b, c, d and what makes s, the wind w of the
-/// drift's term taken from the round before. The scale is 1 / |(a, b)|, the heading truly is atan2(-b, a) more, the wind solves a w + b w⊥ = -c. The error e remembers
-/// itself: each sample counts by what is new in it, e(t) - φ e(t'), φ = exp(-(t - t') / τ).
+/// The velocity over ground is v = a u + b u⊥ + d (t - t₀) u⊥ + s + w + e with the air velocity u = V cos θ (cos ψ, sin ψ)
+/// as read, x⊥ the same turned to the right by 90° and s the slip by the side force (`slip.rs`); linear in a, b, d, w and
+/// what makes s. The scale is |(a, b)|, the heading truly is atan2(b, a) more.
+///
+/// Both sides err. The airspeed reads gusts and noise that do not move the aircraft, so that least squares of v by u
+/// would find too small a scale; winds and receivers move v and no airspeed shows it, so that u by v would find too large
+/// a one; and the worse the more the fit listens to quick changes, in which there is little else. So the unknowns are
+/// those with which v less what explains it has nothing in common with where the nose pointed: Σ zᵀ (v - X θ) = 0 with
+/// instruments z that are made of the nose and the mean airspeed (instrumental variables: Reiersøl 1941; Durbin 1954);
+/// while the aircraft hardly turned, of the nose two seconds before and after, so that one that wags is no turn either.
+/// Every velocity counts alike, so that legs and turns decide and not the seconds; but for the slip the quick changes of
+/// the side force are the instrument, since slow ones are more of the accelerometer, the roll and the airspeed.
+///
+/// How far those sums may be off follows from the noise that the residuals show, with its memory
+/// ([`TrackNoise::covariance`]): a thousand velocities in the same gust are one. Weighed by it (Hansen 1982) they meet
+/// the priors, and so the stated deviations hold for errors that remember themselves.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AirFit {
     /// True airspeed over measured airspeed.
@@ -58,7 +80,7 @@ pub struct AirFit {
     pub heading_drift: f64,
     /// Time of the offset, seconds.
     pub reference: f64,
-    /// Velocity of the air (north, east), m/s.
+    /// Velocity of the air (north, east), m/s: the mean of the stretch.
     pub wind: Vector2<f64>,
     /// Length L of the sideslip, m: the airplane slips to its right at (B - L f) / V with the specific force f along
     /// the right wing; zero where none is measured.
@@ -67,18 +89,24 @@ pub struct AirFit {
     pub slip_deviation: f64,
     /// Offset B of the sideslip, m²/s².
     pub slip_offset: f64,
-    /// Standard deviation of the scale, by the residuals.
+    /// Standard deviation of the scale.
     pub scale_deviation: f64,
     /// Standard deviation of the heading's offset at `reference`, radians.
     pub offset_deviation: f64,
     /// Standard deviation of its drift, rad/s.
     pub drift_deviation: f64,
-    /// Standard deviation of the wind per axis, m/s.
+    /// Standard deviation per axis of the wind at the end of the stretch about `wind`, m/s.
     pub wind_deviation: f64,
-    /// Standard deviation per axis of what is left of the true air velocity, m/s.
+    /// The same of a wind that does not walk: what gusts, scale and heading leave open, m/s.
+    pub still_wind_deviation: f64,
+    /// Standard deviation per axis of what is left of the velocity, m/s.
     pub residual: f64,
-    /// Logarithm of the likelihood of the air velocities as read, but for a constant that is the same for all
-    /// fits to the same velocities over ground; what is left out counts as the largest residual that is not.
+    /// What moves the aircraft besides, likeliest by what is left of the velocity.
+    pub noise: TrackNoise,
+    /// The same in the mean over all that may be: what a prediction has to reckon with.
+    pub expected_noise: TrackNoise,
+    /// Logarithm of the likelihood of what is new in each velocity, but for a constant that is the same for all
+    /// fits to the same velocities; what is left out counts as the largest residual that is not.
     pub log_likelihood: f64,
     /// Velocities that it rests on.
     pub samples: usize,
@@ -87,325 +115,366 @@ pub struct AirFit {
 }
 
 /// What is fitted to what.
-pub struct FitProblem<'a> {
+pub(super) struct FitProblem<'a> {
     /// Velocities over ground, m/s.
-    pub velocities: &'a Series<Vector2<f64>>,
+    pub(super) velocities: &'a Series<Vector2<f64>>,
     /// Airspeed as read, m/s.
-    pub airspeed: &'a Series,
+    pub(super) airspeed: &'a Series,
     /// Horizontal part of the nose's direction.
-    pub nose: &'a Series<Vector2<f64>>,
+    pub(super) nose: &'a Series<Vector2<f64>>,
     /// Side force; may be empty.
-    pub side_force: &'a SideForce,
+    pub(super) side_force: &'a SideForce,
     /// Stretch of the velocities, seconds.
-    pub span: (f64, f64),
-    /// Correlation time τ of the error, seconds.
-    pub memory: f64,
-    /// Standard deviation of the error per axis, m/s, before the residuals say it.
-    pub deviation: f64,
+    pub(super) span: (f64, f64),
+    /// Time for which the error is remembered when new is told from old, seconds.
+    pub(super) memory: f64,
     /// Priors.
-    pub prior: FitPrior,
-}
-
-/// One velocity with what the air data say of it.
-#[derive(Clone, Copy)]
-struct Row {
-    time: f64,
-    ground: Vector2<f64>,
-    air: Vector2<f64>,
-    slip: Slip,
-}
-
-impl Row {
-    /// Rows of the design matrix, north and east, `since` seconds after the reference, near a guess.
-    fn design(&self, guess: &Guess, since: f64) -> [SVector<f64, UNKNOWNS>; 2] {
-        let (n, e) = (self.ground.x, self.ground.y);
-        let through_air = (self.ground - guess.wind) * since;
-        let turned = Rotation2::new(guess.offset);
-        let (slip, offset) = (turned * self.slip.per_length, turned * self.slip.per_offset);
-        [
-            SVector::from([n, -e, 1.0, 0.0, through_air.y, -slip.x, -offset.x]),
-            SVector::from([e, n, 0.0, 1.0, -through_air.x, -slip.y, -offset.y]),
-        ]
-    }
-}
-
-/// Normal equations that grow.
-struct Normal {
-    matrix: SMatrix<f64, UNKNOWNS, UNKNOWNS>,
-    right: SVector<f64, UNKNOWNS>,
-    squares: f64,
-    count: f64,
-}
-
-impl Normal {
-    fn add(&mut self, row: &SVector<f64, UNKNOWNS>, value: f64, deviation: f64) {
-        let weight = 1.0 / (deviation * deviation);
-        self.matrix += row * row.transpose() * weight;
-        self.right += row * (value * weight);
-        self.squares += value * value * weight;
-        self.count += 1.0;
-    }
+    pub(super) prior: FitPrior,
 }
 
 /// What a round takes from the one before.
 #[derive(Clone, Copy)]
 struct Guess {
     offset: f64,
-    wind: Vector2<f64>,
-    /// Standard deviation of a sample per axis, m/s.
-    deviation: f64,
+    noise: TrackNoise,
+    /// Whether scale and heading may be anything.
+    is_open: bool,
 }
 
-/// A solution with what the next round needs.
-struct Round {
-    fit: AirFit,
+/// The air velocity of a row as the unknowns act on it, near a guess.
+type Design = [Vector2<f64>; UNKNOWNS];
+
+/// A solution.
+struct Solved {
     unknowns: SVector<f64, UNKNOWNS>,
-    /// Standard deviation of what is left of the air velocity as read, m/s.
-    left: f64,
+    covariance: SMatrix<f64, UNKNOWNS, UNKNOWNS>,
+    offset: f64,
+    reference: f64,
+}
+
+fn right_of(v: Vector2<f64>) -> Vector2<f64> {
+    Vector2::new(-v.y, v.x)
+}
+
+/// Vectors by which the unknowns act with an air velocity of `air`.
+fn acting(row: &Row, air: Vector2<f64>, offset: f64, since: f64) -> Design {
+    let turned = Rotation2::new(offset);
+    let air = turned * air;
+    [
+        air,
+        right_of(air),
+        Vector2::x(),
+        Vector2::y(),
+        right_of(air) * since,
+        turned * row.slip.per_length,
+        turned * row.slip.per_offset,
+    ]
+}
+
+impl Solved {
+    fn left(&self, row: &Row) -> Left<5> {
+        let design = acting(row, row.air, self.offset, row.time - self.reference);
+        let explained = design.iter().zip(self.unknowns.iter());
+        let explained: Vector2<f64> = explained.map(|(vector, factor)| vector * *factor).sum();
+        Left {
+            time: row.time,
+            velocity: row.ground - explained,
+            design: NO_WIND.map(|index| design[index]),
+        }
+    }
+
+    fn scale(&self) -> f64 {
+        self.unknowns[0].hypot(self.unknowns[1])
+    }
+}
+
+/// Mean square of how the nose strays from its mean direction: 0 of who flies straight, 1 of who flies everywhere.
+fn spread(rows: &[Row]) -> f64 {
+    let count = rows.len().max(1) as f64;
+    let mean: Vector2<f64> = rows.iter().map(|row| row.nose).sum::<Vector2<f64>>() / count;
+    let squares = rows.iter().map(|row| (row.nose - mean).norm_squared());
+    squares.sum::<f64>() / count
+}
+
+/// Makes an instrument of the quick changes of another: Λᵀ Λ z, with Λ what is new in errors that remember themselves for
+/// `memory` seconds.
+fn quicken(moments: &mut [(f64, Design)], index: usize, memory: f64) {
+    let kept = |from: f64, to: f64| (-(to - from) / memory).exp();
+    let fresh = |kept: f64| 1.0 / (1.0 - kept * kept).max(1e-6);
+    let mut news = Vec::with_capacity(moments.len());
+    let mut earlier: Option<(f64, Vector2<f64>)> = None;
+    for (time, vectors) in moments.iter() {
+        let now = vectors[index];
+        news.push(earlier.map_or(now, |(before, then)| {
+            let kept = kept(before, *time);
+            (now - then * kept) * fresh(kept)
+        }));
+        earlier = Some((*time, now));
+    }
+    for i in 0..moments.len() {
+        let later = moments.get(i + 1).map(|m| m.0);
+        let next = later.map_or(Vector2::zeros(), |later| {
+            news[i + 1] * kept(moments[i].0, later)
+        });
+        moments[i].1[index] = news[i] - next;
+    }
 }
 
 impl FitProblem<'_> {
-    fn rows(&self, airspeed_delay: f64, gps_delay: f64) -> Vec<Row> {
-        let row = |(stamp, ground): (f64, Vector2<f64>)| {
-            let time = stamp - gps_delay;
-            let mut air = Vector2::zeros();
-            let (mut per_length, mut per_offset) = (Vector2::zeros(), Vector2::zeros());
-            let share = 1.0 / AVERAGED.len() as f64;
-            for part in AVERAGED {
-                let there = time + part;
-                let nose = self.nose.at(there)?;
-                let airspeed = self.airspeed.at(there + airspeed_delay)?;
-                air += nose * airspeed * share;
-                let slip = self.side_force.slip(there, &nose, airspeed);
-                per_length += slip.per_length * share;
-                per_offset += slip.per_offset * share;
-            }
-            Some(Row {
-                time,
-                ground,
-                air,
-                slip: Slip {
-                    per_length,
-                    per_offset,
-                },
-            })
-        };
-        let (from, to) = self.span;
-        self.velocities.between(from, to).filter_map(row).collect()
-    }
-
-    /// The best fit when the airspeed shows what was so many seconds ago, and the velocity likewise; `None`
-    /// with fewer than 20 samples.
-    ///
-    /// The priors are about a scale and an offset, which are linear only near the right heading: the offset is
-    /// found without them at first and with them in the rounds after, about itself.
-    pub fn solve(&self, airspeed_delay: f64, gps_delay: f64) -> Option<AirFit> {
-        let mut rows = self.rows(airspeed_delay, gps_delay);
+    /// The fit when the airspeed shows what was so many seconds ago, and the velocity likewise; `None` with fewer
+    /// than 20 samples. With an earlier fit it begins there and takes its noise for known.
+    pub(super) fn solve(
+        &self,
+        airspeed_delay: f64,
+        gps_delay: f64,
+        earlier: Option<&AirFit>,
+    ) -> Option<AirFit> {
+        let mut rows = rows(self, airspeed_delay, gps_delay);
         let whole = rows.len();
         let mut guess = Guess {
-            offset: 0.0,
-            wind: Vector2::zeros(),
-            deviation: self.deviation,
+            offset: earlier.map_or(0.0, |fit| fit.heading_offset),
+            noise: earlier.map_or_else(TrackNoise::default, |fit| fit.noise),
+            // The priors are about a scale and an offset, which are linear only near the right heading: it is found
+            // without them at first.
+            is_open: earlier.is_none() && self.prior.heading > 0.5,
         };
+        let rounds = earlier.map_or(ROUNDS, |_| ROUNDS_IN_KNOWN_NOISE);
         let mut found = None;
-        for round in 0..ROUNDS {
+        for _ in 0..rounds {
             if rows.len() < FEWEST {
                 return None;
             }
-            let loose = round == 0 && self.prior.heading > 0.5;
-            let solved = self.round(&rows, &guess, loose)?;
-            let turned = Rotation2::new(guess.offset);
-            let limit = (OUTLIER * solved.left).max(1.0) * std::f64::consts::SQRT_2;
-            let (reference, before) = (solved.fit.reference, rows.len());
-            rows.retain(|row| {
-                let design = row.design(&guess, row.time - reference);
-                let read = turned * row.air;
-                let left = Vector2::new(
-                    read.x - design[0].dot(&solved.unknowns),
-                    read.y - design[1].dot(&solved.unknowns),
-                );
-                left.norm() < limit
-            });
-            let settled = (solved.fit.wind - guess.wind).norm() < 0.01 && round > 1;
-            let is_settled = rows.len() == before && settled;
-            guess = Guess {
-                offset: solved.fit.heading_offset,
-                wind: solved.fit.wind,
-                deviation: solved.left.max(SMOOTHEST),
+            let solved = self.round(&rows, &guess)?;
+            let squares = |rows: &[Row]| -> f64 {
+                rows.iter()
+                    .map(|row| solved.left(row).velocity.norm_squared())
+                    .sum()
             };
-            found = Some((solved.fit, solved.left));
-            if is_settled {
-                break;
+            let residual = (0.5 * squares(&rows) / rows.len() as f64).sqrt();
+            let limit = (OUTLIER * residual).max(1.0) * std::f64::consts::SQRT_2;
+            rows.retain(|row| solved.left(row).velocity.norm() < limit);
+            guess.offset = solved.offset + solved.unknowns[1].atan2(solved.unknowns[0]);
+            guess.is_open = false;
+            if earlier.is_none() {
+                let left = means(rows.iter().map(|row| solved.left(row)));
+                guess.noise = guess
+                    .noise
+                    .likeliest(&left, &self.spread(), self.prior.wind);
             }
+            found = Some((solved, residual));
         }
-        found.map(|(fit, left)| {
-            let outliers = whole - fit.samples;
-            let both_axes = 2.0 * whole as f64;
-            AirFit {
-                outliers,
-                log_likelihood: -both_axes * left.ln() - 0.5 * OUTLIER * OUTLIER * outliers as f64,
-                ..fit
-            }
-        })
-    }
-
-    /// One solution about a guess; `loose` lets scale and offset be anything.
-    fn round(&self, rows: &[Row], guess: &Guess, loose: bool) -> Option<Round> {
-        let reference = rows.last()?.time;
-        let turned = Rotation2::new(guess.offset);
-        let mut normal = Normal {
-            matrix: SMatrix::zeros(),
-            right: SVector::zeros(),
-            squares: 0.0,
-            count: 0.0,
-        };
-        let mut earlier: Option<(f64, [SVector<f64, UNKNOWNS>; 2], Vector2<f64>)> = None;
-        for row in rows {
-            let design = row.design(guess, row.time - reference);
-            let read = turned * row.air;
-            let kept = earlier
-                .as_ref()
-                .map_or(0.0, |(time, ..)| (-(row.time - time) / self.memory).exp());
-            let deviation = guess.deviation * (1.0 - kept * kept).max(1e-6).sqrt();
-            for axis in 0..2 {
-                let (before, value) = earlier
-                    .as_ref()
-                    .map_or((SVector::zeros(), 0.0), |(_, d, r)| (d[axis], r[axis]));
-                let (row, value) = (design[axis] - before * kept, read[axis] - value * kept);
-                normal.add(&row, value, deviation);
-            }
-            earlier = Some((row.time, design, read));
+        let (solved, residual) = found?;
+        let (mut noise, mut expected_noise) = (guess.noise, guess.noise);
+        let mut solved = solved;
+        let mut still = 0.0;
+        if earlier.is_none() {
+            let left = means(rows.iter().map(|row| solved.left(row)));
+            (noise, expected_noise) = noise.known(&left, &self.spread(), self.prior.wind);
+            guess.noise = TrackNoise {
+                walk: 0.0,
+                ..expected_noise
+            };
+            still = self.round(&rows, &guess)?.fit().wind_deviation;
+            guess.noise = expected_noise;
+            solved = self.round(&rows, &guess)?;
         }
-        self.add_priors(&mut normal, guess.offset, loose);
-        let root = normal.matrix.cholesky()?;
-        let unknowns = root.solve(&normal.right);
-        let squares = (normal.squares - normal.right.dot(&unknowns)).max(f64::MIN_POSITIVE);
-        let left = (squares / normal.count).sqrt() * guess.deviation;
-        let covariance = root.inverse();
-        let factor = Vector2::new(unknowns[0], unknowns[1]);
-        let scale = 1.0 / factor.norm();
-        let into_wind = Matrix2::new(factor.x, factor.y, -factor.y, factor.x) * (-scale * scale);
-        let wind = into_wind * Vector2::new(unknowns[2], unknowns[3]);
-        // c = -(a w + b w⊥): how the wind moves with all of it.
-        let by_unknowns = into_wind
-            * SMatrix::<f64, 2, UNKNOWNS>::from_row_slice(&[
-                wind.x, -wind.y, 1.0, 0.0, 0.0, 0.0, 0.0, wind.y, wind.x, 0.0, 1.0, 0.0, 0.0, 0.0,
-            ]);
-        let of_wind = by_unknowns * covariance * by_unknowns.transpose();
-        let deviation = |i: usize| covariance[(i, i)].sqrt();
-        let fit = AirFit {
-            scale,
-            heading_offset: guess.offset + (-factor.y).atan2(factor.x),
-            heading_drift: unknowns[4] * scale,
-            reference,
-            wind,
-            slip_length: unknowns[5],
-            slip_deviation: deviation(5),
-            slip_offset: unknowns[6],
-            scale_deviation: deviation(0) * scale * scale,
-            offset_deviation: deviation(1) * scale,
-            drift_deviation: deviation(4) * scale,
-            wind_deviation: of_wind[(0, 0)].max(of_wind[(1, 1)]).sqrt(),
-            residual: left * scale,
-            log_likelihood: 0.0,
+        Some(AirFit {
+            residual,
+            noise,
+            expected_noise,
+            still_wind_deviation: still,
+            log_likelihood: self.log_likelihood(&rows, &solved, whole),
             samples: rows.len(),
-            outliers: 0,
-        };
-        Some(Round {
-            fit,
-            unknowns,
-            left,
+            outliers: whole - rows.len(),
+            ..solved.fit()
         })
     }
 
-    fn add_priors(&self, normal: &mut Normal, offset: f64, loose: bool) {
-        let about = |deviation: f64| if loose { 10.0 } else { deviation };
-        let priors = [
-            (1.0, about(self.prior.scale)),
-            (offset, about(self.prior.heading)),
-            (0.0, self.prior.wind),
-            (0.0, self.prior.wind),
-            (0.0, self.prior.drift.max(1e-9)),
-            (0.0, self.prior.slip_length),
-            (0.0, self.prior.slip_offset),
-        ];
-        for (index, (mean, deviation)) in priors.into_iter().enumerate() {
-            let mut row = SVector::zeros();
-            row[index] = 1.0;
-            normal.add(&row, mean, deviation);
+    /// Logarithm of the likelihood of what is new in each velocity.
+    fn log_likelihood(&self, rows: &[Row], solved: &Solved, whole: usize) -> f64 {
+        let news = self.new_in(rows, solved);
+        let squares: f64 = news.map(|(_, new)| new.norm_squared()).sum();
+        let deviation = (0.5 * squares / rows.len() as f64).sqrt();
+        let left_out = (whole - rows.len()) as f64;
+        -2.0 * whole as f64 * deviation.max(f64::MIN_POSITIVE).ln()
+            - 0.5 * OUTLIER * OUTLIER * left_out
+    }
+
+    /// Velocities that the fit leaves, in means over a second, as they are stamped.
+    pub(super) fn left(&self, airspeed_delay: f64, gps_delay: f64, fit: &AirFit) -> Vec<Left<0>> {
+        let solved = Solved::of(fit);
+        let rows = rows(self, airspeed_delay, gps_delay);
+        let left = rows.iter().map(|row| Left {
+            time: row.time + gps_delay,
+            velocity: solved.left(row).velocity,
+            design: [],
+        });
+        means_over(SECOND, left)
+    }
+
+    /// What is new in each velocity, against an error that remembers itself.
+    fn new_in<'a>(
+        &self,
+        rows: &'a [Row],
+        solved: &'a Solved,
+    ) -> impl Iterator<Item = (f64, Vector2<f64>)> + 'a {
+        let memory = self.memory;
+        let mut earlier: Option<Left<5>> = None;
+        rows.iter().map(move |row| {
+            let left = solved.left(row);
+            let (kept, before) = earlier.map_or((0.0, Vector2::zeros()), |earlier| {
+                let kept = (-(left.time - earlier.time) / memory).exp();
+                (kept, earlier.velocity)
+            });
+            earlier = Some(left);
+            let fresh = (1.0 - kept * kept).max(1e-6).sqrt();
+            (left.time, (left.velocity - before * kept) / fresh)
+        })
+    }
+
+    /// Standard deviations of the unknowns that are no wind.
+    fn spread(&self) -> [f64; 5] {
+        let prior = &self.prior;
+        [
+            prior.scale,
+            prior.heading,
+            prior.drift.max(1e-9),
+            prior.slip_length,
+            prior.slip_offset,
+        ]
+    }
+
+    /// One solution about a guess.
+    fn round(&self, rows: &[Row], guess: &Guess) -> Option<Solved> {
+        let reference = rows.last()?.time;
+        let mean = rows.iter().map(|row| row.airspeed).sum::<f64>() / rows.len() as f64;
+        let has_turned = spread(rows) > TURNED;
+        let mut moments = Vec::with_capacity(rows.len());
+        let mut slope = SMatrix::<f64, UNKNOWNS, UNKNOWNS>::zeros();
+        let mut value = SVector::<f64, UNKNOWNS>::zeros();
+        for row in rows {
+            let since = row.time - reference;
+            let nose = if has_turned {
+                row.nose
+            } else {
+                row.nose_beside
+            };
+            let instruments = acting(row, nose * mean, guess.offset, since);
+            moments.push((row.time, instruments));
         }
+        // What the side force says it says quickly.
+        for index in [SLIP_LENGTH, SLIP_OFFSET] {
+            quicken(&mut moments, index, guess.noise.memory);
+        }
+        for (row, (_, instruments)) in rows.iter().zip(&moments) {
+            let design = acting(row, row.air, guess.offset, row.time - reference);
+            for axis in 0..2 {
+                let x = SVector::<f64, UNKNOWNS>::from_fn(|i, _| design[i][axis]);
+                let z = SVector::<f64, UNKNOWNS>::from_fn(|i, _| instruments[i][axis]);
+                slope.ger(1.0, &z, &x, 1.0);
+                value.axpy(row.ground[axis], &z, 1.0);
+            }
+        }
+        let mut noise = guess.noise.covariance(&moments);
+        // In units of their own deviations; what is no moment at all says nothing.
+        let deviations = noise.diagonal().map(
+            |variance| {
+                if variance > 0.0 { variance.sqrt() } else { 1.0 }
+            },
+        );
+        for i in 0..UNKNOWNS {
+            value[i] /= deviations[i];
+            for j in 0..UNKNOWNS {
+                slope[(i, j)] /= deviations[i];
+                noise[(i, j)] /= deviations[i] * deviations[j];
+            }
+            noise[(i, i)] += NOTHING;
+        }
+        for i in 0..UNKNOWNS {
+            if noise[(i, i)] < 0.5 {
+                noise[(i, i)] = 1.0;
+            }
+        }
+        let weighed = noise.cholesky()?;
+        let mut information = slope.transpose() * weighed.solve(&slope);
+        let mut right = slope.transpose() * weighed.solve(&value);
+        for (index, (mean, deviation)) in self.priors(guess).into_iter().enumerate() {
+            let weight = 1.0 / (deviation * deviation);
+            information[(index, index)] += weight;
+            right[index] += weight * mean;
+        }
+        let root = information.cholesky()?;
+        Some(Solved {
+            unknowns: root.solve(&right),
+            covariance: root.inverse(),
+            offset: guess.offset,
+            reference,
+        })
+    }
+
+    /// Means and standard deviations of the unknowns about a guess.
+    fn priors(&self, guess: &Guess) -> [(f64, f64); UNKNOWNS] {
+        let prior = &self.prior;
+        let about = |deviation: f64| if guess.is_open { ANYTHING } else { deviation };
+        [
+            (1.0, about(prior.scale)),
+            (-guess.offset, about(prior.heading)),
+            (0.0, prior.wind),
+            (0.0, prior.wind),
+            (0.0, prior.drift.max(1e-9)),
+            (0.0, prior.slip_length),
+            (0.0, prior.slip_offset),
+        ]
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use rand::SeedableRng;
-    use rand_distr::{Distribution, StandardNormal};
-
-    use super::*;
-
-    /// Straight ahead for a minute, then, if it `turns`, round and round: 20 m/s through the air, which reads a tenth
-    /// too little and noise of 0.6 m/s, in a wind of 5 m/s.
-    fn fitted(turns: bool) -> AirFit {
-        let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(7);
-        let mut noise = || -> f64 { StandardNormal.sample(&mut random) };
-        let (mut velocities, mut airspeed, mut nose) =
-            (Series::new(), Series::new(), Series::new());
-        for i in 0..1200 {
-            let time = 0.1 * f64::from(i);
-            let heading = if turns {
-                0.1 * (time - 60.0).max(0.0)
-            } else {
-                0.3
-            };
-            let (sin, cos) = heading.sin_cos();
-            let wind = Vector2::new(-3.0, 4.0);
-            if i % 2 == 0 {
-                velocities.push(time, Vector2::new(cos, sin) * 20.0 + wind);
-            }
-            airspeed.push(time, 18.0 + 0.6 * noise());
-            nose.push(time, Vector2::new(cos, sin));
+impl Solved {
+    /// What it says, as far as it does.
+    fn fit(&self) -> AirFit {
+        let unknowns = &self.unknowns;
+        let scale = self.scale();
+        let along = Vector2::new(unknowns[0], unknowns[1]) / scale;
+        let of_factor = self.covariance.fixed_view::<2, 2>(0, 0).into_owned();
+        let deviation = |i: usize| self.covariance[(i, i)].max(0.0).sqrt();
+        let spread = |v: Vector2<f64>| v.dot(&(of_factor * v)).max(0.0).sqrt();
+        AirFit {
+            scale,
+            heading_offset: self.offset + unknowns[1].atan2(unknowns[0]),
+            heading_drift: unknowns[4] / scale,
+            reference: self.reference,
+            wind: Vector2::new(unknowns[2], unknowns[3]),
+            slip_length: unknowns[5],
+            slip_deviation: deviation(5),
+            slip_offset: unknowns[6],
+            scale_deviation: spread(along),
+            offset_deviation: spread(right_of(along)) / scale,
+            drift_deviation: deviation(4) / scale,
+            wind_deviation: deviation(2).max(deviation(3)),
+            residual: 0.0,
+            noise: TrackNoise::default(),
+            expected_noise: TrackNoise::default(),
+            still_wind_deviation: 0.0,
+            log_likelihood: 0.0,
+            samples: 0,
+            outliers: 0,
         }
-        let problem = FitProblem {
-            velocities: &velocities,
-            airspeed: &airspeed,
-            nose: &nose,
-            side_force: &SideForce::default(),
-            span: (0.0, 120.0),
-            memory: 1.0,
-            deviation: 1.0,
-            prior: FitPrior {
-                scale: 0.1,
-                heading: 0.2,
-                drift: 0.0,
-                wind: 5.0,
-                slip_length: 30.0,
-                slip_offset: 15.0,
-            },
-        };
-        problem.solve(0.0, 0.0).expect("a fit")
     }
 
-    #[test]
-    fn noise_of_the_airspeed_is_not_taken_for_a_smaller_scale() {
-        let fit = fitted(true);
-        assert!((fit.scale - 1.0 / 0.9).abs() < 0.01, "{fit:?}");
-        assert!((fit.wind - Vector2::new(-3.0, 4.0)).norm() < 0.1, "{fit:?}");
-        assert!(fit.scale_deviation < 0.01 && fit.heading_offset.abs() < 0.01);
-    }
-
-    #[test]
-    fn who_flies_straight_ahead_is_told_that_scale_and_wind_are_not_known() {
-        let fit = fitted(false);
-        assert!(
-            fit.scale_deviation > 0.05 && fit.wind_deviation > 1.0,
-            "{fit:?}"
-        );
-        assert!(
-            (fit.scale - 1.0 / 0.9).abs() < 2.0 * fit.scale_deviation,
-            "{fit:?}"
-        );
-        let off = (fit.wind - Vector2::new(-3.0, 4.0)).norm();
-        assert!(off < 3.0 * fit.wind_deviation, "{fit:?}");
+    /// The same again from what it said.
+    fn of(fit: &AirFit) -> Self {
+        Self {
+            unknowns: SVector::from([
+                fit.scale,
+                0.0,
+                fit.wind.x,
+                fit.wind.y,
+                fit.heading_drift * fit.scale,
+                fit.slip_length,
+                fit.slip_offset,
+            ]),
+            covariance: SMatrix::zeros(),
+            offset: fit.heading_offset,
+            reference: fit.reference,
+        }
     }
 }

@@ -26,6 +26,8 @@ pub(super) enum Event {
     Position(Vector2<f64>),
     Velocity(Vector2<f64>),
     Fix(PositionFix),
+    /// Satellite navigation is lost.
+    Outage,
     /// Somebody wants to know.
     Report,
 }
@@ -54,6 +56,12 @@ impl Events {
         self
     }
 
+    /// An outage that begins at `time`.
+    pub(super) fn outage(mut self, time: f64) -> Self {
+        self.0.push((time, Event::Outage));
+        self
+    }
+
     /// Reports at these times.
     pub(super) fn reports(mut self, times: impl IntoIterator<Item = f64>) -> Self {
         self.0
@@ -69,7 +77,11 @@ impl Events {
         inputs: &AirInputs<'_>,
         mut report: impl FnMut(&Walker<N, V>),
     ) -> Result<(), FilterError> {
-        let rank = |event: &Event| u8::from(matches!(event, Event::Report));
+        let rank = |event: &Event| match event {
+            Event::Report => 2,
+            Event::Outage => 1,
+            _ => 0,
+        };
         self.0
             .sort_by(|a, b| a.0.total_cmp(&b.0).then(rank(&a.1).cmp(&rank(&b.1))));
         for (time, event) in self.0 {
@@ -81,6 +93,7 @@ impl Events {
                     let place = Vector2::new(fix.position.north, fix.position.east);
                     walker.take_fix(place, &fix.covariance)?;
                 }
+                Event::Outage => walker.lose_gps()?,
                 Event::Report => report(walker),
             }
         }

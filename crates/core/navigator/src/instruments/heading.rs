@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
+use super::calibration::HeadingSource;
 use super::series::Series;
 use pilotage_base::frames::wrap_pi;
 use pilotage_flight::{Finding, Severity};
@@ -78,8 +79,8 @@ impl HeadingCheck {
     }
 
     /// What there is to say of it; `residuals` are what the best wind leaves of the velocity with the logged and
-    /// with the gyros' heading, m/s, and `takes_gyros` says which of them is used.
-    pub fn finding(&self, residuals: Option<(f64, f64)>, takes_gyros: bool) -> Option<Finding> {
+    /// with the gyros' heading, m/s, and `taken` says which of them is used.
+    pub fn finding(&self, residuals: Option<(f64, f64)>, taken: HeadingSource) -> Option<Finding> {
         if self.deviation < NOTED {
             return None;
         }
@@ -89,10 +90,15 @@ impl HeadingCheck {
                  heading to {gyros:.1} m/s."
             )
         });
-        let taken = if takes_gyros {
-            "The gyros' heading is used, turned to where the track over ground wants it."
-        } else {
-            "The logged heading is used."
+        let taken = match taken {
+            HeadingSource::Gyros => {
+                "The gyros' heading is used, turned to where the track over ground wants it."
+            }
+            HeadingSource::Logged => "The logged heading is used.",
+            HeadingSource::Both => {
+                "Neither fits better by more than chance: their mean is used, each turned to where the track over \
+                 ground wants it."
+            }
         };
         Some(Finding {
             severity: if self.deviation >= WARNED {
@@ -137,11 +143,13 @@ mod tests {
         let constant = nose(move |t| turning(t) + 0.35);
         let check = HeadingCheck::of(&constant, &gyros, (0.0, 100.0)).unwrap();
         assert!(check.deviation < 1e-6 && (check.drift + 0.002).abs() < 1e-9);
-        assert_eq!(check.finding(None, false), None);
+        assert_eq!(check.finding(None, HeadingSource::Logged), None);
         let bent = nose(move |t| turning(t) + 0.5 * turning(t).sin());
         let check = HeadingCheck::of(&bent, &gyros, (0.0, 100.0)).unwrap();
         assert!((check.deviation - 0.5 / 2.0_f64.sqrt()).abs() < 0.02);
-        let finding = check.finding(Some((3.2, 1.0)), true).unwrap();
+        let finding = check
+            .finding(Some((3.2, 1.0)), HeadingSource::Gyros)
+            .unwrap();
         assert_eq!(finding.severity, Severity::Warning);
         assert_eq!(finding.title, "Heading and gyros disagree by 20°");
         assert!(

@@ -7,30 +7,43 @@
 //! [`study_cuts`] through cuts all along.
 
 mod airborne;
+mod blend;
 mod calibration;
 mod fit;
+mod fit_refusal;
+#[cfg(test)]
+mod fit_tests;
 mod follow;
+#[cfg(test)]
+mod generated;
 mod gps_wind;
 mod heading;
+mod heading_choice;
 mod health;
+#[cfg(test)]
+mod honesty;
 mod models;
 mod nose;
 mod prepared;
 mod readings;
 mod reckon;
 mod refusal;
+mod rows;
 mod series;
 mod settings;
 mod slip;
 mod statistics;
 mod study;
 mod track;
+mod track_noise;
 mod tuning;
 mod walker;
 
 pub use airborne::airborne;
+pub use blend::Blend;
 pub use calibration::{Calibration, CalibrationSettings, Delays, HeadingSource};
 pub use fit::{AirFit, FitPrior};
+pub use fit_refusal::FitRefusal;
 pub use follow::PositionFix;
 pub use gps_wind::{GpsWindSettings, WindAt, WindComparison, compare_winds, gps_wind};
 pub use heading::HeadingCheck;
@@ -45,4 +58,5 @@ pub use settings::{HeadingChoice, Method, ReckonSettings};
 pub use statistics::quantile;
 pub use study::{CutOutcome, CutPlan, CutStudy, study_cuts};
 pub use track::{Growth, Track, TrackPoint};
+pub use track_noise::TrackNoise;
 pub use tuning::likeliest;

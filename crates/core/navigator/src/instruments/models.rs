@@ -1,5 +1,8 @@
 //! What dead reckoning asks of a process model beyond what every vehicle promises.
 
+use super::fit::AirFit;
+use pilotage_base::frames::GroundPoint;
+use pilotage_estimation::filter::Gaussian;
 use pilotage_estimation::vehicle::{
     AIRSPEED_MEMORY, AirplaneScaled, AirplaneWind, Gusts, VehicleModel,
 };
@@ -10,7 +13,34 @@ pub trait Airplane<const N: usize>: VehicleModel<N> + Clone {
     /// airspeed is measured.
     #[must_use]
     fn cruising(&self, speed: f64, deviation: f64) -> Self;
+
+    /// The same airplane in the noise that its flight shows.
+    #[must_use]
+    fn in_noise_of(&self, fit: &AirFit) -> Self;
+
+    /// Belief at the beginning, at `place` with standard deviation `deviation` (m) per axis.
+    fn start(&self, fit: Option<&AirFit>, place: GroundPoint, deviation: f64) -> Gaussian<N> {
+        let _ = fit;
+        self.prior(place, deviation)
+    }
+
+    /// The same during an outage that follows the fit.
+    #[must_use]
+    fn in_outage_after(&self, fit: &AirFit) -> Self {
+        self.in_noise_of(fit)
+    }
+
+    /// Components of the state that the fit has told and the filter leaves as they are.
+    fn told(&self) -> &'static [usize] {
+        &[]
+    }
 }
+
+/// Where the airspeed's scale and the heading's bias stand in the state of [`AirplaneScaled`].
+const SCALE: usize = 6;
+const HEADING_BIAS: usize = 7;
+/// Time over which a drift of the heading that is not known counts as its random walk, seconds: that of an outage.
+pub(super) const OUTAGE: f64 = 60.0;
 
 impl Airplane<8> for AirplaneScaled {
     fn cruising(&self, speed: f64, deviation: f64) -> Self {
@@ -24,6 +54,52 @@ impl Airplane<8> for AirplaneScaled {
         };
         model
     }
+
+    fn in_noise_of(&self, fit: &AirFit) -> Self {
+        let mut model = *self;
+        model.wind_noise_density = fit.noise.walk;
+        model.gusts = Gusts {
+            deviation: fit.noise.gust,
+            per_wind: 0.0,
+            correlation_time: fit.noise.memory,
+        };
+        let errors = &mut model.errors;
+        errors.start_scale_deviation = fit.scale_deviation;
+        errors.start_heading_bias_deviation = fit.offset_deviation;
+        // The fit is about the end of what it rests on.
+        (
+            errors.scale_noise_density,
+            errors.heading_bias_noise_density,
+        ) = (0.0, 0.0);
+        model
+    }
+
+    fn in_outage_after(&self, fit: &AirFit) -> Self {
+        let mut model = self.in_noise_of(fit);
+        model.wind_noise_density = fit.expected_noise.walk;
+        model.gusts.deviation = fit.expected_noise.gust;
+        model.gusts.correlation_time = fit.expected_noise.memory;
+        let errors = &mut model.errors;
+        errors.scale_noise_density = self.errors.scale_noise_density;
+        let drift = fit.drift_deviation * OUTAGE.sqrt();
+        errors.heading_bias_noise_density = self.errors.heading_bias_noise_density.hypot(drift);
+        model
+    }
+
+    fn start(&self, fit: Option<&AirFit>, place: GroundPoint, deviation: f64) -> Gaussian<8> {
+        let mut start = self.prior(place, deviation);
+        if let Some(fit) = fit {
+            start.mean[SCALE] = fit.scale;
+        }
+        start
+    }
+
+    /// Scale and heading. A filter that learns them by itself compares the airspeed with the velocity from moment to
+    /// moment, where both have noise of their own, and finds too small a scale; and it would learn the same velocities
+    /// a second time.
+    fn told(&self) -> &'static [usize] {
+        &[SCALE, HEADING_BIAS]
+    }
 }
 
 impl Airplane<4> for AirplaneWind {
@@ -33,5 +109,10 @@ impl Airplane<4> for AirplaneWind {
         let mut model = *self;
         model.air_data = model.air_data.cruising(speed, deviation);
         model
+    }
+
+    /// As it is: it is told its noise.
+    fn in_noise_of(&self, _fit: &AirFit) -> Self {
+        *self
     }
 }

@@ -1,11 +1,19 @@
 //! A flight made ready for dead reckoning.
 
+use std::borrow::Cow;
+
 use nalgebra::{Matrix2, Vector2};
 
 use super::airborne::airborne;
-use super::calibration::{Calibration, CalibrationSettings, Delays, HeadingSource, calibrate};
+use super::blend::Blend;
+use super::calibration::{
+    Calibration, CalibrationSettings, Delays, HeadingSource, calibrate, problem,
+};
+use super::fit::AirFit;
 use super::heading::HeadingCheck;
+use super::heading_choice::likelier;
 use super::health;
+use super::models::OUTAGE;
 use super::nose::{bridged, gyro_nose, logged_nose};
 use super::readings::Readings;
 use super::series::Series;
@@ -119,11 +127,12 @@ impl Instruments {
         !self.gyros.is_empty()
     }
 
-    /// The nose by a source.
-    pub(super) fn nose(&self, source: HeadingSource) -> &Series<Vector2<f64>> {
-        match source {
-            HeadingSource::Logged => &self.logged,
-            HeadingSource::Gyros => &self.gyros,
+    /// The nose as a calibration has it.
+    fn nose(&self, calibration: &Calibration) -> Cow<'_, Series<Vector2<f64>>> {
+        match (calibration.heading, calibration.blend) {
+            (HeadingSource::Both, Some(blend)) => Cow::Owned(blend.nose(&self.logged, &self.gyros)),
+            (HeadingSource::Gyros, _) => Cow::Borrowed(&self.gyros),
+            _ => Cow::Borrowed(&self.logged),
         }
     }
 
@@ -131,7 +140,7 @@ impl Instruments {
     pub(super) fn inputs<'a>(&'a self, calibration: &'a Calibration) -> AirInputs<'a> {
         AirInputs {
             airspeed: &self.calm,
-            nose: self.nose(calibration.heading),
+            nose: self.nose(calibration),
             side_force: &self.side_force,
             calibration,
         }
@@ -165,11 +174,7 @@ impl Instruments {
             HeadingChoice::Gyros => by(HeadingSource::Gyros),
             HeadingChoice::Best => {
                 let (logged, gyros) = (by(HeadingSource::Logged), by(HeadingSource::Gyros));
-                if takes_gyros(&logged, &gyros, self.logged.is_empty()) {
-                    gyros
-                } else {
-                    logged
-                }
+                self.better(&logged, &gyros, settings)
             }
         }
     }
@@ -180,8 +185,21 @@ impl Instruments {
         as_of: f64,
         settings: &CalibrationSettings,
     ) -> Calibration {
+        let nose = match source {
+            HeadingSource::Gyros => &self.gyros,
+            HeadingSource::Logged | HeadingSource::Both => &self.logged,
+        };
+        self.calibrate_along(nose, source, as_of, settings)
+    }
+
+    fn calibrate_along(
+        &self,
+        nose: &Series<Vector2<f64>>,
+        source: HeadingSource,
+        as_of: f64,
+        settings: &CalibrationSettings,
+    ) -> Calibration {
         let span = (self.stretch.0, as_of);
-        let nose = self.nose(source);
         calibrate(
             &self.readings,
             nose,
@@ -214,36 +232,74 @@ impl Instruments {
     ) -> Vec<Finding> {
         let by = |source| self.calibrate_by(source, as_of, settings);
         let (logged, gyros) = (by(HeadingSource::Logged), by(HeadingSource::Gyros));
-        let is_gyros = match choice {
-            HeadingChoice::Logged => false,
-            HeadingChoice::Gyros => true,
-            HeadingChoice::Best => takes_gyros(&logged, &gyros, self.logged.is_empty()),
+        let taken = match choice {
+            HeadingChoice::Logged => logged,
+            HeadingChoice::Gyros => gyros,
+            HeadingChoice::Best => self.better(&logged, &gyros, settings),
         };
         let residuals = logged.fit.zip(gyros.fit);
         let residuals =
             residuals.map(|(by_logged, by_gyros)| (by_logged.residual, by_gyros.residual));
         let check = HeadingCheck::of(&self.logged, &self.gyros, (self.stretch.0, as_of));
-        let check = check.and_then(|check| check.finding(residuals, is_gyros));
-        let compass = logged.compass_finding(!is_gyros);
+        let check = check.and_then(|check| check.finding(residuals, taken.heading));
+        let compass = logged.compass_finding(taken.heading != HeadingSource::Gyros);
         let check = check.into_iter().chain(compass);
-        let taken = if is_gyros { gyros } else { logged };
         check.chain(taken.findings()).collect()
     }
-}
 
-/// Whether the gyros' heading explains the flight better.
-fn takes_gyros(logged: &Calibration, gyros: &Calibration, no_logged: bool) -> bool {
-    match (logged.fit, gyros.fit) {
-        (Some(logged), Some(gyros)) => {
-            // Likelihoods per velocity, since one heading may be there for longer than the other.
-            let each = |fit: super::fit::AirFit| {
-                fit.log_likelihood / (fit.samples + fit.outliers).max(1) as f64
-            };
-            each(gyros) > each(logged)
+    /// The calibration of the heading that explains the flight better, or of the mean of both.
+    fn better(
+        &self,
+        logged: &Calibration,
+        gyros: &Calibration,
+        settings: &CalibrationSettings,
+    ) -> Calibration {
+        let left = |calibration: &Calibration, fit: &AirFit| {
+            let nose = self.nose(calibration);
+            let problem = problem(
+                &self.readings,
+                &nose,
+                &self.side_force,
+                calibration.heading,
+                (self.stretch.0, calibration.as_of),
+                settings,
+            );
+            let delays = calibration.delays;
+            problem.left(delays.airspeed, delays.gps, fit)
+        };
+        let likelier = match (&logged.fit, &gyros.fit) {
+            (Some(by_logged), Some(by_gyros)) => likelier(
+                &left(logged, by_logged),
+                &left(gyros, by_gyros),
+                settings.logged.wind,
+            ),
+            (None, Some(_)) => HeadingSource::Gyros,
+            (None, None) if self.logged.is_empty() => HeadingSource::Gyros,
+            _ => HeadingSource::Logged,
+        };
+        // What the gyros drift by until the middle of an outage is across the airspeed then.
+        let lasts = logged
+            .fit
+            .zip(gyros.fit)
+            .is_none_or(|(by_logged, by_gyros)| {
+                let drifted = gyros.cruise * by_gyros.drift_deviation * 0.5 * OUTAGE;
+                by_gyros.residual.hypot(drifted) < by_logged.residual
+            });
+        match (likelier, &logged.fit, &gyros.fit) {
+            (HeadingSource::Gyros | HeadingSource::Both, ..) if !lasts => *logged,
+            (HeadingSource::Gyros, ..) => *gyros,
+            (HeadingSource::Both, Some(by_logged), Some(by_gyros)) => {
+                let blend = Blend::of(by_logged, by_gyros);
+                let nose = blend.nose(&self.logged, &self.gyros);
+                let known =
+                    self.calibrate_along(&nose, HeadingSource::Both, logged.as_of, settings);
+                Calibration {
+                    blend: Some(blend),
+                    ..known
+                }
+            }
+            _ => *logged,
         }
-        (None, Some(_)) => true,
-        (Some(_), None) => false,
-        (None, None) => no_logged,
     }
 }
 

@@ -163,6 +163,7 @@ fn cut_track(
     let events = Events::default()
         .gps(&instruments.readings, (begin, cut.0), delay)
         .gps(&instruments.readings, (cut.1, end), delay)
+        .outage(cut.0 - delay)
         .fixes(&way.fixes, (begin, end))
         .reports(grid(begin, end));
     let findings = run(
@@ -272,6 +273,7 @@ pub(super) fn trust(method: Method, settings: &ReckonSettings) -> Trust {
             confidence: settings.gate_confidence,
         },
         patience: settings.patience,
+        learns: settings.learns_noise,
     }
 }
 

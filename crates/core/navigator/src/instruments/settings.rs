@@ -29,14 +29,19 @@ pub enum Method {
 
 /// How to reckon; numbers are standard deviations in SI.
 ///
-/// The noise of both filters comes from the two flights of the Skywalker X-8 that the tests fly. That of the full
-/// filter is rounded from what makes the positions at the ends of cuts likeliest ([`super::likeliest`] over
-/// [`super::CutStudy::end_log_likelihood`]); that of the plain one makes the innovations of `TestLog2` likeliest with the
+/// The full filter takes the noise of wind and gusts, and its beliefs about airspeed and heading, from the flight up to
+/// the outage ([`super::TrackNoise`], [`super::AirFit`]). What stands below is for flights that do not say it yet, and
+/// comes from the two flights of the Skywalker X-8 that the tests fly: that of the full filter is rounded from what makes
+/// the positions at the ends of cuts likeliest ([`super::likeliest`] over [`super::CutStudy::end_log_likelihood`]);
+/// that of the plain one makes the innovations of `TestLog2` likeliest with the
 /// 5 ft of DeAngelo 2016, Table 4, as the doubt of a position, among winds that hardly change: a wind that follows
 /// whatever the positions do (4.5 m/s/√s) makes them likelier still and cuts useless.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct ReckonSettings {
+    /// Whether the full filter takes its noise from the flight up to the outage, where that shows it; as set below
+    /// otherwise.
+    pub learns_noise: bool,
     /// Process model of the filter.
     pub airplane: AirplaneScaled,
     /// Position by satellite navigation per axis, m.
@@ -64,6 +69,7 @@ impl Default for ReckonSettings {
             ..AirData::default()
         };
         Self {
+            learns_noise: true,
             airplane: AirplaneScaled {
                 air_data: AirData {
                     position_noise_density: 0.05,

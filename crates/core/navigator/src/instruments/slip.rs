@@ -30,7 +30,7 @@ pub(super) struct SideForce {
 }
 
 /// How fast the airplane slips through the air, by what it depends on; horizontal, north and east.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Slip {
     /// For each metre of L, 1/s.
     pub(super) per_length: Vector2<f64>,
@@ -112,7 +112,6 @@ mod tests {
             side_force: &SideForce::of(&readings, &[(0.0, 120.0)]),
             span: (0.0, 120.0),
             memory: 1.0,
-            deviation: 1.0,
             prior: FitPrior {
                 scale: 0.1,
                 heading: 0.2,
@@ -122,7 +121,7 @@ mod tests {
                 slip_offset,
             },
         };
-        problem.solve(0.0, 0.0).expect("a fit")
+        problem.solve(0.0, 0.0, None).expect("a fit")
     }
 
     /// How far off the wind is, m/s.

@@ -181,6 +181,7 @@ impl Part<'_> {
             let to = from + self.plan.length;
             let mut coasting = walker.clone();
             let through = Events::default()
+                .outage(walker.time())
                 .fixes(self.fixes, (walker.time(), to - delay))
                 .lead(&mut coasting, &inputs, |_| {});
             if let Err(error) = through.and_then(|()| coasting.advance(&inputs, to - delay)) {

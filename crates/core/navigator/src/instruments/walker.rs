@@ -1,15 +1,18 @@
 //! One filter on its way through the readings.
 
-use nalgebra::{Matrix2, SVector, Vector2};
+use std::borrow::Cow;
+
+use nalgebra::{Const, Matrix2, SVector, Vector2};
 
 use super::calibration::Calibration;
+use super::fit::AirFit;
 use super::models::Airplane;
 use super::refusal::{Refusals, Source};
 use super::series::Series;
 use super::slip::SideForce;
 use pilotage_base::frames::Attitude;
 use pilotage_estimation::filter::{
-    FilterError, Gate, Gaussian, Ukf, UnscentedSettings, fading_factor,
+    FilterError, Gate, Gaussian, PredictedMeasurement, Ukf, UnscentedSettings, fading_factor,
 };
 use pilotage_estimation::vehicle::ControlInput;
 
@@ -21,12 +24,12 @@ const INSTANT: f64 = 1e-3;
 const BLIND: f64 = 1.0;
 
 /// What the air data say at a time, with delays and the heading's offset taken out.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub(super) struct AirInputs<'a> {
     /// Airspeed as read, m/s.
     pub(super) airspeed: &'a Series,
     /// Horizontal part of the nose's direction as read.
-    pub(super) nose: &'a Series<Vector2<f64>>,
+    pub(super) nose: Cow<'a, Series<Vector2<f64>>>,
     /// Side force.
     pub(super) side_force: &'a SideForce,
     /// What is known of them.
@@ -70,6 +73,8 @@ pub(super) struct Trust {
     pub(super) gate: Gate,
     /// After so many seconds of refusals the measurements are believed and the filter is not.
     pub(super) patience: f64,
+    /// Whether the filter takes its noise from the flight.
+    pub(super) learns: bool,
 }
 
 /// A filter, its model and the time of its belief.
@@ -79,6 +84,12 @@ pub(super) struct Walker<const N: usize, V> {
     /// The same airplane while its heading is unknown.
     blind: V,
     filter: Ukf<N>,
+    /// Components that measurements leave as they are.
+    told: &'static [usize],
+    /// The same airplane from the beginning of an outage on, if it is another, and what it goes by.
+    outage: Option<(V, AirFit)>,
+    /// When it began, seconds.
+    start: f64,
     time: f64,
     trust: Trust,
     /// Measurements that were refused.
@@ -98,10 +109,19 @@ impl<const N: usize, V: Airplane<N>> Walker<N, V> {
     ) -> Result<Self, FilterError> {
         let place = pilotage_base::frames::GroundPoint::new(start.mean.x, start.mean.y);
         let deviation = start.covariance.trace().max(0.0).sqrt() * std::f64::consts::FRAC_1_SQRT_2;
+        let fit = calibration.fit.as_ref().filter(|_| trust.learns);
+        let given = model;
+        let model = fit.map_or_else(|| model.clone(), |fit| model.in_noise_of(fit));
         let (speed, stray) = (calibration.cruise, calibration.cruise_deviation);
         let any_way = BLIND * speed.hypot(stray) * std::f64::consts::FRAC_1_SQRT_2;
         Ok(Self {
-            filter: Ukf::new(model.prior(place, deviation), UnscentedSettings::default())?,
+            filter: Ukf::new(
+                model.start(fit, place, deviation),
+                UnscentedSettings::default(),
+            )?,
+            told: fit.map_or(&[], |_| model.told()),
+            outage: fit.map(|fit| (given.in_outage_after(fit).cruising(speed, stray), *fit)),
+            start: time,
             model: model.cruising(speed, stray),
             blind: model.cruising(0.0, any_way),
             time,
@@ -119,6 +139,53 @@ impl<const N: usize, V: Airplane<N>> Walker<N, V> {
     /// Its time, seconds.
     pub(super) fn time(&self) -> f64 {
         self.time
+    }
+
+    /// Satellite navigation is lost.
+    pub(super) fn lose_gps(&mut self) -> Result<(), FilterError> {
+        let Some((model, fit)) = self.outage.take() else {
+            return Ok(());
+        };
+        let mut belief = self.filter.state();
+        if let Some(wind) = model.wind_index() {
+            let flown = self.time - self.start;
+            let (of_gusts, walked) = fit.noise.mistaken(&fit.expected_noise, flown.max(1.0));
+            let still = fit.still_wind_deviation;
+            for axis in wind..wind + 2 {
+                let known = &mut belief.covariance[(axis, axis)];
+                *known = (*known + of_gusts).max(still * still) + walked;
+            }
+        }
+        self.model = model;
+        // What comes now, from landmarks, was not heard by the fit.
+        self.told = &[];
+        self.filter.reset(&belief)
+    }
+
+    /// Takes in what was measured, but for what is told: its doubt counts, and remains (Schmidt 1966).
+    fn correct(
+        &mut self,
+        predicted: &PredictedMeasurement<N, Const<2>>,
+        measured: &Vector2<f64>,
+    ) -> Result<(), FilterError> {
+        if self.told.is_empty() {
+            self.filter.correct(predicted, measured)?;
+            return Ok(());
+        }
+        let cross = &predicted.cross_covariance;
+        let spread = &predicted.innovation_covariance;
+        let inverse = spread.try_inverse().ok_or(FilterError::NotFinite {
+            place: "gain of a measurement",
+        })?;
+        let mut gain = cross * inverse;
+        for index in self.told {
+            gain.row_mut(*index).fill(0.0);
+        }
+        let mut belief = self.filter.state();
+        belief.mean += gain * predicted.innovation(measured);
+        let shared = gain * cross.transpose();
+        belief.covariance += gain * spread * gain.transpose() - shared - shared.transpose();
+        self.filter.reset(&belief)
     }
 
     /// Predicts up to `to` seconds.
@@ -193,7 +260,7 @@ impl<const N: usize, V: Airplane<N>> Walker<N, V> {
             + std::f64::consts::TAU.ln();
         if verdict.accepted {
             self.refusals.accept(source, self.time);
-            self.filter.correct(&predicted, &measured)?;
+            self.correct(&predicted, &measured)?;
             return Ok(());
         }
         let refused_for = self.refusals.refuse(source, self.time, innovation.norm());
@@ -212,7 +279,7 @@ impl<const N: usize, V: Airplane<N>> Walker<N, V> {
             belief.covariance *= factor;
             self.filter.reset(&belief)?;
             let predicted = self.filter.predict_measurement(|x| Some(model(x)), noise)?;
-            self.filter.correct(&predicted, &measured)?;
+            self.correct(&predicted, &measured)?;
             self.refusals.believe(source, self.time);
         }
         Ok(())
