@@ -6,6 +6,7 @@ use super::calibration::Calibration;
 use super::follow::{Events, PositionFix};
 use super::models::Airplane;
 use super::prepared::{Instruments, ReckonError};
+use super::refusal::findings;
 use super::settings::{HeadingChoice, Method, ReckonSettings};
 use super::track::{Track, TrackPoint};
 use super::walker::{Trust, Walker};
@@ -327,8 +328,7 @@ fn lead<const N: usize, V: Airplane<N>>(
             calibration,
         ));
     })?;
-    let refusals = walker.refusals.all().iter();
-    Ok(refusals.map(super::refusal::Refusal::finding).collect())
+    Ok(findings(walker.refusals.all()))
 }
 
 /// A filter at the beginning of the stretch.

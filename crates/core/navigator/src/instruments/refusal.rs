@@ -70,6 +70,23 @@ impl Refusal {
     }
 }
 
+/// One finding of each source, however many stretches it was refused in: they have one cause. Told is the worst.
+pub(super) fn findings(all: &[Refusal]) -> Vec<Finding> {
+    let sources = [Source::Position, Source::Velocity, Source::Fix];
+    let of_source = |source| {
+        let stretches = all.iter().filter(|r| r.source == source);
+        let count = stretches.clone().count();
+        let worst = stretches.max_by(|a, b| a.largest.total_cmp(&b.largest))?;
+        let mut finding = worst.finding();
+        if count > 1 {
+            let text = finding.text;
+            finding.text = format!("{text} It was so in {count} stretches; this was the worst.");
+        }
+        Some(finding)
+    };
+    sources.into_iter().filter_map(of_source).collect()
+}
+
 /// Refusals of a run, put together by stretch.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Refusals {
@@ -116,5 +133,26 @@ impl Refusals {
         if let Some(refusal) = self.all.iter_mut().rev().find(|r| r.source == source) {
             refusal.believed = true;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn velocities_refused_in_many_stretches_are_one_note() {
+        let mut refusals = Refusals::default();
+        for (time, distance) in [(1.0, 4.0), (10.0, 9.0), (20.0, 5.0)] {
+            refusals.refuse(Source::Velocity, time, distance);
+        }
+        let found = findings(refusals.all());
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].span, Some((10.0, 10.0)));
+        assert!(
+            found[0]
+                .text
+                .ends_with("in 3 stretches; this was the worst.")
+        );
     }
 }
