@@ -9,7 +9,11 @@
 use pilotage_raster::raster::ChannelSurface;
 
 /// Share of the logarithm of the likelihood that is believed.
-pub const TEMPERED: f64 = 0.6;
+///
+/// Of 0.35, 0.45, 0.5 and 0.6 the one by which the probabilities of 90 photos anywhere on their own maps of other
+/// dates and of the same on a map of another country, no heading known, are likeliest: 0.45 and 0.5 are alike,
+/// 0.6 is sure of other ground in 2 of 90, 0.35 doubts half of what is right.
+pub const TEMPERED: f64 = 0.5;
 
 /// What correlations of a frame mean.
 #[derive(Clone, Copy, Debug, PartialEq)]

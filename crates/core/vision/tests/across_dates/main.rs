@@ -11,6 +11,7 @@ mod photos;
 
 use photos::{Photo, Site};
 use pilotage_base::frames::GroundPoint;
+use pilotage_raster::imagery::Imagery;
 use pilotage_vision::registration::{
     HeadingPrior, Look, MapShape, NotRegistered, PosePrior, Registration, register,
 };
@@ -84,6 +85,38 @@ fn lay(site: &Site, doubt: Doubt, each: usize) -> Vec<Outcome> {
         outcomes.push(outcome);
     }
     outcomes
+}
+
+/// How many of every `each`-th photo are believed on a map of another country, and the highest probability.
+fn believed_elsewhere(photos: &Site, map: &Site, each: usize) -> (usize, f64) {
+    let doubt = Doubt {
+        position: 150.0,
+        heading: None,
+        log_height: within(0.15),
+    };
+    let bounds = map.map.bounds();
+    let (mut believed, mut highest) = (0, 0.0_f64);
+    for photo in photos.photos.iter().step_by(each) {
+        let look = Look {
+            camera: &photo.camera,
+            ground_down: 0.0,
+            luminance: &photo.luminance,
+            map: &map.map,
+        };
+        let anywhere = PosePrior {
+            position: bounds.center(),
+            ..prior(photo, doubt, 0.0)
+        };
+        let probability = match register(&look, &anywhere) {
+            Ok(found) => {
+                believed += 1;
+                found.probability
+            }
+            Err(cause) => cause.probability(),
+        };
+        highest = highest.max(probability);
+    }
+    (believed, highest)
 }
 
 fn prior(photo: &Photo, doubt: Doubt, way: f64) -> PosePrior {
@@ -206,4 +239,16 @@ fn frames_over_fields_and_river_lie_at_one_place_on_maps_of_two_dates() {
         "{same} of {}",
         both.len()
     );
+}
+
+#[test]
+fn a_map_of_another_country_does_not_show_a_photo() {
+    let Some((town, fields)) = photos::fengyuan().zip(photos::adm("map_january")) else {
+        return;
+    };
+    for (photos, map, each) in [(&town, &fields, 3), (&fields, &town, 4)] {
+        let (believed, highest) = believed_elsewhere(photos, map, each);
+        println!("{believed} believed, the highest probability is {highest:.3}");
+        assert!(believed == 0 && highest < 0.9, "{believed} {highest}");
+    }
 }
