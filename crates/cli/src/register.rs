@@ -11,7 +11,7 @@ use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::mission::OpenMap;
 use pilotage_core::raster::{PYRAMID_LEVELS, Pyramid, decode_picture, encode_png};
 use pilotage_core::registration::{
-    HeadingPrior, LaidBy, Look, MapShape, PosePrior, Registration, overlay, register,
+    HeadingPrior, LaidBy, Look, MapShape, NotRegistered, PosePrior, Registration, overlay, register,
 };
 use serde::Serialize;
 
@@ -107,7 +107,7 @@ struct Laid {
     /// Quarter turns apart, the picture was stored so.
     stored_turn_deg: f64,
     /// "patches" or "whole frame".
-    laid_by: &'static str,
+    believed_by: &'static str,
     /// Patches that agree, of those that could be found.
     patches: [usize; 2],
     log10_doubt: f64,
@@ -207,7 +207,7 @@ fn answer(
         assumed,
         probability: result
             .as_ref()
-            .map_or_else(|e| e.probability(), |r| r.probability),
+            .map_or_else(NotRegistered::probability, |r| r.probability),
         refused: result.as_ref().err().map(ToString::to_string),
         laid: result.ok().map(|found| laid(ground, &found)),
     })
@@ -327,7 +327,7 @@ fn laid(ground: &Ground, found: &Registration) -> Laid {
         roll_deg: pose.attitude.roll.to_degrees(),
         pitch_deg: pose.attitude.pitch.to_degrees(),
         stored_turn_deg: found.stored_turn.to_degrees(),
-        laid_by: match found.laid_by {
+        believed_by: match found.laid_by {
             LaidBy::Patches => "patches",
             LaidBy::WholeFrame => "whole frame",
         },
@@ -365,7 +365,7 @@ fn print(answer: &Answer) {
     );
     println!(
         "  by {} ({} of {} patches agree), {:.2} % by the whole frame",
-        laid.laid_by,
+        laid.believed_by,
         laid.patches[0],
         laid.patches[1],
         100.0 * answer.probability

@@ -336,7 +336,8 @@ fn short(file: &str) -> &str {
     file.rsplit('/').next().unwrap_or(file)
 }
 
-/// What tables are called together: what their names begin with, or else the name of the first without its ending.
+/// What tables are called together: what their names begin with, else the folder that they lie in, else the name of
+/// the first without its ending.
 pub(super) fn common_name(maps: &[ColumnMap]) -> String {
     let Some(first) = maps.first() else {
         return "Flight".to_owned();
@@ -352,7 +353,17 @@ pub(super) fn common_name(maps: &[ColumnMap]) -> String {
         .find(is_common)
         .filter(|end| *end > 0 && maps.len() > 1);
     let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
-    end.map_or(stem, |end| &name[..end]).to_owned()
+    let folder = |map: &ColumnMap| {
+        map.file
+            .rsplit_once('/')
+            .map(|(folder, _)| short(folder).to_owned())
+    };
+    let is_one_folder = maps.len() > 1 && maps.iter().all(|map| folder(map) == folder(first));
+    match (end, folder(first).filter(|_| is_one_folder)) {
+        (Some(end), _) => name[..end].to_owned(),
+        (None, Some(folder)) => folder,
+        (None, None) => stem.to_owned(),
+    }
 }
 
 /// Why no flight can be made of these tables together, in words; `None` if one can.

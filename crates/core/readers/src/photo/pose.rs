@@ -74,15 +74,15 @@ pub fn photo_pose(photo: &Photo) -> PhotoPose {
 mod tests {
     use super::*;
 
-    fn attitude(roll: f64, pitch: f64, yaw: f64) -> Option<Attitude> {
-        Some(Attitude { roll, pitch, yaw })
+    fn attitude(roll: f64, pitch: f64, yaw: f64) -> Attitude {
+        Attitude { roll, pitch, yaw }
     }
 
     #[test]
     fn the_gimbal_comes_before_the_aircraft_unless_it_is_blank() {
         let both = Photo {
-            gimbal: attitude(0.0, -FRAC_PI_2, 1.0),
-            aircraft: attitude(0.1, 0.2, 2.0),
+            gimbal: Some(attitude(0.0, -FRAC_PI_2, 1.0)),
+            aircraft: Some(attitude(0.1, 0.2, 2.0)),
             ..Photo::default()
         };
         let told = photo_pose(&both);

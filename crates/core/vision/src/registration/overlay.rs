@@ -26,7 +26,7 @@ pub fn overlay(look: &Look<'_>, laid: &Registration, across: usize) -> Option<Pi
     let frame = look.rectified(&laid.fit.at, &window);
     let side = (rect.width() / SQUARES / window.gsd).max(1.0);
     Some(Raster::from_fn(window.width, window.height, |x, y| {
-        let is_frame = ((x as f64 / side) as usize + (y as f64 / side) as usize) % 2 == 0;
+        let is_frame = ((x as f64 / side) as usize + (y as f64 / side) as usize).is_multiple_of(2);
         let is_seen = frame.complete || frame.seen.get(x, y) > 0.0;
         if is_frame && is_seen {
             [frame.luminance.get(x, y).clamp(0.0, 255.0) as u8; 3]
