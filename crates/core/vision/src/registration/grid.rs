@@ -1,8 +1,8 @@
 //! How finely poses are tried.
 
+use super::guess::Guess;
 use super::look::{Look, MapPose};
 use super::prior::{PosePrior, REACH};
-use super::sweep::Guess;
 use nalgebra::Point3;
 use pilotage_base::frames::{GroundPoint, GroundRect, Pose, wrap_pi};
 

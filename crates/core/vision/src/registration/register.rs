@@ -7,11 +7,12 @@ use super::CameraPlace;
 use super::contrast::{ByContrast, begin, by_contrast, is_promising};
 use super::edges::pieces;
 use super::fit::PoseFit;
+use super::guess::{Guess, are_beside};
 use super::look::{Look, MapPose};
 use super::patches::PatchMatch;
 use super::prior::PosePrior;
 use super::summit::climb;
-use super::sweep::{Guess, are_beside, sweep};
+use super::sweep::sweep;
 use pilotage_base::frames::GroundPoint;
 use pilotage_raster::camera::CameraModel;
 

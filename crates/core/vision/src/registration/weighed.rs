@@ -3,9 +3,9 @@
 use super::evidence::Evidence;
 use super::grid::{Grid, Poses, above, area};
 use super::ground::{GroundPicture, Texture};
+use super::guess::{Guess, are_within};
 use super::look::{Look, MapPose};
 use super::prior::PosePrior;
-use super::sweep::{Guess, are_within};
 use pilotage_base::frames::GroundPoint;
 use pilotage_raster::imagery::Window;
 use pilotage_raster::raster::{ChannelSearch, ChannelSurface, ChannelTemplate, Gray};
