@@ -6,12 +6,11 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix4, Vector4};
 
-use pilotage_core::flight::{Channel, ChannelName, Flight, FrameError, FrameSource};
+use pilotage_core::flight::{Channel, ChannelName, Flight, FrameSource, NoPictures};
 use pilotage_core::frames::wrap_pi;
 use pilotage_core::instruments::{CutPlan, Instruments, ReckonSettings, Way, reckon, study_cuts};
 use pilotage_core::navigator::{Doubt, Navigator, NavigatorSettings, Run};
 use pilotage_core::plan::{DetectionStatistics, ExpectedDetection, PlannedLandmark, as_stated};
-use pilotage_core::raster::Picture;
 use pilotage_core::simulate::{FlightDay, Overrides, Scenario, SimulatedFlight};
 use pilotage_tests::recorded;
 use pilotage_tests::studies::either;
@@ -491,19 +490,6 @@ fn sound_flights_are_believed_on_any_day() {
     }
 }
 
-/// No pictures.
-struct NoFrames;
-
-impl FrameSource for NoFrames {
-    fn picture(&mut self, index: usize) -> Result<Picture, FrameError> {
-        Err(FrameError::OutOfRange(index))
-    }
-
-    fn encoded(&mut self, index: usize) -> Result<Vec<u8>, FrameError> {
-        Err(FrameError::OutOfRange(index))
-    }
-}
-
 #[test]
 fn the_instruments_of_real_flights_are_believed() {
     for name in ["testlog2", "inputfiles_px4"] {
@@ -518,7 +504,7 @@ fn the_instruments_of_real_flights_are_believed() {
         };
         let navigator = Navigator::new(flight, &[], map, &settings);
         let mut navigator = navigator.expect("it has a heading");
-        while let Some(step) = navigator.advance(&mut NoFrames, &|| 0.0) {
+        while let Some(step) = navigator.advance(&mut NoPictures, &|| 0.0) {
             let step = step.expect("the filter goes on");
             assert_eq!(step.doubts, [], "{name} at {} s", step.time);
         }

@@ -11,10 +11,9 @@ use pilotage_core::flight::log::{HEAD, Log, read_log, recognise};
 use pilotage_core::flight::mat::{self, MatFiles};
 use pilotage_core::flight::photo::read_photos;
 use pilotage_core::flight::{
-    FLIGHT_FILE, Flight, FlightFolder, FolderError, FrameError, FrameSource, read_flight,
+    FLIGHT_FILE, Flight, FlightFolder, FolderError, FrameSource, NoPictures, read_flight,
 };
 use pilotage_core::imagery::ByteSource;
-use pilotage_core::raster::Picture;
 
 use crate::files::{Directory, DiskFile};
 
@@ -23,7 +22,7 @@ pub const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
 /// Name of the file, beside tables, that says what their columns mean.
 pub const COLUMNS_FILE: &str = "columns.json";
 
-/// What a path holds.
+/// Contents of a path.
 pub enum Opened {
     /// A flight out of a folder, tables or photos.
     Folder(Box<FlightFolder>),
@@ -58,24 +57,11 @@ impl Opened {
     }
 }
 
-/// The pictures of a flight without a camera.
-struct NoPictures;
-
-impl FrameSource for NoPictures {
-    fn picture(&mut self, index: usize) -> Result<Picture, FrameError> {
-        Err(FrameError::OutOfRange(index))
-    }
-
-    fn encoded(&mut self, index: usize) -> Result<Vec<u8>, FrameError> {
-        Err(FrameError::OutOfRange(index))
-    }
-}
-
 /// Opens a path: a flight folder or its flight.json; tables, as `columns` or a file of that kind beside them says, else
 /// as their columns are guessed; a log; photos.
 ///
 /// # Errors
-/// What is there and cannot be read.
+/// Files that are there and cannot be read.
 pub fn open(path: &Path, columns: Option<&Path>) -> Result<Opened, Box<dyn std::error::Error>> {
     let is_flight_file = path.file_name().is_some_and(|n| n == FLIGHT_FILE);
     if path.is_dir() || is_flight_file {
@@ -99,7 +85,7 @@ pub fn open(path: &Path, columns: Option<&Path>) -> Result<Opened, Box<dyn std::
     Ok(folder.map_or(Opened::Nothing, |folder| Opened::Folder(Box::new(folder))))
 }
 
-/// What a zip or a MATLAB file holds, as files; `None` of anything else.
+/// Contents of a zip or of a MATLAB file, as files; `None` of anything else.
 fn unpacked(path: &Path) -> Result<Option<Arc<dyn FileSet>>, String> {
     let blame = |e: &dyn std::fmt::Display| format!("{}: {e}", path.display());
     let is_zip = has_ending(path, &["zip"]);

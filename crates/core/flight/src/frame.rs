@@ -40,3 +40,16 @@ pub trait FrameSource {
     /// The same as JPEG or PNG bytes, as stored where it is stored.
     fn encoded(&mut self, index: usize) -> Result<Vec<u8>, FrameError>;
 }
+
+/// The pictures of a flight without a camera: none.
+pub struct NoPictures;
+
+impl FrameSource for NoPictures {
+    fn picture(&mut self, index: usize) -> Result<Picture, FrameError> {
+        Err(FrameError::OutOfRange(index))
+    }
+
+    fn encoded(&mut self, index: usize) -> Result<Vec<u8>, FrameError> {
+        Err(FrameError::OutOfRange(index))
+    }
+}

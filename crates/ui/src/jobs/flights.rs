@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use pilotage_core::flight::{Flight, FlightFolder, FrameError, FrameSource};
+use pilotage_core::flight::{Flight, FlightFolder, FrameError, FrameSource, NoPictures};
 use pilotage_core::mission::Mission;
 use pilotage_core::raster::{Picture, decode_picture};
 
@@ -34,19 +34,6 @@ impl OpenFlight {
             flight: Arc::new(flight),
             mission: None,
         }
-    }
-}
-
-/// The source of pictures where there is none.
-struct NoPictures;
-
-impl FrameSource for NoPictures {
-    fn picture(&mut self, index: usize) -> Result<Picture, FrameError> {
-        Err(FrameError::OutOfRange(index))
-    }
-
-    fn encoded(&mut self, index: usize) -> Result<Vec<u8>, FrameError> {
-        Err(FrameError::OutOfRange(index))
     }
 }
 
