@@ -15,18 +15,17 @@ const ENOUGH: f64 = 256.0;
 const WANTED: f64 = 64.0;
 /// Tolerances of the agreement beyond which a match is an outlier of the fit.
 const OUTLYING: f64 = 3.0;
-
 /// Logarithm (base 10) of the false alarms of few patches from which all are looked for.
 const PROMISING: f64 = -1.0;
 
-/// What the patches agree on.
-pub struct ByContrast {
+/// A pose made exact, and how likely it is wrong.
+pub struct Exact {
     pub fit: PoseFit,
     /// Matches that agree with it.
     pub matches: Vec<PatchMatch>,
     /// Patches that could have been found.
     pub tried: usize,
-    /// Logarithm (base 10) of the agreements as good as this one that chance would give.
+    /// Logarithm (base 10) of the agreements as good as this one that chance would give, or of the doubt.
     pub log_false_alarms: f64,
 }
 
@@ -119,7 +118,7 @@ pub fn is_promising(look: &Look<'_>, at: &MapPose) -> bool {
 }
 
 /// Looks for the patches of a frame around a pose, and for what they agree on.
-pub fn by_contrast(look: &Look<'_>, prior: &PosePrior, start: &MapPose) -> Option<ByContrast> {
+pub fn by_contrast(look: &Look<'_>, prior: &PosePrior, start: &MapPose) -> Option<Exact> {
     let (plan, finest) = plan(look, start)?;
     let middle = level(look, prior, start, plan)?;
     let plan = last_plan(&middle.search, finest);
@@ -136,7 +135,7 @@ pub fn by_contrast(look: &Look<'_>, prior: &PosePrior, start: &MapPose) -> Optio
     // Four matches determine pose and shape.
     let (log_false_alarms, radius) = least_likely(&residuals, &last.search, 4, plan.overlap());
     let matches = last.search.matches.iter().zip(&residuals);
-    Some(ByContrast {
+    Some(Exact {
         matches: matches
             .filter(|(_, r)| **r <= radius)
             .map(|(m, _)| *m)

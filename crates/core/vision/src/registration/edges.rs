@@ -1,7 +1,7 @@
 //! Which pieces of a frame that was laid as a whole lie where the map has them: what a viewer can look at.
 
 use super::fit::residual;
-use super::grid::ACROSS;
+use super::grid::Grid;
 use super::ground::Texture;
 use super::look::{Look, MapPose};
 use super::patches::{PatchMatch, PatchPlan, find_patches};
@@ -15,7 +15,7 @@ const WITHIN: f64 = 2.5;
 /// The pieces that lie where the pose has them, and how many could have been found.
 pub fn pieces(look: &Look<'_>, at: &MapPose) -> Option<(Vec<PatchMatch>, usize)> {
     let footprint = look.footprint(at)?;
-    let gsd = footprint.width().max(footprint.height()) / ACROSS;
+    let gsd = Grid::full().gsd(&footprint);
     let plan = PatchPlan {
         texture: Texture::Edges,
         gsd,

@@ -14,6 +14,8 @@ use pilotage_raster::raster::ChannelSurface;
 /// dates and of the same on a map of another country, no heading known, are likeliest: 0.45 and 0.5 are alike,
 /// 0.6 is sure of other ground in 2 of 90, 0.35 doubts half of what is right.
 pub const TEMPERED: f64 = 0.5;
+/// Correlation beyond which pictures are not more alike.
+const MOST: f64 = 0.999;
 
 /// What correlations of a frame mean.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,18 +43,15 @@ impl Evidence {
     /// Natural logarithm of the tempered likelihood of a place with this correlation against chance, where a
     /// `share` of the frame lies over the map.
     pub fn log_likelihood(&self, score: f64, share: f64) -> f64 {
-        if score <= 0.0 {
-            return 0.5 * (1.0 - TEMPERED).ln();
-        }
         let independent = share * self.chance.powi(-2);
-        let square = score.min(0.999).powi(2);
+        let square = score.clamp(0.0, MOST).powi(2);
         // Under chance the mean of the likelihood is one.
         -0.5 * TEMPERED * independent * (1.0 - square).ln() + 0.5 * (1.0 - TEMPERED).ln()
     }
 
     /// Derivative of [`Self::log_likelihood`] by the correlation.
-    pub fn slope(&self, score: f64) -> f64 {
-        let score = score.clamp(0.0, 0.999);
-        TEMPERED * self.chance.powi(-2) * score / (1.0 - score * score)
+    pub fn slope(&self, score: f64, share: f64) -> f64 {
+        let score = score.clamp(0.0, MOST);
+        share * TEMPERED * self.chance.powi(-2) * score / (1.0 - score * score)
     }
 }

@@ -1,13 +1,13 @@
 //! How finely poses are tried.
 
-use super::guess::Guess;
+use super::guess::{BESIDE, Guess};
 use super::look::{Look, MapPose};
 use super::prior::{PosePrior, REACH};
 use nalgebra::Point3;
 use pilotage_base::frames::{GroundPoint, GroundRect, Pose, wrap_pi};
 
 /// Pixels across the longer side of the frame.
-pub(super) const ACROSS: f64 = 96.0;
+const ACROSS: f64 = 96.0;
 /// Fewest pixels across that still tell one place from another.
 const LEAST_ACROSS: f64 = 36.0;
 /// Shift of a pixel at the edge of the frame that the edges forgive, pixels; it is about as wide as they are
@@ -58,7 +58,8 @@ impl Grid {
     /// found from the other, and neighbours on the grid are one.
     pub fn beside(self) -> (f64, f64) {
         let coarser = ACROSS / self.across;
-        (0.15_f64.max(0.06 * coarser), 0.2_f64.max(1.2 * self.step()))
+        let (distance, turn) = BESIDE;
+        (distance.max(0.06 * coarser), turn.max(1.2 * self.step()))
     }
 
     /// The ground sample distance for a frame that covers `extent`.

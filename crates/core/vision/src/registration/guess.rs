@@ -4,6 +4,9 @@ use super::evidence::Evidence;
 use super::look::MapPose;
 use pilotage_base::frames::wrap_pi;
 
+/// Distance, against the height, and turn, radians, within which refinement finds one pose from the other.
+pub(super) const BESIDE: (f64, f64) = (0.15, 0.2);
+
 /// A pose at which the frame looks like the map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Guess {
@@ -26,7 +29,13 @@ pub struct Guess {
 
 /// Whether two poses over ground at `ground_down` are so near that refinement finds each from the other.
 pub fn are_beside(a: &MapPose, b: &MapPose, ground_down: f64) -> bool {
-    are_within(a, b, 0.15 * (ground_down - a.pose.position_in_world.z), 0.2)
+    let (distance, turn) = BESIDE;
+    are_within(
+        a,
+        b,
+        distance * (ground_down - a.pose.position_in_world.z),
+        turn,
+    )
 }
 
 /// Whether two poses differ by less than a distance, metres, and a turn, radians.

@@ -4,7 +4,7 @@ use nalgebra::{Matrix2, Matrix6};
 use serde::{Deserialize, Serialize};
 
 use super::CameraPlace;
-use super::contrast::{ByContrast, begin, by_contrast, is_promising};
+use super::contrast::{Exact, begin, by_contrast, is_promising};
 use super::edges::pieces;
 use super::fit::PoseFit;
 use super::guess::{Guess, are_beside};
@@ -118,12 +118,11 @@ pub fn register(look: &Look<'_>, prior: &PosePrior) -> Result<Registration, NotR
         stored_turn: turns[guess.turn],
         ..laid
     };
-    let likely = guesses
-        .iter()
-        .enumerate()
-        .filter(|(index, guess)| *index == 0 || guess.probability > LEAST_PROBABLE);
-    let mut laid: Vec<Registration> = likely
-        .filter_map(|(_, guess)| Some(turned(guess, exact(&looks[guess.turn], prior, guess)?)))
+    let (first, others) = guesses.split_first().ok_or(NotRegistered::NothingAlike)?;
+    let likely = others.iter().filter(|g| g.probability > LEAST_PROBABLE);
+    let mut laid: Vec<Registration> = std::iter::once(first)
+        .chain(likely)
+        .filter_map(|guess| Some(turned(guess, exact(&looks[guess.turn], prior, guess)?)))
         .collect();
     let is_sure = |r: &Registration| r.laid_by == LaidBy::Patches || r.probability >= BELIEVED;
     if !laid.iter().any(is_sure) {
@@ -148,7 +147,7 @@ pub fn register(look: &Look<'_>, prior: &PosePrior) -> Result<Registration, NotR
         let (a, b) = (rank(a), rank(b));
         a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
     });
-    judge(laid, &guesses, look.ground_down)
+    judge(laid, first.probability, look.ground_down)
 }
 
 /// A guess made exact.
@@ -162,7 +161,7 @@ fn exact(look: &Look<'_>, prior: &PosePrior, guess: &Guess) -> Option<Registrati
     }
     let fit = climbed?.fit(look, prior)?;
     let (matches, tried) = pieces(look, &fit.at)?;
-    let by_edges = ByContrast {
+    let by_edges = Exact {
         fit,
         matches,
         tried,
@@ -189,7 +188,7 @@ fn registration(
     prior: &PosePrior,
     guess: &Guess,
     laid_by: LaidBy,
-    found: ByContrast,
+    found: Exact,
 ) -> Option<Registration> {
     let (centre, centre_covariance) = found.fit.centre(look)?;
     let mut camera = found.fit.camera(look, prior)?;
@@ -210,10 +209,10 @@ fn registration(
     })
 }
 
-/// The first of `laid`, best first, if it can be believed.
+/// The first of `laid`, best first, if it can be believed; `likeliest` is the probability of the likeliest guess.
 fn judge(
     laid: Vec<Registration>,
-    guesses: &[Guess],
+    likeliest: f64,
     ground_down: f64,
 ) -> Result<Registration, NotRegistered> {
     let mut laid = laid.into_iter();
@@ -239,7 +238,7 @@ fn judge(
         _ if best.probability >= BELIEVED => Ok(best),
         (_, Some(other)) if other.probability > 0.5 * best.probability => Err(ambiguous(&other)),
         _ => Err(NotRegistered::Doubtful {
-            probability: guesses.first().map_or(0.0, |guess| guess.probability),
+            probability: likeliest,
         }),
     }
 }

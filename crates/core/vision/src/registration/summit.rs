@@ -5,7 +5,7 @@ use nalgebra::{Matrix2, SMatrix};
 
 use super::evidence::Evidence;
 use super::fit::{PoseFit, UNKNOWNS, differences, moved};
-use super::grid::{ACROSS, Grid};
+use super::grid::Grid;
 use super::ground::{GroundPicture, Texture};
 use super::guess::Guess;
 use super::look::{Look, MapPose};
@@ -83,10 +83,10 @@ impl Axis {
 /// The pose at the top.
 pub fn climb(look: &Look<'_>, prior: &PosePrior, guess: &Guess) -> Option<Climbed> {
     let evidence = &guess.evidence;
-    let mut best: Option<(Summit, [f64; 4])> = None;
+    let mut climbed: Option<(Level<'_>, Summit)> = None;
     let mut share = 1.0;
     for (finer, rounds) in LEVELS {
-        let start = best.map_or(guess.at, |(best, _)| best.at);
+        let start = climbed.map_or(guess.at, |(_, top)| top.at);
         let level = Level::new(look, prior, &start, evidence, finer)?;
         let mut top = level.summit(&start)?;
         for _ in 0..rounds {
@@ -95,9 +95,11 @@ pub fn climb(look: &Look<'_>, prior: &PosePrior, guess: &Guess) -> Option<Climbe
             }
             share *= 0.5;
         }
-        best = Some((top, Axis::ALL.map(|axis| level.variance(axis, &top))));
+        climbed = Some((level, top));
     }
-    best.map(|(top, variances)| Climbed { top, variances })
+    let (level, top) = climbed?;
+    let variances = Axis::ALL.map(|axis| level.variance(axis, &top));
+    Some(Climbed { top, variances })
 }
 
 /// The map around a guess at one ground sample distance.
@@ -120,7 +122,7 @@ impl<'a> Level<'a> {
     ) -> Option<Self> {
         let footprint = look.footprint(start)?;
         let across = footprint.width().max(footprint.height());
-        let gsd = finer * across / ACROSS;
+        let gsd = finer * Grid::full().gsd(&footprint);
         // At any heading and height of the first round, which are the farthest.
         let around = footprint.grown(MARGIN * gsd + 0.1 * across);
         let ground = GroundPicture::of_map(look.map, &around, gsd, Texture::Edges, 0);
@@ -161,7 +163,7 @@ impl<'a> Level<'a> {
             score: peak.value,
             log_weight: self.evidence.log_likelihood(peak.value, share) + log_prior,
             // Rows run south and columns east.
-            curvature: share * self.evidence.slope(peak.value) / (self.gsd * self.gsd)
+            curvature: self.evidence.slope(peak.value, share) / (self.gsd * self.gsd)
                 * Matrix2::new(
                     peak.hessian[(1, 1)],
                     -peak.hessian[(0, 1)],
