@@ -63,22 +63,50 @@ fn labels(name: &str, variables: &[(String, Value)]) -> Option<Vec<String>> {
     Some(cells.iter().map(text).collect())
 }
 
+/// A matrix, column after column.
+struct Matrix<'a> {
+    rows: usize,
+    columns: usize,
+    values: &'a [f64],
+}
+
+impl<'a> Matrix<'a> {
+    fn of(value: &'a Value) -> Option<Self> {
+        match value {
+            Value::Numbers {
+                rows,
+                columns,
+                values,
+            } => Some(Self {
+                rows: *rows,
+                columns: *columns,
+                values,
+            }),
+            _ => None,
+        }
+    }
+
+    fn column(&self, index: usize) -> Vec<f64> {
+        self.values[index * self.rows..(index + 1) * self.rows].to_vec()
+    }
+
+    fn row(&self, index: usize) -> Vec<f64> {
+        let values = self.values.iter().skip(index).step_by(self.rows);
+        values.copied().collect()
+    }
+}
+
 /// The columns of a matrix by these names; of one that is turned its rows.
 fn named(value: &Value, labels: &[String]) -> Columns {
-    let Value::Numbers {
-        rows,
-        columns,
-        values,
-    } = value
-    else {
+    let Some(matrix) = Matrix::of(value) else {
         return Vec::new();
     };
-    let (rows, columns) = (*rows, *columns);
+    let Matrix { rows, columns, .. } = matrix;
     let cut = |index: usize| -> Vec<f64> {
         if columns == labels.len() {
-            values[index * rows..(index + 1) * rows].to_vec()
+            matrix.column(index)
         } else {
-            values.iter().skip(index).step_by(rows).copied().collect()
+            matrix.row(index)
         }
     };
     if columns != labels.len() && rows != labels.len() {
@@ -93,24 +121,19 @@ fn named(value: &Value, labels: &[String]) -> Columns {
 
 /// The columns of numbers: one of a vector, `name_1` and so on of a matrix, the longer side of which are its rows.
 fn columns(name: &str, value: &Value) -> Columns {
-    let Value::Numbers {
-        rows,
-        columns,
-        values,
-    } = value
-    else {
+    let Some(matrix) = Matrix::of(value) else {
         return Vec::new();
     };
-    let (rows, columns) = (*rows, *columns);
+    let Matrix { rows, columns, .. } = matrix;
     let (length, count) = (rows.max(columns), rows.min(columns));
     if length < LEAST || count == 0 || count > 64 {
         return Vec::new();
     }
     let cut = |index: usize| -> Vec<f64> {
         if rows >= columns {
-            values[index * rows..(index + 1) * rows].to_vec()
+            matrix.column(index)
         } else {
-            values.iter().skip(index).step_by(rows).copied().collect()
+            matrix.row(index)
         }
     };
     let called = |index: usize| {

@@ -56,6 +56,25 @@ pub(super) struct Reading {
 }
 
 impl Reading {
+    /// Says what is unusual about how the column `id` was read: `stated`, if its table says otherwise.
+    pub fn tell(&self, board: &mut Board, id: Id, stated: Option<String>) {
+        let name = board.name(id);
+        if let Some(stated) = stated {
+            board.tell(id.0, format!("{name}: {stated}"));
+        } else if self.unit != "deg" && self.unit != "rad" {
+            board.tell(
+                id.0,
+                format!(
+                    "{name}: read in {}, as the track's direction says",
+                    self.unit
+                ),
+            );
+        }
+        if self.convention != Convention::Compass {
+            board.tell(id.0, format!("{name}: {}", self.convention.words()));
+        }
+    }
+
     /// Reads the column so.
     pub fn apply(&self, board: &mut Board, id: Id, what: &str) {
         let (sign, offset) = self.convention.terms();

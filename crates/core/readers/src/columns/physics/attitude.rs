@@ -90,7 +90,6 @@ fn heading(board: &mut Board, known: &mut Known, id: Id) {
         Convention::FromNorthLeft,
     ];
     let readings = angles::readings(board, &known.grid, id, &course, &conventions);
-    let name = board.name(id);
     let speed = quantile(&known.speed(), 0.9);
     let turns = spread(&course) > 0.1;
     let best = readings
@@ -106,26 +105,13 @@ fn heading(board: &mut Board, known: &mut Known, id: Id) {
         let is_stated = board.basis(id) == Basis::Stated;
         let before = board.column(id).unit.clone();
         best.apply(board, id, "the course over ground");
-        if is_stated && before != best.unit {
-            board.tell(
-                id.0,
-                format!(
-                    "{name}: the table says {before}, but it is the track's direction in {} only",
-                    best.unit
-                ),
-            );
-        } else if best.unit != "deg" && best.unit != "rad" {
-            board.tell(
-                id.0,
-                format!(
-                    "{name}: read in {}, as the track's direction says",
-                    best.unit
-                ),
-            );
-        }
-        if best.convention != Convention::Compass {
-            board.tell(id.0, format!("{name}: {}", best.convention.words()));
-        }
+        let stated = (is_stated && before != best.unit).then(|| {
+            format!(
+                "the table says {before}, but it is the track's direction in {} only",
+                best.unit
+            )
+        });
+        best.tell(board, id, stated);
         known.is_ros = Some(best.convention == Convention::FromEast);
         known.is_heading_sure = true;
         return;

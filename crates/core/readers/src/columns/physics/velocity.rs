@@ -161,27 +161,18 @@ fn course(board: &mut Board, known: &mut Known, id: Id) {
         let is_stated = board.basis(id) == Basis::Stated;
         let before = board.column(id).unit.clone();
         best.apply(board, id, "the track's own direction");
-        if is_stated && before != best.unit {
+        let stated = (is_stated && before != best.unit).then(|| {
             let dimension = Dimension::Angle;
             let factors =
                 [before.as_str(), best.unit].map(|u| dimension.factor(Some(u)).unwrap_or(1.0));
             let times = factors[0] / factors[1];
-            board.tell(
-                id.0,
-                format!("{name}: course and track differ by a factor of {:.0}; the table says {before}, it is read in {}", times.max(1.0 / times), best.unit),
-            );
-        } else if best.unit != "deg" && best.unit != "rad" {
-            board.tell(
-                id.0,
-                format!(
-                    "{name}: read in {}, as the track's direction says",
-                    best.unit
-                ),
-            );
-        }
-        if best.convention != Convention::Compass {
-            board.tell(id.0, format!("{name}: {}", best.convention.words()));
-        }
+            format!(
+                "course and track differ by a factor of {:.0}; the table says {before}, it is read in {}",
+                times.max(1.0 / times),
+                best.unit
+            )
+        });
+        best.tell(board, id, stated);
     } else if best.score < 0.4 && quantile(&known.speed(), 0.9) > 3.0 {
         board.drop(id, "it contradicts the track's own direction");
         board.tell(
