@@ -130,16 +130,14 @@ impl Calibration {
     /// What there is to say of it.
     pub fn findings(&self) -> Vec<Finding> {
         let mut findings = Vec::new();
-        let mut say = |severity, title: String, text: String| {
-            findings.push(Finding {
-                severity,
-                title,
-                text,
-                span: None,
-            });
+        let finding = |severity, title: String, text: String| Finding {
+            severity,
+            title,
+            text,
+            span: None,
         };
         if self.delays != Delays::default() {
-            say(
+            findings.push(finding(
                 Severity::Note,
                 format!("GPS comes {:.2} s late", self.delays.gps),
                 format!(
@@ -147,24 +145,16 @@ impl Calibration {
                      taken for the time at which it was true.",
                     self.delays.gps, self.delays.airspeed
                 ),
-            );
+            ));
         }
         findings.extend(self.refused.map(|refused| refused.finding()));
         let Some(fit) = self.fit else {
             return findings;
         };
-        let mut say = |severity, title: String, text: String| {
-            findings.push(Finding {
-                severity,
-                title,
-                text,
-                span: None,
-            });
-        };
         let off = fit.scale - 1.0;
         if off.abs() > 0.03 && off.abs() > 2.0 * fit.scale_deviation {
             let word = if off < 0.0 { "fast" } else { "slow" };
-            say(
+            findings.push(finding(
                 if off.abs() > 0.15 {
                     Severity::Warning
                 } else {
@@ -178,7 +168,7 @@ impl Calibration {
                     "The track fits the airspeed best when it is multiplied by {:.3} ± {:.3}.",
                     fit.scale, fit.scale_deviation
                 ),
-            );
+            ));
         }
         findings
     }
