@@ -9,7 +9,7 @@ use pilotage_core::flight::columns::{
 use crate::Outcome;
 use crate::opening::{COLUMNS_FILE, said, tables_at};
 
-/// Which tables.
+/// Tables to look at.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Tables of a flight (.csv, .tsv, .txt), or a folder of them.

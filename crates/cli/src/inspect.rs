@@ -12,7 +12,7 @@ use crate::{Outcome, inspect_log};
 pub struct Arguments {
     /// A flight log, a flight folder, tables of a flight, photos, labels of pictures, a mission, or a saved run.
     path: PathBuf,
-    /// What the columns of tables mean, as `pilotage columns --save` wrote it.
+    /// Meaning of the columns of tables, as `pilotage columns --save` wrote it.
     #[arg(long, value_name = "MAP")]
     columns: Option<PathBuf>,
     /// Print the parameters of a log whose names have this in them; all without it.

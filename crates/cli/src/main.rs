@@ -16,6 +16,7 @@ mod inspect_wind;
 mod labels;
 mod map;
 mod mission_file;
+mod numbers;
 mod opening;
 mod outage;
 mod plan;

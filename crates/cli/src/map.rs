@@ -13,6 +13,7 @@ use serde::Serialize;
 
 use crate::Outcome;
 use crate::files::{Directory, DiskFile};
+use crate::numbers::numbers;
 
 /// Most pixels of a picture that is written.
 const MOST_PIXELS: usize = 100_000_000;
@@ -387,13 +388,4 @@ fn tile(arguments: &MapArguments, out: &Path, window: Option<&str>, gsd: Option<
 fn lat_lon(text: &str) -> Result<Geodetic, String> {
     let [latitude, longitude] = numbers(text, "--height-at")?;
     Ok(Geodetic::from_degrees(latitude, longitude, 0.0))
-}
-
-fn numbers<const N: usize>(text: &str, option: &str) -> Result<[f64; N], String> {
-    let parts: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
-    parts
-        .ok()
-        .and_then(|parts| parts.try_into().ok())
-        .filter(|parts: &[f64; N]| parts.iter().all(|v| v.is_finite()))
-        .ok_or_else(|| format!("{option}: \"{text}\" is not {N} numbers with commas between"))
 }

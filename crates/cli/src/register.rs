@@ -17,6 +17,7 @@ use serde::Serialize;
 
 use crate::Outcome;
 use crate::files::{Directory, DiskFile};
+use crate::numbers::numbers;
 use crate::replay::MAP_CACHE;
 
 /// Deviations within which it is searched.
@@ -294,15 +295,13 @@ fn prior(
 }
 
 fn lat_lon(text: &str) -> Result<Geodetic, String> {
-    let parts: Option<Vec<f64>> = text.split(',').map(|p| p.trim().parse().ok()).collect();
-    match parts.as_deref() {
-        Some([latitude, longitude]) if latitude.abs() <= 90.0 && longitude.abs() <= 180.0 => {
-            Ok(Geodetic::from_degrees(*latitude, *longitude, 0.0))
-        }
-        _ => Err(format!(
-            "--at: \"{text}\" is not a latitude and a longitude in degrees with a comma between"
-        )),
+    let [latitude, longitude] = numbers(text, "--at")?;
+    if latitude.abs() > 90.0 || longitude.abs() > 180.0 {
+        return Err(format!(
+            "--at: \"{text}\" is not a latitude and a longitude in degrees"
+        ));
     }
+    Ok(Geodetic::from_degrees(latitude, longitude, 0.0))
 }
 
 fn laid(ground: &Ground, found: &Registration) -> Laid {

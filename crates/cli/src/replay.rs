@@ -55,7 +55,7 @@ pub struct Arguments {
     /// Map picture with its georeference beside it.
     #[arg(long)]
     map: Option<PathBuf>,
-    /// What the columns of tables mean, as `pilotage columns --save` wrote it.
+    /// Meaning of the columns of tables, as `pilotage columns --save` wrote it.
     #[arg(long, value_name = "MAP")]
     columns: Option<PathBuf>,
     /// Length of the GPS outages, where there is no map.
