@@ -68,7 +68,7 @@ pub struct FitPrior {
 /// the side force are the instrument, since slow ones are more of the accelerometer, the roll and the airspeed.
 ///
 /// How far those sums may be off follows from the noise that the residuals show, with its memory
-/// ([`TrackNoise::covariance`]): a thousand velocities in the same gust are one. Weighed by it (Hansen 1982) they meet
+/// (`TrackNoise::covariance`): a thousand velocities in the same gust are one. Weighed by it (Hansen 1982) they meet
 /// the priors, and so the stated deviations hold for errors that remember themselves.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AirFit {
