@@ -189,10 +189,10 @@ pub struct ColumnMap {
     /// Rows a second where no column is the time; then rows are that far apart.
     pub rows_per_second: Option<f64>,
     /// What was found out about the columns together that one would not expect, in sentences.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default)]
     pub findings: Vec<String>,
     /// What nothing in the table tells and a person can, in questions.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    #[serde(default)]
     pub questions: Vec<String>,
 }
 
