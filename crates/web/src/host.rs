@@ -201,7 +201,7 @@ impl Inner {
             };
             match notice {
                 Notice::Said(seat, bytes) => {
-                    if let Ok(reply) = postcard::from_bytes::<Reply>(&bytes) {
+                    if let Some(reply) = Reply::from_bytes(&bytes) {
                         self.crew.receive(seat, reply);
                     }
                 }

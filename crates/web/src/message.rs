@@ -35,5 +35,5 @@ pub fn encode(request: Request) -> Result<JsValue, JsError> {
         }
         return Ok(message.into());
     }
-    Ok(Uint8Array::from(postcard::to_stdvec(&request)?.as_slice()).into())
+    Ok(Uint8Array::from(request.to_bytes()?.as_slice()).into())
 }

@@ -77,17 +77,18 @@ impl WorkerHandle {
 }
 
 fn say(post: &Function, reply: &Reply) {
-    if let Ok(bytes) = postcard::to_stdvec(reply) {
-        // A page that is gone hears nothing; there is nobody to tell.
-        let _ = post.call1(&JsValue::NULL, &Uint8Array::from(bytes.as_slice()));
-    }
+    // A page that is gone hears nothing; there is nobody to tell.
+    let _ = post.call1(
+        &JsValue::NULL,
+        &Uint8Array::from(reply.to_bytes().as_slice()),
+    );
 }
 
 impl WorkerHandle {
     /// Takes a message of the page apart: bytes, or an object with files beside their key.
     fn decode(&mut self, message: &JsValue) -> Result<Request, JsError> {
         if let Some(bytes) = message.dyn_ref::<Uint8Array>() {
-            return Ok(postcard::from_bytes(&bytes.to_vec())?);
+            return Ok(Request::from_bytes(&bytes.to_vec())?);
         }
         let field = |name: &str| {
             Reflect::get(message, &name.into())

@@ -93,12 +93,24 @@ impl InlineHost {
             ticks.get()
         };
         let waiting = &mut self.waiting;
-        self.runner.turn(&clock, &mut |reply| keep(waiting, reply))
+        self.runner.turn(&clock, &mut |reply| keep(waiting, &reply))
     }
 }
 
-fn keep(waiting: &mut Vec<(JobId, JobEvent)>, reply: Reply) {
-    if let Reply::Event(id, event) = reply {
+/// A request after it went through the bytes that a worker would get; files go beside them.
+fn sent(request: Request) -> Request {
+    if matches!(request, Request::Start(_, Job::Provide { .. })) {
+        return request;
+    }
+    let bytes = request
+        .to_bytes()
+        .and_then(|bytes| Request::from_bytes(&bytes));
+    bytes.expect("a request that a worker can read")
+}
+
+/// Keeps what a reply tells, after it went through the bytes that the page would get.
+fn keep(waiting: &mut Vec<(JobId, JobEvent)>, reply: &Reply) {
+    if let Some(Reply::Event(id, event)) = Reply::from_bytes(&reply.to_bytes()) {
         waiting.push((id, event));
     }
 }
@@ -121,8 +133,8 @@ impl Host for InlineHost {
         self.runner.workshop_mut().provide(key, &tiles);
         let waiting = &mut self.waiting;
         self.runner
-            .receive(Request::Start(self.next_job, job), &mut |reply| {
-                keep(waiting, reply);
+            .receive(sent(Request::Start(self.next_job, job)), &mut |reply| {
+                keep(waiting, &reply);
             });
         self.next_job
     }
@@ -130,14 +142,14 @@ impl Host for InlineHost {
     fn cancel(&mut self, job: JobId) {
         let waiting = &mut self.waiting;
         self.runner
-            .receive(Request::Cancel(job), &mut |reply| keep(waiting, reply));
+            .receive(Request::Cancel(job), &mut |reply| keep(waiting, &reply));
     }
 
     fn hold(&mut self, job: JobId, is_held: bool) {
         let waiting = &mut self.waiting;
         let request = Request::Hold(job, is_held);
         self.runner
-            .receive(request, &mut |reply| keep(waiting, reply));
+            .receive(request, &mut |reply| keep(waiting, &reply));
     }
 
     fn let_go(&mut self, in_use: &BTreeSet<String>) {

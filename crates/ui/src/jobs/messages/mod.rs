@@ -30,6 +30,7 @@ mod suggest;
 mod train;
 mod web_map;
 mod whole_bytes;
+mod wire;
 
 pub use align::AlignOrder;
 pub use assess::{Assessment, AssessmentOrder, Glance, Share};

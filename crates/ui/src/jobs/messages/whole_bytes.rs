@@ -28,23 +28,3 @@ pub fn deserialize<'d, D: Deserializer<'d>, B: From<Vec<u8>>>(from: D) -> Result
     }
     from.deserialize_byte_buf(Bytes).map(B::from)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::super::{Job, JobEvent};
-
-    #[test]
-    fn pictures_survive_the_way_between_page_and_worker() {
-        let event = JobEvent::FramePicture {
-            index: 3,
-            encoded: (0..=255).collect(),
-        };
-        let sent = postcard::to_stdvec(&event).unwrap();
-        assert_eq!(postcard::from_bytes::<JobEvent>(&sent).unwrap(), event);
-        let job = Job::DecodePicture {
-            encoded: vec![1, 2, 3].into(),
-        };
-        let sent = postcard::to_stdvec(&job).unwrap();
-        assert_eq!(postcard::from_bytes::<Job>(&sent).unwrap(), job);
-    }
-}

@@ -199,8 +199,9 @@ impl ScriptedHost {
     fn carry_out(&mut self, id: JobId, job: &Job) {
         let mut runner = JobRunner::new(Abilities::WHOLE);
         let events = &mut self.events;
-        let mut keep = |reply| {
-            if let Reply::Event(id, event) = reply {
+        let mut keep = |reply: Reply| {
+            // Through the bytes that the page would get.
+            if let Some(Reply::Event(id, event)) = Reply::from_bytes(&reply.to_bytes()) {
                 events.push((id, event));
             }
         };
