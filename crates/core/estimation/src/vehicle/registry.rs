@@ -1,10 +1,13 @@
 //! The vehicle models that there are.
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 
 use super::{
     AirplaneFull, AirplaneScaled, AirplaneWind, AirplaneWindBias, AirplaneWindGust,
-    ConstantVelocity, Multirotor, RandomWalk, ThesisNoise, VehicleModel, VelocityDriven,
+    ConstantVelocity, MapError, Multirotor, OverMap, RandomWalk, ThesisNoise, VehicleModel,
+    VelocityDriven,
 };
 
 /// Something that wants to work with a vehicle model of any state size.
@@ -22,7 +25,7 @@ pub trait VehicleVisitor {
 }
 
 macro_rules! registry {
-    ($($(#[$doc:meta])* $variant:ident = $key:literal, $label:literal, $kept:literal;)+) => {
+    ($($(#[$doc:meta])* $variant:ident = $key:literal, $label:literal, $size:literal, $kept:literal;)+) => {
         /// A vehicle model with its settings, by name in files and messages.
         #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
         #[serde(tag = "model", rename_all = "kebab-case")]
@@ -53,7 +56,16 @@ macro_rules! registry {
 
             /// Opens the door to code that is generic over the state size.
             pub fn visit<V: VehicleVisitor>(&self, visitor: V) -> V::Output {
-                match self { $(Self::$variant(model) => visitor.visit(*model),)+ }
+                match self { $(Self::$variant(model) => visitor.visit::<$size, _>(*model),)+ }
+            }
+
+            /// The same with the model over a map that is off, two states larger.
+            pub fn visit_over_map<V: VehicleVisitor>(&self, error: MapError, visitor: V) -> V::Output {
+                match self {
+                    $(Self::$variant(model) => {
+                        visitor.visit::<{ $size + 2 }, _>(OverMap::<$size>::new(Arc::new(*model), error))
+                    })+
+                }
             }
         }
     };
@@ -61,31 +73,31 @@ macro_rules! registry {
 
 registry! {
     /// Steady wind.
-    AirplaneWind = "airplane-wind", "Airplane, wind",
+    AirplaneWind = "airplane-wind", "Airplane, wind", 4,
         "Flies its airspeed along its heading in a slowly changing wind.";
     /// Steady wind and gusts.
-    AirplaneWindGust = "airplane-wind-gust", "Airplane, wind and gusts",
+    AirplaneWindGust = "airplane-wind-gust", "Airplane, wind and gusts", 6,
         "As airplane in wind, with gusts that come and go in seconds.";
     /// Steady wind and biased air data.
-    AirplaneWindBias = "airplane-wind-bias", "Airplane, wind and biases",
+    AirplaneWindBias = "airplane-wind-bias", "Airplane, wind and biases", 6,
         "As airplane in wind, with airspeed and heading that read slowly wrong.";
     /// Steady wind, gusts and biased air data.
-    AirplaneFull = "airplane-full", "Airplane, wind, gusts and biases",
+    AirplaneFull = "airplane-full", "Airplane, wind, gusts and biases", 8,
         "As airplane in wind, with gusts and with air data that read slowly wrong.";
     /// Steady wind, gusts, an airspeed that reads by a factor wrong, a biased heading.
-    AirplaneScaled = "airplane-scaled", "Airplane, wind, gusts, airspeed scale",
+    AirplaneScaled = "airplane-scaled", "Airplane, wind, gusts, airspeed scale", 8,
         "As airplane in wind and gusts, with an airspeed that reads by a factor wrong and a biased heading.";
     /// Position only.
-    RandomWalk = "random-walk", "Random walk",
+    RandomWalk = "random-walk", "Random walk", 2,
         "Nothing is known but that the position changes slowly.";
     /// Position and velocity over ground.
-    ConstantVelocity = "constant-velocity", "Nearly constant velocity",
+    ConstantVelocity = "constant-velocity", "Nearly constant velocity", 4,
         "Keeps its velocity over ground but for small accelerations.";
     /// Multirotor in wind.
-    Multirotor = "multirotor", "Multirotor, wind",
+    Multirotor = "multirotor", "Multirotor, wind", 6,
         "Is pushed where it tilts and slowed down by the air, which moves with the wind.";
     /// Measured velocity over ground.
-    VelocityDriven = "velocity-driven", "Measured velocity",
+    VelocityDriven = "velocity-driven", "Measured velocity", 4,
         "Moves with a measured velocity over ground that reads slowly wrong.";
 }
 

@@ -1,0 +1,61 @@
+//! A vehicle model of which only the number of states is known.
+
+use std::sync::Arc;
+
+use nalgebra::{SMatrix, SVector};
+
+use super::{ControlInput, VehicleModel};
+use crate::filter::Gaussian;
+use pilotage_base::frames::GroundPoint;
+
+/// A vehicle model of any kind with `N` states: a filter of it is compiled once for every size, not for every model.
+pub type AnyVehicle<const N: usize> = Arc<dyn VehicleModel<N> + Send + Sync>;
+
+impl<const N: usize> VehicleModel<N> for AnyVehicle<N> {
+    fn propagate(&self, state: &SVector<f64, N>, input: &ControlInput, dt: f64) -> SVector<f64, N> {
+        self.as_ref().propagate(state, input, dt)
+    }
+
+    fn transition(
+        &self,
+        state: &SVector<f64, N>,
+        input: &ControlInput,
+        dt: f64,
+    ) -> SMatrix<f64, N, N> {
+        self.as_ref().transition(state, input, dt)
+    }
+
+    fn process_noise(
+        &self,
+        state: &SVector<f64, N>,
+        input: &ControlInput,
+        dt: f64,
+    ) -> SMatrix<f64, N, N> {
+        self.as_ref().process_noise(state, input, dt)
+    }
+
+    fn noise_of_belief(
+        &self,
+        belief: &Gaussian<N>,
+        input: &ControlInput,
+        dt: f64,
+    ) -> SMatrix<f64, N, N> {
+        self.as_ref().noise_of_belief(belief, input, dt)
+    }
+
+    fn state_names(&self) -> [&'static str; N] {
+        self.as_ref().state_names()
+    }
+
+    fn state_units(&self) -> [&'static str; N] {
+        self.as_ref().state_units()
+    }
+
+    fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<N> {
+        self.as_ref().prior(position, position_deviation)
+    }
+
+    fn wind_index(&self) -> Option<usize> {
+        self.as_ref().wind_index()
+    }
+}

@@ -1,0 +1,227 @@
+//! A vehicle over a map that is not quite where it says.
+
+use nalgebra::{SMatrix, SVector, Vector2};
+
+use super::noise::GaussMarkov;
+use super::{AnyVehicle, ControlInput, VehicleModel};
+use crate::filter::Gaussian;
+use pilotage_base::frames::GroundPoint;
+
+/// Name of the first of the map's two components; the second follows.
+pub const MAP_ERROR_NORTH: &str = "map error north";
+
+/// How far off a map is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MapError {
+    /// Standard deviation of the map's own place per axis, metres.
+    pub deviation: f64,
+    /// Way over ground after which the error has changed but for a share of 1/e, metres.
+    pub reach: f64,
+}
+
+impl MapError {
+    /// A map that is off by `deviation` metres per axis.
+    ///
+    /// Two maps of one place that were made by different dates' pictures are shifted against each other by the same
+    /// 2.5 m over 600 m, to within the metre to which that can be measured; over kilometres it may change.
+    pub fn of(deviation: f64) -> Self {
+        Self {
+            deviation,
+            reach: 2000.0,
+        }
+    }
+}
+
+/// A vehicle of `M` states over a map. State: that of the vehicle, then how far north and how far east of the truth the
+/// map shows things where the vehicle is, metres: a Gauss-Markov process of the way flown.
+///
+/// What is seen on the map tells the sum of the two, so that no number of frames tells the position better than the
+/// map is known; what tells the position itself tells the map's error as well.
+#[derive(Clone)]
+pub struct OverMap<const M: usize> {
+    vehicle: AnyVehicle<M>,
+    error: MapError,
+}
+
+impl<const M: usize> OverMap<M> {
+    /// `vehicle` over a map.
+    pub fn new(vehicle: AnyVehicle<M>, error: MapError) -> Self {
+        Self { vehicle, error }
+    }
+
+    /// State of the vehicle alone.
+    fn own<const N: usize>(state: &SVector<f64, N>) -> SVector<f64, M> {
+        SVector::from_fn(|i, _| state[i])
+    }
+
+    /// What becomes of the map's error while the vehicle moves from `state`.
+    fn change(&self, state: &SVector<f64, M>, input: &ControlInput, dt: f64) -> GaussMarkov {
+        let moved = self.vehicle.propagate(state, input, dt);
+        let way = Vector2::new(moved[0] - state[0], moved[1] - state[1]).norm();
+        GaussMarkov::over(self.error.deviation, self.error.reach, way)
+    }
+}
+
+/// The model of `$n` states over a vehicle of `$m`, two fewer: sums of sizes cannot be written as types.
+macro_rules! over_map {
+    ($($m:literal + 2 = $n:literal),+) => {
+        $(impl VehicleModel<$n> for OverMap<$m> {
+            fn propagate(
+                &self,
+                state: &SVector<f64, $n>,
+                input: &ControlInput,
+                dt: f64,
+            ) -> SVector<f64, $n> {
+                let own = Self::own(state);
+                let moved = self.vehicle.propagate(&own, input, dt);
+                let left = self.change(&own, input, dt).persistence;
+                SVector::from_fn(|i, _| if i < $m { moved[i] } else { left * state[i] })
+            }
+
+            fn process_noise(
+                &self,
+                state: &SVector<f64, $n>,
+                input: &ControlInput,
+                dt: f64,
+            ) -> SMatrix<f64, $n, $n> {
+                let own = Self::own(state);
+                let mut noise = SMatrix::<f64, $n, $n>::zeros();
+                noise
+                    .fixed_view_mut::<$m, $m>(0, 0)
+                    .copy_from(&self.vehicle.process_noise(&own, input, dt));
+                let added = self.change(&own, input, dt).value_variance;
+                noise[($m, $m)] = added;
+                noise[($m + 1, $m + 1)] = added;
+                noise
+            }
+
+            fn noise_of_belief(
+                &self,
+                belief: &Gaussian<$n>,
+                input: &ControlInput,
+                dt: f64,
+            ) -> SMatrix<f64, $n, $n> {
+                let own = Gaussian::new(
+                    Self::own(&belief.mean),
+                    belief.covariance.fixed_view::<$m, $m>(0, 0).into_owned(),
+                );
+                let mut noise = self.process_noise(&belief.mean, input, dt);
+                noise
+                    .fixed_view_mut::<$m, $m>(0, 0)
+                    .copy_from(&self.vehicle.noise_of_belief(&own, input, dt));
+                noise
+            }
+
+            fn state_names(&self) -> [&'static str; $n] {
+                let own = self.vehicle.state_names();
+                std::array::from_fn(|i| match i {
+                    $m => MAP_ERROR_NORTH,
+                    i if i > $m => "map error east",
+                    i => own[i],
+                })
+            }
+
+            fn state_units(&self) -> [&'static str; $n] {
+                let own = self.vehicle.state_units();
+                std::array::from_fn(|i| if i < $m { own[i] } else { "m" })
+            }
+
+            fn prior(&self, position: GroundPoint, position_deviation: f64) -> Gaussian<$n> {
+                let own = self.vehicle.prior(position, position_deviation);
+                let mut prior = Gaussian::<$n>::new(SVector::zeros(), SMatrix::zeros());
+                prior.mean.fixed_rows_mut::<$m>(0).copy_from(&own.mean);
+                prior.covariance.fixed_view_mut::<$m, $m>(0, 0).copy_from(&own.covariance);
+                for i in $m..$n {
+                    prior.covariance[(i, i)] = self.error.deviation.powi(2);
+                }
+                prior
+            }
+
+            fn wind_index(&self) -> Option<usize> {
+                self.vehicle.wind_index()
+            }
+        })+
+    };
+}
+
+over_map!(2 + 2 = 4, 4 + 2 = 6, 6 + 2 = 8, 8 + 2 = 10);
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use nalgebra::{Matrix2, Vector2};
+
+    use super::*;
+    use crate::filter::{Ukf, UnscentedSettings};
+    use crate::vehicle::ConstantVelocity;
+
+    fn over_map() -> OverMap<4> {
+        OverMap::new(Arc::new(ConstantVelocity::default()), MapError::of(3.0))
+    }
+
+    /// A filter after `frames` frames a second apart that the map shows 2 m north and 1 m east of the truth, each good to
+    /// half a metre, and after fixes of the position itself where `fixes` says so.
+    fn flown(frames: usize, fixes: bool) -> Gaussian<6> {
+        let model = over_map();
+        let prior = model.prior(GroundPoint::new(0.0, 0.0), 20.0);
+        let mut filter = Ukf::new(prior, UnscentedSettings::default()).unwrap();
+        let noise = Matrix2::from_diagonal_element(0.25);
+        for frame in 0..frames {
+            let truth = Vector2::new(0.0, frame as f64 * 0.5);
+            let input = ControlInput::default();
+            let dt = if frame == 0 { 0.0 } else { 1.0 };
+            let of_motion = model.process_noise(&filter.state().mean, &input, dt);
+            filter
+                .predict(|x| model.propagate(x, &input, dt), &of_motion)
+                .unwrap();
+            let on_map = |x: &SVector<f64, 6>| Some(Vector2::new(x[0] + x[4], x[1] + x[5]));
+            let expected = filter.predict_measurement(on_map, &noise).unwrap();
+            filter
+                .correct(&expected, &(truth + Vector2::new(2.0, 1.0)))
+                .unwrap();
+            if fixes {
+                let place = |x: &SVector<f64, 6>| Some(Vector2::new(x[0], x[1]));
+                let expected = filter.predict_measurement(place, &noise).unwrap();
+                filter.correct(&expected, &truth).unwrap();
+            }
+        }
+        filter.state()
+    }
+
+    #[test]
+    fn a_hundred_frames_do_not_tell_the_position_better_than_the_map_is_known() {
+        let belief = flown(100, false);
+        let deviation = belief.covariance[(0, 0)].sqrt();
+        assert!((2.8..3.2).contains(&deviation), "{deviation}");
+        // The sum is known as well as the frames tell it.
+        let sum =
+            belief.covariance[(0, 0)] + belief.covariance[(4, 4)] + 2.0 * belief.covariance[(0, 4)];
+        assert!(sum.sqrt() < 0.5, "{sum}");
+    }
+
+    #[test]
+    fn fixes_of_the_position_tell_how_far_the_map_is_off() {
+        let belief = flown(100, true);
+        assert!((belief.mean[4] - 2.0).abs() < 0.3, "{}", belief.mean);
+        assert!((belief.mean[5] - 1.0).abs() < 0.3, "{}", belief.mean);
+        assert!(belief.covariance[(4, 4)].sqrt() < 0.3);
+    }
+
+    #[test]
+    fn far_away_the_map_is_off_by_something_else() {
+        let model = over_map();
+        let mut state = SVector::<f64, 6>::zeros();
+        (state[3], state[4]) = (20.0, 3.0);
+        let input = ControlInput::default();
+        let later = model.propagate(&state, &input, 100.0);
+        assert!(
+            (later[4] - 3.0 / std::f64::consts::E).abs() < 1e-9,
+            "{later}"
+        );
+        let added = model.process_noise(&state, &input, 100.0)[(4, 4)];
+        // Together with what is left it is as far off as anywhere.
+        let left = (-2.0_f64).exp() * 9.0;
+        assert!((added + left - 9.0).abs() < 1e-9, "{added}");
+    }
+}
