@@ -194,7 +194,7 @@ impl HeadingDoubt {
             heading: None,
             ..measured(flight, inputs, time)
         };
-        Some(frames.lay_by(flight, &measured, index, luminance, &wide))
+        Some(frames.lay(flight, &measured, index, luminance, &wide))
     }
 
     /// What a laid frame says of the compass, which reads `heading` radians: that it is turned, once enough

@@ -11,6 +11,7 @@ mod heading_doubt;
 mod inputs;
 mod picture_lag;
 mod pipeline;
+mod possible_places;
 mod region;
 mod report;
 mod run;

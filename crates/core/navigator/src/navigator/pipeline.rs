@@ -1,6 +1,7 @@
 //! The navigator: one call a step.
 
 mod doubts;
+mod laying;
 
 use std::cell::LazyCell;
 use std::sync::Arc;
@@ -12,6 +13,7 @@ use super::expected::AppearanceModel;
 use super::heading_doubt::HeadingDoubt;
 use super::inputs::Inputs;
 use super::picture_lag::{Onlooker, PictureLag};
+use super::possible_places::PossiblePlaces;
 use super::second_opinion::{Opinion, SecondOpinion, reconsider};
 use super::see::{Measurement, Seer, degrees, stack};
 use super::ticks::{Tick, ticks};
@@ -66,6 +68,8 @@ pub struct Navigator {
     heading: Option<HeadingDoubt>,
     detector: Box<dyn Detector>,
     whole_frames: Option<WholeFrames>,
+    /// Where else it may be; only whole frames tell.
+    possible: PossiblePlaces,
     ticks: Vec<Tick>,
     next: usize,
     time: f64,
@@ -159,6 +163,7 @@ impl Navigator {
             heading,
             detector,
             whole_frames: None,
+            possible: PossiblePlaces::new(),
             ticks,
             next: 0,
             time: start.time,
@@ -236,6 +241,7 @@ impl Navigator {
         }
         let predicted = self.engine.predict(&input, dt)?;
         self.second = self.second.take().and_then(|s| s.moved(&input, dt));
+        self.possible.moved(&input, dt);
         self.unaided = self.engine.dead_reckon(&self.unaided, &input, dt);
         self.time = time;
         let mut report = StepReport {
@@ -404,6 +410,7 @@ impl Navigator {
         if !agreed.is_empty() {
             let stacked = stack(&self.settings, &agreed);
             let step = stacked.correct(self.engine.as_mut(), &model, &pose)?;
+            self.possible = PossiblePlaces::new();
             report.after = step.after;
             report.sigma.before_correct = Some(step.sigma_before);
             report.sigma.after_correct = Some(step.sigma_after);
@@ -434,50 +441,6 @@ impl Navigator {
             self.try_heading(index, &luminance, report)?;
         }
         Ok(())
-    }
-
-    /// Lays the whole frame on the map, if that is wanted; whether it corrected the estimate.
-    fn lay(
-        &mut self,
-        index: usize,
-        luminance: &Pyramid,
-        report: &mut StepReport,
-        begun: f64,
-        stopwatch: &dyn Fn() -> f64,
-    ) -> Result<bool, FilterError> {
-        let Some(whole_frames) = self.whole_frames.as_mut() else {
-            return Ok(false);
-        };
-        let mut laid = whole_frames.lay(
-            &self.flight,
-            &self.inputs,
-            index,
-            luminance,
-            &report.predicted,
-        );
-        let seen = stopwatch();
-        let believed = laid.correct(&self.settings, &mut self.engine)?;
-        let corrected = believed.is_some();
-        let mut joint = None;
-        match believed {
-            Some(believed) => {
-                report.corrected_by(believed.predicted, believed.step);
-                joint = Some(believed.joint);
-                self.second = None;
-            }
-            None => whole_frames.forget_last(),
-        }
-        let mut frame = self.blind(index, None);
-        if let (true, Some(place)) = (corrected, &laid.report.place) {
-            frame.assumed_pose = place.pose;
-            frame.footprint = laid.footprint;
-        }
-        frame.joint = joint;
-        frame.laid = Some(laid.report);
-        report.frame = Some(frame);
-        report.timing.see = seen - begun;
-        report.timing.update = stopwatch() - seen;
-        Ok(corrected)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, SMatrix, SVector};
 
-use super::engine::{unscented, vehicle};
+use super::engine::{unscented, visit_model};
 use super::{Estimate, Run};
 use pilotage_estimation::filter::{
     FilterError, Gaussian, SmootherLink, Weights, smooth as smooth_links,
@@ -16,7 +16,7 @@ use pilotage_estimation::vehicle::{VehicleModel, VehicleVisitor};
 /// Where another belief took over in flight (see [`super::JointReport::recovered`]) the steps before it
 /// are smoothed from what that one believed. The last estimate is that of the run.
 pub fn smooth(run: &Run) -> Result<Vec<Estimate>, FilterError> {
-    vehicle(&run.settings).visit(Smoother { run })
+    visit_model(&run.settings, Smoother { run })
 }
 
 struct Smoother<'a> {

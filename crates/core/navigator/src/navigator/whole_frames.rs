@@ -7,10 +7,11 @@
 
 use std::sync::Arc;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Matrix2};
 
-use super::engine::{CorrectedStep, Engine, MeasurementModel};
+use super::engine::{CorrectedStep, Engine, map_error};
 use super::inputs::Inputs;
+use super::possible_places::{Found, Searched};
 use super::see::Surprise;
 use super::{Estimate, JointReport, LaidPlace, LaidReport};
 use pilotage_base::frames::GroundPoint;
@@ -21,7 +22,7 @@ use pilotage_mission::settings::NavigatorSettings;
 use pilotage_raster::imagery::Imagery;
 use pilotage_raster::raster::Pyramid;
 use pilotage_vision::registration::{
-    FollowSettings, Follower, LaidBy, Look, Measured, NotRegistered, Registration,
+    FollowSettings, Follower, LaidBy, Look, Measured, NotRegistered, Registration, Sighting, sight,
 };
 
 /// Numbers of a place: north and east.
@@ -40,6 +41,8 @@ pub struct Laid {
     pub report: LaidReport,
     /// Outline of the picture on the map.
     pub footprint: Vec<GroundPoint>,
+    /// Everywhere that it may lie, as far as it was looked for.
+    pub found: Found,
 }
 
 /// What a frame that was believed did.
@@ -60,21 +63,8 @@ impl WholeFrames {
         }
     }
 
-    /// Lays frame `index` on the map around where the aircraft is believed to be.
+    /// Lays frame `index` on the map around where the aircraft is believed to be, by what is `measured`.
     pub fn lay(
-        &mut self,
-        flight: &Flight,
-        inputs: &Inputs,
-        index: usize,
-        luminance: &Pyramid,
-        predicted: &Estimate,
-    ) -> Laid {
-        let measured = measured(flight, inputs, flight.frames[index].time);
-        self.lay_by(flight, &measured, index, luminance, predicted)
-    }
-
-    /// The same by what is `measured`.
-    pub fn lay_by(
         &mut self,
         flight: &Flight,
         measured: &Measured,
@@ -91,23 +81,57 @@ impl WholeFrames {
             luminance,
             map: self.map.as_ref(),
         };
-        let spread = predicted
-            .position_covariance()
-            .symmetric_eigenvalues()
-            .max();
-        let prior =
-            self.follower
-                .prior(time, predicted.position(), spread.max(0.0).sqrt(), measured);
-        match self.follower.follow(time, &look, &prior) {
-            Ok(found) => Laid {
-                footprint: footprint(&look, &found),
-                report: report(&found),
-            },
-            Err(cause) => Laid {
-                footprint: Vec::new(),
-                report: not_laid(&cause),
+        let searched = Searched::around(predicted);
+        let prior = self
+            .follower
+            .prior(time, searched.position, searched.deviation, measured);
+        let Sighting { verdict, places } = sight(&look, &prior);
+        let (report, footprint) = match verdict {
+            Ok(found) => {
+                self.follower.learn(time, flight.ground_down, &found);
+                (report(&found), footprint(&look, &found))
+            }
+            Err(cause) => (not_laid(&cause), Vec::new()),
+        };
+        Laid {
+            report,
+            footprint,
+            found: Found {
+                time,
+                ground_down: flight.ground_down,
+                searched,
+                places,
             },
         }
+    }
+
+    /// What the frames have taught so far.
+    pub fn follower(&self) -> &Follower {
+        &self.follower
+    }
+
+    /// Goes on by what other frames have taught.
+    pub fn go_on_by(&mut self, follower: Follower) {
+        self.before = follower.clone();
+        self.follower = follower;
+    }
+
+    /// What is told of frame `index` when it lies at `place`, and its outline on the map.
+    pub fn laid_at(
+        &self,
+        flight: &Flight,
+        index: usize,
+        luminance: &Pyramid,
+        place: &Registration,
+    ) -> (LaidReport, Vec<GroundPoint>) {
+        let camera = flight.camera_of_frame(index);
+        let look = Look {
+            camera: &camera,
+            ground_down: flight.ground_down,
+            luminance,
+            map: self.map.as_ref(),
+        };
+        (report(place), footprint(&look, place))
     }
 
     /// Forgets what the last frame taught: it was not believed.
@@ -139,9 +163,9 @@ fn footprint(look: &Look<'_>, found: &Registration) -> Vec<GroundPoint> {
     seen.collect()
 }
 
-fn report(found: &Registration) -> LaidReport {
-    LaidReport {
-        place: Some(LaidPlace {
+impl From<&Registration> for LaidPlace {
+    fn from(found: &Registration) -> Self {
+        Self {
             pose: found.camera.pose,
             covariance: found.camera.covariance,
             centre: found.centre,
@@ -149,7 +173,13 @@ fn report(found: &Registration) -> LaidReport {
             matches: found.matches.iter().map(|m| (m.pixel, m.ground)).collect(),
             stored_turn: found.stored_turn,
             shape: found.fit.at.shape,
-        }),
+        }
+    }
+}
+
+fn report(found: &Registration) -> LaidReport {
+    LaidReport {
+        place: Some(found.into()),
         refusal: None,
         laid_by: found.laid_by,
         probability: Some(found.probability),
@@ -169,6 +199,73 @@ fn not_laid(cause: &NotRegistered) -> LaidReport {
     }
 }
 
+/// The place of a frame as a measurement of the position.
+pub struct SeenPlace {
+    /// North and east, metres.
+    seen: DVector<f64>,
+    surprise: Surprise,
+    nis: f64,
+    threshold: f64,
+}
+
+fn measured_place(position: GroundPoint, _heading_bias: f64) -> Option<DVector<f64>> {
+    Some(DVector::from_column_slice(&[position.north, position.east]))
+}
+
+impl SeenPlace {
+    /// How much `place` surprises `engine`.
+    pub fn by(
+        settings: &NavigatorSettings,
+        engine: &dyn Engine,
+        place: &LaidPlace,
+    ) -> Result<Self, FilterError> {
+        let position = place.pose.position_in_world;
+        let seen = DVector::from_column_slice(&[position.x, position.y]);
+        // A map's error that is a state of the filter is no noise of its measurements.
+        let of_map = map_error(settings).map_or(0.0, |error| error.deviation.powi(2));
+        let own = place.covariance.fixed_view::<2, 2>(0, 0) - Matrix2::identity() * of_map;
+        let noise = DMatrix::from_fn(COMPONENTS, COMPONENTS, |i, j| {
+            settings.measurement_scale * own[(i, j)]
+        });
+        let expected = engine.expect(&measured_place, &noise)?;
+        let surprise = Surprise {
+            innovation: &seen - expected.mean,
+            covariance: expected.covariance,
+            noise,
+        };
+        Ok(Self {
+            nis: surprise.nis()?,
+            threshold: chi_square_quantile(settings.gate_confidence, COMPONENTS as f64),
+            seen,
+            surprise,
+        })
+    }
+
+    /// Corrects `engine`, whose covariance was widened by the factor `recovered` if any.
+    pub fn correct(
+        self,
+        engine: &mut dyn Engine,
+        recovered: Option<f64>,
+    ) -> Result<Believed, FilterError> {
+        let predicted = engine.state();
+        let step = engine.correct(&measured_place, &self.surprise.noise, &self.seen)?;
+        let joint = JointReport {
+            nis: self.nis,
+            degrees_of_freedom: COMPONENTS,
+            threshold: self.threshold,
+            gain: step.gain.clone(),
+            innovation: step.innovation.clone(),
+            innovation_covariance: step.innovation_covariance.clone(),
+            recovered,
+        };
+        Ok(Believed {
+            predicted,
+            step,
+            joint,
+        })
+    }
+}
+
 impl Laid {
     /// Corrects `engine` by the place of the frame, if it can be believed; says why not otherwise.
     pub fn correct(
@@ -179,26 +276,13 @@ impl Laid {
         let Some(place) = &self.report.place else {
             return Ok(None);
         };
-        let position = place.pose.position_in_world;
-        let seen = DVector::from_column_slice(&[position.x, position.y]);
-        let own = place.covariance.fixed_view::<2, 2>(0, 0);
-        let noise = DMatrix::from_fn(COMPONENTS, COMPONENTS, |i, j| {
-            settings.measurement_scale * own[(i, j)]
-        });
-        let model: &MeasurementModel<'_> =
-            &|position, _| Some(DVector::from_column_slice(&[position.north, position.east]));
-        let expected = engine.expect(model, &noise)?;
-        let surprise = Surprise {
-            innovation: &seen - expected.mean,
-            covariance: expected.covariance,
-            noise,
-        };
-        let nis = surprise.nis()?;
-        let threshold = chi_square_quantile(settings.gate_confidence, COMPONENTS as f64);
+        let seen = SeenPlace::by(settings, engine.as_ref(), place)?;
+        let SeenPlace { nis, threshold, .. } = seen;
         let mut recovered = None;
         if nis > threshold {
             // The filter expects such an innovation or a larger one with the probability exp(-NIS / 2).
             let log_expected = -0.5 * nis / std::f64::consts::LN_10;
+            let surprise = &seen.surprise;
             let factor = fading_factor(&surprise.innovation, &surprise.covariance, &surprise.noise);
             let Some(factor) = factor.filter(|_| self.report.log_false_alarms < log_expected)
             else {
@@ -212,21 +296,6 @@ impl Laid {
             *engine = engine.faded(factor)?;
             recovered = Some(factor);
         }
-        let predicted = engine.state();
-        let step = engine.correct(model, &surprise.noise, &seen)?;
-        let joint = JointReport {
-            nis,
-            degrees_of_freedom: COMPONENTS,
-            threshold,
-            gain: step.gain.clone(),
-            innovation: step.innovation.clone(),
-            innovation_covariance: step.innovation_covariance.clone(),
-            recovered,
-        };
-        Ok(Some(Believed {
-            predicted,
-            step,
-            joint,
-        }))
+        seen.correct(engine.as_mut(), recovered).map(Some)
     }
 }

@@ -2,9 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::look::Look;
 use super::prior::{HeadingPrior, PosePrior};
-use super::register::{NotRegistered, Registration, register};
+use super::register::Registration;
 use super::shape::MapShape;
 use pilotage_base::frames::GroundPoint;
 
@@ -85,8 +84,8 @@ impl Belief {
     }
 }
 
-/// Lays the frames of a flight on the map one after the other, and remembers how high it flew and how
-/// the map is stretched. Where the aircraft is the caller says, who has a filter for that.
+/// Remembers of the frames of a flight that were laid on the map how high it flew and how the map is
+/// stretched. Where the aircraft is the caller says, who has a filter for that.
 #[derive(Clone, Debug)]
 pub struct Follower {
     settings: FollowSettings,
@@ -154,16 +153,10 @@ impl Follower {
         }
     }
 
-    /// Lays a frame on the map and remembers what it shows.
-    pub fn follow(
-        &mut self,
-        time: f64,
-        look: &Look<'_>,
-        prior: &PosePrior,
-    ) -> Result<Registration, NotRegistered> {
-        let found = register(look, prior)?;
+    /// Remembers what a frame showed that was laid on the map.
+    pub fn learn(&mut self, time: f64, ground_down: f64, found: &Registration) {
         let fit = &found.fit;
-        let height = look.ground_down - fit.at.pose.position_in_world.z;
+        let height = ground_down - fit.at.pose.position_in_world.z;
         let variance = fit.covariance[(2, 2)] / (height * height);
         self.height = Some((
             Belief {
@@ -181,7 +174,6 @@ impl Follower {
         self.across = self
             .across
             .corrected(shape.across, fit.covariance[(7, 7)] + least);
-        Ok(found)
     }
 
     /// How the map is stretched, as far as the frames have shown.

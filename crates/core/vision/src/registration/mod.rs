@@ -41,7 +41,7 @@ pub use look::{Look, MapPose};
 pub use overlay::overlay;
 pub use patches::PatchMatch;
 pub use prior::{HeadingPrior, PosePrior};
-pub use register::{LaidBy, NotRegistered, Registration, register};
+pub use register::{LaidBy, NotRegistered, Registration, Sighting, register, sight};
 pub use shape::MapShape;
 pub use summit::{Climbed, Summit, climb};
 pub use sweep::sweep;

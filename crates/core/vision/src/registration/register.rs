@@ -91,6 +91,36 @@ pub enum NotRegistered {
     },
 }
 
+/// All that a frame says of where it was taken.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sighting {
+    /// The place that it can be laid on for itself, or why there is none.
+    pub verdict: Result<Registration, NotRegistered>,
+    /// Every place that is not improbable, the likeliest first, no two the same; other frames may tell which.
+    pub places: Vec<Registration>,
+}
+
+impl Sighting {
+    fn of_nothing() -> Self {
+        Self {
+            verdict: Err(NotRegistered::NothingAlike),
+            places: Vec::new(),
+        }
+    }
+}
+
+impl Registration {
+    /// Probability of this place by all that was looked at, its patches as well.
+    pub fn belief(&self) -> f64 {
+        match self.laid_by {
+            LaidBy::WholeFrame => self.probability,
+            LaidBy::Patches => self
+                .probability
+                .max(1.0 - 10_f64.powf(self.log_false_alarms)),
+        }
+    }
+}
+
 impl NotRegistered {
     /// Probability of the likeliest place.
     pub fn probability(&self) -> f64 {
@@ -101,9 +131,17 @@ impl NotRegistered {
     }
 }
 
-/// Lays a frame on the map: sweeps over all that the prior allows, makes the likeliest poses exact, and
-/// believes one if its patches agree as chance would not have it, or if the whole frame leaves little doubt.
+/// Lays a frame on the map: [`sight`]'s verdict.
+///
+/// # Errors
+/// Why no place can be believed.
 pub fn register(look: &Look<'_>, prior: &PosePrior) -> Result<Registration, NotRegistered> {
+    sight(look, prior).verdict
+}
+
+/// Looks where a frame may lie on the map: sweeps over all that the prior allows, makes the likeliest poses exact, and
+/// believes one if its patches agree as chance would not have it, or if the whole frame leaves little doubt.
+pub fn sight(look: &Look<'_>, prior: &PosePrior) -> Sighting {
     let turns = prior.heading.turns();
     let cameras: Vec<CameraModel> = turns
         .iter()
@@ -118,7 +156,9 @@ pub fn register(look: &Look<'_>, prior: &PosePrior) -> Result<Registration, NotR
         stored_turn: turns[guess.turn],
         ..laid
     };
-    let (first, others) = guesses.split_first().ok_or(NotRegistered::NothingAlike)?;
+    let Some((first, others)) = guesses.split_first() else {
+        return Sighting::of_nothing();
+    };
     let likely = others.iter().filter(|g| g.probability > LEAST_PROBABLE);
     let mut laid: Vec<Registration> = std::iter::once(first)
         .chain(likely)
@@ -147,7 +187,26 @@ pub fn register(look: &Look<'_>, prior: &PosePrior) -> Result<Registration, NotR
         let (a, b) = (rank(a), rank(b));
         a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
     });
-    judge(laid, first.probability, look.ground_down)
+    let places = apart(&laid, look.ground_down);
+    Sighting {
+        verdict: judge(laid, first.probability, look.ground_down),
+        places,
+    }
+}
+
+/// Those of `laid` that are not one with an earlier one, the likeliest first.
+fn apart(laid: &[Registration], ground_down: f64) -> Vec<Registration> {
+    let mut places: Vec<Registration> = Vec::new();
+    for found in laid {
+        let is_known = |k: &Registration| {
+            k.stored_turn == found.stored_turn && are_beside(&k.fit.at, &found.fit.at, ground_down)
+        };
+        if found.belief() > LEAST_PROBABLE && !places.iter().any(is_known) {
+            places.push(found.clone());
+        }
+    }
+    places.sort_by(|a, b| b.belief().total_cmp(&a.belief()));
+    places
 }
 
 /// A guess made exact.

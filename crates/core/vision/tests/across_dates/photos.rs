@@ -1,4 +1,5 @@
 //! Photos of other people over maps of other dates.
+#![allow(dead_code, reason = "each of the tests that read them uses a part")]
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -6,12 +7,15 @@ use std::path::{Path, PathBuf};
 use pilotage_base::frames::{Geodetic, GroundPoint, LocalFrame};
 use pilotage_base::georeference::Georeference;
 use pilotage_raster::camera::CameraModel;
-use pilotage_raster::imagery::{GeoreferencedPicture, decode_map};
+use pilotage_raster::imagery::{GeoreferencedPicture, Imagery, decode_map};
 use pilotage_raster::raster::{PYRAMID_LEVELS, Pyramid, decode_picture};
 
 /// A photo and what its file says of it.
 pub struct Photo {
     pub name: String,
+    pub file: PathBuf,
+    /// Seconds.
+    pub time: f64,
     pub camera: CameraModel,
     pub luminance: Pyramid,
     /// Place below the camera by its own receiver or navigation.
@@ -25,8 +29,16 @@ pub struct Photo {
 
 /// Photos and a map.
 pub struct Site {
+    pub world: LocalFrame,
     pub map: GeoreferencedPicture,
     pub photos: Vec<Photo>,
+}
+
+impl Site {
+    /// Middle of the map.
+    pub fn map_middle(&self) -> GroundPoint {
+        self.map.bounds().center()
+    }
 }
 
 fn shared(name: &str) -> Option<PathBuf> {
@@ -55,8 +67,8 @@ struct Set {
     map: &'static str,
     /// Pixels.
     focal: f64,
-    /// Height above the ground, heading and pitch of the camera, all of a row.
-    pose: fn(&Columns<'_>) -> [f64; 3],
+    /// Height above the ground, heading and pitch of the camera, and the time, all of a row.
+    pose: fn(&Columns<'_>) -> [f64; 4],
 }
 
 /// A consumer drone over a town, 120 m high, on a satellite map: the receiver is good to some 5 m together with
@@ -72,6 +84,7 @@ pub fn fengyuan() -> Option<Site> {
                 value("height_above_takeoff_m"),
                 value("flight_yaw_deg"),
                 ahead,
+                value("time_s"),
             ]
         },
     })
@@ -87,7 +100,13 @@ pub fn adm(month: &'static str) -> Option<Site> {
         focal: FOCAL,
         pose: |value| {
             let metres_per_pixel = value("metres_per_frame_pixel");
-            [FOCAL * metres_per_pixel, value("heading_deg"), 0.0]
+            // Its frames have numbers and no times: one a second.
+            [
+                FOCAL * metres_per_pixel,
+                value("heading_deg"),
+                0.0,
+                value("frame"),
+            ]
         },
     })
 }
@@ -111,14 +130,17 @@ fn site(set: &Set) -> Option<Site> {
         .and_then(|g| g.in_world(&world, picture.width(), picture.height()))
         .unwrap();
     let photo = |row: &HashMap<&str, &str>| {
-        let [height, heading, pitch] = (set.pose)(&|name| number(row, name));
+        let [height, heading, pitch, time] = (set.pose)(&|name| number(row, name));
         let (heading, pitch) = (heading.to_radians(), pitch.to_radians());
         let below = world.ground_from_geodetic(&place(row));
         let ahead = height * pitch.tan();
-        let picture = decode_picture(&read(&format!("frames/{}", row["file"]))).unwrap();
+        let file = folder.join("frames").join(row["file"]);
+        let picture = decode_picture(&std::fs::read(&file).unwrap()).unwrap();
         let half = 0.5 * picture.width() as f64;
         Photo {
             name: row["file"].to_owned(),
+            file,
+            time,
             camera: CameraModel::pinhole(
                 picture.width(),
                 picture.height(),
@@ -136,6 +158,7 @@ fn site(set: &Set) -> Option<Site> {
         }
     };
     Some(Site {
+        world,
         map: GeoreferencedPicture::new(set.map, picture, on_ground).unwrap(),
         photos: rows(&table).map(|row| photo(&row)).collect(),
     })

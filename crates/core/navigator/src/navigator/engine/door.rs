@@ -7,10 +7,11 @@ use pilotage_base::frames::GroundPoint;
 use pilotage_estimation::filter::FilterError;
 use pilotage_estimation::vehicle::ControlInput;
 
-/// What a measurement model may know of a state: position and the heading's bias, radians.
+/// What a measurement model may know of a state: position on the map and the heading's bias, radians.
 pub type MeasurementModel<'a> = dyn Fn(GroundPoint, f64) -> Option<DVector<f64>> + 'a;
 
 /// A prediction, for the report.
+#[derive(Clone)]
 pub struct PredictedStep {
     pub before: Estimate,
     pub after: Estimate,
@@ -50,8 +51,11 @@ pub trait Engine: Send {
     /// latest first), from here on.
     fn look_back(&mut self, past: Vec<(ControlInput, f64)>);
 
-    /// Where the vehicle was when what is measured happened.
+    /// Where the vehicle was on the map when what is measured happened: the map's error is in it.
     fn seen_from(&self) -> GroundPoint;
+
+    /// The same filter once more.
+    fn another(&self) -> Box<dyn Engine>;
 
     /// The same filter with `factor` times its covariance.
     fn faded(&self, factor: f64) -> Result<Box<dyn Engine>, FilterError>;

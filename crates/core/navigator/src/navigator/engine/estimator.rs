@@ -8,7 +8,7 @@ use pilotage_base::frames::GroundPoint;
 use pilotage_estimation::filter::{
     Correction, FilterError, Gaussian, PredictedMeasurement, Prediction, SigmaPoints,
 };
-use pilotage_estimation::vehicle::{ControlInput, VehicleModel};
+use pilotage_estimation::vehicle::{ControlInput, MAP_ERROR_NORTH, VehicleModel};
 
 /// A measurement model over the whole state, and which components it looks at.
 pub struct StateModel<'a, const N: usize> {
@@ -89,6 +89,8 @@ pub struct FilterEngine<const N: usize, V, F> {
     filter: F,
     model: V,
     heading_bias_index: Option<usize>,
+    /// The first of the map's two components.
+    map_error_index: Option<usize>,
     depends_on: Vec<usize>,
     /// What happened between what is measured and now, the latest first.
     past: Vec<(ControlInput, f64)>,
@@ -96,17 +98,24 @@ pub struct FilterEngine<const N: usize, V, F> {
 
 impl<const N: usize, V: VehicleModel<N>, F: Estimator<N>> FilterEngine<N, V, F> {
     pub fn new(filter: F, model: V) -> Self {
-        let heading_bias_index = model
-            .state_names()
-            .iter()
-            .position(|n| *n == "heading bias");
-        Self {
+        let named = |name| model.state_names().iter().position(|n| *n == name);
+        let mut engine = Self {
+            heading_bias_index: named("heading bias"),
+            map_error_index: named(MAP_ERROR_NORTH),
             filter,
             model,
-            heading_bias_index,
-            depends_on: [0, 1].into_iter().chain(heading_bias_index).collect(),
+            depends_on: Vec::new(),
             past: Vec::new(),
-        }
+        };
+        engine.depends_on = engine.measured_components();
+        engine
+    }
+
+    /// The components on which what is measured now depends.
+    fn measured_components(&self) -> Vec<usize> {
+        let of_map = self.map_error_index.into_iter().flat_map(|i| [i, i + 1]);
+        let own = [0, 1].into_iter().chain(self.heading_bias_index);
+        own.chain(of_map).collect()
     }
 
     fn measure<'a>(
@@ -117,11 +126,23 @@ impl<const N: usize, V: VehicleModel<N>, F: Estimator<N>> FilterEngine<N, V, F> 
         V: Clone + 'a,
     {
         let (vehicle, bias_index) = (self.model.clone(), self.heading_bias_index);
-        let past = self.past.clone();
+        let (past, map_error_index) = (self.past.clone(), self.map_error_index);
         move |x| {
             let bias = bias_index.map_or(0.0, |i| x[i]);
-            model(was_at(&vehicle, &past, x), bias)
+            model(on_map(was_at(&vehicle, &past, x), map_error_index, x), bias)
         }
+    }
+}
+
+/// Where the map shows what is at `position`: what cameras see is compared with the map.
+fn on_map<const N: usize>(
+    position: GroundPoint,
+    map_error_index: Option<usize>,
+    x: &SVector<f64, N>,
+) -> GroundPoint {
+    match map_error_index {
+        None => position,
+        Some(i) => GroundPoint::new(position.north + x[i], position.east + x[i + 1]),
     }
 }
 
@@ -181,7 +202,7 @@ where
 
     fn look_back(&mut self, past: Vec<(ControlInput, f64)>) {
         self.depends_on = if past.is_empty() {
-            [0, 1].into_iter().chain(self.heading_bias_index).collect()
+            self.measured_components()
         } else {
             (0..N).collect()
         };
@@ -189,7 +210,13 @@ where
     }
 
     fn seen_from(&self) -> GroundPoint {
-        was_at(&self.model, &self.past, &self.filter.belief().mean)
+        let mean = self.filter.belief().mean;
+        let seen_from = was_at(&self.model, &self.past, &mean);
+        on_map(seen_from, self.map_error_index, &mean)
+    }
+
+    fn another(&self) -> Box<dyn Engine> {
+        Box::new(self.clone())
     }
 
     fn faded(&self, factor: f64) -> Result<Box<dyn Engine>, FilterError> {

@@ -9,16 +9,18 @@ mod tests;
 mod unscented;
 mod vehicle;
 
+use std::sync::Arc;
+
 use self::estimator::FilterEngine;
 use pilotage_base::frames::GroundPoint;
 use pilotage_estimation::filter::{
     Ekf, FilterError, ParticleFilter, Redraw, Ukf, UnscentedSettings,
 };
-use pilotage_estimation::vehicle::{VehicleModel, VehicleVisitor};
+use pilotage_estimation::vehicle::{AnyVehicle, VehicleModel, VehicleVisitor};
 use pilotage_mission::settings::{EstimatorChoice, NavigatorSettings};
 
 pub use door::{CorrectedStep, Engine, Expectation, MeasurementModel, PredictedStep};
-pub use vehicle::vehicle;
+pub use vehicle::{map_error, vehicle, visit_model};
 
 /// The settings of the sigma points, which every estimator shows.
 pub fn unscented(settings: &NavigatorSettings) -> UnscentedSettings {
@@ -51,6 +53,7 @@ pub fn engine(
         where
             V: VehicleModel<N> + Clone + Send + Sync + 'static,
         {
+            let model: AnyVehicle<N> = Arc::new(model);
             let prior = model.prior(self.position, self.deviation);
             let unscented = unscented(self.settings);
             let estimator = &self.settings.estimator;
@@ -68,9 +71,12 @@ pub fn engine(
             })
         }
     }
-    vehicle(settings).visit(Build {
+    visit_model(
         settings,
-        position,
-        deviation,
-    })
+        Build {
+            settings,
+            position,
+            deviation,
+        },
+    )
 }

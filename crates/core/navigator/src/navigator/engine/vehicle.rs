@@ -2,9 +2,25 @@
 
 use pilotage_estimation::vehicle::{
     AirData, AirDataBiases, AirplaneFull, AirplaneWind, AirplaneWindGust, ConstantVelocity, Gusts,
-    Multirotor, RandomWalk, ThesisNoise, VehicleSettings, VelocityDriven,
+    MapError, Multirotor, RandomWalk, ThesisNoise, VehicleSettings, VehicleVisitor, VelocityDriven,
 };
 use pilotage_mission::settings::{NavigatorSettings, VehicleChoice};
+
+/// Works with the model that the filter of a run has: that of the vehicle, with the error of the map where that is known
+/// to be off.
+pub fn visit_model<V: VehicleVisitor>(settings: &NavigatorSettings, visitor: V) -> V::Output {
+    let vehicle = vehicle(settings);
+    match map_error(settings) {
+        Some(error) => vehicle.visit_over_map(error, visitor),
+        None => vehicle.visit(visitor),
+    }
+}
+
+/// How far off the map is, if that is a state of the filter.
+pub fn map_error(settings: &NavigatorSettings) -> Option<MapError> {
+    let deviation = settings.whole_frames?.map_deviation;
+    (deviation > 0.0).then(|| MapError::of(deviation))
+}
 
 /// The vehicle model that the settings ask for.
 pub fn vehicle(settings: &NavigatorSettings) -> VehicleSettings {
