@@ -159,11 +159,13 @@ pub fn sight(look: &Look<'_>, prior: &PosePrior) -> Sighting {
     let Some((first, others)) = guesses.split_first() else {
         return Sighting::of_nothing();
     };
-    let likely = others.iter().filter(|g| g.probability > LEAST_PROBABLE);
-    let mut laid: Vec<Registration> = std::iter::once(first)
-        .chain(likely)
-        .filter_map(|guess| Some(turned(guess, exact(&looks[guess.turn], prior, guess)?)))
-        .collect();
+    let made_exact = |guess: &Guess| Some(turned(guess, exact(&looks[guess.turn], prior, guess)?));
+    let mut laid: Vec<Registration> = made_exact(first).into_iter().collect();
+    // Rivals of a place that leaves them little are not worth the time.
+    if laid.is_empty() || first.probability < BELIEVED {
+        let likely = others.iter().filter(|g| g.probability > LEAST_PROBABLE);
+        laid.extend(likely.filter_map(made_exact));
+    }
     let is_sure = |r: &Registration| r.laid_by == LaidBy::Patches || r.probability >= BELIEVED;
     if !laid.iter().any(is_sure) {
         // Patches of a map of the same day may know better.

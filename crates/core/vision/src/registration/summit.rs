@@ -90,9 +90,7 @@ pub fn climb(look: &Look<'_>, prior: &PosePrior, guess: &Guess) -> Option<Climbe
         let level = Level::new(look, prior, &start, evidence, finer)?;
         let mut top = level.summit(&start)?;
         for _ in 0..rounds {
-            for axis in Axis::ALL {
-                top = level.along(axis, share * axis.step(), top);
-            }
+            top = level.round(share, top);
             share *= 0.5;
         }
         climbed = Some((level, top));
@@ -186,15 +184,24 @@ impl<'a> Level<'a> {
         1.0 / curvature.max(axis.step().powi(-2))
     }
 
-    /// The best of `best` and of what lies around it along an axis.
-    fn along(&self, axis: Axis, step: f64, best: Summit) -> Summit {
-        let at = |by: f64| self.summit(&axis.moved(self.look, &best.at, by));
-        let (less, more) = (at(-step), at(step));
-        let value = |side: &Option<Summit>| side.map_or(best.log_weight - 1.0, |s| s.log_weight);
-        let between = vertex(value(&less), best.log_weight, value(&more));
-        let all = [Some(best), less, more, at(between * step)];
-        all.into_iter()
-            .flatten()
+    /// The best of `best`, of what lies a step of `share` to each side of it along every axis, and of where the parabolas
+    /// through these are highest together.
+    fn round(&self, share: f64, best: Summit) -> Summit {
+        let mut together = best.at;
+        let mut tried = vec![best];
+        for axis in Axis::ALL {
+            let step = share * axis.step();
+            let at = |by: f64| self.summit(&axis.moved(self.look, &best.at, by));
+            let (less, more) = (at(-step), at(step));
+            let value =
+                |side: &Option<Summit>| side.map_or(best.log_weight - 1.0, |s| s.log_weight);
+            let between = vertex(value(&less), best.log_weight, value(&more));
+            together = axis.moved(self.look, &together, between * step);
+            tried.extend(less.into_iter().chain(more));
+        }
+        tried.extend(self.summit(&together));
+        tried
+            .into_iter()
             .max_by(|a, b| a.log_weight.total_cmp(&b.log_weight))
             .unwrap_or(best)
     }
