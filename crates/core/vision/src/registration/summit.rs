@@ -12,7 +12,7 @@ use super::look::{Look, MapPose};
 use super::prior::PosePrior;
 use super::weighed::frame_template;
 use pilotage_base::frames::wrap_pi;
-use pilotage_raster::raster::{ChannelSearch, highest_peak};
+use pilotage_raster::raster::{ChannelSearch, Gray, Peak, highest_peak};
 
 /// Ground sample distances against that of the sweep, and rounds at each; every round halves the steps.
 const LEVELS: [(f64, usize); 2] = [(1.0, 3), (0.6, 2)];
@@ -140,13 +140,9 @@ impl<'a> Level<'a> {
         let (template, (left, top)) =
             frame_template(self.look, at, &self.ground.window, Texture::Edges)?;
         let surface = self.search.correlate(&template)?;
-        let peak = highest_peak(&surface.score)?;
-        let (column, row) = peak.sample;
-        let share = f64::from(surface.share_at(row * surface.score.width() + column));
+        let (peak, sample) = peak_near(&surface.score, left, top)?;
+        let share = f64::from(surface.share_at(sample));
         let (east, north) = (peak.x - left as f64, top as f64 - peak.y);
-        if east.abs().max(north.abs()) > MARGIN {
-            return None;
-        }
         let mut at = *at;
         at.pose.position_in_world.x += north * self.gsd;
         at.pose.position_in_world.y += east * self.gsd;
@@ -244,6 +240,24 @@ impl Climbed {
             deviation: (0.5 * place.trace()).sqrt() * pixels_per_metre,
         })
     }
+}
+
+/// The highest place of a surface no farther than the margin from a column and a row, and the index of its sample: what is
+/// higher farther away is another summit.
+fn peak_near(surface: &Gray, column: usize, row: usize) -> Option<(Peak, usize)> {
+    let margin = MARGIN as usize;
+    let (left, top) = (column.saturating_sub(margin), row.saturating_sub(margin));
+    let width = (column + margin + 1)
+        .min(surface.width())
+        .checked_sub(left)?;
+    let height = (row + margin + 1).min(surface.height()).checked_sub(top)?;
+    let mut peak = highest_peak(&surface.crop(left, top, width, height)?)?;
+    peak.x += left as f64;
+    peak.y += top as f64;
+    let (column, row) = peak.sample;
+    let sample = (left + column, top + row);
+    peak.sample = sample;
+    Some((peak, sample.1 * surface.width() + sample.0))
 }
 
 /// Where the parabola through three values at -1, 0 and 1 is highest, within these.
