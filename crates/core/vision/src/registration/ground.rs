@@ -1,31 +1,11 @@
 //! Ground seen from above: the map's and the frame's, made alike.
 
 use super::look::{Look, MapPose};
-use super::texture::local_contrast;
 use pilotage_base::frames::GroundRect;
 use pilotage_raster::imagery::{Imagery, Window};
-use pilotage_raster::raster::{Gray, IntegralImage, OrientationField, gaussian_blur};
+use pilotage_raster::raster::{Gray, IntegralImage};
 
-/// What of the ground is compared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Texture {
-    /// Brightness against the surroundings: fine and exact where map and frame are of one day.
-    Contrast,
-    /// Where edges run and how, which stays from one date and sensor to another.
-    Edges,
-    /// Edges and, with less weight, contrast: tells one place from another better than either, but shadows and
-    /// crops move its summit.
-    EdgesAndContrast,
-}
-
-/// Weight of contrast beside edges.
-const CONTRAST: f32 = 0.3;
-/// What it is clipped to, standard deviations.
-const CLIPPED: f32 = 2.0;
-/// Standard deviation over which it is smoothed, pixels, as edges are.
-const SMOOTHED: f64 = 1.2;
-/// Pixels to each side that decide what is bright beside edges.
-const SURROUNDINGS: usize = 12;
+pub use crate::texture::Texture;
 
 /// A north-up picture of ground with what of it is covered.
 #[derive(Debug)]
@@ -48,21 +28,7 @@ impl GroundPicture {
         texture: Texture,
         radius: usize,
     ) -> Self {
-        let (channels, covered) = match texture {
-            Texture::Contrast => (vec![local_contrast(luminance, &covered, radius)], covered),
-            Texture::Edges => {
-                let field = OrientationField::new(luminance, &covered);
-                (field.channels, field.covered)
-            }
-            Texture::EdgesAndContrast => {
-                let mut field = OrientationField::new(luminance, &covered);
-                let smooth = gaussian_blur(luminance, SMOOTHED);
-                let contrast = local_contrast(&smooth, &field.covered, SURROUNDINGS);
-                let weighed = |v: f32| CONTRAST * v.clamp(-CLIPPED, CLIPPED);
-                field.channels.push(contrast.map(weighed));
-                (field.channels, field.covered)
-            }
-        };
+        let (channels, covered) = texture.channels(luminance, covered, radius);
         Self {
             window,
             cover: IntegralImage::new(&covered),

@@ -15,7 +15,6 @@ mod agreement;
 mod camera_place;
 mod contrast;
 mod edges;
-mod evidence;
 mod fit;
 mod follower;
 mod grid;
@@ -29,8 +28,9 @@ mod register;
 mod shape;
 mod summit;
 mod sweep;
-mod texture;
 mod weighed;
+
+use crate::evidence;
 
 pub use camera_place::CameraPlace;
 pub use evidence::Evidence;

@@ -1,0 +1,78 @@
+//! What of the ground is compared: a picture with light and haze taken away, as one channel or several.
+
+use pilotage_raster::raster::{Gray, IntegralImage, OrientationField, gaussian_blur};
+
+/// What of the ground is compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Texture {
+    /// Brightness against the surroundings: fine and exact where map and frame are of one day.
+    Contrast,
+    /// Where edges run and how, which stays from one date and sensor to another.
+    Edges,
+    /// Edges and, with less weight, contrast: tells one place from another better than either, but shadows and
+    /// crops move its summit.
+    EdgesAndContrast,
+}
+
+/// Weight of contrast beside edges.
+const CONTRAST: f32 = 0.3;
+/// What it is clipped to, standard deviations.
+const CLIPPED: f32 = 2.0;
+/// Standard deviation over which it is smoothed, pixels, as edges are.
+const SMOOTHED: f64 = 1.2;
+/// Pixels to each side that decide what is bright beside edges.
+const SURROUNDINGS: usize = 12;
+
+impl Texture {
+    /// The channels of a picture of which `covered` (one, else zero) is known, and where they are known; for
+    /// contrast alone, `radius` pixels of surroundings on each side decide what is bright.
+    pub fn channels(self, luminance: &Gray, covered: Gray, radius: usize) -> (Vec<Gray>, Gray) {
+        match self {
+            Self::Contrast => (vec![local_contrast(luminance, &covered, radius)], covered),
+            Self::Edges => {
+                let field = OrientationField::new(luminance, &covered);
+                (field.channels, field.covered)
+            }
+            Self::EdgesAndContrast => {
+                let mut field = OrientationField::new(luminance, &covered);
+                let smooth = gaussian_blur(luminance, SMOOTHED);
+                let contrast = local_contrast(&smooth, &field.covered, SURROUNDINGS);
+                let weighed = |v: f32| CONTRAST * v.clamp(-CLIPPED, CLIPPED);
+                field.channels.push(contrast.map(weighed));
+                (field.channels, field.covered)
+            }
+        }
+    }
+}
+
+/// Contrast below this, grey levels, is noise of the camera and of the file rather than texture.
+const NOISE: f64 = 2.0;
+
+/// Each covered pixel's deviation from the mean of its surroundings (a square `radius` pixels to each
+/// side) in units of their standard deviation; zero where nothing is covered.
+///
+/// Only covered pixels count, so that the edge of the picture leaves no step. Pictures of different
+/// exposure, white balance and shade come out alike.
+pub fn local_contrast(luminance: &Gray, covered: &Gray, radius: usize) -> Gray {
+    let (width, height) = (luminance.width(), luminance.height());
+    let mut masked = luminance.clone();
+    for (value, cover) in masked.pixels_mut().iter_mut().zip(covered.pixels()) {
+        *value *= cover;
+    }
+    let counts = IntegralImage::new(covered);
+    let sums = IntegralImage::new(&masked);
+    let squares = IntegralImage::of_squares(&masked);
+    Gray::from_fn(width, height, |column, row| {
+        if covered.get(column, row) == 0.0 {
+            return 0.0;
+        }
+        let (left, top) = (column.saturating_sub(radius), row.saturating_sub(radius));
+        let across = (column + radius + 1).min(width) - left;
+        let down = (row + radius + 1).min(height) - top;
+        let count = counts.sum(left, top, across, down);
+        let mean = sums.sum(left, top, across, down) / count;
+        let variance = squares.sum(left, top, across, down) / count - mean * mean;
+        let deviation = (variance.max(0.0) + NOISE * NOISE).sqrt();
+        ((f64::from(luminance.get(column, row)) - mean) / deviation) as f32
+    })
+}
