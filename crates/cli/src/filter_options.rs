@@ -1,5 +1,6 @@
 //! `--filter key=value,…`: changes to the navigator's settings.
 
+use pilotage_core::landmark::TemplateFeatures;
 use pilotage_core::navigator::{EstimatorChoice, NavigatorSettings, VehicleChoice};
 
 /// Names of the vehicle models on the command line.
@@ -76,6 +77,13 @@ fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), S
         "yaw" => settings.sensors.yaw = number()?.to_radians(),
         "height" => settings.sensors.height = number()?,
         "pixel" => settings.sensors.pixel = number()?,
+        "features" => {
+            settings.detector.features = TemplateFeatures::named(value).ok_or_else(|| {
+                let keys = TemplateFeatures::ALL.map(TemplateFeatures::key);
+                format!("--filter features: there are {}", keys.join(", "))
+            })?;
+        }
+        "map-deviation" => settings.detector.map_deviation = number()?,
         "score" => settings.detector.least_score = number()?,
         "ambiguity" => settings.detector.greatest_ambiguity = number()?,
         "shortest-step" => settings.shortest_step = number()?,
@@ -103,6 +111,10 @@ mod tests {
         apply(&mut settings, "alpha=0.5, vehicle=random-walk").unwrap();
         assert_eq!(settings.alpha, 0.5);
         assert_eq!(settings.vehicle, VehicleChoice::RandomWalk);
+        apply(&mut settings, "features=orientation,map-deviation=3").unwrap();
+        assert_eq!(settings.detector.features, TemplateFeatures::Orientation);
+        assert_eq!(settings.detector.map_deviation, 3.0);
+        assert!(apply(&mut settings, "features=smell").is_err());
         apply(&mut settings, "frame-height=45").unwrap();
         assert_eq!(settings.whole_frames.unwrap().height, 45.0);
         apply(&mut settings, "whole-frames=false").unwrap();

@@ -349,6 +349,8 @@ impl Assessor {
         let request = SearchRequest {
             landmark: &self.landmark,
             displacement_covariance: Matrix2::identity() * look.variance,
+            turn_deviation: c.sensors.yaw,
+            log_scale_deviation: c.sensors.height / c.height,
         };
         let sighting = self.detector.detect(&view, &request);
         let error = sighting.best().map(|d| d.ground.distance(&look.expected));

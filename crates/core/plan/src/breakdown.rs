@@ -56,6 +56,7 @@ mod tests {
             covariance: nalgebra::Matrix4::identity() * covariance,
             score: 0.9,
             second_score: 0.1,
+            probability: None,
             rotation: 0.0,
             scale: 1.0,
         };

@@ -100,6 +100,7 @@ impl StatedDetector {
             covariance: expected.covariance,
             score: 0.9,
             second_score: 0.1,
+            probability: None,
             rotation: seen[2] + error[2],
             scale: (seen[3] + error[3]).exp(),
         })

@@ -8,7 +8,7 @@ use pilotage_base::frames::{GroundPoint, GroundRect, Pose};
 use pilotage_mission::settings::{NavigatorSettings, VehicleChoice};
 use pilotage_raster::camera::CameraModel;
 use pilotage_raster::imagery::Imagery;
-use pilotage_vision::landmark::{Rehearsal, rehearse};
+use pilotage_vision::landmark::{Rehearsal, TemplateFeatures, rehearse};
 
 /// Greatest ratio of a rival's score to the landmark's, as the detector has it.
 const AMBIGUITY: f64 = 0.85;
@@ -88,6 +88,7 @@ pub struct Ranking {
     map: Arc<dyn Imagery>,
     days: Vec<Arc<dyn Imagery>>,
     radius: f64,
+    features: TemplateFeatures,
     places: Vec<GroundRect>,
     next: usize,
     found: Vec<Candidate>,
@@ -119,10 +120,17 @@ impl Ranking {
             map,
             days: days.to_vec(),
             radius,
+            features: TemplateFeatures::default(),
             places,
             next: 0,
             found: Vec::new(),
         }
+    }
+
+    /// As a detector of these features will look for them.
+    #[must_use]
+    pub fn by(self, features: TemplateFeatures) -> Self {
+        Self { features, ..self }
     }
 
     /// Only the places that a camera can see whole from `frames`.
@@ -164,8 +172,13 @@ impl Ranking {
             if done == FIRST_DAYS && best < FAILED {
                 return true;
             }
-            let Some(rehearsal) = rehearse(self.map.as_ref(), day.as_ref(), bounds, self.radius)
-            else {
+            let Some(rehearsal) = rehearse(
+                self.map.as_ref(),
+                day.as_ref(),
+                bounds,
+                self.radius,
+                self.features,
+            ) else {
                 return true;
             };
             let candidate = Candidate::of(*bounds, &rehearsal);

@@ -214,6 +214,8 @@ fn the_detector_chosen_for_a_landmark_finds_it_and_one_for_another_box_is_not_us
             let request = SearchRequest {
                 landmark: &landmark,
                 displacement_covariance: assumed.covariance,
+                turn_deviation: envelope.sensors.yaw,
+                log_scale_deviation: envelope.sensors.height / photo.height,
             };
             let sighting = chosen.detect(&photo.view(&assumed, envelope.ground_down), &request);
             if let Sighting::Found(found) = sighting {

@@ -497,6 +497,8 @@ impl DetectorTraining {
         let request = SearchRequest {
             landmark: &self.landmark,
             displacement_covariance: assumed.covariance,
+            turn_deviation: envelope.sensors.yaw,
+            log_scale_deviation: envelope.sensors.height / photo.height,
         };
         let view = photo.view(&assumed, envelope.ground_down);
         let sighting = self.template.detect(&view, &request);

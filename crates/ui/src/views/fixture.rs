@@ -454,6 +454,8 @@ impl Flier {
                 ))),
                 score: 0.78 + 0.08 * self.noise.next(),
                 second_score: if accepted { 0.41 } else { 0.74 } + 0.03 * self.noise.next(),
+                probability: None,
+                turn_and_size: [0.02, 0.01],
                 innovation: Some(innovation),
                 nis: Some(nis),
                 threshold,

@@ -58,6 +58,15 @@ impl Anchor {
         self.pixel + self.to_pixel * (place.to_vector() - self.ground.to_vector())
     }
 
+    /// Covariance of what is measured here (pixel x, pixel y, rotation, log scale) that comes from the ground's
+    /// being so many metres per axis (a standard deviation) beside where the map has it.
+    pub fn in_pixels(&self, deviation: f64) -> Matrix4<f64> {
+        let mut covariance = Matrix4::zeros();
+        let place = self.to_pixel * self.to_pixel.transpose() * deviation.powi(2);
+        covariance.fixed_view_mut::<2, 2>(0, 0).copy_from(&place);
+        covariance
+    }
+
     /// `pose` moved so that `point` appears here.
     pub fn seen_from(&self, pose: &Pose, point: &Point3<f64>) -> Pose {
         let mut moved = *pose;
@@ -180,6 +189,23 @@ mod tests {
         let said = model.appearances(&[(&landmark, anchor)], &assumed, at, bias);
         let off = (said.fixed_rows::<COMPONENTS>(0) - seen).norm();
         assert!(off < 1e-6, "{said} {seen}");
+    }
+
+    #[test]
+    fn an_error_of_the_map_is_as_many_pixels_as_the_ground_is_large() {
+        let camera = CameraModel::pinhole(640, 480, 60_f64.to_radians());
+        let pose = model(&camera, 0.0).pose(GroundPoint::default(), 0.0);
+        let level = Pose {
+            attitude: Attitude::level(0.8),
+            ..pose
+        };
+        let anchor = Anchor::at(&camera, &level, &camera.principal, 0.0).unwrap();
+        let covariance = anchor.in_pixels(3.0);
+        let expected = (3.0 * camera.focal / 120.0).powi(2);
+        for axis in [0, 1] {
+            assert!((covariance[(axis, axis)] / expected - 1.0).abs() < 1e-9);
+        }
+        assert!(covariance[(0, 1)].abs() < 1e-9 && covariance[(2, 2)] == 0.0);
     }
 
     #[test]

@@ -60,6 +60,8 @@ struct Look {
     luminance: Pyramid,
     /// Standard deviations (north, east) of where the landmark would appear, metres.
     deviations: Vector2<f64>,
+    /// Standard deviations of its turn (radians) and of the logarithm of its size.
+    turn_and_size: [f64; 2],
 }
 
 impl Look {
@@ -86,6 +88,7 @@ impl Look {
             ground_down: flight.ground_down,
             luminance: Pyramid::new(picture.to_gray(), PYRAMID_LEVELS),
             deviations: wider / sigmas,
+            turn_and_size: candidate.turn_and_size,
         })
     }
 
@@ -103,6 +106,8 @@ impl Look {
         SearchRequest {
             landmark,
             displacement_covariance: Matrix2::from_diagonal(&variances),
+            turn_deviation: self.turn_and_size[0],
+            log_scale_deviation: self.turn_and_size[1],
         }
     }
 }

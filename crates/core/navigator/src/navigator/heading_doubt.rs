@@ -405,6 +405,8 @@ mod tests {
             measurement_covariance: None,
             score: 0.2,
             second_score: 0.1,
+            probability: None,
+            turn_and_size: [0.02, 0.01],
             innovation: None,
             nis: None,
             threshold: 16.0,

@@ -130,6 +130,12 @@ pub struct CandidateReport {
     pub score: f64,
     /// Second-best peak's score.
     pub second_score: f64,
+    /// Probability that it is the landmark, from a detector that says one.
+    #[serde(default)]
+    pub probability: Option<f64>,
+    /// Standard deviations of the turn (radians) and of the logarithm of the size in which it was looked for.
+    #[serde(default)]
+    pub turn_and_size: [f64; 2],
     /// Innovation: measured minus predicted, pixels.
     pub innovation: Option<Vector2<f64>>,
     /// Normalized innovation squared of this landmark alone, over pixel, rotation and log scale.

@@ -165,14 +165,16 @@ impl<'a> Seer<'a> {
         Seer { engine, ..*self }
     }
 
-    /// Least covariance of what is measured of `landmark`: the pixel floor, and what it means for turn
-    /// and scale over the half size of the patch.
-    fn floor(&self, landmark: &Landmark) -> Matrix4<f64> {
+    /// Least covariance of what is measured of `landmark`: the pixel floor, what it means for turn and scale
+    /// over the half size of the patch, and the map's own error.
+    fn floor(&self, landmark: &Landmark, anchor: &Anchor) -> Matrix4<f64> {
         let pixel = self.settings.sensors.pixel;
         let height = (self.model.ground_down - self.model.camera_down).max(1.0);
         let half = 0.25 * (landmark.bounds.width() + landmark.bounds.height());
         let angle = pixel / (half * self.model.camera.focal / height).max(1.0);
-        Matrix4::from_diagonal(&Vector4::new(pixel, pixel, angle, angle).map(|sd| sd * sd))
+        let own =
+            Matrix4::from_diagonal(&Vector4::new(pixel, pixel, angle, angle).map(|sd| sd * sd));
+        own + anchor.in_pixels(self.settings.detector.map_deviation)
     }
 
     /// Landmarks that may be in view, the most central first, with the reports begun; not all of them
@@ -224,9 +226,10 @@ impl<'a> Seer<'a> {
         let point = landmark.reference_in_world(model.ground_down);
         let anchor = Anchor::of(model.camera, &self.pose, &point)?;
         let jacobian = anchor.pose_jacobian(model.camera, &self.pose, &point)?;
-        let noise = noise(self.settings, &[self.floor(landmark)], &[jacobian]);
+        let noise = noise(self.settings, &[self.floor(landmark, &anchor)], &[jacobian]);
         let expected = self.expect(&[(landmark, anchor)], &noise).ok()?;
         let covariance = expected.covariance.fixed_view::<2, 2>(0, 0).into_owned();
+        let deviation = |i: usize| expected.covariance[(i, i)].max(0.0).sqrt();
         let report = CandidateReport {
             landmark: landmark.id,
             predicted_pixel: Point2::new(expected.mean[0], expected.mean[1]),
@@ -237,6 +240,8 @@ impl<'a> Seer<'a> {
             measurement_covariance: None,
             score: 0.0,
             second_score: 0.0,
+            probability: None,
+            turn_and_size: [deviation(2), deviation(3)],
             innovation: None,
             nis: None,
             rotation: None,
@@ -280,6 +285,8 @@ impl<'a> Seer<'a> {
         Some(SearchRequest {
             landmark,
             displacement_covariance: covariance,
+            turn_deviation: report.turn_and_size[0],
+            log_scale_deviation: report.turn_and_size[1],
         })
     }
 
@@ -319,6 +326,7 @@ impl<'a> Seer<'a> {
         let place = sighting.best().and_then(|best| {
             report.score = best.score;
             report.second_score = best.second_score;
+            report.probability = best.probability;
             let point = Point3::new(best.ground.north, best.ground.east, ground_down);
             let pixel = camera.project(&self.pose, &point)?;
             let anchor = Anchor::at(camera, &self.pose, &pixel, ground_down)?;
@@ -327,7 +335,7 @@ impl<'a> Seer<'a> {
                 .fixed_view_mut::<2, 2>(0, 0)
                 .copy_from(&anchor.to_pixel);
             let own = to_picture * best.covariance * to_picture.transpose();
-            let covariance = own + self.floor(landmark);
+            let covariance = own + self.floor(landmark, &anchor);
             report.measured_pixel = Some(pixel);
             report.rotation = Some(best.rotation);
             report.log_scale = Some(best.scale.ln());

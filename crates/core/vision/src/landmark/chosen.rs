@@ -74,9 +74,11 @@ impl ChosenDetector {
             // Two that err independently name one place: what they say adds up, and the finer of them says
             // where.
             let odds = odds_of_cascade + trained.template.as_ref().map_or(0.0, said);
+            let probability = probabilities(&[odds])[0];
             let detection = Detection {
-                score: probabilities(&[odds])[0],
+                score: probability,
                 second_score: cascade.second_score,
+                probability: Some(probability),
                 ..*patch
             };
             return if detection.score >= BELIEVED {

@@ -44,6 +44,10 @@ pub struct SearchRequest<'a> {
     /// appear under the assumed pose and its place on the map, m²: the innovation covariance carried
     /// to the ground.
     pub displacement_covariance: Matrix2<f64>,
+    /// Standard deviation of the turn of the picture against the map that the assumed pose leaves, radians.
+    pub turn_deviation: f64,
+    /// Standard deviation of the natural logarithm of the landmark's size in the picture that it leaves.
+    pub log_scale_deviation: f64,
 }
 
 impl SearchRequest<'_> {
@@ -80,6 +84,10 @@ pub struct Detection {
     pub score: f64,
     /// Score of the best place elsewhere in the search region.
     pub second_score: f64,
+    /// Probability that it is the landmark, against other places and against its not being seen at all; `None`
+    /// from a detector that judges by scores alone.
+    #[serde(default)]
+    pub probability: Option<f64>,
     /// Turn of the picture against the map at the peak, radians clockwise.
     pub rotation: f64,
     /// Size in the picture relative to the map at the peak.

@@ -338,6 +338,8 @@ mod tests {
         let request = SearchRequest {
             landmark,
             displacement_covariance: Matrix2::from_diagonal_element(16.0),
+            turn_deviation: 0.02,
+            log_scale_deviation: 0.01,
         };
         CascadeEvidence::new(&Square, &view, &request, 3.0)
     }

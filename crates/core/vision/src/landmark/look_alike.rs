@@ -25,7 +25,7 @@ const FARTHEST: f64 = 120.0;
 
 /// A place of the map that looks like a landmark.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct LookAlike {
+pub(in crate::landmark) struct LookAlike {
     /// Where it is from the landmark, metres north and east.
     pub offset: Vector2<f64>,
     /// Its score on the map.

@@ -11,6 +11,7 @@ mod distinctness;
 mod evidence;
 mod features;
 mod look_alike;
+mod oriented;
 mod patch;
 mod peak;
 mod rectify;
@@ -28,8 +29,9 @@ pub use detector::{Detection, Detector, FrameView, Refusal, SearchRequest, Sight
 pub use distinct::Landmark;
 pub use distinctness::{PatchDistinctness, distinctness};
 pub use evidence::{CascadeEvidence, MarkedPlace, PatchLook, StageLook};
+pub use oriented::LEAST_PROBABILITY;
 pub use rectify::{GroundView, rectify, rectify_plane};
 pub use rehearsal::{Rehearsal, rehearse};
-pub use settings::TemplateSettings;
+pub use settings::{TemplateFeatures, TemplateSettings};
 pub use template::{MatchEvidence, TemplateDetector};
 pub use tolerance::tolerance;

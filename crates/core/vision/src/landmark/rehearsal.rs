@@ -1,7 +1,9 @@
 //! A landmark on another day: how well its map patch fits where it is, and where else it fits.
 
+use super::TemplateFeatures;
 use super::distinctness::standard_deviation;
 use super::features::{FeatureTemplate, Features};
+use super::oriented;
 use super::patch::FLAT_CONTRAST;
 use super::peak::{best_peaks, refine};
 use pilotage_base::frames::{GroundPoint, GroundRect};
@@ -13,14 +15,14 @@ const PIXELS: f64 = 32.0;
 /// Pixels between a place and its nearest rival.
 const RIVAL_PIXELS: usize = 3;
 /// A best place further off than this, in pixels, is not the landmark.
-const OFF_PIXELS: f64 = 2.0;
+pub(super) const OFF_PIXELS: f64 = 2.0;
 
 /// Grey levels by which two pictures of the same ground differ beyond what the rehearsal knows: sensor,
 /// compression, exposure over the picture, another camera. Measured on recorded flights: patches of
 /// less contrast than this were hardly ever found.
 const OTHER_PICTURE: f64 = 8.0;
 /// Pixels of a patch that may be pure white or pure black: more of them are a hole in the map.
-const MOST_BLANK: f64 = 0.005;
+pub(super) const MOST_BLANK: f64 = 0.005;
 
 /// How a patch of the map fits the ground on another day.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,7 +45,7 @@ impl Rehearsal {
     }
 }
 
-/// Looks for the patch `bounds` of `map` on `day` within `radius` metres.
+/// Looks for the patch `bounds` of `map` on `day` within `radius` metres, by these features.
 ///
 /// `None` if the patch is flat, lies partly beyond the map or has a hole in it.
 pub fn rehearse(
@@ -51,7 +53,11 @@ pub fn rehearse(
     day: &dyn Imagery,
     bounds: &GroundRect,
     radius: f64,
+    features: TemplateFeatures,
 ) -> Option<Rehearsal> {
+    if features == TemplateFeatures::Orientation {
+        return oriented::rehearse(map, day, bounds, radius);
+    }
     // On the grid of tiles of the map: neighbouring places then share the ground that was drawn for one.
     let native = map.native_gsd();
     let octaves = (bounds.width().max(bounds.height()) / PIXELS / native).log2();
@@ -116,7 +122,7 @@ pub fn rehearse(
 }
 
 /// Share of the pixels that are pure white or pure black.
-fn blank(patch: &Raster<Rgba>) -> f64 {
+pub(super) fn blank(patch: &Raster<Rgba>) -> f64 {
     let pure = |[r, g, b, _]: &&Rgba| (*r).min(*g).min(*b) >= 253 || (*r).max(*g).max(*b) <= 2;
     let count = patch.pixels().iter().filter(pure).count();
     count as f64 / patch.pixels().len().max(1) as f64
@@ -161,15 +167,41 @@ mod tests {
     fn a_fence_has_a_rival_one_post_further_on_and_a_house_has_none() {
         let at =
             |north: f64, east: f64| GroundRect::centered(GroundPoint::new(north, east), 30.0, 30.0);
-        let fence = rehearse(&Fence, &Fence, &at(0.0, 0.0), 20.0).unwrap();
+        let fence = rehearse(
+            &Fence,
+            &Fence,
+            &at(0.0, 0.0),
+            20.0,
+            TemplateFeatures::Brightness,
+        )
+        .unwrap();
         assert!(fence.margin(0.85) < 0.0, "{fence:?}");
         let step = fence.rival_place.distance(&GroundPoint::default());
         assert!(
             (step.rem_euclid(4.0)).min(4.0 - step.rem_euclid(4.0)) < 1.0,
             "{step}"
         );
-        let house = rehearse(&Fence, &Fence, &at(-60.0, 10.0), 20.0).unwrap();
+        let house = rehearse(
+            &Fence,
+            &Fence,
+            &at(-60.0, 10.0),
+            20.0,
+            TemplateFeatures::Brightness,
+        )
+        .unwrap();
         assert!(house.margin(0.85) > 0.3, "{house:?}");
         assert!(house.drift < 0.3, "{house:?}");
+    }
+
+    #[test]
+    fn by_orientation_a_fence_has_a_stronger_rival_than_a_house() {
+        let by = TemplateFeatures::Orientation;
+        let at = |north: f64, east: f64| {
+            let bounds = GroundRect::centered(GroundPoint::new(north, east), 30.0, 30.0);
+            rehearse(&Fence, &Fence, &bounds, 20.0, by).unwrap()
+        };
+        let (fence, house) = (at(0.0, 0.0), at(-60.0, 10.0));
+        assert!(fence.rival > house.rival + 0.2, "{fence:?} {house:?}");
+        assert!(house.score > 0.9 && house.drift < 0.3, "{house:?}");
     }
 }

@@ -11,12 +11,14 @@ use nalgebra::{Matrix4, Vector2};
 use super::alignment::{Alignment, Similarity, align};
 use super::features::Features;
 use super::look_alike::Searched;
+use super::oriented::OrientedDetector;
 use super::patch::{FLAT_CONTRAST, PatchBank, gsd_of, level_of};
 use super::peak::{FORBIDDEN, Peak, best_peaks, refine, separation};
 use super::rectify::{GroundView, rectify};
 use super::window::window_around;
 use super::{
-    Detection, Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting, TemplateSettings,
+    Detection, Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting, TemplateFeatures,
+    TemplateSettings,
 };
 use pilotage_base::frames::{GroundPoint, GroundRect};
 use pilotage_raster::imagery::{Imagery, Window};
@@ -40,6 +42,7 @@ const FINE_REACH: usize = 2;
 /// Finds landmarks by their map patches.
 pub struct TemplateDetector {
     bank: PatchBank,
+    oriented: OrientedDetector,
     settings: TemplateSettings,
 }
 
@@ -72,6 +75,7 @@ impl TemplateDetector {
     /// A detector that cuts its patches from `map`.
     pub fn new(map: Arc<dyn Imagery>, settings: TemplateSettings) -> Self {
         Self {
+            oriented: OrientedDetector::new(Arc::clone(&map), settings),
             bank: PatchBank::new(map),
             settings,
         }
@@ -286,6 +290,7 @@ impl TemplateDetector {
             covariance: to_world * aligned.covariance * to_world.transpose(),
             score: fit.score,
             second_score,
+            probability: None,
             rotation: found.rotation,
             scale,
         }
@@ -297,6 +302,9 @@ impl TemplateDetector {
         view: &FrameView<'_>,
         request: &SearchRequest<'_>,
     ) -> Result<MatchEvidence, Refusal> {
+        if self.settings.features == TemplateFeatures::Orientation {
+            return self.oriented.explain(view, request);
+        }
         let (surface, ground, size) = self.coarse(view, request)?;
         let level = self.fine_level(request.landmark, camera_gsd(view)) + COARSE_LEVELS;
         let peaks = best_peaks(&surface, separation(size), 2)
@@ -319,6 +327,9 @@ impl TemplateDetector {
 
 impl Detector for TemplateDetector {
     fn detect(&mut self, view: &FrameView<'_>, request: &SearchRequest<'_>) -> Sighting {
+        if self.settings.features == TemplateFeatures::Orientation {
+            return self.oriented.detect(view, request);
+        }
         let landmark = request.landmark;
         let (surface, ground, size) = match self.coarse(view, request) {
             Ok(found) => found,
@@ -392,7 +403,7 @@ impl Detector for TemplateDetector {
 }
 
 /// Ground sample distance of the camera in the middle of the picture, metres per pixel.
-fn camera_gsd(view: &FrameView<'_>) -> f64 {
+pub(super) fn camera_gsd(view: &FrameView<'_>) -> f64 {
     (view.ground_down - view.pose.position_in_world.z).max(0.1) / view.camera.focal
 }
 

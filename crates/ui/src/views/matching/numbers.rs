@@ -1,6 +1,7 @@
 //! The numbers of a match, each beside the limit it is held against.
 
 use egui::Ui;
+use pilotage_core::landmark::{LEAST_PROBABILITY, TemplateFeatures};
 use pilotage_core::navigator::{CandidateReport, Run};
 
 use super::super::parts::{self, Reading, figures};
@@ -14,27 +15,13 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, run: &Run, candidate:
     ui.add_space(tokens.space);
     let verdict_color = |good: bool| if good { tokens.text } else { tokens.refused };
 
-    let score = Reading::new(
-        format!("Score (at least {})", figures(detector.least_score)),
-        format!("{:.2}", candidate.score),
-        "",
-    )
-    .color(verdict_color(candidate.score >= detector.least_score));
-    parts::reading(ui, tokens, &score);
-    parts::gauge(ui, tokens, candidate.score, detector.least_score, false);
-
-    let ambiguity = picking::ambiguity(candidate);
-    let second = Reading::new(
-        format!(
-            "Second best over best (at most {})",
-            figures(detector.greatest_ambiguity)
-        ),
-        parts::brief(ambiguity),
-        "",
-    )
-    .color(verdict_color(ambiguity <= detector.greatest_ambiguity));
-    parts::reading(ui, tokens, &second);
-    parts::gauge(ui, tokens, ambiguity, detector.greatest_ambiguity, true);
+    match candidate
+        .probability
+        .filter(|_| detector.features == TemplateFeatures::Orientation)
+    {
+        Some(probability) => by_probability(ui, context, candidate, probability),
+        None => by_scores(ui, context, run, candidate),
+    }
 
     match candidate.nis {
         Some(nis) => {
@@ -86,4 +73,57 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, run: &Run, candidate:
             &Reading::new("Place known to (1σ)", figures(place), "px"),
         );
     }
+}
+
+/// Score and ambiguity with the limits of a detector that judges by them.
+fn by_scores(ui: &mut Ui, context: &ViewContext<'_>, run: &Run, candidate: &CandidateReport) {
+    let tokens = context.tokens;
+    let detector = run.settings.detector;
+    let verdict_color = |good: bool| if good { tokens.text } else { tokens.refused };
+    let score = Reading::new(
+        format!("Score (at least {})", figures(detector.least_score)),
+        format!("{:.2}", candidate.score),
+        "",
+    )
+    .color(verdict_color(candidate.score >= detector.least_score));
+    parts::reading(ui, tokens, &score);
+    parts::gauge(ui, tokens, candidate.score, detector.least_score, false);
+
+    let ambiguity = picking::ambiguity(candidate);
+    let second = Reading::new(
+        format!(
+            "Second best over best (at most {})",
+            figures(detector.greatest_ambiguity)
+        ),
+        parts::brief(ambiguity),
+        "",
+    )
+    .color(verdict_color(ambiguity <= detector.greatest_ambiguity));
+    parts::reading(ui, tokens, &second);
+    parts::gauge(ui, tokens, ambiguity, detector.greatest_ambiguity, true);
+}
+
+/// Probability with its limit, and the scores from which it comes.
+fn by_probability(
+    ui: &mut Ui,
+    context: &ViewContext<'_>,
+    candidate: &CandidateReport,
+    probability: f64,
+) {
+    let tokens = context.tokens;
+    let is_believed = probability >= LEAST_PROBABILITY;
+    let reading = Reading::new(
+        format!("Probability (at least {})", figures(LEAST_PROBABILITY)),
+        format!("{probability:.3}"),
+        "",
+    )
+    .color(if is_believed {
+        tokens.text
+    } else {
+        tokens.refused
+    });
+    parts::reading(ui, tokens, &reading);
+    parts::gauge(ui, tokens, probability, LEAST_PROBABILITY, false);
+    let scores = format!("{:.2}, {:.2}", candidate.score, candidate.second_score);
+    parts::reading(ui, tokens, &Reading::new("Score, second best", scores, ""));
 }

@@ -260,6 +260,8 @@ fn candidate(landmark: &Landmark, time: f64) -> CandidateReport {
         log_scale: Some(0.0),
         score: if refused { 0.38 } else { 0.83 },
         second_score: 0.31,
+        probability: None,
+        turn_and_size: [0.02, 0.01],
         innovation: Some(Vector2::new(6.0, 6.0)),
         nis: Some(1.1),
         threshold: 11.6,

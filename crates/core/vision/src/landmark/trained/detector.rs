@@ -101,6 +101,7 @@ impl Detector for CascadeDetector {
             covariance,
             score: likely.first().copied().unwrap_or_default(),
             second_score: likely.get(1).copied().unwrap_or_default(),
+            probability: likely.first().copied(),
             rotation,
             scale: log_scale.exp(),
         };
