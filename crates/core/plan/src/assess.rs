@@ -13,6 +13,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use serde::{Deserialize, Serialize};
 
+use super::survival::{Ground, Survival};
 use super::{DetectionStatistics, ExpectedDetection, Tally};
 use pilotage_base::frames::{Attitude, GroundPoint, Pose};
 use pilotage_mission::settings::SensorNoise;
@@ -23,8 +24,8 @@ use pilotage_simulate::other_days::OtherDays;
 use pilotage_simulate::other_days::day_ground::{DayGround, crop};
 use pilotage_simulate::simulate::{AerialCamera, AerialCameraSettings};
 use pilotage_vision::landmark::{
-    ChosenDetector, Detector, FrameView, Landmark, SearchRequest, Sighting, TemplateSettings,
-    tolerance,
+    ChosenDetector, Detector, FrameView, Landmark, SearchRequest, Sighting, TemplateFeatures,
+    TemplateSettings, rehearse, tolerance,
 };
 
 /// How much of what may be searched is drawn as on the day: all but the outermost that a search comes
@@ -102,6 +103,10 @@ pub struct View {
     pub error: Option<f64>,
     /// Whether it was accepted, though it is wrong.
     pub wrong: bool,
+    /// Probability that the landmark is accepted in a picture, as far as real maps of another date tell; `None` with
+    /// a detector for maps of the flight's own.
+    #[serde(default)]
+    pub lasting: Option<f64>,
 }
 
 impl View {
@@ -117,6 +122,8 @@ pub struct Assessor {
     circumstances: Circumstances,
     ground: DayGround,
     detector: ChosenDetector,
+    /// What is known of it on maps of another date, where the detector is for these.
+    survival: Option<Survival>,
     random: ChaCha8Rng,
     /// Looks so far, with those that were passed over.
     looks: usize,
@@ -155,7 +162,11 @@ impl Assessor {
         circumstances: Circumstances,
         seed: u64,
     ) -> Self {
+        let survival = (circumstances.detector.features == TemplateFeatures::Orientation)
+            .then(|| lasting(landmark, map.as_ref(), days, &circumstances))
+            .flatten();
         Self {
+            survival,
             detector: ChosenDetector::new(
                 Arc::clone(&map),
                 circumstances.detector,
@@ -366,6 +377,7 @@ impl Assessor {
             sighting,
             error,
             wrong,
+            lasting: self.survival.map(|survival| survival.probability),
         };
         self.views.push(view);
         view
@@ -398,6 +410,25 @@ impl Assessor {
     }
 }
 
+/// What lasts of a landmark on maps of another date; `None` if it cannot be rehearsed.
+fn lasting(
+    landmark: &Landmark,
+    map: &dyn Imagery,
+    days: &[Arc<dyn Imagery>],
+    circumstances: &Circumstances,
+) -> Option<Survival> {
+    let bounds = &landmark.bounds;
+    let lever = circumstances.height * circumstances.sensors.roll.max(circumstances.sensors.pitch);
+    let radius = circumstances.detector.search_sigmas * circumstances.position.hypot(lever);
+    let radius = radius.max(bounds.width().max(bounds.height()));
+    let by = TemplateFeatures::Orientation;
+    let days = days
+        .iter()
+        .map(|day| rehearse(map, day.as_ref(), bounds, radius, by));
+    let days: Option<Vec<_>> = days.collect();
+    Some(Ground::of(map, bounds).survival(&days?))
+}
+
 /// Pseudo-counts of days on which a landmark is found and is not (a Beta prior), in units of days.
 ///
 /// Days are the trials: in 440 of 1,000 passes over places of every quality the landmark was found in no
@@ -410,7 +441,8 @@ const PRIOR: [f64; 2] = [0.2, 0.2];
 /// The probability is the mean share of the days' views in which the landmark is found, shrunk by
 /// [`PRIOR`]. How views of a day go together tells the rest: of the views of a day on which another was
 /// successful, the share that are, too, is the probability in a frame of a day on which the landmark is
-/// recognised, shrunk by half a success and half a failure (Jeffreys).
+/// recognised, shrunk by half a success and half a failure (Jeffreys). Where real maps of another date tell how
+/// likely a landmark is accepted, that is the probability.
 fn expected(views: &[View], days: usize) -> Option<ExpectedDetection> {
     if views.is_empty() {
         return None;
@@ -422,7 +454,8 @@ fn expected(views: &[View], days: usize) -> Option<ExpectedDetection> {
         .collect();
     let share: f64 = flown.iter().map(|(found, all)| found / all).sum();
     let [hits, misses] = PRIOR;
-    let overall = (share + hits) / (flown.len() as f64 + hits + misses);
+    let rehearsed = (share + hits) / (flown.len() as f64 + hits + misses);
+    let overall = views[0].lasting.unwrap_or(rehearsed);
     let pairs = |f: fn(f64, f64) -> f64| flown.iter().map(|(h, n)| f(*h, *n)).sum::<f64>();
     let (both, one) = (pairs(|h, _| h * (h - 1.0)), pairs(|h, n| h * (n - 1.0)));
     let per_frame = ((both + 0.5) / (one + 1.0)).clamp(overall, 1.0);

@@ -74,6 +74,7 @@ mod tests {
             },
             error: None,
             wrong: false,
+            lasting: None,
         }
     }
 

@@ -25,6 +25,7 @@ mod request;
 mod smooth;
 mod stated;
 mod suggest;
+mod survival;
 mod turns;
 mod view;
 mod winds;

@@ -65,7 +65,8 @@ impl Proposal {
         let side = q.side.or_else(|| Some(q.view.across()? / 3.0))?;
         let radius = q.view.searched(q.navigator.detector.search_sigmas, side);
         let region = q.map.bounds();
-        let ranking = Ranking::new(Arc::clone(&q.map), &q.days, &region, side, radius);
+        let ranking = Ranking::new(Arc::clone(&q.map), &q.days, &region, side, radius)
+            .by(q.navigator.detector.features);
         let frames = q.frames();
         let ranking = if q.way_points.is_empty() {
             ranking

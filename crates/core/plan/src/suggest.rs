@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::survival::Ground;
 use pilotage_base::frames::{GroundPoint, GroundRect, Pose};
 use pilotage_mission::settings::{NavigatorSettings, VehicleChoice};
 use pilotage_raster::camera::CameraModel;
@@ -55,8 +56,12 @@ pub struct Candidate {
     pub margin: f64,
     /// How far it seemed to move on another day, metres.
     pub drift: f64,
-    /// Probability of being found in a picture, the mean over the rehearsal days.
+    /// Probability of being found in a picture, the mean over the rehearsal days; on a map of another date, as far
+    /// as real ones tell.
     pub probability: f64,
+    /// Where that lies for nine in ten maps of another date; the probability twice where the map is of the
+    /// flight's own.
+    pub range: [f64; 2],
 }
 
 impl Candidate {
@@ -64,6 +69,9 @@ impl Candidate {
     fn of(bounds: GroundRect, r: &Rehearsal) -> Self {
         let margin = r.margin(AMBIGUITY);
         let rise = |x: f64| 1.0 / (1.0 + (-x).exp());
+        let probability = REHEARSAL
+            * rise((margin - EVEN_MARGIN) / MARGIN_WIDTH)
+            * rise((r.score - EVEN_SCORE) / SCORE_WIDTH);
         Self {
             bounds,
             score: r.score,
@@ -71,9 +79,8 @@ impl Candidate {
             rival_place: r.rival_place,
             margin,
             drift: r.drift,
-            probability: REHEARSAL
-                * rise((margin - EVEN_MARGIN) / MARGIN_WIDTH)
-                * rise((r.score - EVEN_SCORE) / SCORE_WIDTH),
+            probability,
+            range: [probability; 2],
         }
     }
 
@@ -162,26 +169,33 @@ impl Ranking {
 
     /// Rehearses the next place; false when all are done.
     pub fn advance(&mut self) -> bool {
-        let Some(bounds) = self.places.get(self.next) else {
+        let Some(bounds) = self.places.get(self.next).copied() else {
             return false;
         };
         self.next += 1;
+        let candidate = match self.features {
+            TemplateFeatures::Brightness => self.rehearsed(&bounds),
+            TemplateFeatures::Orientation => self.lasting(&bounds),
+        };
+        self.found
+            .extend(candidate.filter(|c| c.probability >= FAILED));
+        true
+    }
+
+    /// How a place looks on a day; `None` if it serves on none.
+    fn on_day(&self, day: &dyn Imagery, bounds: &GroundRect) -> Option<Rehearsal> {
+        rehearse(self.map.as_ref(), day, bounds, self.radius, self.features)
+    }
+
+    /// A place as its rehearsals go.
+    fn rehearsed(&self, bounds: &GroundRect) -> Option<Candidate> {
         let mut worst: Option<Candidate> = None;
         let (mut sum, mut best) = (0.0, 0.0_f64);
         for (done, day) in self.days.iter().enumerate() {
             if done == FIRST_DAYS && best < FAILED {
-                return true;
+                return None;
             }
-            let Some(rehearsal) = rehearse(
-                self.map.as_ref(),
-                day.as_ref(),
-                bounds,
-                self.radius,
-                self.features,
-            ) else {
-                return true;
-            };
-            let candidate = Candidate::of(*bounds, &rehearsal);
+            let candidate = Candidate::of(*bounds, &self.on_day(day.as_ref(), bounds)?);
             sum += candidate.probability;
             best = best.max(candidate.probability);
             if worst.is_none_or(|w| candidate.probability < w.probability) {
@@ -189,12 +203,25 @@ impl Ranking {
             }
         }
         let mean = sum / self.days.len().max(1) as f64;
-        let worst = worst.filter(|_| mean >= FAILED).map(|worst| Candidate {
+        worst.map(|worst| Candidate {
             probability: mean,
+            range: [mean; 2],
             ..worst
-        });
-        self.found.extend(worst);
-        true
+        })
+    }
+
+    /// A place as maps of other dates have it that look like it.
+    fn lasting(&self, bounds: &GroundRect) -> Option<Candidate> {
+        let days = self.days.iter();
+        let days: Option<Vec<Rehearsal>> = days.map(|d| self.on_day(d.as_ref(), bounds)).collect();
+        let days = days?;
+        let worst = days.iter().min_by(|a, b| a.score.total_cmp(&b.score))?;
+        let survival = Ground::of(self.map.as_ref(), bounds).survival(&days);
+        Some(Candidate {
+            probability: survival.probability,
+            range: survival.range,
+            ..Candidate::of(*bounds, worst)
+        })
     }
 
     /// The places that passed so far, in the order in which they were rehearsed.
@@ -460,12 +487,25 @@ fn reason(candidate: &Candidate, in_view: f64, gained: f64) -> String {
     let middle = candidate.bounds.center();
     let to = candidate.rival_place;
     let distance = middle.distance(&to);
+    let percent = |p: f64| (100.0 * p).round();
+    let [low, high] = candidate.range;
+    let found = if low < high {
+        format!(
+            "found in {} % of pictures of another date ({} to {} %)",
+            percent(candidate.probability),
+            percent(low),
+            percent(high)
+        )
+    } else {
+        format!(
+            "found in {} % of pictures as rehearsed",
+            percent(candidate.probability)
+        )
+    };
     format!(
-        "in view for {in_view:.0} s, keeps {gained:.0} s from dead reckoning; found in {:.0} % of pictures \
-         as rehearsed; scores {:.2} on its worst day, the strongest look-alike {distance:.0} m away {:.2}",
-        100.0 * candidate.probability,
-        candidate.score,
-        candidate.rival
+        "in view for {in_view:.0} s, keeps {gained:.0} s from dead reckoning; {found}; scores {:.2} on its worst \
+         day, the strongest look-alike {distance:.0} m away {:.2}",
+        candidate.score, candidate.rival
     )
 }
 

@@ -13,6 +13,7 @@ fn candidate(north: f64, east: f64, margin: f64) -> Candidate {
         margin,
         drift: 0.1,
         probability: margin,
+        range: [margin; 2],
     }
 }
 

@@ -409,6 +409,7 @@ fn two_workers_share_a_proposal_and_a_third_job_chooses() {
         margin: 1.0,
         drift: 0.0,
         probability: 1.0,
+        range: [1.0; 2],
     };
     // The second share is done first; its places come last all the same.
     for (part, seat) in [(1, WHOLE_SHOWS), (0, WHOLE_FLIES)] {

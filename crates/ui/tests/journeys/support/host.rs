@@ -439,6 +439,7 @@ fn suggestions(order: &SuggestOrder) -> Vec<Suggestion> {
             margin: 0.295,
             drift: 0.1,
             probability,
+            range: [probability; 2],
         },
         in_view: 12.0,
         gained: 9.0,

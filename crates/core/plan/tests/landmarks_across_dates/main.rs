@@ -1,0 +1,209 @@
+//! Landmarks that the planner proposes on a map of another date, looked for in photos; and what it says of boxes
+//! beside what is found.
+//!
+//! Registration says where the photos were taken; a place counts as another's from 8 m on. `cargo test -p
+//! pilotage-plan --test landmarks_across_dates -- --nocapture` prints every figure.
+#![expect(
+    clippy::unwrap_used,
+    reason = "a test stops where something is missing"
+)]
+
+#[expect(dead_code, reason = "tests of the detector look beyond pictures, too")]
+#[path = "../../../vision/tests/landmarks_across_dates/looks.rs"]
+mod looks;
+#[expect(dead_code, reason = "registration reads more of it")]
+#[path = "../../../vision/tests/across_dates/photos.rs"]
+mod photos;
+
+use std::sync::Arc;
+
+use looks::{Doubt, Laid, Seen, Which, laid, look, tally};
+use photos::Site;
+use pilotage_base::frames::{GroundRect, Pose};
+use pilotage_mission::settings::NavigatorSettings;
+use pilotage_plan::{Candidate, FieldView, Proposal, ProposalQuestion, Ranking, choose};
+use pilotage_raster::imagery::{CachedImagery, Imagery};
+use pilotage_simulate::other_days::PictureDays;
+use pilotage_vision::landmark::{Landmark, TemplateDetector, TemplateFeatures, TemplateSettings};
+
+/// Metres from which on a place is another's.
+const ELSEWHERE: f64 = 8.0;
+/// Side of the boxes, metres.
+const SIDE: f64 = 35.0;
+
+/// What a filter that works knows with a consumer drone's compass and barometer.
+const TRACKING: Doubt = Doubt {
+    position: 5.0,
+    heading: 4.0 * std::f64::consts::PI / 180.0,
+    log_height: 0.04,
+    tilt: std::f64::consts::PI / 180.0,
+};
+
+fn detector() -> TemplateSettings {
+    TemplateSettings {
+        features: TemplateFeatures::Orientation,
+        ..TemplateSettings::default()
+    }
+}
+
+fn map_of(site: &Site) -> Arc<dyn Imagery> {
+    Arc::new(CachedImagery::new(Arc::new(site.map.clone()), 64))
+}
+
+/// What the planner says of every place, half a side apart, that a photo shows whole.
+fn ranked(site: &Site, laid: &[Laid<'_>]) -> Vec<Candidate> {
+    let map = map_of(site);
+    let days = Proposal::days(&PictureDays::new(Arc::clone(&map)), 1);
+    let question = ProposalQuestion {
+        map: Arc::clone(&map),
+        days: days.clone(),
+        view: FieldView {
+            camera: laid[0].photo.camera.clone(),
+            height: laid[0].photo.height,
+            position: TRACKING.position,
+            tilt: TRACKING.tilt,
+        },
+        way_points: Vec::new(),
+        speed: 10.0,
+        ground_down: 0.0,
+        navigator: NavigatorSettings {
+            detector: detector(),
+            ..NavigatorSettings::default()
+        },
+        side: Some(SIDE),
+        taken: Vec::new(),
+    };
+    let radius = question.view.searched(detector().search_sigmas, SIDE);
+    let places = Ranking::new(Arc::clone(&map), &days, &map.bounds(), SIDE, radius)
+        .by(detector().features)
+        .seen_from(&question.view.camera, &frames(laid), 0.0);
+    let mut places = places;
+    while places.advance() {}
+    places.ranked()
+}
+
+fn frames(laid: &[Laid<'_>]) -> Vec<(f64, Pose)> {
+    let times = (0..).map(|i| 10.0 * f64::from(i));
+    times.zip(laid.iter().map(|l| l.pose)).collect()
+}
+
+fn landmarks(bounds: impl Iterator<Item = GroundRect>) -> Vec<Landmark> {
+    let number = (0..).zip(bounds);
+    number
+        .map(|(id, bounds)| Landmark::new(id, "box", bounds))
+        .collect()
+}
+
+fn looked(site: &Site, laid: &[Laid<'_>], landmarks: &[Landmark], seed: u64) -> Vec<Seen> {
+    let mut detector = TemplateDetector::new(map_of(site), detector());
+    look(
+        laid,
+        landmarks,
+        &mut detector,
+        &TRACKING,
+        seed,
+        Which::Whole,
+    )
+}
+
+/// By thirds of the boxes: mean predicted probability of their looks, share that was accepted with its standard
+/// error (looks at a box go together), looks.
+fn thirds(candidates: &[Candidate], seen: &[Seen]) -> Vec<[f64; 4]> {
+    let mut boxes: Vec<(f64, f64, f64)> = Vec::new();
+    for (id, candidate) in candidates.iter().enumerate() {
+        let own: Vec<&Seen> = seen.iter().filter(|s| s.landmark as usize == id).collect();
+        let found = own.iter().filter(|s| s.accepted().is_some()).count();
+        if !own.is_empty() {
+            boxes.push((candidate.probability, own.len() as f64, found as f64));
+        }
+    }
+    boxes.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let third = |i: usize| &boxes[boxes.len() * i / 3..boxes.len() * (i + 1) / 3];
+    let of = |part: &[(f64, f64, f64)]| {
+        let looks: f64 = part.iter().map(|b| b.1).sum();
+        let predicted = part.iter().map(|b| b.0 * b.1).sum::<f64>() / looks;
+        let observed = part.iter().map(|b| b.2).sum::<f64>() / looks;
+        let spread = part.iter().map(|b| (b.2 - observed * b.1).powi(2));
+        [
+            predicted,
+            observed,
+            spread.sum::<f64>().sqrt() / looks,
+            looks,
+        ]
+    };
+    (0..3).map(|i| of(third(i))).collect()
+}
+
+/// Prints what is said of all boxes of a site beside what is found; returns the thirds.
+fn reliability(name: &str, site: &Site) -> Vec<[f64; 4]> {
+    let laid = laid(site);
+    let candidates = ranked(site, &laid);
+    let seen = looked(
+        site,
+        &laid,
+        &landmarks(candidates.iter().map(|c| c.bounds)),
+        1,
+    );
+    tally(name, &seen, ELSEWHERE);
+    let thirds = thirds(&candidates, &seen);
+    for [predicted, observed, error, looks] in &thirds {
+        println!(
+            "{name}: predicted {:.0} %, accepted {:.0} ± {:.0} % of {looks} looks",
+            100.0 * predicted,
+            100.0 * observed,
+            100.0 * error
+        );
+    }
+    thirds
+}
+
+#[test]
+fn landmarks_that_the_planner_proposes_for_a_town_are_found_in_photos_of_another_date() {
+    let Some(site) = photos::fengyuan() else {
+        return;
+    };
+    let laid = laid(&site);
+    let candidates = ranked(&site, &laid);
+    let chosen = choose(&candidates, &laid[0].photo.camera, &frames(&laid), 0.0, 10);
+    for suggestion in &chosen {
+        println!("{}", suggestion.reason);
+    }
+    let proposed = landmarks(chosen.iter().map(|s| s.candidate.bounds));
+    let seen: Vec<Seen> = (1..=4)
+        .flat_map(|seed| looked(&site, &laid, &proposed, seed))
+        .collect();
+    let tally = tally(
+        "ten proposed landmarks, four draws of the errors",
+        &seen,
+        ELSEWHERE,
+    );
+    assert!(tally.share() >= 0.6, "{tally:?}");
+    assert!(
+        tally.wrong as f64 <= 0.005 * tally.looks as f64,
+        "{tally:?}"
+    );
+}
+
+#[test]
+fn what_is_said_of_boxes_comes_true_on_maps_of_other_dates() {
+    let (town, march) = (photos::fengyuan(), photos::adm("map_march"));
+    let january = photos::adm("map_january");
+    let Some(((town, january), march)) = town.zip(january).zip(march) else {
+        return;
+    };
+    // The map of March was not fitted to; of the ground that it shows, that of January was.
+    let sites = [
+        ("town", &town),
+        ("fields, January", &january),
+        ("fields, March", &march),
+    ];
+    for (name, site) in sites {
+        for [predicted, observed, error, _] in reliability(name, site) {
+            let off = (predicted - observed).abs();
+            assert!(
+                off < 0.1 + error,
+                "{name}: {predicted:.3} {observed:.3} ± {error:.3}"
+            );
+        }
+    }
+}
