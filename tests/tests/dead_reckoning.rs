@@ -49,7 +49,7 @@ fn a_minute_without_gps_costs_less_than_42_metres_in_half_of_the_cuts() {
     for way in [Way::air_and_wind(), Way::by_logged_heading()] {
         let study = study(&flight, &way, 60.0, 2.0);
         assert!(study.cuts.len() > 100, "{} cuts", study.cuts.len());
-        assert!(study.error_quantile(0.5) <= 36.0 && study.error_quantile(0.9) <= 70.0);
+        assert!(study.error_quantile(0.5) <= 36.0 && study.error_quantile(0.9) <= 62.0);
         assert!(
             (0.85..=1.0).contains(&study.covered()),
             "{}",
@@ -116,12 +116,12 @@ fn delays_pitch_gusts_and_sideslip_halve_the_errors_of_the_plain_filter() {
     // The default noise makes the innovations likeliest among winds that hardly change.
     let by_innovations = study(&flight, &Way::plain(), 60.0, 2.0);
     let (median, ninety) = beside(&by_innovations);
-    assert!(median <= 0.6 && ninety <= 0.65, "{median} {ninety}");
+    assert!(median <= 0.6 && ninety <= 0.6, "{median} {ninety}");
     // Noise that fits the ends of these very cuts, beside noise from before each: what is left there is mostly how the
     // wind itself changes, which no filter knows beforehand (docs/results.md), so that half is not reached.
     let by_ends = tuned_to_ends(&flight);
     let (median, ninety) = beside(&by_ends);
-    assert!(median <= 0.8 && ninety <= 1.0, "{median} {ninety}");
+    assert!(median <= 0.8 && ninety <= 0.9, "{median} {ninety}");
 }
 
 #[test]

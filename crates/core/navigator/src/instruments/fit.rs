@@ -10,19 +10,19 @@ use super::track_noise::{Left, TrackNoise, means, means_over};
 
 /// Unknowns of the fit: the two of the factor on the air velocity, what the wind is north and east, drift, length and
 /// offset of the sideslip.
-const UNKNOWNS: usize = 7;
+pub(super) const UNKNOWNS: usize = 7;
 /// Those of them that are no wind.
-const NO_WIND: [usize; 5] = [0, 1, 4, 5, 6];
+pub(super) const NO_WIND: [usize; 5] = [0, 1, 4, 5, 6];
 /// Where length and offset of the sideslip stand among the unknowns.
 const SLIP_LENGTH: usize = 5;
-const SLIP_OFFSET: usize = 6;
+pub(super) const SLIP_OFFSET: usize = 6;
 /// Mean square of how the nose strays from which on it turned: what wagging adds to it, some degrees, is a hundredth of
 /// that.
 const TURNED: f64 = 0.25;
 /// Fewest velocities of a fit.
 const FEWEST: usize = 20;
 /// Residuals beyond so many standard deviations are left out when the fit is made again.
-const OUTLIER: f64 = 5.0;
+pub(super) const OUTLIER: f64 = 5.0;
 /// Rounds in which the heading's offset moves to where it belongs, residuals say what noise there is, and outliers are
 /// left out.
 const ROUNDS: usize = 4;
@@ -134,31 +134,40 @@ pub(super) struct FitProblem<'a> {
 
 /// What a round takes from the one before.
 #[derive(Clone, Copy)]
-struct Guess {
-    offset: f64,
-    noise: TrackNoise,
+pub(super) struct Guess {
+    /// Angle added to the heading at the end, radians, and its rate, rad/s.
+    pub(super) offset: f64,
+    pub(super) drift: f64,
+    pub(super) noise: TrackNoise,
     /// Whether scale and heading may be anything.
-    is_open: bool,
+    pub(super) is_open: bool,
 }
 
 /// The air velocity of a row as the unknowns act on it, near a guess.
-type Design = [Vector2<f64>; UNKNOWNS];
+pub(super) type Design = [Vector2<f64>; UNKNOWNS];
 
 /// A solution.
-struct Solved {
+pub(super) struct Solved {
     unknowns: SVector<f64, UNKNOWNS>,
-    covariance: SMatrix<f64, UNKNOWNS, UNKNOWNS>,
+    pub(super) covariance: SMatrix<f64, UNKNOWNS, UNKNOWNS>,
     offset: f64,
+    drift: f64,
     reference: f64,
+    /// Instruments of the rows, and by what their sums Σ zᵀ e have changed the unknowns.
+    pub(super) moments: Vec<(f64, Design)>,
+    pub(super) gain: SMatrix<f64, UNKNOWNS, UNKNOWNS>,
+    /// The part of the covariance that the priors leave.
+    pub(super) of_priors: SMatrix<f64, UNKNOWNS, UNKNOWNS>,
 }
 
 fn right_of(v: Vector2<f64>) -> Vector2<f64> {
     Vector2::new(-v.y, v.x)
 }
 
-/// Vectors by which the unknowns act with an air velocity of `air`.
-fn acting(row: &Row, air: Vector2<f64>, offset: f64, since: f64) -> Design {
-    let turned = Rotation2::new(offset);
+/// Vectors by which the unknowns act with an air velocity of `air`, `since` seconds after the reference, where the heading
+/// is turned by `angle` already.
+fn acting(row: &Row, air: Vector2<f64>, angle: f64, since: f64) -> Design {
+    let turned = Rotation2::new(angle);
     let air = turned * air;
     [
         air,
@@ -172,8 +181,10 @@ fn acting(row: &Row, air: Vector2<f64>, offset: f64, since: f64) -> Design {
 }
 
 impl Solved {
-    fn left(&self, row: &Row) -> Left<5> {
-        let design = acting(row, row.air, self.offset, row.time - self.reference);
+    pub(super) fn left(&self, row: &Row) -> Left<5> {
+        let since = row.time - self.reference;
+        let angle = self.offset + self.drift * since;
+        let design = acting(row, row.air, angle, since);
         let explained = design.iter().zip(self.unknowns.iter());
         let explained: Vector2<f64> = explained.map(|(vector, factor)| vector * *factor).sum();
         Left {
@@ -183,8 +194,23 @@ impl Solved {
         }
     }
 
+    fn wind(&self) -> Vector2<f64> {
+        Vector2::new(self.unknowns[2], self.unknowns[3])
+    }
+
     fn scale(&self) -> f64 {
         self.unknowns[0].hypot(self.unknowns[1])
+    }
+
+    /// Angle to be added to the heading at the reference, radians.
+    fn heading_offset(&self) -> f64 {
+        self.offset + self.unknowns[1].atan2(self.unknowns[0])
+    }
+
+    /// Rate of that, rad/s. A drift adds up to an angle that is no small one, so that it moves to where it belongs as the
+    /// offset does.
+    fn heading_drift(&self) -> f64 {
+        self.drift + self.unknowns[4] / self.scale()
     }
 }
 
@@ -233,6 +259,7 @@ impl FitProblem<'_> {
         let whole = rows.len();
         let mut guess = Guess {
             offset: earlier.map_or(0.0, |fit| fit.heading_offset),
+            drift: earlier.map_or(0.0, |fit| fit.heading_drift),
             noise: earlier.map_or_else(TrackNoise::default, |fit| fit.noise),
             // The priors are about a scale and an offset, which are linear only near the right heading: it is found
             // without them at first.
@@ -253,7 +280,7 @@ impl FitProblem<'_> {
             let residual = (0.5 * squares(&rows) / rows.len() as f64).sqrt();
             let limit = (OUTLIER * residual).max(1.0) * std::f64::consts::SQRT_2;
             rows.retain(|row| solved.left(row).velocity.norm() < limit);
-            guess.offset = solved.offset + solved.unknowns[1].atan2(solved.unknowns[0]);
+            (guess.offset, guess.drift) = (solved.heading_offset(), solved.heading_drift());
             guess.is_open = false;
             if earlier.is_none() {
                 let left = means(rows.iter().map(|row| solved.left(row)));
@@ -345,7 +372,7 @@ impl FitProblem<'_> {
     }
 
     /// One solution about a guess.
-    fn round(&self, rows: &[Row], guess: &Guess) -> Option<Solved> {
+    pub(super) fn round(&self, rows: &[Row], guess: &Guess) -> Option<Solved> {
         let reference = rows.last()?.time;
         let mean = rows.iter().map(|row| row.airspeed).sum::<f64>() / rows.len() as f64;
         let has_turned = spread(rows) > TURNED;
@@ -359,7 +386,7 @@ impl FitProblem<'_> {
             } else {
                 row.nose_beside
             };
-            let instruments = acting(row, nose * mean, guess.offset, since);
+            let instruments = acting(row, nose * mean, guess.offset + guess.drift * since, since);
             moments.push((row.time, instruments));
         }
         // What the side force says it says quickly.
@@ -367,7 +394,8 @@ impl FitProblem<'_> {
             quicken(&mut moments, index, guess.noise.memory);
         }
         for (row, (_, instruments)) in rows.iter().zip(&moments) {
-            let design = acting(row, row.air, guess.offset, row.time - reference);
+            let since = row.time - reference;
+            let design = acting(row, row.air, guess.offset + guess.drift * since, since);
             for axis in 0..2 {
                 let x = SVector::<f64, UNKNOWNS>::from_fn(|i, _| design[i][axis]);
                 let z = SVector::<f64, UNKNOWNS>::from_fn(|i, _| instruments[i][axis]);
@@ -396,18 +424,27 @@ impl FitProblem<'_> {
             }
         }
         let weighed = noise.cholesky()?;
-        let mut information = slope.transpose() * weighed.solve(&slope);
-        let mut right = slope.transpose() * weighed.solve(&value);
+        let slope_by_noise = weighed.solve(&slope).transpose();
+        let mut information = slope_by_noise * slope;
+        let mut right = slope_by_noise * value;
+        let mut weights = SMatrix::<f64, UNKNOWNS, UNKNOWNS>::zeros();
         for (index, (mean, deviation)) in self.priors(guess).into_iter().enumerate() {
             let weight = 1.0 / (deviation * deviation);
-            information[(index, index)] += weight;
+            weights[(index, index)] = weight;
             right[index] += weight * mean;
         }
+        information += weights;
         let root = information.cholesky()?;
+        let covariance = root.inverse();
+        let gain = covariance * slope_by_noise;
         Some(Solved {
             unknowns: root.solve(&right),
-            covariance: root.inverse(),
+            covariance,
+            moments,
+            gain: SMatrix::from_fn(|i, j| gain[(i, j)] / deviations[j]),
+            of_priors: covariance * weights * covariance,
             offset: guess.offset,
+            drift: guess.drift,
             reference,
         })
     }
@@ -421,7 +458,7 @@ impl FitProblem<'_> {
             (-guess.offset, about(prior.heading)),
             (0.0, prior.wind),
             (0.0, prior.wind),
-            (0.0, prior.drift.max(1e-9)),
+            (-guess.drift, prior.drift.max(1e-9)),
             (0.0, prior.slip_length),
             (0.0, prior.slip_offset),
         ]
@@ -439,10 +476,10 @@ impl Solved {
         let spread = |v: Vector2<f64>| v.dot(&(of_factor * v)).max(0.0).sqrt();
         AirFit {
             scale,
-            heading_offset: self.offset + unknowns[1].atan2(unknowns[0]),
-            heading_drift: unknowns[4] / scale,
+            heading_offset: self.heading_offset(),
+            heading_drift: self.heading_drift(),
             reference: self.reference,
-            wind: Vector2::new(unknowns[2], unknowns[3]),
+            wind: self.wind(),
             slip_length: unknowns[5],
             slip_deviation: deviation(5),
             slip_offset: unknowns[6],
@@ -461,19 +498,23 @@ impl Solved {
     }
 
     /// The same again from what it said.
-    fn of(fit: &AirFit) -> Self {
+    pub(super) fn of(fit: &AirFit) -> Self {
         Self {
             unknowns: SVector::from([
                 fit.scale,
                 0.0,
                 fit.wind.x,
                 fit.wind.y,
-                fit.heading_drift * fit.scale,
+                0.0,
                 fit.slip_length,
                 fit.slip_offset,
             ]),
             covariance: SMatrix::zeros(),
+            moments: Vec::new(),
+            gain: SMatrix::zeros(),
+            of_priors: SMatrix::zeros(),
             offset: fit.heading_offset,
+            drift: fit.heading_drift,
             reference: fit.reference,
         }
     }

@@ -4,6 +4,7 @@ use nalgebra::{Matrix2, Vector2};
 use serde::{Deserialize, Serialize};
 
 use super::models::Airplane;
+use super::outlook::Outlook;
 use super::readings::Readings;
 use super::walker::{AirInputs, Walker};
 use pilotage_base::frames::GroundPoint;
@@ -26,8 +27,8 @@ pub(super) enum Event {
     Position(Vector2<f64>),
     Velocity(Vector2<f64>),
     Fix(PositionFix),
-    /// Satellite navigation is lost.
-    Outage,
+    /// Satellite navigation is lost, with what is known by then.
+    Outage(Option<Outlook>),
     /// Somebody wants to know.
     Report,
 }
@@ -56,9 +57,9 @@ impl Events {
         self
     }
 
-    /// An outage that begins at `time`.
-    pub(super) fn outage(mut self, time: f64) -> Self {
-        self.0.push((time, Event::Outage));
+    /// An outage that begins at `time`, with what is known by then.
+    pub(super) fn outage(mut self, time: f64, outlook: Option<Outlook>) -> Self {
+        self.0.push((time, Event::Outage(outlook)));
         self
     }
 
@@ -79,7 +80,7 @@ impl Events {
     ) -> Result<(), FilterError> {
         let rank = |event: &Event| match event {
             Event::Report => 2,
-            Event::Outage => 1,
+            Event::Outage(_) => 1,
             _ => 0,
         };
         self.0
@@ -93,7 +94,7 @@ impl Events {
                     let place = Vector2::new(fix.position.north, fix.position.east);
                     walker.take_fix(place, &fix.covariance)?;
                 }
-                Event::Outage => walker.lose_gps()?,
+                Event::Outage(outlook) => walker.lose_gps(outlook.as_ref())?,
                 Event::Report => report(walker),
             }
         }

@@ -24,6 +24,7 @@ mod health;
 mod honesty;
 mod models;
 mod nose;
+mod outlook;
 mod prepared;
 mod readings;
 mod reckon;

@@ -1,6 +1,7 @@
 //! What dead reckoning asks of a process model beyond what every vehicle promises.
 
 use super::fit::AirFit;
+use super::outlook::Outlook;
 use pilotage_base::frames::GroundPoint;
 use pilotage_estimation::filter::Gaussian;
 use pilotage_estimation::vehicle::{
@@ -30,15 +31,31 @@ pub trait Airplane<const N: usize>: VehicleModel<N> + Clone {
         self.in_noise_of(fit)
     }
 
+    /// Has a belief at the beginning of an outage say what the outlook does of everything but the place.
+    fn begin_outage(&self, belief: &mut Gaussian<N>, outlook: &Outlook) {
+        let _ = (belief, outlook);
+    }
+
+    /// A belief with the doubts of the fit about what it has told.
+    #[must_use]
+    fn with_doubts_of(&self, fit: &AirFit, belief: Gaussian<N>) -> Gaussian<N> {
+        let _ = fit;
+        belief
+    }
+
     /// Components of the state that the fit has told and the filter leaves as they are.
     fn told(&self) -> &'static [usize] {
         &[]
     }
 }
 
-/// Where the airspeed's scale and the heading's bias stand in the state of [`AirplaneScaled`].
+/// Where wind, gust, the airspeed's scale and the heading's bias stand in the state of [`AirplaneScaled`].
+const WIND: usize = 2;
+const GUST: usize = 4;
 const SCALE: usize = 6;
 const HEADING_BIAS: usize = 7;
+/// Standard deviation of what counts as known.
+const EXACT: f64 = 1e-6;
 /// Time over which a drift of the heading that is not known counts as its random walk, seconds: that of an outage.
 pub(super) const OUTAGE: f64 = 60.0;
 
@@ -64,8 +81,11 @@ impl Airplane<8> for AirplaneScaled {
             correlation_time: fit.noise.memory,
         };
         let errors = &mut model.errors;
-        errors.start_scale_deviation = fit.scale_deviation;
-        errors.start_heading_bias_deviation = fit.offset_deviation;
+        // A filter that allows for their doubt weighs a velocity the less the farther its airspeed as read is from nothing:
+        // noise of the airspeed then decides what the wind is made of, which is learning the scale in another way. In
+        // winds that hardly change, with an airspeed noise of 2 m/s, that made winds 5 m/s off.
+        errors.start_scale_deviation = EXACT;
+        errors.start_heading_bias_deviation = EXACT;
         // The fit is about the end of what it rests on.
         (
             errors.scale_noise_density,
@@ -92,6 +112,38 @@ impl Airplane<8> for AirplaneScaled {
             start.mean[SCALE] = fit.scale;
         }
         start
+    }
+
+    /// The errors of the place have nothing in common with the others but by way of the flight so far, which satellite
+    /// navigation has held to metres.
+    fn begin_outage(&self, belief: &mut Gaussian<8>, outlook: &Outlook) {
+        for row in WIND..8 {
+            belief.covariance.row_mut(row).fill(0.0);
+            belief.covariance.column_mut(row).fill(0.0);
+        }
+        let places = [WIND, WIND + 1, SCALE, HEADING_BIAS];
+        for (i, row) in places.into_iter().enumerate() {
+            for (j, column) in places.into_iter().enumerate() {
+                belief.covariance[(row, column)] = outlook.covariance[(i, j)];
+            }
+        }
+        for gust in [GUST, GUST + 1] {
+            belief.covariance[(gust, gust)] = outlook.gust_variance;
+        }
+    }
+
+    fn with_doubts_of(&self, fit: &AirFit, mut belief: Gaussian<8>) -> Gaussian<8> {
+        let least = fit.still_wind_deviation.powi(2);
+        for (index, least) in [
+            (WIND, least),
+            (WIND + 1, least),
+            (SCALE, fit.scale_deviation.powi(2)),
+            (HEADING_BIAS, fit.offset_deviation.powi(2)),
+        ] {
+            let variance = &mut belief.covariance[(index, index)];
+            *variance = variance.max(least);
+        }
+        belief
     }
 
     /// Scale and heading. A filter that learns them by itself compares the airspeed with the velocity from moment to

@@ -15,6 +15,7 @@ use super::heading_choice::likelier;
 use super::health;
 use super::models::OUTAGE;
 use super::nose::{bridged, gyro_nose, logged_nose};
+use super::outlook::Outlook;
 use super::readings::Readings;
 use super::series::Series;
 use super::settings::HeadingChoice;
@@ -144,6 +145,32 @@ impl Instruments {
             side_force: &self.side_force,
             calibration,
         }
+    }
+
+    /// What is known at `until` (seconds, of satellite navigation) under a calibration of before.
+    pub(super) fn outlook(
+        &self,
+        calibration: &Calibration,
+        until: f64,
+        settings: &CalibrationSettings,
+    ) -> Option<Outlook> {
+        let fit = calibration.fit.as_ref()?;
+        let nose = self.nose(calibration);
+        let mut problem = problem(
+            &self.readings,
+            &nose,
+            &self.side_force,
+            calibration.heading,
+            (self.stretch.0, until),
+            settings,
+        );
+        if let Some(refused) = &calibration.refused {
+            problem.prior = refused.believed(problem.prior)?;
+        }
+        // What is left has to be what is left of the way that the outage will be flown by.
+        problem.airspeed = &self.calm;
+        let delays = calibration.delays;
+        problem.outlook(fit, calibration.as_of, (delays.airspeed, delays.gps))
     }
 
     /// The position where the stretch begins, with standard deviation `deviation` (m) per axis.

@@ -161,10 +161,12 @@ fn cut_track(
     let (begin, end) = instruments.stretch;
     let mut points = Vec::new();
     let delay = calibration.delays.gps;
+    let known = || instruments.outlook(&calibration, cut.0, &settings.calibration);
+    let outlook = settings.learns_noise.then(known).flatten();
     let events = Events::default()
         .gps(&instruments.readings, (begin, cut.0), delay)
         .gps(&instruments.readings, (cut.1, end), delay)
-        .outage(cut.0 - delay)
+        .outage(cut.0 - delay, outlook)
         .fixes(&way.fixes, (begin, end))
         .reports(grid(begin, end));
     let findings = run(

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::calibration::Calibration;
 use super::follow::{Events, PositionFix};
 use super::models::Airplane;
+use super::outlook::Outlook;
 use super::prepared::{Instruments, ReckonError};
 use super::reckon::{Way, begin, calibration, calibration_times, trust};
 use super::settings::{Method, ReckonSettings};
@@ -123,6 +124,7 @@ pub fn study_cuts(
             trust,
             plan,
             fixes: &way.fixes,
+            settings,
             span: (*as_of, until),
         };
         match way.method {
@@ -140,6 +142,7 @@ struct Part<'a> {
     trust: Trust,
     plan: &'a CutPlan,
     fixes: &'a [PositionFix],
+    settings: &'a ReckonSettings,
     span: (f64, f64),
 }
 
@@ -152,6 +155,16 @@ impl Part<'_> {
         let all = (0..=count).map(|i| first + i as f64 * self.plan.every);
         all.filter(|t| *t >= self.span.0 && *t < self.span.1 && t + self.plan.length <= end)
             .collect()
+    }
+
+    /// What is known where a cut begins; `None` for a filter that is told its noise.
+    fn outlook(&self, from: f64) -> Option<Outlook> {
+        let learns = self.trust.learns;
+        let found = || {
+            self.instruments
+                .outlook(self.known, from, &self.settings.calibration)
+        };
+        learns.then(found).flatten()
     }
 
     fn cut<const N: usize, V: Airplane<N>>(
@@ -180,8 +193,9 @@ impl Part<'_> {
             let from = walker.time() + delay;
             let to = from + self.plan.length;
             let mut coasting = walker.clone();
+            let outlook = self.outlook(from);
             let through = Events::default()
-                .outage(walker.time())
+                .outage(walker.time(), outlook)
                 .fixes(self.fixes, (walker.time(), to - delay))
                 .lead(&mut coasting, &inputs, |_| {});
             if let Err(error) = through.and_then(|()| coasting.advance(&inputs, to - delay)) {

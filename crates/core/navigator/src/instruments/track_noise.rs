@@ -107,6 +107,14 @@ struct Separation {
     gust: f64,
 }
 
+/// By what a filter makes a wind of samples.
+pub(super) struct Weights {
+    /// Weight of each sample in the wind at the last of them.
+    pub(super) of_wind: Vec<f64>,
+    /// Variance of the gust then per axis, (m/s)².
+    pub(super) gust_variance: f64,
+}
+
 /// One step of it.
 struct Step {
     persistence: f64,
@@ -332,18 +340,35 @@ impl TrackNoise {
         covariance
     }
 
-    /// Variances that a wind has besides for a filter that takes the noise to be this while it is `truth`, after `time`
-    /// seconds, by stronger gusts and by a wind that walks farther; (m/s)².
-    ///
-    /// While the filter takes the mean, gusts of density S leave S / t and a walk of p leaves p² t / 3. Later the filter
-    /// follows with the gain k = q / √S by its own noise, and they leave k S / 2 and p² / 2k.
-    pub(super) fn mistaken(&self, truth: &Self, time: f64) -> (f64, f64) {
-        let density = |noise: &Self| 2.0 * noise.gust * noise.gust * noise.memory;
-        let gain = self.walk / density(self).sqrt().max(f64::MIN_POSITIVE);
-        let of_gusts = (density(truth) - density(self)).max(0.0) * (0.5 * gain).max(time.recip());
-        let walked = (truth.walk.powi(2) - self.walk.powi(2)).max(0.0);
-        let reach = (time / 3.0).min(0.5 / gain.max(f64::MIN_POSITIVE));
-        (of_gusts, walked * reach)
+    /// The same noise where what is new is new with samples `step` seconds apart, not with means of some seconds.
+    pub(super) fn of_samples(&self, step: f64) -> Self {
+        Self {
+            white: self.white * (MEAN / step.clamp(1e-3, MEAN)).sqrt(),
+            ..*self
+        }
+    }
+
+    /// Weights of samples at rising times in the wind at the last of them, as the filter for this noise has them that knows
+    /// the wind to `wind_deviation` (m/s) at first.
+    pub(super) fn weights(&self, times: impl Iterator<Item = f64>, wind_deviation: f64) -> Weights {
+        let mut separation = Separation::new(self, wind_deviation);
+        let mut last = None;
+        let steps: Vec<Step> = times
+            .map(|time| separation.after(time - last.replace(time).unwrap_or(time)))
+            .collect();
+        // How the wind at the end depends on wind and gust at each time, from the end on.
+        let (mut on_wind, mut on_gust) = (1.0, 0.0);
+        let mut of_wind = vec![0.0; steps.len()];
+        for (weight, step) in of_wind.iter_mut().zip(&steps).rev() {
+            let (by_wind, by_gust) = step.gains;
+            *weight = on_wind * by_wind + on_gust * by_gust;
+            on_wind -= *weight;
+            on_gust = (on_gust - *weight) * step.persistence;
+        }
+        Weights {
+            of_wind,
+            gust_variance: separation.gust,
+        }
     }
 
     /// Standard deviation of gusts and noise together, m/s.
@@ -430,6 +455,33 @@ mod tests {
         let (known, expected) = found.known(&short, &[], 5.0);
         assert!(expected.walk > 1.5 * known.walk, "{found:?} {expected:?}");
         assert!(expected.gust > found.gust);
+    }
+
+    #[test]
+    fn the_weights_of_samples_make_the_wind_of_the_filter() {
+        let noise = TrackNoise {
+            walk: 0.1,
+            ..TrackNoise::default()
+        };
+        let left = left(&noise, 50, 7);
+        let mut separation = Separation::new(&noise, 5.0);
+        let mut parts = Parts::default();
+        let mut last = 0.0;
+        for left in &left {
+            let step = separation.after(left.time - last);
+            last = left.time;
+            parts.innovation(&step, left.velocity);
+        }
+        let weights = noise.weights(left.iter().map(|l| l.time), 5.0);
+        let pairs = left.iter().zip(&weights.of_wind);
+        let summed: Vector2<f64> = pairs.map(|(l, weight)| l.velocity * *weight).sum();
+        assert!(
+            (summed - parts.wind).norm() < 1e-9,
+            "{summed} {}",
+            parts.wind
+        );
+        let whole: f64 = weights.of_wind.iter().sum();
+        assert!((0.98..=1.0).contains(&whole), "{whole}");
     }
 
     #[test]

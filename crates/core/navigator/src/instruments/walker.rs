@@ -7,6 +7,7 @@ use nalgebra::{Const, Matrix2, SVector, Vector2};
 use super::calibration::Calibration;
 use super::fit::AirFit;
 use super::models::Airplane;
+use super::outlook::Outlook;
 use super::refusal::{Refusals, Source};
 use super::series::Series;
 use super::slip::SideForce;
@@ -84,12 +85,12 @@ pub(super) struct Walker<const N: usize, V> {
     /// The same airplane while its heading is unknown.
     blind: V,
     filter: Ukf<N>,
+    /// What it takes its noise from.
+    fit: Option<AirFit>,
     /// Components that measurements leave as they are.
     told: &'static [usize],
-    /// The same airplane from the beginning of an outage on, if it is another, and what it goes by.
-    outage: Option<(V, AirFit)>,
-    /// When it began, seconds.
-    start: f64,
+    /// The same airplane from the beginning of an outage on, if it is another.
+    outage: Option<V>,
     time: f64,
     trust: Trust,
     /// Measurements that were refused.
@@ -119,9 +120,9 @@ impl<const N: usize, V: Airplane<N>> Walker<N, V> {
                 model.start(fit, place, deviation),
                 UnscentedSettings::default(),
             )?,
+            fit: fit.copied(),
             told: fit.map_or(&[], |_| model.told()),
-            outage: fit.map(|fit| (given.in_outage_after(fit).cruising(speed, stray), *fit)),
-            start: time,
+            outage: fit.map(|fit| given.in_outage_after(fit).cruising(speed, stray)),
             model: model.cruising(speed, stray),
             blind: model.cruising(0.0, any_way),
             time,
@@ -133,7 +134,11 @@ impl<const N: usize, V: Airplane<N>> Walker<N, V> {
 
     /// The present belief.
     pub(super) fn state(&self) -> Gaussian<N> {
-        self.filter.state()
+        let belief = self.filter.state();
+        match &self.fit {
+            Some(fit) if !self.told.is_empty() => self.model.with_doubts_of(fit, belief),
+            _ => belief,
+        }
     }
 
     /// Its time, seconds.
@@ -142,19 +147,13 @@ impl<const N: usize, V: Airplane<N>> Walker<N, V> {
     }
 
     /// Satellite navigation is lost.
-    pub(super) fn lose_gps(&mut self) -> Result<(), FilterError> {
-        let Some((model, fit)) = self.outage.take() else {
+    pub(super) fn lose_gps(&mut self, outlook: Option<&Outlook>) -> Result<(), FilterError> {
+        let Some(model) = self.outage.take() else {
             return Ok(());
         };
         let mut belief = self.filter.state();
-        if let Some(wind) = model.wind_index() {
-            let flown = self.time - self.start;
-            let (of_gusts, walked) = fit.noise.mistaken(&fit.expected_noise, flown.max(1.0));
-            let still = fit.still_wind_deviation;
-            for axis in wind..wind + 2 {
-                let known = &mut belief.covariance[(axis, axis)];
-                *known = (*known + of_gusts).max(still * still) + walked;
-            }
+        if let Some(outlook) = outlook {
+            model.begin_outage(&mut belief, outlook);
         }
         self.model = model;
         // What comes now, from landmarks, was not heard by the fit.
