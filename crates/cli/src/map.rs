@@ -60,8 +60,8 @@ enum Job {
 
 #[derive(clap::Args)]
 struct MapArguments {
-    /// `GeoTIFF`, `PMTiles`, or JPEG or PNG with a world file or a georeference beside it; for info also
-    /// .hgt.
+    /// `GeoTIFF`, `PMTiles`, JPEG or PNG with a world file or a georeference beside it, or a table (CSV) of several
+    /// pictures with the latitude and longitude of their corners; for info also .hgt.
     file: PathBuf,
     /// Reference system of the map's coordinates, before what its files say, e.g. EPSG:32617.
     #[arg(long)]
@@ -89,6 +89,9 @@ struct Info {
     pixels: Option<Pixels>,
     #[serde(flatten)]
     tiles: Option<Tiles>,
+    /// Number of pictures that it is made of.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pictures: Option<usize>,
     #[serde(flatten)]
     heights: Option<Heights>,
 }
@@ -237,6 +240,7 @@ fn elevation(
         corners_lat_lon: Some(corners(dem.placement(), dem.frame())),
         pixels: file.as_ref().map(pixels),
         tiles: None,
+        pictures: None,
         heights: Some(heights),
     })
 }
@@ -252,7 +256,10 @@ fn picture(
     };
     let map = open(arguments, system)?;
     let placement = map.placement();
-    let (width, height) = placement.map_or((0, 0), Placement::size);
+    let (width, height) = match &map {
+        OpenMap::Mosaic(mosaic) => mosaic.size(),
+        _ => placement.map_or((0, 0), Placement::size),
+    };
     let tiles = match &map {
         OpenMap::PmTiles(tiles) => Some(Tiles {
             zooms: tiles.zooms(),
@@ -270,6 +277,7 @@ fn picture(
             OpenMap::Picture(_) => "picture with a georeference beside it",
             OpenMap::GeoTiff(_) => "GeoTIFF",
             OpenMap::PmTiles(_) => "PMTiles",
+            OpenMap::Mosaic(_) => "several pictures",
         },
         width,
         height,
@@ -280,10 +288,15 @@ fn picture(
         height_m: map.bounds().height(),
         corners_lat_lon: match (&map, placement) {
             (OpenMap::PmTiles(tiles), _) => Some(corners_of(&tiles.bounds(), tiles.frame())),
+            (OpenMap::Mosaic(mosaic), _) => Some(corners_of(&mosaic.bounds(), mosaic.frame())),
             (_, placement) => placement.and_then(|p| Some(corners(p, p.frame()?))),
         },
         pixels: file.as_ref().map(pixels),
         tiles,
+        pictures: match &map {
+            OpenMap::Mosaic(mosaic) => Some(mosaic.count()),
+            _ => None,
+        },
         heights: None,
     })
 }
@@ -350,7 +363,9 @@ fn tile(arguments: &MapArguments, out: &Path, window: Option<&str>, gsd: Option<
     let map = open(arguments, arguments.system()?)?;
     let rect = match (window, map.placement()) {
         (None, _) => map.bounds(),
-        (Some(_), None) => return Err("--window: tiles have no one size of pixels".into()),
+        (Some(_), None) => {
+            return Err("--window: tiles and several pictures have no one size of pixels".into());
+        }
         (Some(text), Some(placement)) => {
             let [column, row, width, height] = numbers(text, "--window")?;
             let corners = [

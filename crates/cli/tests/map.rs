@@ -200,3 +200,51 @@ fn every_kind_of_world_file_is_found_beside_its_kind_of_picture() {
         assert!((north - 46.858).abs() < 5e-3, "{name}: {info}");
     }
 }
+
+#[test]
+fn several_pictures_with_a_table_of_their_corners_are_one_map() {
+    const DEGREE: f64 = 1e-5;
+    let (west, north) = (8.5, 47.4);
+    let folder = Folder::new("several");
+    let mut table = "mapname,LT_lat_map,LT_lon_map,RB_lat_map,RB_lon_map\n".to_owned();
+    for (name, x, width) in [("left.png", 0, 24), ("right.png", 24, 16)] {
+        let part = Picture::from_fn(width, HEIGHT as usize, |i, j| shade(x + i, j));
+        folder.write(name, encode_png(&part).expect("a picture"));
+        let lon = |column: usize| west + column as f64 * DEGREE;
+        let south = north - f64::from(HEIGHT) * DEGREE;
+        table += &format!("{name},{north},{},{south},{}\n", lon(x), lon(x + width));
+    }
+    folder.write("map.csv", &table);
+    let info = folder.info(&["map.csv"]);
+    assert_eq!(info["kind"], "several pictures");
+    assert_eq!(info["pictures"], 2);
+    let corner = |i: usize, k: usize| info["corners_lat_lon"][i][k].as_f64().expect("degrees");
+    assert!((corner(0, 0) - north).abs() < 1e-7 && (corner(0, 1) - west).abs() < 1e-7);
+    assert!((corner(2, 1) - west - f64::from(WIDTH) * DEGREE).abs() < 1e-7);
+    // A pixel is 0.75487 m wide and 1.11179 m high there: by the radii of curvature of the WGS 84 ellipsoid.
+    let metres = |name: &str| info[name].as_f64().expect("metres");
+    assert!((metres("width_m") - 40.0 * 0.75487).abs() < 0.01, "{info}");
+    assert!((metres("height_m") - 30.0 * 1.11179).abs() < 0.01, "{info}");
+    folder.map(&["tile", "map.csv", "--gsd", "0.25", "--out", "map.png"]);
+    let map = decode_picture(&std::fs::read(folder.0.join("map.png")).expect("the map"));
+    let map = map.expect("a picture");
+    for (x, y) in [(3, 4), (20, 25), (30, 10), (38, 28)] {
+        let column = ((x as f64 + 0.5) * 0.75487 / 0.25) as usize;
+        let row = ((y as f64 + 0.5) * 1.11179 / 0.25) as usize;
+        let (seen, wanted) = (map.get(column, row), shade(x, y));
+        for (seen, wanted) in seen.iter().zip(wanted) {
+            assert!(seen.abs_diff(wanted) <= 9, "{x}, {y}: {seen}, not {wanted}");
+        }
+    }
+    folder.write("map.csv", table.replace("right.png", "missing.png"));
+    let mut program = Command::new(env!("CARGO_BIN_EXE_pilotage"));
+    let program = program
+        .current_dir(&folder.0)
+        .args(["map", "info", "map.csv"]);
+    let out = program.output().expect("the program starts");
+    let told = String::from_utf8_lossy(&out.stderr).into_owned();
+    assert!(
+        !out.status.success() && told.contains("missing.png: there is no such file"),
+        "{told}"
+    );
+}

@@ -39,7 +39,9 @@ pub mod flight {
 
 /// What people author, and the map that it lies on.
 pub mod mission {
-    pub use pilotage_maps::{MapError, MapOptions, OpenMap, open_map, open_map_with};
+    pub use pilotage_maps::{
+        CornersError, MapError, MapOptions, Mosaic, OpenMap, open_map, open_map_with,
+    };
     pub use pilotage_mission::mission::*;
 }
 

@@ -2,11 +2,17 @@
 
 pub mod georeferencer;
 mod geotiff;
+mod map_error;
 mod map_file;
+mod map_options;
+mod mosaic;
 pub mod terrain;
 pub mod tiff;
 pub mod web_tiles;
 
 pub use geotiff::{GeoKeys, GeoTiff, GeoTiffError, GeoTiffFile, MapMemory};
-pub use map_file::{MapError, MapOptions, OpenMap, open_map, open_map_with};
+pub use map_error::MapError;
+pub use map_file::{OpenMap, open_map, open_map_with};
+pub use map_options::MapOptions;
+pub use mosaic::{CornersError, Mosaic};
 pub use pilotage_base::{bytes, files, frames};

@@ -1,18 +1,19 @@
-//! A map: a `GeoTIFF`, an archive of tiles, or a picture and the file beside it that says where it lies.
+//! A map: a `GeoTIFF`, an archive of tiles, a picture and the file beside it that says where it lies, or several pictures
+//! and a table of their corners.
 
-use crate::web_tiles::{PmTiles, PmTilesError, WebTiles};
-use crate::{GeoTiff, GeoTiffError, GeoTiffFile, MapMemory};
+use crate::map_error::MapError;
+use crate::map_options::{MapOptions, frame_of, is_geo_tiff};
+use crate::mosaic::{self, Mosaic};
+use crate::web_tiles::{PmTiles, WebTiles};
+use crate::{GeoTiff, GeoTiffError, GeoTiffFile};
 use pilotage_base::files::FileSet;
-use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
-use pilotage_base::georeference::{Georeference, GeoreferenceError};
+use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
+use pilotage_base::georeference::Georeference;
 use pilotage_raster::imagery::{GeoreferencedPicture, Imagery, Placement, Window, decode_map};
-use pilotage_raster::raster::{CodecError, Raster, Rgba};
+use pilotage_raster::raster::{Raster, Rgba};
 
 /// Farthest from the world's origin that tiles of a web map are used, metres.
 const TILES_REACH: f64 = 100_000.0;
-
-/// Endings of a `GeoTIFF`.
-const GEO_TIFF: [&str; 2] = [".tif", ".tiff"];
 
 /// What is put in place of a picture's ending to name the file that says where it lies.
 const SIDE_FILES: [&str; 11] = [
@@ -29,79 +30,6 @@ const SIDE_FILES: [&str; 11] = [
     ".json",
 ];
 
-/// Why a picture cannot be a map.
-#[derive(Debug, thiserror::Error)]
-pub enum MapError {
-    /// The picture is not there.
-    #[error("{file}: there is no such file")]
-    Missing {
-        /// Name of the picture.
-        file: String,
-    },
-    /// Nothing beside the picture says where it lies.
-    #[error(
-        "{file}: a picture that does not say where it lies; put its world file (.jgw, .pgw, .wld) or a georeference in JSON beside it"
-    )]
-    NoGeoreference {
-        /// Name of the picture.
-        file: String,
-    },
-    /// The side file cannot be read.
-    #[error("{file}: {cause}")]
-    Georeference {
-        /// Name of the side file.
-        file: String,
-        /// What is wrong with it.
-        cause: GeoreferenceError,
-    },
-    /// The picture cannot be read.
-    #[error("{file}: {cause}")]
-    Picture {
-        /// Name of the picture.
-        file: String,
-        /// What is wrong with it.
-        cause: CodecError,
-    },
-    /// The file beside the picture names a reference system that is not known.
-    #[error(
-        "{file}: the reference system \"{name}\" is not known; warp the map to EPSG:4326, EPSG:3857 or a UTM zone of WGS 84"
-    )]
-    System {
-        /// Name of the .prj file.
-        file: String,
-        /// What it names.
-        name: String,
-    },
-    /// The `GeoTIFF` cannot be read or does not lie anywhere.
-    #[error(transparent)]
-    GeoTiff(#[from] GeoTiffError),
-    /// The archive of tiles cannot be read.
-    #[error(transparent)]
-    PmTiles(#[from] PmTilesError),
-    /// The picture would cover nothing.
-    #[error("{file}: the picture would cover no ground; check for zeros")]
-    Empty {
-        /// Name of the side file.
-        file: String,
-    },
-}
-
-/// What is known about a map beside its files.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct MapOptions {
-    /// The world frame to put it into; its own, around its own middle, if there is none.
-    pub frame: Option<LocalFrame>,
-    /// Where there is no `frame`: a world frame to put the map into if the map's middle lies within
-    /// that many metres of its origin.
-    pub near: Option<(LocalFrame, f64)>,
-    /// The reference system of its coordinates, before whatever its files say.
-    pub system: Option<ReferenceSystem>,
-    /// Where its pixels lie, in place of whatever its files say.
-    pub place: Option<Georeference>,
-    /// How much memory it may keep.
-    pub memory: MapMemory,
-}
-
 /// An open map.
 pub enum OpenMap {
     /// A picture, whole in memory.
@@ -110,6 +38,8 @@ pub enum OpenMap {
     GeoTiff(Box<GeoTiff>),
     /// An archive of tiles.
     PmTiles(Box<WebTiles>),
+    /// Several pictures.
+    Mosaic(Box<Mosaic>),
 }
 
 impl OpenMap {
@@ -120,15 +50,16 @@ impl OpenMap {
             Self::Picture(picture) => picture.placement().frame(),
             Self::GeoTiff(map) => map.placement().frame(),
             Self::PmTiles(map) => Some(map.frame()),
+            Self::Mosaic(map) => Some(map.frame()),
         }
     }
 
-    /// Where the pixels lie; tiles have many sizes of pixels and no one place.
+    /// Where the pixels lie; tiles and several pictures have many sizes of pixels and no one place.
     pub fn placement(&self) -> Option<&Placement> {
         match self {
             Self::Picture(picture) => Some(picture.placement()),
             Self::GeoTiff(map) => Some(map.placement()),
-            Self::PmTiles(_) => None,
+            Self::PmTiles(_) | Self::Mosaic(_) => None,
         }
     }
 
@@ -137,6 +68,7 @@ impl OpenMap {
             Self::Picture(picture) => picture.as_ref(),
             Self::GeoTiff(map) => map.as_ref(),
             Self::PmTiles(map) => map.as_ref(),
+            Self::Mosaic(map) => map.as_ref(),
         }
     }
 }
@@ -196,7 +128,10 @@ pub fn open_map_with(
     options: &MapOptions,
 ) -> Result<OpenMap, MapError> {
     let lower = name.to_ascii_lowercase();
-    if GEO_TIFF.iter().any(|ending| lower.ends_with(ending)) {
+    if lower.ends_with(mosaic::ENDING) {
+        return Mosaic::open(files, name, options).map(|map| OpenMap::Mosaic(Box::new(map)));
+    }
+    if is_geo_tiff(name) {
         return open_geo_tiff(files, name, options).map(|map| OpenMap::GeoTiff(Box::new(map)));
     }
     if lower.ends_with(".pmtiles") {
@@ -277,16 +212,6 @@ fn missing(name: &str) -> MapError {
     MapError::Missing {
         file: name.to_owned(),
     }
-}
-
-fn frame_of(options: &MapOptions, origin: Option<Geodetic>) -> LocalFrame {
-    let near = (options.near.zip(origin))
-        .filter(|((frame, reach), own)| frame.world_from_geodetic(own).coords.norm() <= *reach)
-        .map(|((frame, _), _)| frame);
-    (options.frame.or(near))
-        .or_else(|| origin.map(LocalFrame::new))
-        // A world file in metres needs no place on the globe.
-        .unwrap_or_else(|| LocalFrame::new(Geodetic::from_degrees(0.0, 0.0, 0.0)))
 }
 
 /// Where the file beside a picture puts it, with that file's name.

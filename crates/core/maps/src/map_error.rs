@@ -1,0 +1,82 @@
+//! Why something is no map.
+
+use crate::GeoTiffError;
+use crate::mosaic::CornersError;
+use crate::web_tiles::PmTilesError;
+use pilotage_base::georeference::GeoreferenceError;
+use pilotage_raster::raster::CodecError;
+
+/// Why a picture cannot be a map.
+#[derive(Debug, thiserror::Error)]
+pub enum MapError {
+    /// The picture is not there.
+    #[error("{file}: there is no such file")]
+    Missing {
+        /// Name of the picture.
+        file: String,
+    },
+    /// Nothing beside the picture says where it lies.
+    #[error(
+        "{file}: a picture that does not say where it lies; put its world file (.jgw, .pgw, .wld) or a georeference in JSON beside it"
+    )]
+    NoGeoreference {
+        /// Name of the picture.
+        file: String,
+    },
+    /// The side file cannot be read.
+    #[error("{file}: {cause}")]
+    Georeference {
+        /// Name of the side file.
+        file: String,
+        /// What is wrong with it.
+        cause: GeoreferenceError,
+    },
+    /// The picture cannot be read.
+    #[error("{file}: {cause}")]
+    Picture {
+        /// Name of the picture.
+        file: String,
+        /// What is wrong with it.
+        cause: CodecError,
+    },
+    /// The file beside the picture names a reference system that is not known.
+    #[error(
+        "{file}: the reference system \"{name}\" is not known; warp the map to EPSG:4326, EPSG:3857 or a UTM zone of WGS 84"
+    )]
+    System {
+        /// Name of the .prj file.
+        file: String,
+        /// What it names.
+        name: String,
+    },
+    /// The `GeoTIFF` cannot be read or does not lie anywhere.
+    #[error(transparent)]
+    GeoTiff(#[from] GeoTiffError),
+    /// The archive of tiles cannot be read.
+    #[error(transparent)]
+    PmTiles(#[from] PmTilesError),
+    /// The table does not say where pictures lie.
+    #[error("{file}: {cause}")]
+    Corners {
+        /// Name of the table.
+        file: String,
+        /// What is wrong with it.
+        cause: CornersError,
+    },
+    /// Several pictures are too large to be kept in memory together.
+    #[error(
+        "{file}: its pictures have more than {megapixels} million pixels together; make one GeoTIFF of them (gdal_merge.py)"
+    )]
+    TooLarge {
+        /// Name of the table.
+        file: String,
+        /// Most pixels, millions.
+        megapixels: usize,
+    },
+    /// The picture would cover nothing.
+    #[error("{file}: the picture would cover no ground; check for zeros")]
+    Empty {
+        /// Name of the side file.
+        file: String,
+    },
+}
