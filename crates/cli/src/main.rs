@@ -22,6 +22,7 @@ mod outage;
 mod plan;
 mod register;
 mod replay;
+mod replay_frames;
 mod simulate;
 mod statistics;
 mod train;

@@ -20,6 +20,7 @@ use crate::Outcome;
 use crate::files::open_map;
 use crate::mission_file::OpenMission;
 use crate::opening::open;
+use crate::replay_frames::{print_frames, print_refusals};
 use crate::simulate::{Day, scenario};
 use crate::statistics::{Quantiles, error_over_bound, print, table};
 
@@ -70,7 +71,7 @@ pub struct Arguments {
     /// Where to write the summary.
     #[arg(long)]
     summary: Option<PathBuf>,
-    /// Print every camera frame.
+    /// Print every camera frame with what became of it, and what frames and landmarks were refused of, counted.
     #[arg(long)]
     verbose: bool,
 }
@@ -270,6 +271,7 @@ pub fn seed_range(text: &str) -> Result<(u64, u64), String> {
 fn report(arguments: &Arguments, flight: &Flight, run: &Run, summary: &Summary) -> Outcome {
     if arguments.verbose {
         print_frames(flight, run);
+        print_refusals(summary);
     }
     println!("{}", serde_json::to_string_pretty(summary)?);
     if let Some(path) = &arguments.summary {
@@ -280,48 +282,6 @@ fn report(arguments: &Arguments, flight: &Flight, run: &Run, summary: &Summary) 
         crate::files::write_whole(path, bytes)?;
     }
     Ok(())
-}
-
-/// One line a frame and one a landmark.
-fn print_frames(flight: &Flight, run: &Run) {
-    let names = |id: u32| {
-        run.landmarks
-            .iter()
-            .find(|l| l.id == id)
-            .map_or("?", |l| &l.name)
-    };
-    for step in &run.steps {
-        let Some(frame) = &step.frame else { continue };
-        let name = flight.frames.get(frame.index).map_or("", |f| &f.name);
-        let truth = flight
-            .truth
-            .as_ref()
-            .and_then(|t| t.frames.get(frame.index));
-        let position = step.after.position();
-        let error = truth.map_or(f64::NAN, |t| {
-            (position.north - t.position.x).hypot(position.east - t.position.y)
-        });
-        let spread = step.after.position_covariance().trace().sqrt();
-        println!(
-            "{:8.2} s {name:14} error {error:6.2} m, 1σ {spread:5.2} m, see {:6.1} ms",
-            step.time, step.timing.see
-        );
-        for c in &frame.candidates {
-            let error = pilotage_core::navigator::place_error(flight, run, frame.index, c);
-            let wrong =
-                error.is_some() && pilotage_core::navigator::is_wrong(flight, run, frame.index, c);
-            let (pixels, metres) = error.unwrap_or((f64::NAN, f64::NAN));
-            println!(
-                "    {:22} score {:5.2} second {:5.2} NIS {:6.1} off {pixels:5.1} px {metres:5.2} m {:?}{}",
-                names(c.landmark),
-                c.score,
-                c.second_score,
-                c.nis.unwrap_or(f64::NAN),
-                c.outcome,
-                if wrong { "  WRONG PLACE" } else { "" }
-            );
-        }
-    }
 }
 
 fn write_json(path: &Path, value: &impl Serialize) -> Outcome {

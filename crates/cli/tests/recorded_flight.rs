@@ -144,3 +144,75 @@ fn brighton_beach_is_navigated_by_ten_boxes_that_the_planner_proposes() {
         assert_eq!(summary["updates_wrong"], 0);
     }
 }
+
+/// What stands behind "KEY: " in lines of counts under a headline.
+fn counted(text: &str, headline: &str) -> std::collections::BTreeMap<String, u64> {
+    let lines = text.lines().skip_while(|line| !line.starts_with(headline));
+    let counts = lines.skip(1).map_while(|line| {
+        let (count, rest) = line.trim().split_once("  ")?;
+        let (key, _) = rest.split_once(": ")?;
+        Some((key.to_owned(), count.parse().ok()?))
+    });
+    counts.collect()
+}
+
+/// Every refused look and frame has a line of its own with its reason, and the counts are of those lines.
+#[test]
+fn what_was_refused_is_told_line_by_line_and_counted() {
+    let Some((flight, map)) = flown("brighton", "brighton_beach/ortho.jpg") else {
+        return;
+    };
+    let replay = |mission: Option<PathBuf>| {
+        let mut command = pilotage();
+        command
+            .args(["replay", "--verbose"])
+            .arg("--flight")
+            .arg(&flight);
+        command.arg("--map").arg(&map);
+        if let Some(mission) = mission {
+            command.arg("--mission").arg(mission);
+        }
+        let done = command.output().expect("the program starts");
+        assert!(
+            done.status.success(),
+            "{}",
+            String::from_utf8_lossy(&done.stderr)
+        );
+        let text = String::from_utf8_lossy(&done.stdout).into_owned();
+        let begin = text.find("\n{").expect("a summary");
+        let summary: Value = serde_json::from_str(&text[begin..]).expect("JSON");
+        (text, summary)
+    };
+    let lines = |text: &str, part: &str| {
+        let count = text.lines().filter(|line| line.contains(part)).count();
+        u64::try_from(count).expect("few lines")
+    };
+    let (text, summary) = replay(Some(flight.join("mission.geojson")));
+    let counts = counted(&text, "looks at landmarks refused:");
+    let stated = summary["updates_refused"].as_object().expect("counts");
+    for (key, count) in stated {
+        assert_eq!(
+            count.as_u64(),
+            Some(counts.get(key).copied().unwrap_or(0)),
+            "{key}"
+        );
+    }
+    let refused: u64 = counts.values().sum();
+    assert!(refused > 0);
+    assert_eq!(lines(&text, " m refused: "), refused);
+    let accepted = summary["updates_accepted"].as_u64().expect("a count");
+    assert_eq!(lines(&text, " m accepted"), accepted);
+    let (text, summary) = replay(None);
+    let laid = summary["frames_laid"].as_u64().expect("a count");
+    let refused = summary["frames_refused"].as_object().expect("counts");
+    let refused: u64 = refused.values().filter_map(Value::as_u64).sum();
+    assert_eq!(laid + refused, 18);
+    assert_eq!(lines(&text, "    laid by "), laid);
+    assert_eq!(lines(&text, "    not laid: "), refused);
+    assert_eq!(
+        counted(&text, "whole frames refused:")
+            .values()
+            .sum::<u64>(),
+        refused
+    );
+}

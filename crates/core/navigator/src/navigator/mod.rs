@@ -9,6 +9,7 @@ mod finding;
 mod fixes;
 mod heading_doubt;
 mod inputs;
+mod laid_refusal;
 mod picture_lag;
 mod pipeline;
 mod possible_places;
@@ -28,6 +29,7 @@ pub use engine::vehicle;
 pub use explain::{explain, explain_cascade};
 pub use fixes::position_fixes;
 pub use inputs::{Disbelief, Doubt, Instrument};
+pub use laid_refusal::LaidRefusal;
 pub use pilotage_vision::landmark::Refusal;
 pub use pipeline::{Navigator, NavigatorError};
 pub use report::{

@@ -3,8 +3,8 @@
 use nalgebra::{DMatrix, DVector, Matrix2, Matrix4, Matrix6, Point2, Vector2};
 use serde::{Deserialize, Serialize};
 
-use super::Doubt;
 use super::engine::{CorrectedStep, PredictedStep};
+use super::{Doubt, LaidRefusal};
 use pilotage_base::frames::{GroundPoint, GroundRect, Pose};
 use pilotage_estimation::filter::Gaussian;
 use pilotage_flight::{ChannelName, Flight};
@@ -194,6 +194,9 @@ pub struct LaidReport {
     pub place: Option<LaidPlace>,
     /// Why it did not correct the estimate, in words; `None` if it did.
     pub refusal: Option<String>,
+    /// Kind of that reason; runs of before do not say.
+    #[serde(default)]
+    pub refused_as: Option<LaidRefusal>,
     /// By what it was believed.
     #[serde(default)]
     pub laid_by: LaidBy,

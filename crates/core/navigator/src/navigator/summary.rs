@@ -6,7 +6,7 @@ use nalgebra::{Matrix2, Vector2};
 use serde::{Deserialize, Serialize};
 
 use super::bound::position_bound;
-use super::{CandidateReport, Outcome, Run, StepReport};
+use super::{CandidateReport, LaidRefusal, Outcome, Run, StepReport};
 use pilotage_estimation::filter::Consistency;
 use pilotage_flight::Flight;
 use pilotage_mission::settings::NavigatorSettings;
@@ -88,6 +88,9 @@ pub struct BoundFigures {
     pub rms: f64,
 }
 
+/// Kind of the frames that could not be used at all.
+const UNUSABLE: &str = "unusable";
+
 /// A run in figures.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
@@ -103,6 +106,13 @@ pub struct Summary {
     pub updates_accepted: usize,
     /// Landmarks looked for and not used, by reason.
     pub updates_refused: BTreeMap<String, usize>,
+    /// Whole frames laid on the map that corrected the estimate.
+    #[serde(default)]
+    pub frames_laid: usize,
+    /// Whole frames that were looked for on the map and did not correct the estimate, by reason; and, as "unusable",
+    /// frames that could not be used at all. Those of which there are none are left out.
+    #[serde(default)]
+    pub frames_refused: BTreeMap<String, usize>,
     /// Accepted although wrong: over 5 px and over 2 m on the ground from where the landmark truly is
     /// in that picture; where the camera's true attitude is not known, over 5 m of implied position.
     pub updates_wrong: Option<usize>,
@@ -223,6 +233,18 @@ fn count_frame(summary: &mut Summary, step: &StepReport) {
     summary.frames += 1;
     summary.frames_with_update += usize::from(frame.joint.is_some());
     summary.searches += frame.candidates.len();
+    let kind = match &frame.laid {
+        _ if frame.trouble.is_some() => Some(UNUSABLE),
+        Some(laid) if laid.is_believed() => {
+            summary.frames_laid += 1;
+            None
+        }
+        Some(laid) => Some(laid.refused_as.map_or(UNUSABLE, LaidRefusal::key)),
+        None => None,
+    };
+    if let Some(kind) = kind {
+        *summary.frames_refused.entry(kind.to_owned()).or_default() += 1;
+    }
     for candidate in &frame.candidates {
         match candidate.outcome {
             Outcome::Accepted => summary.updates_accepted += 1,

@@ -13,7 +13,7 @@ use super::engine::{CorrectedStep, Engine, map_error};
 use super::inputs::Inputs;
 use super::possible_places::{Found, Searched};
 use super::see::Surprise;
-use super::{Estimate, JointReport, LaidPlace, LaidReport};
+use super::{Estimate, JointReport, LaidPlace, LaidRefusal, LaidReport};
 use pilotage_base::frames::GroundPoint;
 use pilotage_base::statistics::chi_square_quantile;
 use pilotage_estimation::filter::{FilterError, fading_factor};
@@ -181,6 +181,7 @@ fn report(found: &Registration) -> LaidReport {
     LaidReport {
         place: Some(found.into()),
         refusal: None,
+        refused_as: None,
         laid_by: found.laid_by,
         probability: Some(found.probability),
         tried: found.tried,
@@ -192,6 +193,7 @@ fn not_laid(cause: &NotRegistered) -> LaidReport {
     LaidReport {
         place: None,
         refusal: Some(cause.to_string()),
+        refused_as: Some(LaidRefusal::from(cause)),
         laid_by: LaidBy::default(),
         tried: 0,
         log_false_alarms: 0.0,
@@ -286,6 +288,7 @@ impl Laid {
             let factor = fading_factor(&surprise.innovation, &surprise.covariance, &surprise.noise);
             let Some(factor) = factor.filter(|_| self.report.log_false_alarms < log_expected)
             else {
+                self.report.refused_as = Some(LaidRefusal::OutsideGate);
                 self.report.refusal = Some(format!(
                     "it lies {:.1} m from where it was expected, outside the gate (NIS {nis:.0} of at most \
                      {threshold:.0}), and may be chance",

@@ -405,6 +405,7 @@ mod tests {
         let mut laid = LaidReport {
             place: None,
             refusal: None,
+            refused_as: None,
             tried: 60,
             laid_by: LaidBy::Patches,
             log_false_alarms: -30.0,

@@ -75,6 +75,7 @@ pub fn lay_frames(steps: &mut [StepReport], opened: &Flight, flown: &Flight) {
                 shape: MapShape::default(),
             }),
             refusal: None,
+            refused_as: None,
             tried: 40,
             laid_by: LaidBy::Patches,
             log_false_alarms: -20.0,
