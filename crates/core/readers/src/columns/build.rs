@@ -6,6 +6,7 @@ use std::sync::Arc;
 use nalgebra::Point3;
 
 use super::attitude::attitude;
+use super::body_velocity::{has_body_velocity, turn};
 use super::groups::quaternion_roles;
 use super::rows::pair;
 use super::together::common_name;
@@ -136,6 +137,9 @@ pub fn flight_of_tables(
         truth: None,
     };
     let mut folder = read_tables(Arc::clone(files), &layout, tables)?;
+    if maps.iter().any(has_body_velocity) {
+        notes.extend(turn(&mut folder.flight));
+    }
     leave_out_strays(&mut folder, &mut notes);
     notes.extend(height_above_start(&mut folder));
     notes.extend(apart(&folder, maps, &layout));
@@ -285,9 +289,8 @@ fn of_map(map: &ColumnMap, time: &TimeColumn) -> Vec<ChannelFile> {
             ..channel("gps")
         });
     }
-    let has_velocity = map
-        .column(ColumnRole::Channel(ChannelName::GpsVelocityNorth))
-        .is_some();
+    let north = ColumnRole::Channel(ChannelName::GpsVelocityNorth);
+    let has_velocity = map.column(north).is_some() || has_body_velocity(map);
     let course = (role(ColumnRole::SpeedOverGround), role(ColumnRole::Course));
     if let ((Some(speed), Some(course)), false) = (course, has_velocity) {
         channels.push(ChannelFile {
@@ -309,6 +312,10 @@ fn of_map(map: &ColumnMap, time: &TimeColumn) -> Vec<ChannelFile> {
         ColumnRole::Channel(name) => Some(ChannelFile {
             value: Some(value(column)),
             ..channel(name.key())
+        }),
+        ColumnRole::BodyVelocity(axis) => Some(ChannelFile {
+            value: Some(value(column)),
+            ..channel(axis.channel().key())
         }),
         _ => None,
     }));

@@ -33,8 +33,44 @@ pub enum ColumnRole {
     Quaternion(QuaternionPart),
     /// A part of the quaternion that turns body axes (forward, left, up) into east, north, up, as ROS has it.
     RosQuaternion(QuaternionPart),
+    /// Velocity over ground along an axis of the body, which the attitude turns to north, east and down.
+    BodyVelocity(BodyAxis),
     /// A channel of the flight.
     Channel(ChannelName),
+}
+
+/// An axis of the body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum BodyAxis {
+    /// Along the nose.
+    Forward,
+    /// Along the right wing.
+    Right,
+    /// Out of the belly.
+    Down,
+}
+
+impl BodyAxis {
+    /// All three in their order.
+    pub const ALL: [Self; 3] = [Self::Forward, Self::Right, Self::Down];
+
+    /// The channel that takes its values until the attitude turns all three.
+    pub(super) fn channel(self) -> ChannelName {
+        match self {
+            Self::Forward => ChannelName::GpsVelocityNorth,
+            Self::Right => ChannelName::GpsVelocityEast,
+            Self::Down => ChannelName::GpsVelocityDown,
+        }
+    }
+
+    fn word(self) -> &'static str {
+        match self {
+            Self::Forward => "forward",
+            Self::Right => "right",
+            Self::Down => "down",
+        }
+    }
 }
 
 /// A part of a quaternion.
@@ -86,6 +122,7 @@ impl ColumnRole {
             .chain(ChannelName::ALL.map(Self::Channel))
             .chain(parts.map(Self::Quaternion))
             .chain(parts.map(Self::RosQuaternion))
+            .chain(BodyAxis::ALL.map(Self::BodyVelocity))
     }
 
     /// Name for people.
@@ -105,6 +142,9 @@ impl ColumnRole {
             Self::RosQuaternion(part) => {
                 format!("attitude quaternion {}, ROS axes", part.letter())
             }
+            Self::BodyVelocity(axis) => {
+                format!("velocity over ground, {} in the body's axes", axis.word())
+            }
             Self::Channel(name) => name.key().replace('_', " ").replace("gps", "GPS"),
         }
     }
@@ -120,7 +160,9 @@ impl ColumnRole {
             Self::Latitude | Self::Longitude | Self::Place | Self::Course | Self::WindFrom => {
                 Some(Quantity::Angle)
             }
-            Self::SpeedOverGround | Self::WindSpeed => Some(Quantity::Speed),
+            Self::SpeedOverGround | Self::WindSpeed | Self::BodyVelocity(_) => {
+                Some(Quantity::Speed)
+            }
             Self::Channel(name) => Some(name.quantity()),
         }
     }
@@ -237,6 +279,15 @@ impl ColumnMap {
                     lacks.label()
                 ));
             }
+        }
+        let body = |axis| has(ColumnRole::BodyVelocity(axis));
+        if BodyAxis::ALL.into_iter().any(body)
+            && !(body(BodyAxis::Forward) && body(BodyAxis::Right))
+        {
+            return Some(
+                "a velocity in the body's axes is of no use without both that forward and that to the right"
+                    .to_owned(),
+            );
         }
         let quaternions: [fn(QuaternionPart) -> ColumnRole; 2] =
             [ColumnRole::Quaternion, ColumnRole::RosQuaternion];

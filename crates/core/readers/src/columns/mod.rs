@@ -5,6 +5,7 @@
 //! [`flight_of_tables`] makes a flight of tables by their maps, as corrected.
 
 mod attitude;
+mod body_velocity;
 mod build;
 #[cfg(test)]
 mod conventions;
@@ -32,7 +33,7 @@ mod values;
 
 pub use build::flight_of_tables;
 pub use guess::guess_table;
-pub use map::{Alternative, ColumnMap, ColumnRole, MappedColumn, QuaternionPart};
+pub use map::{Alternative, BodyAxis, ColumnMap, ColumnRole, MappedColumn, QuaternionPart};
 pub use preview::{Preview, preview};
 pub(super) use sample::Sample;
 pub(super) use shape::number;

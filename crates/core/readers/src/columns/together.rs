@@ -215,6 +215,7 @@ fn channels(map: &ColumnMap) -> Vec<(ChannelName, Vec<usize>)> {
     let numbered = map.columns.iter().enumerate();
     let single = numbered.filter_map(|(index, column)| match column.role {
         ColumnRole::Channel(name) => Some((name, vec![index])),
+        ColumnRole::BodyVelocity(axis) => Some((axis.channel(), vec![index])),
         _ => None,
     });
     let mut channels: Vec<_> = single.collect();

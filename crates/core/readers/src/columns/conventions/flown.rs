@@ -40,6 +40,12 @@ impl Moment {
         8.5_f64.to_radians() + self.east / 6_371_000.0 / 47.4_f64.to_radians().cos()
     }
 
+    /// Velocity over ground along forward, right, down.
+    pub fn along_body(&self) -> Vector3<f64> {
+        let turn = Rotation3::from_euler_angles(self.roll, self.pitch, self.heading);
+        turn.inverse() * self.velocity
+    }
+
     pub fn quaternion(&self, is_ros: bool) -> [f64; 4] {
         let half = std::f64::consts::FRAC_PI_2;
         let q = if is_ros {

@@ -150,3 +150,48 @@ fn what_contradicts_itself_is_a_sentence() {
     let channel = north.channel(ChannelName::GpsVelocityNorth).unwrap();
     assert!(channel.values.iter().all(|v| v.abs() < 40.0));
 }
+
+#[test]
+fn velocities_along_the_body_are_turned_by_the_attitude() {
+    for craft in [Craft::Airplane, Craft::Copter] {
+        let flown = moments(craft);
+        for velocity in [written::Velocity::Body, written::Velocity::BodyUp] {
+            for attitude in [written::Attitude::Euler, written::Attitude::Quaternion] {
+                let choices = Choices {
+                    velocity,
+                    attitude,
+                    speed: written::Speed::Centimetres,
+                    ..Choices::default()
+                };
+                let text = table(&flown, &choices);
+                let (maps, _) = read(&text);
+                let told = maps[0].findings.join("; ");
+                assert!(told.contains("along the body's axes"), "{craft:?}: {told}");
+                let found = verdict(&text, &flown, &choices);
+                assert_eq!(found, Verdict::Right, "{craft:?} {velocity:?} {attitude:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_velocity_along_the_body_without_an_attitude_is_refused_with_a_sentence() {
+    let flown = moments(Craft::Airplane);
+    let choices = Choices {
+        velocity: written::Velocity::Body,
+        attitude: written::Attitude::None,
+        ..Choices::default()
+    };
+    let (maps, flight) = read(&table(&flown, &choices));
+    let told = maps[0].findings.join("; ");
+    assert!(
+        told.contains("body_vel_x, body_vel_y, body_vel_z: ") && told.contains("not used"),
+        "{told}"
+    );
+    assert!(
+        flight
+            .unwrap()
+            .channel(ChannelName::GpsVelocityNorth)
+            .is_none()
+    );
+}

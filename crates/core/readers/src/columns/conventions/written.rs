@@ -24,7 +24,7 @@ choices! {
     Place: Degrees TenMillionths Radians Metres;
     Angle: Degrees Radians Tenths Hundredths;
     Speed: Metres Centimetres Knots Kilometres Millimetres;
-    Velocity: Named Course Ned Enu Indexed None;
+    Velocity: Named Course Ned Enu Indexed None Body BodyUp;
     Attitude: Euler RosEuler Quaternion RosQuaternion QuaternionByNumber RosQuaternionByNumber Prefixed None;
     Heading: Round Half;
     Rates: Radians Degrees Milliradians;
@@ -156,7 +156,7 @@ impl Choices {
             let mut choices = Self {
                 time: dice.of(Time::ALL),
                 place: dice.of(&Place::ALL[..3]),
-                velocity: dice.of(Velocity::ALL),
+                velocity: dice.of(&Velocity::ALL[..6]),
                 speed: dice.of(Speed::ALL),
                 course: dice.of(Angle::ALL),
                 course_header: None,
@@ -269,6 +269,16 @@ impl Choices {
             Velocity::Ned => three(["vx", "vy", "vz"], v),
             Velocity::Enu => three(["vel_x", "vel_y", "vel_z"], [v[1], v[0], -v[2]]),
             Velocity::Indexed => three(["velocity[0]", "velocity[1]", "velocity[2]"], v),
+            Velocity::Body | Velocity::BodyUp => {
+                let along = m.along_body().map(|v| speed(self.speed, v));
+                let up = if self.velocity == Velocity::BodyUp {
+                    -1.0
+                } else {
+                    1.0
+                };
+                let along = [along.x, up * along.y, up * along.z];
+                three(["body_vel_x", "body_vel_y", "body_vel_z"], along);
+            }
             Velocity::Course | Velocity::None => {}
         }
         match self.attitude {

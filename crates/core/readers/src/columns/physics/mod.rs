@@ -9,6 +9,7 @@ mod angles;
 mod attitude;
 mod axes;
 mod board;
+mod body_velocity;
 mod grid;
 mod heights;
 mod inertial;
@@ -58,6 +59,8 @@ struct Known {
     is_ros: Option<bool>,
     /// Whether the sense of the heading is by evidence.
     is_heading_sure: bool,
+    /// A velocity that has the amount of the track's, but hardly its direction.
+    turned: Option<velocity::Turned>,
 }
 
 /// Judges the tables of one flight, a map each, and writes into the maps what was found.
@@ -74,6 +77,7 @@ pub(super) fn judge(maps: &mut [&mut ColumnMap], evidence: &[Evidence]) {
     heights::judge(&mut board, &mut known);
     attitude::judge(&mut board, &mut known);
     heights::by_pitch(&mut board, &known);
+    body_velocity::judge(&mut board, &known);
     unknown::inertial(&mut board, &known);
     inertial::judge(&mut board, &mut known);
     air::judge(&mut board, &known);
@@ -94,6 +98,7 @@ impl Known {
             attitude_rates: [none(), none(), none()],
             is_ros: None,
             is_heading_sure: false,
+            turned: None,
             grid,
         }
     }

@@ -4,7 +4,7 @@ use pilotage_flight::ChannelName;
 
 use super::Known;
 use super::angles::{self, Convention};
-use super::axes::{EARTH, compare, fits};
+use super::axes::{EARTH, Fit, compare, fits};
 use super::board::{Basis, Board, Id};
 use super::grid::{Series, quantile};
 use crate::columns::ColumnRole;
@@ -12,6 +12,8 @@ use crate::folder::Dimension;
 
 /// Speed that the track has to reach for speeds to be told from it, m/s.
 const MOVING: f64 = 1.0;
+/// Mean correlation along north and east from which on a velocity is along them whatever the attitude says.
+const SURE: f64 = 0.9;
 /// Units of speed lie this far apart, as a logarithm, or further, halved.
 pub(super) const TOLERANCE: f64 = 0.2;
 
@@ -79,24 +81,43 @@ fn vector(board: &mut Board, known: &mut Known, north: Id, east: Id) {
     let best = present
         .filter(|p| is_named && p.score > 0.8)
         .unwrap_or(best);
-    let names = board.names(&ids);
+    let (n, e) = (&raw[0], &raw[1]);
+    let size: Vec<f64> = n.iter().zip(e).map(|(n, e)| n.hypot(*e)).collect();
+    let is_of_track = ratio(&known.speed(), &size).is_some_and(|(_, scatter)| scatter < 0.15);
+    if is_of_track && best.score < if is_named { 0.5 } else { SURE } {
+        // The attitude, which is not known yet, may turn it.
+        for id in &ids {
+            let why =
+                "their amount is that of the track's velocity, but hardly along north and east";
+            board.drop(*id, why);
+        }
+        known.turned = Some(Turned { ids, earth: best });
+        return;
+    }
+    along_earth(board, &ids, best);
+}
+
+/// Velocities that have the amount of the track's, but hardly its direction.
+pub(super) struct Turned {
+    pub ids: Vec<Id>,
+    /// How they agree along north and east at best.
+    pub earth: Fit,
+}
+
+/// Takes columns for the velocity over ground as far as they agree with it.
+pub(super) fn along_earth(board: &mut Board, ids: &[Id], best: Fit) {
+    let names = board.names(ids);
+    let first = ids[0];
     if (0.5..0.8).contains(&best.score) {
         // The places are too uncertain to say.
         return;
     }
     if best.score < 0.5 {
-        let (n, e) = (&raw[0], &raw[1]);
-        let size: Vec<f64> = n.iter().zip(e).map(|(n, e)| n.hypot(*e)).collect();
-        let is_turned = ratio(&known.speed(), &size).is_some_and(|(_, scatter)| scatter < 0.15);
-        let why = if is_turned {
-            "their amount is that of the track's velocity, but not along north and east: they are along the body's axes"
-        } else {
-            "they contradict the steps of the position"
-        };
-        for id in &ids {
+        let why = "they contradict the steps of the position";
+        for id in ids {
             board.drop(*id, why);
         }
-        board.tell(north.0, format!("{names}: {why}; not used"));
+        board.tell(first.0, format!("{names}: {why}; not used"));
         return;
     }
     let roles = [
@@ -106,16 +127,15 @@ fn vector(board: &mut Board, known: &mut Known, north: Id, east: Id) {
     ];
     if best.axes != EARTH[0] {
         board.tell(
-            north.0,
+            first.0,
             format!(
                 "{names}: their axes are {}, as the steps of the position say",
                 best.axes.name
             ),
         );
     }
-    let all = [Some(north), Some(east), down];
     for (axis, name) in roles.into_iter().enumerate() {
-        if let Some(id) = all[best.axes.order[axis]] {
+        if let Some(id) = ids.get(best.axes.order[axis]).copied() {
             let turned = best.axes.sign[axis]
                 * if axis == 2 && best.axes == EARTH[0] {
                     board.column(id).scale
@@ -125,7 +145,7 @@ fn vector(board: &mut Board, known: &mut Known, north: Id, east: Id) {
             board.assign(id, ColumnRole::Channel(name), turned, 0.0);
         }
     }
-    board.settle_unit(&ids, best.factor, TOLERANCE, "the steps of the position");
+    board.settle_unit(ids, best.factor, TOLERANCE, "the steps of the position");
 }
 
 fn speed(board: &mut Board, known: &mut Known, id: Id) {
