@@ -51,7 +51,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
             }
             return Ok(());
         }
-        Opened::Nothing => {}
+        Opened::Nothing(_) => {}
     }
     let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
     if let Ok(run) = pilotage_core::navigator::decode_run(&path.to_string_lossy(), &bytes) {

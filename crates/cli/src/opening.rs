@@ -28,8 +28,8 @@ pub enum Opened {
     Folder(Box<FlightFolder>),
     /// A log of another program, and the files beside it.
     Log(Box<Log>, Arc<dyn FileSet>),
-    /// None of these.
-    Nothing,
+    /// None of these, and why tables among them are none, or empty.
+    Nothing(String),
 }
 
 /// Pictures of a flight.
@@ -52,7 +52,8 @@ impl Opened {
                 let frames = frames.unwrap_or_else(|| Box::new(NoPictures));
                 Ok(Some((flight, frames, Vec::new())))
             }
-            Self::Nothing => Ok(None),
+            Self::Nothing(told) if told.is_empty() => Ok(None),
+            Self::Nothing(told) => Err(told),
         }
     }
 }
@@ -78,11 +79,14 @@ pub fn open(path: &Path, columns: Option<&Path>) -> Result<Opened, Box<dyn std::
         return Ok(Opened::Log(Box::new(log), beside));
     }
     if !has_ending(path, &TABLES) {
-        return Ok(Opened::Nothing);
+        return Ok(Opened::Nothing(String::new()));
     }
     let (files, names) = tables_at(&[path.to_owned()])?;
     let folder = open_tables(&files, &names, columns)?;
-    Ok(folder.map_or(Opened::Nothing, |folder| Opened::Folder(Box::new(folder))))
+    Ok(match folder {
+        Some(folder) => Opened::Folder(Box::new(folder)),
+        None => Opened::Nothing(nothing(files.as_ref(), &names)),
+    })
 }
 
 /// Contents of a zip or of a MATLAB file, as files; `None` of anything else.
@@ -122,18 +126,28 @@ fn open_folder(
     if let Some(folder) = open_tables(files, &names, columns)? {
         return Ok(Opened::Folder(Box::new(folder)));
     }
-    let photos = read_photos(files).ok_or_else(|| nothing(&names))?;
+    let photos = read_photos(files).ok_or_else(|| nothing(files.as_ref(), &names))?;
     Ok(Opened::Folder(Box::new(photos)))
 }
 
 /// That nothing among files is a flight, and what to do.
-fn nothing(tables: &[String]) -> String {
+fn nothing(files: &dyn FileSet, tables: &[String]) -> String {
     if tables.is_empty() {
         return FolderError::NoFlightFile.to_string();
     }
-    "there is no flight.json among the files, and of their tables no flight can be made as they are guessed; see \
-     `pilotage columns`"
-        .to_owned()
+    let guessed = guess_tables(files, tables).into_iter();
+    let told: Vec<String> = guessed
+        .flat_map(|table| {
+            let file = table.map.file;
+            let findings = table.map.findings.into_iter();
+            findings.map(move |finding| format!("\n  {file}: {finding}"))
+        })
+        .collect();
+    format!(
+        "there is no flight.json among the files, and of their tables no flight can be made as they are guessed; see \
+         `pilotage columns`{}",
+        told.concat()
+    )
 }
 
 /// The first log among files, by what is in it.

@@ -259,7 +259,11 @@ pub(super) fn groups(file: &str, names: &[Parts], is_numeric: &[bool]) -> Vec<Gr
     let file_words = context(file);
     let mut stems: Vec<Stem> = Vec::new();
     for (index, parts) in names.iter().enumerate() {
-        let Some((stem, letter)) = parts.component().filter(|_| is_numeric[index]) else {
+        // Columns that are only counted are no axes of anything.
+        let is_name =
+            |(stem, letter): &(Vec<String>, char)| !(stem.is_empty() && letter.is_ascii_digit());
+        let component = parts.component().filter(|_| is_numeric[index]);
+        let Some((stem, letter)) = component.filter(is_name) else {
             continue;
         };
         match stems.iter_mut().find(|(known, _)| *known == stem) {

@@ -9,7 +9,7 @@ use super::sampling::sampled;
 use super::several::{hemispheres, parts_of_time, places};
 use super::time::unit_of_time;
 use super::values::{UnitGuess, are_degrees, unit};
-use super::{Alternative, ColumnMap, ColumnRole, MappedColumn, Sample};
+use super::{Alternative, ColumnMap, ColumnRole, MappedColumn, Sample, long};
 use crate::folder::Dimension;
 
 /// Below this a name says nothing.
@@ -45,7 +45,8 @@ pub(super) fn wanted(map: &ColumnMap, groups: &[Group], times: &[usize]) -> Vec<
     let unknown: Vec<usize> = unknown.flat_map(|group| group.columns.clone()).collect();
     let columns = map.columns.iter().enumerate();
     let is_wanted = |(index, column): (usize, &MappedColumn)| {
-        column.role != ColumnRole::Nothing || unknown.contains(&index) || times.contains(&index)
+        let is_known = column.role != ColumnRole::Nothing || !map.shape.has_header;
+        is_known || unknown.contains(&index) || times.contains(&index)
     };
     columns.map(is_wanted).collect()
 }
@@ -67,10 +68,10 @@ pub(super) fn guess_with_samples(file: &str, bytes: &[u8]) -> Option<Guess> {
     let map = ColumnMap {
         file: file.to_owned(),
         shape,
-        columns,
         rows_per_second: None,
-        findings: Vec::new(),
+        findings: long::told(&samples, &columns).into_iter().collect(),
         questions: Vec::new(),
+        columns,
     };
     Some(Guess {
         map,

@@ -15,6 +15,7 @@ mod guess;
 mod header;
 #[cfg(test)]
 mod logger_tests;
+mod long;
 mod map;
 mod names;
 mod physics;

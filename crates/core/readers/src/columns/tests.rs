@@ -263,6 +263,113 @@ fn the_text_tables_of_the_swiss_flight_are_understood() {
 }
 
 #[test]
+fn a_table_of_one_value_a_row_is_refused_with_what_to_do() {
+    use std::fmt::Write as _;
+    let mut text = "time,name,value\n".to_owned();
+    for i in 0..100 {
+        let time = 0.1 * f64::from(i);
+        for (name, value) in [("gps.lat", 47.1), ("gps.lon", 8.2), ("airspeed", 15.0)] {
+            writeln!(text, "{time:.1},{name},{}", value + 1e-4 * time).unwrap();
+        }
+    }
+    let map = guess_table("log.csv", text.as_bytes()).unwrap();
+    assert!(map.lacks().is_some());
+    let told = map.findings.join("; ");
+    let call = r#"pivot_table(index="time", columns="name", values="value")"#;
+    assert!(
+        told.contains("one value with its name") && told.contains(call),
+        "{told}"
+    );
+    // A mode beside what was measured is no name of it.
+    let modes =
+        "time,mode,airspeed\n0,AUTO,15\n1,AUTO,16\n2,LOITER,15.5\n3,LOITER,15.1\n4,LOITER,15\n";
+    let map = guess_table("log.csv", modes.as_bytes()).unwrap();
+    assert_eq!(map.findings, Vec::<String>::new());
+}
+
+/// The flight that the tests of dead reckoning read by a flight.json written by hand.
+#[test]
+fn the_text_tables_without_names_of_the_same_flight_are_understood_by_their_values() {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../../../shared/data/inertialnav_x8/InputFilesPX4_search.zip");
+    let Ok(bytes) = std::fs::read(path) else {
+        println!("skipped: no shared data");
+        return;
+    };
+    let files = pilotage_base::files::ZipFiles::open(&bytes).unwrap();
+    let files: Arc<dyn FileSet> = Arc::new(files);
+    let tables = tables(&files);
+    let channel = |name| Channel(name);
+    let expected = [
+        ("ATT.txt", "#1", Time, "ms"),
+        ("ATT.txt", "#3", channel(ChannelName::Roll), "deg"),
+        ("ATT.txt", "#4", channel(ChannelName::Pitch), "deg"),
+        ("ATT.txt", "#5", channel(ChannelName::Heading), "deg"),
+        ("IMU.txt", "#3", channel(ChannelName::RollRate), "rad/s"),
+        ("IMU.txt", "#4", channel(ChannelName::PitchRate), "rad/s"),
+        ("IMU.txt", "#5", channel(ChannelName::YawRate), "rad/s"),
+        (
+            "IMU.txt",
+            "#6",
+            channel(ChannelName::AccelerationForward),
+            "m/s2",
+        ),
+        (
+            "IMU.txt",
+            "#7",
+            channel(ChannelName::AccelerationRight),
+            "m/s2",
+        ),
+        (
+            "IMU.txt",
+            "#8",
+            channel(ChannelName::AccelerationDown),
+            "m/s2",
+        ),
+        ("NTUN.txt", "#8", channel(ChannelName::Airspeed), "m/s"),
+    ];
+    for table in &tables {
+        for column in table
+            .map
+            .columns
+            .iter()
+            .filter(|c| c.role != ColumnRole::Nothing)
+        {
+            println!(
+                "{} {} {:?} {}",
+                table.map.file, column.name, column.role, column.unit
+            );
+        }
+    }
+    for (file, name, role, unit) in expected {
+        assert_eq!(
+            guessed(map_of(&tables, file), name),
+            is(role, unit),
+            "{file} {name}"
+        );
+    }
+    let maps: Vec<ColumnMap> = tables
+        .into_iter()
+        .filter(|t| t.is_proposed)
+        .map(|t| t.map)
+        .collect();
+    let flight = flight_of_tables(&files, &maps).unwrap().flight;
+    let origin = flight.frame_on_globe.unwrap().origin;
+    assert!((origin.latitude.to_degrees() - 47.389_156).abs() < 1e-4);
+    assert!((origin.longitude.to_degrees() - 8.033_634).abs() < 1e-4);
+    for name in [
+        ChannelName::GpsNorth,
+        ChannelName::GpsVelocityNorth,
+        ChannelName::GpsHeight,
+    ] {
+        assert!(
+            flight.channel(name).is_some_and(|c| c.values.len() > 100),
+            "{name:?}"
+        );
+    }
+}
+
+#[test]
 fn the_tables_of_a_log_agree_on_one_clock_and_share_the_channels_out() {
     let kinds = ["ATT", "CMD", "GPS", "IMU", "MAG", "MODE", "NTUN"];
     let names = kinds.map(|kind| format!("TestLog2_{kind}.csv"));

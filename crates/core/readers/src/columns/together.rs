@@ -264,7 +264,7 @@ fn preference(table: &GuessedTable, name: ChannelName, columns: &[usize]) -> f64
     let words = context(&table.map.file);
     let is_called = words
         .iter()
-        .any(|word| ["gps", "gnss", "fix"].contains(&word.as_str()));
+        .any(|word| word.starts_with("gps") || ["gnss", "fix"].contains(&word.as_str()));
     let has = |role| table.map.column(role).is_some();
     let is_receiver = has(ColumnRole::Latitude) || has(ColumnRole::Place);
     let of_satellites = matches!(

@@ -195,3 +195,53 @@ fn a_velocity_along_the_body_without_an_attitude_is_refused_with_a_sentence() {
             .is_none()
     );
 }
+
+#[test]
+fn columns_without_names_are_told_by_how_their_values_go_together() {
+    let flown = moments(Craft::Airplane);
+    for (velocity, place) in [
+        (written::Velocity::Ned, written::Place::Degrees),
+        (written::Velocity::Enu, written::Place::TenMillionths),
+    ] {
+        let choices = Choices {
+            velocity,
+            place,
+            has_inertial: Some(true),
+            airspeed: Some(written::Speed::Metres),
+            wind: written::Wind::None,
+            ..Choices::default()
+        };
+        let text = table(&flown, &choices);
+        let (_, rows) = text.split_once('\n').unwrap();
+        assert_eq!(
+            verdict(rows, &flown, &choices),
+            Verdict::Right,
+            "{velocity:?}"
+        );
+        let (maps, _) = read(rows);
+        let told = maps[0].findings.join("; ");
+        assert!(told.contains("its columns have no names"), "{told}");
+    }
+}
+
+#[test]
+fn numbers_without_names_that_are_no_flight_are_refused_with_a_sentence() {
+    use std::fmt::Write as _;
+    let mut text = String::new();
+    for i in 0..400 {
+        let time = 0.1 * f64::from(i);
+        let noise = |k: f64| ((k * 12.9898 + time * 78.233).sin() * 43_758.545).fract();
+        writeln!(
+            text,
+            "{time:.1},{:.5},{:.5},{:.5}",
+            noise(1.0),
+            noise(2.0),
+            noise(3.0)
+        )
+        .unwrap();
+    }
+    let (maps, flight) = read(&text);
+    assert!(flight.is_err());
+    let told = maps[0].findings.join("; ");
+    assert!(told.contains("write names into its first line"), "{told}");
+}

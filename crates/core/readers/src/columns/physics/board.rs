@@ -55,7 +55,9 @@ impl<'a, 'b> Board<'a, 'b> {
         let used = self.times.iter().enumerate().filter(|(index, times)| {
             let is_used =
                 |c: &MappedColumn| !matches!(c.role, ColumnRole::Nothing | ColumnRole::Time);
-            with_times(times) && self.maps[*index].columns.iter().any(is_used)
+            let map = &self.maps[*index];
+            // Of columns without names nobody knows yet.
+            with_times(times) && (map.columns.iter().any(is_used) || !map.shape.has_header)
         });
         let spans = used.map(|(_, times)| {
             // A time that leaps is none.

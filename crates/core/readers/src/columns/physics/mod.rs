@@ -14,6 +14,7 @@ mod grid;
 mod heights;
 mod inertial;
 mod lean;
+mod nameless;
 mod place;
 mod quaternion;
 mod questions;
@@ -67,24 +68,30 @@ struct Known {
 pub(super) fn judge(maps: &mut [&mut ColumnMap], evidence: &[Evidence]) {
     let mut board = Board::new(maps, evidence);
     let Some(grid) = board.grid() else {
+        nameless::tell(&mut board);
         questions::ask(&mut board);
         return;
     };
     let mut known = Known::new(grid);
+    nameless::place(&mut board);
     place::judge(&mut board, &mut known);
     unknown::place(&mut board, &known);
+    nameless::heights(&mut board, &known);
     velocity::judge(&mut board, &mut known);
     heights::judge(&mut board, &mut known);
+    nameless::attitude(&mut board, &known);
     attitude::judge(&mut board, &mut known);
     heights::by_pitch(&mut board, &known);
     body_velocity::judge(&mut board, &known);
     unknown::inertial(&mut board, &known);
     inertial::judge(&mut board, &mut known);
+    nameless::airspeed(&mut board, &known);
     air::judge(&mut board, &known);
     // What contradicted the track may have left others alone.
     for map in board.maps.iter_mut() {
         settle(&mut map.columns);
     }
+    nameless::tell(&mut board);
     questions::ask(&mut board);
 }
 

@@ -26,14 +26,26 @@ fn triples(board: &Board) -> Vec<[Id; 3]> {
             }
         }
     }
+    found.extend(super::nameless::windows::<3>(board));
     found
 }
 
 fn take(board: &mut Board, ids: [Id; 3], kind: Kind, unit: &str, why: &str) {
     let roles = kind.roles();
+    // Of tables without names each tells what it has; which of them is to be believed is settled between them.
+    let table = ids[0].0;
+    let is_nameless = !board.maps[table].shape.has_header;
+    let find = |role| {
+        if is_nameless {
+            board.find_in(table, role)
+        } else {
+            board.find(role)
+        }
+    };
     let is_there =
-        |role: Option<(ColumnRole, f64)>| role.is_some_and(|(role, _)| board.find(role).is_some());
-    if roles.into_iter().any(is_there) {
+        |role: Option<(ColumnRole, f64)>| role.is_some_and(|(role, _)| find(role).is_some());
+    let is_taken = |id: &Id| board.column(*id).role != ColumnRole::Nothing;
+    if roles.into_iter().any(is_there) || ids.iter().any(is_taken) {
         return;
     }
     let names = board.names(&ids);
