@@ -2,6 +2,7 @@
 
 use pilotage_core::landmark::TemplateFeatures;
 use pilotage_core::navigator::{EstimatorChoice, NavigatorSettings, VehicleChoice};
+use pilotage_core::registration::FollowSettings;
 
 /// Names of the vehicle models on the command line.
 pub const VEHICLES: [(&str, VehicleChoice); 7] = [
@@ -92,13 +93,21 @@ fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), S
             settings.whole_frames = switch()?.then(|| settings.whole_frames.unwrap_or_default());
         }
         "frame-height" => {
-            let frames = settings.whole_frames.get_or_insert_default();
-            frames.height = number()?;
+            frames(settings).height = number()?;
         }
+        "frame-within" => frames(settings).farthest = Some(number()?),
+        "frame-heading-within" => frames(settings).limit_heading(number()?.to_radians()),
+        "frame-height-within" => frames(settings).limit_height(0.01 * number()?),
+        "map-accuracy" => frames(settings).map_deviation = number()?,
         "start-wind" => settings.start.wind = number()?,
         _ => return Err(format!("--filter: there is no setting \"{key}\"")),
     }
     Ok(())
+}
+
+/// What is assumed of whole frames, which are laid from now on.
+fn frames(settings: &mut NavigatorSettings) -> &mut FollowSettings {
+    settings.whole_frames.get_or_insert_default()
 }
 
 #[cfg(test)]
@@ -117,6 +126,16 @@ mod tests {
         assert!(apply(&mut settings, "features=smell").is_err());
         apply(&mut settings, "frame-height=45").unwrap();
         assert_eq!(settings.whole_frames.unwrap().height, 45.0);
+        let limits =
+            "frame-within=60,frame-heading-within=15,frame-height-within=12,map-accuracy=3";
+        apply(&mut settings, limits).unwrap();
+        let frames = settings.whole_frames.unwrap();
+        assert_eq!(
+            (frames.farthest, frames.map_deviation, frames.height),
+            (Some(60.0), 3.0, 45.0)
+        );
+        assert!((frames.heading_limit() - 15_f64.to_radians()).abs() < 1e-12);
+        assert!((frames.height_limit() - 0.12).abs() < 1e-12);
         apply(&mut settings, "whole-frames=false").unwrap();
         assert!(settings.whole_frames.is_none());
         assert!(

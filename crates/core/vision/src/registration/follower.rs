@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::limits::{deviation_within, limit_of, log_deviation_within, share_of};
 use super::prior::{HeadingPrior, PosePrior};
 use super::register::Registration;
 use super::shape::MapShape;
@@ -32,6 +33,32 @@ pub struct FollowSettings {
     /// made with ground control or by the flight itself near 0.
     #[serde(default)]
     pub map_deviation: f64,
+    /// Farthest to each side of where the aircraft is believed to be that a frame is searched, metres; as far as the
+    /// filter is uncertain where it is `None`.
+    #[serde(default)]
+    pub farthest: Option<f64>,
+}
+
+impl FollowSettings {
+    /// Farthest to each side of a measured heading that frames are searched, radians.
+    pub fn heading_limit(&self) -> f64 {
+        limit_of(self.heading_deviation)
+    }
+
+    /// Searches headings no farther than `limit` (radians) to each side of a measured one.
+    pub fn limit_heading(&mut self, limit: f64) {
+        self.heading_deviation = deviation_within(limit);
+    }
+
+    /// Largest share of a measured height that it may be exceeded by: 0.2 is 20 %.
+    pub fn height_limit(&self) -> f64 {
+        share_of(self.measured_log_height_deviation)
+    }
+
+    /// Searches heights up to `share` of a measured one above it, and down by the same factor.
+    pub fn limit_height(&mut self, share: f64) {
+        self.measured_log_height_deviation = log_deviation_within(share);
+    }
 }
 
 impl Default for FollowSettings {
@@ -47,6 +74,7 @@ impl Default for FollowSettings {
             slope_deviation: 3_f64.to_radians(),
             shape_deviation: 0.1,
             map_deviation: 0.0,
+            farthest: None,
         }
     }
 }
@@ -137,9 +165,10 @@ impl Follower {
                 may_be_turned: s.may_be_turned,
             },
         };
+        let most = s.farthest.map_or(f64::INFINITY, deviation_within);
         PosePrior {
             position,
-            position_deviation,
+            position_deviation: position_deviation.min(most),
             height,
             log_height_deviation,
             heading,
@@ -187,5 +216,46 @@ impl Follower {
     /// Standard deviations of the shape's two numbers.
     pub fn shape_deviations(&self) -> [f64; 2] {
         [self.along.variance.sqrt(), self.across.variance.sqrt()]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lost_filter_searches_no_farther_than_the_settings_allow() {
+        let mut settings = FollowSettings::default();
+        let searched = |settings: FollowSettings, believed: f64| {
+            let follower = Follower::new(settings);
+            let at = GroundPoint::new(0.0, 0.0);
+            let prior = follower.prior(0.0, at, believed, &Measured::default());
+            limit_of(prior.position_deviation)
+        };
+        assert!((searched(settings, 200.0) - 500.0).abs() < 1e-9);
+        settings.farthest = Some(80.0);
+        assert!((searched(settings, 200.0) - 80.0).abs() < 1e-9);
+        assert!((searched(settings, 10.0) - 25.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn limits_of_heading_and_height_are_what_is_searched() {
+        let mut settings = FollowSettings::default();
+        settings.limit_heading(0.4);
+        settings.limit_height(0.25);
+        let measured = Measured {
+            heading: Some(1.0),
+            height: Some(100.0),
+            ..Measured::default()
+        };
+        let at = GroundPoint::new(0.0, 0.0);
+        let prior = Follower::new(settings).prior(0.0, at, 10.0, &measured);
+        let headings = prior.heading.candidates(0.05);
+        let greatest = headings.iter().copied().fold(f64::MIN, f64::max);
+        assert!((greatest - 1.4).abs() < 1e-9, "{greatest}");
+        let highest = prior.heights(0.05).into_iter().fold(f64::MIN, f64::max);
+        assert!((highest - 125.0).abs() < 1e-9, "{highest}");
+        assert!((settings.heading_limit() - 0.4).abs() < 1e-12);
+        assert!((settings.height_limit() - 0.25).abs() < 1e-12);
     }
 }

@@ -1,8 +1,9 @@
 //! How finely poses are tried.
 
 use super::guess::{BESIDE, Guess};
+use super::limits::REACH;
 use super::look::{Look, MapPose};
-use super::prior::{PosePrior, REACH};
+use super::prior::PosePrior;
 use nalgebra::Point3;
 use pilotage_base::frames::{GroundPoint, GroundRect, Pose, wrap_pi};
 

@@ -3,10 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::MapShape;
+use super::limits::REACH;
 use pilotage_base::frames::{Attitude, GroundPoint, wrap_pi};
-
-/// Standard deviations to each side that are searched.
-pub(super) const REACH: f64 = 2.5;
 
 /// What is known of the heading.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,8 +3,9 @@
 
 use super::grid::{Grid, Poses};
 use super::guess::Guess;
+use super::limits::REACH;
 use super::look::Look;
-use super::prior::{PosePrior, REACH};
+use super::prior::PosePrior;
 use super::weighed::Weighed;
 
 /// Heights over which one ground sample distance serves, as a logarithm.
