@@ -4,15 +4,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
-use pilotage_core::camera::CameraModel;
-use pilotage_core::flight::photo::{Photo, focal_in_pixels, photo_pose, read_photo};
+use pilotage_core::flight::photo::{LaidPhoto, PhotoLook, PhotoSearch};
 use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame};
 use pilotage_core::imagery::{CachedImagery, Imagery};
 use pilotage_core::mission::OpenMap;
-use pilotage_core::raster::{PYRAMID_LEVELS, Pyramid, decode_picture, encode_png};
-use pilotage_core::registration::{
-    HeadingPrior, LaidBy, Look, MapShape, NotRegistered, PosePrior, Registration, overlay, register,
-};
+use pilotage_core::raster::encode_png;
+use pilotage_core::registration::{LaidBy, overlay};
 use serde::Serialize;
 
 use crate::Outcome;
@@ -20,10 +17,6 @@ use crate::files::{Directory, DiskFile};
 use crate::numbers::numbers;
 use crate::replay::MAP_CACHE;
 
-/// Deviations within which it is searched.
-const REACH: f64 = 2.5;
-/// Where nothing tells the height: metres, and how far it is searched, percent.
-const USUAL_HEIGHT: (f64, f64) = (100.0, 150.0);
 /// Pixels across the picture of `--overlay`.
 const ACROSS: usize = 1200;
 
@@ -122,10 +115,11 @@ struct Ground {
 
 /// Lays every photo.
 pub fn run(arguments: &Arguments) -> Outcome {
+    let search = arguments.search()?;
     let ground = Ground::open(&arguments.map)?;
     let mut answers = Vec::new();
     for path in &arguments.photos {
-        let answer = answer(arguments, &ground, path)?;
+        let answer = answer(arguments, &search, &ground, path)?;
         if !arguments.json {
             print(&answer);
         }
@@ -158,45 +152,39 @@ impl Ground {
     }
 }
 
+impl Arguments {
+    /// The same as the search has it, in metres and radians.
+    fn search(&self) -> Result<PhotoSearch, String> {
+        Ok(PhotoSearch {
+            at: self.at.as_deref().map(lat_lon).transpose()?,
+            within: self.within,
+            height: self.height,
+            height_within: 0.01 * self.height_within,
+            heading: self.heading.map(f64::to_radians),
+            heading_within: self.heading_within.to_radians(),
+            ahead: self.ahead.map(f64::to_radians),
+            focal: self.focal,
+            map_deviation: self.map_accuracy,
+        })
+    }
+}
+
 fn answer(
     arguments: &Arguments,
+    search: &PhotoSearch,
     ground: &Ground,
     path: &Path,
 ) -> Result<Answer, Box<dyn std::error::Error>> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let told = |cause: &dyn std::fmt::Display| format!("{}: {cause}", path.display());
-    let bytes = std::fs::read(path).map_err(|e| told(&e))?;
-    let picture = decode_picture(&bytes).map_err(|e| told(&e))?;
-    let file = DiskFile::open(path, &name).map_err(|e| told(&e))?;
-    // What is no JPEG says nothing of itself.
-    let photo = read_photo(&file).unwrap_or_default();
-    let photo = Photo {
-        width: picture.width(),
-        height: picture.height(),
-        ..photo
-    };
-    let mut assumed = Vec::new();
-    let (focal, from) = match arguments.focal {
-        Some(focal) => (focal, "as you said"),
-        None => focal_in_pixels(&photo),
-    };
-    assumed.push(format!("focal length {focal:.0} pixels, {from}"));
-    let across = 2.0 * (0.5 * picture.width() as f64 / focal).atan();
-    let camera = CameraModel::pinhole(picture.width(), picture.height(), across);
-    let prior = prior(arguments, ground, &photo, &mut assumed)?;
-    let luminance = Pyramid::new(picture.to_gray(), PYRAMID_LEVELS);
-    let look = Look {
-        camera: &camera,
-        ground_down: 0.0,
-        luminance: &luminance,
-        map: ground.map.as_ref(),
-    };
+    let file = DiskFile::open(path, &name).map_err(|e| format!("{}: {e}", path.display()))?;
+    let bounds = ground.map.bounds();
+    let photo = PhotoLook::new(&file, search, ground.world.as_ref(), &bounds)?;
     let begun = Instant::now();
-    let result = register(&look, &prior);
+    let (said, found) = photo.lay(ground.map.as_ref());
     let seconds = begun.elapsed().as_secs_f64();
-    if let (Ok(found), Some(folder)) = (&result, &arguments.overlay) {
+    if let (Some(found), Some(folder)) = (&found, &arguments.overlay) {
         std::fs::create_dir_all(folder)?;
-        if let Some(picture) = overlay(&look, found, ACROSS) {
+        if let Some(picture) = overlay(&photo.over(ground.map.as_ref()), found, ACROSS) {
             let target = folder.join(Path::new(&*name).with_extension("png"));
             std::fs::write(&target, encode_png(&picture)?)
                 .map_err(|e| format!("{}: {e}", target.display()))?;
@@ -205,92 +193,10 @@ fn answer(
     Ok(Answer {
         photo: name.into_owned(),
         seconds,
-        assumed,
-        probability: result
-            .as_ref()
-            .map_or_else(NotRegistered::probability, |r| r.probability),
-        refused: result.as_ref().err().map(ToString::to_string),
-        laid: result.ok().map(|found| laid(ground, &found)),
-    })
-}
-
-/// What is known of a photo before it is looked at.
-fn prior(
-    arguments: &Arguments,
-    ground: &Ground,
-    photo: &Photo,
-    assumed: &mut Vec<String>,
-) -> Result<PosePrior, Box<dyn std::error::Error>> {
-    let at = arguments.at.as_deref().map(lat_lon).transpose()?;
-    let of_photo = photo.place.map(|p| Geodetic {
-        latitude: p.latitude,
-        longitude: p.longitude,
-        height: 0.0,
-    });
-    let bounds = ground.map.bounds();
-    let known = at.or(of_photo).zip(ground.world.as_ref());
-    let (position, within) = if let Some((place, world)) = known {
-        let by = if at.is_some() {
-            "as you said"
-        } else {
-            "as the photo says"
-        };
-        assumed.push(format!("place {by}, within {:.0} m", arguments.within));
-        (world.ground_from_geodetic(&place), arguments.within)
-    } else {
-        assumed.push("place anywhere on the map".to_owned());
-        (bounds.center(), 0.5 * bounds.width().max(bounds.height()))
-    };
-    let told = photo_pose(photo);
-    let (height, height_within) = match (arguments.height, told.height.filter(|h| *h > 0.0)) {
-        (Some(height), _) => (height, arguments.height_within),
-        (None, Some(height)) => {
-            assumed.push(format!(
-                "height {height:.0} m, which the photo counts from take-off"
-            ));
-            (height, arguments.height_within)
-        }
-        (None, None) => {
-            assumed.push(format!(
-                "height {:.0} m give or take {:.0} %: nothing tells it",
-                USUAL_HEIGHT.0, USUAL_HEIGHT.1
-            ));
-            USUAL_HEIGHT
-        }
-    };
-    let degrees = |text: f64| text.to_radians();
-    let heading = arguments.heading.map(degrees).or(told.heading);
-    assumed.push(match (arguments.heading, told.heading) {
-        (Some(heading), _) => format!("heading {heading:.0}° as you said"),
-        (None, Some(heading)) => format!(
-            "heading {:.0}°, pitch {:.0}° {}",
-            heading.to_degrees().rem_euclid(360.0),
-            told.pitch.to_degrees(),
-            told.told_by
-        ),
-        (None, None) => "any heading".to_owned(),
-    });
-    let heading = match heading {
-        Some(heading) if arguments.heading_within < 180.0 => HeadingPrior::Around {
-            heading,
-            deviation: degrees(arguments.heading_within) / REACH,
-            may_be_turned: false,
-        },
-        _ => HeadingPrior::Unknown,
-    };
-    Ok(PosePrior {
-        position,
-        position_deviation: within.max(1.0) / REACH,
-        height,
-        log_height_deviation: (1.0 + 0.01 * height_within).ln() / REACH,
-        heading,
-        roll: told.roll,
-        pitch: arguments.ahead.map_or(told.pitch, degrees),
-        tilt_deviation: degrees(3.0),
-        slope_deviation: degrees(3.0),
-        shape: MapShape::default(),
-        shape_deviation: 0.02,
-        map_deviation: arguments.map_accuracy,
+        assumed: said.assumed,
+        probability: said.probability,
+        refused: said.laid.as_ref().err().cloned(),
+        laid: said.laid.ok().map(|photo| laid(ground, &photo)),
     })
 }
 
@@ -304,34 +210,33 @@ fn lat_lon(text: &str) -> Result<Geodetic, String> {
     Ok(Geodetic::from_degrees(latitude, longitude, 0.0))
 }
 
-fn laid(ground: &Ground, found: &Registration) -> Laid {
-    let pose = found.camera.pose;
-    let below = GroundPoint::new(pose.position_in_world.x, pose.position_in_world.y);
-    let deviation = |i: usize| found.camera.covariance[(i, i)].max(0.0).sqrt();
-    let covariance = found.centre_covariance;
+fn laid(ground: &Ground, photo: &LaidPhoto) -> Laid {
+    let below = photo.below();
+    let attitude = photo.camera.attitude;
+    let covariance = photo.centre_covariance;
     Laid {
-        centre_lat_lon: ground.lat_lon(found.centre),
-        centre_north_east_m: [found.centre.north, found.centre.east],
+        centre_lat_lon: ground.lat_lon(photo.centre),
+        centre_north_east_m: [photo.centre.north, photo.centre.east],
         centre_covariance_m2: [
             [covariance[(0, 0)], covariance[(0, 1)]],
             [covariance[(1, 0)], covariance[(1, 1)]],
         ],
         camera_lat_lon: ground.lat_lon(below),
         camera_north_east_m: [below.north, below.east],
-        camera_deviation_m: [deviation(0), deviation(1)],
-        height_m: -pose.position_in_world.z,
-        height_deviation_m: deviation(2),
-        heading_deg: pose.attitude.yaw.to_degrees().rem_euclid(360.0),
-        heading_deviation_deg: deviation(5).to_degrees(),
-        roll_deg: pose.attitude.roll.to_degrees(),
-        pitch_deg: pose.attitude.pitch.to_degrees(),
-        stored_turn_deg: found.stored_turn.to_degrees(),
-        believed_by: match found.laid_by {
+        camera_deviation_m: [photo.camera_deviation(0), photo.camera_deviation(1)],
+        height_m: photo.height(),
+        height_deviation_m: photo.camera_deviation(2),
+        heading_deg: attitude.yaw.to_degrees().rem_euclid(360.0),
+        heading_deviation_deg: photo.camera_deviation(5).to_degrees(),
+        roll_deg: attitude.roll.to_degrees(),
+        pitch_deg: attitude.pitch.to_degrees(),
+        stored_turn_deg: photo.stored_turn.to_degrees(),
+        believed_by: match photo.laid_by {
             LaidBy::Patches => "patches",
             LaidBy::WholeFrame => "whole frame",
         },
-        patches: [found.matches.len(), found.tried],
-        log10_doubt: found.log_false_alarms,
+        patches: photo.patches,
+        log10_doubt: photo.log_doubt,
     }
 }
 

@@ -22,7 +22,8 @@ use pilotage_mission::settings::NavigatorSettings;
 use pilotage_raster::imagery::Imagery;
 use pilotage_raster::raster::Pyramid;
 use pilotage_vision::registration::{
-    FollowSettings, Follower, LaidBy, Look, Measured, NotRegistered, Registration, Sighting, sight,
+    FollowSettings, Follower, LaidBy, Look, Measured, NotRegistered, Registration, Sighting,
+    outline, sight,
 };
 
 /// Numbers of a place: north and east.
@@ -89,7 +90,10 @@ impl WholeFrames {
         let (report, footprint) = match verdict {
             Ok(found) => {
                 self.follower.learn(time, flight.ground_down, &found);
-                (report(&found), footprint(&look, &found))
+                (
+                    report(&found),
+                    outline(&look, &found.fit.at, found.stored_turn),
+                )
             }
             Err(cause) => (not_laid(&cause), Vec::new()),
         };
@@ -131,7 +135,10 @@ impl WholeFrames {
             luminance,
             map: self.map.as_ref(),
         };
-        (report(place), footprint(&look, place))
+        (
+            report(place),
+            outline(&look, &place.fit.at, place.stored_turn),
+        )
     }
 
     /// Forgets what the last frame taught: it was not believed.
@@ -150,17 +157,6 @@ pub fn measured(flight: &Flight, inputs: &Inputs, time: f64) -> Measured {
         pitch: value(ChannelName::Pitch),
         height: value(ChannelName::HeightAboveGround).filter(|height| *height > 0.0),
     }
-}
-
-fn footprint(look: &Look<'_>, found: &Registration) -> Vec<GroundPoint> {
-    let camera = look.camera.stored_turned(found.stored_turn);
-    let look = Look {
-        camera: &camera,
-        ..*look
-    };
-    let corners = camera.corners();
-    let seen = corners.iter().filter_map(|c| look.ground(&found.fit.at, c));
-    seen.collect()
 }
 
 impl From<&Registration> for LaidPlace {

@@ -19,7 +19,7 @@ use super::position::Positions;
 use super::table::Table;
 use super::time_unit;
 use super::units::Dimension;
-use crate::log::Log;
+use crate::log::{Log, LogFormat};
 use pilotage_base::files::{FileSet, Unresolved, find, folder_of, joined};
 use pilotage_base::frames::{Attitude, GroundPoint, LocalFrame};
 use pilotage_flight::{
@@ -61,6 +61,11 @@ impl FlightFolder {
             log.report.remark(sentence(note));
         }
         log
+    }
+
+    /// Whether photos alone tell of it.
+    pub fn is_of_photos(&self) -> bool {
+        matches!(&self.told, Told::Log(log) if log.format == LogFormat::Photos)
     }
 }
 

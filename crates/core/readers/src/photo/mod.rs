@@ -9,9 +9,11 @@ mod camera;
 mod exif;
 mod flight;
 mod head;
+mod laying;
 mod log;
 mod pose;
 mod read;
+mod search;
 #[cfg(test)]
 mod tests;
 mod timed;
@@ -19,5 +21,7 @@ mod xmp;
 
 pub use camera::focal_in_pixels;
 pub use flight::read_photos;
+pub use laying::{LaidPhoto, PhotoAnswer, PhotoLook};
 pub use pose::{PhotoPose, photo_pose};
 pub use read::{Photo, PhotoError, PhotoPlace, read_photo};
+pub use search::PhotoSearch;

@@ -1,6 +1,7 @@
 //! A picture, its camera and the map on which it is laid.
 
 use nalgebra::{Point2, Point3, Rotation3, Vector2, Vector3};
+use serde::{Deserialize, Serialize};
 
 use super::MapShape;
 use crate::landmark::{GroundView, rectify_plane};
@@ -11,7 +12,7 @@ use pilotage_raster::raster::Pyramid;
 
 /// A pose over a map that may be stretched. The position below is a place on the map; the height is
 /// that above the real ground.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MapPose {
     /// Pose of the body; north and east on the map.
     pub pose: Pose,

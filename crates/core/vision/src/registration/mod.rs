@@ -14,6 +14,7 @@
 mod agreement;
 mod camera_place;
 mod contrast;
+mod drape;
 mod edges;
 mod fit;
 mod follower;
@@ -34,6 +35,7 @@ mod weighed;
 use crate::evidence;
 
 pub use camera_place::CameraPlace;
+pub use drape::{Draped, drape, outline};
 pub use evidence::Evidence;
 pub use fit::{PoseFit, UNKNOWNS};
 pub use follower::{FollowSettings, Follower, Measured};

@@ -1,0 +1,165 @@
+//! One photo laid on a map by itself.
+
+use nalgebra::{Matrix2, Matrix6};
+use serde::{Deserialize, Serialize};
+
+use super::read::{Photo, read_photo};
+use super::search::PhotoSearch;
+use pilotage_base::bytes::ByteSource;
+use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame, Pose};
+use pilotage_raster::camera::CameraModel;
+use pilotage_raster::imagery::Imagery;
+use pilotage_raster::raster::{PYRAMID_LEVELS, Picture, Pyramid, decode_picture};
+use pilotage_vision::registration::{
+    LaidBy, Look, MapPose, NotRegistered, PosePrior, Registration, outline, register,
+};
+
+/// A photo that is ready to be laid on a map.
+pub struct PhotoLook {
+    /// Its pixels.
+    pub picture: Picture,
+    /// Its camera, which looks straight down when the body is level.
+    pub camera: CameraModel,
+    /// What is known of its pose.
+    pub prior: PosePrior,
+    /// What was assumed, and from where, in words.
+    pub assumed: Vec<String>,
+    luminance: Pyramid,
+}
+
+/// What came of a photo.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PhotoAnswer {
+    /// What was assumed, and from where, in words.
+    pub assumed: Vec<String>,
+    /// Probability of the likeliest place by the whole frame alone, 0 to 1.
+    pub probability: f64,
+    /// Where it lies, or why it was not laid, in words.
+    pub laid: Result<LaidPhoto, String>,
+}
+
+/// Where a photo was laid; places are metres north and east in the map's world.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LaidPhoto {
+    /// Pose over the map, by which the picture is drawn on it.
+    pub at: MapPose,
+    /// Turn of the stored picture, radians clockwise, a multiple of a quarter turn.
+    pub stored_turn: f64,
+    /// Pose of the camera, the slope of the ground told from its tilt.
+    pub camera: Pose,
+    /// Its covariance: north, east, down (metres), roll, pitch, yaw (radians).
+    pub camera_covariance: Matrix6<f64>,
+    /// Ground in the middle of the picture.
+    pub centre: GroundPoint,
+    /// Its covariance (north, east), m², the map's own error in it.
+    pub centre_covariance: Matrix2<f64>,
+    /// By what it was believed.
+    pub laid_by: LaidBy,
+    /// Patches that agree, of those that could be found.
+    pub patches: [usize; 2],
+    /// Logarithm (base 10) of how likely it is wrong.
+    pub log_doubt: f64,
+    /// Ground at the corners of the picture, clockwise from its top left.
+    pub outline: Vec<GroundPoint>,
+}
+
+impl PhotoLook {
+    /// Decodes a photo, and gathers what it tells and what is known better. The map lies in `world` on the globe; a photo
+    /// of which no place is known is searched all over `ground`.
+    ///
+    /// # Errors
+    /// The picture cannot be read or decoded, in words that name it.
+    pub fn new(
+        source: &dyn ByteSource,
+        search: &PhotoSearch,
+        world: Option<&LocalFrame>,
+        ground: &GroundRect,
+    ) -> Result<Self, String> {
+        let told = |cause: &dyn std::fmt::Display| format!("{}: {cause}", source.name());
+        let bytes = source.read(0, source.length() as usize);
+        let bytes = bytes.map_err(|cause| told(&cause))?;
+        let picture = decode_picture(&bytes).map_err(|cause| told(&cause))?;
+        // What is no JPEG says nothing of itself.
+        let photo = Photo {
+            width: picture.width(),
+            height: picture.height(),
+            ..read_photo(source).unwrap_or_default()
+        };
+        let mut assumed = Vec::new();
+        let camera = search.camera(&photo, &mut assumed);
+        let prior = search.prior(&photo, world, ground, &mut assumed);
+        Ok(Self {
+            luminance: Pyramid::new(picture.to_gray(), PYRAMID_LEVELS),
+            picture,
+            camera,
+            prior,
+            assumed,
+        })
+    }
+
+    /// The photo over `map`, whose ground is level at zero.
+    pub fn over<'a>(&'a self, map: &'a dyn Imagery) -> Look<'a> {
+        Look {
+            camera: &self.camera,
+            ground_down: 0.0,
+            luminance: &self.luminance,
+            map,
+        }
+    }
+
+    /// Lays it on `map`; beside the answer, all that is known of where it lies.
+    pub fn lay(&self, map: &dyn Imagery) -> (PhotoAnswer, Option<Registration>) {
+        let look = self.over(map);
+        let found = register(&look, &self.prior);
+        let probability = found
+            .as_ref()
+            .map_or_else(NotRegistered::probability, |found| found.probability);
+        let answer = PhotoAnswer {
+            assumed: self.assumed.clone(),
+            probability,
+            laid: match &found {
+                Ok(found) => Ok(LaidPhoto::of(&look, found)),
+                Err(cause) => Err(cause.to_string()),
+            },
+        };
+        (answer, found.ok())
+    }
+}
+
+impl LaidPhoto {
+    fn of(look: &Look<'_>, found: &Registration) -> Self {
+        Self {
+            at: found.fit.at,
+            stored_turn: found.stored_turn,
+            camera: found.camera.pose,
+            camera_covariance: found.camera.covariance,
+            centre: found.centre,
+            centre_covariance: found.centre_covariance,
+            laid_by: found.laid_by,
+            patches: [found.matches.len(), found.tried],
+            log_doubt: found.log_false_alarms,
+            outline: outline(look, &found.fit.at, found.stored_turn),
+        }
+    }
+
+    /// Ground straight below the camera.
+    pub fn below(&self) -> GroundPoint {
+        let position = self.camera.position_in_world;
+        GroundPoint::new(position.x, position.y)
+    }
+
+    /// Height of the camera above the ground, metres.
+    pub fn height(&self) -> f64 {
+        -self.camera.position_in_world.z
+    }
+
+    /// Standard deviation of a part of the camera's pose, by its number in the covariance: metres and radians.
+    pub fn camera_deviation(&self, part: usize) -> f64 {
+        self.camera_covariance[(part, part)].max(0.0).sqrt()
+    }
+
+    /// Standard deviation per axis of the ground in the middle of the picture, metres.
+    pub fn centre_deviation(&self) -> f64 {
+        (0.5 * self.centre_covariance.trace().max(0.0)).sqrt()
+    }
+}

@@ -1,0 +1,262 @@
+//! How a photo is looked for on a map: what it tells, what is known better, and how far around that is searched.
+
+use serde::{Deserialize, Serialize};
+
+use super::camera::focal_in_pixels;
+use super::pose::{PhotoPose, photo_pose};
+use super::read::Photo;
+use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
+use pilotage_raster::camera::CameraModel;
+use pilotage_vision::registration::{
+    HeadingPrior, MapShape, PosePrior, deviation_within, log_deviation_within,
+};
+
+/// Where nothing tells the height: metres, and the share by which it may be exceeded.
+const USUAL_HEIGHT: (f64, f64) = (100.0, 1.5);
+/// Standard deviation of roll and pitch, and of the slope of the ground, radians.
+const TILT: f64 = 0.052;
+/// Standard deviation of how the map is stretched.
+const STRETCH: f64 = 0.02;
+
+/// How a photo is looked for on a map.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PhotoSearch {
+    /// Place below the camera (its height does not count); what the photo says if `None`.
+    pub at: Option<Geodetic>,
+    /// How far from there it is searched to each side, metres.
+    pub within: f64,
+    /// Height above the ground, metres; what the photo says if `None`.
+    pub height: Option<f64>,
+    /// Share of the height by which it may be exceeded (0.2 is 20 %); as many times less is searched as well.
+    pub height_within: f64,
+    /// Heading of the picture's top, radians clockwise from north; what the photo says if `None`.
+    pub heading: Option<f64>,
+    /// How far from there headings are searched to each side, radians; π is all around.
+    pub heading_within: f64,
+    /// How far the camera looks ahead of straight down, radians; what the photo says if `None`.
+    pub ahead: Option<f64>,
+    /// Focal length, pixels of the stored picture; what the photo says if `None`.
+    pub focal: Option<f64>,
+    /// Standard deviation of the map's own place per axis, metres.
+    pub map_deviation: f64,
+}
+
+impl Default for PhotoSearch {
+    fn default() -> Self {
+        Self {
+            at: None,
+            within: 40.0,
+            height: None,
+            height_within: 0.2,
+            heading: None,
+            heading_within: 40_f64.to_radians(),
+            ahead: None,
+            focal: None,
+            map_deviation: 3.0,
+        }
+    }
+}
+
+impl PhotoSearch {
+    /// The camera of a photo, which looks straight down; what was assumed of it goes to `assumed`, in words.
+    pub fn camera(&self, photo: &Photo, assumed: &mut Vec<String>) -> CameraModel {
+        let (focal, from) = match self.focal {
+            Some(focal) => (focal, "as you said"),
+            None => focal_in_pixels(photo),
+        };
+        assumed.push(format!("focal length {focal:.0} pixels, {from}"));
+        let across = 2.0 * (0.5 * photo.width as f64 / focal).atan();
+        CameraModel::pinhole(photo.width, photo.height, across)
+    }
+
+    /// What is known of the pose of a photo before it is looked at, over a map that lies in `world` on the globe; what
+    /// was assumed goes to `assumed`, in words. A photo of which no place is known is searched all over `ground`.
+    pub fn prior(
+        &self,
+        photo: &Photo,
+        world: Option<&LocalFrame>,
+        ground: &GroundRect,
+        assumed: &mut Vec<String>,
+    ) -> PosePrior {
+        let told = photo_pose(photo);
+        let (position, within) = self.place(photo, world, ground, assumed);
+        let (height, height_within) = self.height(&told, assumed);
+        PosePrior {
+            position,
+            position_deviation: deviation_within(within.max(1.0)),
+            height,
+            log_height_deviation: log_deviation_within(height_within),
+            heading: self.heading(&told, assumed),
+            roll: told.roll,
+            pitch: self.ahead.unwrap_or(told.pitch),
+            tilt_deviation: TILT,
+            slope_deviation: TILT,
+            shape: MapShape::default(),
+            shape_deviation: STRETCH,
+            map_deviation: self.map_deviation,
+        }
+    }
+
+    fn place(
+        &self,
+        photo: &Photo,
+        world: Option<&LocalFrame>,
+        ground: &GroundRect,
+        assumed: &mut Vec<String>,
+    ) -> (GroundPoint, f64) {
+        let of_photo = photo.place.map(|place| Geodetic {
+            latitude: place.latitude,
+            longitude: place.longitude,
+            height: 0.0,
+        });
+        let Some((place, world)) = self.at.or(of_photo).zip(world) else {
+            assumed.push("place anywhere on the map".to_owned());
+            return (ground.center(), 0.5 * ground.width().max(ground.height()));
+        };
+        let by = if self.at.is_some() {
+            "as you said"
+        } else {
+            "as the photo says"
+        };
+        assumed.push(format!("place {by}, within {:.0} m", self.within));
+        (world.ground_from_geodetic(&place), self.within)
+    }
+
+    fn height(&self, told: &PhotoPose, assumed: &mut Vec<String>) -> (f64, f64) {
+        match (self.height, told.height.filter(|height| *height > 0.0)) {
+            (Some(height), _) => {
+                assumed.push(format!("height {height:.0} m as you said"));
+                (height, self.height_within)
+            }
+            (None, Some(height)) => {
+                assumed.push(format!(
+                    "height {height:.0} m, which the photo counts from take-off"
+                ));
+                (height, self.height_within)
+            }
+            (None, None) => {
+                let (height, share) = USUAL_HEIGHT;
+                assumed.push(format!(
+                    "height {height:.0} m give or take {:.0} %: nothing tells it",
+                    100.0 * share
+                ));
+                USUAL_HEIGHT
+            }
+        }
+    }
+
+    fn heading(&self, told: &PhotoPose, assumed: &mut Vec<String>) -> HeadingPrior {
+        let degrees = |angle: f64| angle.to_degrees().rem_euclid(360.0);
+        assumed.push(match (self.heading, told.heading) {
+            (Some(heading), _) => format!("heading {:.0}° as you said", degrees(heading)),
+            (None, Some(heading)) => format!(
+                "heading {:.0}°, pitch {:.0}° {}",
+                degrees(heading),
+                told.pitch.to_degrees(),
+                told.told_by
+            ),
+            (None, None) => "any heading".to_owned(),
+        });
+        match self.heading.or(told.heading) {
+            Some(heading) if self.heading_within < std::f64::consts::PI - 1e-9 => {
+                HeadingPrior::Around {
+                    heading,
+                    deviation: deviation_within(self.heading_within),
+                    may_be_turned: false,
+                }
+            }
+            _ => HeadingPrior::Unknown,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::read::PhotoPlace;
+    use super::*;
+    use pilotage_base::frames::Attitude;
+    use pilotage_vision::registration::{limit_of, share_of};
+
+    const GROUND: GroundRect = GroundRect {
+        north: 300.0,
+        south: -300.0,
+        west: -500.0,
+        east: 500.0,
+    };
+
+    fn photo() -> Photo {
+        Photo {
+            width: 1000,
+            height: 562,
+            place: Some(PhotoPlace {
+                latitude: 47.001_f64.to_radians(),
+                longitude: 8_f64.to_radians(),
+                altitude: None,
+            }),
+            height_above_take_off: Some(120.0),
+            is_gimbal_blank: true,
+            aircraft: Some(Attitude {
+                roll: 0.1,
+                pitch: 0.1,
+                yaw: 2.0,
+            }),
+            ..Photo::default()
+        }
+    }
+
+    fn world() -> LocalFrame {
+        LocalFrame::new(Geodetic::from_degrees(47.0, 8.0, 0.0))
+    }
+
+    #[test]
+    fn a_photo_is_looked_for_where_it_says_and_what_was_assumed_is_said() {
+        let mut assumed = Vec::new();
+        let search = PhotoSearch::default();
+        let prior = search.prior(&photo(), Some(&world()), &GROUND, &mut assumed);
+        assert!((prior.position.north - 111.2).abs() < 0.2, "{prior:?}");
+        assert!((limit_of(prior.position_deviation) - 40.0).abs() < 1e-9);
+        assert_eq!(prior.height, 120.0);
+        assert!((share_of(prior.log_height_deviation) - 0.2).abs() < 1e-9);
+        assert_eq!((prior.roll, prior.pitch), (0.0, 0.0));
+        let said = assumed.join("; ");
+        for part in ["within 40 m", "120 m", "from take-off", "gimbal", "115°"] {
+            assert!(said.contains(part), "{part}: {said}");
+        }
+    }
+
+    #[test]
+    fn what_is_known_better_counts_before_what_the_photo_says() {
+        let mut assumed = Vec::new();
+        let search = PhotoSearch {
+            at: Some(Geodetic::from_degrees(47.0, 8.0, 0.0)),
+            height: Some(90.0),
+            heading: Some(1.0),
+            ahead: Some(0.2),
+            ..PhotoSearch::default()
+        };
+        let prior = search.prior(&photo(), Some(&world()), &GROUND, &mut assumed);
+        assert!(prior.position.north.abs() < 1e-6);
+        assert_eq!((prior.height, prior.pitch), (90.0, 0.2));
+        let HeadingPrior::Around { heading, .. } = prior.heading else {
+            panic!("{prior:?}");
+        };
+        assert_eq!(heading, 1.0);
+        assert!(assumed.iter().all(|text| text.contains("as you said")));
+    }
+
+    #[test]
+    fn a_photo_that_says_nothing_may_be_anywhere_with_any_heading() {
+        let mut assumed = Vec::new();
+        let bare = Photo {
+            width: 1000,
+            height: 562,
+            ..Photo::default()
+        };
+        let search = PhotoSearch::default();
+        let prior = search.prior(&bare, Some(&world()), &GROUND, &mut assumed);
+        assert_eq!(prior.heading, HeadingPrior::Unknown);
+        assert!((limit_of(prior.position_deviation) - 500.0).abs() < 1e-9);
+        assert!((share_of(prior.log_height_deviation) - 1.5).abs() < 1e-9);
+        assert!(assumed.iter().any(|text| text == "any heading"));
+    }
+}
