@@ -10,6 +10,9 @@ use crate::shell::{caption, icons::Icon, muted, text_button, title};
 use crate::tokens::Tokens;
 use crate::units::Units;
 
+/// Limit of the search that is offered first, metres to each side.
+const USUAL_FARTHEST: f64 = 100.0;
+
 /// Draws the sheet; true when it is to be closed. `usual` are the settings made for the flight.
 pub fn settings_sheet(
     ui: &mut Ui,
@@ -110,18 +113,59 @@ fn whole_frames(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings, 
         length,
         5.0..=1000.0,
     );
-    let degrees = 1.0_f64.to_degrees();
-    scaled(
-        ui,
-        "Heading σ",
-        "°",
-        &mut assumed.heading_deviation,
-        degrees,
-        0.01..=0.5,
-    );
+    search_limits(ui, tokens, assumed, units);
     ui.checkbox(
         &mut assumed.may_be_turned,
         "Pictures may be stored turned by quarter turns",
+    );
+}
+
+/// How far around what is believed pictures are searched, and how far the map may be off.
+fn search_limits(ui: &mut Ui, tokens: &Tokens, assumed: &mut FollowSettings, units: Units) {
+    let (length, length_unit) = units.length();
+    let mut is_limited = assumed.farthest.is_some();
+    let limit = ui.checkbox(&mut is_limited, "Search no farther than a limit");
+    if limit.changed() {
+        assumed.farthest = is_limited.then_some(USUAL_FARTHEST);
+    }
+    if let Some(farthest) = &mut assumed.farthest {
+        let name = "Position, to each side";
+        scaled(ui, name, length_unit, farthest, length, 5.0..=2000.0);
+    }
+    meaning(
+        ui,
+        tokens,
+        "Otherwise pictures are searched as far as the filter is uncertain: a lost one searches far, and slowly.",
+    );
+    let mut heading = assumed.heading_limit();
+    let degrees = 1.0_f64.to_degrees();
+    let name = "Heading, to each side";
+    if scaled(ui, name, "°", &mut heading, degrees, 0.02..=1.2) {
+        assumed.limit_heading(heading);
+    }
+    meaning(
+        ui,
+        tokens,
+        "How wrong the measured heading may be, the camera’s mount included: compasses of small drones are up to 30° off.",
+    );
+    let mut height = assumed.height_limit();
+    let name = "Height, up and down";
+    if scaled(ui, name, "%", &mut height, 100.0, 0.01..=1.5) {
+        assumed.limit_height(height);
+    }
+    meaning(
+        ui,
+        tokens,
+        "How wrong a measured height may be: the ground is not level where it is counted from take-off.",
+    );
+    let name = "Map is good to, σ";
+    let map = &mut assumed.map_deviation;
+    linear_from_zero(ui, name, length_unit, map, length, 20.0);
+    meaning(
+        ui,
+        tokens,
+        "How far off the map itself may be, per axis: some 3 m for satellite and aerial maps of the web, near 0 for an \
+         orthophoto with ground control. No place is known better than its map.",
     );
 }
 
@@ -393,8 +437,32 @@ fn scaled(
 
 /// A slider about zero of a value shown `factor` times as large.
 fn linear(ui: &mut Ui, name: &str, unit: &str, value: &mut f64, factor: f64, most: f64) -> bool {
+    evenly(ui, name, unit, value, factor, -most..=most)
+}
+
+/// A slider from zero of a value shown `factor` times as large.
+fn linear_from_zero(
+    ui: &mut Ui,
+    name: &str,
+    unit: &str,
+    value: &mut f64,
+    factor: f64,
+    most: f64,
+) -> bool {
+    evenly(ui, name, unit, value, factor, 0.0..=most)
+}
+
+fn evenly(
+    ui: &mut Ui,
+    name: &str,
+    unit: &str,
+    value: &mut f64,
+    factor: f64,
+    range: std::ops::RangeInclusive<f64>,
+) -> bool {
     let mut shown = *value * factor;
-    let slider = Slider::new(&mut shown, -most * factor..=most * factor)
+    let range = range.start() * factor..=range.end() * factor;
+    let slider = Slider::new(&mut shown, range)
         .clamping(SliderClamping::Edits)
         .max_decimals(1);
     let changed = named(ui, name, unit, |ui| ui.add(slider));

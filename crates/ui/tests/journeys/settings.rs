@@ -83,3 +83,58 @@ fn whole_pictures_are_laid_on_the_map_when_that_is_wanted() {
     rig.settle();
     assert!(!flown_with(&mut rig).whole_frames.unwrap().may_be_turned);
 }
+
+#[test]
+fn how_far_pictures_are_searched_and_the_map_is_off_is_set_undone_and_kept() {
+    let mut rig = rig();
+    rig.harness.get_by_label("Filter settings").click();
+    rig.frames(3);
+    rig.harness
+        .get_by_label("Lay whole pictures on the map")
+        .click();
+    rig.frames(2);
+    rig.settle();
+    assert_eq!(flown_with(&mut rig).whole_frames.unwrap().farthest, None);
+    rig.harness
+        .get_by_label("Search no farther than a limit")
+        .click();
+    rig.frames(2);
+    rig.settle();
+    let flown = flown_with(&mut rig).whole_frames.unwrap();
+    assert_eq!(flown.farthest, Some(100.0));
+    for (name, text) in [
+        ("Position, to each side", "40"),
+        ("Heading, to each side", "15"),
+        ("Height, up and down", "20"),
+        ("Map is good to, σ", "3"),
+    ] {
+        type_number(&mut rig, name, text);
+    }
+    rig.settle();
+    let flown = flown_with(&mut rig).whole_frames.unwrap();
+    assert!((flown.farthest.unwrap() - 40.0).abs() < 1e-9, "{flown:?}");
+    assert!((flown.heading_limit().to_degrees() - 15.0).abs() < 1e-9);
+    assert!((flown.height_limit() - 0.2).abs() < 1e-9);
+    assert!((flown.map_deviation - 3.0).abs() < 1e-9);
+    // A mission keeps them.
+    let settings = flown_with(&mut rig);
+    let text = serde_json::to_string(&settings).unwrap();
+    let read: NavigatorSettings = serde_json::from_str(&text).unwrap();
+    assert_eq!(read, settings);
+    rig.key_with(egui::Modifiers::COMMAND, egui::Key::Z);
+    rig.settle();
+    let flown = flown_with(&mut rig).whole_frames.unwrap();
+    assert_eq!(flown.map_deviation, 0.0);
+}
+
+/// Types a number into the field beside the slider of this name.
+fn type_number(rig: &mut Rig, name: &str, text: &str) {
+    let role = egui::accesskit::Role::SpinButton;
+    rig.harness.get_by_role_and_label(role, name).click();
+    rig.frames(2);
+    rig.key_with(egui::Modifiers::COMMAND, egui::Key::A);
+    rig.harness.event(egui::Event::Text(text.to_owned()));
+    rig.frames(1);
+    rig.key(egui::Key::Enter);
+    rig.frames(3);
+}
