@@ -12,6 +12,7 @@ use crate::georeference::GeoreferenceCommand;
 use crate::jobs::SimulationOptions;
 use crate::labelling::LabelCommand;
 use crate::log::LogCommand;
+use crate::photos::PhotosCommand;
 use crate::plan::PlanCommand;
 use crate::views::DetectorCommand;
 use serde::{Deserialize, Serialize};
@@ -163,6 +164,8 @@ pub enum Command {
     Cut(CutCommand),
     /// Something about the camera beside its log.
     CameraLog(CameraLogCommand),
+    /// Something about photos on the map.
+    Photos(PhotosCommand),
     /// Something about the plan.
     Plan(PlanCommand),
 }

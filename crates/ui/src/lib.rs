@@ -15,6 +15,7 @@ pub mod kept_mesh;
 pub mod labelling;
 pub mod log;
 pub mod map;
+pub mod photos;
 pub mod plan;
 pub mod shell;
 pub mod still;

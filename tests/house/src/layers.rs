@@ -136,6 +136,7 @@ const UI: Order = Order {
         "kept_mesh",
         "still",
         "jobs",
+        "photos",
         "host",
         "command",
         "context",

@@ -79,6 +79,10 @@ pub struct Desk {
     pub aligning: Option<JobId>,
     /// Whether that is to be estimated once the flight under way is over.
     pub align_after_flight: bool,
+    /// The photos being laid on the map.
+    pub laying: Option<JobId>,
+    /// The photo that is to be shown on the map: job, and its number.
+    pub draping: Option<(JobId, usize)>,
     /// The flight being flown.
     pub fly: Option<FlyJob>,
     /// When to fly again after a change, milliseconds of the host's clock.

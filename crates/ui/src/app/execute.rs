@@ -26,6 +26,7 @@ impl App {
             Command::Log(command) => self.log(command, host),
             Command::Cut(command) => self.cut(&command, host),
             Command::CameraLog(command) => self.camera_log(command, host),
+            Command::Photos(command) => self.photos(command, host),
             Command::Compare(command) => self.compare(&command, host),
             Command::WebMap(command) => self.web_map(command, host),
             Command::Columns(command) => self.columns(command, host),
@@ -260,6 +261,7 @@ impl App {
             Command::CancelJob if self.desk.fly.is_none() => {
                 let _ = self.stop_cutting(host)
                     || self.stop_aligning(host)
+                    || self.stop_laying(host)
                     || self.stop_contest(host)
                     || self.stop_reading(host)
                     || self.stop_opening(host)
@@ -355,8 +357,8 @@ impl App {
             }
             Command::ToggleSide => self.view.side_open = !self.view.side_open,
             Command::TogglePlots => {
-                let tall = context.content_rect().height() >= 760.0;
-                self.view.plots_open = Some(!self.view.plots_open.unwrap_or(tall));
+                let height = context.content_rect().height();
+                self.view.plots_open = Some(!self.are_plots_open(height));
             }
             _ => {}
         }

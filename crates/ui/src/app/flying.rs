@@ -141,7 +141,7 @@ impl App {
         if let Some((first, _)) = self.documents.span() {
             self.playback.time = first;
         }
-        self.playback.playing = !self.planning();
+        self.playback.playing = !self.planning() && !self.shows_photos();
         self.views.planner.fitted = false;
         // All of a recorded flight is shown at once, and all of the hall.
         let is_whole = match &self.documents.flight_source {
@@ -166,6 +166,9 @@ impl App {
 
     /// Shows all of the flight and, unless it is far larger, all of the map.
     pub(super) fn fit_to_flight_and_map(&mut self) {
+        if self.fit_to_photo() {
+            return;
+        }
         let Some(flight) = self.flight_ground() else {
             return;
         };

@@ -1,6 +1,7 @@
 //! What the workers and the user's files bring.
 
 use pilotage_core::flight::Flight;
+use pilotage_core::mission::Mission;
 
 use super::App;
 use super::columns::sentences;
@@ -69,6 +70,7 @@ impl App {
             || self.evaluating.receive(id, &event)
             || self.cut_event(id, &event)
             || self.align_event(id, &event)
+            || self.photos_event(host, id, &event)
             || self.contest_event(id, &event)
         {
         } else if self.desk.fly.as_ref().is_some_and(|f| f.id == id) {
@@ -175,6 +177,15 @@ impl App {
         }
     }
 
+    /// A mission that was opened takes the place of the one that is open, one undo step away from it.
+    fn take_mission(&mut self, host: &mut dyn Host, mission: Mission) {
+        self.documents.history.remember(&self.documents.mission);
+        self.documents.mission = mission;
+        self.documents.mission_edited = true;
+        self.selection = None;
+        self.run_is_stale(host.now());
+    }
+
     fn take_opened(&mut self, host: &mut dyn Host, opening: &Opening, opened: Opened) {
         let now = host.now();
         let Opened {
@@ -186,17 +197,20 @@ impl App {
             mission,
             run,
             unplaced,
+            photos,
             imports,
             tables,
             labels,
             beside,
             remarks,
         } = opened;
-        if let Some(unplaced) = unplaced {
+        let is_for_map = self.shows_photos() && self.documents.has_real_map();
+        if let Some(unplaced) = unplaced.filter(|_| !is_for_map) {
             self.begin_georeferencing(host, opening, unplaced);
             return;
         }
         let mut parts = Vec::new();
+        let mut are_laid = false;
         let is_log = log.is_some();
         let has_flight = flight.is_some() || is_log;
         if has_flight || map.is_some() || terrain.is_some() {
@@ -228,18 +242,23 @@ impl App {
             if mission.is_some() {
                 parts.push("a mission");
             }
-            self.open_measured(host, opening.key.clone(), &flight, map_source, mission);
+            let (key, over) = (opening.key.clone(), map_source.clone());
+            self.open_measured(host, key.clone(), &flight, map_source, mission);
+            if !photos.is_empty() {
+                let info = map.as_ref();
+                self.take_photo_flight(host, key, photos, &flight, over, info);
+            }
         } else {
             if let Some(info) = map {
                 self.show_opened_map(host, map_source, info);
             }
+            if !photos.is_empty() {
+                are_laid = true;
+                self.take_photos(host, opening.key.clone(), photos);
+            }
             if let Some(mission) = mission {
                 parts.push("a mission");
-                self.documents.history.remember(&self.documents.mission);
-                self.documents.mission = mission;
-                self.documents.mission_edited = true;
-                self.selection = None;
-                self.run_is_stale(now);
+                self.take_mission(host, mission);
                 self.open_beside(host, beside);
             }
             if let Some(run) = run {
@@ -258,7 +277,7 @@ impl App {
         if let Some(labels) = labels {
             self.add_labels(now, &opening.name, labels);
         }
-        if parts.is_empty() && adds {
+        if are_laid || parts.is_empty() && adds {
             // What was added is told already.
         } else if parts.is_empty() {
             let text = sentences(&remarks);

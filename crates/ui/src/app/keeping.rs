@@ -103,6 +103,7 @@ impl App {
         let documents = &self.documents;
         let mut used = file_sets(&documents.flight_source, &documents.map_source);
         used.extend(documents.terrain.key());
+        used.extend(documents.photos.sought.as_ref().map(|s| s.key.as_str()));
         if let Some(fly) = &self.desk.fly {
             used.extend(file_sets(&fly.flight, &fly.map));
         }

@@ -6,6 +6,7 @@ use egui::{Frame, Margin, Panel, Stroke, Ui, vec2};
 
 use pilotage_core::frames::{GroundPoint, LocalFrame};
 
+use super::advice::advice;
 use super::comparing::compare_scene;
 use super::log_panels::{log_column, log_or_run_plots};
 use super::{App, SideTab, Views};
@@ -18,10 +19,12 @@ use crate::documents::Documents;
 use crate::jobs::MapSource;
 use crate::labelling::LabelCommand;
 use crate::map::MapExtra;
+use crate::photos::Photos;
 use crate::plan::plan_readouts;
 use crate::shell::{Examined, TopBar, help_sheet, icon_button, icons::Icon, tab, top_bar};
 use crate::timeline::TimelineExtra;
 use crate::tokens::Tokens;
+use crate::views::{PhotosScene, photos_sheet};
 
 /// Windows narrower than this stack the side column below the map.
 const NARROW: f32 = 900.0;
@@ -51,6 +54,14 @@ impl Scene<'_> {
     fn has_frames(&self) -> bool {
         let flight = self.documents.flight.as_ref();
         flight.is_some_and(|flight| !flight.frames.is_empty())
+    }
+
+    /// Photos on the map, while they are looked at.
+    fn shown_photos(&self) -> Option<&Photos> {
+        let is_shown = *self.side_tab == SideTab::Photos;
+        let is_shown = is_shown && self.view.workspace == Workspace::Replay;
+        let photos = &self.documents.photos;
+        (is_shown && photos.lie_in(self.documents.world_origin())).then_some(photos)
     }
 
     /// Lends the documents to a view.
@@ -84,7 +95,7 @@ impl App {
         let tokens = self.tokens.clone();
         let screen = ui.ctx().content_rect();
         let narrow = screen.width() < NARROW;
-        let plots_open = self.view.plots_open.unwrap_or(screen.height() >= 760.0);
+        let plots_open = self.are_plots_open(screen.height());
         let title = self.documents.title();
         bar(&tokens, BAR_HEIGHT).show(ui, |ui| {
             let bar = TopBar {
@@ -154,6 +165,12 @@ impl App {
         }
         map(ui, &mut scene, views, commands);
         self.overlays(ui, &tokens, now, commands, narrow);
+    }
+
+    /// Whether plots are shown in a window of this height: as people said, else where there is room and they matter.
+    pub(super) fn are_plots_open(&self, height: f32) -> bool {
+        let is_usual = height >= 760.0 && !self.shows_photos();
+        self.view.plots_open.unwrap_or(is_usual)
     }
 
     fn overlays(
@@ -325,8 +342,8 @@ fn side(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Ve
                 return;
             }
             match scene.view.workspace {
-                Workspace::Replay if *scene.side_tab == SideTab::CameraLog => {
-                    inner.show(ui, |ui| camera_log(ui, scene, views, commands));
+                Workspace::Replay if scene.side_tab.is_sheet() => {
+                    inner.show(ui, |ui| sheet(ui, scene, views, commands));
                 }
                 Workspace::Replay => {
                     let has_log = scene.documents.log.is_some();
@@ -386,8 +403,8 @@ fn lower(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut V
                 match scene.view.workspace {
                     Workspace::Learn => tour(ui, scene, views, commands),
                     Workspace::Plan => plan_panel(ui, scene, views, commands),
-                    Workspace::Replay if *scene.side_tab == SideTab::CameraLog => {
-                        camera_log(ui, scene, views, commands);
+                    Workspace::Replay if scene.side_tab.is_sheet() => {
+                        sheet(ui, scene, views, commands);
                     }
                     Workspace::Replay => {
                         let tabs = [
@@ -489,19 +506,31 @@ fn tabbed(
         }
         SideTab::Compare => compare(ui, scene, views, commands),
         SideTab::Cut => cut(ui, scene, commands),
-        SideTab::CameraLog => camera_log(ui, scene, views, commands),
+        SideTab::CameraLog | SideTab::Photos => sheet(ui, scene, views, commands),
         SideTab::Camera => scene.with_context(commands, |c| views.camera.show(ui, c)),
         SideTab::Plots => scene.with_context(commands, |c| views.plots.show(ui, c)),
     }
 }
 
-/// The camera put in time and place beside the log.
-fn camera_log(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
-    let flies = !scene.documents.run_complete;
+/// What takes the whole column: the camera put in time and place beside the log, or photos on the map.
+fn sheet(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
+    let documents = scene.documents;
+    if *scene.side_tab == SideTab::Photos {
+        let frame = documents.world_origin().map(LocalFrame::new);
+        let shown = PhotosScene {
+            photos: &documents.photos,
+            has_map: documents.has_real_map() && frame.is_some(),
+            frame,
+        };
+        return scene.with_context(commands, |c| photos_sheet(ui, c, &shown));
+    }
     let shown = CameraLogScene {
-        work: &scene.documents.camera_log,
-        has_map: scene.documents.map_source != MapSource::Nothing,
-        flying: scene.job_words.as_deref().filter(|_| flies),
+        work: &documents.camera_log,
+        has_map: documents.map_source != MapSource::Nothing,
+        flying: scene
+            .job_words
+            .as_deref()
+            .filter(|_| !documents.run_complete),
     };
     scene.with_context(commands, |c| views.camera_log.show(ui, c, &shown));
 }
@@ -616,10 +645,11 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
                 kept: scene.documents.shelf.kept(),
                 cut: scene.documents.cuts.report.as_ref(),
                 tried_footprint: scene.tried_footprint.as_deref(),
+                photos: scene.shown_photos(),
             };
             scene.with_context(commands, |context| {
-                if planning || georeferencing {
-                    // What was flown is Replay's; here lies what is to be flown.
+                if planning || georeferencing || extra.photos.is_some() {
+                    // What was flown is Replay's; here lies what is to be flown, or each photo by itself.
                     (context.run, context.ghost, context.flight) = (None, None, None);
                 }
                 let georeferencer = views.georeferencer.as_mut();
@@ -640,59 +670,10 @@ fn map(ui: &mut Ui, scene: &mut Scene<'_>, views: &mut Views, commands: &mut Vec
             if georeferencing {
                 return;
             }
-            if let Some(covered) = advice(ui, rect, scene, commands) {
+            let (documents, words) = (scene.documents, scene.job_words.as_deref());
+            let covered = advice(ui, rect, tokens, documents, words, scene.view, commands);
+            if let Some(covered) = covered {
                 views.map.cover(covered);
             }
         });
-}
-
-/// One line on what is seen and what to try first; what it covers.
-fn advice(
-    ui: &mut Ui,
-    rect: egui::Rect,
-    scene: &mut Scene<'_>,
-    commands: &mut Vec<Command>,
-) -> Option<egui::Rect> {
-    if scene.view.advice_dismissed || scene.view.workspace == Workspace::Learn {
-        return None;
-    }
-    let tokens = scene.tokens;
-    if scene.documents.log.is_some() {
-        return None;
-    }
-    let text = if scene.documents.run.is_some() {
-        "This aircraft finds its way without GPS. White dots are where it may be: they spread while \
-         nothing is recognised and shrink when the camera finds a landmark. Drag the time below, or press N and \
-         draw a landmark of your own."
-            .to_owned()
-    } else if let Some(words) = &scene.job_words {
-        format!("Preparing the demo flight: {words}")
-    } else {
-        "Nothing is flown yet. Simulate a flight, or drop a flight folder and a map here."
-            .to_owned()
-    };
-    let width = (rect.width() - 96.0).min(720.0);
-    let at = egui::Rect::from_min_size(rect.left_top() + vec2(16.0, 68.0), vec2(width, 64.0));
-    let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(at).id_salt("advice"));
-    let card = Frame::new()
-        .fill(tokens.over_map())
-        .stroke(Stroke::new(1.0, tokens.line))
-        .corner_radius(tokens.radius)
-        .inner_margin(Margin::symmetric(12, 4))
-        .show(&mut inside, |ui| {
-            ui.horizontal(|ui| {
-                let room = ui.available_width() - 150.0;
-                ui.scope(|ui| {
-                    ui.set_max_width(room);
-                    ui.add(egui::Label::new(egui::RichText::new(text).color(tokens.text)).wrap());
-                });
-                if crate::shell::text_button(ui, tokens, None, "Take the tour", false).clicked() {
-                    commands.push(Command::ShowWorkspace(Workspace::Learn));
-                }
-                if icon_button(ui, tokens, Icon::Close, "Dismiss the advice").clicked() {
-                    scene.view.advice_dismissed = true;
-                }
-            });
-        });
-    Some(card.response.rect)
 }

@@ -164,8 +164,8 @@ impl App {
         if !self.planning() {
             self.view.workspace = Workspace::Replay;
         }
-        // Whoever put a camera beside a log waits for this one.
-        if self.side_tab != SideTab::CameraLog {
+        // Whoever put a camera beside a log waits for this one, and whoever lays photos looks at them.
+        if !matches!(self.side_tab, SideTab::CameraLog | SideTab::Photos) {
             self.side_tab = SideTab::Log;
         }
         self.views.shows_log_plots = true;

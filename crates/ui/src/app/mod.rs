@@ -1,5 +1,6 @@
 //! The app: one object that the shell draws every frame.
 
+mod advice;
 mod aligning;
 mod brief;
 mod columns;
@@ -24,6 +25,7 @@ mod logs;
 mod maps;
 mod marking;
 mod package;
+mod photos;
 mod planning;
 mod report;
 mod start;
@@ -70,6 +72,8 @@ pub enum SideTab {
     Cut,
     /// The camera put in time and place beside the log.
     CameraLog,
+    /// Photos laid on the map.
+    Photos,
     /// The camera picture (narrow windows only).
     #[default]
     Camera,
@@ -78,6 +82,11 @@ pub enum SideTab {
 }
 
 impl SideTab {
+    /// Whether it takes the whole column, without a picture and tabs.
+    fn is_sheet(self) -> bool {
+        matches!(self, Self::CameraLog | Self::Photos)
+    }
+
     /// Name on the tab.
     fn label(self) -> &'static str {
         match self {
@@ -89,6 +98,7 @@ impl SideTab {
             Self::Compare => "Compare",
             Self::Cut => "GPS cut",
             Self::CameraLog => "Camera to log",
+            Self::Photos => "Photos",
             Self::Camera => "Camera",
             Self::Plots => "Plots",
         }

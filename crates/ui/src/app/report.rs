@@ -1,6 +1,8 @@
 //! The app's state in words and as JSON, for screen readers and for journeys in the browser.
 
 use egui::Rect;
+use pilotage_core::flight::photo::LaidPhoto;
+use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::terrain::Terrain as _;
 use pilotage_core::navigator::{LaidReport, Run, StepReport};
 use serde_json::{Value, json};
@@ -69,6 +71,7 @@ impl App {
             "compare": self.compare_json(),
             "cut": self.cut_json(),
             "camera_log": self.camera_log_json(),
+            "photos": self.photos_json(),
             "title": documents.title(),
             "origin": documents.world_origin().map(|o| {
                 [o.latitude.to_degrees(), o.longitude.to_degrees()]
@@ -216,6 +219,39 @@ impl App {
             "applied": applied,
             "position_rms": rms,
             "frame_times": [frames.first().map(|f| f.time), frames.last().map(|f| f.time)],
+        })
+    }
+
+    /// Places in degrees, deviations in metres, angles in degrees.
+    fn photos_json(&self) -> Value {
+        let photos = &self.documents.photos;
+        let world = photos.sought.as_ref().and_then(|s| s.origin);
+        let row = |number: usize| {
+            let report = photos.reports[number].as_ref();
+            let laid = photos.laid(number);
+            let place = laid.zip(world).map(|(laid, origin)| {
+                let at = LocalFrame::new(origin).geodetic_from_ground(&laid.centre);
+                [at.latitude.to_degrees(), at.longitude.to_degrees()]
+            });
+            json!({
+                "name": photos.name(number),
+                "probability": report.map(|r| r.answer.probability),
+                "refused": report.and_then(|r| r.answer.laid.as_ref().err()),
+                "assumed": report.map(|r| r.answer.assumed.join("; ")),
+                "milliseconds": report.map(|r| r.computed),
+                "place": place,
+                "deviation": laid.map(LaidPhoto::centre_deviation),
+                "heading": laid.map(|l| l.camera.attitude.yaw.to_degrees().rem_euclid(360.0)),
+                "height": laid.map(LaidPhoto::height),
+            })
+        };
+        json!({
+            "rows": (0..photos.reports.len()).map(row).collect::<Vec<_>>(),
+            "at_work": photos.at_work.is_some(),
+            "trouble": photos.trouble,
+            "chosen": photos.chosen,
+            "draped": photos.draped().is_some(),
+            "within": photos.search.within,
         })
     }
 

@@ -16,6 +16,7 @@ use crate::compare::{Contest, Shelf};
 use crate::cut::Cuts;
 use crate::jobs::{DetectorSearch, Distinctness, FlightSource, MapInfo, MapSource, MatchPictures};
 use crate::log::OpenLog;
+use crate::photos::Photos;
 
 /// What a new flight brings before its run begins; swapped in at once, so that a flight that fails
 /// early leaves everything as it was.
@@ -76,6 +77,8 @@ pub struct Documents {
     pub cuts: Cuts,
     /// The camera beside its log.
     pub camera_log: CameraLog,
+    /// Photos laid on the map.
+    pub photos: Photos,
     /// What was noticed in the run.
     pub noticed: Noticed,
     /// Trajectories that were kept to be compared.
@@ -129,6 +132,7 @@ impl Documents {
             contest: Contest::default(),
             cuts: Cuts::default(),
             camera_log: CameraLog::default(),
+            photos: Photos::default(),
             noticed: Noticed::default(),
             shelf: Shelf::default(),
             bookmarks: session.bookmarks.clone(),
@@ -144,6 +148,14 @@ impl Documents {
             bookmarks: self.bookmarks.clone(),
             log: self.log.as_ref().map(|log| log.file.clone()),
         }
+    }
+
+    /// Whether the map shows ground that was photographed.
+    pub fn has_real_map(&self) -> bool {
+        !matches!(
+            self.map_source,
+            MapSource::Nothing | MapSource::Scenery | MapSource::Hall
+        )
     }
 
     /// Who made the map, to be shown with it; `None` if nobody said.

@@ -31,6 +31,7 @@ mod logs;
 mod messages;
 mod opening;
 mod pack;
+mod photos;
 mod places;
 mod predict;
 mod prelude;
@@ -56,13 +57,13 @@ pub use lent::{LentFiles, OpenAddress};
 pub use messages::{
     AidedResult, AlignOrder, Assessment, AssessmentOrder, BESIDE, Beside, BriefOrder,
     BriefPictures, COARSE, ContestOrder, Cut, CutOrder, CutReport, DetectorSearch, Distinctness,
-    EncodedPicture, EvaluationOrder, EvaluationReport, ExplainedBy, ExportOrder, FieldFrom,
-    FieldOrder, FileContent, FindOrder, FlightSource, Foreseen, FoundPlan, Glance, HeightsOrder,
-    HighGround, ImportedFile, Job, JobEvent, JobId, LabelledFrames, LogAnswer, LogOrder,
-    LogQuestion, LogSeries, MadeFlight, MapInfo, MapSource, MatchPictures, Opened, PackOrder,
-    PredictionOrder, ReadLog, Reply, Request, SeriesName, Share, SimulationOptions, StudyReport,
-    SuggestOrder, TerrainInfo, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport, Unplaced,
-    WebMap, WindReport,
+    DrapeOrder, EncodedPicture, EvaluationOrder, EvaluationReport, ExplainedBy, ExportOrder,
+    FieldFrom, FieldOrder, FileContent, FindOrder, FlightSource, Foreseen, FoundPlan, Glance,
+    HeightsOrder, HighGround, ImportedFile, Job, JobEvent, JobId, LabelledFrames, LogAnswer,
+    LogOrder, LogQuestion, LogSeries, MadeFlight, MapInfo, MapSource, MatchPictures, Opened,
+    PackOrder, PhotoReport, PhotosOrder, PredictionOrder, ReadLog, Reply, Request, SeriesName,
+    Share, SimulationOptions, StudyReport, SuggestOrder, TerrainInfo, TrainOrder, TrainingLeft,
+    TrainingOutcome, TrainingReport, Unplaced, WebMap, WindReport,
 };
 pub use prelude::{FirstMap, FirstSeconds, Prelude};
 pub use programs::{Abilities, Program};

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use pilotage_core::exchange::read_any;
 use pilotage_core::flight::columns::GuessedTable;
 use pilotage_core::flight::files::FileSet;
-use pilotage_core::flight::photo::read_photos;
+use pilotage_core::flight::photo::{read_photo, read_photos};
 use pilotage_core::flight::{FLIGHT_FILE, FlightFolder, FolderError, read_flight};
 use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::imagery::GeoTiffError;
@@ -79,7 +79,14 @@ pub fn look_through(
         remarks.extend(others.map(|table| format!("{} was left out.", table.map.file)));
     }
     let nothing = nothing && tables.is_empty();
-    let unplaced = if nothing && terrain.is_none() {
+    let is_photo_flight = flight.as_ref().is_some_and(FlightFolder::is_of_photos);
+    let is_other = flight.is_some() && !is_photo_flight || log.is_some() || labels.is_some();
+    let photos = if is_other || mission.is_some() || run.is_some() || !tables.is_empty() {
+        Vec::new()
+    } else {
+        photos_among(pool, map.as_ref().map(|(name, _)| name.as_str()))
+    };
+    let unplaced = if nothing && terrain.is_none() && !are_to_be_laid(pool, &photos) {
         Some(unplaced(pool).ok_or_else(|| unknown(pool))?)
     } else {
         None
@@ -105,12 +112,31 @@ pub fn look_through(
         mission,
         run,
         unplaced,
+        photos,
         imports,
         tables,
         labels,
         beside,
         remarks,
     })
+}
+
+/// The pictures among the files, apart from that of the map.
+fn photos_among(pool: &FilePool, map: Option<&str>) -> Vec<String> {
+    let mut names = pool.ending_in(&PICTURES);
+    names.retain(|name| Some(name.as_str()) != map);
+    names
+}
+
+/// Whether pictures are photos for a map that is open: several, or one that says where it was taken.
+fn are_to_be_laid(pool: &FilePool, names: &[String]) -> bool {
+    match names {
+        [] => false,
+        [name] => pool.source(name).is_some_and(|source| {
+            read_photo(source.as_ref()).is_ok_and(|photo| photo.place.is_some())
+        }),
+        _ => true,
+    }
 }
 
 /// The one picture among the files, which does not say where it lies, with a file of control points
@@ -269,13 +295,6 @@ fn run(pool: &FilePool) -> Result<Option<Run>, String> {
 fn unknown(pool: &FilePool) -> String {
     let mut names = pool.names();
     names.sort();
-    let pictures = pool.ending_in(&PICTURES);
-    if let Some(picture) = pictures.first().filter(|_| pictures.len() == names.len()) {
-        return format!(
-            "{picture}: a picture that does not say where it lies. Drop it together with its world \
-             file (.jgw, .pgw, .wld) or a georeference in JSON."
-        );
-    }
     let first = names.first().map_or("", String::as_str);
     let more = match names.len() {
         0 | 1 => String::new(),
@@ -345,7 +364,7 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_alone_waits_for_its_place_and_several_are_refused() {
+    fn a_picture_alone_waits_for_its_place_and_several_are_photos() {
         let points = b"mapX,mapY,sourceX,sourceY,enable\n1,2,3,-4,1\n";
         let opened = look(&[("map.png", &picture()), ("map.points", points)]).unwrap();
         let unplaced = opened.unplaced.unwrap();
@@ -355,11 +374,9 @@ mod tests {
                 .points
                 .is_some_and(|(name, text)| { name == "map.points" && text.starts_with("mapX") })
         );
-        let cause = look(&[("a.png", &picture()), ("b.png", &picture())]).unwrap_err();
-        assert!(
-            cause.starts_with("a.png") && cause.contains("world file"),
-            "{cause}"
-        );
+        let opened = look(&[("a.png", &picture()), ("b.png", &picture())]).unwrap();
+        assert_eq!(opened.photos, ["a.png", "b.png"]);
+        assert!(opened.unplaced.is_none());
     }
 
     #[test]

@@ -32,6 +32,7 @@ pub fn role_for(job: &Job) -> usize {
         | Job::Cut(_)
         | Job::Contest(_)
         | Job::Align(_)
+        | Job::LayPhotos(_)
         | Job::LogSeries { .. }
         | Job::AskLog(_)
         | Job::Assess(_)
@@ -49,6 +50,7 @@ pub fn role_for(job: &Job) -> usize {
         | Job::ReadPlaces { .. }
         | Job::Distinctness { .. }
         | Job::ExplainMatch { .. }
+        | Job::DrapePhoto(_)
         | Job::DecodePicture { .. }
         | Job::Find(_)
         | Job::TakeHeights(_)
@@ -96,6 +98,14 @@ pub fn file_keys(job: &Job) -> Vec<&str> {
             (None, None)
         }
         Job::AskLog(order) => {
+            keys.push(order.key.as_str());
+            (None, None)
+        }
+        Job::LayPhotos(order) => {
+            keys.push(order.key.as_str());
+            (None, Some(&order.map))
+        }
+        Job::DrapePhoto(order) => {
             keys.push(order.key.as_str());
             (None, None)
         }

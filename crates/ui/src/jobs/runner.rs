@@ -141,6 +141,7 @@ pub(super) fn urgency(job: &Job) -> u8 {
         Job::Tile { .. }
         | Job::Distinctness { .. }
         | Job::ExplainMatch { .. }
+        | Job::DrapePhoto(_)
         | Job::Predict(_)
         | Job::SumUp(..)
         | Job::Propose(..)
@@ -150,6 +151,7 @@ pub(super) fn urgency(job: &Job) -> u8 {
         | Job::MakeFlight { .. }
         | Job::Cut(_)
         | Job::Align(_)
+        | Job::LayPhotos(_)
         | Job::TakeHeights(_)
         | Job::Assess(_)
         | Job::AssessShare(..)

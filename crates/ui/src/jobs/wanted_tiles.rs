@@ -49,6 +49,7 @@ pub fn wanted_addresses(job: &Job) -> Vec<String> {
         | Job::MakeFlight { .. }
         | Job::Cut(_)
         | Job::Align(_)
+        | Job::DrapePhoto(_)
         | Job::LogSeries { .. }
         | Job::AskLog(_)
         | Job::DescribeMap(_)
@@ -102,6 +103,7 @@ pub fn wanted_addresses(job: &Job) -> Vec<String> {
             let areas = landmarks.map(|l| around(&l.bounds)).collect();
             (map, Reads::Areas(areas))
         }
+        Job::LayPhotos(order) => (&order.map, Reads::Areas(vec![order.ground])),
         Job::Contest(order) => {
             let landmarks = order.mission.landmarks.iter();
             let areas = landmarks.map(|l| around(&l.bounds)).collect();

@@ -1,7 +1,7 @@
 //! A log at a glance: what it is, what measured, what looks wrong, what can be done with it.
 
 use egui::{RichText, Ui};
-use pilotage_core::flight::log::Outline;
+use pilotage_core::flight::log::{LogFormat, Outline};
 use pilotage_core::flight::overview::{Ability, Finding, Overview, Sensor, Severity};
 
 use super::words::{clock, date, duration, size};
@@ -9,6 +9,7 @@ use super::{LogCommand, OpenLog};
 use crate::camera_log::CameraLogCommand;
 use crate::command::Command;
 use crate::context::ViewContext;
+use crate::photos::PhotosCommand;
 use crate::views::parts::{self, Reading};
 
 /// Messages shown before the rest is folded.
@@ -53,6 +54,13 @@ pub fn overview_panel(
         let again = crate::shell::text_button(ui, tokens, None, "Read it again", false);
         if again.clicked() {
             context.commands.push(Command::Log(LogCommand::ReadAgain));
+        }
+    }
+    if outline.format == LogFormat::Photos {
+        let words = "Lay them on the map one by one";
+        if crate::shell::text_button(ui, tokens, None, words, false).clicked() {
+            let show = Command::Photos(PhotosCommand::Show);
+            context.commands.push(show);
         }
     }
     ui.add_space(0.5 * tokens.space);

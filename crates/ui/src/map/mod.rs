@@ -9,6 +9,7 @@ mod interact;
 mod kept_tracks;
 mod landmarks;
 mod layers;
+mod photos;
 mod picking;
 mod readouts;
 mod symbols;

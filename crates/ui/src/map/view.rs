@@ -11,6 +11,7 @@ use super::furniture::{
 use super::kept_tracks::{paint_cut, paint_kept};
 use super::landmarks::{LandmarkScene, paint_landmarks};
 use super::layers::{Layer, Layers};
+use super::photos::PhotoTexture;
 use super::picking::{Drag, box_between};
 use super::readouts::paint_readouts;
 use super::symbols::{
@@ -26,6 +27,7 @@ use crate::documents::Ground;
 use crate::georeference::Georeferencer;
 use crate::jobs::{CutReport, Distinctness, MapInfo, SeriesName};
 use crate::log::OpenLog;
+use crate::photos::Photos;
 use crate::plan::{FindPick, PlanTool, Planner, paint_hint};
 
 /// What the map needs beside what every view is given.
@@ -50,6 +52,8 @@ pub struct MapExtra<'a> {
     pub cut: Option<&'a CutReport>,
     /// Corners of the ground that a picture would show with a camera that is tried.
     pub tried_footprint: Option<&'a [GroundPoint]>,
+    /// Photos that were laid on the map, while they are looked at.
+    pub photos: Option<&'a Photos>,
     /// Trajectories that were kept to be compared.
     pub kept: &'a [KeptTrack],
     /// The log of the flight, by a field of which the track may be coloured.
@@ -89,6 +93,7 @@ pub struct MapView {
     ghost: DrawnTrack,
     /// The field by which the track is coloured.
     track_field: Option<SeriesName>,
+    photo: PhotoTexture,
     wants_fit: Option<GroundRect>,
     /// Centre and scale to which the map was fitted last.
     fitted: Option<(GroundPoint, f64)>,
@@ -201,6 +206,9 @@ impl MapView {
         }
         if let Some(plan) = extra.plan {
             plan.paint_heat(&painter, &view);
+        }
+        if let Some(photos) = extra.photos {
+            self.photo.paint(&painter, &view, photos, context.tokens);
         }
         self.paint_tracks(&painter, &view, rect, context, extra);
         self.paint_plan(&painter, &view, context, extra, false);

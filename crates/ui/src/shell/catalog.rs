@@ -11,6 +11,7 @@ use crate::compare::{CompareCommand, TrackId};
 use crate::cut::CutCommand;
 use crate::dialogs::WebMapCommand;
 use crate::labelling::LabelCommand;
+use crate::photos::PhotosCommand;
 use crate::plan::{FindCommand, FindPick, HeatCommand, PlanCommand, Purpose, TrainCommand};
 use crate::views::DetectorCommand;
 
@@ -149,6 +150,12 @@ pub fn catalog() -> Vec<Entry> {
         "Camera to log: time offset, mount, focal length",
         vec![shift(Key::T)],
         Command::CameraLog(CameraLogCommand::Show),
+    ));
+    entries.push(entry(
+        Group::View,
+        "Lay photos on the map",
+        vec![shift(Key::O)],
+        Command::Photos(PhotosCommand::Show),
     ));
     entries.push(entry(
         Group::Document,

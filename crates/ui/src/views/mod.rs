@@ -14,6 +14,7 @@ mod fixture;
 mod inspector;
 mod matching;
 pub(crate) mod parts;
+mod photos;
 mod picking;
 #[cfg(test)]
 mod pictures;
@@ -28,6 +29,7 @@ pub use detector::{DetectorCommand, DetectorView};
 pub use evaluation::{EvaluationFile, EvaluationScene, EvaluationView};
 pub use inspector::InspectorView;
 pub use matching::MatchView;
+pub use photos::{PhotosScene, photos_sheet};
 pub use plots::PlotsView;
 pub(crate) use plots::draw::{Curve, line as curve_line, polylines as curve_points};
 pub(crate) use plots::pyramid::Pyramid;

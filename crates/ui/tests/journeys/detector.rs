@@ -37,6 +37,7 @@ fn open_trained(rig: &mut Rig) {
         mission: Some(trained),
         run: None,
         unplaced: None,
+        photos: Vec::new(),
         imports: Vec::new(),
         tables: Vec::new(),
         labels: None,

@@ -21,6 +21,7 @@ fn rig_with_a_picture() -> Rig {
             name: "photo.png".into(),
             points: None,
         }),
+        photos: Vec::new(),
         imports: Vec::new(),
         tables: Vec::new(),
         labels: None,

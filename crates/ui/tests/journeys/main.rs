@@ -25,6 +25,7 @@ mod lost_worker;
 mod names;
 mod open_map;
 mod palette;
+mod photos;
 mod pictures;
 mod plan;
 mod reload;

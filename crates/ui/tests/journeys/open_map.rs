@@ -23,6 +23,7 @@ fn a_map(origin: Option<Geodetic>) -> Opened {
         mission: None,
         run: None,
         unplaced: None,
+        photos: Vec::new(),
         imports: Vec::new(),
         tables: Vec::new(),
         labels: None,

@@ -38,6 +38,7 @@ pub fn nothing() -> Opened {
         map: None,
         terrain: None,
         unplaced: None,
+        photos: Vec::new(),
         mission: None,
         run: None,
         imports: Vec::new(),

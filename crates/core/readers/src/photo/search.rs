@@ -110,8 +110,11 @@ impl PhotoSearch {
             height: 0.0,
         });
         let Some((place, world)) = self.at.or(of_photo).zip(world) else {
-            assumed.push("place anywhere on the map".to_owned());
-            return (ground.center(), 0.5 * ground.width().max(ground.height()));
+            let (width, height) = (ground.width(), ground.height());
+            assumed.push(format!(
+                "place anywhere on {width:.0} by {height:.0} m of the map"
+            ));
+            return (ground.center(), 0.5 * width.max(height));
         };
         let by = if self.at.is_some() {
             "as you said"
@@ -257,6 +260,10 @@ mod tests {
         assert_eq!(prior.heading, HeadingPrior::Unknown);
         assert!((limit_of(prior.position_deviation) - 500.0).abs() < 1e-9);
         assert!((share_of(prior.log_height_deviation) - 1.5).abs() < 1e-9);
-        assert!(assumed.iter().any(|text| text == "any heading"));
+        let said = assumed.join("; ");
+        assert!(
+            said.contains("any heading") && said.contains("anywhere on 1000 by 600 m"),
+            "{said}"
+        );
     }
 }

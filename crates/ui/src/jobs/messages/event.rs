@@ -10,13 +10,14 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Run, StepReport};
 use pilotage_core::plan::{Candidate, Envelope, Localizability, Prediction, Suggestion, View};
 use pilotage_core::raster::{Raster, Rgba};
+use pilotage_core::registration::Draped;
 use pilotage_core::study::Comparison;
 use serde::{Deserialize, Serialize};
 
 use super::{
     Assessment, BriefPictures, CutReport, DetectorSearch, Distinctness, EvaluationReport,
-    FoundPlan, LogAnswer, LogSeries, MadeFlight, MapInfo, MatchPictures, Opened, ReadLog,
-    StudyReport, TrainingOutcome, TrainingReport, whole_bytes,
+    FoundPlan, LogAnswer, LogSeries, MadeFlight, MapInfo, MatchPictures, Opened, PhotoReport,
+    ReadLog, StudyReport, TrainingOutcome, TrainingReport, whole_bytes,
 };
 
 /// What a worker says of a job.
@@ -42,6 +43,10 @@ pub enum JobEvent {
     CutsStudied(Box<StudyReport>),
     /// A camera in time and place beside its log.
     CameraAligned(Box<CameraToLog>),
+    /// Where a photo lies, or why it was not laid.
+    PhotoLaid(Box<PhotoReport>),
+    /// A laid photo on the map in its own colours.
+    PhotoDraped(Box<Draped>),
     /// Every estimator on one flight.
     ContestJudged(Box<Comparison>),
     /// The mission that is flown.

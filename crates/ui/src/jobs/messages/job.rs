@@ -10,10 +10,10 @@ use pilotage_core::plan::{Candidate, View};
 use serde::{Deserialize, Serialize};
 
 use super::{
-    AlignOrder, AssessmentOrder, BriefOrder, ContestOrder, CutOrder, EvaluationOrder, ExplainedBy,
-    ExportOrder, FieldOrder, FileContent, FindOrder, FlightSource, HeightsOrder, LogOrder,
-    MapSource, PackOrder, PredictionOrder, SeriesName, Share, SuggestOrder, TrainOrder,
-    whole_bytes,
+    AlignOrder, AssessmentOrder, BriefOrder, ContestOrder, CutOrder, DrapeOrder, EvaluationOrder,
+    ExplainedBy, ExportOrder, FieldOrder, FileContent, FindOrder, FlightSource, HeightsOrder,
+    LogOrder, MapSource, PackOrder, PhotosOrder, PredictionOrder, SeriesName, Share, SuggestOrder,
+    TrainOrder, whole_bytes,
 };
 
 /// Number of a job, unique within a page.
@@ -85,6 +85,10 @@ pub enum Job {
     Contest(Box<ContestOrder>),
     /// Put a camera in time and place beside its log: event `CameraAligned`.
     Align(Box<AlignOrder>),
+    /// Lay photos on a map one by one: events `PhotoLaid`.
+    LayPhotos(Box<PhotosOrder>),
+    /// Show a laid photo on the map in its own colours: event `PhotoDraped`.
+    DrapePhoto(Box<DrapeOrder>),
     /// Describe a map: event `MapInfo`.
     DescribeMap(MapSource),
     /// The named places in a file of routes and landmarks: event `Places`.

@@ -28,6 +28,8 @@ pub struct Opened {
     pub run: Option<Run>,
     /// A picture that does not say where it lies, if there is nothing else.
     pub unplaced: Option<Unplaced>,
+    /// Names of the photos, if there is nothing else but a map or the flight that they are.
+    pub photos: Vec<String>,
     /// Routes and landmarks of other programs, to be added to the mission.
     pub imports: Vec<ImportedFile>,
     /// Tables of a flight, if it is to be asked what their columns mean.

@@ -22,6 +22,7 @@ use super::super::log_answers::AnswerLog;
 use super::super::log_series::SendSeries;
 use super::super::logs::ReadingLog;
 use super::super::pack::pack;
+use super::super::photos::{LayPhotos, draped};
 use super::super::prepare::PrepareMap;
 use super::super::reckon::MakeCut;
 use super::super::suggest::{Suggest, choose};
@@ -51,6 +52,12 @@ pub fn begin(workshop: &mut Workshop, job: Job) -> Box<dyn RunningJob> {
         Job::Cut(order) => Box::new(MakeCut::new(*order)),
         Job::Contest(order) => Box::new(Contest::new(*order)),
         Job::Align(order) => Box::new(Align::new(*order)),
+        Job::LayPhotos(order) => Box::new(LayPhotos::new(*order)),
+        Job::DrapePhoto(order) => once(move |workshop, emit| {
+            let files = workshop.files(&order.key)?;
+            emit(JobEvent::PhotoDraped(Box::new(draped(&files, &order)?)));
+            Ok(())
+        }),
         Job::ReadPlaces { key } => once(move |workshop, emit| {
             let files = workshop.files(&key)?;
             emit(JobEvent::Places(opening::places(&files)?));

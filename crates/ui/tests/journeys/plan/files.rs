@@ -19,6 +19,7 @@ fn opened(rig: &mut Rig, file: ImportedFile) {
         mission: None,
         run: None,
         unplaced: None,
+        photos: Vec::new(),
         imports: vec![file],
         tables: Vec::new(),
         labels: None,

@@ -32,6 +32,7 @@ fn open_heights(rig: &mut Rig) {
         mission: None,
         run: None,
         unplaced: None,
+        photos: Vec::new(),
         imports: Vec::new(),
         tables: Vec::new(),
         labels: None,

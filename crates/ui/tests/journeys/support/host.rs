@@ -82,6 +82,8 @@ fn is_real(job: &Job) -> bool {
             | Job::LogSeries { .. }
             | Job::AskLog(_)
             | Job::Align(_)
+            | Job::LayPhotos(_)
+            | Job::DrapePhoto(_)
             | Job::Find(_)
             | Job::Pack(_)
             | Job::Export(_)

@@ -1,0 +1,61 @@
+//! One line of advice over the map.
+
+use egui::{Frame, Margin, Stroke, Ui, vec2};
+
+use crate::command::{Command, Workspace};
+use crate::documents::{Documents, ViewState};
+use crate::shell::{icon_button, icons::Icon};
+use crate::tokens::Tokens;
+
+/// One line on what is seen and what to try first; what it covers.
+pub(super) fn advice(
+    ui: &mut Ui,
+    rect: egui::Rect,
+    tokens: &Tokens,
+    documents: &Documents,
+    job_words: Option<&str>,
+    view: &mut ViewState,
+    commands: &mut Vec<Command>,
+) -> Option<egui::Rect> {
+    if view.advice_dismissed || view.workspace == Workspace::Learn {
+        return None;
+    }
+    if documents.log.is_some() || documents.photos.sought.is_some() {
+        return None;
+    }
+    let text = if documents.run.is_some() {
+        "This aircraft finds its way without GPS. White dots are where it may be: they spread while \
+         nothing is recognised and shrink when the camera finds a landmark. Drag the time below, or press N and \
+         draw a landmark of your own."
+            .to_owned()
+    } else if let Some(words) = job_words {
+        format!("Preparing the demo flight: {words}")
+    } else {
+        "Nothing is flown yet. Simulate a flight, or drop a flight folder and a map here."
+            .to_owned()
+    };
+    let width = (rect.width() - 96.0).min(720.0);
+    let at = egui::Rect::from_min_size(rect.left_top() + vec2(16.0, 68.0), vec2(width, 64.0));
+    let mut inside = ui.new_child(egui::UiBuilder::new().max_rect(at).id_salt("advice"));
+    let card = Frame::new()
+        .fill(tokens.over_map())
+        .stroke(Stroke::new(1.0, tokens.line))
+        .corner_radius(tokens.radius)
+        .inner_margin(Margin::symmetric(12, 4))
+        .show(&mut inside, |ui| {
+            ui.horizontal(|ui| {
+                let room = ui.available_width() - 150.0;
+                ui.scope(|ui| {
+                    ui.set_max_width(room);
+                    ui.add(egui::Label::new(egui::RichText::new(text).color(tokens.text)).wrap());
+                });
+                if crate::shell::text_button(ui, tokens, None, "Take the tour", false).clicked() {
+                    commands.push(Command::ShowWorkspace(Workspace::Learn));
+                }
+                if icon_button(ui, tokens, Icon::Close, "Dismiss the advice").clicked() {
+                    view.advice_dismissed = true;
+                }
+            });
+        });
+    Some(card.response.rect)
+}

@@ -1,0 +1,129 @@
+//! Photos laid on a map one after the other, in a worker.
+
+use std::sync::Arc;
+
+use pilotage_core::flight::files::FileSet as _;
+use pilotage_core::flight::photo::PhotoLook;
+use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
+use pilotage_core::imagery::{Blank, Imagery};
+use pilotage_core::registration::{Draped, drape};
+
+use super::{
+    Advance, DrapeOrder, JobEvent, PhotoReport, PhotosOrder, RunningJob, Workshop,
+    file_pool::FilePool,
+};
+use pilotage_core::flight::photo::PhotoAnswer;
+
+/// Pixels along the longer side of a photo that is shown on the map.
+const SHOWN: usize = 900;
+
+/// Photos being laid: events `Progress` and `PhotoLaid`.
+pub struct LayPhotos {
+    order: PhotosOrder,
+    map: Option<Arc<dyn Imagery>>,
+    /// Number of the next photo.
+    next: usize,
+    /// That photo, once it is read.
+    read: Option<PhotoLook>,
+}
+
+impl LayPhotos {
+    /// Nothing done yet.
+    pub fn new(order: PhotosOrder) -> Self {
+        Self {
+            order,
+            map: None,
+            next: 0,
+            read: None,
+        }
+    }
+
+    fn tell(
+        &mut self,
+        answer: PhotoAnswer,
+        computed: f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Advance {
+        let number = self.next;
+        emit(JobEvent::PhotoLaid(Box::new(PhotoReport {
+            number,
+            answer,
+            computed,
+        })));
+        self.next += 1;
+        if self.next < self.order.names.len() {
+            return Advance::More;
+        }
+        emit(JobEvent::Finished);
+        Advance::Done
+    }
+}
+
+impl RunningJob for LayPhotos {
+    fn advance(
+        &mut self,
+        workshop: &mut Workshop,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Result<Advance, String> {
+        let order = &self.order;
+        let Some(name) = order.names.get(self.next) else {
+            emit(JobEvent::Finished);
+            return Ok(Advance::Done);
+        };
+        let map = match &self.map {
+            Some(map) => Arc::clone(map),
+            None => workshop.cached_map(&order.map)?,
+        };
+        self.map = Some(Arc::clone(&map));
+        if let Some(photo) = self.read.take() {
+            let begun = clock();
+            let (answer, _) = photo.lay(map.as_ref());
+            return Ok(self.tell(answer, clock() - begun, emit));
+        }
+        let count = order.names.len();
+        let share = self.next as f32 / count as f32;
+        let words = format!("Laying photo {} of {count}", self.next + 1);
+        emit(JobEvent::Progress(share, words));
+        let files = workshop.files(&order.key)?;
+        let world = order.origin.map(LocalFrame::new);
+        let source = files.source(name);
+        let read = source
+            .ok_or_else(|| format!("{name}: it is gone"))
+            .and_then(|source| {
+                PhotoLook::new(
+                    source.as_ref(),
+                    &order.search,
+                    world.as_ref(),
+                    &order.ground,
+                )
+            });
+        match read {
+            Ok(photo) => {
+                self.read = Some(photo);
+                Ok(Advance::More)
+            }
+            Err(why) => {
+                let answer = PhotoAnswer {
+                    assumed: Vec::new(),
+                    probability: 0.0,
+                    laid: Err(why),
+                };
+                Ok(self.tell(answer, 0.0, emit))
+            }
+        }
+    }
+}
+
+/// A laid photo on the map in its own colours.
+pub fn draped(files: &FilePool, order: &DrapeOrder) -> Result<Draped, String> {
+    let name = &order.name;
+    let source = files.source(name);
+    let source = source.ok_or_else(|| format!("{name}: it is gone"))?;
+    let nowhere = GroundRect::centered(GroundPoint::default(), 1.0, 1.0);
+    let photo = PhotoLook::new(source.as_ref(), &order.search, None, &nowhere)?;
+    let laid = &order.laid;
+    let look = photo.over(&Blank);
+    let draped = drape(&look, &laid.at, laid.stored_turn, &photo.picture, SHOWN);
+    draped.ok_or_else(|| format!("{name}: it shows the horizon"))
+}

@@ -1,0 +1,135 @@
+//! Photos that were laid on the map: their outlines, and the chosen one over the map.
+
+use egui::epaint::{Mesh, Vertex};
+use egui::{Color32, ColorImage, Painter, Shape, Stroke, TextureHandle, TextureOptions, pos2};
+use pilotage_core::registration::Draped;
+
+use super::transform::ScreenFromWorld;
+use crate::photos::{Photos, Shown};
+use crate::tokens::Tokens;
+
+/// Squares of the chequerboard along the longer side of a photo.
+const SQUARES: usize = 10;
+
+/// The texture of the chosen photo.
+#[derive(Default)]
+pub struct PhotoTexture {
+    held: Option<(u64, TextureHandle)>,
+}
+
+impl PhotoTexture {
+    /// Draws the photos that were laid, the chosen one over the map as it is wished.
+    pub fn paint(
+        &mut self,
+        painter: &Painter,
+        view: &ScreenFromWorld,
+        photos: &Photos,
+        tokens: &Tokens,
+    ) {
+        let laid = (0..photos.reports.len()).filter_map(|n| Some((n, photos.laid(n)?)));
+        for (number, photo) in laid {
+            if photos.chosen != Some(number) {
+                let stroke = Stroke::new(1.25, tokens.observed.gamma_multiply(0.8));
+                outline(painter, view, &photo.outline, stroke, tokens);
+            }
+        }
+        if let Some((draped, number)) = photos.draped() {
+            let texture = self.texture(painter.ctx(), draped, number);
+            match photos.shown {
+                Shown::Squares => squares(painter, view, draped, texture),
+                Shown::Whole(opacity) => {
+                    let tint = Color32::WHITE.gamma_multiply(opacity);
+                    let mut mesh = Mesh::with_texture(texture);
+                    add(&mut mesh, view, draped, [0.0, 0.0, 1.0, 1.0], tint);
+                    painter.add(Shape::mesh(mesh));
+                }
+                Shown::Outline => {}
+            }
+        }
+        if let Some(photo) = photos.chosen.and_then(|number| photos.laid(number)) {
+            let stroke = Stroke::new(2.5, tokens.accent);
+            outline(painter, view, &photo.outline, stroke, tokens);
+        }
+    }
+
+    fn texture(
+        &mut self,
+        context: &egui::Context,
+        draped: &Draped,
+        number: u64,
+    ) -> egui::TextureId {
+        if self.held.as_ref().is_none_or(|(of, _)| *of != number) {
+            let (width, height) = (draped.pixels.width(), draped.pixels.height());
+            let pixels = draped.pixels.pixels().as_flattened();
+            let image = ColorImage::from_rgba_unmultiplied([width, height], pixels);
+            let texture = context.load_texture("photo", image, TextureOptions::LINEAR);
+            self.held = Some((number, texture));
+        }
+        let held = self.held.as_ref();
+        held.map_or_else(egui::TextureId::default, |(_, texture)| texture.id())
+    }
+}
+
+/// The outline of a picture, with its top drawn heavier.
+fn outline(
+    painter: &Painter,
+    view: &ScreenFromWorld,
+    corners: &[pilotage_core::frames::GroundPoint],
+    stroke: Stroke,
+    tokens: &Tokens,
+) {
+    let points: Vec<_> = corners.iter().map(|corner| view.apply(corner)).collect();
+    if points.len() < 3 {
+        return;
+    }
+    let under = Stroke::new(stroke.width + 2.0, tokens.outline().gamma_multiply(0.5));
+    painter.add(Shape::closed_line(points.clone(), under));
+    painter.add(Shape::closed_line(points.clone(), stroke));
+    let top = Stroke::new(2.0 * stroke.width, stroke.color);
+    painter.line_segment([points[0], points[1]], top);
+}
+
+/// Every other square of a photo.
+fn squares(painter: &Painter, view: &ScreenFromWorld, draped: &Draped, texture: egui::TextureId) {
+    let window = &draped.window;
+    let side = window.width.max(window.height).div_ceil(SQUARES);
+    let mut mesh = Mesh::with_texture(texture);
+    let part = |from: usize, size: usize| {
+        let to = (from + side).min(size);
+        [from, to].map(|pixel| pixel as f32 / size as f32)
+    };
+    for (row, top) in (0..window.height).step_by(side).enumerate() {
+        for (column, left) in (0..window.width).step_by(side).enumerate() {
+            if (row + column).is_multiple_of(2) {
+                let [left, right] = part(left, window.width);
+                let [top, bottom] = part(top, window.height);
+                let square = [left, top, right, bottom];
+                add(&mut mesh, view, draped, square, Color32::WHITE);
+            }
+        }
+    }
+    painter.add(Shape::mesh(mesh));
+}
+
+/// Adds a part of a photo (left, top, right, bottom, as shares of its window) where it lies.
+fn add(
+    mesh: &mut Mesh,
+    view: &ScreenFromWorld,
+    draped: &Draped,
+    [left, top, right, bottom]: [f32; 4],
+    color: Color32,
+) {
+    let window = &draped.window;
+    let first = mesh.vertices.len() as u32;
+    for (u, v) in [(left, top), (right, top), (right, bottom), (left, bottom)] {
+        let column = f64::from(u) * window.width as f64;
+        let row = f64::from(v) * window.height as f64;
+        mesh.vertices.push(Vertex {
+            pos: view.apply(&window.ground_at(column, row)),
+            uv: pos2(u, v),
+            color,
+        });
+    }
+    mesh.add_triangle(first, first + 1, first + 2);
+    mesh.add_triangle(first, first + 2, first + 3);
+}

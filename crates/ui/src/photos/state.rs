@@ -1,0 +1,172 @@
+//! What is known of photos on the map.
+
+use pilotage_core::flight::photo::{LaidPhoto, PhotoSearch};
+use pilotage_core::frames::{Geodetic, GroundRect};
+use pilotage_core::registration::Draped;
+
+use crate::jobs::{DrapeOrder, MapSource, PhotoReport, PhotosOrder};
+
+/// How the chosen photo lies over the map.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shown {
+    /// In every other square of a chequerboard: roads and roofs run on where it lies right.
+    Squares,
+    /// All of it, with this opacity, 0 to 1.
+    Whole(f32),
+    /// Its outline alone.
+    Outline,
+}
+
+/// Photos, and the map on which they are to be laid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sought {
+    /// Key of the files that they are among.
+    pub key: String,
+    /// Their names.
+    pub names: Vec<String>,
+    /// The map.
+    pub map: MapSource,
+    /// Origin of its world frame, if it has a place on the globe.
+    pub origin: Option<Geodetic>,
+    /// Ground over which a photo is searched of which no place is known.
+    pub ground: GroundRect,
+}
+
+/// Photos on the map, until others are opened.
+#[derive(Debug)]
+pub struct Photos {
+    /// Which, on which map.
+    pub sought: Option<Sought>,
+    /// How they are to be looked for.
+    pub search: PhotoSearch,
+    /// How they were looked for last.
+    pub searched: Option<PhotoSearch>,
+    /// What came of each.
+    pub reports: Vec<Option<PhotoReport>>,
+    /// The one that is looked at.
+    pub chosen: Option<usize>,
+    /// How it lies over the map.
+    pub shown: Shown,
+    /// What is being computed: share done, and words.
+    pub at_work: Option<(f32, String)>,
+    /// Why it came to nothing.
+    pub trouble: Option<String>,
+    draped: Option<(usize, Draped)>,
+    /// Counts what was draped, so that a texture knows when another one is shown.
+    drapings: u64,
+}
+
+impl Default for Photos {
+    fn default() -> Self {
+        Self {
+            sought: None,
+            search: PhotoSearch::default(),
+            searched: None,
+            reports: Vec::new(),
+            chosen: None,
+            shown: Shown::Squares,
+            at_work: None,
+            trouble: None,
+            draped: None,
+            drapings: 0,
+        }
+    }
+}
+
+impl Photos {
+    /// Takes others to be laid.
+    pub fn seek(&mut self, sought: Sought) {
+        self.forget();
+        self.reports = vec![None; sought.names.len()];
+        self.sought = Some(sought);
+    }
+
+    /// Forgets what came of them.
+    pub fn forget(&mut self) {
+        self.reports.fill(None);
+        (self.searched, self.chosen, self.trouble) = (None, None, None);
+        (self.at_work, self.draped) = (None, None);
+    }
+
+    /// Begins to lay all of them; the order, if there are any.
+    pub fn begin(&mut self) -> Option<PhotosOrder> {
+        let sought = self.sought.clone().filter(|s| !s.names.is_empty())?;
+        self.forget();
+        self.searched = Some(self.search);
+        self.at_work = Some((0.0, "Laying photos".to_owned()));
+        Some(PhotosOrder {
+            key: sought.key,
+            names: sought.names,
+            map: sought.map,
+            origin: sought.origin,
+            ground: sought.ground,
+            search: self.search,
+        })
+    }
+
+    /// Takes what came of one.
+    pub fn take(&mut self, report: PhotoReport) {
+        if let Some(place) = self.reports.get_mut(report.number) {
+            *place = Some(report);
+        }
+    }
+
+    /// Where photo `number` lies.
+    pub fn laid(&self, number: usize) -> Option<&LaidPhoto> {
+        let report = self.reports.get(number)?.as_ref()?;
+        report.answer.laid.as_ref().ok()
+    }
+
+    /// Photos that were laid, and those of which it is known whether they were.
+    pub fn counts(&self) -> (usize, usize) {
+        let laid = (0..self.reports.len()).filter(|n| self.laid(*n).is_some());
+        (laid.count(), self.reports.iter().flatten().count())
+    }
+
+    /// Mean time that one of them was looked for, seconds.
+    pub fn mean_seconds(&self) -> Option<f64> {
+        let reports = self.reports.iter().flatten();
+        let times: Vec<f64> = reports.map(|r| r.computed).filter(|t| *t > 0.0).collect();
+        (!times.is_empty()).then(|| 1e-3 * times.iter().sum::<f64>() / times.len() as f64)
+    }
+
+    /// Name of photo `number` without its folders.
+    pub fn name(&self, number: usize) -> &str {
+        let names = self.sought.as_ref().map_or(&[][..], |s| &s.names);
+        let name = names.get(number).map_or("", String::as_str);
+        name.rsplit('/').next().unwrap_or(name)
+    }
+
+    /// What is to be asked to show the chosen one on the map, unless that is known already or it is not shown.
+    pub fn drape_order(&self) -> Option<DrapeOrder> {
+        let number = self.chosen?;
+        let is_known = self.draped.as_ref().is_some_and(|(of, _)| *of == number);
+        if is_known || self.shown == Shown::Outline {
+            return None;
+        }
+        let sought = self.sought.as_ref()?;
+        Some(DrapeOrder {
+            key: sought.key.clone(),
+            name: sought.names.get(number)?.clone(),
+            search: self.searched?,
+            laid: self.laid(number)?.clone(),
+        })
+    }
+
+    /// Takes the chosen photo as it lies on the map.
+    pub fn drape(&mut self, number: usize, draped: Draped) {
+        self.draped = Some((number, draped));
+        self.drapings += 1;
+    }
+
+    /// The chosen photo as it lies on the map, if that is there, and a number that is another one for another picture.
+    pub fn draped(&self) -> Option<(&Draped, u64)> {
+        let (number, draped) = self.draped.as_ref()?;
+        (Some(*number) == self.chosen).then_some((draped, self.drapings))
+    }
+
+    /// Whether they lie in the world around `origin`.
+    pub fn lie_in(&self, origin: Option<Geodetic>) -> bool {
+        self.sought.as_ref().is_some_and(|s| s.origin == origin)
+    }
+}

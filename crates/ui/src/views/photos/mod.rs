@@ -1,0 +1,114 @@
+//! The sheet of photos on the map: how they are looked for, what came of each, and the chosen one in full.
+
+mod chosen;
+mod list;
+mod search;
+
+use egui::{Label, RichText, ScrollArea, Ui};
+
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::photos::{Photos, PhotosCommand as Do};
+use crate::shell::{at_work, heading, muted, text_button, title};
+
+/// What the sheet is drawn from.
+pub struct PhotosScene<'a> {
+    /// What is known.
+    pub photos: &'a Photos,
+    /// World frame of the map, if it has a place on the globe.
+    pub frame: Option<pilotage_core::frames::LocalFrame>,
+    /// Whether there is a map.
+    pub has_map: bool,
+}
+
+fn send(context: &mut ViewContext<'_>, what: Do) {
+    context.commands.push(Command::Photos(what));
+}
+
+/// Draws the sheet.
+pub fn photos_sheet(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &PhotosScene<'_>) {
+    let tokens = context.tokens;
+    let photos = scene.photos;
+    if title(ui, tokens, "Photos on the map") {
+        send(context, Do::Close);
+    }
+    ScrollArea::vertical()
+        .id_salt("photos on the map")
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = 0.75 * tokens.space;
+            let words = "Each photo is compared with the map by itself, wherever it may have been taken by what is \
+                         known of it.";
+            ui.add(Label::new(muted(tokens, words)).wrap());
+            if !scene.has_map {
+                let words = "There is no map to lay photos on: open a georeferenced map of the ground first, or \
+                             drop it together with the photos.";
+                ui.add(Label::new(RichText::new(words).color(tokens.warning)).wrap());
+            }
+            begin(ui, context, scene);
+            if let Some((share, words)) = &photos.at_work {
+                let words = format!("{words}: {:.0} %", 100.0 * share);
+                if at_work(ui, tokens, &words) {
+                    send(context, Do::Stop);
+                }
+            }
+            if let Some(trouble) = &photos.trouble {
+                ui.add(Label::new(RichText::new(trouble).color(tokens.warning)).wrap());
+            }
+            search::limits(ui, context, &photos.search);
+            search::known(ui, context, scene);
+            if photos.reports.is_empty() {
+                return;
+            }
+            ui.add_space(0.5 * tokens.space);
+            heading(ui, tokens, &summary(photos));
+            list::list(ui, context, photos);
+            chosen::chosen(ui, context, scene);
+        });
+}
+
+/// Buttons that open photos and lay them.
+fn begin(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &PhotosScene<'_>) {
+    let (tokens, photos) = (context.tokens, scene.photos);
+    let count = photos.reports.len();
+    ui.horizontal_wrapped(|ui| {
+        if count > 0 && scene.has_map && photos.at_work.is_none() {
+            let is_new = photos.searched.is_none();
+            let is_changed = photos.searched.is_some_and(|s| s != photos.search);
+            let words = match (is_new, count) {
+                (true, 1) => "Lay the photo".to_owned(),
+                (true, _) => format!("Lay {count} photos"),
+                (false, _) => "Lay again".to_owned(),
+            };
+            if text_button(ui, tokens, None, &words, is_new || is_changed).clicked() {
+                send(context, Do::Lay);
+            }
+        }
+        let words = "Open photos …";
+        if scene.has_map && text_button(ui, tokens, None, words, count == 0).clicked() {
+            context.commands.push(Command::Open);
+        }
+    });
+    if count == 0 && scene.has_map {
+        let words = "Or drop them on the page: JPEG or PNG of a camera that looks down. Nothing leaves this machine.";
+        ui.add(Label::new(muted(tokens, words)).wrap());
+    }
+}
+
+fn summary(photos: &Photos) -> String {
+    let (laid, known) = photos.counts();
+    let all = photos.reports.len();
+    let words = match (known, photos.searched) {
+        (_, None) => format!("{all} photos"),
+        (known, _) if known == all => format!("{laid} of {all} laid"),
+        _ => format!(
+            "{laid} laid, {} refused, {} to come",
+            known - laid,
+            all - known
+        ),
+    };
+    match photos.mean_seconds() {
+        Some(seconds) => format!("{words} · {seconds:.1} s each"),
+        None => words,
+    }
+}

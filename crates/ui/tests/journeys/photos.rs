@@ -1,0 +1,210 @@
+//! Photos are laid on a map one by one.
+
+use egui_kittest::kittest::Queryable as _;
+use pilotage_core::raster::{Picture, encode_jpeg, encode_png};
+use pilotage_ui::host::OpenedFile;
+use pilotage_ui::jobs::Job;
+use serde_json::Value;
+
+use super::support::{Rig, rig};
+
+/// Metres per pixel of the map and of the photos.
+const GSD: f64 = 0.5;
+/// Degrees of latitude and longitude per metre where the map lies.
+const DEGREES: [f64; 2] = [1.0 / 111_170.0, 1.0 / 76_057.0];
+/// Latitude and longitude of the map's north-west corner, degrees.
+const CORNER: [f64; 2] = [47.0, 8.0];
+/// Pixels of the map, and of a photo.
+const MAP: (usize, usize) = (720, 600);
+const PHOTO: (usize, usize) = (300, 240);
+
+/// A town of grey and red roofs, another one for another seed.
+fn town(width: usize, height: usize, seed: u64) -> Picture {
+    let mut state = seed;
+    let mut draw = |most: usize| {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % most
+    };
+    let mut ground = Picture::filled(width, height, [104, 118, 84]);
+    for _ in 0..width * height / 900 {
+        let (left, top) = (draw(width), draw(height));
+        let (across, down) = (10 + draw(34), 10 + draw(34));
+        let light = 50 + draw(180) as u8;
+        let roof = if draw(2) == 0 {
+            [light; 3]
+        } else {
+            [light, light / 2, light / 3]
+        };
+        for row in top..(top + down).min(height) {
+            for column in left..(left + across).min(width) {
+                ground.set(column, row, roof);
+            }
+        }
+    }
+    ground
+}
+
+/// The part of `ground` that begins at (left, top), as a photo that a drone took from above its middle, looking down,
+/// top to the north. It says that it was taken `off` metres north and east of there.
+fn photo(ground: &Picture, (left, top): (usize, usize), off: [f64; 2]) -> Vec<u8> {
+    let (width, height) = PHOTO;
+    let seen = Picture::from_fn(width, height, |x, y| ground.get(left + x, top + y));
+    let jpeg = encode_jpeg(&seen, 92).expect("memory");
+    let middle = middle((left, top));
+    let latitude = middle[0] + off[0] * DEGREES[0];
+    let longitude = middle[1] + off[1] * DEGREES[1];
+    // Without a word about its lens its focal length counts as 0.6 of its width.
+    let above = 0.6 * width as f64 * GSD;
+    let xmp = format!(
+        "<x:xmpmeta><rdf:Description drone-dji:GpsLatitude=\"{latitude:.8}\" drone-dji:GpsLongitude=\"{longitude:.8}\" \
+         drone-dji:RelativeAltitude=\"+{above:.2}\" drone-dji:FlightYawDegree=\"+4.0\" \
+         drone-dji:FlightPitchDegree=\"-3.0\" drone-dji:FlightRollDegree=\"+1.0\" drone-dji:GimbalYawDegree=\"0.0\" \
+         drone-dji:GimbalPitchDegree=\"0.0\" drone-dji:GimbalRollDegree=\"0.0\"/></x:xmpmeta>"
+    );
+    let body = [b"http://ns.adobe.com/xap/1.0/\0", xmp.as_bytes()].concat();
+    let length = (body.len() as u16 + 2).to_be_bytes();
+    let segment = [&[0xff, 0xe1], &length[..], &body].concat();
+    [&jpeg[..2], &segment, &jpeg[2..]].concat()
+}
+
+/// Latitude and longitude of the middle of the part that begins at (left, top).
+fn middle((left, top): (usize, usize)) -> [f64; 2] {
+    let (width, height) = PHOTO;
+    let south = GSD * (top as f64 + 0.5 * height as f64);
+    let east = GSD * (left as f64 + 0.5 * width as f64);
+    [
+        CORNER[0] - south * DEGREES[0],
+        CORNER[1] + east * DEGREES[1],
+    ]
+}
+
+fn file(name: &str, bytes: Vec<u8>) -> OpenedFile {
+    OpenedFile {
+        path: name.to_owned(),
+        content: bytes.into(),
+    }
+}
+
+/// The map and the files that say where it lies.
+fn map(ground: &Picture) -> Vec<OpenedFile> {
+    let [down, across] = DEGREES.map(|degrees| GSD * degrees);
+    let [north, west] = CORNER;
+    let world = format!(
+        "{across:.12}\n0\n0\n-{down:.12}\n{:.12}\n{:.12}\n",
+        west + 0.5 * across,
+        north - 0.5 * down
+    );
+    vec![
+        file("map.png", encode_png(ground).expect("memory")),
+        file("map.pgw", world.into_bytes()),
+        file("map.prj", b"EPSG:4326".to_vec()),
+    ]
+}
+
+fn rows(rig: &mut Rig) -> Vec<Value> {
+    let state = rig.state();
+    state["photos"]["rows"]
+        .as_array()
+        .cloned()
+        .unwrap_or_default()
+}
+
+/// Metres between a row's place and the middle of the part that begins at `corner`.
+fn error(row: &Value, corner: (usize, usize)) -> f64 {
+    let truth = middle(corner);
+    let off = [0, 1].map(|i| (row["place"][i].as_f64().expect("a place") - truth[i]) / DEGREES[i]);
+    off[0].hypot(off[1])
+}
+
+#[test]
+fn photos_dropped_with_a_map_are_laid_on_it_or_refused_with_a_reason() {
+    let mut rig = rig();
+    rig.host().really_open = true;
+    let ground = town(MAP.0, MAP.1, 7);
+    let elsewhere = town(MAP.0, MAP.1, 8);
+    let mut files = map(&ground);
+    files.push(file("first.jpg", photo(&ground, (120, 100), [9.0, -7.0])));
+    files.push(file(
+        "second.jpg",
+        photo(&elsewhere, (150, 120), [0.0, 0.0]),
+    ));
+    rig.host().opened.push(files);
+    rig.settle();
+    let rows = rows(&mut rig);
+    assert_eq!(rows.len(), 2, "{rows:?}");
+    assert_eq!(rig.state()["side_tab"], "Photos");
+    let (first, second) = (&rows[0], &rows[1]);
+    assert!(error(first, (120, 100)) < 1.5, "{first}");
+    assert!(first["probability"].as_f64() > Some(0.9), "{first}");
+    assert!(
+        first["deviation"].as_f64() >= Some(3.0),
+        "the map's own error counts: {first}"
+    );
+    let assumed = first["assumed"].as_str().expect("words");
+    assert!(
+        assumed.contains("gimbal's angles are all zero") && assumed.contains("focal length 180"),
+        "{assumed}"
+    );
+    assert!(second["place"].is_null(), "{second}");
+    let why = second["refused"].as_str().expect("a reason");
+    assert!(why.contains("look") || why.contains("place"), "{why}");
+    rig.harness.get_by_label_contains("second.jpg: not laid");
+    // The first one lies over the map.
+    let photos = &rig.state()["photos"];
+    assert_eq!(photos["chosen"], 0);
+    assert_eq!(photos["draped"], true);
+}
+
+#[test]
+fn limits_are_changed_and_the_photos_laid_again() {
+    let mut rig = rig();
+    rig.host().really_open = true;
+    let ground = town(MAP.0, MAP.1, 7);
+    rig.host().opened.push(map(&ground));
+    rig.settle();
+    // One photo alone, over the map that is open; it says that it was taken 70 m away.
+    let far = photo(&ground, (120, 100), [50.0, -50.0]);
+    rig.host().opened.push(vec![file("far.jpg", far)]);
+    rig.settle();
+    let refused = rows(&mut rig);
+    assert_eq!(refused.len(), 1, "{refused:?}");
+    assert!(refused[0]["place"].is_null(), "{refused:?}");
+    let role = egui::accesskit::Role::SpinButton;
+    let name = "Place, to each side";
+    rig.harness.get_by_role_and_label(role, name).click();
+    rig.frames(2);
+    rig.key_with(egui::Modifiers::COMMAND, egui::Key::A);
+    rig.harness.event(egui::Event::Text("90".to_owned()));
+    rig.frames(1);
+    rig.key(egui::Key::Enter);
+    rig.frames(3);
+    assert_eq!(rig.state()["photos"]["within"], 90.0);
+    rig.harness.get_by_label("Lay again").click();
+    rig.settle();
+    let laid = rows(&mut rig);
+    assert!(error(&laid[0], (120, 100)) < 1.5, "{laid:?}");
+}
+
+#[test]
+fn pictures_without_a_map_to_lay_them_on_are_refused_in_words() {
+    let mut rig = rig();
+    rig.host().really_open = true;
+    let ground = town(320, 260, 7);
+    let files = ["a.png", "b.png"].map(|name| file(name, encode_png(&ground).expect("memory")));
+    rig.host().opened.push(files.to_vec());
+    rig.settle();
+    let orders = rig.host().jobs.iter();
+    assert_eq!(
+        orders
+            .filter(|(_, job)| matches!(job, Job::LayPhotos(_)))
+            .count(),
+        0
+    );
+    let toasts = rig.state()["toasts"].to_string();
+    assert!(
+        toasts.contains("a.png does not say where it lies"),
+        "{toasts}"
+    );
+}
