@@ -11,7 +11,6 @@
 #[expect(dead_code, reason = "tests of the detector look beyond pictures, too")]
 #[path = "../../../vision/tests/landmarks_across_dates/looks.rs"]
 mod looks;
-#[expect(dead_code, reason = "registration reads more of it")]
 #[path = "../../../vision/tests/across_dates/photos.rs"]
 mod photos;
 

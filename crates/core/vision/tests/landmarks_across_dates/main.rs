@@ -10,7 +10,6 @@
 
 #[expect(dead_code, reason = "the planner's looks read more of it")]
 mod looks;
-#[expect(dead_code, reason = "registration reads more of it")]
 #[path = "../across_dates/photos.rs"]
 mod photos;
 
