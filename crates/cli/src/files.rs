@@ -148,11 +148,32 @@ pub fn open_map(
     frame: Option<LocalFrame>,
     megabytes: usize,
 ) -> Result<Arc<dyn Imagery>, Box<dyn std::error::Error>> {
+    Ok(open_map_in(path, frame, megabytes)?.0)
+}
+
+/// The same in its own world frame, with that, if it lies on the globe.
+pub fn open_map_with_frame(
+    path: &Path,
+    megabytes: usize,
+) -> Result<MapInFrame, Box<dyn std::error::Error>> {
+    open_map_in(path, None, megabytes)
+}
+
+/// A map and the world frame that it was put into.
+type MapInFrame = (Arc<dyn Imagery>, Option<LocalFrame>);
+
+fn open_map_in(
+    path: &Path,
+    frame: Option<LocalFrame>,
+    megabytes: usize,
+) -> Result<MapInFrame, Box<dyn std::error::Error>> {
     let directory = Directory::around(path)?;
     let name = path
         .file_name()
         .map(|n| n.to_string_lossy().into_owned())
         .unwrap_or_default();
     let map = pilotage_core::mission::open_map(&directory, &name, frame)?;
-    Ok(Arc::new(CachedImagery::new(Arc::new(map), megabytes)))
+    let frame = map.frame().copied();
+    let map = CachedImagery::new(Arc::new(map), megabytes);
+    Ok((Arc::new(map), frame))
 }

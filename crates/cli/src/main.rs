@@ -19,6 +19,7 @@ mod mission_file;
 mod numbers;
 mod opening;
 mod outage;
+mod own_map;
 mod plan;
 mod register;
 mod replay;
@@ -43,7 +44,7 @@ struct Arguments {
 enum Job {
     /// List the built-in scenarios.
     Scenarios,
-    /// Fly a built-in scenario and write it as a flight folder.
+    /// Fly a built-in scenario, or over a map of your own, and write it as a flight folder.
     Simulate(simulate::Arguments),
     /// Run flights through the estimator.
     Replay(replay::Arguments),

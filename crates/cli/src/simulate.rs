@@ -36,7 +36,10 @@ impl From<Day> for FlightDay {
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Name of a scenario (see `pilotage scenarios`).
-    scenario: String,
+    #[arg(required_unless_present_any = ["map", "mission"], conflicts_with_all = ["map", "mission"])]
+    scenario: Option<String>,
+    #[command(flatten)]
+    own: crate::own_map::OwnMap,
     /// Seed of gusts, sensors and pictures.
     #[arg(long, default_value_t = 1)]
     seed: u64,
@@ -75,17 +78,20 @@ pub fn list() {
     }
 }
 
-/// Flies a scenario and writes it.
+/// Flies a scenario, or over a map of one's own, and writes it.
 pub fn run(arguments: &Arguments) -> Outcome {
-    let hall = (arguments.scenario == IndoorHall::NAME).then(IndoorHall::default);
-    let mut flown = if let Some(hall) = &hall {
-        hall.simulate(arguments.seed)
-    } else {
-        let overrides = Overrides {
-            day: Some(arguments.day.into()),
-            ..Overrides::default()
-        };
-        scenario(&arguments.scenario)?.simulate(arguments.seed, &overrides)
+    let is_hall = arguments.scenario.as_deref() == Some(IndoorHall::NAME);
+    let hall = is_hall.then(IndoorHall::default);
+    let mut flown = match (&hall, &arguments.scenario) {
+        (Some(hall), _) => hall.simulate(arguments.seed),
+        (None, Some(name)) => {
+            let overrides = Overrides {
+                day: Some(arguments.day.into()),
+                ..Overrides::default()
+            };
+            scenario(name)?.simulate(arguments.seed, &overrides)
+        }
+        (None, None) => crate::own_map::fly(&arguments.own, arguments.seed, arguments.day.into())?,
     };
     std::fs::create_dir_all(&arguments.out)
         .map_err(|e| format!("{}: {e}", arguments.out.display()))?;

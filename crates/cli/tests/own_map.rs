@@ -1,0 +1,102 @@
+//! `pilotage simulate` over a map of one's own.
+
+use std::path::PathBuf;
+use std::process::{Command, Output};
+
+use pilotage_core::raster::{Picture, decode_picture, encode_png};
+use serde_json::Value;
+
+/// A folder with a map of 1.2 km by 1.2 km: red in its west, green in its east.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let folder = format!("pilotage-own-map-{name}-{}", std::process::id());
+        let folder = std::env::temp_dir().join(folder);
+        std::fs::create_dir_all(&folder).expect("the temporary folder can be written");
+        let map = Picture::from_fn(600, 600, |x, y| {
+            let grain = ((x * 7 + y * 13) % 40) as u8;
+            if x < 300 {
+                [160 + grain, 40 + grain, 40]
+            } else {
+                [40, 160 + grain, 40 + grain]
+            }
+        });
+        let map = encode_png(&map).expect("a picture");
+        std::fs::write(folder.join("map.png"), map).expect("the folder can be written");
+        // Two metres a pixel in UTM zone 32 north.
+        let world = "2\n0\n0\n-2\n400001\n5200999\n";
+        std::fs::write(folder.join("map.pgw"), world).expect("the folder can be written");
+        let system = "PROJCS[\"WGS_1984_UTM_Zone_32N\",GEOGCS[\"GCS_WGS_1984\",";
+        std::fs::write(folder.join("map.prj"), system).expect("the folder can be written");
+        Self(folder)
+    }
+
+    fn simulate(&self, words: &[&str]) -> Output {
+        Command::new(env!("CARGO_BIN_EXE_pilotage"))
+            .current_dir(&self.0)
+            .args(["simulate", "--map", "map.png", "--out", "flown"])
+            .args(words)
+            .output()
+            .expect("the program starts")
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        std::fs::remove_dir_all(&self.0).ok();
+    }
+}
+
+/// Degrees of places in UTM zone 32 north, 400300 m east, by the series of Krüger (1912).
+const WEST: [&str; 2] = ["46.946033,7.689910", "46.952331,7.689756"];
+
+#[test]
+fn a_route_over_the_west_of_a_map_sees_the_west_of_it() {
+    let folder = Folder::new("west");
+    let route = WEST.join(";");
+    let words = [
+        "--route", &route, "--height", "100", "--day", "same", "--wind", "270,3",
+    ];
+    let done = folder.simulate(&words);
+    let said = String::from_utf8_lossy(&done.stderr).into_owned();
+    assert!(done.status.success(), "{said}");
+    let text = std::fs::read_to_string(folder.0.join("flown/flight.json")).expect("a flight");
+    let flight: Value = serde_json::from_str(&text).expect("JSON");
+    let origin = flight["origin"]["latitude_deg"].as_f64().expect("degrees");
+    assert!((origin - 46.9497).abs() < 1e-3, "{origin}");
+    let mut pictures = 0;
+    for entry in std::fs::read_dir(folder.0.join("flown"))
+        .expect("a folder")
+        .flatten()
+    {
+        pictures += look(&entry.path());
+    }
+    assert!(pictures > 20, "{pictures}");
+}
+
+/// Looks at the pictures at or below a path; how many there are.
+fn look(path: &std::path::Path) -> usize {
+    if path.is_dir() {
+        let all = std::fs::read_dir(path).expect("a folder").flatten();
+        return all.map(|entry| look(&entry.path())).sum();
+    }
+    if !path.extension().is_some_and(|ending| ending == "jpg") {
+        return 0;
+    }
+    let picture = decode_picture(&std::fs::read(path).expect("a file")).expect("a picture");
+    let [red, green, _] = picture.get(picture.width() / 2, picture.height() / 2);
+    assert!(red > green, "{}: {red}, {green}", path.display());
+    1
+}
+
+#[test]
+fn a_route_beside_the_map_is_refused() {
+    let folder = Folder::new("beside");
+    let done = folder.simulate(&["--route", "46.95,7.69;47.2,7.69"]);
+    let said = String::from_utf8_lossy(&done.stderr).into_owned();
+    assert!(
+        !done.status.success() && said.contains("is not on it"),
+        "{said}"
+    );
+}
