@@ -48,20 +48,18 @@ fn laid_line(laid: &LaidReport) -> String {
     let probability = laid.probability.map_or(String::new(), |p| {
         format!(", {:.2} % by the whole frame", 100.0 * p)
     });
-    match &laid.refusal {
-        Some(refusal) => format!("not laid: {refusal}{probability}"),
-        None => {
-            let by = match laid.laid_by {
-                LaidBy::Patches => "patches",
-                LaidBy::WholeFrame => "its edges as a whole",
-            };
-            let agreeing = laid.place.as_ref().map_or(0, |place| place.matches.len());
-            format!(
-                "laid by {by}: {agreeing} of {} patches agree{probability}",
-                laid.tried
-            )
-        }
+    if let Some(refusal) = &laid.refusal {
+        return format!("not laid: {refusal}{probability}");
     }
+    let by = match laid.laid_by {
+        LaidBy::Patches => "patches",
+        LaidBy::WholeFrame => "its edges as a whole",
+    };
+    let agreeing = laid.place.as_ref().map_or(0, |place| place.matches.len());
+    format!(
+        "laid by {by}: {agreeing} of {} patches agree{probability}",
+        laid.tried
+    )
 }
 
 fn candidate_line(flight: &Flight, run: &Run, frame: usize, candidate: &CandidateReport) -> String {

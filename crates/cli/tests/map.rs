@@ -1,5 +1,6 @@
 //! `pilotage map` as a user calls it.
 
+use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
@@ -212,7 +213,13 @@ fn several_pictures_with_a_table_of_their_corners_are_one_map() {
         folder.write(name, encode_png(&part).expect("a picture"));
         let lon = |column: usize| west + column as f64 * DEGREE;
         let south = north - f64::from(HEIGHT) * DEGREE;
-        table += &format!("{name},{north},{},{south},{}\n", lon(x), lon(x + width));
+        writeln!(
+            table,
+            "{name},{north},{},{south},{}",
+            lon(x),
+            lon(x + width)
+        )
+        .expect("a line");
     }
     folder.write("map.csv", &table);
     let info = folder.info(&["map.csv"]);

@@ -81,7 +81,7 @@ fn look(path: &std::path::Path) -> usize {
         let all = std::fs::read_dir(path).expect("a folder").flatten();
         return all.map(|entry| look(&entry.path())).sum();
     }
-    if !path.extension().is_some_and(|ending| ending == "jpg") {
+    if path.extension().is_none_or(|ending| ending != "jpg") {
         return 0;
     }
     let picture = decode_picture(&std::fs::read(path).expect("a file")).expect("a picture");

@@ -247,6 +247,8 @@ impl Imagery for Mosaic {
 
 #[cfg(test)]
 mod tests {
+    use std::fmt::Write as _;
+
     use super::*;
     use crate::open_map;
     use pilotage_base::files::MemoryFiles;
@@ -285,7 +287,7 @@ mod tests {
                 (north - row as f64 * DEGREE, west + column as f64 * DEGREE)
             };
             let ((lat, lon), (other_lat, other_lon)) = (at(x, y), at(x + width, y + height));
-            table += &format!("{name},{lat},{lon},{other_lat},{other_lon}\n");
+            writeln!(table, "{name},{lat},{lon},{other_lat},{other_lon}").unwrap();
         }
         files.0.insert("corners.csv".to_owned(), table.into_bytes());
         files

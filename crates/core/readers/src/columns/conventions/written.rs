@@ -258,29 +258,14 @@ impl Choices {
             Length::Millimetres => m.height * 1000.0,
         };
         put("alt", height);
-        let v = [m.velocity.x, m.velocity.y, m.velocity.z].map(|v| speed(self.speed, v));
+        for (name, value) in self.velocities(m) {
+            put(name, value);
+        }
         let mut three = |names: [&str; 3], values: [f64; 3]| {
             for (name, value) in names.into_iter().zip(values) {
                 put(name, value);
             }
         };
-        match self.velocity {
-            Velocity::Named => three(["vn", "ve", "vd"], v),
-            Velocity::Ned => three(["vx", "vy", "vz"], v),
-            Velocity::Enu => three(["vel_x", "vel_y", "vel_z"], [v[1], v[0], -v[2]]),
-            Velocity::Indexed => three(["velocity[0]", "velocity[1]", "velocity[2]"], v),
-            Velocity::Body | Velocity::BodyUp => {
-                let along = m.along_body().map(|v| speed(self.speed, v));
-                let up = if self.velocity == Velocity::BodyUp {
-                    -1.0
-                } else {
-                    1.0
-                };
-                let along = [along.x, up * along.y, up * along.z];
-                three(["body_vel_x", "body_vel_y", "body_vel_z"], along);
-            }
-            Velocity::Course | Velocity::None => {}
-        }
         match self.attitude {
             Attitude::Euler | Attitude::Prefixed | Attitude::RosEuler => {
                 let (pitch, yaw) = match self.attitude {
@@ -331,6 +316,30 @@ impl Choices {
         }
         self.slow(m, &mut cells);
         cells
+    }
+
+    /// Velocity over ground.
+    fn velocities(&self, m: &Moment) -> Vec<(&'static str, f64)> {
+        let v = [m.velocity.x, m.velocity.y, m.velocity.z].map(|v| speed(self.speed, v));
+        let three =
+            |names: [&'static str; 3], values: [f64; 3]| names.into_iter().zip(values).collect();
+        match self.velocity {
+            Velocity::Named => three(["vn", "ve", "vd"], v),
+            Velocity::Ned => three(["vx", "vy", "vz"], v),
+            Velocity::Enu => three(["vel_x", "vel_y", "vel_z"], [v[1], v[0], -v[2]]),
+            Velocity::Indexed => three(["velocity[0]", "velocity[1]", "velocity[2]"], v),
+            Velocity::Body | Velocity::BodyUp => {
+                let along = m.along_body().map(|v| speed(self.speed, v));
+                let up = if self.velocity == Velocity::BodyUp {
+                    -1.0
+                } else {
+                    1.0
+                };
+                let along = [along.x, up * along.y, up * along.z];
+                three(["body_vel_x", "body_vel_y", "body_vel_z"], along)
+            }
+            Velocity::Course | Velocity::None => Vec::new(),
+        }
     }
 
     /// Gyros and accelerometers.
