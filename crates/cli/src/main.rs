@@ -20,6 +20,7 @@ mod numbers;
 mod opening;
 mod outage;
 mod own_map;
+mod photo_picture;
 mod plan;
 mod register;
 mod replay;

@@ -15,6 +15,7 @@ use serde::Serialize;
 use crate::Outcome;
 use crate::files::{Directory, DiskFile};
 use crate::numbers::numbers;
+use crate::photo_picture::decode_photo;
 use crate::replay::MAP_CACHE;
 
 /// Pixels across the picture of `--overlay`.
@@ -25,7 +26,7 @@ const ACROSS: usize = 1200;
 pub struct Arguments {
     /// Map with its georeference in it or beside it.
     map: PathBuf,
-    /// Photos (JPEG or PNG) of a camera that looks down.
+    /// Photos (JPEG, TIFF or PNG) of a camera that looks down.
     #[arg(required = true, value_name = "PHOTO")]
     photos: Vec<PathBuf>,
     /// Place below the camera, degrees; what the photo says if absent, and the whole map if it says nothing.
@@ -176,9 +177,12 @@ fn answer(
     path: &Path,
 ) -> Result<Answer, Box<dyn std::error::Error>> {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let file = DiskFile::open(path, &name).map_err(|e| format!("{}: {e}", path.display()))?;
+    let told = |cause: &dyn std::fmt::Display| format!("{}: {cause}", path.display());
+    let file = DiskFile::open(path, &name).map_err(|e| told(&e))?;
+    let bytes = std::fs::read(path).map_err(|e| told(&e))?;
+    let picture = decode_photo(&name, &bytes).map_err(|e| told(&e))?;
     let bounds = ground.map.bounds();
-    let photo = PhotoLook::new(&file, search, ground.world.as_ref(), &bounds)?;
+    let photo = PhotoLook::new(&file, picture, search, ground.world.as_ref(), &bounds);
     let begun = Instant::now();
     let (said, found) = photo.lay(ground.map.as_ref());
     let seconds = begun.elapsed().as_secs_f64();

@@ -91,7 +91,7 @@ impl RunningJob for LayPhotos {
         let read = source
             .ok_or_else(|| format!("{name}: it is gone"))
             .and_then(|source| {
-                PhotoLook::new(
+                PhotoLook::read(
                     source.as_ref(),
                     &order.search,
                     world.as_ref(),
@@ -121,7 +121,7 @@ pub fn draped(files: &FilePool, order: &DrapeOrder) -> Result<Draped, String> {
     let source = files.source(name);
     let source = source.ok_or_else(|| format!("{name}: it is gone"))?;
     let nowhere = GroundRect::centered(GroundPoint::default(), 1.0, 1.0);
-    let photo = PhotoLook::new(source.as_ref(), &order.search, None, &nowhere)?;
+    let photo = PhotoLook::read(source.as_ref(), &order.search, None, &nowhere)?;
     let laid = &order.laid;
     let look = photo.over(&Blank);
     let draped = drape(&look, &laid.at, laid.stored_turn, &photo.picture, SHOWN);

@@ -3,6 +3,10 @@
 /// Most tags of a directory.
 const MOST_TAGS: usize = 1000;
 
+/// Width, height and XMP of a picture that is a TIFF itself.
+pub(super) const WIDTH: u16 = 0x0100;
+pub(super) const HEIGHT: u16 = 0x0101;
+pub(super) const XMP: u16 = 0x02bc;
 pub(super) const MAKE: u16 = 0x010f;
 pub(super) const MODEL: u16 = 0x0110;
 pub(super) const ORIENTATION: u16 = 0x0112;
@@ -140,6 +144,11 @@ impl<'a> Directory<'a> {
             _ => Vec::new(),
         };
         reals.into_iter().filter(|v| v.is_finite()).collect()
+    }
+
+    /// The bytes of a tag.
+    pub fn bytes(&self, tag: u16) -> Option<&'a [u8]> {
+        Some(self.entry(tag)?.values)
     }
 
     /// The first number of a tag.

@@ -64,12 +64,11 @@ pub struct LaidPhoto {
 }
 
 impl PhotoLook {
-    /// Decodes a photo, and gathers what it tells and what is known better. The map lies in `world` on the globe; a photo
-    /// of which no place is known is searched all over `ground`.
+    /// The same of a JPEG or PNG file, decoded.
     ///
     /// # Errors
     /// The picture cannot be read or decoded, in words that name it.
-    pub fn new(
+    pub fn read(
         source: &dyn ByteSource,
         search: &PhotoSearch,
         world: Option<&LocalFrame>,
@@ -79,7 +78,19 @@ impl PhotoLook {
         let bytes = source.read(0, source.length() as usize);
         let bytes = bytes.map_err(|cause| told(&cause))?;
         let picture = decode_picture(&bytes).map_err(|cause| told(&cause))?;
-        // What is no JPEG says nothing of itself.
+        Ok(Self::new(source, picture, search, world, ground))
+    }
+
+    /// Gathers of a photo what its file tells and what is known better; `picture` is what the file holds. The map lies in
+    /// `world` on the globe; a photo of which no place is known is searched all over `ground`.
+    pub fn new(
+        source: &dyn ByteSource,
+        picture: Picture,
+        search: &PhotoSearch,
+        world: Option<&LocalFrame>,
+        ground: &GroundRect,
+    ) -> Self {
+        // What is neither JPEG nor TIFF says nothing of itself.
         let photo = Photo {
             width: picture.width(),
             height: picture.height(),
@@ -88,13 +99,13 @@ impl PhotoLook {
         let mut assumed = Vec::new();
         let camera = search.camera(&photo, &mut assumed);
         let prior = search.prior(&photo, world, ground, &mut assumed);
-        Ok(Self {
+        Self {
             luminance: Pyramid::new(picture.to_gray(), PYRAMID_LEVELS),
             picture,
             camera,
             prior,
             assumed,
-        })
+        }
     }
 
     /// The photo over `map`, whose ground is level at zero.

@@ -10,6 +10,8 @@ use pilotage_base::frames::Attitude;
 /// Bytes that mostly hold the head of a photo, and those that always do.
 const HEAD: u64 = 1 << 17;
 const LONGEST_HEAD: u64 = 1 << 24;
+/// Longest TIFF that is read: its tags may stand at its end.
+const LONGEST_TIFF: u64 = 1 << 28;
 
 /// Where a photo was taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,8 +80,8 @@ pub enum PhotoError {
         /// Why, in words.
         cause: String,
     },
-    /// It is no JPEG.
-    #[error("{file}: it is no JPEG picture")]
+    /// It is neither a JPEG nor a TIFF.
+    #[error("{file}: it is neither a JPEG nor a TIFF picture")]
     NoJpeg {
         /// File.
         file: String,
@@ -104,6 +106,13 @@ pub fn read_photo(source: &dyn ByteSource) -> Result<Photo, PhotoError> {
         })
     };
     let mut bytes = fetch(HEAD)?;
+    if bytes.starts_with(b"II*\0") || bytes.starts_with(b"MM\0*") {
+        let found = of_tiff(file(), &fetch(LONGEST_TIFF)?);
+        return Ok(Photo {
+            bytes: length,
+            ..found?
+        });
+    }
     if matches!(head(&bytes), Found::Part(_)) && length > HEAD {
         bytes = fetch(LONGEST_HEAD)?;
     }
@@ -121,6 +130,18 @@ pub fn read_photo(source: &dyn ByteSource) -> Result<Photo, PhotoError> {
             })
         }
     }
+}
+
+/// What a TIFF says of itself: its tags are those that a JPEG has in its EXIF.
+fn of_tiff(file: String, bytes: &[u8]) -> Result<Photo, PhotoError> {
+    let exif = Exif::read(bytes);
+    let side = |tag| exif.image.whole(tag).filter(|side| *side > 0);
+    let size = side(exif::WIDTH).zip(side(exif::HEIGHT));
+    let Some((width, height)) = size else {
+        return Err(PhotoError::NoPicture { file });
+    };
+    let xmp = Xmp::read(exif.image.bytes(exif::XMP).unwrap_or_default());
+    Ok(photo(file, (width as usize, height as usize), &exif, &xmp))
 }
 
 fn photo(name: String, (width, height): (usize, usize), exif: &Exif, xmp: &Xmp) -> Photo {

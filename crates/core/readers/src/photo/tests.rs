@@ -247,3 +247,61 @@ fn photos_of_one_second_are_spread_over_it() {
     );
     assert!(folder.flight.channel(ChannelName::Heading).is_none());
 }
+
+/// A TIFF has the tags of EXIF in its own directories, and XMP in one of them.
+#[test]
+fn a_tiff_says_when_where_and_how_it_was_taken() {
+    let xmp = format!(
+        "<x:xmpmeta><rdf:Description {}/></x:xmpmeta>",
+        gimbal(90.0, -88.0)
+    );
+    let photo_tags = [
+        text(exif::DATE_TIME_ORIGINAL, "2024:05:01 10:20:30"),
+        (exif::FOCAL_LENGTH, 5, 1, ratio(&[(88, 10)])),
+    ];
+    let gps_tags = [
+        text(exif::LATITUDE_REF, "N"),
+        (exif::LATITUDE, 5, 3, ratio(&[(47, 1), (30, 1), (36, 1)])),
+        text(exif::LONGITUDE_REF, "E"),
+        (exif::LONGITUDE, 5, 3, ratio(&[(8, 1), (15, 1), (0, 1)])),
+    ];
+    let image = |photo: u32, gps: u32| {
+        let short = |value: u16| value.to_le_bytes().to_vec();
+        [
+            (exif::WIDTH, 3, 1, short(640)),
+            (exif::HEIGHT, 3, 1, short(480)),
+            text(exif::MODEL, "Multispectral"),
+            (exif::XMP, 1, xmp.len() as u32, xmp.clone().into_bytes()),
+            (0x8769, 4, 1, photo.to_le_bytes().to_vec()),
+            (0x8825, 4, 1, gps.to_le_bytes().to_vec()),
+        ]
+    };
+    // Pixels stand before the directories, beyond what is read of a JPEG.
+    let pixels = vec![0; 300_000];
+    let first = 8 + pixels.len();
+    let at = first + directory(first, &image(0, 0)).len();
+    let of_photo = directory(at, &photo_tags);
+    let behind = at + of_photo.len();
+    let file = [
+        b"II*\0".to_vec(),
+        (first as u32).to_le_bytes().to_vec(),
+        pixels,
+        directory(first, &image(at as u32, behind as u32)),
+        of_photo,
+        directory(behind, &gps_tags),
+    ]
+    .concat();
+    let photo = read_photo(&MemoryBytes::new("a.tif", file.clone())).unwrap();
+    assert_eq!((photo.width, photo.height), (640, 480));
+    assert_eq!(photo.camera, "Multispectral");
+    let place = photo.place.unwrap();
+    assert!((place.latitude.to_degrees() - 47.51).abs() < 1e-9);
+    assert!((place.longitude.to_degrees() - 8.25).abs() < 1e-9);
+    assert_eq!(photo.taken, Some((1_714_558_830, 0.0)));
+    assert!((photo.gimbal.unwrap().pitch.to_degrees() + 88.0).abs() < 1e-9);
+    assert_eq!(photo.height_above_take_off, Some(40.5));
+    assert!((photo.focal_length.unwrap() - 8.8e-3).abs() < 1e-9);
+    for end in (0..file.len()).step_by(97) {
+        let _ = read_photo(&MemoryBytes::new("a.tif", file[..end].to_vec()));
+    }
+}
