@@ -29,7 +29,10 @@ impl App {
             }
             PhotosCommand::Close if self.documents.log.is_some() => self.side_tab = SideTab::Log,
             PhotosCommand::Close => self.side_tab = SideTab::Match,
-            PhotosCommand::Lay => self.lay_photos(host),
+            PhotosCommand::Lay => {
+                self.seek_on_open_map();
+                self.lay_photos(host);
+            }
             PhotosCommand::Stop => {
                 self.stop_laying(host);
             }
@@ -87,6 +90,17 @@ impl App {
                 origin,
                 ground,
             });
+        }
+    }
+
+    /// Has the photos sought on the map that is open now: another one may have been opened since.
+    fn seek_on_open_map(&mut self) {
+        let documents = &self.documents;
+        let map = documents.map.as_ref().filter(|_| documents.has_real_map());
+        let ground = self.ground_searched(map);
+        let (map, origin) = (documents.map_source.clone(), documents.world_origin());
+        if let (Some(ground), Some(sought)) = (ground, &mut self.documents.photos.sought) {
+            (sought.map, sought.origin, sought.ground) = (map, origin, ground);
         }
     }
 

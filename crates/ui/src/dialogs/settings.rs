@@ -130,7 +130,7 @@ fn search_limits(ui: &mut Ui, tokens: &Tokens, assumed: &mut FollowSettings, uni
     }
     if let Some(farthest) = &mut assumed.farthest {
         let name = "Position, to each side";
-        scaled(ui, name, length_unit, farthest, length, 5.0..=2000.0);
+        limit_slider(ui, name, length_unit, farthest, length, 5.0..=2000.0);
     }
     meaning(
         ui,
@@ -140,7 +140,7 @@ fn search_limits(ui: &mut Ui, tokens: &Tokens, assumed: &mut FollowSettings, uni
     let mut heading = assumed.heading_limit();
     let degrees = 1.0_f64.to_degrees();
     let name = "Heading, to each side";
-    if scaled(ui, name, "°", &mut heading, degrees, 0.02..=1.2) {
+    if limit_slider(ui, name, "°", &mut heading, degrees, 0.02..=1.2) {
         assumed.limit_heading(heading);
     }
     meaning(
@@ -150,7 +150,7 @@ fn search_limits(ui: &mut Ui, tokens: &Tokens, assumed: &mut FollowSettings, uni
     );
     let mut height = assumed.height_limit();
     let name = "Height, up and down";
-    if scaled(ui, name, "%", &mut height, 100.0, 0.01..=1.5) {
+    if limit_slider(ui, name, "%", &mut height, 100.0, 0.01..=1.5) {
         assumed.limit_height(height);
     }
     meaning(
@@ -160,7 +160,7 @@ fn search_limits(ui: &mut Ui, tokens: &Tokens, assumed: &mut FollowSettings, uni
     );
     let name = "Map is good to, σ";
     let map = &mut assumed.map_deviation;
-    linear_from_zero(ui, name, length_unit, map, length, 20.0);
+    linear(ui, name, length_unit, map, length, 0.0..=20.0);
     meaning(
         ui,
         tokens,
@@ -369,7 +369,7 @@ fn start(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings, units: 
         length_unit,
         &mut start.offset[0],
         length,
-        60.0,
+        -60.0..=60.0,
     );
     linear(
         ui,
@@ -377,7 +377,7 @@ fn start(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings, units: 
         length_unit,
         &mut start.offset[1],
         length,
-        60.0,
+        -60.0..=60.0,
     );
     meaning(
         ui,
@@ -422,37 +422,13 @@ fn scaled(
     factor: f64,
     range: std::ops::RangeInclusive<f64>,
 ) -> bool {
-    let mut shown = *value * factor;
-    let range = range.start() * factor..=range.end() * factor;
-    let slider = Slider::new(&mut shown, range)
-        .clamping(SliderClamping::Edits)
-        .logarithmic(true)
-        .max_decimals(3);
-    let changed = named(ui, name, unit, |ui| ui.add(slider));
-    if changed {
-        *value = shown / factor;
-    }
-    changed
+    let look =
+        |slider: Slider<'_>| slider_row(ui, name, unit, slider.logarithmic(true).max_decimals(3));
+    edited(value, factor, range, look)
 }
 
-/// A slider about zero of a value shown `factor` times as large.
-fn linear(ui: &mut Ui, name: &str, unit: &str, value: &mut f64, factor: f64, most: f64) -> bool {
-    evenly(ui, name, unit, value, factor, -most..=most)
-}
-
-/// A slider from zero of a value shown `factor` times as large.
-fn linear_from_zero(
-    ui: &mut Ui,
-    name: &str,
-    unit: &str,
-    value: &mut f64,
-    factor: f64,
-    most: f64,
-) -> bool {
-    evenly(ui, name, unit, value, factor, 0.0..=most)
-}
-
-fn evenly(
+/// The same with one decimal, for how far is searched.
+fn limit_slider(
     ui: &mut Ui,
     name: &str,
     unit: &str,
@@ -460,12 +436,39 @@ fn evenly(
     factor: f64,
     range: std::ops::RangeInclusive<f64>,
 ) -> bool {
+    let look =
+        |slider: Slider<'_>| slider_row(ui, name, unit, slider.logarithmic(true).max_decimals(1));
+    edited(value, factor, range, look)
+}
+
+/// A slider of a value shown `factor` times as large, evenly from one end to the other.
+fn linear(
+    ui: &mut Ui,
+    name: &str,
+    unit: &str,
+    value: &mut f64,
+    factor: f64,
+    range: std::ops::RangeInclusive<f64>,
+) -> bool {
+    let look = |slider: Slider<'_>| slider_row(ui, name, unit, slider.max_decimals(1));
+    edited(value, factor, range, look)
+}
+
+fn slider_row(ui: &mut Ui, name: &str, unit: &str, slider: Slider<'_>) -> bool {
+    let slider = slider.clamping(SliderClamping::Edits);
+    named(ui, name, unit, |ui| ui.add(slider))
+}
+
+/// Lets a slider change a value that is shown `factor` times as large; whether it did.
+fn edited(
+    value: &mut f64,
+    factor: f64,
+    range: std::ops::RangeInclusive<f64>,
+    show: impl FnOnce(Slider<'_>) -> bool,
+) -> bool {
     let mut shown = *value * factor;
     let range = range.start() * factor..=range.end() * factor;
-    let slider = Slider::new(&mut shown, range)
-        .clamping(SliderClamping::Edits)
-        .max_decimals(1);
-    let changed = named(ui, name, unit, |ui| ui.add(slider));
+    let changed = show(Slider::new(&mut shown, range));
     if changed {
         *value = shown / factor;
     }

@@ -32,7 +32,6 @@ pub fn role_for(job: &Job) -> usize {
         | Job::Cut(_)
         | Job::Contest(_)
         | Job::Align(_)
-        | Job::LayPhotos(_)
         | Job::LogSeries { .. }
         | Job::AskLog(_)
         | Job::Assess(_)
@@ -50,6 +49,7 @@ pub fn role_for(job: &Job) -> usize {
         | Job::ReadPlaces { .. }
         | Job::Distinctness { .. }
         | Job::ExplainMatch { .. }
+        | Job::LayPhotos(_)
         | Job::DrapePhoto(_)
         | Job::DecodePicture { .. }
         | Job::Find(_)
@@ -126,4 +126,34 @@ pub fn file_keys(job: &Job) -> Vec<&str> {
     }
     keys.extend(map.and_then(MapSource::key));
     keys
+}
+
+#[cfg(test)]
+mod tests {
+    use pilotage_core::flight::photo::PhotoSearch;
+    use pilotage_core::frames::{GroundPoint, GroundRect};
+
+    use super::*;
+    use crate::jobs::PhotosOrder;
+
+    #[test]
+    fn photos_being_laid_keep_neither_their_flight_nor_the_map_waiting() {
+        let lay = Job::LayPhotos(Box::new(PhotosOrder {
+            key: "drop".to_owned(),
+            names: vec!["a.jpg".to_owned()],
+            map: MapSource::Files("map".to_owned()),
+            origin: None,
+            ground: GroundRect::centered(GroundPoint::default(), 100.0, 100.0),
+            search: PhotoSearch::default(),
+        }));
+        let fly = Job::Fly {
+            flight: FlightSource::Files("drop".to_owned()),
+            map: MapSource::Files("map".to_owned()),
+            mission: None,
+        };
+        let describe = Job::DescribeMap(MapSource::Files("map".to_owned()));
+        assert_ne!(role_for(&lay), role_for(&fly));
+        assert_ne!(role_for(&lay), role_for(&describe));
+        assert_eq!(file_keys(&lay), ["drop", "map"]);
+    }
 }

@@ -64,11 +64,12 @@ fn cells(report: Option<&PhotoReport>, units: Units) -> [String; 4] {
     }
 }
 
-/// A probability that is never rounded to certainty.
+/// A probability that is never rounded to certainty, of being right or wrong.
 pub(super) fn percent(probability: f64) -> String {
     match 100.0 * probability {
         p if p > 99.9 => "> 99.9 %".to_owned(),
         p if p > 99.0 => format!("{p:.1} %"),
+        p if p < 1.0 => "< 1 %".to_owned(),
         p => format!("{p:.0} %"),
     }
 }
@@ -167,6 +168,7 @@ mod tests {
         assert_eq!(percent(1.0), "> 99.9 %");
         assert_eq!(percent(0.9951), "99.5 %");
         assert_eq!(percent(0.123), "12 %");
+        assert_eq!(percent(0.0008), "< 1 %");
         assert_eq!(heading(-0.5), "331°");
     }
 }
