@@ -38,7 +38,13 @@ pub const ORDERS: [&Order; 8] = [
     },
     &Order {
         sources: "crates/core/vision/src",
-        folders: &["geometry", "landmark", "registration"],
+        folders: &[
+            "evidence",
+            "texture",
+            "geometry",
+            "landmark",
+            "registration",
+        ],
         upward: &[],
     },
     &Order {
