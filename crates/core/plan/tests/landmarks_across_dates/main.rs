@@ -199,7 +199,9 @@ fn what_is_said_of_boxes_comes_true_on_maps_of_other_dates() {
         ("fields, January", &january, 4),
         ("fields, March", &march, 4),
     ];
-    for (name, site, each) in sites {
+    // The everyday run asks of the town alone.
+    let everyday = std::env::var_os("PILOTAGE_STUDIES").is_none();
+    for (name, site, each) in sites.into_iter().take(if everyday { 1 } else { 3 }) {
         for [predicted, observed, error, _] in reliability(name, site, each) {
             let off = (predicted - observed).abs();
             assert!(
