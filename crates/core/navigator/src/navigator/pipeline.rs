@@ -411,18 +411,16 @@ impl Navigator {
             let stacked = stack(&self.settings, &agreed);
             let step = stacked.correct(self.engine.as_mut(), &model, &pose)?;
             self.possible = PossiblePlaces::new();
-            report.after = step.after;
-            report.sigma.before_correct = Some(step.sigma_before);
-            report.sigma.after_correct = Some(step.sigma_after);
             joint = Some(JointReport {
                 nis,
                 degrees_of_freedom: degrees(&agreed),
                 threshold,
-                gain: step.gain,
-                innovation: step.innovation,
-                innovation_covariance: step.innovation_covariance,
+                gain: step.gain.clone(),
+                innovation: step.innovation.clone(),
+                innovation_covariance: step.innovation_covariance.clone(),
                 recovered,
             });
+            report.corrected_by(report.predicted.clone(), step);
         }
         let laid = report.frame.take().and_then(|frame| frame.laid);
         let is_looked_for = !reports.is_empty();

@@ -6,9 +6,10 @@
 //! how it moved since: an aircraft may turn or stop as no model of its motion foresees, and is then looked for as
 //! far away as it can have got.
 //!
-//! A frame is looked for within one wide prior. Its place j, found there with the probability P_j, says of a belief i
-//! with the weight w_i: w_i P_j p_i(x_j) / p(x_j), where p_i and p are what the belief and that prior expected at x_j,
-//! each as uncertain as the place itself is; that it lies at none of the places says w_i (1 - Σ P_j).
+//! A frame is looked for within one wide prior, and what is found is weighed for every belief: that it lies at a place
+//! by the belief's weight, the place's probability within the prior, and how much likelier the belief made that place
+//! than the prior did, both as uncertain as the place itself is; that it lies at none of them by the belief's weight and
+//! the probability that is left.
 
 use nalgebra::{Matrix2, Vector2};
 

@@ -206,6 +206,7 @@ pub struct SeenPlace {
     threshold: f64,
 }
 
+#[expect(clippy::unnecessary_wraps, reason = "as every measurement model")]
 fn measured_place(position: GroundPoint, _heading_bias: f64) -> Option<DVector<f64>> {
     Some(DVector::from_column_slice(&[position.north, position.east]))
 }
