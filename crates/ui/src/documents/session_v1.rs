@@ -45,8 +45,17 @@ struct NavigatorV1 {
     process: ProcessV1,
     sensors: SensorNoise,
     measurement_scale: f64,
-    detector: TemplateSettings,
+    detector: TemplateV1,
     most_landmarks: usize,
+}
+
+#[derive(Deserialize)]
+struct TemplateV1 {
+    least_score: f64,
+    greatest_ambiguity: f64,
+    search_sigmas: f64,
+    rotation_range: f64,
+    scale_range: f64,
 }
 
 #[derive(Deserialize)]
@@ -109,7 +118,14 @@ fn mission(old: MissionV1) -> Mission {
             },
             sensors: it.sensors,
             measurement_scale: it.measurement_scale,
-            detector: it.detector,
+            detector: TemplateSettings {
+                least_score: it.detector.least_score,
+                greatest_ambiguity: it.detector.greatest_ambiguity,
+                search_sigmas: it.detector.search_sigmas,
+                rotation_range: it.detector.rotation_range,
+                scale_range: it.detector.scale_range,
+                ..TemplateSettings::default()
+            },
             most_landmarks: it.most_landmarks,
             ..NavigatorSettings::default()
         },

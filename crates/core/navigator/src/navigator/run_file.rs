@@ -3,7 +3,7 @@
 use super::Run;
 
 /// The first bytes of every run file; the last is the version.
-const HEADER: &[u8] = b"PILOTAGE RUN 5\n";
+const HEADER: &[u8] = b"PILOTAGE RUN 6\n";
 const MARK: &[u8] = b"PILOTAGE RUN ";
 
 /// Why bytes are not a run.
