@@ -31,6 +31,11 @@ const TRACKING: Doubt = Doubt {
     tilt: std::f64::consts::PI / 180.0,
 };
 
+/// Whether studies are asked for in full.
+fn is_study() -> bool {
+    std::env::var_os("PILOTAGE_STUDIES").is_some()
+}
+
 /// What comes of looks for boxes of 35 m, so many metres apart.
 fn looked(
     site: &Site,
@@ -56,13 +61,13 @@ fn most_boxes_of_a_town_are_found_and_none_at_anothers_place() {
         return;
     };
     let by = |features| looked(&site, 20.0, features, &TRACKING, Which::Whole);
-    let (edges, brightness) = (
-        by(TemplateFeatures::Orientation),
-        by(TemplateFeatures::Brightness),
-    );
+    let edges = by(TemplateFeatures::Orientation);
     assert!(edges.share() > 0.5 && edges.wrong == 0, "{edges:?}");
-    assert!(edges.share() > 1.4 * brightness.share(), "{brightness:?}");
     assert!((0.7..1.5).contains(&edges.nees), "{edges:?}");
+    if is_study() {
+        let brightness = by(TemplateFeatures::Brightness);
+        assert!(edges.share() > 1.4 * brightness.share(), "{brightness:?}");
+    }
 }
 
 #[test]
@@ -70,7 +75,11 @@ fn boxes_of_fields_and_woods_are_hardly_ever_found_at_anothers_place() {
     let Some((january, march)) = photos::adm("map_january").zip(photos::adm("map_march")) else {
         return;
     };
-    for site in [&january, &march] {
+    // The everyday run asks of one of the maps.
+    for site in [&january, &march]
+        .into_iter()
+        .take(if is_study() { 2 } else { 1 })
+    {
         let by = TemplateFeatures::Orientation;
         let seen = looked(site, 35.0, by, &TRACKING, Which::Whole);
         assert!(seen.share() > 0.1, "{seen:?}");
