@@ -181,12 +181,10 @@ impl HeadingDoubt {
         self.last = time;
         self.tried += 1;
         let mut wide = predicted.clone();
-        let spread = predicted
-            .position_covariance()
-            .symmetric_eigenvalues()
-            .max();
         let reach = strayed(flight, self.confirmed.1, time) / REACH;
-        let deviation = (spread.max(0.0) + reach * reach).sqrt().min(FARTHEST);
+        let deviation = (predicted.greatest_variance() + reach * reach)
+            .sqrt()
+            .min(FARTHEST);
         wide.covariance
             .fixed_view_mut::<2, 2>(0, 0)
             .copy_from(&nalgebra::Matrix2::from_diagonal_element(deviation.powi(2)));
@@ -194,7 +192,9 @@ impl HeadingDoubt {
             heading: None,
             ..measured(flight, inputs, time)
         };
-        Some(frames.lay(flight, &measured, index, luminance, &wide))
+        let laid = frames.lay(flight, &measured, index, luminance, &wide);
+        frames.learn(&laid);
+        Some(laid)
     }
 
     /// What a laid frame says of the compass, which reads `heading` radians: that it is turned, once enough

@@ -15,15 +15,18 @@ pub enum LaidRefusal {
     Ambiguous,
     /// Its place is not where the filter expects it, and may be chance.
     OutsideGate,
+    /// Other places that earlier frames left are as possible.
+    Open,
 }
 
 impl LaidRefusal {
     /// Every kind, in the order in which people read them.
-    pub const ALL: [Self; 4] = [
+    pub const ALL: [Self; 5] = [
         Self::NothingAlike,
         Self::Doubtful,
         Self::Ambiguous,
         Self::OutsideGate,
+        Self::Open,
     ];
 
     /// Short name in files and tables.
@@ -33,6 +36,7 @@ impl LaidRefusal {
             Self::Doubtful => "doubtful",
             Self::Ambiguous => "ambiguous",
             Self::OutsideGate => "outside_gate",
+            Self::Open => "open",
         }
     }
 
@@ -45,6 +49,7 @@ impl LaidRefusal {
             Self::Doubtful => "the likeliest place is not likely enough",
             Self::Ambiguous => "two places explain the picture",
             Self::OutsideGate => "its place is not where it was expected, and may be chance",
+            Self::Open => "other places are as possible; later frames tell",
         }
     }
 }

@@ -15,6 +15,7 @@ use nalgebra::{Matrix2, Vector2};
 
 use super::Estimate;
 use super::engine::{Engine, PredictedStep, engine};
+use super::laid_refusal::LaidRefusal;
 use super::whole_frames::{Believed, SeenPlace};
 use pilotage_base::frames::GroundPoint;
 use pilotage_estimation::filter::FilterError;
@@ -49,10 +50,9 @@ impl Searched {
 
     /// A circle that holds what is believed.
     pub fn around(believed: &Estimate) -> Self {
-        let spread = believed.position_covariance().symmetric_eigenvalues().max();
         Self {
             position: believed.position(),
-            deviation: spread.max(0.0).sqrt(),
+            deviation: believed.greatest_variance().sqrt(),
         }
     }
 }
@@ -269,14 +269,16 @@ impl PossiblePlaces {
         Some(Estimate { mean, covariance })
     }
 
-    /// What is followed, in words; `None` if that is nothing but what the navigator goes by.
-    pub fn words(&self) -> Option<String> {
-        let likeliest = self.others.first()?;
-        Some(format!(
+    /// What is followed, in words.
+    pub fn words(&self) -> String {
+        let Some(likeliest) = self.others.first() else {
+            return LaidRefusal::Open.reason().to_owned();
+        };
+        format!(
             "{} other places are followed, the likeliest with a probability of {:.0} %",
             self.others.len(),
             100.0 * likeliest.weight
-        ))
+        )
     }
 }
 

@@ -65,6 +65,12 @@ impl Estimate {
         GroundPoint::new(self.mean[0], self.mean[1])
     }
 
+    /// Greatest variance of the position in any direction, m².
+    pub fn greatest_variance(&self) -> f64 {
+        let along = self.position_covariance().symmetric_eigenvalues();
+        along.max().max(0.0)
+    }
+
     /// Position part of the covariance (north, east), m².
     pub fn position_covariance(&self) -> Matrix2<f64> {
         self.covariance.fixed_view::<2, 2>(0, 0).into_owned()
@@ -211,6 +217,13 @@ pub struct LaidReport {
 }
 
 impl LaidReport {
+    /// The frame leaves open where it lies, for a reason of its own or for what is followed beside it.
+    pub(super) fn left_open(&mut self, followed: String) {
+        self.refused_as.get_or_insert(LaidRefusal::Open);
+        let told = self.refusal.take().into_iter().chain([followed]);
+        self.refusal = Some(told.collect::<Vec<_>>().join("; "));
+    }
+
     /// Whether its place corrected the estimate.
     pub fn is_believed(&self) -> bool {
         self.refusal.is_none()

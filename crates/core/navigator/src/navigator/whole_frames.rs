@@ -19,6 +19,7 @@ use pilotage_base::statistics::chi_square_quantile;
 use pilotage_estimation::filter::{FilterError, fading_factor};
 use pilotage_flight::{ChannelName, Flight};
 use pilotage_mission::settings::NavigatorSettings;
+use pilotage_raster::camera::CameraModel;
 use pilotage_raster::imagery::Imagery;
 use pilotage_raster::raster::Pyramid;
 use pilotage_vision::registration::{
@@ -33,8 +34,6 @@ const COMPONENTS: usize = 2;
 pub struct WholeFrames {
     map: Arc<dyn Imagery>,
     follower: Follower,
-    /// The follower before the last frame.
-    before: Follower,
 }
 
 /// A frame, laid or not.
@@ -44,6 +43,8 @@ pub struct Laid {
     pub footprint: Vec<GroundPoint>,
     /// Everywhere that it may lie, as far as it was looked for.
     pub found: Found,
+    /// Where it was laid for itself.
+    registered: Option<Registration>,
 }
 
 /// What a frame that was believed did.
@@ -56,56 +57,68 @@ pub struct Believed {
 
 impl WholeFrames {
     pub fn new(map: Arc<dyn Imagery>, assumed: FollowSettings) -> Self {
-        let follower = Follower::new(assumed);
         Self {
             map,
-            before: follower.clone(),
-            follower,
+            follower: Follower::new(assumed),
+        }
+    }
+
+    /// A picture taken by `camera` over the map.
+    fn look<'a>(
+        &'a self,
+        camera: &'a CameraModel,
+        ground_down: f64,
+        luminance: &'a Pyramid,
+    ) -> Look<'a> {
+        Look {
+            camera,
+            ground_down,
+            luminance,
+            map: self.map.as_ref(),
         }
     }
 
     /// Lays frame `index` on the map around where the aircraft is believed to be, by what is `measured`.
     pub fn lay(
-        &mut self,
+        &self,
         flight: &Flight,
         measured: &Measured,
         index: usize,
         luminance: &Pyramid,
         predicted: &Estimate,
     ) -> Laid {
-        self.before = self.follower.clone();
         let time = flight.frames[index].time;
         let camera = flight.camera_of_frame(index);
-        let look = Look {
-            camera: &camera,
-            ground_down: flight.ground_down,
-            luminance,
-            map: self.map.as_ref(),
-        };
+        let look = self.look(&camera, flight.ground_down, luminance);
         let searched = Searched::around(predicted);
         let prior = self
             .follower
             .prior(time, searched.position, searched.deviation, measured);
         let Sighting { verdict, places } = sight(&look, &prior);
-        let (report, footprint) = match verdict {
-            Ok(found) => {
-                self.follower.learn(time, flight.ground_down, &found);
-                (
-                    report(&found),
-                    outline(&look, &found.fit.at, found.stored_turn),
-                )
-            }
-            Err(cause) => (not_laid(&cause), Vec::new()),
+        let (report, footprint) = match &verdict {
+            Ok(found) => told(&look, found),
+            Err(cause) => (not_laid(cause), Vec::new()),
         };
         Laid {
             report,
             footprint,
+            registered: verdict.ok(),
             found: Found {
                 time,
                 ground_down: flight.ground_down,
                 searched,
                 places,
             },
+        }
+    }
+
+    /// Remembers what a frame taught that was laid for itself.
+    pub fn learn(&mut self, laid: &Laid) {
+        if let Some(found) = &laid.registered {
+            let Found {
+                time, ground_down, ..
+            } = laid.found;
+            self.follower.learn(time, ground_down, found);
         }
     }
 
@@ -116,7 +129,6 @@ impl WholeFrames {
 
     /// Goes on by what other frames have taught.
     pub fn go_on_by(&mut self, follower: Follower) {
-        self.before = follower.clone();
         self.follower = follower;
     }
 
@@ -129,22 +141,15 @@ impl WholeFrames {
         place: &Registration,
     ) -> (LaidReport, Vec<GroundPoint>) {
         let camera = flight.camera_of_frame(index);
-        let look = Look {
-            camera: &camera,
-            ground_down: flight.ground_down,
-            luminance,
-            map: self.map.as_ref(),
-        };
-        (
-            report(place),
-            outline(&look, &place.fit.at, place.stored_turn),
-        )
+        let look = self.look(&camera, flight.ground_down, luminance);
+        told(&look, place)
     }
+}
 
-    /// Forgets what the last frame taught: it was not believed.
-    pub fn forget_last(&mut self) {
-        self.follower = self.before.clone();
-    }
+/// What is told of a frame that lies at `place`, and its outline on the map.
+fn told(look: &Look<'_>, place: &Registration) -> (LaidReport, Vec<GroundPoint>) {
+    let outline = outline(look, &place.fit.at, place.stored_turn);
+    (report(place), outline)
 }
 
 /// What those of the flight's own instruments say at `time` that are believed then.

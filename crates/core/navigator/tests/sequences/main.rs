@@ -12,7 +12,7 @@ mod photos;
 
 use std::sync::Arc;
 
-use photos::{Photo, Site};
+use photos::{Photo, Site, either};
 use pilotage_base::frames::GroundPoint;
 use pilotage_flight::{Channel, ChannelName, Flight, Frame, FrameError, FrameSource, StartFix};
 use pilotage_mission::settings::{NavigatorSettings, VehicleChoice};
@@ -194,14 +194,5 @@ fn a_flight_over_fields_keeps_its_place_on_a_map_of_another_date_or_finds_it_aga
         let (laid, wrong, median, open) = tally(&fly(&site, &known), 25.0);
         assert!(laid >= 48 && wrong == 0, "{laid}, {wrong}");
         assert!(median <= 8.0 && open <= 5, "{median}, {open}");
-    }
-}
-
-/// `quick` in the everyday run, `full` where studies are asked for in full.
-fn either<T>(quick: T, full: T) -> T {
-    if std::env::var_os("PILOTAGE_STUDIES").is_some() {
-        full
-    } else {
-        quick
     }
 }

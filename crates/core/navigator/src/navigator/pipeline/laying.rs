@@ -58,10 +58,10 @@ impl Navigator {
         if !self.possible.are_open() {
             let mut laid = whole_frames.lay(flight, &measured, index, luminance, &report.predicted);
             if let Some(believed) = laid.correct(&self.settings, &mut self.engine)? {
+                whole_frames.learn(&laid);
                 report.corrected_by(believed.predicted, believed.step);
                 return Ok((laid, Some(believed.joint)));
             }
-            whole_frames.forget_last();
             first = Some(laid);
         }
         let wider = self.possible.wider(&Searched::around(&report.predicted));
@@ -69,9 +69,7 @@ impl Navigator {
             (Some(first), None) => first,
             (_, around) => {
                 let around = around.as_ref().unwrap_or(&report.predicted);
-                let laid = whole_frames.lay(flight, &measured, index, luminance, around);
-                whole_frames.forget_last();
-                laid
+                whole_frames.lay(flight, &measured, index, luminance, around)
             }
         };
         let sure = self.possible.weigh(
@@ -81,9 +79,7 @@ impl Navigator {
             &laid.found,
         )?;
         let Some(sure) = sure else {
-            let told = laid.report.refusal.take();
-            let told = told.into_iter().chain(self.possible.words());
-            laid.report.refusal = Some(told.collect::<Vec<_>>().join("; "));
+            laid.report.left_open(self.possible.words());
             if let Some(likeliest) = self.possible.likeliest(&report.after) {
                 report.after = likeliest;
             }
@@ -108,6 +104,8 @@ impl Navigator {
         let Some((place, mut believed)) = believed else {
             self.possible
                 .settle(&self.settings, &report.after, whole_frames.follower())?;
+            let followed = "a place of an earlier frame is gone on by";
+            laid.report.left_open(followed.to_owned());
             return Ok((laid, None));
         };
         if let Some(place) = laid.found.places.get(place) {
