@@ -16,8 +16,8 @@ mod photos;
 
 use std::sync::Arc;
 
-use looks::{Doubt, Laid, Seen, Which, laid, look, tally};
-use photos::Site;
+use looks::{ELSEWHERE, Laid, Seen, TRACKING, Which, laid, look, tally};
+use photos::{Site, either};
 use pilotage_base::frames::{GroundRect, Pose};
 use pilotage_mission::settings::NavigatorSettings;
 use pilotage_plan::{Candidate, FieldView, Proposal, ProposalQuestion, Ranking, choose};
@@ -25,18 +25,8 @@ use pilotage_raster::imagery::{CachedImagery, Imagery};
 use pilotage_simulate::other_days::PictureDays;
 use pilotage_vision::landmark::{Landmark, TemplateDetector, TemplateFeatures, TemplateSettings};
 
-/// Metres from which on a place is another's.
-const ELSEWHERE: f64 = 8.0;
 /// Side of the boxes, metres.
 const SIDE: f64 = 35.0;
-
-/// What a filter that works knows with a consumer drone's compass and barometer.
-const TRACKING: Doubt = Doubt {
-    position: 5.0,
-    heading: 4.0 * std::f64::consts::PI / 180.0,
-    log_height: 0.04,
-    tilt: std::f64::consts::PI / 180.0,
-};
 
 fn detector() -> TemplateSettings {
     TemplateSettings {
@@ -200,8 +190,7 @@ fn what_is_said_of_boxes_comes_true_on_maps_of_other_dates() {
         ("fields, March", &march, 4),
     ];
     // The everyday run asks of the town alone.
-    let everyday = std::env::var_os("PILOTAGE_STUDIES").is_none();
-    for (name, site, each) in sites.into_iter().take(if everyday { 1 } else { 3 }) {
+    for (name, site, each) in sites.into_iter().take(either(1, 3)) {
         for [predicted, observed, error, _] in reliability(name, site, each) {
             let off = (predicted - observed).abs();
             assert!(

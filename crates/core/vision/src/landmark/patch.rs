@@ -9,7 +9,7 @@ use super::look_alike::{LookAlike, LookAlikes};
 use super::peak::{best_peaks, separation};
 use super::window::window_around;
 use pilotage_base::frames::GroundRect;
-use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_raster::imagery::Imagery;
 use pilotage_raster::raster::{Gray, bilinear};
 
 /// Standard deviation of grey values (0 to 255) below which a patch counts as flat.
@@ -45,19 +45,25 @@ pub struct PatchLevel {
     patches: HashMap<(i32, i32), Arc<Gray>>,
 }
 
+/// Standard deviation of a picture's values.
+pub(super) fn deviation(picture: &Gray) -> f64 {
+    let n = picture.pixels().len().max(1) as f64;
+    let mean = picture.pixels().iter().map(|v| f64::from(*v)).sum::<f64>() / n;
+    let squares = picture
+        .pixels()
+        .iter()
+        .map(|v| (f64::from(*v) - mean).powi(2));
+    (squares.sum::<f64>() / n).sqrt()
+}
+
 impl PatchLevel {
     fn new(map: &dyn Imagery, bounds: &GroundRect, gsd: f64) -> Self {
         let pixels = |metres: f64| ((metres / gsd).round() as usize).max(8);
         let size = (pixels(bounds.width()), pixels(bounds.height()));
         let half = (0.5 * (size.0 as f64).hypot(size.1 as f64) * 1.06).ceil() + 2.0;
         let center = bounds.center();
-        let window = Window {
-            north_edge: center.north + half * gsd,
-            west_edge: center.east - half * gsd,
-            gsd,
-            width: 2 * half as usize,
-            height: 2 * half as usize,
-        };
+        let side = 2 * half as usize;
+        let window = window_around(center, gsd, (side, side), (0, 0));
         let surroundings = map.window(&window).to_gray();
         let mut level = Self {
             gsd,
@@ -69,16 +75,7 @@ impl PatchLevel {
             templates: HashMap::new(),
             patches: HashMap::new(),
         };
-        let patch = level.patch(0.0, 1.0);
-        let n = patch.pixels().len() as f64;
-        let mean = patch.pixels().iter().map(|v| f64::from(*v)).sum::<f64>() / n;
-        let variance = patch
-            .pixels()
-            .iter()
-            .map(|v| (f64::from(*v) - mean).powi(2))
-            .sum::<f64>()
-            / n;
-        level.contrast = variance.sqrt();
+        level.contrast = deviation(&level.patch(0.0, 1.0));
         level
     }
 

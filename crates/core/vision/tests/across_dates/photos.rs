@@ -41,6 +41,15 @@ impl Site {
     }
 }
 
+/// `quick` in the everyday run, `full` where studies are asked for in full.
+pub fn either<T>(quick: T, full: T) -> T {
+    if std::env::var_os("PILOTAGE_STUDIES").is_some() {
+        full
+    } else {
+        quick
+    }
+}
+
 fn shared(name: &str) -> Option<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../../shared/data");
     let place = root.join(name);

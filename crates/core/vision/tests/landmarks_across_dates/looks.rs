@@ -16,6 +16,9 @@ use pilotage_vision::registration::{HeadingPrior, Look, MapShape, PosePrior, reg
 /// Pixels beyond the edge of the picture.
 const OUTSIDE: f64 = 150.0;
 
+/// Metres from which on a place is another's.
+pub const ELSEWHERE: f64 = 8.0;
+
 /// A photo and the pose that registration found for it, which stands for the truth.
 pub struct Laid<'a> {
     pub photo: &'a Photo,
@@ -34,6 +37,14 @@ pub struct Doubt {
     /// Of roll and of pitch, radians.
     pub tilt: f64,
 }
+
+/// What a filter that works knows with a consumer drone's compass and barometer.
+pub const TRACKING: Doubt = Doubt {
+    position: 5.0,
+    heading: 4.0 * std::f64::consts::PI / 180.0,
+    log_height: 0.04,
+    tilt: std::f64::consts::PI / 180.0,
+};
 
 /// One look at a landmark that lies whole in the photo.
 #[derive(Clone, Copy, Debug)]

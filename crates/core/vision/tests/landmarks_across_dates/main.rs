@@ -15,26 +15,10 @@ mod photos;
 
 use std::sync::Arc;
 
-use looks::{Doubt, Tally, Which, boxes, laid, look, tally};
-use photos::Site;
+use looks::{Doubt, ELSEWHERE, TRACKING, Tally, Which, boxes, laid, look, tally};
+use photos::{Site, either};
 use pilotage_raster::imagery::Imagery;
 use pilotage_vision::landmark::{TemplateDetector, TemplateFeatures, TemplateSettings};
-
-/// Metres from which on a place is another's.
-const ELSEWHERE: f64 = 8.0;
-
-/// What a filter that works knows with a consumer drone's compass and barometer.
-const TRACKING: Doubt = Doubt {
-    position: 5.0,
-    heading: 4.0 * std::f64::consts::PI / 180.0,
-    log_height: 0.04,
-    tilt: std::f64::consts::PI / 180.0,
-};
-
-/// Whether studies are asked for in full.
-fn is_study() -> bool {
-    std::env::var_os("PILOTAGE_STUDIES").is_some()
-}
 
 /// What comes of looks for boxes of 35 m, so many metres apart.
 fn looked(
@@ -64,7 +48,7 @@ fn most_boxes_of_a_town_are_found_and_none_at_anothers_place() {
     let edges = by(TemplateFeatures::Orientation);
     assert!(edges.share() > 0.5 && edges.wrong == 0, "{edges:?}");
     assert!((0.7..1.5).contains(&edges.nees), "{edges:?}");
-    if is_study() {
+    if either(false, true) {
         let brightness = by(TemplateFeatures::Brightness);
         assert!(edges.share() > 1.4 * brightness.share(), "{brightness:?}");
     }
@@ -76,10 +60,7 @@ fn boxes_of_fields_and_woods_are_hardly_ever_found_at_anothers_place() {
         return;
     };
     // The everyday run asks of one of the maps.
-    for site in [&january, &march]
-        .into_iter()
-        .take(if is_study() { 2 } else { 1 })
-    {
+    for site in [&january, &march].into_iter().take(either(1, 2)) {
         let by = TemplateFeatures::Orientation;
         let seen = looked(site, 35.0, by, &TRACKING, Which::Whole);
         assert!(seen.share() > 0.1, "{seen:?}");

@@ -9,9 +9,11 @@ use super::twins;
 use super::variants::{Variant, Variants};
 use crate::landmark::Landmark;
 use crate::landmark::look_alike::LookAlike;
+use crate::landmark::patch::deviation;
+use crate::landmark::window::window_around;
 use crate::texture::Texture;
 use pilotage_base::frames::GroundRect;
-use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_raster::imagery::Imagery;
 use pilotage_raster::raster::{ChannelTemplate, Gray, warp_similar};
 
 /// Pixels across the longer side of a landmark.
@@ -46,13 +48,8 @@ impl OrientedPatch {
         let half = 0.5 * (size.0 as f64).hypot(size.1 as f64) + 1.5 * MARGIN;
         let half = (LARGEST * half).ceil();
         let center = bounds.center();
-        let window = Window {
-            north_edge: center.north + half * gsd,
-            west_edge: center.east - half * gsd,
-            gsd,
-            width: 2 * half as usize,
-            height: 2 * half as usize,
-        };
+        let side = 2 * half as usize;
+        let window = window_around(center, gsd, (side, side), (0, 0));
         let picture = map.window(&window);
         let surroundings = picture.to_gray();
         let (left, top) = (half as usize - size.0 / 2, half as usize - size.1 / 2);
@@ -127,16 +124,6 @@ impl OrientedPatch {
         }
         &self.twins.1
     }
-}
-
-fn deviation(picture: &Gray) -> f64 {
-    let n = picture.pixels().len().max(1) as f64;
-    let mean = picture.pixels().iter().map(|v| f64::from(*v)).sum::<f64>() / n;
-    let squares = picture
-        .pixels()
-        .iter()
-        .map(|v| (f64::from(*v) - mean).powi(2));
-    (squares.sum::<f64>() / n).sqrt()
 }
 
 /// The patches of all landmarks, made on first use.
