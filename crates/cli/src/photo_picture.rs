@@ -16,14 +16,7 @@ pub fn decode_photo(name: &str, bytes: &[u8]) -> Result<Picture, Box<dyn std::er
     if !(bytes.starts_with(b"II*\0") || bytes.starts_with(b"MM\0*")) {
         return Ok(decode_picture(bytes)?);
     }
-    let place = Georeference::Metres(WorldFile {
-        a: 1.0,
-        d: 0.0,
-        b: 0.0,
-        e: -1.0,
-        c: 0.5,
-        f: -0.5,
-    });
+    let place = Georeference::Metres(WorldFile::of_pixels());
     let file = GeoTiffFile::put(Arc::new(MemoryBytes::new(name, bytes.to_vec())), place)?;
     let (width, height) = (file.tiff.levels()[0].width, file.tiff.levels()[0].height);
     let frame = LocalFrame::new(Geodetic::from_degrees(0.0, 0.0, 0.0));

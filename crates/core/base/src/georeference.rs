@@ -356,6 +356,19 @@ impl std::fmt::Display for WorldFile {
 }
 
 impl WorldFile {
+    /// A picture of one unit a pixel whose top left corner is the origin.
+    #[must_use]
+    pub fn of_pixels() -> Self {
+        Self {
+            a: 1.0,
+            d: 0.0,
+            b: 0.0,
+            e: -1.0,
+            c: 0.5,
+            f: -0.5,
+        }
+    }
+
     /// (x, y) at a pixel with centres at half integers.
     fn at(&self, x: f64, y: f64) -> (f64, f64) {
         let (column, row) = (x - 0.5, y - 0.5);

@@ -97,14 +97,7 @@ impl Georeferencer {
             key: self.key.clone(),
             name: self.name.clone(),
             origin: None,
-            place: Georeference::Metres(WorldFile {
-                a: 1.0,
-                d: 0.0,
-                b: 0.0,
-                e: -1.0,
-                c: 0.5,
-                f: -0.5,
-            }),
+            place: Georeference::Metres(WorldFile::of_pixels()),
         }
     }
 
