@@ -105,7 +105,7 @@ fn set(settings: &mut NavigatorSettings, key: &str, value: &str) -> Result<(), S
     Ok(())
 }
 
-/// What is assumed of whole frames, which are laid from now on.
+/// Assumptions about whole frames, which are laid from now on.
 fn frames(settings: &mut NavigatorSettings) -> &mut FollowSettings {
     settings.whole_frames.get_or_insert_default()
 }

@@ -19,7 +19,7 @@ const HEIGHT: f64 = 120.0;
 /// Share of the map that lies within the way-points where none are stated, along each side.
 const AROUND: f64 = 0.5;
 
-/// Where to fly over a map of one's own.
+/// A flight over a map of one's own: which, and where.
 #[derive(clap::Args)]
 pub struct OwnMap {
     /// A map of your own to fly over: any that `pilotage map info` knows.
@@ -45,7 +45,7 @@ pub struct OwnMap {
     pub wind: Option<String>,
 }
 
-/// What is flown over, and how.
+/// Route, map and days of such a flight.
 struct Own {
     plan: FlightPlan,
     map: Arc<dyn Imagery>,

@@ -1,4 +1,4 @@
-//! What became of each frame of a replay, in lines.
+//! Outcomes of the frames of a replay, in lines.
 
 use std::collections::BTreeMap;
 
@@ -9,7 +9,7 @@ use pilotage_core::navigator::{
 };
 use pilotage_core::registration::LaidBy;
 
-/// One line a frame, one for what came of laying it on the map whole, and one a landmark.
+/// Prints a line for each frame, one for its laying on the map as a whole, and one for each landmark.
 pub fn print_frames(flight: &Flight, run: &Run) {
     for step in &run.steps {
         let Some(frame) = &step.frame else { continue };

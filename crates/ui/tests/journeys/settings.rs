@@ -19,6 +19,19 @@ fn flown_with(rig: &mut Rig) -> NavigatorSettings {
     mission.navigator
 }
 
+/// The page with its filter settings open, laying whole pictures on the map.
+fn laying() -> Rig {
+    let mut rig = rig();
+    rig.harness.get_by_label("Filter settings").click();
+    rig.frames(3);
+    rig.harness
+        .get_by_label("Lay whole pictures on the map")
+        .click();
+    rig.frames(2);
+    rig.settle();
+    rig
+}
+
 #[test]
 fn a_changed_setting_flies_again_and_undo_takes_it_back() {
     let mut rig = rig();
@@ -67,14 +80,7 @@ fn another_estimator_is_chosen_and_flown_with() {
 
 #[test]
 fn whole_pictures_are_laid_on_the_map_when_that_is_wanted() {
-    let mut rig = rig();
-    rig.harness.get_by_label("Filter settings").click();
-    rig.frames(3);
-    rig.harness
-        .get_by_label("Lay whole pictures on the map")
-        .click();
-    rig.frames(2);
-    rig.settle();
+    let mut rig = laying();
     assert!(flown_with(&mut rig).whole_frames.unwrap().may_be_turned);
     rig.harness
         .get_by_label("Pictures may be stored turned by quarter turns")
@@ -86,14 +92,7 @@ fn whole_pictures_are_laid_on_the_map_when_that_is_wanted() {
 
 #[test]
 fn how_far_pictures_are_searched_and_the_map_is_off_is_set_undone_and_kept() {
-    let mut rig = rig();
-    rig.harness.get_by_label("Filter settings").click();
-    rig.frames(3);
-    rig.harness
-        .get_by_label("Lay whole pictures on the map")
-        .click();
-    rig.frames(2);
-    rig.settle();
+    let mut rig = laying();
     assert_eq!(flown_with(&mut rig).whole_frames.unwrap().farthest, None);
     rig.harness
         .get_by_label("Search no farther than a limit")
