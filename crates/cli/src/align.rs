@@ -9,8 +9,8 @@ use pilotage_core::navigator::{Summary, summarize};
 use serde::Serialize;
 
 use crate::Outcome;
-use crate::files::{Directory, open_map};
-use crate::replay::{MAP_CACHE, by_whole_frames, navigate};
+use crate::files::{Directory, MAP_CACHE, open_map};
+use crate::replay::{by_whole_frames, navigate};
 
 /// What to put beside what.
 #[derive(clap::Args)]

@@ -14,11 +14,11 @@ use pilotage_core::simulate::{Overrides, Scenario};
 use pilotage_core::study::{Comparison, ComparisonRow, Contender, Tally};
 
 use crate::Outcome;
-use crate::files::{Directory, open_map};
+use crate::files::{Directory, MAP_CACHE, open_map};
 use crate::filter_options::{VEHICLES, vehicle};
 use crate::mission_file::OpenMission;
-use crate::replay::{MAP_CACHE, navigate, seed_range};
-use crate::simulate::{Day, scenario};
+use crate::replay::navigate;
+use crate::scenario::{Day, scenario, seed_range};
 
 /// What to compare.
 #[derive(clap::Args)]

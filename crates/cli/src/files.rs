@@ -10,6 +10,9 @@ use pilotage_core::flight::files::{FileSet, FileSink};
 use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::{ByteSource, CachedImagery, Imagery};
 
+/// Memory for map tiles, megabytes.
+pub const MAP_CACHE: usize = 128;
+
 /// A file of the disk, read by pieces.
 pub struct DiskFile {
     name: String,

@@ -25,6 +25,7 @@ mod plan;
 mod register;
 mod replay;
 mod replay_frames;
+mod scenario;
 mod simulate;
 mod statistics;
 mod train;

@@ -10,9 +10,9 @@ use pilotage_core::simulate::{
     FlightDay, FlightPlan, Overrides, Scenario, SimulatedFlight, SimulatedFrames, Wind,
 };
 
+use crate::files::MAP_CACHE;
 use crate::numbers::numbers;
 use crate::plan::{Ground, Source};
-use crate::replay::MAP_CACHE;
 
 /// Height of a flight without a mission, metres above ground.
 const HEIGHT: f64 = 120.0;

@@ -13,10 +13,9 @@ use pilotage_core::registration::{LaidBy, overlay};
 use serde::Serialize;
 
 use crate::Outcome;
-use crate::files::{Directory, DiskFile};
+use crate::files::{Directory, DiskFile, MAP_CACHE};
 use crate::numbers::numbers;
 use crate::photo_picture::decode_photo;
-use crate::replay::MAP_CACHE;
 
 /// Pixels across the picture of `--overlay`.
 const ACROSS: usize = 1200;

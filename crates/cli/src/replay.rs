@@ -17,15 +17,13 @@ use pilotage_core::simulate::{Overrides, Scenario};
 use serde::Serialize;
 
 use crate::Outcome;
+use crate::files::MAP_CACHE;
 use crate::files::open_map;
 use crate::mission_file::OpenMission;
 use crate::opening::open;
 use crate::replay_frames::{print_frames, print_refusals};
-use crate::simulate::{Day, scenario};
+use crate::scenario::{Day, scenario, seed_range};
 use crate::statistics::{Quantiles, error_over_bound, print, table};
-
-/// Memory for map tiles, megabytes.
-pub const MAP_CACHE: usize = 128;
 
 /// What to replay.
 #[derive(clap::Args)]
@@ -258,14 +256,6 @@ fn replay_scenario(scenario: &Scenario, arguments: &Arguments) -> Outcome {
         write_json(path, &study)?;
     }
     Ok(())
-}
-
-/// The seeds "A..B".
-pub fn seed_range(text: &str) -> Result<(u64, u64), String> {
-    text.split_once("..")
-        .and_then(|(a, b)| Some((a.parse().ok()?, b.parse().ok()?)))
-        .filter(|(a, b)| a < b)
-        .ok_or_else(|| format!("--seeds: \"{text}\" is not A..B with A < B"))
 }
 
 fn report(arguments: &Arguments, flight: &Flight, run: &Run, summary: &Summary) -> Outcome {

@@ -2,35 +2,17 @@
 
 use std::path::PathBuf;
 
-use clap::ValueEnum;
 use pilotage_core::flight::files::FileSink;
 use pilotage_core::flight::write_flight;
 use pilotage_core::imagery::{Georeference, Imagery, Window, WorldFile};
 use pilotage_core::mission::{place_files, write_mission};
 use pilotage_core::navigator::VehicleChoice;
 use pilotage_core::raster::encode_png;
-use pilotage_core::simulate::{FlightDay, IndoorHall, Overrides, Scenario, SimulationChoice};
+use pilotage_core::simulate::{IndoorHall, Overrides, SimulationChoice};
 
 use crate::Outcome;
 use crate::files::Directory;
-
-/// Whether the camera sees the ground on the day of the map.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum Day {
-    /// The day of the map.
-    Same,
-    /// Another season, sun and traffic.
-    Other,
-}
-
-impl From<Day> for FlightDay {
-    fn from(day: Day) -> Self {
-        match day {
-            Day::Same => Self::Same,
-            Day::Other => Self::Other,
-        }
-    }
-}
+use crate::scenario::{Day, scenario};
 
 /// What to fly.
 #[derive(clap::Args)]
@@ -49,17 +31,6 @@ pub struct Arguments {
     /// Folder to write; made if missing.
     #[arg(long)]
     out: PathBuf,
-}
-
-/// The scenario of that name, or an error that lists those there are.
-pub fn scenario(name: &str) -> Result<Scenario, String> {
-    Scenario::named(name).ok_or_else(|| {
-        let names: Vec<&str> = Scenario::all().iter().map(|s| s.name).collect();
-        format!(
-            "there is no scenario \"{name}\"; there are: {}",
-            names.join(", ")
-        )
-    })
 }
 
 /// Prints the scenarios.

@@ -12,11 +12,8 @@ use pilotage_core::simulate::{FlightPlan, Overrides, Scenario, SensorSpec, Targe
 
 use super::arguments::Arguments;
 use super::source::Source;
-use crate::files::Directory;
+use crate::files::{Directory, MAP_CACHE};
 use crate::mission_file::OpenMission;
-
-/// Memory for tiles of the map, megabytes.
-const MAP_CACHE: usize = 128;
 
 /// The map, the mission on it and how it is flown.
 pub struct Ground {

@@ -88,7 +88,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         summary.worst_stretch = prediction.worst_stretch();
         summary.samples = prediction.samples.iter().map(sample).collect();
         if let Some((seeds, plan)) = arguments.fly.as_ref().zip(ground.plan.as_ref()) {
-            let seeds = crate::replay::seed_range(seeds)?;
+            let seeds = crate::scenario::seed_range(seeds)?;
             let stated = arguments.as_stated.then_some(landmarks.as_slice());
             let found = verify::verify(&ground, plan, &prediction, seeds, stated)?;
             println!(

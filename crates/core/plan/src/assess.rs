@@ -11,10 +11,9 @@ use nalgebra::{Matrix2, Matrix4, Point2, Point3};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
-use serde::{Deserialize, Serialize};
 
 use super::survival::{Ground, Survival};
-use super::{DetectionStatistics, ExpectedDetection, Tally};
+use super::{DetectionStatistics, ExpectedDetection, Tally, View};
 use pilotage_base::frames::{Attitude, GroundPoint, Pose};
 use pilotage_mission::settings::SensorNoise;
 use pilotage_raster::camera::CameraModel;
@@ -80,40 +79,6 @@ pub struct Circumstances {
     pub ground_down: f64,
     /// Tilt of the camera, in any direction, of which the filter knows: a bank angle, radians.
     pub tilt: f64,
-}
-
-/// How one view went.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct View {
-    /// Which of the days it was on.
-    pub day: usize,
-    /// Heading of the camera, radians.
-    pub heading: f64,
-    /// Height of the camera above ground, metres.
-    pub height: f64,
-    /// Tilt of the camera of which the filter knew, radians.
-    pub tilt: f64,
-    /// Tilt of the camera of which it did not know, radians.
-    pub attitude_error: f64,
-    /// Distance of the landmark from the middle of the picture, pixels.
-    pub off_centre: f64,
-    /// What the detector said.
-    pub sighting: Sighting,
-    /// Distance of the place it found from where the landmark is, metres on the ground.
-    pub error: Option<f64>,
-    /// Whether it was accepted, though it is wrong.
-    pub wrong: bool,
-    /// Probability that the landmark is accepted in a picture, as far as real maps of another date tell; `None` with
-    /// a detector for maps of the flight's own.
-    #[serde(default)]
-    pub lasting: Option<f64>,
-}
-
-impl View {
-    /// Whether it was accepted and right.
-    pub fn found(&self) -> bool {
-        matches!(self.sighting, Sighting::Found(_)) && !self.wrong
-    }
 }
 
 /// Looks at one landmark again and again; a view a call, so that the caller can show progress and stop.

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use serde::{Deserialize, Serialize};
 
 use super::View;
-use super::envelope::{Tally, tally_by};
+use super::tally::{Tally, tally_by};
 use pilotage_mission::settings::SensorNoise;
 
 /// Edges between small, usual and great attitude errors, standard deviations of roll and pitch: a third

@@ -1,66 +1,8 @@
 //! From where a landmark can be found: over heights and tilts of the camera.
 
-use nalgebra::Matrix2;
 use serde::{Deserialize, Serialize};
 
-use super::{Assessor, View};
-
-/// How often a landmark was found under some circumstances.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Tally {
-    /// Looks in which it lay whole in the picture.
-    pub looks: usize,
-    /// Those in which it was found.
-    pub found: usize,
-    /// Those in which a wrong place was accepted.
-    pub wrong: usize,
-    /// Sum of the covariances of the place (north, east) where it was found, square metres.
-    pub covariances: Matrix2<f64>,
-}
-
-impl Tally {
-    /// Sums views up.
-    pub fn of<'a>(views: impl IntoIterator<Item = &'a View>) -> Self {
-        let mut sum = Self::default();
-        views.into_iter().for_each(|view| sum.add(view));
-        sum
-    }
-
-    /// Sums the views of each of `days` days up.
-    pub fn by_day(views: &[View], days: usize) -> Vec<Self> {
-        let of_day = |day| Self::of(views.iter().filter(|view| view.day == day));
-        (0..days).map(of_day).collect()
-    }
-
-    /// Counts one view more.
-    pub fn add(&mut self, view: &View) {
-        self.looks += 1;
-        self.wrong += usize::from(view.wrong);
-        if let Some(found) = view.sighting.best().filter(|_| view.found()) {
-            self.found += 1;
-            self.covariances += found.covariance.fixed_view::<2, 2>(0, 0);
-        }
-    }
-
-    /// Mean covariance of the place (north, east) where it was found, square metres; `None` if never.
-    pub fn covariance(&self) -> Option<Matrix2<f64>> {
-        (self.found > 0).then(|| self.covariances / self.found as f64)
-    }
-
-    /// Share of the looks in which it was found; `None` without a look.
-    pub fn share(&self) -> Option<f64> {
-        (self.looks > 0).then(|| self.found as f64 / self.looks as f64)
-    }
-}
-
-/// Tallies of views between neighbouring `edges` (ascending) of `quantity`, e.g. the heading.
-pub fn tally_by(views: &[View], edges: &[f64], quantity: impl Fn(&View) -> f64) -> Vec<Tally> {
-    let within = |pair: &[f64]| {
-        let between = |view: &&View| (pair[0]..pair[1]).contains(&quantity(view));
-        Tally::of(views.iter().filter(between))
-    };
-    edges.windows(2).map(within).collect()
-}
+use super::{Assessor, Tally};
 
 /// How often a landmark is found, over heights and tilts: what a view draws as a grid.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

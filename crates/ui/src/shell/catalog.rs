@@ -5,6 +5,8 @@ use egui::{Key, KeyboardShortcut, Modifiers};
 use pilotage_core::exchange::Format;
 use pilotage_core::exchange::labels::LabelFormat;
 
+pub use super::entry::{Entry, Group, describe};
+use super::entry::{control, entry, plain, shift};
 use crate::camera_log::CameraLogCommand;
 use crate::command::{Command, Workspace};
 use crate::compare::{CompareCommand, TrackId};
@@ -14,100 +16,6 @@ use crate::labelling::LabelCommand;
 use crate::photos::PhotosCommand;
 use crate::plan::{FindCommand, FindPick, HeatCommand, PlanCommand, Purpose, TrainCommand};
 use crate::views::DetectorCommand;
-
-/// Where a command stands in the help sheet and the palette.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Group {
-    /// Time and playback.
-    Playback,
-    /// Map and panels.
-    View,
-    /// Landmarks and undo.
-    Edit,
-    /// Routes and what is predicted of them.
-    Plan,
-    /// Flights, files, settings.
-    Document,
-}
-
-impl Group {
-    /// Every group, in reading order.
-    pub const ALL: [Self; 5] = [
-        Self::Playback,
-        Self::View,
-        Self::Edit,
-        Self::Plan,
-        Self::Document,
-    ];
-
-    /// Name for people.
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::Playback => "Playback",
-            Self::View => "Map and panels",
-            Self::Edit => "Landmarks",
-            Self::Plan => "Plan",
-            Self::Document => "Flight and files",
-        }
-    }
-}
-
-/// One row of the table.
-#[derive(Clone, Debug)]
-pub struct Entry {
-    /// What it does, in words.
-    pub label: &'static str,
-    /// Its group.
-    pub group: Group,
-    /// Its keys, the first shown first.
-    pub shortcuts: Vec<KeyboardShortcut>,
-    /// What is sent.
-    pub command: Command,
-}
-
-impl Entry {
-    /// Its first shortcut as people read it, or an empty text.
-    pub fn keys(&self) -> String {
-        self.shortcuts.first().map(describe).unwrap_or_default()
-    }
-}
-
-/// A shortcut as people read it.
-pub fn describe(shortcut: &KeyboardShortcut) -> String {
-    let mut words = Vec::new();
-    if shortcut.modifiers.command {
-        words.push("Ctrl");
-    }
-    if shortcut.modifiers.shift {
-        words.push("Shift");
-    }
-    let key = match shortcut.logical_key {
-        Key::ArrowLeft => "←",
-        Key::ArrowRight => "→",
-        Key::OpenBracket => "[",
-        Key::CloseBracket => "]",
-        Key::Questionmark => "?",
-        Key::Comma => ",",
-        Key::Period => ".",
-        Key::Plus => "+",
-        Key::Minus => "-",
-        other => other.name(),
-    };
-    words.push(key);
-    words.join(" ")
-}
-
-fn plain(key: Key) -> KeyboardShortcut {
-    KeyboardShortcut::new(Modifiers::NONE, key)
-}
-
-pub(super) fn shift(key: Key) -> KeyboardShortcut {
-    KeyboardShortcut::new(Modifiers::SHIFT, key)
-}
-
-fn control(key: Key) -> KeyboardShortcut {
-    KeyboardShortcut::new(Modifiers::COMMAND, key)
-}
 
 /// Speeds set by the digits 1 to 9 and 0.
 pub const DIGIT_SPEEDS: [(Key, f64); 10] = [
@@ -171,20 +79,6 @@ pub fn catalog() -> Vec<Entry> {
     ));
     entries.extend(document());
     entries
-}
-
-pub(super) fn entry(
-    group: Group,
-    label: &'static str,
-    shortcuts: Vec<KeyboardShortcut>,
-    command: Command,
-) -> Entry {
-    Entry {
-        label,
-        group,
-        shortcuts,
-        command,
-    }
 }
 
 fn playback() -> Vec<Entry> {

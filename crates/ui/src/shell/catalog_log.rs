@@ -2,7 +2,7 @@
 
 use egui::Key;
 
-use super::catalog::{Entry, Group, entry, shift};
+use super::entry::{Entry, Group, entry, shift};
 use crate::command::Command;
 use crate::log::LogCommand::{self, ShowPreset};
 use crate::log::{LogTab, Preset};

@@ -2,6 +2,7 @@
 
 pub mod catalog;
 mod catalog_log;
+mod entry;
 mod fonts;
 mod help;
 pub mod icons;

@@ -113,6 +113,18 @@ pub fn camera_to_log(
     CameraEvidence::of(flight, run).estimate(believed)
 }
 
+impl CameraEvidence {
+    /// Estimates the camera at once. See [`CameraSearch`] for the same in slices.
+    ///
+    /// # Errors
+    /// Too few frames, no satellite navigation, or nothing that explains the frames.
+    pub fn estimate(&self, believed: &CameraPrior) -> Result<CameraToLog, AlignmentError> {
+        let mut search = CameraSearch::new(self, believed)?;
+        while search.advance(self) {}
+        search.finish(self)
+    }
+}
+
 /// An estimate under way: a guess of the time offset after the other. The evidence has to be the same in every
 /// call.
 #[derive(Clone, Debug)]

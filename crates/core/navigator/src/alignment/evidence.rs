@@ -4,7 +4,6 @@ use nalgebra::Point2;
 use serde::{Deserialize, Serialize};
 
 use super::residual::{Laid, Log, Unknowns, laid_frames};
-use super::{AlignmentError, CameraPrior, CameraSearch, CameraToLog};
 use crate::navigator::Run;
 use pilotage_base::frames::{GroundPoint, Pose};
 use pilotage_flight::{ChannelName, Flight};
@@ -98,16 +97,6 @@ impl CameraEvidence {
     pub fn middle(&self) -> f64 {
         let times = self.frames.iter().map(|frame| frame.time);
         times.sum::<f64>() / self.frames.len().max(1) as f64
-    }
-
-    /// Estimates the camera at once. See [`CameraSearch`] for the same in slices.
-    ///
-    /// # Errors
-    /// Too few frames, no satellite navigation, or nothing that explains the frames.
-    pub fn estimate(&self, believed: &CameraPrior) -> Result<CameraToLog, AlignmentError> {
-        let mut search = CameraSearch::new(self, believed)?;
-        while search.advance(self) {}
-        search.finish(self)
     }
 
     /// How far each laid frame is from the log were the camera changed by `change` and satellite navigation off

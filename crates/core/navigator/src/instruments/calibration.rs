@@ -4,8 +4,9 @@ use nalgebra::{Rotation2, Vector2};
 use serde::{Deserialize, Serialize};
 
 use super::blend::Blend;
-use super::fit::{AirFit, FitPrior, FitProblem};
+use super::fit::AirFit;
 use super::fit_refusal::FitRefusal;
+use super::problem::{FitPrior, FitProblem};
 use super::readings::Readings;
 use super::series::Series;
 use super::slip::SideForce;

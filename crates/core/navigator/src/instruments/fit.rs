@@ -3,9 +3,8 @@
 use nalgebra::{Rotation2, SMatrix, SVector, Vector2};
 use serde::{Deserialize, Serialize};
 
+use super::problem::FitProblem;
 use super::rows::{Row, rows};
-use super::series::Series;
-use super::slip::SideForce;
 use super::track_noise::{Left, TrackNoise, means, means_over};
 
 /// Unknowns of the fit: the two of the factor on the air velocity, what the wind is north and east, drift, length and
@@ -34,23 +33,6 @@ const ANYTHING: f64 = 10.0;
 const SECOND: f64 = 1.0;
 /// Share of a moment's variance below which it counts as nothing, so that moments that say the same can be weighed.
 const NOTHING: f64 = 1e-9;
-
-/// What is believed of the unknowns before any measurement, standard deviations.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct FitPrior {
-    /// Airspeed scale about 1.
-    pub scale: f64,
-    /// Heading offset about zero, radians.
-    pub heading: f64,
-    /// Heading drift about zero, rad/s; zero for a heading that does not drift.
-    pub drift: f64,
-    /// Wind per axis, m/s.
-    pub wind: f64,
-    /// Length of the sideslip about zero, m.
-    pub slip_length: f64,
-    /// Offset of the sideslip about zero, m²/s².
-    pub slip_offset: f64,
-}
 
 /// One wind, one scale of the airspeed, one offset and drift of the heading, one readiness to slip sideways.
 ///
@@ -112,24 +94,6 @@ pub struct AirFit {
     pub samples: usize,
     /// Velocities left out because they fit to nothing.
     pub outliers: usize,
-}
-
-/// What is fitted to what.
-pub(super) struct FitProblem<'a> {
-    /// Velocities over ground, m/s.
-    pub(super) velocities: &'a Series<Vector2<f64>>,
-    /// Airspeed as read, m/s.
-    pub(super) airspeed: &'a Series,
-    /// Horizontal part of the nose's direction.
-    pub(super) nose: &'a Series<Vector2<f64>>,
-    /// Side force; may be empty.
-    pub(super) side_force: &'a SideForce,
-    /// Stretch of the velocities, seconds.
-    pub(super) span: (f64, f64),
-    /// Time for which the error is remembered when new is told from old, seconds.
-    pub(super) memory: f64,
-    /// Priors.
-    pub(super) prior: FitPrior,
 }
 
 /// What a round takes from the one before.

@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::fit::{AirFit, FitPrior};
+use super::fit::AirFit;
+use super::problem::FitPrior;
 use pilotage_flight::{Finding, Severity};
 
 /// Airspeed scales that can be: a pitot tube that shows a third or three times the pressure is none.

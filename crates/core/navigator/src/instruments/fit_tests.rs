@@ -4,7 +4,8 @@ use nalgebra::Vector2;
 use rand::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
 
-use super::fit::{AirFit, FitPrior, FitProblem};
+use super::fit::AirFit;
+use super::problem::{FitPrior, FitProblem};
 use super::series::Series;
 use super::slip::SideForce;
 

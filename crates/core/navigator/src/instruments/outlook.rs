@@ -2,9 +2,8 @@
 
 use nalgebra::{SMatrix, Vector2};
 
-use super::fit::{
-    AirFit, Design, FitProblem, Guess, NO_WIND, OUTLIER, SLIP_OFFSET, Solved, UNKNOWNS,
-};
+use super::fit::{AirFit, Design, Guess, NO_WIND, OUTLIER, SLIP_OFFSET, Solved, UNKNOWNS};
+use super::problem::FitProblem;
 use super::rows::rows;
 use super::track_noise::{Left, TrackNoise, Weights};
 

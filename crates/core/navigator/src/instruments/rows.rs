@@ -2,7 +2,7 @@
 
 use nalgebra::Vector2;
 
-use super::fit::FitProblem;
+use super::problem::FitProblem;
 use super::slip::Slip;
 
 /// Times about that of a velocity over ground at which the air data are read for it, seconds: receivers tell means,

@@ -72,7 +72,8 @@ impl SideForce {
 
 #[cfg(test)]
 mod tests {
-    use super::super::fit::{AirFit, FitPrior, FitProblem};
+    use super::super::fit::AirFit;
+    use super::super::problem::{FitPrior, FitProblem};
     use super::*;
 
     const LENGTH: f64 = 20.0;

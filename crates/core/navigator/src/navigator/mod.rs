@@ -7,6 +7,7 @@ mod expected;
 mod explain;
 mod finding;
 mod fixes;
+mod found_places;
 mod heading_doubt;
 mod inputs;
 mod laid_refusal;

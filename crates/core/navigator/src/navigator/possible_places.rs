@@ -11,13 +11,11 @@
 //! than the prior did, both as uncertain as the place itself is; that it lies at none of them by the belief's weight and
 //! the probability that is left.
 
-use nalgebra::{Matrix2, Vector2};
-
 use super::Estimate;
 use super::engine::{Engine, PredictedStep, engine};
+use super::found_places::{Found, Searched, density};
 use super::laid_refusal::LaidRefusal;
 use super::whole_frames::{Believed, SeenPlace};
-use pilotage_base::frames::GroundPoint;
 use pilotage_estimation::filter::FilterError;
 use pilotage_estimation::vehicle::ControlInput;
 use pilotage_mission::settings::NavigatorSettings;
@@ -33,41 +31,6 @@ const FOLLOWED: usize = 8;
 /// A belief that is wider than another by this factor is worth a search of its own.
 const WIDER: f64 = 1.5;
 
-/// Within what a frame was looked for: standard deviation per axis.
-#[derive(Clone, Copy, Debug)]
-pub struct Searched {
-    pub position: GroundPoint,
-    /// Metres.
-    pub deviation: f64,
-}
-
-impl Searched {
-    /// Density with which a place of that covariance was expected, 1/m².
-    fn density(&self, at: &Registration) -> f64 {
-        let own = Matrix2::from_diagonal_element(self.deviation.powi(2));
-        density(&self.position.to_vector(), &own, at)
-    }
-
-    /// A circle that holds what is believed.
-    pub fn around(believed: &Estimate) -> Self {
-        Self {
-            position: believed.position(),
-            deviation: believed.greatest_variance().sqrt(),
-        }
-    }
-}
-
-/// Where a frame may lie, likeliest first.
-#[derive(Clone, Debug)]
-pub struct Found {
-    /// When it was taken, seconds.
-    pub time: f64,
-    /// Down coordinate of the ground, metres.
-    pub ground_down: f64,
-    pub searched: Searched,
-    pub places: Vec<Registration>,
-}
-
 /// One belief of where the aircraft is.
 struct Belief {
     engine: Box<dyn Engine>,
@@ -75,18 +38,6 @@ struct Belief {
     weight: f64,
     /// Its last prediction.
     step: Option<PredictedStep>,
-}
-
-/// Density with which a place is expected around `mean` with `covariance`, 1/m².
-fn density(mean: &Vector2<f64>, covariance: &Matrix2<f64>, at: &Registration) -> f64 {
-    let place = at.camera.pose.position_in_world.xy().coords;
-    let covariance = covariance + at.camera.covariance.fixed_view::<2, 2>(0, 0);
-    let off = place - mean;
-    let Some(information) = covariance.try_inverse() else {
-        return 0.0;
-    };
-    let squared = (off.transpose() * information * off)[0];
-    (-0.5 * squared).exp() / (std::f64::consts::TAU * covariance.determinant().sqrt())
 }
 
 /// How much likelier each of the places is by what `engine` expects than by what was searched.

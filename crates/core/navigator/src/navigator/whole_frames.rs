@@ -10,8 +10,8 @@ use std::sync::Arc;
 use nalgebra::{DMatrix, DVector, Matrix2};
 
 use super::engine::{CorrectedStep, Engine, map_error};
+use super::found_places::{Found, Searched};
 use super::inputs::Inputs;
-use super::possible_places::{Found, Searched};
 use super::see::Surprise;
 use super::{Estimate, JointReport, LaidPlace, LaidRefusal, LaidReport};
 use pilotage_base::frames::GroundPoint;

@@ -11,6 +11,7 @@ use nalgebra::{Matrix4, Vector2};
 use super::alignment::{Alignment, Similarity, align};
 use super::features::Features;
 use super::look_alike::Searched;
+use super::match_evidence::{MatchEvidence, camera_gsd, in_picture};
 use super::oriented::OrientedDetector;
 use super::patch::{FLAT_CONTRAST, PatchBank, gsd_of, level_of};
 use super::peak::{FORBIDDEN, Peak, best_peaks, refine, separation};
@@ -20,8 +21,8 @@ use super::{
     Detection, Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting, TemplateFeatures,
     TemplateSettings,
 };
-use pilotage_base::frames::{GroundPoint, GroundRect};
-use pilotage_raster::imagery::{Imagery, Window};
+use pilotage_base::frames::GroundPoint;
+use pilotage_raster::imagery::Imagery;
 use pilotage_raster::raster::{Gray, IntegralImage};
 
 /// Longer side of the patch at the fine scale, pixels.
@@ -54,21 +55,6 @@ struct Fit {
     score: f64,
     rotation: f64,
     scale: f64,
-}
-
-/// Pictures that explain a search.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MatchEvidence {
-    /// The map patch.
-    pub patch: Gray,
-    /// The rectified picture over the search region.
-    pub rectified: Gray,
-    /// Combined score at every offset of the patch.
-    pub surface: Gray,
-    /// Best places of the surface, best first: (column, row).
-    pub peaks: Vec<(f64, f64)>,
-    /// Metres per pixel.
-    pub gsd: f64,
 }
 
 impl TemplateDetector {
@@ -402,11 +388,6 @@ impl Detector for TemplateDetector {
     }
 }
 
-/// Ground sample distance of the camera in the middle of the picture, metres per pixel.
-pub(super) fn camera_gsd(view: &FrameView<'_>) -> f64 {
-    (view.ground_down - view.pose.position_in_world.z).max(0.1) / view.camera.focal
-}
-
 /// Whether the peak lies next to offsets at which the patch would leave the picture: the true place may
 /// be among them, and what was found only the nearest that is seen.
 fn next_to_unseen(surface: &Gray, peak: &Peak) -> bool {
@@ -460,13 +441,6 @@ fn unaligned(similarity: Similarity, size: (usize, usize)) -> Alignment {
         similarity,
         covariance: Matrix4::from_diagonal(&nalgebra::Vector4::new(1.0, 1.0, angle, angle)),
     }
-}
-
-/// What of `window` can lie in the picture, cut at its pixels; `None` if nothing of it can.
-pub(super) fn in_picture(window: &Window, view: &FrameView<'_>) -> Option<Window> {
-    let footprint = view.camera.footprint(&view.pose, view.ground_down);
-    let seen = GroundRect::around(footprint)?;
-    window.touching(&seen).map(|(part, _)| part)
 }
 
 #[cfg(test)]

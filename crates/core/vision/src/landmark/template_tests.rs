@@ -3,7 +3,7 @@
 use nalgebra::Point3;
 
 use super::*;
-use pilotage_base::frames::{Attitude, Pose};
+use pilotage_base::frames::{Attitude, GroundRect, Pose};
 use pilotage_raster::camera::CameraModel;
 use pilotage_raster::raster::Pyramid;
 

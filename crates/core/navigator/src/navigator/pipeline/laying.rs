@@ -1,6 +1,7 @@
 //! Whole frames laid on the map, and what is thought possible where that leaves it open.
 
-use super::super::possible_places::{Searched, Sure};
+use super::super::found_places::Searched;
+use super::super::possible_places::Sure;
 use super::super::whole_frames::{Laid, WholeFrames, measured};
 use super::super::{Estimate, JointReport, StepReport};
 use super::Navigator;

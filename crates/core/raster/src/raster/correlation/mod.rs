@@ -16,12 +16,15 @@
 
 mod channels;
 mod cost;
+mod flatness;
 mod fourier;
 mod normalize;
 mod search;
+mod surface;
 mod template;
 #[cfg(test)]
 mod tests;
+mod whole;
 
 pub use channels::{ChannelSearch, ChannelSurface, ChannelTemplate};
 pub use search::SearchSpectrum;

@@ -1,6 +1,6 @@
 //! From the plain correlation to the coefficient.
 
-use super::search::Surface;
+use super::surface::Surface;
 use crate::raster::integral::Corners;
 use crate::raster::simd::{self, Scale};
 use crate::raster::{Gray, IntegralImage};

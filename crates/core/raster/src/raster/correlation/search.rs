@@ -3,9 +3,11 @@
 use std::sync::OnceLock;
 
 use super::cost;
+use super::flatness::flat_level;
 use super::fourier::{Spectrum, good_length};
 use super::normalize::{Windows, normalize};
-use super::template::{FLATNESS, Kernel, Template};
+use super::surface::Surface;
+use super::template::{Kernel, Template};
 use crate::raster::pool::Buffer;
 use crate::raster::simd::{self, Instructions, PaddedRows};
 use crate::raster::{Gray, IntegralImage};
@@ -42,14 +44,6 @@ struct Prepared {
 pub(super) enum Engine {
     Direct(Instructions),
     Fourier,
-}
-
-/// Energy per pixel below which a window of a picture with these pixels counts as flat.
-pub(super) fn flat_level(pixels: &[f32]) -> f64 {
-    let largest = pixels
-        .iter()
-        .fold(0.0f32, |largest, v| largest.max(v.abs()));
-    (FLATNESS * f64::from(largest)).powi(2)
 }
 
 impl SearchSpectrum {
@@ -178,18 +172,6 @@ impl SearchSpectrum {
                 }
             }
         }
-    }
-}
-
-/// Values of a correlation, rows `stride` apart.
-pub(super) struct Surface {
-    pub stride: usize,
-    pub values: Buffer<f32>,
-}
-
-impl Surface {
-    fn at(&self, x: usize, y: usize) -> f32 {
-        self.values[y * self.stride + x]
     }
 }
 

@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use nalgebra::Point2;
 
-use super::twins;
 use super::variants::{Variant, Variants};
 use crate::landmark::Landmark;
 use crate::landmark::look_alike::LookAlike;
@@ -37,7 +36,7 @@ pub(super) struct OrientedPatch {
     covered: Gray,
     templates: HashMap<(u64, Variant), Option<Arc<ChannelTemplate>>>,
     /// Ground that looks like it, and how far that was looked for, metres.
-    twins: (f64, Vec<LookAlike>),
+    pub(super) twins: (f64, Vec<LookAlike>),
 }
 
 impl OrientedPatch {
@@ -112,17 +111,6 @@ impl OrientedPatch {
         let own = |of: &Gray| of.crop(margin, margin, self.size.0, self.size.1);
         let channels: Option<Vec<Gray>> = channels.iter().map(own).collect();
         ChannelTemplate::new(&channels?, &own(&covered)?).map(Arc::new)
-    }
-
-    /// Ground of `map` that looks like it, `reach` metres to each side and farther, as far as that matters.
-    fn twins(&mut self, map: &dyn Imagery, reach: f64) -> &[LookAlike] {
-        let reach = reach.min(twins::FARTHEST);
-        if reach > self.twins.0 {
-            // A filter that drifts asks for a little more in every frame.
-            let farther = (1.5 * reach).min(twins::FARTHEST);
-            self.twins = (farther, twins::find(map, self, farther));
-        }
-        &self.twins.1
     }
 }
 

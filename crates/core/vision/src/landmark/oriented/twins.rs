@@ -17,10 +17,23 @@ use pilotage_raster::raster::ChannelSearch;
 /// Twins that are kept.
 const MOST: usize = 16;
 /// Farthest twins, metres in north and east.
-pub(super) const FARTHEST: f64 = 120.0;
+const FARTHEST: f64 = 120.0;
+
+impl OrientedPatch {
+    /// Ground of `map` that looks like it, `reach` metres to each side and farther, as far as that matters.
+    pub(super) fn twins(&mut self, map: &dyn Imagery, reach: f64) -> &[LookAlike] {
+        let reach = reach.min(FARTHEST);
+        if reach > self.twins.0 {
+            // A filter that drifts asks for a little more in every frame.
+            let farther = (1.5 * reach).min(FARTHEST);
+            self.twins = (farther, find(map, self, farther));
+        }
+        &self.twins.1
+    }
+}
 
 /// Twins of a patch on the map out to `reach` metres.
-pub(super) fn find(map: &dyn Imagery, patch: &mut OrientedPatch, reach: f64) -> Vec<LookAlike> {
+fn find(map: &dyn Imagery, patch: &mut OrientedPatch, reach: f64) -> Vec<LookAlike> {
     let (gsd, size) = (patch.gsd, patch.size);
     let pixels = (reach / gsd).ceil() as usize;
     let window = window_around(patch.bounds.center(), gsd, size, (pixels, pixels));

@@ -6,7 +6,7 @@ use nalgebra::Point3;
 
 use super::{DetectorWindow, Mark, Variant};
 use crate::landmark::cascade::{Cascade, Responses, responses};
-use crate::landmark::template::in_picture;
+use crate::landmark::match_evidence::in_picture;
 use crate::landmark::window::window_around;
 use crate::landmark::{FrameView, GroundView, Refusal, rectify};
 use pilotage_base::frames::{GroundPoint, Pose};

@@ -1,0 +1,41 @@
+//! Which built-in scenario is flown, on which day, with which seeds.
+
+use clap::ValueEnum;
+use pilotage_core::simulate::{FlightDay, Scenario};
+
+/// Whether the camera sees the ground on the day of the map.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum Day {
+    /// The day of the map.
+    Same,
+    /// Another season, sun and traffic.
+    Other,
+}
+
+impl From<Day> for FlightDay {
+    fn from(day: Day) -> Self {
+        match day {
+            Day::Same => Self::Same,
+            Day::Other => Self::Other,
+        }
+    }
+}
+
+/// The scenario of that name, or an error that lists those there are.
+pub fn scenario(name: &str) -> Result<Scenario, String> {
+    Scenario::named(name).ok_or_else(|| {
+        let names: Vec<&str> = Scenario::all().iter().map(|s| s.name).collect();
+        format!(
+            "there is no scenario \"{name}\"; there are: {}",
+            names.join(", ")
+        )
+    })
+}
+
+/// The seeds "A..B".
+pub fn seed_range(text: &str) -> Result<(u64, u64), String> {
+    text.split_once("..")
+        .and_then(|(a, b)| Some((a.parse().ok()?, b.parse().ok()?)))
+        .filter(|(a, b)| a < b)
+        .ok_or_else(|| format!("--seeds: \"{text}\" is not A..B with A < B"))
+}

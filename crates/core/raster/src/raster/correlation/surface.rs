@@ -1,0 +1,15 @@
+//! What a correlation is before it is normalised.
+
+use crate::raster::pool::Buffer;
+
+/// Values of a correlation, rows `stride` apart.
+pub(super) struct Surface {
+    pub stride: usize,
+    pub values: Buffer<f32>,
+}
+
+impl Surface {
+    pub fn at(&self, x: usize, y: usize) -> f32 {
+        self.values[y * self.stride + x]
+    }
+}
