@@ -2,6 +2,8 @@
 
 mod columns;
 mod columns_rows;
+mod landmark_settings;
+mod setting_rows;
 mod settings;
 mod simulate;
 mod web_map;

@@ -1,4 +1,5 @@
 use egui_kittest::kittest::Queryable as _;
+use pilotage_core::landmark::TemplateFeatures;
 use pilotage_core::navigator::NavigatorSettings;
 use pilotage_ui::jobs::Job;
 
@@ -136,4 +137,23 @@ fn type_number(rig: &mut Rig, name: &str, text: &str) {
     rig.frames(1);
     rig.key(egui::Key::Enter);
     rig.frames(3);
+}
+
+#[test]
+fn landmarks_on_a_map_of_another_date_are_looked_for_by_edges() {
+    let mut rig = rig();
+    rig.harness.get_by_label("Filter settings").click();
+    rig.frames(3);
+    rig.harness
+        .get_by_label("Landmarks are recognised by")
+        .click();
+    rig.frames(3);
+    rig.harness
+        .get_by_label("Edges: the map is of another date")
+        .click();
+    rig.frames(3);
+    rig.settle();
+    let detector = flown_with(&mut rig).detector;
+    assert_eq!(detector.features, TemplateFeatures::Orientation);
+    assert_eq!(detector.map_deviation, 3.0);
 }
