@@ -18,12 +18,11 @@ pub use wasm::{TARGET, ensure_target, without_flags};
 
 use crate::{failure::Failure, progress::step};
 
+/// The package of the page itself.
+const PAGE: &str = "pilotage-web";
+
 /// The packages that become programs: the page, and what its workers run, the first of them at once.
-pub const PROGRAMS: [&str; 3] = [
-    "pilotage-web",
-    "pilotage-worker-flying",
-    "pilotage-worker-whole",
-];
+pub const PROGRAMS: [&str; 3] = [PAGE, "pilotage-worker-flying", "pilotage-worker-whole"];
 
 /// Name of a package's program in `pkg/`, without its endings.
 pub fn module_name(package: &str) -> String {
@@ -56,6 +55,15 @@ impl Profile {
         match self {
             Self::Quick => "web-quick",
             Self::Shipped => "web",
+        }
+    }
+
+    /// The profile in `Cargo.toml` that the program of `package` is compiled in: what is shipped of the page itself
+    /// has one of its own, small before fast, since its workers do what takes long.
+    fn of_program(self, package: &str) -> &'static str {
+        match self {
+            Self::Shipped if package == PAGE => "web-page",
+            Self::Shipped | Self::Quick => self.name(),
         }
     }
 

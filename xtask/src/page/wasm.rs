@@ -31,18 +31,28 @@ pub fn ensure_target() -> Result<(), Failure> {
 
 /// Compiles the crates of the page and of its workers and returns the modules.
 pub fn compile(profile: Profile) -> Result<[PathBuf; PROGRAMS.len()], Failure> {
-    let mut cargo = process::cargo(&["build", "--locked", "--lib"]);
-    cargo.args(PROGRAMS.iter().flat_map(|name| ["-p", name]));
-    cargo.args(["--target", TARGET, "--profile", profile.name()]);
-    without_flags(&mut cargo);
-    process::run(&mut cargo, "cargo came with rustup")?;
+    let mut left: Vec<&str> = PROGRAMS.to_vec();
+    while let Some(first) = left.first() {
+        let name = profile.of_program(first);
+        let (alike, others): (Vec<&str>, _) = left
+            .iter()
+            .partition(|package| profile.of_program(package) == name);
+        let mut cargo = process::cargo(&["build", "--locked", "--lib"]);
+        cargo.args(alike.iter().flat_map(|package| ["-p", package]));
+        cargo.args(["--target", TARGET, "--profile", name]);
+        without_flags(&mut cargo);
+        process::run(&mut cargo, "cargo came with rustup")?;
+        left = others;
+    }
     Ok(PROGRAMS.map(|name| module(profile, name)))
 }
 
 /// The program of a package as the compiler leaves it, with its names.
 pub fn module(profile: Profile, package: &str) -> PathBuf {
     let name = module_name(package);
-    let folder = places::target().join(TARGET).join(profile.name());
+    let folder = places::target()
+        .join(TARGET)
+        .join(profile.of_program(package));
     folder.join(format!("{name}.wasm"))
 }
 
