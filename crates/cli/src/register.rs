@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
+use pilotage_core::filter::probability_words;
 use pilotage_core::flight::photo::{LaidPhoto, PhotoLook, PhotoSearch};
 use pilotage_core::frames::{Geodetic, GroundPoint, LocalFrame};
 use pilotage_core::imagery::{CachedImagery, Imagery};
@@ -271,10 +272,10 @@ fn print(answer: &Answer) {
         laid.heading_deviation_deg,
     );
     println!(
-        "  by {} ({} of {} patches agree), {:.2} % by the whole frame",
+        "  by {} ({} of {} patches agree), {} by the whole frame",
         laid.believed_by,
         laid.patches[0],
         laid.patches[1],
-        100.0 * answer.probability
+        probability_words(answer.probability)
     );
 }

@@ -16,6 +16,7 @@ use super::engine::{Engine, PredictedStep, engine};
 use super::found_places::{Found, Searched, density};
 use super::laid_refusal::LaidRefusal;
 use super::whole_frames::{Believed, SeenPlace};
+use pilotage_base::statistics::probability_words;
 use pilotage_estimation::filter::FilterError;
 use pilotage_estimation::vehicle::ControlInput;
 use pilotage_mission::settings::NavigatorSettings;
@@ -226,9 +227,9 @@ impl PossiblePlaces {
             return LaidRefusal::Open.reason().to_owned();
         };
         format!(
-            "{} other places are followed, the likeliest with a probability of {:.0} %",
+            "{} other places are followed, the likeliest with a probability of {}",
             self.others.len(),
-            100.0 * likeliest.weight
+            probability_words(likeliest.weight)
         )
     }
 }

@@ -14,6 +14,7 @@ use super::prior::PosePrior;
 use super::summit::climb;
 use super::sweep::sweep;
 use pilotage_base::frames::GroundPoint;
+use pilotage_base::statistics::probability_words;
 use pilotage_raster::camera::CameraModel;
 
 /// Guesses of the sweep that are kept.
@@ -74,13 +75,13 @@ pub enum NotRegistered {
     #[error("there is no map within reach, or nothing in the picture to compare with it")]
     NothingAlike,
     /// The likeliest place is not likely enough.
-    #[error("the likeliest place has a probability of {:.0} %; nothing within reach looks enough like the picture", 100.0 * probability)]
+    #[error("the likeliest place has a probability of {}; nothing within reach looks enough like the picture", probability_words(*probability))]
     Doubtful {
         /// Its probability.
         probability: f64,
     },
     /// Another place explains the picture about as well.
-    #[error("two places {distance:.0} m apart explain the picture ({:.0} % and {:.0} %)", 100.0 * probability, 100.0 * other)]
+    #[error("two places {distance:.0} m apart explain the picture ({} and {})", probability_words(*probability), probability_words(*other))]
     Ambiguous {
         /// Distance between the two, metres.
         distance: f64,

@@ -1,11 +1,11 @@
 //! The chosen photo in full: where it lies, how that is known, what was assumed, and how it is shown on the map.
 
 use egui::{Label, RichText, Slider, Ui, vec2};
+use pilotage_core::filter::probability_words;
 use pilotage_core::flight::photo::LaidPhoto;
 use pilotage_core::frames::{GroundPoint, LocalFrame};
 use pilotage_core::registration::LaidBy;
 
-use super::list::percent;
 use super::{PhotosScene, send};
 use crate::context::ViewContext;
 use crate::jobs::PhotoReport;
@@ -122,7 +122,7 @@ fn place(ui: &mut Ui, context: &ViewContext<'_>, laid: &LaidPhoto, frame: Option
 /// By what a photo was believed, in a sentence or two.
 fn believed(report: &PhotoReport, laid: &LaidPhoto) -> String {
     let [agree, tried] = laid.patches;
-    let probability = percent(report.answer.probability);
+    let probability = probability_words(report.answer.probability);
     let by = match laid.laid_by {
         LaidBy::Patches => {
             format!("Believed by its details: {agree} of {tried} patches agree on this place.")

@@ -2,6 +2,7 @@
 
 use egui::{Align2, Color32, Label, RichText, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo};
 use egui::{pos2, vec2};
+use pilotage_core::filter::probability_words;
 
 use super::send;
 use crate::context::ViewContext;
@@ -52,7 +53,7 @@ fn cells(report: Option<&PhotoReport>, units: Units) -> [String; 4] {
     let Some(report) = report else {
         return ["…".to_owned(), none(), none(), none()];
     };
-    let probability = percent(report.answer.probability);
+    let probability = probability_words(report.answer.probability);
     match &report.answer.laid {
         Ok(laid) => [
             probability,
@@ -61,16 +62,6 @@ fn cells(report: Option<&PhotoReport>, units: Units) -> [String; 4] {
             parts::figures(length * laid.height()),
         ],
         Err(_) => [probability, none(), none(), none()],
-    }
-}
-
-/// A probability that is never rounded to certainty, of being right or wrong.
-pub(super) fn percent(probability: f64) -> String {
-    match 100.0 * probability {
-        p if p > 99.9 => "> 99.9 %".to_owned(),
-        p if p > 99.0 => format!("{p:.1} %"),
-        p if p < 1.0 => "< 1 %".to_owned(),
-        p => format!("{p:.0} %"),
     }
 }
 
@@ -164,11 +155,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_probability_is_rounded_to_certainty() {
-        assert_eq!(percent(1.0), "> 99.9 %");
-        assert_eq!(percent(0.9951), "99.5 %");
-        assert_eq!(percent(0.123), "12 %");
-        assert_eq!(percent(0.0008), "< 1 %");
+    fn a_heading_is_told_clockwise_from_north() {
         assert_eq!(heading(-0.5), "331°");
     }
 }
