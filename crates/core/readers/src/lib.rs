@@ -12,6 +12,7 @@ pub mod photo;
 pub mod role;
 mod span_statistics;
 mod span_table;
+mod times;
 pub mod trajectory;
 pub mod video;
 

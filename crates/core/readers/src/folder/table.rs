@@ -7,6 +7,7 @@ use super::error::FolderError;
 use super::layout::{TimeColumn, ValueColumn};
 use super::units::Dimension;
 use crate::columns::{Separator, TableShape, number};
+use crate::times::{Verdict, judge};
 
 /// A CSV file, as text cells.
 pub(crate) struct Table {
@@ -124,8 +125,8 @@ impl Table {
         }
     }
 
-    /// Leaves out the rows whose time is missing, and as few as can be so that times never go back: of a time that
-    /// leaps ahead it is that row, not all behind it. Returns how many.
+    /// Leaves out the rows whose time is missing, and those whose time goes back or lies far from those around it.
+    /// Returns how many.
     pub(crate) fn keep_rows_in_time(&mut self, map: &TimeColumn) -> usize {
         let Ok(index) = self.index(&map.column) else {
             return 0;
@@ -141,10 +142,16 @@ impl Table {
             Some(moment.since(origin))
         };
         let times: Vec<Option<f64>> = self.rows.iter().map(|(_, row)| second(row)).collect();
-        let is_kept = longest_growing(&times);
+        let seconds: Vec<f64> = times.iter().map(|t| t.unwrap_or(f64::NAN)).collect();
+        let Some(verdicts) = judge(&seconds) else {
+            return 0;
+        };
         let total = self.rows.len();
-        let mut kept = is_kept.iter();
-        self.rows.retain(|_| kept.next().copied().unwrap_or(false));
+        let mut kept = verdicts.iter();
+        self.rows.retain(|_| {
+            kept.next()
+                .is_some_and(|verdict| *verdict == Verdict::Sound)
+        });
         total - self.rows.len()
     }
 
@@ -291,31 +298,6 @@ impl Table {
     }
 }
 
-/// Which numbers belong to the longest part of them that never goes down.
-fn longest_growing(numbers: &[Option<f64>]) -> Vec<bool> {
-    // The last of the best part of each length, and what stands before each number in its part.
-    let mut last_of: Vec<usize> = Vec::new();
-    let mut before: Vec<Option<usize>> = vec![None; numbers.len()];
-    for (index, number) in numbers.iter().enumerate() {
-        let Some(number) = number else { continue };
-        let is_before = |other: &usize| numbers[*other].is_some_and(|other| other <= *number);
-        let length = last_of.partition_point(is_before);
-        before[index] = length.checked_sub(1).map(|length| last_of[length]);
-        if length == last_of.len() {
-            last_of.push(index);
-        } else {
-            last_of[length] = index;
-        }
-    }
-    let mut kept = vec![false; numbers.len()];
-    let mut next = last_of.last().copied();
-    while let Some(index) = next {
-        kept[index] = true;
-        next = before[index];
-    }
-    kept
-}
-
 /// Line in the file and cells of each row, `before` lines of which were taken already.
 fn records(
     file: &str,
@@ -359,9 +341,24 @@ fn without_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
 }
 
-/// The text in UTF-8: what is no such is taken for Latin-1, in which degrees are one byte.
+/// The text of UTF-16, as some spreadsheets write it, by the mark that it begins with.
+fn of_utf_16(bytes: &[u8]) -> Option<String> {
+    let (rest, unit): (_, fn([u8; 2]) -> u16) = match bytes {
+        [0xff, 0xfe, rest @ ..] => (rest, u16::from_le_bytes),
+        [0xfe, 0xff, rest @ ..] => (rest, u16::from_be_bytes),
+        _ => return None,
+    };
+    let units = rest.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
+    let letters = char::decode_utf16(units);
+    Some(letters.map(|letter| letter.unwrap_or('\u{fffd}')).collect())
+}
+
+/// The text in UTF-8: UTF-16 by its mark; what is no UTF-8 is taken for Latin-1, in which degrees are one byte.
 pub(crate) fn decoded(bytes: &[u8]) -> Cow<'_, [u8]> {
     let bytes = without_mark(bytes);
+    if let Some(text) = of_utf_16(bytes) {
+        return Cow::Owned(text.into_bytes());
+    }
     match str::from_utf8(bytes) {
         // At the end a letter may be cut off.
         Err(error) if error.error_len().is_some() => {

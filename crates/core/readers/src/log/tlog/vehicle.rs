@@ -32,12 +32,10 @@ impl Heartbeats {
         if autopilot == NO_AUTOPILOT || kind == GROUND_STATION {
             return false;
         }
+        log.hear(u32::from(sender.system));
         let own = (sender.system, sender.component);
         let is_first = self.sender.is_none();
         if *self.sender.get_or_insert(own) != own {
-            log.report.remark(
-                "several vehicles: modes, parameters and the vehicle's name are those of the first",
-            );
             return false;
         }
         if is_first || (self.autopilot, self.kind) != (autopilot, kind) {
