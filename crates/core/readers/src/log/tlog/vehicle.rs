@@ -11,6 +11,8 @@ const PX4: u8 = 12;
 const NO_AUTOPILOT: u8 = 8;
 /// `MAV_TYPE`: a ground station.
 const GROUND_STATION: u8 = 6;
+/// Systems from here on are ground stations by custom, whatever they say of themselves.
+const STATIONS: u8 = 250;
 
 /// What the heartbeats of the first vehicle told.
 #[derive(Default)]
@@ -29,7 +31,8 @@ impl Heartbeats {
     pub fn beat(&mut self, sender: Sender, time: f64, row: &Row, log: &mut Log) -> bool {
         let byte = |name| row.integer(name) as u8;
         let (autopilot, kind) = (byte("autopilot"), byte("type"));
-        if autopilot == NO_AUTOPILOT || kind == GROUND_STATION {
+        let is_station = kind == GROUND_STATION || sender.system >= STATIONS;
+        if autopilot == NO_AUTOPILOT || is_station {
             return false;
         }
         log.hear(u32::from(sender.system));
