@@ -11,7 +11,7 @@ use super::several::{hemispheres, parts_of_time, places};
 use super::time::unit_of_time;
 use super::values::{UnitGuess, are_degrees, unit};
 use super::{Alternative, ColumnMap, ColumnRole, MappedColumn, Sample, long};
-use crate::folder::Dimension;
+use crate::folder::{Dimension, date_and_time, readings};
 
 /// Below this a name says nothing.
 const LEAST: f64 = 0.3;
@@ -76,7 +76,7 @@ pub(super) fn guess_with_samples(file: &str, bytes: &[u8]) -> Option<Guess> {
             .into_iter()
             .chain(body)
             .collect(),
-        questions: Vec::new(),
+        questions: day_or_month(&samples, &columns).into_iter().collect(),
         columns,
     };
     Some(Guess {
@@ -86,6 +86,23 @@ pub(super) fn guess_with_samples(file: &str, bytes: &[u8]) -> Option<Guess> {
         hints,
         groups,
     })
+}
+
+/// What to ask where all dates could be read with day and month the other way round.
+fn day_or_month(samples: &[Sample], columns: &[MappedColumn]) -> Option<String> {
+    let time = columns
+        .iter()
+        .position(|c| c.role == ColumnRole::Time && c.unit == super::time::DATE)?;
+    let mut texts = samples[time].texts.iter();
+    let first = texts.clone().find(|text| readings(text).is_some())?;
+    // A single day beyond the twelfth tells.
+    if !texts.all(|text| readings(text).is_some() || date_and_time(text).is_none()) {
+        return None;
+    }
+    let [taken, other] = readings(first)?;
+    Some(format!(
+        "\"{first}\" may be {taken} or {other}; taken: {taken}. Only the date rests on it. Is that right?"
+    ))
 }
 
 /// A column that may be the time.

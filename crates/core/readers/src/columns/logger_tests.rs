@@ -73,6 +73,53 @@ fn degrees_and_minutes_with_hemispheres_are_places() {
 }
 
 #[test]
+fn a_date_that_can_be_read_in_two_ways_is_asked_for_and_one_that_cannot_is_not() {
+    let questions = |day: &str| {
+        let row = |i: usize| {
+            format!(
+                "{day} 10:00:{:06.3},{:.6},8.0\n",
+                0.1 * i as f64,
+                47.0 + 1e-5 * i as f64
+            )
+        };
+        let table = "time,latitude,longitude\n".to_owned() + &(0..60).map(row).collect::<String>();
+        let asked = guess_table("a.csv", table.as_bytes()).unwrap().questions;
+        asked
+            .into_iter()
+            .filter(|question| question.contains("2024-"))
+            .count()
+    };
+    assert_eq!([questions("5/1/2024"), questions("01.05.2024")], [1, 1]);
+    assert_eq!(
+        [
+            questions("13/5/2024"),
+            questions("2024/05/01"),
+            questions("5/5/2024")
+        ],
+        [0, 0, 0]
+    );
+}
+
+#[test]
+fn a_table_of_times_of_day_goes_on_over_midnight() {
+    let row = |i: u32| {
+        let second = (86_390 + i) % 86_400;
+        let time = format!(
+            "{:02}:{:02}:{:02}",
+            second / 3600,
+            second / 60 % 60,
+            second % 60
+        );
+        format!("{time},{:.6},8.0\n", 47.0 + 1e-5 * f64::from(i))
+    };
+    let table = "time,latitude,longitude\n".to_owned() + &(0..60).map(row).collect::<String>();
+    let files = files(&[("a.csv", &table)]);
+    let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+    let (first, last) = flight_of_tables(&files, &maps).unwrap().flight.span();
+    assert!((last - first - 59.0).abs() < 1e-9, "{first} to {last}");
+}
+
+#[test]
 fn a_table_in_utf_16_is_read_by_its_mark() {
     let row = |i: usize| {
         format!(

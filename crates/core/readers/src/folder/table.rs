@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::clock::{Moment, shortened};
+use super::clock::{Moment, count_midnights, shortened};
 use super::error::FolderError;
 use super::layout::{TimeColumn, ValueColumn};
 use super::units::Dimension;
@@ -132,17 +132,21 @@ impl Table {
             return 0;
         };
         let has_comma = self.has_decimal_comma;
-        let mut origin = None;
-        let mut second = |row: &csv::StringRecord| {
+        let moment = |row: &csv::StringRecord| {
             let cell = point(row.get(index).unwrap_or(""), has_comma);
-            let moment = map.format.parse(&cell).ok()?;
-            if let (None, Moment::Absolute(whole, fraction)) = (origin, moment) {
-                origin = Some((whole, fraction));
-            }
-            Some(moment.since(origin))
+            map.format.parse(&cell).ok()
         };
-        let times: Vec<Option<f64>> = self.rows.iter().map(|(_, row)| second(row)).collect();
-        let seconds: Vec<f64> = times.iter().map(|t| t.unwrap_or(f64::NAN)).collect();
+        let moments = self.rows.iter().map(|(_, row)| moment(row));
+        let mut moments: Vec<Option<Moment>> = moments.collect();
+        count_midnights(moments.iter_mut().flatten());
+        let origin = moments.iter().flatten().find_map(|moment| match moment {
+            Moment::Absolute(whole, fraction) => Some((*whole, *fraction)),
+            Moment::Relative(_) => None,
+        });
+        let seconds = moments
+            .iter()
+            .map(|m| m.map_or(f64::NAN, |m| m.since(origin)));
+        let seconds: Vec<f64> = seconds.collect();
         let Some(verdicts) = judge(&seconds) else {
             return 0;
         };
@@ -225,15 +229,15 @@ impl Table {
 
     /// Moments of a column before they are counted from an origin, with the map's offset to add.
     pub(crate) fn moments(&self, map: &TimeColumn) -> Result<Vec<Moment>, FolderError> {
-        self.texts(&map.column)?
-            .into_iter()
-            .enumerate()
-            .map(|(row, text)| {
-                map.format
-                    .parse(&point(text, self.has_decimal_comma))
-                    .map_err(|cause| self.cell_error(row, &map.column, cause))
-            })
-            .collect()
+        let texts = self.texts(&map.column)?.into_iter().enumerate();
+        let moments = texts.map(|(row, text)| {
+            map.format
+                .parse(&point(text, self.has_decimal_comma))
+                .map_err(|cause| self.cell_error(row, &map.column, cause))
+        });
+        let mut moments: Vec<Moment> = moments.collect::<Result<_, _>>()?;
+        count_midnights(moments.iter_mut());
+        Ok(moments)
     }
 
     /// Times of a column in seconds, which must not go back.

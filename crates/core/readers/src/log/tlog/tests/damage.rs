@@ -42,6 +42,17 @@ fn one_wrong_byte_costs_one_message_and_is_told() {
 }
 
 #[test]
+fn a_log_whose_first_time_is_damaged_is_known_and_counts_from_the_second() {
+    let mut file = Written::flight(30).bytes;
+    file[0] ^= 0x7f;
+    assert!((INFO.begins)(&file));
+    let log = read(&file);
+    assert!(rows(&log) >= 31);
+    let (first, last) = log.span().unwrap();
+    assert!(first.abs() < 1.0 && last < 10.0, "{first} to {last}");
+}
+
+#[test]
 fn a_time_far_from_its_neighbours_is_left_out_but_a_later_flight_is_not() {
     let mut file = Written::flight(9).bytes;
     let stamp = file.len();
