@@ -24,6 +24,8 @@ const FEW: usize = 10;
 const SOME: usize = 64;
 /// Series of fewer times have no usual step.
 const ENOUGH: usize = 20;
+/// The same for zero at the beginning, in usual steps: a clock that was not set says zero.
+const FAR_FROM_ZERO: f64 = 5.0;
 /// Times further apart than this are of two clocks, seconds: no flight pauses for thirty days.
 const ERA: f64 = 30.0 * 86_400.0;
 
@@ -59,7 +61,8 @@ pub(crate) fn judge(times: &[f64]) -> Option<Vec<Verdict>> {
             verdicts[*index] = Verdict::OutOfOrder;
         }
     }
-    let tolerance = if kept.len() < ENOUGH {
+    let are_few = kept.len() < ENOUGH;
+    let tolerance = if are_few {
         FAR_OF_FEW
     } else {
         FAR.max(FAR_STEPS * usual)
@@ -76,7 +79,8 @@ pub(crate) fn judge(times: &[f64]) -> Option<Vec<Verdict>> {
             || before.is_some_and(|before| time < before - tolerance)
             || before.is_none() && after.is_some_and(|after| time < after - tolerance)
             || after.is_none() && before.is_some_and(|before| time > before + tolerance);
-        if !is_far {
+        // Zero out of its place is no time that was told.
+        if !is_far && (are_few || time != 0.0) {
             verdicts[*index] = Verdict::OutOfOrder;
         }
     }
@@ -124,7 +128,8 @@ fn has_far_end(times: &[f64]) -> bool {
     let reach = (FEW + 1).min(times.len());
     let is_far = |w: &[f64]| w[1] - w[0] > FAR_AT_AN_END;
     times.len() >= ENOUGH
-        && (times[..reach].windows(2).any(is_far)
+        && (times[0] == 0.0
+            || times[..reach].windows(2).any(is_far)
             || times[times.len() - reach..].windows(2).any(is_far))
 }
 
@@ -197,7 +202,10 @@ fn trim_ends(times: &[f64], kept: &mut Vec<usize>, usual: f64) -> Vec<usize> {
     let step = |kept: &[usize], i: usize| times[kept[i]] - times[kept[i - 1]];
     let last = (kept.len() - most..kept.len()).find(|i| step(kept, *i) > far);
     let mut ends = kept.split_off(last.unwrap_or(kept.len()));
-    let first = (1..=most).rev().find(|i| step(kept, *i) > far);
+    let is_unset = |i: usize| times[kept[i - 1]] == 0.0 && step(kept, i) > FAR_FROM_ZERO * usual;
+    let first = (1..=most)
+        .rev()
+        .find(|i| step(kept, *i) > far || is_unset(*i));
     ends.extend(kept.drain(..first.unwrap_or(0)));
     ends
 }
@@ -265,6 +273,19 @@ mod tests {
                 assert_eq!(odd(&times), [(at, Wrong)], "{wrong} at {at}");
             }
         }
+    }
+
+    #[test]
+    fn zero_is_no_time_unless_the_clock_begins_there() {
+        let mut times: Vec<f64> = regular(200).iter().map(|time| time - 99.0).collect();
+        times[0] = 0.0;
+        assert_eq!(odd(&times), [(0, Wrong)]);
+        times[1] = 0.0;
+        assert_eq!(odd(&times), [(0, Wrong), (1, Wrong)]);
+        times[0] = 1.0;
+        assert_eq!(odd(&times), [(1, Wrong)]);
+        let from_zero: Vec<f64> = regular(200).iter().map(|time| time - 100.0).collect();
+        assert_eq!(odd(&from_zero), []);
     }
 
     #[test]
