@@ -3,6 +3,8 @@
 use std::path::PathBuf;
 
 use pilotage_core::flight::Flight;
+use pilotage_core::flight::foreign::foreign;
+use pilotage_core::flight::log::HEAD;
 
 use crate::opening::{Opened, open};
 use crate::{Outcome, inspect_log};
@@ -18,6 +20,9 @@ pub struct Arguments {
     /// Print the parameters of a log whose names have this in them; all without it.
     #[arg(long, value_name = "NAME", num_args = 0..=1, default_missing_value = "")]
     parameters: Option<String>,
+    /// Take the flight of another vehicle of a telemetry log, by the number of its system.
+    #[arg(long, value_name = "SYSTEM")]
+    vehicle: Option<u32>,
     /// Print how many rows of each kind a log has.
     #[arg(long)]
     counts: bool,
@@ -32,7 +37,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         crate::labels::describe(format, found);
         return Ok(());
     }
-    match open(path, arguments.columns.as_deref())? {
+    let told = match open(path, arguments.columns.as_deref())? {
         Opened::Folder(folder) => {
             describe(&folder.flight);
             inspect_log::describe_folder(&folder);
@@ -41,7 +46,10 @@ pub fn run(arguments: &Arguments) -> Outcome {
             }
             return Ok(());
         }
-        Opened::Log(log, _) => {
+        Opened::Log(mut log, _) => {
+            if let Some(system) = arguments.vehicle {
+                log.choose_vehicle(system)?;
+            }
             inspect_log::describe(&log);
             if arguments.counts {
                 inspect_log::counts(&log);
@@ -51,8 +59,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
             }
             return Ok(());
         }
-        Opened::Nothing(_) => {}
-    }
+        Opened::Nothing(told) => told,
+    };
     let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
     if let Ok(run) = pilotage_core::navigator::decode_run(&path.to_string_lossy(), &bytes) {
         println!(
@@ -64,10 +72,20 @@ pub fn run(arguments: &Arguments) -> Outcome {
         return Ok(());
     }
     let package = pilotage_core::mission::package::read_package(&bytes).map_err(|e| {
-        format!(
-            "{}: neither a flight log, a flight, a run nor a mission: {e}",
-            path.display()
-        )
+        let head = &bytes[..bytes.len().min(HEAD)];
+        match foreign(head, bytes.len() as u64) {
+            Some(is) => format!(
+                "{}: it is {}, which is not read; {}",
+                path.display(),
+                is.what,
+                is.advice
+            ),
+            None if !told.is_empty() => format!("{}: {told}", path.display()),
+            None => format!(
+                "{}: neither a flight log, a flight, a run nor a mission: {e}",
+                path.display()
+            ),
+        }
     })?;
     let mission = package.mission;
     println!(

@@ -7,6 +7,7 @@ mod compare;
 mod convert;
 mod detect;
 mod evaluate;
+mod export;
 mod files;
 mod filter_options;
 mod georef;
@@ -66,6 +67,8 @@ enum Job {
     Register(register::Arguments),
     /// Convert routes, landmarks and labels between file formats.
     Convert(convert::Arguments),
+    /// Write the values of a log as CSV or JSON.
+    Export(export::Arguments),
     /// Show what the columns of tables mean, and save it to be edited.
     Columns(columns::Arguments),
     /// Say what a file or folder is.
@@ -97,6 +100,7 @@ fn main() -> ExitCode {
         Job::Detect(arguments) => detect::run(&arguments),
         Job::Register(arguments) => register::run(&arguments),
         Job::Convert(arguments) => convert::run(&arguments),
+        Job::Export(arguments) => export::run(&arguments),
         Job::Columns(arguments) => columns::run(&arguments),
         Job::Inspect(arguments) => inspect::run(&arguments),
         Job::Map(arguments) => map::run(&arguments),

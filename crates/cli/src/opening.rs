@@ -6,10 +6,12 @@ use std::sync::Arc;
 use pilotage_core::flight::beside_log::add_pictures;
 use pilotage_core::flight::columns::{ColumnMap, flight_of_tables, guess_tables};
 use pilotage_core::flight::files::{FileSet, ZipFiles};
+use pilotage_core::flight::foreign::foreign;
 use pilotage_core::flight::interpret::flight_from_log;
 use pilotage_core::flight::log::{HEAD, Log, read_log, recognise};
 use pilotage_core::flight::mat::{self, MatFiles};
-use pilotage_core::flight::photo::read_photos;
+use pilotage_core::flight::photo::{photos_lack, read_photos};
+use pilotage_core::flight::srt::read_srt;
 use pilotage_core::flight::{
     FLIGHT_FILE, Flight, FlightFolder, FolderError, FrameSource, NoPictures, read_flight,
 };
@@ -78,6 +80,14 @@ pub fn open(path: &Path, columns: Option<&Path>) -> Result<Opened, Box<dyn std::
         let beside: Arc<dyn FileSet> = Arc::new(Directory::around(path)?);
         return Ok(Opened::Log(Box::new(log), beside));
     }
+    if has_ending(path, &["srt"]) {
+        let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
+        let name = path.file_name().map(|name| name.to_string_lossy());
+        let folder = read_srt(&name.unwrap_or_default(), &bytes)?;
+        return Ok(folder.map_or(Opened::Nothing(String::new()), |folder| {
+            Opened::Folder(Box::new(folder))
+        }));
+    }
     if !has_ending(path, &TABLES) {
         return Ok(Opened::Nothing(String::new()));
     }
@@ -126,8 +136,13 @@ fn open_folder(
     if let Some(folder) = open_tables(files, &names, columns)? {
         return Ok(Opened::Folder(Box::new(folder)));
     }
-    let photos = read_photos(files).ok_or_else(|| nothing(files.as_ref(), &names))?;
-    Ok(Opened::Folder(Box::new(photos)))
+    if let Some(photos) = read_photos(files) {
+        return Ok(Opened::Folder(Box::new(photos)));
+    }
+    let why = photos_lack(files.as_ref()).filter(|_| names.is_empty());
+    Err(why
+        .unwrap_or_else(|| nothing(files.as_ref(), &names))
+        .into())
 }
 
 /// That nothing among files is a flight, and what to do.
@@ -135,19 +150,45 @@ fn nothing(files: &dyn FileSet, tables: &[String]) -> String {
     if tables.is_empty() {
         return FolderError::NoFlightFile.to_string();
     }
-    let guessed = guess_tables(files, tables).into_iter();
-    let told: Vec<String> = guessed
-        .flat_map(|table| {
-            let file = table.map.file;
-            let findings = table.map.findings.into_iter();
-            findings.map(move |finding| format!("\n  {file}: {finding}"))
-        })
-        .collect();
+    let guessed = guess_tables(files, tables);
+    let told = |name: &String| {
+        let table = guessed.iter().find(|table| table.map.file == *name);
+        let Some(table) = table else {
+            let named = || {
+                let source = files.source(name)?;
+                let length = HEAD.min(usize::try_from(source.length()).unwrap_or(HEAD));
+                foreign(&source.read(0, length).ok()?, source.length())
+            };
+            let is = named().map_or_else(
+                || "no table: fewer than two rows or columns, or no column of numbers".to_owned(),
+                |is| format!("it is {}; {}", is.what, is.advice),
+            );
+            return format!("\n  {name}: {is}");
+        };
+        let findings = table.map.findings.iter();
+        let findings: String = findings.map(|finding| format!("; {finding}")).collect();
+        format!("\n  {name}: {}{findings}", lacking(&table.map))
+    };
+    let told: Vec<String> = tables.iter().map(told).collect();
     format!(
-        "there is no flight.json among the files, and of their tables no flight can be made as they are guessed; see \
-         `pilotage columns`{}",
+        "no flight can be made of it as its columns are guessed; say what they mean with `pilotage columns`{}",
         told.concat()
     )
+}
+
+/// What a table lacks, with the columns that it has.
+fn lacking(map: &ColumnMap) -> String {
+    let names = map.columns.iter().map(|column| column.name.as_str());
+    let names: Vec<&str> = names.take(12).collect();
+    let more = if map.columns.len() > names.len() {
+        ", …"
+    } else {
+        ""
+    };
+    let why = map
+        .lacks()
+        .unwrap_or_else(|| "no column is surely the time".to_owned());
+    format!("{why}; its columns are {}{more}", names.join(", "))
 }
 
 /// The first log among files, by what is in it.

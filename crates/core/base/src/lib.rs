@@ -3,6 +3,7 @@
 //!
 //! Knows no aircraft, no picture and no file format.
 
+pub mod angle_text;
 pub mod bytes;
 pub mod files;
 pub mod frames;

@@ -4,6 +4,7 @@ pub mod beside_log;
 pub mod columns;
 pub mod expression;
 mod folder;
+pub mod foreign;
 pub mod interpret;
 pub mod log;
 pub mod mat;
@@ -12,6 +13,8 @@ pub mod photo;
 pub mod role;
 mod span_statistics;
 mod span_table;
+pub mod srt;
+mod times;
 pub mod trajectory;
 pub mod video;
 

@@ -82,7 +82,7 @@ pub fn flight_of_tables(
         let dropped = table.keep_rows_in_time(&time);
         if dropped > 0 {
             notes.push(format!(
-                "{}: {dropped} rows were left out, as their time is missing or goes back",
+                "{}: {dropped} rows were left out, as their time is missing, goes back or lies far from those around",
                 map.file
             ));
         }

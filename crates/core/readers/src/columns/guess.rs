@@ -1,5 +1,6 @@
 //! What the columns of a table mean, guessed.
 
+use super::bodies::of_one_body;
 use super::groups::{Group, Kind, context, groups, quaternion_roles, telling};
 use super::header::{Parts, parts};
 use super::names::{NameGuess, is_otherwise, meanings};
@@ -10,10 +11,12 @@ use super::several::{hemispheres, parts_of_time, places};
 use super::time::unit_of_time;
 use super::values::{UnitGuess, are_degrees, unit};
 use super::{Alternative, ColumnMap, ColumnRole, MappedColumn, Sample, long};
-use crate::folder::Dimension;
+use crate::folder::{Dimension, date_and_time, readings};
 
 /// Below this a name says nothing.
 const LEAST: f64 = 0.3;
+/// A column whose name says so surely is the time, though values fit no flight: in seconds.
+const SURELY_TIME: f64 = 0.9;
 /// Words of columns that number their rows.
 const NUMBERS: [&str; 10] = [
     "id", "index", "idx", "no", "number", "seq", "sequence", "row", "sample", "frame",
@@ -64,13 +67,16 @@ pub(super) struct Guess {
 /// What names and values say of the columns of a table; `None` if it is none.
 pub(super) fn guess_with_samples(file: &str, bytes: &[u8]) -> Option<Guess> {
     let (shape, samples, share) = sampled(bytes)?;
-    let (columns, hints, groups) = guess_columns(file, &samples, share);
+    let (columns, hints, groups, body) = guess_columns(file, &samples, share);
     let map = ColumnMap {
         file: file.to_owned(),
         shape,
         rows_per_second: None,
-        findings: long::told(&samples, &columns).into_iter().collect(),
-        questions: Vec::new(),
+        findings: long::told(&samples, &columns)
+            .into_iter()
+            .chain(body)
+            .collect(),
+        questions: day_or_month(&samples, &columns).into_iter().collect(),
         columns,
     };
     Some(Guess {
@@ -80,6 +86,23 @@ pub(super) fn guess_with_samples(file: &str, bytes: &[u8]) -> Option<Guess> {
         hints,
         groups,
     })
+}
+
+/// What to ask where all dates could be read with day and month the other way round.
+fn day_or_month(samples: &[Sample], columns: &[MappedColumn]) -> Option<String> {
+    let time = columns
+        .iter()
+        .position(|c| c.role == ColumnRole::Time && c.unit == super::time::DATE)?;
+    let mut texts = samples[time].texts.iter();
+    let first = texts.clone().find(|text| readings(text).is_some())?;
+    // A single day beyond the twelfth tells.
+    if !texts.all(|text| readings(text).is_some() || date_and_time(text).is_none()) {
+        return None;
+    }
+    let [taken, other] = readings(first)?;
+    Some(format!(
+        "\"{first}\" may be {taken} or {other}; taken: {taken}. Only the date rests on it. Is that right?"
+    ))
 }
 
 /// A column that may be the time.
@@ -121,7 +144,14 @@ pub(super) fn times(samples: &[Sample], share: f64) -> Vec<TimeGuess> {
             .words
             .iter()
             .any(|word| NUMBERS.contains(&word.as_str()));
-        let (unit, confidence, reason) = unit_of_time(sample, parts.time_unit(), share)?;
+        let found = unit_of_time(sample, parts.time_unit(), share);
+        let is_called_time = named >= SURELY_TIME && sample.is_numeric() && sample.grows();
+        let in_seconds = || {
+            let reason =
+                "its name says that it is the time, and nothing its unit: taken in seconds";
+            is_called_time.then(|| ("s", 0.6, reason.to_owned()))
+        };
+        let (unit, confidence, reason) = found.or_else(in_seconds)?;
         let is_date = unit == super::time::DATE;
         let by_name = match named {
             0.0 if is_date => 0.9,
@@ -148,13 +178,13 @@ fn ends_in_time(name: &str) -> bool {
     name.ends_with("time") || name.ends_with("timestamp")
 }
 
-/// What columns mean of which these are samples, `share` of all rows, what their names say for sure, and which belong
-/// together.
+/// What columns mean of which these are samples, `share` of all rows, what their names say for sure, which belong
+/// together, and which body their attitude is of, where there are two.
 fn guess_columns(
     file: &str,
     samples: &[Sample],
     share: f64,
-) -> (Vec<MappedColumn>, Vec<Hint>, Vec<Group>) {
+) -> (Vec<MappedColumn>, Vec<Hint>, Vec<Group>, Option<String>) {
     let time = guess_time(samples, share);
     let names: Vec<Parts> = samples.iter().map(|s| parts(&s.name, &s.unit)).collect();
     let is_numeric: Vec<bool> = samples.iter().map(Sample::is_numeric).collect();
@@ -204,11 +234,12 @@ fn guess_columns(
             };
         }
     }
+    let told = of_one_body(&mut columns);
     hemispheres(samples, &mut columns);
     places(samples, &mut columns);
     parts_of_time(samples, &mut columns);
     settle(&mut columns);
-    (columns, hints, groups)
+    (columns, hints, groups, told)
 }
 
 /// What the name of a column may mean; that of its file, where it says nothing itself.

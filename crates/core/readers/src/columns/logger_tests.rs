@@ -11,6 +11,140 @@ use super::tests::{files, guessed, is};
 use super::{flight_of_tables, guess_table};
 
 #[test]
+fn a_wrong_time_costs_its_row_wherever_it_stands_and_is_told() {
+    for at in [0, 50, 99] {
+        for wrong in ["1e9", "-1e9", "0", "nan", "", "700"] {
+            let row = |i: usize| {
+                let time = if i == at {
+                    wrong.to_owned()
+                } else {
+                    format!("{:.1}", 200.0 + 0.1 * i as f64)
+                };
+                format!("{time},{:.6},8.0,{i}\n", 47.0 + 1e-5 * i as f64)
+            };
+            let table =
+                "time [s],lat,lon,heading\n".to_owned() + &(0..100).map(row).collect::<String>();
+            let files = files(&[("a.csv", &table)]);
+            let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+            let folder = flight_of_tables(&files, &maps).unwrap();
+            let heading = folder.flight.channel(ChannelName::Heading).unwrap();
+            assert_eq!(heading.values.len(), 99, "{wrong} at {at}");
+            let (first, last) = folder.flight.span();
+            let expected = if at == 50 { 9.9 } else { 9.8 };
+            assert!(
+                (last - first - expected).abs() < 1e-6,
+                "{wrong} at {at}: {first} to {last}"
+            );
+            let is_told = |note: &String| note.contains("1 rows were left out");
+            assert!(folder.notes.iter().any(is_told), "{:?}", folder.notes);
+        }
+    }
+}
+
+#[test]
+fn degrees_and_minutes_with_hemispheres_are_places() {
+    for (latitude, longitude) in [
+        ("33°51'{}\"S", "18°25'12\"W"),
+        ("S33 51.{}", "W18 25.2"),
+        ("33:51:{} South", "18:25:12 West"),
+    ] {
+        let row = |i: usize| {
+            format!(
+                "{:.1};{};{longitude};{i}\n",
+                0.1 * i as f64,
+                latitude.replace("{}", &format!("{:02}", i % 60))
+            )
+        };
+        let table =
+            "time;latitude;longitude;heading\n".to_owned() + &(0..60).map(row).collect::<String>();
+        let files = files(&[("a.csv", &table)]);
+        let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+        let flight = flight_of_tables(&files, &maps).unwrap().flight;
+        let origin = flight.frame_on_globe.expect(latitude).origin;
+        assert!(
+            (origin.latitude.to_degrees() + 33.85).abs() < 1e-6,
+            "{latitude}"
+        );
+        assert!(
+            (origin.longitude.to_degrees() + 18.42).abs() < 1e-6,
+            "{latitude}"
+        );
+    }
+}
+
+#[test]
+fn a_date_that_can_be_read_in_two_ways_is_asked_for_and_one_that_cannot_is_not() {
+    let questions = |day: &str| {
+        let row = |i: usize| {
+            format!(
+                "{day} 10:00:{:06.3},{:.6},8.0\n",
+                0.1 * i as f64,
+                47.0 + 1e-5 * i as f64
+            )
+        };
+        let table = "time,latitude,longitude\n".to_owned() + &(0..60).map(row).collect::<String>();
+        let asked = guess_table("a.csv", table.as_bytes()).unwrap().questions;
+        asked
+            .into_iter()
+            .filter(|question| question.contains("2024-"))
+            .count()
+    };
+    assert_eq!([questions("5/1/2024"), questions("01.05.2024")], [1, 1]);
+    assert_eq!(
+        [
+            questions("13/5/2024"),
+            questions("2024/05/01"),
+            questions("5/5/2024")
+        ],
+        [0, 0, 0]
+    );
+}
+
+#[test]
+fn a_table_of_times_of_day_goes_on_over_midnight() {
+    let row = |i: u32| {
+        let second = (86_390 + i) % 86_400;
+        let time = format!(
+            "{:02}:{:02}:{:02}",
+            second / 3600,
+            second / 60 % 60,
+            second % 60
+        );
+        format!("{time},{:.6},8.0\n", 47.0 + 1e-5 * f64::from(i))
+    };
+    let table = "time,latitude,longitude\n".to_owned() + &(0..60).map(row).collect::<String>();
+    let files = files(&[("a.csv", &table)]);
+    let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+    let (first, last) = flight_of_tables(&files, &maps).unwrap().flight.span();
+    assert!((last - first - 59.0).abs() < 1e-9, "{first} to {last}");
+}
+
+#[test]
+fn a_table_in_utf_16_is_read_by_its_mark() {
+    let row = |i: usize| {
+        format!(
+            "{:.1}\t{:.6}\t8.0\t{i}\r\n",
+            0.1 * i as f64,
+            47.0 + 1e-5 * i as f64
+        )
+    };
+    let table = "time\tlatitude\tlongitude\theading (°)\r\n".to_owned()
+        + &(0..60).map(row).collect::<String>();
+    for to_bytes in [u16::to_le_bytes, u16::to_be_bytes] {
+        let units = std::iter::once(0xfeff).chain(table.encode_utf16());
+        let bytes: Vec<u8> = units.flat_map(to_bytes).collect();
+        let files: Arc<dyn FileSet> =
+            Arc::new(MemoryFiles([("a.csv".to_owned(), bytes.clone())].into()));
+        let maps = [guess_table("a.csv", &bytes).unwrap()];
+        let flight = flight_of_tables(&files, &maps).unwrap().flight;
+        assert_eq!(
+            flight.channel(ChannelName::Heading).map(|c| c.values.len()),
+            Some(60)
+        );
+    }
+}
+
+#[test]
 fn tables_of_loggers_are_read_as_they_are() {
     let place = |i: u32| (47.0 + 8e-6 * f64::from(i), 8.0 + 3e-6 * f64::from(i));
     let rows = |head: &str, row: &dyn Fn(u32) -> String| {

@@ -5,6 +5,7 @@
 //! [`flight_of_tables`] makes a flight of tables by their maps, as corrected.
 
 mod attitude;
+mod bodies;
 mod body_velocity;
 mod build;
 #[cfg(test)]

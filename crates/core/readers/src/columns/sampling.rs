@@ -15,6 +15,14 @@ const PLACES: usize = 64;
 /// Samples of all columns, each with a name of its own, how the table is written, and which share of all rows the samples
 /// are, about; `None` if it is no table.
 pub(super) fn sampled(bytes: &[u8]) -> Option<(TableShape, Vec<Sample>, f64)> {
+    // Pieces of UTF-16 have no mark.
+    let is_utf_16 = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
+    let bytes = if is_utf_16 {
+        decoded(bytes)
+    } else {
+        Cow::Borrowed(bytes)
+    };
+    let bytes = bytes.as_ref();
     let head = text(&bytes[..bytes.len().min(HEAD)]);
     let shape = TableShape::of(&head)?;
     let (mut samples, share) = samples(&head, bytes, &shape);

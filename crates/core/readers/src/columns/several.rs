@@ -89,11 +89,17 @@ pub(super) fn parts_of_time(samples: &[Sample], columns: &mut [MappedColumn]) {
 /// Turns latitudes and longitudes whose hemisphere stands in a column of its own, where that is south or west.
 pub(super) fn hemispheres(samples: &[Sample], columns: &mut [MappedColumn]) {
     for (role, letters) in [(Latitude, ["N", "S"]), (Longitude, ["E", "W"])] {
+        let letter = |text: &String| {
+            let words = [["n", "north"], ["s", "south"], ["e", "east"], ["w", "west"]];
+            let text = text.to_lowercase();
+            let word = words.iter().find(|words| words.contains(&text.as_str()));
+            word.map(|words| words[0].to_uppercase())
+        };
         let is_of = |sample: &&Sample| {
-            let mut texts = sample.texts.iter();
+            let mut texts = sample.texts.iter().map(letter);
             sample.numbers.is_empty()
                 && !sample.texts.is_empty()
-                && texts.all(|text| letters.contains(&text.as_str()))
+                && texts.all(|text| text.is_some_and(|text| letters.contains(&text.as_str())))
         };
         let Some(sample) = samples.iter().find(is_of) else {
             continue;
@@ -101,7 +107,7 @@ pub(super) fn hemispheres(samples: &[Sample], columns: &mut [MappedColumn]) {
         let turned = sample
             .texts
             .iter()
-            .filter(|text| **text == letters[1])
+            .filter(|text| letter(text).as_deref() == Some(letters[1]))
             .count();
         let is_positive = |at: usize| samples[at].range().is_some_and(|(low, _)| low >= 0.0);
         let place = columns.iter().position(|column| column.role == role);

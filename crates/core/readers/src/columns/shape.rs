@@ -5,6 +5,7 @@ use std::borrow::Cow;
 use serde::{Deserialize, Serialize};
 
 use crate::folder::date_and_time;
+use pilotage_base::angle_text::degrees_of_text;
 
 /// Lines that are looked at.
 const LINES: usize = 200;
@@ -142,7 +143,7 @@ impl TableShape {
 }
 
 /// The number in a cell: with a decimal comma where told so, else with a point. A unit may stand behind it, or the letter
-/// of a hemisphere: south and west are negative.
+/// of a hemisphere: south and west are negative. Degrees, minutes and seconds are degrees.
 pub(crate) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
     let plain = |text: &str| -> Option<f64> {
         if has_decimal_comma && text.contains(',') {
@@ -150,15 +151,17 @@ pub(crate) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
         }
         text.parse().ok()
     };
-    plain(cell).or_else(|| {
-        let (value, behind) = split_unit(cell)?;
-        let value = plain(value)?;
-        match behind {
-            "S" | "W" => Some(-value),
-            "N" | "E" => Some(value),
-            unit => super::header::is_unit(unit).then_some(value),
-        }
-    })
+    plain(cell)
+        .or_else(|| {
+            let (value, behind) = split_unit(cell)?;
+            let value = plain(value)?;
+            match behind {
+                "S" | "W" => Some(-value),
+                "N" | "E" => Some(value),
+                unit => super::header::is_unit(unit).then_some(value),
+            }
+        })
+        .or_else(|| degrees_of_text(cell))
 }
 
 /// A cell that begins with a digit or sign, parted before the letters that it ends in.

@@ -84,7 +84,59 @@ impl Moment {
     }
 }
 
+/// Counts on over midnight where times have no date: one that goes back from the last hour of a day to the first belongs
+/// to the next day, and so do those behind it.
+pub(super) fn count_midnights<'a>(moments: impl Iterator<Item = &'a mut Moment>) {
+    const DAY: i64 = 86_400;
+    const HOUR: i64 = 3600;
+    let (mut days, mut before) = (0, None);
+    for moment in moments {
+        let Moment::Absolute(whole, _) = moment else {
+            return;
+        };
+        // With a date times are far from 1970.
+        if !(0..=DAY).contains(whole) {
+            return;
+        }
+        if before.is_some_and(|before| before >= DAY - HOUR) && *whole < HOUR {
+            days += 1;
+        }
+        before = Some(*whole);
+        *whole += days * DAY;
+    }
+}
+
 /// At most forty characters, for messages.
 pub(super) fn shortened(text: &str) -> String {
     text.chars().take(40).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn over_midnight(seconds: &[i64]) -> Vec<i64> {
+        let mut moments: Vec<_> = seconds.iter().map(|s| Moment::Absolute(*s, 0.5)).collect();
+        count_midnights(moments.iter_mut());
+        let whole = moments.iter().map(|moment| match moment {
+            Moment::Absolute(whole, _) => *whole,
+            Moment::Relative(_) => -1,
+        });
+        whole.collect()
+    }
+
+    #[test]
+    fn times_of_day_go_on_over_midnight_and_a_wrong_one_makes_no_day() {
+        assert_eq!(
+            over_midnight(&[86_398, 86_399, 0, 1]),
+            [86_398, 86_399, 86_400, 86_401]
+        );
+        assert_eq!(
+            over_midnight(&[36_000, 86_000, 36_001]),
+            [36_000, 86_000, 36_001]
+        );
+        assert_eq!(over_midnight(&[36_000, 5, 36_001]), [36_000, 5, 36_001]);
+        let dated = [1_700_000_000, 1_700_000_001];
+        assert_eq!(over_midnight(&dated), dated);
+    }
 }

@@ -105,6 +105,31 @@ fn day(text: &str, has_half: bool) -> Option<i64> {
     is_day.then(|| days_since_1970(year, month, day))
 }
 
+/// Both readings of a date and time whose day and month could be either, the one that is taken first; `None` where only one
+/// is a date, or both are the same.
+pub(crate) fn readings(text: &str) -> Option<[String; 2]> {
+    let (date, time) = text.trim().split_once([' ', 'T'])?;
+    let separator = date.chars().find(|letter| "-/.:".contains(*letter))?;
+    let parts: Vec<&str> = date.split(separator).collect();
+    let [first, second, year] = parts.as_slice() else {
+        return None;
+    };
+    let (a, b) = (digits(first, 1, 2)?, digits(second, 1, 2)?);
+    let year = digits(year, 4, 4)?;
+    let is_either = a != b && (1..=12).contains(&a) && (1..=12).contains(&b);
+    date_and_time(text).filter(|_| is_either)?;
+    let written = |month: i64, day: i64| format!("{year}-{month:02}-{day:02}");
+    let is_half = time.to_lowercase().ends_with('m');
+    let both = [written(a, b), written(b, a)];
+    let is_month_first = separator == '/' || is_half;
+    let [month_first, day_first] = both;
+    Some(if is_month_first {
+        [month_first, day_first]
+    } else {
+        [day_first, month_first]
+    })
+}
+
 /// Seconds east of Greenwich from `+hh:mm`, `-hhmm` or `+hh`.
 fn zone_offset(zone: &str) -> Option<i64> {
     let sign = match zone.as_bytes().first()? {
@@ -161,6 +186,23 @@ mod tests {
             Some(Moment::Absolute(36_000, 0.5))
         );
         assert_eq!(date_and_time("12:00:01 AM"), Some(Moment::Absolute(1, 0.0)));
+    }
+
+    #[test]
+    fn a_day_that_could_be_a_month_has_two_readings() {
+        let both = |text| readings(text).map(|both| both.join(" or "));
+        let found = both("5/1/2024 10:00:00 AM");
+        assert_eq!(found.as_deref(), Some("2024-05-01 or 2024-01-05"));
+        let found = both("05.01.2024 10:00:00");
+        assert_eq!(found.as_deref(), Some("2024-01-05 or 2024-05-01"));
+        for text in [
+            "13/1/2024 10:00:00",
+            "5/5/2024 10:00:00",
+            "2024-05-01 10:00:00",
+            "10:00:00",
+        ] {
+            assert_eq!(both(text), None, "{text}");
+        }
     }
 
     #[test]

@@ -20,7 +20,7 @@ mod units;
 mod write;
 
 pub(super) use clock::{Moment, TimeFormat};
-pub(super) use date::date_and_time;
+pub(super) use date::{date_and_time, readings};
 pub use error::FolderError;
 pub(super) use layout::{
     ChannelFile, FlightFile, FramesFile, StartFile, TimeColumn, VERSION, ValueColumn,

@@ -2,11 +2,12 @@
 
 use std::borrow::Cow;
 
-use super::clock::{Moment, shortened};
+use super::clock::{Moment, count_midnights, shortened};
 use super::error::FolderError;
 use super::layout::{TimeColumn, ValueColumn};
 use super::units::Dimension;
 use crate::columns::{Separator, TableShape, number};
+use crate::times::{Verdict, judge};
 
 /// A CSV file, as text cells.
 pub(crate) struct Table {
@@ -124,27 +125,37 @@ impl Table {
         }
     }
 
-    /// Leaves out the rows whose time is missing, and as few as can be so that times never go back: of a time that
-    /// leaps ahead it is that row, not all behind it. Returns how many.
+    /// Leaves out the rows whose time is missing, and those whose time goes back or lies far from those around it.
+    /// Returns how many.
     pub(crate) fn keep_rows_in_time(&mut self, map: &TimeColumn) -> usize {
         let Ok(index) = self.index(&map.column) else {
             return 0;
         };
         let has_comma = self.has_decimal_comma;
-        let mut origin = None;
-        let mut second = |row: &csv::StringRecord| {
+        let moment = |row: &csv::StringRecord| {
             let cell = point(row.get(index).unwrap_or(""), has_comma);
-            let moment = map.format.parse(&cell).ok()?;
-            if let (None, Moment::Absolute(whole, fraction)) = (origin, moment) {
-                origin = Some((whole, fraction));
-            }
-            Some(moment.since(origin))
+            map.format.parse(&cell).ok()
         };
-        let times: Vec<Option<f64>> = self.rows.iter().map(|(_, row)| second(row)).collect();
-        let is_kept = longest_growing(&times);
+        let moments = self.rows.iter().map(|(_, row)| moment(row));
+        let mut moments: Vec<Option<Moment>> = moments.collect();
+        count_midnights(moments.iter_mut().flatten());
+        let origin = moments.iter().flatten().find_map(|moment| match moment {
+            Moment::Absolute(whole, fraction) => Some((*whole, *fraction)),
+            Moment::Relative(_) => None,
+        });
+        let seconds = moments
+            .iter()
+            .map(|m| m.map_or(f64::NAN, |m| m.since(origin)));
+        let seconds: Vec<f64> = seconds.collect();
+        let Some(verdicts) = judge(&seconds) else {
+            return 0;
+        };
         let total = self.rows.len();
-        let mut kept = is_kept.iter();
-        self.rows.retain(|_| kept.next().copied().unwrap_or(false));
+        let mut kept = verdicts.iter();
+        self.rows.retain(|_| {
+            kept.next()
+                .is_some_and(|verdict| *verdict == Verdict::Sound)
+        });
         total - self.rows.len()
     }
 
@@ -218,15 +229,15 @@ impl Table {
 
     /// Moments of a column before they are counted from an origin, with the map's offset to add.
     pub(crate) fn moments(&self, map: &TimeColumn) -> Result<Vec<Moment>, FolderError> {
-        self.texts(&map.column)?
-            .into_iter()
-            .enumerate()
-            .map(|(row, text)| {
-                map.format
-                    .parse(&point(text, self.has_decimal_comma))
-                    .map_err(|cause| self.cell_error(row, &map.column, cause))
-            })
-            .collect()
+        let texts = self.texts(&map.column)?.into_iter().enumerate();
+        let moments = texts.map(|(row, text)| {
+            map.format
+                .parse(&point(text, self.has_decimal_comma))
+                .map_err(|cause| self.cell_error(row, &map.column, cause))
+        });
+        let mut moments: Vec<Moment> = moments.collect::<Result<_, _>>()?;
+        count_midnights(moments.iter_mut());
+        Ok(moments)
     }
 
     /// Times of a column in seconds, which must not go back.
@@ -291,31 +302,6 @@ impl Table {
     }
 }
 
-/// Which numbers belong to the longest part of them that never goes down.
-fn longest_growing(numbers: &[Option<f64>]) -> Vec<bool> {
-    // The last of the best part of each length, and what stands before each number in its part.
-    let mut last_of: Vec<usize> = Vec::new();
-    let mut before: Vec<Option<usize>> = vec![None; numbers.len()];
-    for (index, number) in numbers.iter().enumerate() {
-        let Some(number) = number else { continue };
-        let is_before = |other: &usize| numbers[*other].is_some_and(|other| other <= *number);
-        let length = last_of.partition_point(is_before);
-        before[index] = length.checked_sub(1).map(|length| last_of[length]);
-        if length == last_of.len() {
-            last_of.push(index);
-        } else {
-            last_of[length] = index;
-        }
-    }
-    let mut kept = vec![false; numbers.len()];
-    let mut next = last_of.last().copied();
-    while let Some(index) = next {
-        kept[index] = true;
-        next = before[index];
-    }
-    kept
-}
-
 /// Line in the file and cells of each row, `before` lines of which were taken already.
 fn records(
     file: &str,
@@ -359,9 +345,24 @@ fn without_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
 }
 
-/// The text in UTF-8: what is no such is taken for Latin-1, in which degrees are one byte.
+/// The text of UTF-16, as some spreadsheets write it, by the mark that it begins with.
+fn of_utf_16(bytes: &[u8]) -> Option<String> {
+    let (rest, unit): (_, fn([u8; 2]) -> u16) = match bytes {
+        [0xff, 0xfe, rest @ ..] => (rest, u16::from_le_bytes),
+        [0xfe, 0xff, rest @ ..] => (rest, u16::from_be_bytes),
+        _ => return None,
+    };
+    let units = rest.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
+    let letters = char::decode_utf16(units);
+    Some(letters.map(|letter| letter.unwrap_or('\u{fffd}')).collect())
+}
+
+/// The text in UTF-8: UTF-16 by its mark; what is no UTF-8 is taken for Latin-1, in which degrees are one byte.
 pub(crate) fn decoded(bytes: &[u8]) -> Cow<'_, [u8]> {
     let bytes = without_mark(bytes);
+    if let Some(text) = of_utf_16(bytes) {
+        return Cow::Owned(text.into_bytes());
+    }
     match str::from_utf8(bytes) {
         // At the end a letter may be cut off.
         Err(error) if error.error_len().is_some() => {

@@ -4,7 +4,7 @@ use nalgebra::{Quaternion, UnitQuaternion};
 
 use super::reading::{Reading, Source};
 use super::source::{factor_of_unit, sources};
-use crate::log::{FieldLayout, Log, Topic};
+use crate::log::{FieldLayout, Log, Topic, system_of};
 use crate::role::{Role, RoleSeries};
 
 /// A field and its factor to SI: the stated unit's, else the one that is usual there. The sign is that of the usual
@@ -112,8 +112,15 @@ fn standard_height(pressure: f64) -> f64 {
     TEMPERATURE / LAPSE * (1.0 - (pressure / 101_325.0).powf(1.0 / EXPONENT))
 }
 
-/// Topics that `source` names: the first of that name, or else all of that kind.
+/// Topics that `source` names: the first of that name, or else all of that kind; where several vehicles fly, those of the
+/// chosen one.
 fn topics<'a>(log: &'a Log, source: &Source) -> Vec<&'a Topic> {
+    if let Some(system) = log.chosen_vehicle() {
+        let is_own = |topic: &&Topic| {
+            topic.name.name == source.topic && topic.name.instance.map(system_of) == Some(system)
+        };
+        return log.topics.iter().find(is_own).into_iter().collect();
+    }
     if let Some(topic) = log.first(source.topic) {
         return vec![topic];
     }

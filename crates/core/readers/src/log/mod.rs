@@ -26,7 +26,9 @@ mod testing;
 mod tlog;
 mod topic;
 mod ulog;
+mod vehicles;
 mod whole;
+mod wrong_times;
 
 pub use column::{Cells, Column};
 pub use formats::{FormatInfo, HEAD, LogFormat, LogReader, all_formats, recognise};
@@ -37,4 +39,5 @@ pub use report::{Gap, ReadReport, Skipped};
 pub use rows::Rows;
 pub use scale::Scale;
 pub use topic::{Topic, TopicName};
+pub(crate) use vehicles::system_of;
 pub use whole::read_log;

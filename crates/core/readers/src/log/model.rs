@@ -69,8 +69,15 @@ pub struct Log {
     pub format: LogFormat,
     /// Seconds since 1970 (UTC) at second zero of the log's time base, where the log tells.
     pub utc_at_zero: Option<f64>,
+    /// When logging began by the file's header, seconds in the log's time base, where it tells. Rows may have been
+    /// measured before.
+    pub begins: Option<f64>,
     /// Kind of vehicle and software, in the log's words, or empty.
     pub vehicle: String,
+    /// Systems that fly, where the log tells several apart, in the order in which they were heard.
+    pub vehicles: Vec<u32>,
+    /// Which of them people chose.
+    pub(super) chosen: Option<u32>,
     /// Every kind of row, in the order in which they were first met.
     pub topics: Vec<Topic>,
     /// Series of which people, or a file beside them, said what they mean; of others the format tells it.
@@ -97,7 +104,10 @@ impl Log {
             name: name.into(),
             format,
             utc_at_zero: None,
+            begins: None,
             vehicle: String::new(),
+            vehicles: Vec::new(),
+            chosen: None,
             topics: Vec::new(),
             given: Vec::new(),
             parameters: Vec::new(),
@@ -160,8 +170,8 @@ impl Log {
         values.find(|p| p.name == name).map(|p| p.value)
     }
 
-    /// First and last time of any row, seconds; `None` without rows. A time that leaps ahead of the rows around it, as one
-    /// damaged byte makes it, is none.
+    /// First and last time of any row, seconds, from when logging [began](Self::begins) on; `None` without rows. A time
+    /// that leaps ahead of the rows around it, as one damaged byte makes it, is none.
     pub fn span(&self) -> Option<(f64, f64)> {
         let sound = self.topics.iter().flat_map(|topic| {
             let times = &topic.times;
@@ -175,12 +185,17 @@ impl Log {
             let kept = times.iter().enumerate().filter(move |(at, _)| !leaps(*at));
             kept.map(|(_, time)| *time)
         });
-        sound
-            .filter(|time| time.is_finite())
-            .fold(None, |span, time| {
-                let (first, last) = span.unwrap_or((time, time));
-                Some((time.min(first), time.max(last)))
-            })
+        let span =
+            sound
+                .filter(|time| time.is_finite())
+                .fold(None, |span: Option<(f64, f64)>, time| {
+                    let (first, last) = span.unwrap_or((time, time));
+                    Some((time.min(first), time.max(last)))
+                });
+        span.map(|(first, last)| match self.begins {
+            Some(begins) if begins <= last => (begins, last),
+            _ => (first, last),
+        })
     }
 
     /// Bytes that the rows and their times take in memory.

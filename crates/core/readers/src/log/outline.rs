@@ -22,14 +22,16 @@ pub struct TopicOutline {
     pub name: TopicName,
     /// Number of rows.
     pub rows: usize,
-    /// First and last time, seconds; `None` without rows.
+    /// First and last time, seconds, from when logging began on if any row is; `None` without rows.
     pub span: Option<(f64, f64)>,
     /// Fields in the order of the file.
     pub fields: Vec<FieldOutline>,
 }
 
 impl TopicOutline {
-    fn of(topic: &Topic) -> Self {
+    fn of(topic: &Topic, begins: Option<f64>) -> Self {
+        let is_logged = |time: &&f64| begins.is_none_or(|begins| **time >= begins);
+        let first = topic.times.iter().find(is_logged).or(topic.times.first());
         let fields = topic.fields.iter().map(|field| FieldOutline {
             name: field.name.clone(),
             unit: field.unit.clone(),
@@ -38,11 +40,7 @@ impl TopicOutline {
         Self {
             name: topic.name.clone(),
             rows: topic.len(),
-            span: topic
-                .times
-                .first()
-                .copied()
-                .zip(topic.times.last().copied()),
+            span: first.copied().zip(topic.times.last().copied()),
             fields: fields.collect(),
         }
     }
@@ -85,7 +83,9 @@ impl Outline {
     /// The outline of a log as far as it has been read.
     pub fn of(log: &Log) -> Self {
         let with_rows = log.topics.iter().filter(|topic| !topic.is_empty());
-        let mut topics: Vec<TopicOutline> = with_rows.map(TopicOutline::of).collect();
+        let mut topics: Vec<TopicOutline> = with_rows
+            .map(|topic| TopicOutline::of(topic, log.begins))
+            .collect();
         topics.sort_by(|a, b| a.name.cmp(&b.name));
         Self {
             name: log.name.clone(),

@@ -5,6 +5,11 @@ use pilotage_flight::stretches::{
     FLYING_SHARE, HOVERING, LEAST, STANDING, stretches, stretches_within,
 };
 
+/// Kind of fix from which on a receiver tells heights.
+const FIX: f64 = 3.0;
+/// Height above the ground by satellite navigation alone from which on it hovers at least, metres: it wanders by some.
+const HOVERING_BY_GPS: f64 = 10.0;
+
 /// Stretches in the air, seconds in the log's time base: faster over ground than a third of its fast
 /// speeds, or well above where it began, or above the ground where that is known and no speed is.
 pub fn airborne(found: &[RoleSeries]) -> Vec<(f64, f64)> {
@@ -30,6 +35,12 @@ pub fn airborne(found: &[RoleSeries]) -> Vec<(f64, f64)> {
         let flying = pairs(height).map(|(time, h)| (time, h > HOVERING));
         return stretches_within(flying, usual_pause(&height.times));
     }
+    if of(Role::BarometricHeight).is_none() && !flying.is_empty() {
+        let is_high = height_of_slow_flight(&of);
+        for (time, is_flying) in &mut flying {
+            *is_flying |= is_high(*time);
+        }
+    }
     let height = of(Role::BarometricHeight).or_else(|| of(Role::GpsHeight));
     if let Some(height) = height {
         let ground = height.values[0];
@@ -44,6 +55,32 @@ pub fn airborne(found: &[RoleSeries]) -> Vec<(f64, f64)> {
         }
     }
     stretches(flying)
+}
+
+/// Whether a slow aircraft without a barometer is high: above the ground as it was measured, else well above the least
+/// heights of a receiver with a fix.
+fn height_of_slow_flight<'a>(
+    of: &impl Fn(Role) -> Option<&'a RoleSeries>,
+) -> Box<dyn Fn(f64) -> bool + 'a> {
+    if let Some(height) = of(Role::HeightAboveGround) {
+        return Box::new(move |time| height.at(time).is_some_and(|h| h > HOVERING));
+    }
+    let Some(height) = of(Role::GpsHeight) else {
+        return Box::new(|_| false);
+    };
+    let fix = of(Role::GpsFix);
+    let is_fixed = move |time: f64| fix.is_none_or(|fix| fix.at(time).is_some_and(|f| f >= FIX));
+    let fixed = pairs(height).filter(|(time, _)| is_fixed(*time));
+    let mut heights: Vec<f64> = fixed.map(|(_, height)| height).collect();
+    heights.sort_by(f64::total_cmp);
+    let ground = heights.get(heights.len() / 20).copied();
+    Box::new(move |time| {
+        let above = height
+            .at(time)
+            .zip(ground)
+            .map(|(height, ground)| height - ground);
+        is_fixed(time) && above.is_some_and(|above| above > HOVERING_BY_GPS)
+    })
 }
 
 fn pairs(series: &RoleSeries) -> impl Iterator<Item = (f64, f64)> + '_ {

@@ -77,6 +77,42 @@ fn the_stretch_in_the_air_is_found_between_take_off_and_landing() {
 }
 
 #[test]
+fn hovering_without_a_barometer_is_in_the_air_and_standing_is_not() {
+    let flight = |height: f64, role| {
+        let times = times(60);
+        let of = |role, value: &dyn Fn(f64) -> f64| {
+            series(
+                role,
+                times.clone(),
+                times.iter().map(|t| value(*t)).collect(),
+            )
+        };
+        let up = move |t: f64| {
+            if (10.0..50.0).contains(&t) {
+                height
+            } else {
+                0.0
+            }
+        };
+        vec![
+            of(Role::GpsVelocityNorth, &|t| 0.3 * t.sin()),
+            of(Role::GpsVelocityEast, &|_| 0.1),
+            of(role, &|t| up(t) + (0.2 * t).sin()),
+        ]
+    };
+    for role in [Role::GpsHeight, Role::HeightAboveGround] {
+        let stretches = airborne(&flight(20.0, role));
+        assert_eq!(stretches.len(), 1, "{stretches:?}");
+        let (from, to) = stretches[0];
+        assert!(
+            (from - 10.0).abs() < 0.5 && (to - 50.0).abs() < 0.5,
+            "{from} {to}"
+        );
+        assert_eq!(airborne(&flight(0.0, role)), []);
+    }
+}
+
+#[test]
 fn photos_taken_well_above_the_ground_were_taken_in_the_air_however_far_apart() {
     let times: Vec<f64> = (0..10).map(|i| 7.0 * f64::from(i)).collect();
     let heights = vec![40.0; times.len()];

@@ -12,6 +12,7 @@ use super::pose::{looking_down, photo_pose};
 use super::read::{Photo, PhotoPlace, read_photo};
 use super::timed::Timed;
 use crate::folder::{FlightFolder, FolderFrames, Told};
+use crate::times::most_told_era;
 use pilotage_base::files::FileSet;
 use pilotage_base::frames::{Attitude, Geodetic, GroundPoint, LocalFrame, wrap_pi};
 use pilotage_flight::{Channel, ChannelName, Flight, Frame, StartFix, Truth, TruthState};
@@ -106,11 +107,17 @@ fn photos(files: &dyn FileSet, notes: &mut Vec<String>) -> Vec<Timed> {
             unread.len()
         ));
     }
-    let mut sizes: BTreeMap<(usize, usize), usize> = BTreeMap::new();
-    for photo in photos.iter().filter(|p| p.place.is_some()) {
-        *sizes.entry((photo.width, photo.height)).or_default() += 1;
+    // Most photos decide, if enough of them are placed.
+    let mut sizes: BTreeMap<(usize, usize), (usize, usize)> = BTreeMap::new();
+    for photo in &photos {
+        let (placed, all) = sizes.entry((photo.width, photo.height)).or_default();
+        *placed += usize::from(photo.place.is_some());
+        *all += 1;
     }
-    let Some((size, _)) = sizes.into_iter().max_by_key(|(_, count)| *count) else {
+    let enough = sizes
+        .into_iter()
+        .filter(|(_, (placed, _))| *placed >= FEWEST);
+    let Some((size, _)) = enough.max_by_key(|(_, (_, all))| *all) else {
         return Vec::new();
     };
     let total = photos.len();
@@ -123,7 +130,58 @@ fn photos(files: &dyn FileSet, notes: &mut Vec<String>) -> Vec<Timed> {
             size.1
         ));
     }
+    of_one_camera(&mut photos, notes);
     timed(photos, notes)
+}
+
+/// Why the photos among files are no flight, in words with the tags that lack; `None` without photos.
+pub fn photos_lack(files: &dyn FileSet) -> Option<String> {
+    let mut names = files.names();
+    names.retain(|name| is_photo(name));
+    names.sort();
+    let read = |name: &String| read_photo(files.source(name)?.as_ref()).ok();
+    let photos: Vec<Photo> = names.iter().filter_map(read).collect();
+    let first = names.first()?;
+    let placed = photos.iter().filter(|photo| photo.place.is_some()).count();
+    Some(if photos.is_empty() {
+        format!(
+            "none of {} photos can be read: {first} and so on",
+            names.len()
+        )
+    } else if placed < FEWEST {
+        format!(
+            "{placed} of {} photos say where they were taken, and two have to: they lack the EXIF tags GPSLatitude and \
+             GPSLongitude (or have 0, 0 in them), and XMP has no place either",
+            names.len()
+        )
+    } else {
+        "no two photos of one size and one camera say where they were taken".to_owned()
+    })
+}
+
+/// Leaves the photos of the camera that took most of them, and says which others there are.
+fn of_one_camera(photos: &mut Vec<Photo>, notes: &mut Vec<String>) {
+    let mut cameras: BTreeMap<&str, usize> = BTreeMap::new();
+    for photo in photos.iter().filter(|photo| !photo.camera.is_empty()) {
+        *cameras.entry(&photo.camera).or_default() += 1;
+    }
+    let most = cameras.iter().max_by_key(|(_, count)| **count);
+    let Some(most) = most.map(|(camera, _)| (*camera).to_owned()) else {
+        return;
+    };
+    let others: Vec<String> = cameras
+        .iter()
+        .filter(|(camera, _)| **camera != most)
+        .map(|(camera, count)| format!("{count} by {camera}"))
+        .collect();
+    if others.is_empty() {
+        return;
+    }
+    notes.push(format!(
+        "the photos are those of {most}; others were left out: {}. Put them into a folder of their own to open them",
+        others.join(", ")
+    ));
+    photos.retain(|photo| photo.camera.is_empty() || photo.camera == most);
 }
 
 fn is_photo(name: &str) -> bool {
@@ -137,6 +195,23 @@ fn is_photo(name: &str) -> bool {
 }
 
 fn timed(photos: Vec<Photo>, notes: &mut Vec<String>) -> Vec<Timed> {
+    let seconds = photos.iter().filter_map(|photo| photo.taken);
+    let era = most_told_era(seconds.map(|(whole, _)| whole as f64));
+    let is_of_era = |photo: &Photo| {
+        era.is_none_or(|(a, b)| {
+            photo
+                .taken
+                .is_none_or(|(t, _)| (a..=b).contains(&(t as f64)))
+        })
+    };
+    let (photos, strays): (Vec<Photo>, Vec<Photo>) = photos.into_iter().partition(is_of_era);
+    if let Some(stray) = strays.first() {
+        notes.push(format!(
+            "{} photos were left out, as they say to be taken on other days than the rest: {} and so on",
+            strays.len(),
+            stray.name
+        ));
+    }
     let first = photos
         .iter()
         .filter_map(|photo| photo.taken)

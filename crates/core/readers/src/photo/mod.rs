@@ -11,6 +11,8 @@ mod flight;
 mod head;
 mod laying;
 mod log;
+#[cfg(test)]
+mod makers_tests;
 mod pose;
 mod read;
 mod search;
@@ -20,7 +22,7 @@ mod timed;
 mod xmp;
 
 pub use camera::focal_in_pixels;
-pub use flight::read_photos;
+pub use flight::{photos_lack, read_photos};
 pub use laying::{LaidPhoto, PhotoAnswer, PhotoLook};
 pub use pose::{PhotoPose, photo_pose};
 pub use read::{Photo, PhotoError, PhotoPlace, read_photo};

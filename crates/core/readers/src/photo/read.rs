@@ -157,8 +157,8 @@ fn photo(name: String, (width, height): (usize, usize), exif: &Exif, xmp: &Xmp) 
     let (taken, is_utc) = taken(exif);
     let dji = |name: &str| xmp.number(&[&format!("drone-dji:{name}")]);
     let millimetres = |value: f64| value / 1e3;
-    let gimbal = attitude(xmp, "Gimbal").or_else(|| camera_attitude(xmp));
-    let aircraft = attitude(xmp, "Flight");
+    let gimbal = gimbal(xmp);
+    let aircraft = aircraft(xmp);
     let is_zero = |a: &Attitude| [a.roll, a.pitch, a.yaw].iter().all(|angle| *angle == 0.0);
     let is_gimbal_blank =
         gimbal.as_ref().is_some_and(is_zero) && !aircraft.as_ref().is_none_or(is_zero);
@@ -171,7 +171,7 @@ fn photo(name: String, (width, height): (usize, usize), exif: &Exif, xmp: &Xmp) 
         taken,
         is_utc,
         place: place(&exif.gps, xmp),
-        height_above_take_off: dji("RelativeAltitude"),
+        height_above_take_off: xmp.number(&HEIGHTS),
         gimbal: gimbal.filter(|_| !is_gimbal_blank),
         is_gimbal_blank,
         aircraft,
@@ -269,19 +269,16 @@ fn place(gps: &Directory, xmp: &Xmp) -> Option<PhotoPlace> {
         exif::LONGITUDE_REF,
         "W",
     ));
-    let of_xmp = || {
-        let latitude = xmp.number(&["drone-dji:GpsLatitude"])?;
-        // Written so by older firmware.
-        let longitude = xmp.number(&["drone-dji:GpsLongitude", "drone-dji:GpsLongtitude"])?;
-        Some((latitude.to_radians(), longitude.to_radians()))
+    let is_place = |(latitude, longitude): &(f64, f64)| {
+        latitude.abs() <= std::f64::consts::FRAC_PI_2
+            && longitude.abs() <= std::f64::consts::PI
+            && (*latitude, *longitude) != (0.0, 0.0)
     };
-    let (latitude, longitude) = of_exif.or_else(of_xmp)?;
-    let is_on_globe = latitude.abs() <= std::f64::consts::FRAC_PI_2
-        && longitude.abs() <= std::f64::consts::PI
-        && (latitude, longitude) != (0.0, 0.0);
+    let (latitude, longitude) = of_exif.filter(is_place).or_else(|| place_of_xmp(xmp))?;
+    let is_on_globe = is_place(&(latitude, longitude));
     let below = gps.whole(exif::ALTITUDE_REF) == Some(1);
     let altitude = gps.real(exif::ALTITUDE).map(|a| if below { -a } else { a });
-    let altitude = altitude.or_else(|| xmp.number(&["drone-dji:AbsoluteAltitude"]));
+    let altitude = altitude.or_else(|| xmp.number(&ALTITUDES));
     is_on_globe.then_some(PhotoPlace {
         latitude,
         longitude,
@@ -289,28 +286,114 @@ fn place(gps: &Directory, xmp: &Xmp) -> Option<PhotoPlace> {
     })
 }
 
-fn attitude(xmp: &Xmp, of: &str) -> Option<Attitude> {
-    let angle = |name: &str| {
-        let degrees = xmp.number(&[&format!("drone-dji:{of}{name}Degree")])?;
-        Some(degrees.to_radians())
+/// Heights above take-off, and altitudes, as makers call them.
+const HEIGHTS: [&str; 3] = [
+    "drone-dji:RelativeAltitude",
+    "drone-skydio:RelativeAltitude",
+    "Camera:AboveGroundAltitude",
+];
+const ALTITUDES: [&str; 3] = [
+    "drone-dji:AbsoluteAltitude",
+    "drone-skydio:AbsoluteAltitude",
+    "exif:GPSAltitude",
+];
+
+/// Where XMP says that a photo was taken, radians: as its maker writes it, or as Adobe does (`47,30.125N`).
+fn place_of_xmp(xmp: &Xmp) -> Option<(f64, f64)> {
+    let maker = [
+        // Written so by older firmware.
+        (
+            "drone-dji:GpsLatitude",
+            ["drone-dji:GpsLongitude", "drone-dji:GpsLongtitude"],
+        ),
+        ("drone-skydio:Latitude", ["drone-skydio:Longitude"; 2]),
+        ("drone-parrot:GPSLatitude", ["drone-parrot:GPSLongitude"; 2]),
+    ];
+    let of_maker = maker
+        .iter()
+        .find_map(|(latitude, longitude)| xmp.number(&[latitude]).zip(xmp.number(longitude)));
+    let of_adobe = || {
+        let angle = |name| xmp.text(name).and_then(adobe_angle);
+        angle("exif:GPSLatitude").zip(angle("exif:GPSLongitude"))
     };
+    let (latitude, longitude) = of_maker.or_else(of_adobe)?;
+    Some((latitude.to_radians(), longitude.to_radians()))
+}
+
+/// Degrees of `47,30.125N` or `8,15,30W`, as XMP has them: degrees, minutes, seconds, hemisphere.
+fn adobe_angle(text: &str) -> Option<f64> {
+    let letter = text.chars().last()?.to_ascii_uppercase();
+    let sign = match letter {
+        'N' | 'E' => 1.0,
+        'S' | 'W' => -1.0,
+        _ => return None,
+    };
+    let mut degrees = 0.0;
+    let mut unit = 1.0;
+    for part in text[..text.len() - 1].split(',') {
+        let part: f64 = part.trim().parse().ok()?;
+        degrees += part / unit;
+        unit *= 60.0;
+    }
+    Some(sign * degrees)
+}
+
+/// An attitude of three properties in degrees; a roll that is not told is none.
+fn attitude(xmp: &Xmp, [roll, pitch, yaw]: [&str; 3]) -> Option<Attitude> {
+    let angle = |name: &str| xmp.number(&[name]).map(f64::to_radians);
     Some(Attitude {
-        roll: angle("Roll").unwrap_or(0.0),
-        pitch: angle("Pitch")?,
-        yaw: angle("Yaw")?,
+        roll: angle(roll).unwrap_or(0.0),
+        pitch: angle(pitch)?,
+        yaw: angle(yaw)?,
     })
+}
+
+/// The attitude of the camera, as its maker writes it, pitch 0 level; else as `Pix4D`'s properties have it.
+fn gimbal(xmp: &Xmp) -> Option<Attitude> {
+    let makers = [
+        [
+            "drone-dji:GimbalRollDegree",
+            "drone-dji:GimbalPitchDegree",
+            "drone-dji:GimbalYawDegree",
+        ],
+        [
+            "drone-parrot:CameraRollDegree",
+            "drone-parrot:CameraPitchDegree",
+            "drone-parrot:CameraYawDegree",
+        ],
+        [
+            "drone-skydio:CameraOrientationNED:Roll",
+            "drone-skydio:CameraOrientationNED:Pitch",
+            "drone-skydio:CameraOrientationNED:Yaw",
+        ],
+    ];
+    let of_maker = makers.into_iter().find_map(|names| attitude(xmp, names));
+    of_maker.or_else(|| camera_attitude(xmp))
+}
+
+/// The attitude of the aircraft, as its maker writes it.
+fn aircraft(xmp: &Xmp) -> Option<Attitude> {
+    let makers = [
+        [
+            "drone-dji:FlightRollDegree",
+            "drone-dji:FlightPitchDegree",
+            "drone-dji:FlightYawDegree",
+        ],
+        [
+            "drone-parrot:DroneRollDegree",
+            "drone-parrot:DronePitchDegree",
+            "drone-parrot:DroneYawDegree",
+        ],
+    ];
+    makers.into_iter().find_map(|names| attitude(xmp, names))
 }
 
 /// The attitude as `Pix4D`'s properties have it, which other makers use: pitch 0 looks straight down.
 fn camera_attitude(xmp: &Xmp) -> Option<Attitude> {
-    let angle = |name: &str| {
-        xmp.number(&[&format!("Camera:{name}")])
-            .map(f64::to_radians)
-    };
+    let pix4d = attitude(xmp, ["Camera:Roll", "Camera:Pitch", "Camera:Yaw"])?;
     Some(Attitude {
-        roll: angle("Roll")?,
-        pitch: angle("Pitch")? - std::f64::consts::FRAC_PI_2,
-        yaw: angle("Yaw")?,
+        pitch: pix4d.pitch - std::f64::consts::FRAC_PI_2,
+        ..pix4d
     })
 }
 
@@ -353,4 +436,16 @@ fn saved_again(exif: &Exif) -> Option<String> {
             .text(exif::SOFTWARE)
             .unwrap_or_else(|| "a program without a name".to_owned()),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angles_of_adobe_have_their_minutes_behind_commas() {
+        assert_eq!(adobe_angle("47,30.0N"), Some(47.5));
+        assert_eq!(adobe_angle("8,15,36W"), Some(-8.26));
+        assert_eq!(adobe_angle("47.5"), None);
+    }
 }

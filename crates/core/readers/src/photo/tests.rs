@@ -53,7 +53,7 @@ fn text(tag: u16, text: &str) -> Tag {
 }
 
 /// A photo of 400 by 300 pixels (which it does not have) at a second of a minute, so many seconds of arc north.
-fn photo(time: &str, fraction: &str, north: u32, xmp: &str) -> Vec<u8> {
+pub(super) fn photo(time: &str, fraction: &str, north: u32, xmp: &str) -> Vec<u8> {
     let photo_tags = [
         text(
             exif::DATE_TIME_ORIGINAL,
@@ -102,14 +102,14 @@ fn photo(time: &str, fraction: &str, north: u32, xmp: &str) -> Vec<u8> {
     .concat()
 }
 
-fn gimbal(yaw: f64, pitch: f64) -> String {
+pub(super) fn gimbal(yaw: f64, pitch: f64) -> String {
     format!(
         "drone-dji:GimbalYawDegree=\"{yaw:+}\" drone-dji:GimbalPitchDegree=\"{pitch:+}\" \
          drone-dji:GimbalRollDegree=\"+0.5\" drone-dji:RelativeAltitude=\"+40.5\""
     )
 }
 
-fn files(photos: &[(&str, Vec<u8>)]) -> Arc<dyn FileSet> {
+pub(super) fn files(photos: &[(&str, Vec<u8>)]) -> Arc<dyn FileSet> {
     let photos = photos
         .iter()
         .map(|(name, bytes)| ((*name).to_owned(), bytes.clone()));

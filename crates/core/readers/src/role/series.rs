@@ -1,10 +1,8 @@
 //! What was measured of a role.
 
 use super::Role;
+use crate::times::{Verdict, judge};
 use pilotage_base::frames::wrap_pi;
-
-/// How many times further than the next sample one lies that leapt ahead of its time.
-const LEAP: f64 = 100.0;
 
 /// A role found in a log.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,7 +17,7 @@ pub struct RoleSeries {
     pub values: Vec<f64>,
     /// Samples left out because they are no number or beyond anything that flies.
     pub implausible: usize,
-    /// Samples left out because their time stands still or goes back.
+    /// Samples left out because their time stands still, goes back or lies far off.
     pub out_of_order: usize,
     /// Whether something holds it still, as a gimbal holds a camera: one number over and over is no fault then.
     pub is_held: bool,
@@ -45,33 +43,42 @@ impl RoleSeries {
             is_held: false,
         };
         let (plausible, wraps) = (role.plausible(), role.is_angle());
-        let mut last = f64::NEG_INFINITY;
-        let mut before_last = f64::NEG_INFINITY;
         for (time, value) in samples {
             let value = value.filter(|v| v.is_finite() && v.abs() <= plausible);
             let Some(value) = value.filter(|_| time.is_finite()) else {
                 series.implausible += 1;
                 continue;
             };
-            if time <= last {
-                series.out_of_order += 1;
-                // Where the last one leapt far ahead, it is that which is wrong, not all behind it.
-                let is_alone = !before_last.is_finite() || time <= before_last;
-                if is_alone || last - before_last < LEAP * (time - before_last) {
-                    continue;
-                }
-                series.times.pop();
-                series.values.pop();
-                last = before_last;
-            }
-            before_last = last;
-            last = time;
             series.times.push(time);
             series
                 .values
                 .push(if wraps { wrap_pi(value) } else { value });
         }
+        series.leave_out_of_order();
         series
+    }
+
+    /// Leaves out samples whose time is not sound or stands still.
+    fn leave_out_of_order(&mut self) {
+        let verdicts = judge(&self.times);
+        if verdicts.is_none() && self.times.windows(2).all(|w| w[1] > w[0]) {
+            return;
+        }
+        let mut last = f64::NEG_INFINITY;
+        let is_kept = |(row, time): (usize, &f64)| {
+            let is_sound = verdicts.as_ref().is_none_or(|v| v[row] == Verdict::Sound);
+            let is_kept = is_sound && *time > last;
+            if is_kept {
+                last = *time;
+            }
+            is_kept
+        };
+        let kept: Vec<bool> = self.times.iter().enumerate().map(is_kept).collect();
+        for series in [&mut self.times, &mut self.values] {
+            let mut kept = kept.iter().copied();
+            series.retain(|_| kept.next().unwrap_or(true));
+        }
+        self.out_of_order += kept.iter().filter(|kept| !**kept).count();
     }
 
     /// The last value at or before `time`, or else the first; `None` without any.

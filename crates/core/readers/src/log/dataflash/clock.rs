@@ -6,6 +6,8 @@ use super::format::Format;
 
 /// Kind of fix from which on a receiver knows the time.
 const FULL_FIX: f64 = 3.0;
+/// Most full fixes that are asked for the date.
+const DATES: usize = 1000;
 /// Most rows between two fixes whose times are found later.
 const WAITING: usize = 1 << 16;
 
@@ -78,6 +80,8 @@ pub struct Clock {
     now: f64,
     /// Whether a receiver with a full fix told the date.
     is_dated: bool,
+    /// What full fixes say second zero is, seconds since 1970; the first thousand.
+    dates: Vec<f64>,
     /// Rows since the last fix, by place of the topic and number, where only fixes tell the time.
     waiting: Vec<(usize, usize)>,
 }
@@ -89,6 +93,7 @@ impl Clock {
             base: Base::None,
             now: 0.0,
             is_dated: false,
+            dates: Vec::new(),
             waiting: Vec::new(),
         }
     }
@@ -159,10 +164,26 @@ impl Clock {
         let topic = &log.topics[place];
         let status = topic.field("Status").and_then(|f| topic.value(f, row));
         let is_full = status.is_none_or(|status| status >= FULL_FIX);
+        let utc = utc_of_gps(week, milliseconds) - topic.times[row];
+        if is_full && self.dates.len() < DATES {
+            self.dates.push(utc);
+        }
         if log.utc_at_zero.is_none() || (is_full && !self.is_dated) {
-            let time = topic.times[row];
-            log.utc_at_zero = Some(utc_of_gps(week, milliseconds) - time);
+            log.utc_at_zero = Some(utc);
             self.is_dated |= is_full;
+        }
+    }
+
+    /// The log is over: a date that most full fixes contradict, as one damaged time makes it, gives way to theirs.
+    pub fn settle(&mut self, log: &mut Log) {
+        let mut dates = std::mem::take(&mut self.dates);
+        dates.sort_by(f64::total_cmp);
+        let middle = dates.get(dates.len() / 2).copied();
+        if let (Some(middle), Some(utc)) = (middle, log.utc_at_zero)
+            && self.is_dated
+            && (utc - middle).abs() > 1.0
+        {
+            log.utc_at_zero = Some(middle);
         }
     }
 

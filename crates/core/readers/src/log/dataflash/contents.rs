@@ -250,6 +250,8 @@ impl Contents {
         let mut standing: Vec<(usize, String)> = Vec::new();
         self.timed.sort_unstable();
         self.timed.dedup();
+        log.leave_out_wrong_times(|place| self.timed.binary_search(&place).is_ok());
+        self.clock.settle(log);
         for place in &self.timed {
             let topic = &log.topics[*place];
             let pairs = || topic.times.windows(2);

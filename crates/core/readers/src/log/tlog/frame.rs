@@ -97,6 +97,9 @@ impl<'a> Frame<'a> {
     }
 }
 
+/// Bytes at the beginning of a file that may be damaged: two messages or so.
+const DAMAGED: usize = 600;
+
 /// Whether a frame may begin with these bytes, or with those that follow if they are too few to tell. More
 /// than its time and marker is not looked at.
 pub(super) fn may_begin(bytes: &[u8]) -> bool {
@@ -105,16 +108,30 @@ pub(super) fn may_begin(bytes: &[u8]) -> bool {
 }
 
 /// Whether a file that begins so is of this format: its first message is sound, or (where it is of a kind
-/// that is not known) a second one begins right behind it.
+/// that is not known) a second one begins right behind it. Where the beginning is damaged, a sound message among its first
+/// bytes says it, too.
 pub(super) fn begins(head: &[u8]) -> bool {
-    let Ok(frame) = Frame::parse(head) else {
-        return false;
+    let mut dialect = Dialect::default();
+    let mut is_sound = |frame: &Frame| {
+        let definition = dialect.get(frame.number);
+        definition.is_some_and(|definition| frame.is_sound(definition.seed))
     };
-    if let Some(definition) = Dialect::default().get(frame.number) {
-        return frame.is_sound(definition.seed);
+    if let Ok(frame) = Frame::parse(head) {
+        let behind = &head[frame.length..];
+        if is_sound(&frame)
+            || Dialect::default().get(frame.number).is_none()
+                && behind.len() > STAMP
+                && may_begin(behind)
+        {
+            return true;
+        }
     }
-    let behind = &head[frame.length..];
-    behind.len() > STAMP && may_begin(behind)
+    // Messages without times begin with their marker: what stands before the next one is no time.
+    if matches!(head, [0xfd | 0xfe, ..]) {
+        return false;
+    }
+    let mut places = 1..head.len().min(DAMAGED);
+    places.any(|at| Frame::parse(&head[at..]).is_ok_and(|frame| is_sound(&frame)))
 }
 
 #[cfg(test)]

@@ -43,5 +43,6 @@ impl Meaning {
     /// The log is over.
     pub fn end(&mut self, log: &mut Log) {
         self.parameters.end(log);
+        log.tell_vehicles();
     }
 }

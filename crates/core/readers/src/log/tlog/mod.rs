@@ -8,6 +8,7 @@
 //! functions for each of its messages. Values come in plain units: centimetres as metres.
 
 mod checksum;
+mod clock;
 mod dialect;
 mod frame;
 mod meaning;

@@ -43,6 +43,8 @@ impl Steps for Tlog {
 
     fn end(&mut self, log: &mut Log) {
         self.meaning.end(log);
+        super::clock::count_by_messages(log);
+        log.leave_out_wrong_times(|_| true);
     }
 }
 

@@ -11,6 +11,8 @@ const PX4: u8 = 12;
 const NO_AUTOPILOT: u8 = 8;
 /// `MAV_TYPE`: a ground station.
 const GROUND_STATION: u8 = 6;
+/// Systems from here on are ground stations by custom, whatever they say of themselves.
+const STATIONS: u8 = 250;
 
 /// What the heartbeats of the first vehicle told.
 #[derive(Default)]
@@ -29,15 +31,14 @@ impl Heartbeats {
     pub fn beat(&mut self, sender: Sender, time: f64, row: &Row, log: &mut Log) -> bool {
         let byte = |name| row.integer(name) as u8;
         let (autopilot, kind) = (byte("autopilot"), byte("type"));
-        if autopilot == NO_AUTOPILOT || kind == GROUND_STATION {
+        let is_station = kind == GROUND_STATION || sender.system >= STATIONS;
+        if autopilot == NO_AUTOPILOT || is_station {
             return false;
         }
+        log.hear(u32::from(sender.system));
         let own = (sender.system, sender.component);
         let is_first = self.sender.is_none();
         if *self.sender.get_or_insert(own) != own {
-            log.report.remark(
-                "several vehicles: modes, parameters and the vehicle's name are those of the first",
-            );
             return false;
         }
         if is_first || (self.autopilot, self.kind) != (autopilot, kind) {

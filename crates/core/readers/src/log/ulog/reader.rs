@@ -13,6 +13,8 @@ use super::value::Keyed;
 pub(super) const HEADER: usize = 16;
 /// The version whose form this is.
 const VERSION: u8 = 1;
+/// Rows this long before the start were measured before it, seconds: those of slow sensors are a little late.
+const EARLIER: f64 = 2.0;
 /// Default values of parameters: for the airframe rather than for the whole system.
 const OF_AIRFRAME: u8 = 2;
 
@@ -50,6 +52,11 @@ struct Software {
 }
 
 impl Steps for Ulog {
+    fn end(&mut self, log: &mut Log) {
+        log.leave_out_wrong_times(|_| true);
+        tell_earlier(log);
+    }
+
     fn step(&mut self, bytes: &[u8], offset: u64, over: bool, log: &mut Log) -> Step {
         if !self.is_begun {
             return self.header(bytes, over, log);
@@ -82,6 +89,7 @@ impl Ulog {
         }
         self.is_begun = true;
         if self.begin(bytes, log) {
+            log.begins = Some(self.time);
             return Step::Took(HEADER);
         }
         log.report.remark("the file has no header of a ULog");
@@ -343,6 +351,33 @@ impl Software {
         let words = [software.join(" "), self.hardware.clone()];
         let words: Vec<_> = words.into_iter().filter(|word| !word.is_empty()).collect();
         words.join(", ")
+    }
+}
+
+/// Says which topics have rows that were measured well before logging began: they count, but not for how long it lasts.
+fn tell_earlier(log: &mut Log) {
+    let Some(begins) = log.begins else { return };
+    let is_earlier = |topic: &&super::super::Topic| {
+        let first = topic.times.iter().copied().fold(f64::INFINITY, f64::min);
+        first < begins - EARLIER
+    };
+    let names: Vec<String> = log
+        .topics
+        .iter()
+        .filter(is_earlier)
+        .map(|t| t.name.to_string())
+        .collect();
+    if !names.is_empty() {
+        let more = names.len().saturating_sub(5);
+        let more = if more > 0 {
+            format!(" and {more} more")
+        } else {
+            String::new()
+        };
+        let names = names[..names.len().min(5)].join(", ");
+        log.report.remark(format!(
+            "logging began at {begins:.1} s: rows of {names}{more} tell what was measured earlier"
+        ));
     }
 }
 

@@ -10,6 +10,8 @@ use super::definition::{Definitions, RowLength};
 const MOST_FIELDS: usize = 1 << 20;
 /// The year 2000 in microseconds since 1970: no receiver is older, and one without time says 0.
 const YEAR_2000: f64 = 946_684_800e6;
+/// Times further apart do not follow one another, seconds.
+const DAY: f64 = 86_400.0;
 /// What a receiver with a position in space says of its fix.
 const FIX_IN_SPACE: f64 = 3.0;
 
@@ -42,6 +44,8 @@ pub(super) struct Subscriptions {
     fields: usize,
     mode: Option<u8>,
     has_utc_of_fix: bool,
+    /// Time of the last row, seconds.
+    last: Option<f64>,
 }
 
 /// Whether a row fits what was announced.
@@ -119,7 +123,12 @@ impl Subscriptions {
         };
         let microseconds = place.timestamp.as_ref().and_then(|field| field.value(row));
         let own = microseconds.map_or(*time, |t| t / 1e6);
-        *time = time.max(own);
+        // Two rows of one day in a row: one wrong time moves nothing on.
+        if self.last.is_none_or(|last| (own - last).abs() < DAY) {
+            let is_of_day = (own - *time).abs() < DAY;
+            *time = if is_of_day { time.max(own) } else { own };
+        }
+        self.last = Some(own);
         log.topics[place.topic].push(own, row);
         let value = |field: &Option<FieldLayout>| field.as_ref().and_then(|field| field.value(row));
         if let Some(state) = value(&place.navigation_state)

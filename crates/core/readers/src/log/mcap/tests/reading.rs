@@ -136,7 +136,7 @@ fn two_kinds_of_message_under_one_name_are_two_topics() {
         .and(&description())
         .and(&messages(0, 2))
         .and(&[other, channel(8, 4, "/turn", "cdr")].concat())
-        .and(&message(8, 0, &[0, 1, 0, 0, 5, 1]))
+        .and(&message(8, 1_700_000_000_150_000_000, &[0, 1, 0, 0, 5, 1]))
         .and(&messages(2, 1));
     let log = read(&file.end(4, &[]));
     let names: Vec<_> = log

@@ -38,9 +38,64 @@ fn one_wrong_byte_costs_at_most_two_rows_and_is_told() {
             damaged[place] ^= flip;
             let log = read(&damaged, 1000);
             assert!(rows(&log) >= 28, "byte {place}: {:?}", log.report);
-            assert!(rows(&log) == 30 || !log.report.is_clean());
+            let is_told = !log.report.is_clean() || !log.report.remarks.is_empty();
+            assert!(rows(&log) == 30 || is_told);
         }
     }
+}
+
+/// A hundred rows from second 101 on, of which some have other times; a header that says second 100, and dropouts.
+fn timed(other: &[(u64, u64)]) -> Log {
+    let mut file = Written::new(100_000_000)
+        .definition("a:uint64_t timestamp;float x;")
+        .definition("once:uint64_t timestamp;uint8_t y;")
+        .announce(1, 0, "a")
+        .announce(2, 0, "once")
+        .row(2, &[&0_u64.to_le_bytes(), &[7]]);
+    for index in 0..100 {
+        let usual = 101_000_000 + 100_000 * index;
+        let other = other.iter().find(|(at, _)| *at == index);
+        let time = other.map_or(usual, |(_, time)| *time);
+        file = file.row(1, &[&time.to_le_bytes(), &(index as f32).to_le_bytes()]);
+        if index == 80 {
+            file = file.message(b'O', &[&20_u16.to_le_bytes()]);
+        }
+    }
+    read(&file.0, 1000)
+}
+
+#[test]
+fn a_wrong_time_costs_its_row_and_the_log_counts_from_its_header() {
+    let span = |log: &Log| {
+        log.span()
+            .map(|(a, b)| ((a * 10.0).round(), (b * 10.0).round()))
+    };
+    let whole = timed(&[]);
+    assert_eq!(span(&whole), Some((1000.0, 1109.0)));
+    // What was told at no time is left out.
+    assert!(
+        whole
+            .first("once")
+            .is_some_and(super::super::super::Topic::is_empty)
+    );
+    for at in [0, 1, 50, 98, 99] {
+        for wrong in [0, 1, 0x7f << 56, (1 << 40) + 105_000_000, u64::MAX] {
+            let log = timed(&[(at, wrong)]);
+            let topic = log.first("a").unwrap();
+            assert_eq!(topic.len(), 99, "{wrong} at {at}: {:?}", log.report);
+            assert!(topic.values("x").unwrap().iter().all(|x| *x != at as f64));
+            let last = if at == 99 { 1108.0 } else { 1109.0 };
+            assert_eq!(span(&log), Some((1000.0, last)), "{wrong} at {at}");
+            assert!(log.report.remarks[0].contains("left out"));
+            let gap = log.report.gaps[0].time;
+            assert!((gap - 109.0).abs() < 0.2, "{wrong} at {at}: {gap}");
+        }
+    }
+    let several = timed(&[(40, 1 << 50), (41, 1 << 50), (42, (1 << 50) + 100_000)]);
+    assert_eq!(
+        several.first("a").map(super::super::super::Topic::len),
+        Some(97)
+    );
 }
 
 #[test]

@@ -1,0 +1,98 @@
+//! Several vehicles in one log: which is the flight.
+
+use super::Log;
+
+/// Instances of topics above this are a component of a system: a thousand times the system plus the component.
+const COMPONENTS: u32 = 1000;
+
+/// The system that sends a topic of that instance.
+pub(crate) fn system_of(instance: u32) -> u32 {
+    if instance >= COMPONENTS {
+        instance / COMPONENTS
+    } else {
+        instance
+    }
+}
+
+impl Log {
+    /// Notes a vehicle that is heard for the first time; the first of all is the flight.
+    pub(super) fn hear(&mut self, system: u32) {
+        if !self.vehicles.contains(&system) {
+            self.vehicles.push(system);
+        }
+    }
+
+    /// The system whose flight the log is; `None` where it does not tell vehicles apart.
+    pub fn chosen_vehicle(&self) -> Option<u32> {
+        self.chosen.or_else(|| self.vehicles.first().copied())
+    }
+
+    /// Takes the flight of another vehicle. Modes, parameters and the name are known of the first only, and go.
+    ///
+    /// # Errors
+    /// In words, where no such system flies in the log.
+    pub fn choose_vehicle(&mut self, system: u32) -> Result<(), String> {
+        if !self.vehicles.contains(&system) {
+            let known = systems(&self.vehicles);
+            return Err(format!(
+                "{}: no vehicle is system {system}; there are {known}",
+                self.name
+            ));
+        }
+        if self.chosen_vehicle() != Some(system) {
+            self.modes.clear();
+            self.parameters.clear();
+            self.vehicle = format!("system {system}");
+        }
+        self.chosen = Some(system);
+        Ok(())
+    }
+
+    /// Says that there are several vehicles, if so.
+    pub(super) fn tell_vehicles(&mut self) {
+        let [first, others @ ..] = self.vehicles.as_slice() else {
+            return;
+        };
+        if !others.is_empty() {
+            let remark = format!(
+                "several vehicles: the flight, its modes, its parameters and its name are those of the first, system {first}; \
+                 also there: {}. `--vehicle` takes another on the terminal",
+                systems(others)
+            );
+            self.report.remark(remark);
+        }
+    }
+}
+
+fn systems(systems: &[u32]) -> String {
+    let names: Vec<String> = systems
+        .iter()
+        .map(|system| format!("system {system}"))
+        .collect();
+    names.join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::LogFormat;
+    use super::*;
+
+    #[test]
+    fn the_first_vehicle_is_the_flight_unless_another_is_chosen() {
+        let mut log = Log::new("a.tlog", LogFormat::Tlog);
+        assert_eq!(log.chosen_vehicle(), None);
+        for system in [7, 9, 7] {
+            log.hear(system);
+        }
+        log.tell_vehicles();
+        assert_eq!(log.chosen_vehicle(), Some(7));
+        assert!(log.report.remarks[0].contains("system 9"));
+        assert!(
+            log.choose_vehicle(8)
+                .unwrap_err()
+                .contains("system 7, system 9")
+        );
+        log.choose_vehicle(9).unwrap();
+        assert_eq!(log.chosen_vehicle(), Some(9));
+    }
+}

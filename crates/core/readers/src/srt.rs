@@ -1,0 +1,227 @@
+//! The subtitles that DJI's aircraft write beside a film, as a flight: position, height and gimbal at the times of its
+//! frames.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::sync::Arc;
+
+use crate::columns::{flight_of_tables, guess_table};
+use crate::folder::{FlightFolder, FolderError, decoded};
+use pilotage_base::files::{FileSet, MemoryFiles};
+
+/// What is taken of a subtitle, by the names that firmware has given it, and the column that it becomes.
+const VALUES: [(&str, &[&str]); 7] = [
+    ("latitude [deg]", &["latitude"]),
+    ("longitude [deg]", &["longitude", "longtitude"]),
+    ("height above takeoff [m]", &["rel_alt", "barometer", "h"]),
+    ("altitude msl [m]", &["abs_alt", "altitude"]),
+    ("heading [deg]", &["gb_yaw"]),
+    ("pitch [deg]", &["gb_pitch"]),
+    ("roll [deg]", &["gb_roll"]),
+];
+const LATITUDE: usize = 0;
+const LONGITUDE: usize = 1;
+const PITCH: usize = 5;
+
+/// The flight that subtitles tell of; `None` if `bytes` are no subtitles with places in them.
+///
+/// Times are seconds of the film. Heading, pitch and roll are those of the camera, where they are told; pitch 0 looks
+/// straight down, as for photos.
+///
+/// # Errors
+/// Subtitles of which no flight can be made, as the tables of a flight.
+pub fn read_srt(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, FolderError> {
+    let bytes = decoded(bytes);
+    let Some((table, notes)) = table(&String::from_utf8_lossy(&bytes)) else {
+        return Ok(None);
+    };
+    let file = format!(
+        "{}.csv",
+        name.rsplit_once('.').map_or(name, |(stem, _)| stem)
+    );
+    let Some(mut map) = guess_table(&file, table.as_bytes()) else {
+        return Ok(None);
+    };
+    map.findings.extend(notes);
+    let files: Arc<dyn FileSet> = Arc::new(MemoryFiles([(file, table.into_bytes())].into()));
+    flight_of_tables(&files, &[map]).map(Some)
+}
+
+/// One line of a table for each subtitle with a place, and what people should know of it.
+fn table(text: &str) -> Option<(String, Vec<String>)> {
+    let mut rows: Vec<(f64, [Option<f64>; 7])> = Vec::new();
+    let (mut cues, mut time, mut words) = (0, None, String::new());
+    let mut end = |time: Option<f64>, words: &str| {
+        let Some(time) = time else { return };
+        cues += 1;
+        let values = values(words);
+        let place = values[LATITUDE].zip(values[LONGITUDE]);
+        if place.is_some_and(|place| place != (0.0, 0.0)) {
+            rows.push((time, values));
+        }
+    };
+    for line in text.lines() {
+        if let Some((start, _)) = line.split_once(" --> ") {
+            end(time, &words);
+            time = seconds(start);
+            words.clear();
+        } else {
+            words.push_str(line);
+            words.push('\n');
+        }
+    }
+    end(time, &words);
+    if rows.len() < 2 {
+        return None;
+    }
+    let is_told = |column: usize| rows.iter().any(|(_, values)| values[column].is_some());
+    let told: Vec<usize> = (0..VALUES.len())
+        .filter(|column| is_told(*column))
+        .collect();
+    let names: Vec<&str> = told.iter().map(|column| VALUES[*column].0).collect();
+    let mut table = format!("time [s],{}\n", names.join(","));
+    for (time, values) in &rows {
+        let cells = told
+            .iter()
+            .map(|column| values[*column].map_or_else(String::new, |value| value.to_string()));
+        let cells: Vec<String> = cells.collect();
+        let _ = writeln!(table, "{time:.3},{}", cells.join(","));
+    }
+    let mut notes = vec!["times are those of the film beside it".to_owned()];
+    if told.contains(&PITCH) {
+        notes.push("heading, pitch and roll are those of the camera's gimbal".to_owned());
+    }
+    if rows.len() < cues {
+        notes.push(format!(
+            "{} of {cues} subtitles have no place and were left out",
+            cues - rows.len()
+        ));
+    }
+    Some((table, notes))
+}
+
+/// Seconds of `00:01:02,033`.
+fn seconds(text: &str) -> Option<f64> {
+    let text = text.trim().replace(',', ".");
+    let mut parts = text.split(':');
+    let mut next = || parts.next()?.trim().parse::<f64>().ok();
+    let (hours, minutes, seconds) = (next()?, next()?, next()?);
+    Some(hours * 3600.0 + minutes * 60.0 + seconds)
+}
+
+/// The values in the words of a subtitle: `[latitude: 47.1]`, `[rel_alt: 1.5 abs_alt: 440]`, `BAROMETER:91.2`,
+/// `GPS (8.5, 47.1, 15)` with the longitude first, `H 20.0m`.
+fn values(words: &str) -> [Option<f64>; 7] {
+    let plain: String = words.to_lowercase();
+    let seam = |c: char| c.is_whitespace() || "[]<>,".contains(c);
+    // `name: value` may have a blank behind the colon.
+    let plain = plain.replace(": ", ":").replace(" :", ":");
+    let mut found: BTreeMap<&str, f64> = BTreeMap::new();
+    let mut before = "";
+    for part in plain.split(seam).filter(|part| !part.is_empty()) {
+        let (name, value) = part.split_once(':').unwrap_or((before, part));
+        let value = value.trim_end_matches('m');
+        if let Ok(value) = value.parse::<f64>() {
+            found.entry(name).or_insert(value);
+        }
+        before = part;
+    }
+    let mut values =
+        VALUES.map(|(_, names)| names.iter().find_map(|name| found.get(name).copied()));
+    if values[LATITUDE].zip(values[LONGITUDE]).is_none()
+        && let Some((_, rest)) = plain
+            .split_once("gps")
+            .map(|(a, b)| (a, b.trim_start_matches([' ', ':'])))
+        && let Some(inside) = rest.strip_prefix('(').and_then(|rest| rest.split_once(')'))
+    {
+        let mut numbers = inside
+            .0
+            .split(',')
+            .map(|number| number.trim().parse::<f64>().ok());
+        values[LONGITUDE] = numbers.next().flatten();
+        values[LATITUDE] = numbers.next().flatten();
+    }
+    values[PITCH] = values[PITCH].map(|pitch| pitch + 90.0);
+    values
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pilotage_flight::ChannelName;
+
+    fn film(words: impl Fn(usize) -> String) -> String {
+        let cue = |i: usize| {
+            let time = |i: usize| format!("00:00:{:02},{:03}", i / 10, i % 10 * 100);
+            format!(
+                "{}\n{} --> {}\n{}\n\n",
+                i + 1,
+                time(i),
+                time(i + 1),
+                words(i)
+            )
+        };
+        (0..50).map(cue).collect()
+    }
+
+    #[test]
+    fn subtitles_of_new_firmware_are_a_flight_with_the_gimbals_attitude() {
+        let words = |i: usize| {
+            format!(
+                "<font size=\"28\">FrameCnt: {i}, DiffTime: 33ms\n2024-05-01 10:00:00.000\n[iso: 100] [shutter: 1/1000] \
+                 [latitude: {:.6}] [longitude: -8.500000] [rel_alt: {:.3} abs_alt: 440.0] [gb_yaw: {i}.0 gb_pitch: -80.0 gb_roll: 0.5] </font>",
+                47.0 + 1e-5 * i as f64,
+                10.0 + 0.1 * i as f64
+            )
+        };
+        let folder = read_srt("DJI_0001.SRT", film(words).as_bytes())
+            .unwrap()
+            .unwrap();
+        let flight = &folder.flight;
+        let (first, last) = flight.span();
+        assert!((last - first - 4.9).abs() < 1e-9);
+        let last = |name| {
+            flight
+                .channel(name)
+                .unwrap()
+                .values
+                .last()
+                .copied()
+                .unwrap()
+        };
+        assert!((last(ChannelName::HeightAboveGround) - 14.9).abs() < 1e-9);
+        assert!((last(ChannelName::Pitch) - 10.0_f64.to_radians()).abs() < 1e-9);
+        assert!((last(ChannelName::Heading) - 49.0_f64.to_radians()).abs() < 1e-9);
+        let origin = flight.frame_on_globe.unwrap().origin;
+        assert!((origin.longitude.to_degrees() + 8.5).abs() < 1e-9);
+        assert!(folder.notes.iter().any(|note| note.contains("gimbal")));
+    }
+
+    #[test]
+    fn subtitles_of_old_firmware_have_the_longitude_first() {
+        let words = |i: usize| {
+            format!(
+                "F/2.8, SS 206, ISO 100, EV 0, GPS ({:.4}, 28.2100, 18), D 24.6m, H 2{}.0m, H.S 0.1m/s",
+                -81.1 + 1e-4 * i as f64,
+                i % 10
+            )
+        };
+        let found = values(&words(3));
+        assert_eq!((found[LATITUDE], found[2]), (Some(28.21), Some(23.0)));
+        assert!(found[LONGITUDE].is_some_and(|l| (l + 81.0997).abs() < 1e-9));
+        let found = values(
+            "HOME(149.0251,-20.2532) 2017.08.05 14:11:51\nGPS(149.0251,-20.2533,16) BAROMETER:1.9",
+        );
+        assert_eq!(
+            (found[LATITUDE], found[LONGITUDE], found[2]),
+            (Some(-20.2533), Some(149.0251), Some(1.9))
+        );
+        assert!(read_srt("a.srt", film(words).as_bytes()).unwrap().is_some());
+    }
+
+    #[test]
+    fn subtitles_that_people_read_are_no_flight() {
+        let found = read_srt("film.srt", film(|_| "Where are we?".to_owned()).as_bytes());
+        assert!(found.unwrap().is_none());
+    }
+}
