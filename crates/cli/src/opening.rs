@@ -165,9 +165,11 @@ fn nothing(files: &dyn FileSet, tables: &[String]) -> String {
             );
             return format!("\n  {name}: {is}");
         };
-        let findings = table.map.findings.iter();
-        let findings: String = findings.map(|finding| format!("; {finding}")).collect();
-        format!("\n  {name}: {}{findings}", lacking(&table.map))
+        let findings = table.map.findings.iter().map(ToString::to_string);
+        let words: Vec<String> = std::iter::once(lacking(&table.map))
+            .chain(findings)
+            .collect();
+        format!("\n  {name}: {}", words.join("; "))
     };
     let told: Vec<String> = tables.iter().map(told).collect();
     format!(

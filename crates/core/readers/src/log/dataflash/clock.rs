@@ -178,11 +178,12 @@ impl Clock {
     pub fn settle(&mut self, log: &mut Log) {
         let mut dates = std::mem::take(&mut self.dates);
         dates.sort_by(f64::total_cmp);
-        let middle = dates.get(dates.len() / 2).copied();
-        if let (Some(middle), Some(utc)) = (middle, log.utc_at_zero)
-            && self.is_dated
-            && (utc - middle).abs() > 1.0
-        {
+        let Some(middle) = dates.get(dates.len() / 2).copied() else {
+            return;
+        };
+        let agree = |date: &f64| (date - middle).abs() <= 1.0;
+        let most = 2 * dates.iter().filter(|date| agree(date)).count() > dates.len();
+        if self.is_dated && most && log.utc_at_zero.is_some_and(|utc| !agree(&utc)) {
             log.utc_at_zero = Some(middle);
         }
     }
