@@ -11,7 +11,7 @@ use pilotage_core::flight::interpret::flight_from_log;
 use pilotage_core::flight::log::{HEAD, Log, read_log, recognise};
 use pilotage_core::flight::mat::{self, MatFiles};
 use pilotage_core::flight::photo::{photos_lack, read_photos};
-use pilotage_core::flight::srt::read_srt;
+use pilotage_core::flight::srt::{flight_of_subtitles, read_srt};
 use pilotage_core::flight::{
     FLIGHT_FILE, Flight, FlightFolder, FolderError, FrameSource, NoPictures, read_flight,
 };
@@ -135,6 +135,9 @@ fn open_folder(
     let names = table_names(files.as_ref());
     if let Some(folder) = open_tables(files, &names, columns)? {
         return Ok(Opened::Folder(Box::new(folder)));
+    }
+    if let Some(filmed) = flight_of_subtitles(files)? {
+        return Ok(Opened::Folder(Box::new(filmed)));
     }
     if let Some(photos) = read_photos(files) {
         return Ok(Opened::Folder(Box::new(photos)));

@@ -46,6 +46,17 @@ pub fn add_pictures(
     flight: &mut Flight,
     files: &Arc<dyn FileSet>,
 ) -> Result<Option<Box<dyn FrameSource>>, BesideLogError> {
+    let (first, _) = flight.span();
+    let frames = pictures_counted_from(first, flight, files)?;
+    Ok(frames.map(|frames| Box::new(frames) as Box<dyn FrameSource>))
+}
+
+/// The same with the table's times counted from `zero` of the flight, seconds.
+pub(crate) fn pictures_counted_from(
+    zero: f64,
+    flight: &mut Flight,
+    files: &Arc<dyn FileSet>,
+) -> Result<Option<FolderFrames>, BesideLogError> {
     let is_table = |name: &String| name.rsplit('/').next() == Some(PICTURE_TABLE);
     let Some(table) = files.names().into_iter().find(is_table) else {
         return Ok(None);
@@ -55,12 +66,11 @@ pub fn add_pictures(
     let has_file = |name: &str| files.source(&joined(folder_of(&table), name)).is_some();
     found.retain(|(_, name)| has_file(name));
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (first, _) = flight.span();
     let names: Vec<String> = found.iter().map(|(_, name)| name.clone()).collect();
     flight.frames = found
         .into_iter()
         .map(|(time, name)| Frame {
-            time: first + time,
+            time: zero + time,
             name,
             stored_turn: 0.0,
         })
@@ -70,7 +80,7 @@ pub fn add_pictures(
     if let Ok(picture) = source.picture(0) {
         flight.camera = CameraModel::pinhole(picture.width(), picture.height(), LIKELY_FIELD);
     }
-    Ok(Some(Box::new(source)))
+    Ok(Some(source))
 }
 
 /// Seconds and file of each line.

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::sync::Arc;
 
+use crate::beside_log::{BesideLogError, pictures_counted_from};
 use crate::columns::{flight_of_tables, guess_table};
 use crate::folder::{FlightFolder, FolderError, decoded};
 use pilotage_base::files::{FileSet, MemoryFiles};
@@ -23,6 +24,45 @@ const LATITUDE: usize = 0;
 const LONGITUDE: usize = 1;
 const PITCH: usize = 5;
 
+/// Ending of subtitles.
+const ENDING: &str = ".srt";
+
+/// The flight that subtitles among `files` tell of, with the frames of their film ([`crate::beside_log`]) at the film's
+/// own times; `None` if no subtitles have places in them. Of several films the first is taken, and that is a note.
+///
+/// # Errors
+/// Subtitles of which no flight can be made, or a table of frames that cannot be read.
+pub fn flight_of_subtitles(files: &Arc<dyn FileSet>) -> Result<Option<FlightFolder>, FolderError> {
+    let mut names = files.names();
+    names.retain(|name| name.to_lowercase().ends_with(ENDING));
+    names.sort();
+    let mut found: Option<FlightFolder> = None;
+    for name in names {
+        let Some(bytes) = files.read(&name) else {
+            continue;
+        };
+        if let Some(first) = &mut found {
+            let note = format!("{name} was left out: it belongs to another film");
+            first.notes.push(note);
+            continue;
+        }
+        let Some((mut folder, begins)) = of_film(&name, &bytes)? else {
+            continue;
+        };
+        let zero = folder.flight.span().0 - begins;
+        let frames = pictures_counted_from(zero, &mut folder.flight, files);
+        let broken = |cause: BesideLogError| FolderError::File {
+            file: name.clone(),
+            cause: cause.to_string(),
+        };
+        if let Some(frames) = frames.map_err(broken)? {
+            folder.frames = frames;
+        }
+        found = Some(folder);
+    }
+    Ok(found)
+}
+
 /// The flight that subtitles tell of; `None` if `bytes` are no subtitles with places in them.
 ///
 /// Times are seconds of the film. Heading, pitch and roll are those of the camera, where they are told; pitch 0 looks
@@ -31,8 +71,13 @@ const PITCH: usize = 5;
 /// # Errors
 /// Subtitles of which no flight can be made, as the tables of a flight.
 pub fn read_srt(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, FolderError> {
+    Ok(of_film(name, bytes)?.map(|(folder, _)| folder))
+}
+
+/// That flight, and the second of the film at which it begins.
+fn of_film(name: &str, bytes: &[u8]) -> Result<Option<(FlightFolder, f64)>, FolderError> {
     let bytes = decoded(bytes);
-    let Some((table, notes)) = table(&String::from_utf8_lossy(&bytes)) else {
+    let Some((table, begins, notes)) = table(&String::from_utf8_lossy(&bytes)) else {
         return Ok(None);
     };
     let file = format!(
@@ -44,11 +89,11 @@ pub fn read_srt(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, Folder
     };
     map.findings.extend(notes);
     let files: Arc<dyn FileSet> = Arc::new(MemoryFiles([(file, table.into_bytes())].into()));
-    flight_of_tables(&files, &[map]).map(Some)
+    Ok(Some((flight_of_tables(&files, &[map])?, begins)))
 }
 
-/// One line of a table for each subtitle with a place, and what people should know of it.
-fn table(text: &str) -> Option<(String, Vec<String>)> {
+/// One line of a table for each subtitle with a place, the time of the first, and what people should know of it.
+fn table(text: &str) -> Option<(String, f64, Vec<String>)> {
     let mut rows: Vec<(f64, [Option<f64>; 7])> = Vec::new();
     let (mut cues, mut time, mut words) = (0, None, String::new());
     let mut end = |time: Option<f64>, words: &str| {
@@ -97,7 +142,8 @@ fn table(text: &str) -> Option<(String, Vec<String>)> {
             cues - rows.len()
         ));
     }
-    Some((table, notes))
+    let begins = rows.first()?.0;
+    Some((table, begins, notes))
 }
 
 /// Seconds of `00:01:02,033`.
@@ -149,6 +195,7 @@ fn values(words: &str) -> [Option<f64>; 7] {
 mod tests {
     use super::*;
     use pilotage_flight::ChannelName;
+    use pilotage_raster::raster::{Picture, encode_png};
 
     fn film(words: impl Fn(usize) -> String) -> String {
         let cue = |i: usize| {
@@ -223,5 +270,53 @@ mod tests {
     fn subtitles_that_people_read_are_no_flight() {
         let found = read_srt("film.srt", film(|_| "Where are we?".to_owned()).as_bytes());
         assert!(found.unwrap().is_none());
+    }
+
+    #[test]
+    fn frames_of_the_film_stand_at_the_films_own_times() {
+        // The first two seconds have no place yet.
+        let words = |i: usize| {
+            let place = if i < 20 {
+                (0.0, 0.0)
+            } else {
+                (47.0 + 1e-5 * i as f64, 8.5)
+            };
+            format!(
+                "[latitude: {:.6}] [longitude: {:.6}] [rel_alt: 20.0 abs_alt: 440.0] [gb_yaw: 1.0 gb_pitch: -90.0 gb_roll: 0.0]",
+                place.0, place.1
+            )
+        };
+        let picture = encode_png(&Picture::filled(4, 4, [90; 3])).unwrap();
+        let files = MemoryFiles(
+            [
+                ("DJI_0001.SRT".to_owned(), film(words).into_bytes()),
+                (
+                    "DJI_0001.MP4.frames/frames.csv".to_owned(),
+                    b"time,file\n2.5,a.png\n4.0,b.png\n".to_vec(),
+                ),
+                ("DJI_0001.MP4.frames/a.png".to_owned(), picture.clone()),
+                ("DJI_0001.MP4.frames/b.png".to_owned(), picture),
+            ]
+            .into(),
+        );
+        let folder = flight_of_subtitles(&(Arc::new(files) as Arc<dyn FileSet>))
+            .unwrap()
+            .unwrap();
+        let flight = &folder.flight;
+        let since: Vec<f64> = flight
+            .frames
+            .iter()
+            .map(|f| f.time - flight.span().0)
+            .collect();
+        assert!(
+            (since[0] - 0.5).abs() < 1e-9 && (since[1] - 2.0).abs() < 1e-9,
+            "{since:?}"
+        );
+        assert_eq!(flight.camera.width, 4);
+        assert!(
+            folder.notes.iter().any(|note| note.contains("20 of 50")),
+            "{:?}",
+            folder.notes
+        );
     }
 }

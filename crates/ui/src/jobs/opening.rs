@@ -5,7 +5,9 @@ use std::sync::Arc;
 use pilotage_core::exchange::read_any;
 use pilotage_core::flight::columns::GuessedTable;
 use pilotage_core::flight::files::FileSet;
+use pilotage_core::flight::foreign::foreign;
 use pilotage_core::flight::photo::{read_photo, read_photos};
+use pilotage_core::flight::srt::flight_of_subtitles;
 use pilotage_core::flight::{FLIGHT_FILE, FlightFolder, FolderError, read_flight};
 use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::imagery::GeoTiffError;
@@ -18,7 +20,7 @@ use pilotage_core::navigator::Run;
 use super::file_pool::{FilePool, has_ending};
 use super::flights::OpenFlight;
 use super::imports::{imports, is_mission, labels};
-use super::log_flights::{flight_of_log, log_among};
+use super::log_flights::{flight_of_log, head, log_among};
 use super::tables::{COLUMNS_FILE, flight_of_maps, tables_among};
 use super::workshop::{MAP_MEMORY, describe};
 use super::{BESIDE, MapInfo, Opened, TerrainInfo, Unplaced};
@@ -30,6 +32,8 @@ const PICTURES: [&str; 3] = ["jpg", "jpeg", "png"];
 const PHOTOS: [&str; 2] = ["jpg", "jpeg"];
 /// Endings of maps that say themselves where they lie.
 const MAPS: [&str; 3] = ["tif", "tiff", "pmtiles"];
+/// Files of a drop that are named for what they are, where none can be opened.
+const MOST_TOLD: usize = 3;
 /// Farthest from the world that is open that a map joins it, metres; others make a world of their
 /// own, because a plane that touches the globe there would bend them.
 const WORLD_REACH: f64 = 60_000.0;
@@ -189,10 +193,14 @@ pub fn flight_folder(pool: &Arc<FilePool>) -> Result<Option<FlightFolder>, Strin
     match read_flight(pool.clone()) {
         Ok(folder) => Ok(Some(folder)),
         Err(FolderError::NoFlightFile) => {
-            if pool.ending_in(&PHOTOS).is_empty() || log_among(pool).is_some() {
+            if log_among(pool).is_some() {
                 return Ok(None);
             }
             let files: Arc<dyn FileSet> = pool.clone();
+            let filmed = flight_of_subtitles(&files).map_err(|cause| cause.to_string())?;
+            if filmed.is_some() || pool.ending_in(&PHOTOS).is_empty() {
+                return Ok(filmed);
+            }
             Ok(read_photos(&files))
         }
         Err(cause) => Err(cause.to_string()),
@@ -295,6 +303,22 @@ fn run(pool: &FilePool) -> Result<Option<Run>, String> {
 fn unknown(pool: &FilePool) -> String {
     let mut names = pool.names();
     names.sort();
+    let told: Vec<String> = names
+        .iter()
+        .filter_map(|name| {
+            let source = pool.source(name)?;
+            let is = foreign(&head(source.as_ref())?, source.length())?;
+            Some(format!(
+                "{name}: it is {}, which is not read here. {}.",
+                is.what,
+                capitalised(is.advice)
+            ))
+        })
+        .take(MOST_TOLD)
+        .collect();
+    if !told.is_empty() {
+        return told.join(" ");
+    }
     let first = names.first().map_or("", String::as_str);
     let more = match names.len() {
         0 | 1 => String::new(),
@@ -307,6 +331,13 @@ fn unknown(pool: &FilePool) -> String {
          GeoTIFF, PMTiles or an elevation model (.hgt), photos that say where they were taken, a mission or a run saved here, or routes and \
          landmarks as .plan, .waypoints, KML, GPX, GeoJSON or CSV, or tables of a flight as CSV."
     )
+}
+
+/// A sentence of its own.
+fn capitalised(words: &str) -> String {
+    let mut letters = words.chars();
+    let first = letters.next().map(char::to_uppercase);
+    first.into_iter().flatten().chain(letters).collect()
 }
 
 /// What is known of an elevation model in its own frame.
@@ -424,5 +455,31 @@ mod tests {
         let cause = look(&[("notes.txt", b"dear"), ("table.xls", b"1")]).unwrap_err();
         assert!(cause.starts_with("notes.txt and 1 more"), "{cause}");
         assert!(cause.contains("flight.json"), "{cause}");
+    }
+
+    #[test]
+    fn files_of_other_kinds_are_refused_by_their_own_names_whatever_they_are_called() {
+        let refused = |name: &str, bytes: &[u8]| look(&[(name, bytes)]).unwrap_err();
+        let bag = refused("flight.bin", b"#ROSBAG V2.0\nE\0\0\0op=\x03");
+        assert!(bag.starts_with("flight.bin: it is a bag of ROS 1"), "{bag}");
+        assert!(bag.contains("Make an MCAP of it"), "{bag}");
+        let empty = refused("flight.ulg", b"");
+        assert!(empty.contains("an empty file"), "{empty}");
+    }
+
+    #[test]
+    fn subtitles_of_a_film_are_a_flight() {
+        let cue = |i: usize| {
+            format!(
+                "{}\n00:00:{i:02},000 --> 00:00:{:02},000\n[latitude: {:.6}] [longitude: 8.5] [rel_alt: 20.0 abs_alt: 440.0]\n\n",
+                i + 1,
+                i + 1,
+                47.0 + 1e-5 * i as f64
+            )
+        };
+        let text: String = (0..30).map(cue).collect();
+        let opened = look(&[("DJI_0001.SRT", text.as_bytes())]).unwrap();
+        let (first, last) = opened.flight.unwrap().span();
+        assert!((last - first - 29.0).abs() < 1e-9);
     }
 }

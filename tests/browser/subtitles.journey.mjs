@@ -1,0 +1,39 @@
+// DJI's subtitles dropped beside their film are a flight: position, height and gimbal, and the film's frames at its times.
+import { mkdtempSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { filmed } from "./films.mjs";
+
+export const name = "subtitles beside their film become a flight with its frames, and a bag of ROS is refused by its name";
+export const tags = ["readers"];
+
+/** Subtitles of `count` tenths of a second, as DJI writes them, along a way to the north. */
+function subtitles(count) {
+  const time = (i) => `00:00:${String(Math.floor(i / 10)).padStart(2, "0")},${i % 10}00`;
+  const cue = (i) => `${i + 1}\n${time(i)} --> ${time(i + 1)}\n<font size="28">FrameCnt: ${i}, DiffTime: 100ms\n`
+    + `[iso: 100] [latitude: ${(47.3 + 5e-6 * i).toFixed(7)}] [longitude: 8.5000000] [rel_alt: 60.000 abs_alt: 480.000] `
+    + `[gb_yaw: 0.5 gb_pitch: -90.0 gb_roll: 0.0] </font>\n\n`;
+  return Array.from({ length: count }, (_, i) => cue(i)).join("");
+}
+
+export async function run(page, tools) {
+  await tools.waitReady();
+  await tools.waitFor((s) => s.flight !== null, "the demo", 120_000);
+  const folder = mkdtempSync(join(tmpdir(), "subtitles-"));
+  const bag = join(folder, "flight.bin");
+  writeFileSync(bag, "#ROSBAG V2.0\nE\0\0\0\x07\0\0\0op=\x03");
+  await page.setInputFiles("#files", [bag]);
+  const refused = await tools.waitFor((s) => s.toasts.some((t) => t.trouble), "that the bag is refused", 30_000);
+  const words = refused.toasts.find((t) => t.trouble).text;
+  tools.check(words.includes("flight.bin: it is a bag of ROS 1"), words);
+  await tools.screenshot("refused");
+  const { film, duration } = await filmed(page, tools, 3);
+  const beside = join(folder, "down.SRT");
+  writeFileSync(beside, subtitles(Math.ceil(10 * duration) + 20));
+  await page.setInputFiles("#files", [film, beside]);
+  const flown = await tools.waitFor((s) => s.flight === "down" && s.frames > 0 && s.pictures > 0, "the flight of the film", 90_000);
+  const wanted = duration / 0.5; // one every half second
+  tools.check(flown.frames >= wanted - 1 && flown.frames <= wanted + 2, `${flown.frames} frames of ${duration} s`);
+  await page.waitForTimeout(800);
+  await tools.screenshot("subtitles");
+}
