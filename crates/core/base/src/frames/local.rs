@@ -143,7 +143,8 @@ impl LocalFrame {
         let (sin_lat, cos_lat) = position.latitude.sin_cos();
         let (sin_lon, cos_lon) = position.longitude.sin_cos();
         let up = ned_from_ecef * Vector3::new(cos_lat * cos_lon, cos_lat * sin_lon, sin_lat);
-        if !(-up.z > FARTHEST_COSINE) {
+        let is_above = -up.z > FARTHEST_COSINE;
+        if !is_above {
             return None;
         }
         // The vertical is a straight line: where it meets the plane is one division away.
