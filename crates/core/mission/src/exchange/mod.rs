@@ -9,6 +9,7 @@ mod csv_read;
 mod csv_write;
 mod embedded;
 mod error;
+mod fence;
 mod format;
 mod found;
 mod geojson;
@@ -22,6 +23,7 @@ mod plan;
 #[cfg(test)]
 mod plan_schema;
 mod read;
+mod route_items;
 #[cfg(test)]
 mod tests;
 mod waypoints;
