@@ -4,6 +4,7 @@
 //! and we do not know is kept in the properties of routes, way-points and landmarks and written
 //! again into the same format; whatever was assumed, kept aside or left out stands in the notes.
 
+mod angle;
 mod csv_columns;
 mod csv_read;
 mod csv_write;
