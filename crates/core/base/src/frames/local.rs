@@ -12,6 +12,9 @@ pub(super) const FLATTENING: f64 = 1.0 / 298.257_223_563;
 /// Square of the eccentricity of WGS 84.
 pub(super) const ECCENTRICITY_SQUARED: f64 = FLATTENING * (2.0 - FLATTENING);
 
+/// Cosine of the largest angle between the verticals at the origin of a plane and at a place on it.
+const FARTHEST_COSINE: f64 = 0.173_648_177_666_930_33;
+
 /// A geodetic position on WGS 84.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Geodetic {
@@ -119,24 +122,34 @@ impl LocalFrame {
     }
 
     /// Point of the plane through the origin that lies straight above or below a place, whatever
-    /// the height of that place.
+    /// the height of that place; not a number for a place that [`LocalFrame::ground_if_near`] refuses.
     ///
-    /// The plane leaves the ellipsoid by 0.3 m at 2 km and 800 m at 100 km; every round takes the
-    /// rest below a hundredth of what it was.
+    /// The plane leaves the ellipsoid by 0.3 m at 2 km and 800 m at 100 km.
     pub fn ground_from_geodetic(&self, position: &Geodetic) -> GroundPoint {
-        let mut position = Geodetic {
+        self.ground_if_near(position)
+            .unwrap_or(GroundPoint::new(f64::NAN, f64::NAN))
+    }
+
+    /// Point of the plane through the origin that lies straight above or below a place, exactly;
+    /// `None` where the verticals at both differ by more than 80°, because beyond 90° no point of the
+    /// plane is above.
+    pub fn ground_if_near(&self, position: &Geodetic) -> Option<GroundPoint> {
+        let position = Geodetic {
             height: self.origin.height,
             ..*position
         };
-        let mut p = self.world_from_geodetic(&position);
-        for _ in 0..8 {
-            if p.z.abs() < 1e-6 {
-                break;
-            }
-            position.height += p.z;
-            p = self.world_from_geodetic(&position);
+        let ned_from_ecef = self.ecef_from_ned().inverse();
+        let foot = ned_from_ecef * (position.to_ecef() - self.origin.to_ecef());
+        let (sin_lat, cos_lat) = position.latitude.sin_cos();
+        let (sin_lon, cos_lon) = position.longitude.sin_cos();
+        let up = ned_from_ecef * Vector3::new(cos_lat * cos_lon, cos_lat * sin_lon, sin_lat);
+        let is_above = -up.z > FARTHEST_COSINE;
+        if !is_above {
+            return None;
         }
-        GroundPoint::new(p.x, p.y)
+        // The vertical is a straight line: where it meets the plane is one division away.
+        let p = foot - up * (foot.z / up.z);
+        Some(GroundPoint::new(p.x, p.y))
     }
 
     /// Geodetic position of a point of the plane through the origin.
@@ -164,6 +177,40 @@ mod tests {
             let p = GroundPoint::new(0.6 * distance, -0.8 * distance);
             let back = frame.ground_from_geodetic(&frame.geodetic_from_ground(&p));
             assert!(back.distance(&p) < 1e-6, "{distance}: {back:?}");
+        }
+    }
+
+    #[test]
+    fn a_place_beyond_the_plane_is_refused() {
+        let frame = LocalFrame::new(Geodetic::from_degrees(0.0, 179.0, 0.0));
+        let refused = |longitude| {
+            let place = Geodetic::from_degrees(0.0, longitude, 0.0);
+            frame.ground_if_near(&place).is_none()
+        };
+        assert!(!refused(-102.0) && !refused(100.0));
+        assert!(refused(-100.0) && refused(98.0) && refused(0.0));
+        assert!(
+            frame
+                .ground_from_geodetic(&Geodetic::from_degrees(0.0, 0.0, 0.0))
+                .north
+                .is_nan()
+        );
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn any_place_survives_the_way_over_any_plane_to_a_micrometre(
+            origin in (-90.0_f64..=90.0, -180.0_f64..=180.0, -400.0_f64..6000.0),
+            place in (-90.0_f64..=90.0, -180.0_f64..=180.0),
+        ) {
+            let frame = LocalFrame::new(Geodetic::from_degrees(origin.0, origin.1, origin.2));
+            let place = Geodetic::from_degrees(place.0, place.1, 0.0);
+            if let Some(ground) = frame.ground_if_near(&place) {
+                let back = frame.geodetic_from_ground(&ground);
+                let back = Geodetic { height: 0.0, ..back };
+                let moved = (back.to_ecef() - place.to_ecef()).norm();
+                proptest::prop_assert!(moved < 1e-6, "{moved} m");
+            }
         }
     }
 

@@ -8,6 +8,8 @@ use pilotage_base::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
 pub(super) enum Role {
     Latitude,
     Longitude,
+    NorthSouth,
+    EastWest,
     Altitude,
     Frame,
     Speed,
@@ -26,16 +28,52 @@ pub(super) enum Role {
 }
 
 /// Roles by what their columns are called, units and brackets aside; ours come first.
-const NAMES: [(Role, &[&str]); 17] = [
+const NAMES: [(Role, &[&str]); 19] = [
     (Role::Latitude, &["latitude", "lat", "gps latitude"]),
     (
         Role::Longitude,
         &["longitude", "lon", "lng", "long", "gps longitude"],
     ),
+    (
+        Role::NorthSouth,
+        &[
+            "n/s",
+            "ns",
+            "lat n/s",
+            "latitude n/s",
+            "lat hemisphere",
+            "latitude hemisphere",
+            "lat ref",
+            "latitude ref",
+            "gps latitude ref",
+            "lat dir",
+        ],
+    ),
+    (
+        Role::EastWest,
+        &[
+            "e/w",
+            "ew",
+            "lon e/w",
+            "longitude e/w",
+            "lon hemisphere",
+            "longitude hemisphere",
+            "lon ref",
+            "longitude ref",
+            "gps longitude ref",
+            "lon dir",
+        ],
+    ),
     (Role::Altitude, &["altitude", "alt", "ele", "elevation"]),
     (
         Role::Frame,
-        &["altitude frame", "alt frame", "frame", "altitude mode"],
+        &[
+            "altitude frame",
+            "alt frame",
+            "frame",
+            "altitude mode",
+            "altitudemode",
+        ],
     ),
     (Role::Speed, &["speed", "airspeed"]),
     (Role::Action, &["action"]),

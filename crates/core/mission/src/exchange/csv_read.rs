@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde_json::Value;
 
 use super::ExchangeError;
+use super::angle;
 use super::csv_columns::{Column, Role, Unit, columns};
 use super::found::{Found, POINT_BOX};
 use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
@@ -145,8 +146,43 @@ impl Row<'_> {
         Ok(Some(value * column.unit.map_or(1.0, Unit::factor)))
     }
 
+    /// An angle on the globe in degrees, whose hemisphere is its sign, a letter at the number, or the
+    /// cell of a column of its own.
+    fn degrees(
+        &self,
+        role: Role,
+        hemisphere: Role,
+        letters: (char, char),
+    ) -> Result<Option<f64>, ExchangeError> {
+        let Some((column, cell)) = self.cell(role) else {
+            return Ok(None);
+        };
+        let plain = if self.table.has_decimal_comma {
+            cell.replace(',', ".")
+        } else {
+            cell.to_owned()
+        };
+        let degrees = angle::degrees(&plain, letters)
+            .ok_or_else(|| self.error(&column.name, &format!("`{cell}` is no number")))?;
+        let Some((column, word)) = self.cell(hemisphere) else {
+            return Ok(Some(degrees));
+        };
+        let letter = word.chars().next().map(|c| c.to_ascii_uppercase());
+        let is_negative = match letter {
+            Some(c) if c == letters.0 => false,
+            Some(c) if c == letters.1 => true,
+            _ => {
+                let cause = format!("`{word}` is neither {} nor {}", letters.0, letters.1);
+                return Err(self.error(&column.name, &cause));
+            }
+        };
+        // A sign or a letter at the number that says the same is heeded once.
+        Ok(Some(if is_negative { -degrees.abs() } else { degrees }))
+    }
+
     fn place(&self) -> Result<LonLat, ExchangeError> {
-        let (latitude, longitude) = (self.number(Role::Latitude)?, self.number(Role::Longitude)?);
+        let latitude = self.degrees(Role::Latitude, Role::NorthSouth, ('N', 'S'))?;
+        let longitude = self.degrees(Role::Longitude, Role::EastWest, ('E', 'W'))?;
         match (longitude, latitude) {
             (Some(longitude), Some(latitude)) if on_globe(longitude, latitude) => {
                 Ok((longitude, latitude))
@@ -211,7 +247,8 @@ fn way_points(table: &Table, rows: &[Row]) -> Result<Found, ExchangeError> {
             None => USUAL_ALTITUDE,
         };
         let mut way_point = WayPoint::new(GroundPoint::default(), altitude);
-        way_point.speed = row.number(Role::Speed)?;
+        // Planners of missions write 0 for the aircraft's cruise: nobody flies at no speed.
+        way_point.speed = row.number(Role::Speed)?.filter(|speed| *speed > 0.0);
         if let Some((column, word)) = row.cell(Role::Action) {
             let plain = word.to_lowercase().replace([' ', '-'], "_");
             let radius = row.number(Role::Radius)?.unwrap_or(0.0);
@@ -258,8 +295,9 @@ fn way_points(table: &Table, rows: &[Row]) -> Result<Found, ExchangeError> {
 fn frame_of_abbreviation(word: &str) -> Option<AltitudeFrame> {
     Some(match word {
         "msl" | "absolute" => AltitudeFrame::Amsl,
-        "agl" | "terrain" => AltitudeFrame::AboveGround,
-        "rel" | "relative" | "ato" | "home" => AltitudeFrame::AboveTakeOff,
+        // Litchi: 0 counts from take-off, 1 from the ground.
+        "agl" | "terrain" | "1" => AltitudeFrame::AboveGround,
+        "rel" | "relative" | "ato" | "home" | "0" => AltitudeFrame::AboveTakeOff,
         _ => return None,
     })
 }

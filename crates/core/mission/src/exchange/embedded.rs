@@ -69,7 +69,7 @@ fn split(features: &[String]) -> Embedded {
 ///
 /// The second is whether the line has another number of points than it had, and what way-points
 /// state is lost. `None` if the text is none of ours.
-pub(super) fn read(own: &str, places: &[LonLat]) -> Option<(Item, bool)> {
+pub(super) fn read(own: &str, places: &[LonLat], holes: &[Vec<LonLat>]) -> Option<(Item, bool)> {
     let mut properties: Map<String, Value> = serde_json::from_str(own).ok()?;
     let is_route = properties
         .get("pilotage")
@@ -79,14 +79,19 @@ pub(super) fn read(own: &str, places: &[LonLat]) -> Option<(Item, bool)> {
     if is_changed {
         properties.remove("way_points");
     }
-    let positions: Vec<[f64; 2]> = places.iter().map(|p| [p.0, p.1]).collect();
+    let ring = |places: &[LonLat]| -> Vec<[f64; 2]> { places.iter().map(|p| [p.0, p.1]).collect() };
+    let positions = ring(places);
+    let rings: Vec<_> = std::iter::once(places)
+        .chain(holes.iter().map(Vec::as_slice))
+        .map(ring)
+        .collect();
     let geometry = match (is_route, places) {
         (true, []) => Value::Null,
         (true, [(longitude, latitude)]) => {
             json!({ "type": "Point", "coordinates": [longitude, latitude] })
         }
         (true, _) => json!({ "type": "LineString", "coordinates": positions }),
-        (false, _) => json!({ "type": "Polygon", "coordinates": [positions] }),
+        (false, _) => json!({ "type": "Polygon", "coordinates": rings }),
     };
     let collection = json!({ "type": "FeatureCollection", "features": [
         { "type": "Feature", "geometry": geometry, "properties": properties }

@@ -1,6 +1,6 @@
 //! The common result of the readers of all formats.
 
-use crate::mission::found::{FoundLandmark, FoundRoute};
+use crate::mission::found::{FoundLandmark, FoundNoFly, FoundRoute};
 use pilotage_base::frames::Geodetic;
 
 pub(super) use crate::mission::found::POINT_BOX;
@@ -10,6 +10,7 @@ pub(super) use crate::mission::found::POINT_BOX;
 pub(super) struct Found {
     pub routes: Vec<FoundRoute>,
     pub landmarks: Vec<FoundLandmark>,
+    pub no_fly: Vec<FoundNoFly>,
     pub notes: Vec<String>,
     /// Origin that the file states.
     pub origin: Option<Geodetic>,

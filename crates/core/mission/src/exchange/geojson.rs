@@ -35,6 +35,7 @@ pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
     let mut found = Found {
         routes: features.routes,
         landmarks: features.landmarks,
+        no_fly: features.no_fly,
         notes: Vec::new(),
         origin: features.origin,
     };

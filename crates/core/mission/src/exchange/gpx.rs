@@ -88,7 +88,8 @@ fn line(
     let own = named
         .child("extensions")
         .and_then(|extensions| extensions.child_text(OWN));
-    if let Some((Item::Route(mut route), false)) = own.and_then(|own| embedded::read(own, &places))
+    if let Some((Item::Route(mut route), false)) =
+        own.and_then(|own| embedded::read(own, &places, &[]))
     {
         route.name = name;
         found.routes.push(route);

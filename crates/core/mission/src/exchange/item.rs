@@ -23,7 +23,7 @@ pub(super) const JUMP: u16 = 177;
 pub(super) const CHANGE_SPEED: u16 = 178;
 
 /// Names of commands that are met often, for notes.
-const NAMES: [(u16, &str); 24] = [
+const NAMES: [(u16, &str); 30] = [
     (LOITER_UNLIMITED, "LOITER_UNLIM"),
     (LOITER_TURNS, "LOITER_TURNS"),
     (LOITER_TIME, "LOITER_TIME"),
@@ -48,6 +48,12 @@ const NAMES: [(u16, &str); 24] = [
     (205, "DO_MOUNT_CONTROL"),
     (206, "DO_SET_CAM_TRIGG_DIST"),
     (2000, "IMAGE_START_CAPTURE"),
+    (5000, "FENCE_RETURN_POINT"),
+    (5001, "FENCE_POLYGON_VERTEX_INCLUSION"),
+    (5002, "FENCE_POLYGON_VERTEX_EXCLUSION"),
+    (5003, "FENCE_CIRCLE_INCLUSION"),
+    (5004, "FENCE_CIRCLE_EXCLUSION"),
+    (5100, "RALLY_POINT"),
 ];
 
 /// A command with its parameters, the last three of which are latitude, longitude and altitude.

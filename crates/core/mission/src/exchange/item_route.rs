@@ -1,4 +1,4 @@
-//! Commands of a mission as a route, and a route as commands again.
+//! Commands of a mission as a route; `route_items` makes commands of it again.
 //!
 //! Commands that lead to a place are way-points; changes of speed are the speed of the legs behind
 //! them. All others are kept as `QGroundControl` writes them, in the properties of the way-point
@@ -8,30 +8,34 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 use serde_json::Value;
-use serde_json::value::RawValue;
 
+use super::fence::is_fence;
 use super::item::{
     CHANGE_SPEED, Item, JUMP, RETURN_TO_LAUNCH, WAY_POINT, command_name, command_of, counted,
-    frame_number,
 };
+use super::route_items::is_usual_speed;
 use crate::mission::found::{FoundRoute, LonLat, on_globe};
-use crate::mission::{Route, WayPoint, WayPointAction, globe};
-use pilotage_base::frames::{Altitude, GroundPoint, LocalFrame};
+use crate::mission::{WayPoint, WayPointAction};
+use pilotage_base::frames::{Altitude, GroundPoint};
 
 /// Property of a way-point with the commands that follow it, and of a route with those before its
 /// first way-point.
-const THEN: &str = "mavlink_then";
-const FIRST: &str = "mavlink_first";
+pub(super) const THEN: &str = "mavlink_then";
+pub(super) const FIRST: &str = "mavlink_first";
 /// Property of a way-point: the command, where it has more to say than the way-point.
-const OWN: &str = "mavlink";
+pub(super) const OWN: &str = "mavlink";
 /// Property of a way-point: the speed of its leg is over ground.
-const GROUND_SPEED: &str = "mavlink_ground_speed";
+pub(super) const GROUND_SPEED: &str = "mavlink_ground_speed";
 /// Property of a route: latitude, longitude and height of its home.
-const HOME: &str = "home";
-/// What stands among kept commands for the change of speed.
-const SPEED_PLACE: &str = "\"speed\"";
+pub(super) const HOME: &str = "home";
+/// What stands among kept commands for the change of speed in files of earlier versions; now its own
+/// command stands there, in an object of one member of that name.
+pub(super) const SPEED_PLACE: &str = "\"speed\"";
+pub(super) const SPEED_MEMBER: &str = "speed";
+/// Property of a way-point: its command states no place, because the place is that of home.
+pub(super) const AT_HOME: &str = "mavlink_at_home";
 /// Prefix of properties that are unknown members of a plan's command.
-const MEMBER: &str = "plan:";
+pub(super) const MEMBER: &str = "plan:";
 
 /// One step of a mission as a file states it.
 pub(super) enum Step {
@@ -52,11 +56,11 @@ pub(super) enum Step {
 
 /// The part of a command that a way-point cannot state.
 #[derive(Deserialize)]
-struct Own {
-    command: u16,
-    params: [Option<f64>; 4],
+pub(super) struct Own {
+    pub command: u16,
+    pub params: [Option<f64>; 4],
     #[serde(rename = "autoContinue")]
-    is_continued: bool,
+    pub is_continued: bool,
 }
 
 /// What follows a way-point and is none.
@@ -70,10 +74,13 @@ pub(super) type Home = [f64; 3];
 
 /// The route that `steps` make, and notes on what is kept aside.
 pub(super) fn route_of(steps: Vec<Step>, home: Option<Home>) -> (FoundRoute, Vec<String>) {
-    let mut reader = Reader::default();
     let has_jumps = steps
         .iter()
         .any(|s| matches!(s, Step::Command { item, .. } if item.command == JUMP));
+    let mut reader = Reader {
+        has_jumps,
+        ..Reader::default()
+    };
     for step in steps {
         match step {
             Step::Other(name, text) => {
@@ -93,19 +100,22 @@ pub(super) fn route_of(steps: Vec<Step>, home: Option<Home>) -> (FoundRoute, Vec
             }
         }
     }
-    reader.finish(home, has_jumps)
+    reader.finish(home)
 }
 
 #[derive(Default)]
 struct Reader {
     route: FoundRoute,
     between: Vec<Between>,
+    has_jumps: bool,
     speed: Option<f64>,
     unknown: Vec<String>,
     simplified: Vec<String>,
     ground_speeds: usize,
     returns: usize,
     at_home: usize,
+    homeless: usize,
+    placeless: Vec<String>,
 }
 
 impl Reader {
@@ -122,10 +132,16 @@ impl Reader {
             return;
         }
         let altitude = item.altitude().map(|own| altitude.unwrap_or(own));
-        let place = self.place(&item, home);
+        let place = Self::place(&item, home);
         let (Some(action), Some(altitude), Some(place)) = (item.action(), altitude, place) else {
             match item.command {
                 RETURN_TO_LAUNCH => self.returns += 1,
+                // Fences and rally points have notes of their own.
+                command if is_fence(command) => {}
+                _ if is_take_off(&item) && states_no_place(&item) => self.homeless += 1,
+                command if item.action().is_some() && states_no_place(&item) => {
+                    self.placeless.push(command_name(command));
+                }
                 command => self.unknown.push(command_name(command)),
             }
             self.between.push(Between::Kept(text));
@@ -155,6 +171,11 @@ impl Reader {
             );
             way_point.properties.insert(OWN.to_owned(), own);
         }
+        if states_no_place(&item) {
+            self.at_home += 1;
+            let mark = "true".to_owned();
+            way_point.properties.insert(AT_HOME.to_owned(), mark);
+        }
         if action == WayPointAction::FlyBy && item.command != WAY_POINT {
             self.simplified.push(command_name(item.command));
         }
@@ -163,27 +184,22 @@ impl Reader {
         self.route.way_points.push((place, way_point));
     }
 
-    /// Where the command leads; a take-off that states no place is at home.
-    fn place(&mut self, item: &Item, home: Option<Home>) -> Option<LonLat> {
+    /// Where the command leads; a take-off that states no place is at home, if that is known.
+    fn place(item: &Item, home: Option<Home>) -> Option<LonLat> {
         item.action()?;
-        let (latitude, longitude) = (
-            item.parameters[4].unwrap_or(0.0),
-            item.parameters[5].unwrap_or(0.0),
-        );
-        if (latitude, longitude) != (0.0, 0.0) {
-            return on_globe(longitude, latitude).then_some((longitude, latitude));
-        }
-        if item.action() == Some(WayPointAction::TakeOff) {
-            self.at_home += 1;
+        if states_no_place(item) {
+            let home = home.filter(|_| is_take_off(item));
             return home.map(|[latitude, longitude, _]| (longitude, latitude));
         }
-        None
+        let [.., latitude, longitude, _] = item.parameters.map(|p| p.unwrap_or(0.0));
+        on_globe(longitude, latitude).then_some((longitude, latitude))
     }
 
     /// Gives what stands between two way-points to the first of them, or to the route where there
     /// is none; `next` is the second.
     fn settle(&mut self, next: Option<&mut WayPoint>) {
         let between = std::mem::take(&mut self.between);
+        let speed_before = self.speed;
         let speed_at = next.and_then(|next| {
             let at = between
                 .iter()
@@ -198,15 +214,23 @@ impl Reader {
             }
             Some(at)
         });
+        // What would be written here anyway is not kept, unless a jump may lead to it.
+        let is_usual = speed_at.is_some_and(|at| {
+            at + 1 == between.len()
+                && !self.has_jumps
+                && self.speed != speed_before
+                && matches!(&between[at], Between::Speed(item, _) if is_usual_speed(item, self.speed))
+        });
         let mut kept: Vec<String> = Vec::new();
         for (i, between) in between.into_iter().enumerate() {
             kept.push(match between {
-                Between::Speed(..) if Some(i) == speed_at => SPEED_PLACE.to_owned(),
+                Between::Speed(_, text) if Some(i) == speed_at => {
+                    format!("{{ \"{SPEED_MEMBER}\": {text} }}")
+                }
                 Between::Kept(text) | Between::Speed(_, text) => text,
             });
         }
-        // At the end is where it is written anyway.
-        if kept.last().is_some_and(|text| text == SPEED_PLACE) {
+        if is_usual {
             kept.pop();
         }
         if kept.is_empty() {
@@ -219,7 +243,7 @@ impl Reader {
         };
     }
 
-    fn finish(mut self, home: Option<Home>, has_jumps: bool) -> (FoundRoute, Vec<String>) {
+    fn finish(mut self, home: Option<Home>) -> (FoundRoute, Vec<String>) {
         self.settle(None);
         if let Some(home) = home {
             let home = Value::from(home.to_vec()).to_string();
@@ -251,13 +275,26 @@ impl Reader {
         if self.at_home > 0 {
             notes.push("the take-off states no place: it is put at the home position".into());
         }
+        if self.homeless > 0 {
+            notes.push(
+                "the take-off states no place, and the file no home: it is kept, and the route \
+                 begins behind it"
+                    .into(),
+            );
+        }
+        if !self.placeless.is_empty() {
+            notes.push(format!(
+                "kept, and not shown, because no place is stated and the aircraft's own is meant: {}",
+                counted(&self.placeless)
+            ));
+        }
         if self.ground_speeds > 0 {
             notes.push(format!(
                 "{} of the speeds are over ground; the prediction takes them for airspeeds",
                 self.ground_speeds
             ));
         }
-        if has_jumps {
+        if self.has_jumps {
             notes.push(
                 "the mission jumps to commands by their numbers: check them after editing".into(),
             );
@@ -266,129 +303,21 @@ impl Reader {
     }
 }
 
+/// Whether no place is stated, by zeros or by nothing.
+fn states_no_place(item: &Item) -> bool {
+    let [.., latitude, longitude, _] = item.parameters.map(|p| p.unwrap_or(0.0));
+    (latitude, longitude) == (0.0, 0.0)
+}
+
+fn is_take_off(item: &Item) -> bool {
+    item.action() == Some(WayPointAction::TakeOff)
+}
+
 /// Whether a command does nothing but change the speed to a number, or back to the usual one.
-fn is_plain_speed(item: &Item) -> bool {
+pub(super) fn is_plain_speed(item: &Item) -> bool {
     let [kind, speed, rest @ ..] = &item.parameters;
     item.command == CHANGE_SPEED
         && matches!(kind, None | Some(0.0 | 1.0))
         && speed.is_some_and(|v| v > 0.0 || v == -2.0)
         && rest.iter().all(|p| matches!(p, None | Some(0.0 | -1.0)))
-}
-
-/// One step of a route to be written.
-pub(super) enum Written<'a> {
-    /// A way-point: the command and where its altitude and unknown members stand.
-    WayPoint(Item, &'a WayPoint),
-    /// A change of speed.
-    Speed(Item),
-    /// What was kept, as `QGroundControl` writes it.
-    Kept(&'a RawValue),
-}
-
-/// The steps of a route, in order.
-pub(super) fn steps_of<'a>(route: &'a Route, frame: &LocalFrame) -> Vec<Written<'a>> {
-    let mut steps = Vec::new();
-    let mut speed = None;
-    let mut before = kept(route.properties.get(FIRST));
-    for way_point in &route.way_points {
-        let change = (way_point.speed != speed).then(|| Written::Speed(speed_command(way_point)));
-        speed = way_point.speed;
-        between(&mut steps, &before, change);
-        steps.push(Written::WayPoint(command(way_point, frame), way_point));
-        before = kept(way_point.properties.get(THEN));
-    }
-    between(&mut steps, &before, None);
-    steps
-}
-
-fn kept(list: Option<&String>) -> Vec<&RawValue> {
-    // Properties that somebody wrote by hand may be no list; then nothing was kept.
-    list.and_then(|text| serde_json::from_str(text).ok())
-        .unwrap_or_default()
-}
-
-fn between<'a>(
-    steps: &mut Vec<Written<'a>>,
-    kept: &[&'a RawValue],
-    mut change: Option<Written<'a>>,
-) {
-    for piece in kept {
-        if piece.get() == SPEED_PLACE {
-            steps.extend(change.take());
-        } else {
-            steps.push(Written::Kept(piece));
-        }
-    }
-    steps.extend(change);
-}
-
-fn speed_command(way_point: &WayPoint) -> Item {
-    let is_over_ground = way_point.properties.contains_key(GROUND_SPEED);
-    let zero = Some(0.0);
-    // A speed of -2 is the vehicle's usual one, a throttle of -1 leaves the throttle alone.
-    let speed = Some(way_point.speed.unwrap_or(-2.0));
-    let kind = Some(f64::from(u8::from(is_over_ground)));
-    Item {
-        command: CHANGE_SPEED,
-        frame: 2,
-        parameters: [kind, speed, Some(-1.0), zero, zero, zero, zero],
-        is_continued: true,
-    }
-}
-
-fn command(way_point: &WayPoint, frame: &LocalFrame) -> Item {
-    let (longitude, latitude) = globe::lon_lat(frame, &way_point.position);
-    let (command, own) = command_of(&way_point.action);
-    let rounded = |degrees: f64| Some((degrees * 1e10).round() / 1e10);
-    let mut item = Item {
-        command,
-        frame: frame_number(way_point.altitude.frame),
-        parameters: [
-            own[0],
-            own[1],
-            own[2],
-            own[3],
-            rounded(latitude),
-            rounded(longitude),
-            Some(way_point.altitude.metres),
-        ],
-        is_continued: true,
-    };
-    let kept = way_point.properties.get(OWN);
-    if let Some(own) = kept.and_then(|text| serde_json::from_str::<Own>(text).ok()) {
-        let mut before = item.clone();
-        before.command = own.command;
-        before.parameters[..4].copy_from_slice(&own.params);
-        let is_same = before.action().map(|a| std::mem::discriminant(&a))
-            == Some(std::mem::discriminant(&way_point.action));
-        if is_same {
-            item.command = own.command;
-            item.is_continued = own.is_continued;
-            item.parameters[..4].copy_from_slice(&own.params);
-            if let WayPointAction::Loiter { radius, turns } = way_point.action {
-                item.parameters[0] = Some(turns);
-                item.parameters[2] = Some(radius);
-            }
-        }
-    }
-    item
-}
-
-/// Members of a plan's command that we do not know, from a way-point's properties.
-pub(super) fn members(way_point: &WayPoint) -> impl Iterator<Item = (&str, &String)> {
-    way_point
-        .properties
-        .iter()
-        .filter_map(|(name, value)| Some((name.strip_prefix(MEMBER)?, value)))
-}
-
-/// The home that a route keeps, or else its first way-point, of which the height is not known.
-pub(super) fn home_of(route: &Route, frame: &LocalFrame) -> Option<Home> {
-    let kept = route.properties.get(HOME);
-    if let Some(home) = kept.and_then(|text| serde_json::from_str::<Home>(text).ok()) {
-        return Some(home);
-    }
-    let first = route.way_points.first()?;
-    let (longitude, latitude) = globe::lon_lat(frame, &first.position);
-    Some([latitude, longitude, 0.0])
 }

@@ -150,7 +150,7 @@ impl Reader<'_> {
                     self.count("point without coordinates is left out");
                     return Ok(());
                 };
-                if self.embedded(said, &[place]) {
+                if self.embedded(said, &[place], &[]) {
                     return Ok(());
                 }
                 self.count(format!("point, which gets a box of {POINT_BOX} m"));
@@ -165,11 +165,21 @@ impl Reader<'_> {
                     self.places(geometry, ring)?.iter().map(|p| p.0).collect();
                 if corners.len() < 3 {
                     self.count("polygon of fewer than three corners is left out");
-                } else if !self.embedded(said, &corners) {
+                    return Ok(());
+                }
+                let holes = self.holes(geometry)?;
+                if !self.embedded(said, &corners, &holes) {
                     self.landmark(Extent::Corners(corners), said);
+                    if let Some(landmark) = self.found.landmarks.last_mut() {
+                        landmark.holes = holes;
+                    }
                 }
             }
             "LineString" | "LinearRing" | "Track" => {
+                let empty = geometry.all("coord").filter(|c| c.text.is_empty()).count();
+                for _ in 0..empty {
+                    self.count("moment of a track without a place (an empty gx:coord) is left out");
+                }
                 let places = self.places(geometry, geometry)?;
                 self.line(geometry, &places, said);
             }
@@ -184,6 +194,21 @@ impl Reader<'_> {
         Ok(())
     }
 
+    /// The rings of a polygon that are not part of it.
+    fn holes(&mut self, polygon: &Element) -> Result<Vec<Vec<LonLat>>, ExchangeError> {
+        let mut holes = Vec::new();
+        let inner = polygon.all("innerBoundaryIs");
+        for ring in inner.flat_map(|boundary| boundary.all("LinearRing")) {
+            let corners: Vec<LonLat> = self.places(polygon, ring)?.iter().map(|p| p.0).collect();
+            if corners.len() < 3 {
+                self.count("hole of fewer than three corners is left out");
+            } else {
+                holes.push(corners);
+            }
+        }
+        Ok(holes)
+    }
+
     fn landmark(&mut self, extent: Extent, said: &Said) {
         self.found.landmarks.push(FoundLandmark {
             name: said.name.clone(),
@@ -193,11 +218,11 @@ impl Reader<'_> {
     }
 
     /// Takes what we have written ourselves; otherwise says no.
-    fn embedded(&mut self, said: &Said, places: &[LonLat]) -> bool {
+    fn embedded(&mut self, said: &Said, places: &[LonLat], holes: &[Vec<LonLat>]) -> bool {
         let Some((item, is_changed)) = said
             .own
             .as_deref()
-            .and_then(|own| embedded::read(own, places))
+            .and_then(|own| embedded::read(own, places, holes))
         else {
             return false;
         };
@@ -224,7 +249,7 @@ impl Reader<'_> {
 
     fn line(&mut self, geometry: &Element, places: &[(LonLat, Option<f64>)], said: &Said) {
         let lon_lats: Vec<LonLat> = places.iter().map(|p| p.0).collect();
-        if self.embedded(said, &lon_lats) {
+        if self.embedded(said, &lon_lats, &[]) {
             return;
         }
         if places.is_empty() {
@@ -281,6 +306,10 @@ impl Reader<'_> {
             }
         }
         for coord in holder.all("coord") {
+            // A receiver without a fix: the moment has no place.
+            if coord.text.is_empty() {
+                continue;
+            }
             let place = place(coord.text.split_whitespace()).ok_or_else(|| {
                 let cause = format!("gx:coord: `{}` is no place", coord.text);
                 self.source.error(coord.begin, cause)

@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use super::embedded::{self, Embedded};
 use super::xml::escape;
-use crate::mission::{Route, degrees, globe};
+use crate::mission::{Route, degrees, globe, rings};
 use pilotage_base::files::{FileSink, ZipSink};
 use pilotage_base::frames::{AltitudeFrame, GroundPoint, LocalFrame};
 use pilotage_vision::landmark::Landmark;
@@ -79,15 +79,21 @@ pub(super) fn write(
         placemark(&mut text, &route.name, &embedded, &geometry);
     }
     for landmark in landmarks {
-        let ring: Vec<String> = globe::ring(&landmark.bounds)
-            .iter()
-            .map(|corner| position(frame, corner))
-            .collect();
-        let geometry = format!(
-            "<Polygon><outerBoundaryIs><LinearRing><coordinates>{}</coordinates></LinearRing>\
-             </outerBoundaryIs></Polygon>",
-            ring.join(" ")
-        );
+        let mut geometry = String::from("<Polygon>");
+        for (i, ring) in rings(landmark).iter().enumerate() {
+            let boundary = if i == 0 {
+                "outerBoundaryIs"
+            } else {
+                "innerBoundaryIs"
+            };
+            let ring: Vec<String> = ring.iter().map(|corner| position(frame, corner)).collect();
+            let _ = write!(
+                geometry,
+                "<{boundary}><LinearRing><coordinates>{}</coordinates></LinearRing></{boundary}>",
+                ring.join(" ")
+            );
+        }
+        geometry.push_str("</Polygon>");
         let embedded = embedded::of_landmark(landmark, frame);
         placemark(&mut text, &landmark.name, &embedded, &geometry);
     }

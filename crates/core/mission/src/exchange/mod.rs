@@ -4,11 +4,13 @@
 //! and we do not know is kept in the properties of routes, way-points and landmarks and written
 //! again into the same format; whatever was assumed, kept aside or left out stands in the notes.
 
+mod angle;
 mod csv_columns;
 mod csv_read;
 mod csv_write;
 mod embedded;
 mod error;
+mod fence;
 mod format;
 mod found;
 mod geojson;
@@ -22,6 +24,7 @@ mod plan;
 #[cfg(test)]
 mod plan_schema;
 mod read;
+mod route_items;
 #[cfg(test)]
 mod tests;
 mod waypoints;

@@ -9,9 +9,11 @@ use serde_json::Value;
 use serde_json::value::RawValue;
 
 use super::ExchangeError;
+use super::fence;
 use super::found::Found;
 use super::item::Item;
-use super::item_route::{self, Home, Step, Written, home_of, members, route_of, steps_of};
+use super::item_route::{Home, Step, route_of};
+use super::route_items::{Written, home_of, members, steps_of};
 use crate::mission::text::{Members, Text};
 use crate::mission::way_point_file::kept;
 use crate::mission::{MissionError, Route, degrees};
@@ -45,7 +47,8 @@ fn read_text(file: &str, text: &Text) -> Result<Found, MissionError> {
     };
     let home: Option<Vec<Option<f64>>> = text.take(&mut mission, "plannedHomePosition")?;
     let home = home.and_then(|h| match h[..] {
-        [Some(latitude), Some(longitude), altitude, ..] => {
+        // Where home was never set, QGroundControl writes zeros.
+        [Some(latitude), Some(longitude), altitude, ..] if (latitude, longitude) != (0.0, 0.0) => {
             Some([latitude, longitude, altitude.unwrap_or(0.0)])
         }
         _ => None,
@@ -67,6 +70,11 @@ fn read_text(file: &str, text: &Text) -> Result<Found, MissionError> {
             notes.push(format!("the {what} are kept, and not shown"));
         }
     }
+    let fences = plan
+        .get("geoFence")
+        .map(|piece| fence::of_plan(piece.get()));
+    let fences = fences.unwrap_or_default();
+    notes.extend(fences.notes);
     for (prefix, members) in [(PLAN, plan), (MISSION, mission)] {
         for (name, value) in kept(members) {
             route.properties.insert(format!("{prefix}{name}"), value);
@@ -74,6 +82,7 @@ fn read_text(file: &str, text: &Text) -> Result<Found, MissionError> {
     }
     Ok(Found {
         routes: vec![route],
+        no_fly: fences.no_fly,
         notes,
         ..Found::default()
     })
@@ -280,7 +289,7 @@ fn plan_mode(route: &Route) -> u8 {
 fn items(route: &Route, frame: &LocalFrame) -> String {
     let steps = steps_of(route, frame);
     // Where commands jump to others by number, those with a number keep it.
-    let own_ids: Vec<Option<usize>> = steps.iter().map(jump_id).collect();
+    let own_ids: Vec<Option<usize>> = steps.iter().map(Written::jump_id).collect();
     let is_numbered_anew = !route
         .way_points
         .iter()
@@ -298,7 +307,7 @@ fn items(route: &Route, frame: &LocalFrame) -> String {
         });
         lines.push(match step {
             Written::Kept(piece) => with_jump_id(piece.get(), id),
-            Written::Speed(item) => item.json(id),
+            Written::Speed(item, _) => item.json(id),
             Written::WayPoint(item, way_point) => {
                 let mut text = item.json(id);
                 text.truncate(text.len() - " }".len());
@@ -321,20 +330,6 @@ fn items(route: &Route, frame: &LocalFrame) -> String {
     }
     let indent = "\n            ";
     format!("[{indent}{}\n        ]", lines.join(&format!(",{indent}")))
-}
-
-/// The number by which jumps name a step.
-fn jump_id(step: &Written) -> Option<usize> {
-    match step {
-        Written::Speed(_) => None,
-        Written::WayPoint(_, way_point) => item_route::members(way_point)
-            .find(|(name, _)| *name == "doJumpId")
-            .and_then(|(_, value)| value.parse().ok()),
-        Written::Kept(piece) => {
-            let value: Value = serde_json::from_str(piece.get()).ok()?;
-            usize::try_from(value.get("doJumpId")?.as_u64()?).ok()
-        }
-    }
 }
 
 /// A kept command with its number replaced; what has none stays as it is.

@@ -1,10 +1,14 @@
 //! One entry for all formats that are read.
 
 use super::{ExchangeError, Format, csv_read, geojson, gpx, kml_read, plan, waypoints};
-use crate::mission::Route;
-use crate::mission::found;
-use pilotage_base::frames::{Geodetic, LocalFrame};
+use crate::mission::found::{self, LonLat};
+use crate::mission::{NoFlyZone, Route};
+use pilotage_base::frames::{Geodetic, GroundPoint, LocalFrame};
 use pilotage_vision::landmark::Landmark;
+
+/// Distance from the middle beyond which lengths on the plane differ from those on the ground by more
+/// than a thousandth, metres.
+const FAR: f64 = 300_000.0;
 
 /// What a file brought.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,6 +21,8 @@ pub struct Imported {
     pub routes: Vec<Route>,
     /// Its landmarks.
     pub landmarks: Vec<Landmark>,
+    /// Areas that must not be flown over: those of our own files, and fences that keep aircraft out.
+    pub no_fly: Vec<NoFlyZone>,
     /// What was assumed, kept aside or left out, in sentences for people.
     pub notes: Vec<String>,
 }
@@ -55,7 +61,7 @@ pub fn read_any(
             Format::Csv => csv_read::read(name, &content)?,
         }
     };
-    if found.routes.is_empty() && found.landmarks.is_empty() {
+    if found.routes.is_empty() && found.landmarks.is_empty() && found.no_fly.is_empty() {
         let mut cause = "there is neither a route nor a landmark in it".to_owned();
         for note in &found.notes {
             cause.push_str("; ");
@@ -66,19 +72,65 @@ pub fn read_any(
             cause,
         });
     }
-    let frame = frame.unwrap_or_else(|| {
-        let middle = found::middle(&found.landmarks, &found.routes);
-        let origin = found.origin.or(middle);
-        LocalFrame::new(origin.unwrap_or(Geodetic::from_degrees(0.0, 0.0, 0.0)))
-    });
+    let mut places = found::places(&found.landmarks, &found.routes);
+    places.extend(found.no_fly.iter().flat_map(|zone| &zone.corners));
+    let origin = frame.map(|frame| frame.origin).or(found.origin);
+    let origin = match (
+        origin.or_else(|| found::middle_of(&places)),
+        places.is_empty(),
+    ) {
+        (Some(origin), _) => origin,
+        (None, true) => Geodetic::from_degrees(0.0, 0.0, 0.0),
+        (None, false) => return Err(too_far(name, "lie around the whole globe")),
+    };
+    let frame = frame.unwrap_or_else(|| LocalFrame::new(origin));
     notes.extend(found.notes);
+    notes.extend(reach(name, &frame, &places)?);
     Ok(Imported {
         format,
         frame,
         routes: found::routes(found.routes, &frame),
         landmarks: found::landmarks(found.landmarks, &frame),
+        no_fly: found::no_fly(found.no_fly, &frame),
         notes,
     })
+}
+
+/// Refuses places that the plane through the origin does not hold; a note where it holds them, but its
+/// lengths are not those on the ground.
+fn reach(
+    file: &str,
+    frame: &LocalFrame,
+    places: &[LonLat],
+) -> Result<Option<String>, ExchangeError> {
+    let mut farthest = 0.0_f64;
+    for (longitude, latitude) in places {
+        let place = Geodetic::from_degrees(*latitude, *longitude, 0.0);
+        let Some(ground) = frame.ground_if_near(&place) else {
+            let cause = format!(
+                "lie too far apart for one plane, as {latitude:.4}°, {longitude:.4}° does from {:.4}°, \
+                 {:.4}° in the middle",
+                frame.origin.latitude.to_degrees(),
+                frame.origin.longitude.to_degrees()
+            );
+            return Err(too_far(file, &cause));
+        };
+        farthest = farthest.max(ground.distance(&GroundPoint::default()));
+    }
+    Ok((farthest > FAR).then(|| {
+        format!(
+            "places lie up to {:.0} km from the middle: they are exact, but lengths and courses on the \
+             world's plane are not those on the ground",
+            farthest / 1e3
+        )
+    }))
+}
+
+fn too_far(file: &str, what: &str) -> ExchangeError {
+    ExchangeError::File {
+        file: file.to_owned(),
+        cause: format!("its places {what}: split the file into regions"),
+    }
 }
 
 /// The text of a file: UTF-8, or else taken for Latin-1, which is said.

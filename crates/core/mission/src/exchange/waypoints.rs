@@ -1,17 +1,27 @@
 //! `QGC WPL 110`: a line of twelve fields for every command.
 //!
-//! <https://mavlink.io/en/file_formats/>. Mission Planner and `MAVProxy` write home as the first line.
+//! <https://mavlink.io/en/file_formats/>. Line 0 is home where it is an absolute place, as Mission Planner,
+//! `MAVProxy` and `QGroundControl` have it; `QGC WPL 120` is the same.
 
 use std::collections::BTreeMap;
 
-use super::ExchangeError;
-use super::found::Found;
-use super::item::{Item, WAY_POINT, counted};
-use super::item_route::{Home, Step, Written, home_of, route_of, steps_of};
-use crate::mission::{Route, degrees};
-use pilotage_base::frames::LocalFrame;
+use serde::{Deserialize, Serialize};
 
-const HEADER: &str = "QGC WPL 110";
+use super::ExchangeError;
+use super::fence::{self, is_fence};
+use super::found::Found;
+use super::item::{Item, JUMP, WAY_POINT, counted};
+use super::item_route::{Home, Step, route_of};
+use super::route_items::{Written, home_of, stated_home, steps_of};
+use crate::mission::{Route, degrees};
+use pilotage_base::frames::{Geodetic, LocalFrame};
+
+const HEADER: &str = "QGC WPL";
+const VERSION: &str = "110";
+/// Versions that are read; they differ in nothing but their number.
+const VERSIONS: [&str; 2] = [VERSION, "120"];
+/// Property of a route: what only such a file says of it.
+const OWN: &str = "wpl";
 
 /// A line of the file.
 struct Line {
@@ -20,9 +30,24 @@ struct Line {
     item: Item,
 }
 
+/// What a file says beside its commands.
+#[derive(Serialize, Deserialize)]
+struct Own {
+    version: String,
+    /// Line 0, if it is home.
+    home: Option<HomeLine>,
+    /// The line that is marked as current.
+    current: Option<usize>,
+}
+
+/// Line 0 where it is home: command, frame, parameters and continuation.
+#[derive(Serialize, Deserialize)]
+struct HomeLine(u16, u8, [Option<f64>; 7], bool);
+
 /// Reads the lines as one route.
 pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
     let mut lines = Vec::new();
+    let mut version = VERSION;
     for (i, text) in content.lines().enumerate() {
         let place = |column: usize, cause: String| ExchangeError::Place {
             file: file.to_owned(),
@@ -31,21 +56,51 @@ pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
             cause,
         };
         if i == 0 {
-            if text.trim_start_matches('\u{feff}').trim() != HEADER {
-                return Err(place(1, format!("the first line has to be `{HEADER}`")));
-            }
+            let stated = text.trim_start_matches('\u{feff}').trim();
+            let stated = stated.strip_prefix(HEADER).unwrap_or("").trim();
+            version = VERSIONS.into_iter().find(|v| *v == stated).ok_or_else(|| {
+                place(1, format!("the first line has to be `{HEADER} {VERSION}`"))
+            })?;
         } else if !text.trim().is_empty() && !text.starts_with('#') {
             lines.push(line(text).map_err(|(column, cause)| place(column, cause))?);
         }
     }
-    let mut notes = Vec::new();
-    let home = home(&lines);
-    if home.is_some() {
-        notes.push("the first line is taken for home, as Mission Planner writes it".to_owned());
+    // Lines whose numbers do not rise are counted, as autopilots count them.
+    if lines.windows(2).any(|w| w[0].sequence >= w[1].sequence) {
+        for (i, line) in lines.iter_mut().enumerate() {
+            line.sequence = i;
+        }
     }
+    let mut notes = Vec::new();
+    let home_line = home(&lines);
+    let own = Own {
+        version: version.to_owned(),
+        current: lines.iter().find(|l| l.is_current).map(|l| l.sequence),
+        home: home_line.map(|i| HomeLine(i.command, i.frame, i.parameters, i.is_continued)),
+    };
+    let has_home_line = own.home.is_some();
+    let home = home_line.and_then(stated_place);
+    let is_line_0_flown = lines.len() > 1
+        && !has_home_line
+        && lines
+            .first()
+            .is_some_and(|l| l.sequence == 0 && !is_fence(l.item.command));
+    match (has_home_line, home) {
+        (true, Some(_)) => notes.push("line 0 is home, and no way-point".to_owned()),
+        (true, None) => notes.push("line 0 says that home was not set: the file has none".to_owned()),
+        (false, _) if is_line_0_flown => notes.push(
+            "line 0 is no absolute place, and is taken for a command: the file has no home; Mission \
+             Planner would take it for home"
+                .to_owned(),
+        ),
+        (false, _) => {}
+    }
+    let items: Vec<&Item> = lines.iter().map(|l| &l.item).collect();
+    let fences = fence::of_items(&items);
+    notes.extend(fences.notes);
     let steps = lines
         .into_iter()
-        .skip(usize::from(home.is_some()))
+        .skip(usize::from(has_home_line))
         .map(|line| Step::Command {
             text: line.item.json(line.sequence),
             altitude: None,
@@ -54,16 +109,28 @@ pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
         })
         .collect();
     let (mut route, more) = route_of(steps, home);
+    if route.way_points.is_empty() && has_home_line {
+        notes.push("the file has no way-point beside home".to_owned());
+    }
     let stem = file.rsplit(['/', '\\']).next().unwrap_or(file);
     route.name = Some(
         stem.rsplit_once('.')
             .map_or(stem, |(stem, _)| stem)
             .to_owned(),
     );
+    // Numbers and texts always have a JSON form.
+    if let Ok(own) = serde_json::to_string(&own) {
+        route.properties.insert(OWN.to_owned(), own);
+    }
     notes.extend(more);
+    let no_way_point = route.way_points.is_empty();
     Ok(Found {
         routes: vec![route],
+        no_fly: fences.no_fly,
         notes,
+        origin: home
+            .filter(|_| no_way_point)
+            .map(|[latitude, longitude, _]| Geodetic::from_degrees(latitude, longitude, 0.0)),
         ..Found::default()
     })
 }
@@ -108,65 +175,97 @@ fn line(text: &str) -> Result<Line, (usize, String)> {
     })
 }
 
-/// The first line as home: a way-point in absolute altitude that is current and has no parameters.
-fn home(lines: &[Line]) -> Option<Home> {
-    let [first, _, ..] = lines else {
-        return None;
-    };
+/// The first line, if it is home: an absolute place, or one at no height above take-off, where
+/// nobody flies, whatever its current flag.
+fn home(lines: &[Line]) -> Option<&Item> {
+    let first = lines.first().filter(|first| first.sequence == 0)?;
     let item = &first.item;
-    let [own @ .., latitude, longitude, altitude] = &item.parameters;
-    let is_home = first.sequence == 0
-        && first.is_current
-        && item.frame == 0
-        && [0, WAY_POINT].contains(&item.command)
-        && own.iter().all(|p| p.unwrap_or(0.0) == 0.0);
-    is_home.then(|| [latitude, longitude, altitude].map(|p| p.unwrap_or(0.0)))
+    let is_absolute = item.frame == 0 || item.parameters[6].unwrap_or(0.0) == 0.0;
+    (is_absolute && [0, WAY_POINT].contains(&item.command)).then_some(item)
+}
+
+/// Latitude, longitude and height of a line; `None` for the zeros of a home that was never set.
+fn stated_place(item: &Item) -> Option<Home> {
+    let [.., latitude, longitude, altitude] = item.parameters.map(|p| p.unwrap_or(0.0));
+    ((latitude, longitude) != (0.0, 0.0)).then_some([latitude, longitude, altitude])
+}
+
+/// Line 0 as it was read, at the home that the route has now; `None` if the file had none, and the
+/// first way-point for a route that comes from no such file.
+fn home_item(route: &Route, own: Option<&Own>, frame: &LocalFrame) -> Option<Item> {
+    let mut item = match own {
+        Some(Own {
+            home: Some(HomeLine(command, item_frame, parameters, is_continued)),
+            ..
+        }) => Item {
+            command: *command,
+            frame: *item_frame,
+            parameters: *parameters,
+            is_continued: *is_continued,
+        },
+        Some(_) => return None,
+        None => Item {
+            command: WAY_POINT,
+            frame: 0,
+            parameters: [Some(0.0); 7],
+            is_continued: true,
+        },
+    };
+    let home = match own {
+        Some(_) => stated_home(route),
+        None => home_of(route, frame),
+    };
+    for (parameter, value) in item.parameters[4..]
+        .iter_mut()
+        .zip(home.into_iter().flatten())
+    {
+        *parameter = Some(value);
+    }
+    Some(item)
 }
 
 /// The route as lines, and notes on what they cannot hold.
 pub(super) fn write(route: &Route, frame: &LocalFrame) -> (String, Vec<String>) {
-    let mut text = format!("{HEADER}\n");
-    let mut sequence = 0;
-    let mut add = |item: &Item| {
-        let [own @ .., latitude, longitude, altitude] = &item.parameters;
-        let mut fields = vec![
-            sequence.to_string(),
-            u8::from(sequence == 0).to_string(),
-            item.frame.to_string(),
-            item.command.to_string(),
-        ];
-        fields.extend(own.iter().map(|p| p.unwrap_or(0.0).to_string()));
-        fields.extend([latitude, longitude].map(|p| degrees(p.unwrap_or(0.0))));
-        fields.push(altitude.unwrap_or(0.0).to_string());
-        fields.push(u8::from(item.is_continued).to_string());
-        text.push_str(&fields.join("\t"));
-        text.push('\n');
-        sequence += 1;
-    };
-    if let Some(home) = home_of(route, frame) {
-        let mut parameters = [Some(0.0); 7];
-        for (parameter, value) in parameters[4..].iter_mut().zip(home) {
-            *parameter = Some(value);
-        }
-        add(&Item {
-            command: WAY_POINT,
-            frame: 0,
-            parameters,
-            is_continued: true,
-        });
-    }
+    let own: Option<Own> = route
+        .properties
+        .get(OWN)
+        .and_then(|text| serde_json::from_str(text).ok());
+    let mut notes = Vec::new();
     let mut left_out = Vec::new();
+    let mut items: Vec<(Item, Option<usize>)> = Vec::new();
+    if let Some(home) = home_item(route, own.as_ref(), frame) {
+        if own.is_none() {
+            notes.push("home is written as the first line, as Mission Planner reads it".to_owned());
+        }
+        items.push((home, Some(0)));
+    } else if own.is_some() && !route.way_points.is_empty() {
+        notes.push("the file has no line for home, as it had none when it was read".to_owned());
+    }
     for step in steps_of(route, frame) {
+        let id = step.jump_id();
         match step {
-            Written::WayPoint(item, _) | Written::Speed(item) => add(&item),
+            Written::WayPoint(item, _) | Written::Speed(item, _) => items.push((item, id)),
             Written::Kept(piece) => match Item::of_json(piece.get()) {
-                Ok(item) => add(&item),
+                Ok(item) => items.push((item, id)),
                 Err(name) => left_out.push(name),
             },
         }
     }
-    let mut notes =
-        vec!["home is written as the first line, as Mission Planner reads it".to_owned()];
+    let lost = aim_jumps(&mut items);
+    let current = own.as_ref().map_or(Some(0), |own| {
+        own.current
+            .and_then(|id| items.iter().position(|item| item.1 == Some(id)))
+    });
+    let version = own.as_ref().map_or(VERSION, |own| &own.version);
+    let mut text = format!("{HEADER} {version}\n");
+    for (sequence, (item, _)) in items.iter().enumerate() {
+        text.push_str(&line_of(item, sequence, current == Some(sequence)));
+    }
+    if lost > 0 {
+        notes.push(format!(
+            "{lost} of the jumps lead to commands that are gone: their numbers stand as they were"
+        ));
+    }
     if !left_out.is_empty() {
         notes.push(format!(
             "WPL has no line for this, which is left out: {}",
@@ -178,4 +277,38 @@ pub(super) fn write(route: &Route, frame: &LocalFrame) -> (String, Vec<String>) 
         notes.push("fences and rally points of the plan are left out: WPL has none".to_owned());
     }
     (text, notes)
+}
+
+/// Lets jumps lead to the lines of the commands that they named; how many of these are gone.
+fn aim_jumps(items: &mut [(Item, Option<usize>)]) -> usize {
+    let ids: Vec<Option<usize>> = items.iter().map(|item| item.1).collect();
+    let mut lost = 0;
+    for (item, _) in items.iter_mut().filter(|(item, _)| item.command == JUMP) {
+        let Some(target) = item.parameters[0] else {
+            continue;
+        };
+        match ids
+            .iter()
+            .position(|id| id.is_some_and(|id| id as f64 == target))
+        {
+            Some(sequence) => item.parameters[0] = Some(sequence as f64),
+            None => lost += 1,
+        }
+    }
+    lost
+}
+
+fn line_of(item: &Item, sequence: usize, is_current: bool) -> String {
+    let [own @ .., latitude, longitude, altitude] = &item.parameters;
+    let mut fields = vec![
+        sequence.to_string(),
+        u8::from(is_current).to_string(),
+        item.frame.to_string(),
+        item.command.to_string(),
+    ];
+    fields.extend(own.iter().map(|p| p.unwrap_or(0.0).to_string()));
+    fields.extend([latitude, longitude].map(|p| degrees(p.unwrap_or(0.0))));
+    fields.push(altitude.unwrap_or(0.0).to_string());
+    fields.push(u8::from(item.is_continued).to_string());
+    fields.join("\t") + "\n"
 }

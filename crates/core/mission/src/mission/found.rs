@@ -42,6 +42,8 @@ impl Extent {
 pub(crate) struct FoundLandmark {
     /// Where it lies.
     pub extent: Extent,
+    /// Rings inside of the corners that are not part of it.
+    pub holes: Vec<Vec<LonLat>>,
     /// The point that is measured; the middle of the box where there is none.
     pub reference: Option<LonLat>,
     /// Its identity in the file.
@@ -61,6 +63,7 @@ impl FoundLandmark {
     pub fn new(extent: Extent) -> Self {
         Self {
             extent,
+            holes: Vec::new(),
             reference: None,
             id: None,
             name: None,
@@ -90,6 +93,8 @@ pub(crate) struct FoundNoFly {
     pub name: Option<String>,
     /// Its corners.
     pub corners: Vec<LonLat>,
+    /// Rings inside of it that are not part of it.
+    pub holes: Vec<Vec<LonLat>>,
     /// What we do not know, as JSON text.
     pub properties: BTreeMap<String, String>,
 }
@@ -97,14 +102,18 @@ pub(crate) struct FoundNoFly {
 /// The areas in the world.
 pub(crate) fn no_fly(found: Vec<FoundNoFly>, frame: &LocalFrame) -> Vec<NoFlyZone> {
     let zones = found.into_iter().enumerate().map(|(index, found)| {
-        let corners = found.corners.iter();
+        let ring = |corners: &[LonLat]| -> Vec<GroundPoint> {
+            let corners = corners.iter();
+            corners
+                .map(|(lon, lat)| globe::ground(frame, *lon, *lat))
+                .collect()
+        };
         NoFlyZone {
             name: found
                 .name
                 .unwrap_or_else(|| format!("No-fly area {}", index + 1)),
-            corners: corners
-                .map(|(lon, lat)| globe::ground(frame, *lon, *lat))
-                .collect(),
+            corners: ring(&found.corners),
+            holes: found.holes.iter().map(|hole| ring(hole)).collect(),
             properties: found.properties,
         }
     });
@@ -116,19 +125,41 @@ pub(crate) fn on_globe(longitude: f64, latitude: f64) -> bool {
     (-540.0..=540.0).contains(&longitude) && (-90.0..=90.0).contains(&latitude)
 }
 
-/// The middle of all corners and way-points, on the ellipsoid; `None` if there are none.
-pub(crate) fn middle(landmarks: &[FoundLandmark], routes: &[FoundRoute]) -> Option<Geodetic> {
+/// The middle of all places on the sphere: the direction of the mean of their directions from the
+/// middle of the Earth, which knows no date line and no pole; `None` if there are none, or if they lie
+/// around the whole globe, where no middle is.
+pub(crate) fn middle_of(places: &[LonLat]) -> Option<Geodetic> {
+    let mut sum = [0.0_f64; 3];
+    for (longitude, latitude) in places {
+        let (sin_lat, cos_lat) = latitude.to_radians().sin_cos();
+        let (sin_lon, cos_lon) = longitude.to_radians().sin_cos();
+        let direction = [cos_lat * cos_lon, cos_lat * sin_lon, sin_lat];
+        for (sum, part) in sum.iter_mut().zip(direction) {
+            *sum += part / places.len() as f64;
+        }
+    }
+    let [x, y, z] = sum;
+    (x.hypot(y).hypot(z) > 1e-3).then(|| {
+        Geodetic::from_degrees(
+            z.atan2(x.hypot(y)).to_degrees(),
+            y.atan2(x).to_degrees(),
+            0.0,
+        )
+    })
+}
+
+/// Places of landmarks and routes.
+pub(crate) fn places(landmarks: &[FoundLandmark], routes: &[FoundRoute]) -> Vec<LonLat> {
     let corners = landmarks.iter().flat_map(|l| l.extent.points());
     let way_points = routes
         .iter()
         .flat_map(|r| r.way_points.iter().map(|(place, _)| place));
-    let points: Vec<LonLat> = corners.chain(way_points).copied().collect();
-    let count = points.len() as f64;
-    (!points.is_empty()).then(|| {
-        let longitude = points.iter().map(|p| p.0).sum::<f64>() / count;
-        let latitude = points.iter().map(|p| p.1).sum::<f64>() / count;
-        Geodetic::from_degrees(latitude, longitude, 0.0)
-    })
+    corners.chain(way_points).copied().collect()
+}
+
+/// The middle of all corners and way-points, on the ellipsoid; `None` if there is none.
+pub(crate) fn middle(landmarks: &[FoundLandmark], routes: &[FoundRoute]) -> Option<Geodetic> {
+    middle_of(&places(landmarks, routes))
 }
 
 /// Identities: those of the file, and free ones where it has none or has one twice.
@@ -195,6 +226,18 @@ pub(crate) fn landmarks(found: Vec<FoundLandmark>, frame: &LocalFrame) -> Vec<La
                 }
                 Extent::Point(_) => landmark.mark_point(),
                 Extent::Around { .. } => {}
+            }
+            if !found.holes.is_empty() {
+                let holes: Vec<Vec<GroundPoint>> = found
+                    .holes
+                    .iter()
+                    .map(|ring| ring.iter().copied().map(point).collect())
+                    .collect();
+                let holes: Vec<_> = holes
+                    .iter()
+                    .map(|ring| globe::open(ring).to_vec())
+                    .collect();
+                landmark.set_holes(&holes);
             }
             landmark
         })

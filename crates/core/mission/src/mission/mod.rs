@@ -32,7 +32,7 @@ pub use record::{MapReference, Mission};
 pub use route::{Route, WayPoint, WayPointAction};
 pub use way_point_file::USUAL_ALTITUDE;
 pub use write::write_mission;
-pub(crate) use write::{degrees, write_features};
+pub(crate) use write::{degrees, rings, write_features};
 
 /// Version of the file that is read and written.
 const VERSION: &str = "1";

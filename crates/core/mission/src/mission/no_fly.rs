@@ -13,6 +13,9 @@ pub struct NoFlyZone {
     pub name: String,
     /// Its corners, at least three, in either order; the last is not the first again.
     pub corners: Vec<GroundPoint>,
+    /// Rings inside of it that are not part of it, each of at least three corners. Routes are
+    /// searched around the whole of the area, so that a hole is not flown into.
+    pub holes: Vec<Vec<GroundPoint>>,
     /// Properties that a file brought and we do not know, by name, as JSON text.
     pub properties: BTreeMap<String, String>,
 }

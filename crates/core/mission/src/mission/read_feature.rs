@@ -53,14 +53,17 @@ pub(super) fn feature<'a>(text: &Text<'a>, piece: &'a RawValue) -> Result<Featur
     };
     if is_polygon && is_no_fly {
         properties.remove(NO_FLY_MARK.0);
-        let mut corners = corners(text, geometry.get())?;
+        let (mut corners, mut holes) = rings(text, geometry.get())?;
         // A ring ends where it begins.
-        if corners.len() > 3 && corners.first() == corners.last() {
-            corners.pop();
+        for ring in std::iter::once(&mut corners).chain(&mut holes) {
+            if ring.len() > 3 && ring.first() == ring.last() {
+                ring.pop();
+            }
         }
         Ok(Feature::NoFly(FoundNoFly {
             name: own(text, &mut properties, "name"),
             corners,
+            holes,
             properties: with_members(properties, members),
         }))
     } else if is_polygon {
@@ -119,24 +122,30 @@ fn own<'a, T: serde::de::DeserializeOwned>(
     value
 }
 
-/// Corners of the outer ring of a polygon.
-fn corners<'a>(text: &Text<'a>, geometry: &'a str) -> Result<Vec<LonLat>, MissionError> {
+/// Corners of the outer ring of a polygon, and its holes.
+fn rings<'a>(
+    text: &Text<'a>,
+    geometry: &'a str,
+) -> Result<(Vec<LonLat>, Vec<Vec<LonLat>>), MissionError> {
     #[derive(Deserialize)]
     struct Polygon {
         coordinates: Vec<Vec<Vec<f64>>>,
     }
     let polygon: Polygon = text.value(geometry)?;
-    let corners: Vec<LonLat> = polygon
-        .coordinates
-        .iter()
-        .take(1)
-        .flatten()
-        .map(|position| lon_lat(text, geometry, position, "a corner"))
-        .collect::<Result<_, _>>()?;
-    if corners.len() < 3 {
-        return Err(text.error(geometry, "a polygon has at least three corners"));
-    }
-    Ok(corners)
+    let mut rings = polygon.coordinates.iter().map(|ring| {
+        let corners: Vec<LonLat> = ring
+            .iter()
+            .map(|position| lon_lat(text, geometry, position, "a corner"))
+            .collect::<Result<_, _>>()?;
+        if corners.len() < 3 {
+            return Err(text.error(geometry, "a polygon has at least three corners"));
+        }
+        Ok(corners)
+    });
+    let outer = rings
+        .next()
+        .unwrap_or_else(|| Err(text.error(geometry, "a polygon has at least three corners")))?;
+    Ok((outer, rings.collect::<Result<_, _>>()?))
 }
 
 fn landmark<'a>(
@@ -145,7 +154,7 @@ fn landmark<'a>(
     geometry: &'a str,
     properties: &mut Members<'a>,
 ) -> Result<FoundLandmark, MissionError> {
-    let corners = corners(text, geometry)?;
+    let (corners, holes) = rings(text, geometry)?;
     let reference_place = properties.get("reference").map(|piece| piece.get());
     let reference: Option<LonLat> = text.take(properties, "reference")?;
     if let Some((longitude, latitude)) = reference
@@ -158,6 +167,7 @@ fn landmark<'a>(
     }
     Ok(FoundLandmark {
         reference,
+        holes,
         id: own(text, properties, "id"),
         name: own(text, properties, "name"),
         height: text.take(properties, "height_m")?.unwrap_or(0.0),

@@ -36,6 +36,11 @@ fn mission() -> Mission {
             corners: [(0.0, 0.0), (0.0, 400.0), (250.0, 350.0), (300.0, -20.0)]
                 .map(|(n, e)| GroundPoint::new(n, e))
                 .to_vec(),
+            holes: vec![
+                [(50.0, 50.0), (50.0, 90.0), (80.0, 60.0)]
+                    .map(|(n, e)| GroundPoint::new(n, e))
+                    .to_vec(),
+            ],
             properties: [("floor_m".to_owned(), "120".to_owned())].into(),
         }],
         labels: vec![FrameLabels {

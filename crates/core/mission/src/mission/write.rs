@@ -14,7 +14,7 @@ use super::{
 use pilotage_base::frames::{GroundPoint, LocalFrame};
 use pilotage_flight::{CameraFile, OriginFile};
 use pilotage_vision::landmark::Landmark;
-use pilotage_vision::landmark::annotations::OUTLINE;
+use pilotage_vision::landmark::annotations::{HOLES, OUTLINE};
 
 /// The mission as GeoJSON text, with everything in it that its file had and we do not know.
 pub fn write_mission(mission: &Mission) -> String {
@@ -113,8 +113,8 @@ fn begin(properties: &BTreeMap<String, String>) -> String {
 /// The properties that we do not know, and the end of the feature.
 fn end(mut text: String, properties: &BTreeMap<String, String>) -> String {
     for (name, value) in properties {
-        // An outline stands in the geometry.
-        if !name.starts_with(FEATURE_MEMBER) && name != OUTLINE {
+        // Outline and holes stand in the geometry.
+        if !name.starts_with(FEATURE_MEMBER) && ![OUTLINE, HOLES].contains(&name.as_str()) {
             let _ = write!(text, ", {}: {value}", Value::from(name.as_str()));
         }
     }
@@ -123,21 +123,17 @@ fn end(mut text: String, properties: &BTreeMap<String, String>) -> String {
 }
 
 fn landmark_feature(landmark: &Landmark, frame: &LocalFrame) -> String {
-    let corners = landmark.outline().map_or_else(
-        || globe::ring(&landmark.bounds).to_vec(),
-        |mut corners| {
-            corners.extend(corners.first().copied());
-            corners
-        },
-    );
-    let ring: Vec<String> = corners.iter().map(|p| position(frame, p)).collect();
+    let rings: Vec<String> = rings(landmark)
+        .iter()
+        .map(|ring| self::ring(frame, ring))
+        .collect();
     let mut text = begin(&landmark.properties);
     let _ = write!(
         text,
-        ",\n      \"geometry\": {{ \"type\": \"Polygon\", \"coordinates\": [[{}]] }},\n      \
+        ",\n      \"geometry\": {{ \"type\": \"Polygon\", \"coordinates\": [{}] }},\n      \
          \"properties\": {{ \"id\": {}, \"name\": {}, \"reference\": {}, \"height_m\": {}, \
          \"enabled\": {}",
-        ring.join(", "),
+        rings.join(", "),
         landmark.id,
         Value::from(landmark.name.as_str()),
         position(frame, &landmark.reference),
@@ -147,16 +143,41 @@ fn landmark_feature(landmark: &Landmark, frame: &LocalFrame) -> String {
     end(text, &landmark.properties)
 }
 
+/// Rings of a landmark, each with its first corner again at the end: its outline or its box, then its
+/// holes.
+pub(crate) fn rings(landmark: &Landmark) -> Vec<Vec<GroundPoint>> {
+    let closed = |mut corners: Vec<GroundPoint>| {
+        corners.extend(corners.first().copied());
+        corners
+    };
+    let outer = landmark
+        .outline()
+        .map_or_else(|| globe::ring(&landmark.bounds).to_vec(), closed);
+    let holes = landmark.holes().into_iter().map(closed);
+    std::iter::once(outer).chain(holes).collect()
+}
+
+/// A ring as GeoJSON has it.
+fn ring(frame: &LocalFrame, corners: &[GroundPoint]) -> String {
+    let corners: Vec<String> = corners.iter().map(|p| position(frame, p)).collect();
+    format!("[{}]", corners.join(", "))
+}
+
 fn no_fly_feature(zone: &NoFlyZone, frame: &LocalFrame) -> String {
-    let around = zone.corners.iter().chain(zone.corners.first());
-    let ring: Vec<String> = around.map(|p| position(frame, p)).collect();
+    let rings: Vec<String> = std::iter::once(&zone.corners)
+        .chain(&zone.holes)
+        .map(|corners| {
+            let around: Vec<GroundPoint> = corners.iter().chain(corners.first()).copied().collect();
+            ring(frame, &around)
+        })
+        .collect();
     let mut text = begin(&zone.properties);
     let (mark, marked) = NO_FLY_MARK;
     let _ = write!(
         text,
-        ",\n      \"geometry\": {{ \"type\": \"Polygon\", \"coordinates\": [[{}]] }},\n      \
+        ",\n      \"geometry\": {{ \"type\": \"Polygon\", \"coordinates\": [{}] }},\n      \
          \"properties\": {{ \"{mark}\": {marked}, \"name\": {}",
-        ring.join(", "),
+        rings.join(", "),
         Value::from(zone.name.as_str()),
     );
     end(text, &zone.properties)

@@ -16,6 +16,8 @@ pub const NOTES: &str = "notes";
 pub const ORIENTATION: &str = "orientation_deg";
 /// Property with the corners of an outline: metres north and east of the reference point.
 pub const OUTLINE: &str = "outline_m";
+/// Property with the rings inside an outline that are not part of it, corners as those of the outline.
+pub const HOLES: &str = "holes_m";
 /// Property that says what a landmark is where that is no box.
 const SHAPE: &str = "shape";
 /// What a landmark is of which people marked only a point.
@@ -119,6 +121,29 @@ impl Landmark {
         self.note(OUTLINE, Some(Value::from(list)));
     }
 
+    /// Rings inside of it that are not part of it; each without its first corner again at the end.
+    pub fn holes(&self) -> Vec<Vec<GroundPoint>> {
+        let holes: Vec<Vec<[f64; 2]>> = self.noted(HOLES).unwrap_or_default();
+        let r = self.reference;
+        let place = |[north, east]: [f64; 2]| GroundPoint::new(r.north + north, r.east + east);
+        holes
+            .into_iter()
+            .map(|ring| ring.into_iter().map(place).collect())
+            .collect()
+    }
+
+    /// Gives it rings that are not part of it; those of fewer than three corners are none.
+    pub fn set_holes(&mut self, holes: &[Vec<GroundPoint>]) {
+        let r = self.reference;
+        let offset = |c: &GroundPoint| [c.north - r.north, c.east - r.east];
+        let rings: Vec<Vec<[f64; 2]>> = holes
+            .iter()
+            .filter(|ring| ring.len() >= 3)
+            .map(|ring| ring.iter().map(offset).collect())
+            .collect();
+        self.note(HOLES, (!rings.is_empty()).then(|| serde_json::json!(rings)));
+    }
+
     /// Gives it another box; outline and reference point keep their places in it. Another size is
     /// somebody's choice, so that what was a point is a box then.
     pub fn reshape(&mut self, bounds: GroundRect) {
@@ -132,9 +157,13 @@ impl Landmark {
                 bounds.west + east * bounds.width(),
             )
         };
-        let outline = self.outline();
+        let (outline, mut holes) = (self.outline(), self.holes());
         self.reference = place(&self.reference);
         self.bounds = bounds;
+        for corner in holes.iter_mut().flatten() {
+            *corner = place(corner);
+        }
+        self.set_holes(&holes);
         if let Some(corners) = outline {
             let corners: Vec<GroundPoint> = corners.iter().map(place).collect();
             self.write_outline(&corners);
@@ -148,8 +177,9 @@ impl Landmark {
 
     /// Puts its reference point elsewhere; box and outline stay.
     pub fn set_reference(&mut self, reference: GroundPoint) {
-        let outline = self.outline();
+        let (outline, holes) = (self.outline(), self.holes());
         self.reference = reference;
+        self.set_holes(&holes);
         if let Some(corners) = outline {
             self.write_outline(&corners);
         }
@@ -177,6 +207,27 @@ mod tests {
         assert_eq!(landmark.outline(), Some(corners().to_vec()));
         assert_eq!(landmark.bounds.height(), 40.0);
         assert_eq!(landmark.bounds.width(), 30.0);
+    }
+
+    #[test]
+    fn holes_move_and_grow_with_the_box_and_stay_under_another_reference() {
+        let mut landmark = triangle();
+        let hole = [(5.0, 5.0), (5.0, 10.0), (10.0, 5.0)].map(|(n, e)| GroundPoint::new(n, e));
+        landmark.set_holes(&[hole.to_vec(), vec![GroundPoint::default()]]);
+        landmark.set_reference(GroundPoint::new(1.0, 2.0));
+        assert_eq!(landmark.holes(), [hole.to_vec()]);
+        let moved = GroundRect {
+            south: 100.0,
+            north: 180.0,
+            west: 0.0,
+            east: 60.0,
+        };
+        landmark.reshape(moved);
+        let corner = landmark.holes()[0][1];
+        assert!(
+            corner.distance(&GroundPoint::new(110.0, 20.0)) < 1e-9,
+            "{corner:?}"
+        );
     }
 
     #[test]

@@ -209,3 +209,47 @@ fn a_table_of_anybody_is_read_by_its_header() {
         "{message}"
     );
 }
+
+#[test]
+fn hemispheres_in_columns_of_their_own_or_at_the_numbers_are_heeded() {
+    for text in [
+        "name,latitude,N/S,longitude,E/W\nWell,33.85,S,18.42,W\n",
+        "name,latitude,longitude\nWell,33.85S,18.42 W\n",
+        "name,lat,lon\nWell,S33 51 00,W18 25 12\n",
+        "name;lat;lon\nWell;-33,85;-18,42\n",
+    ] {
+        let back = read_any("x.csv", text.as_bytes(), None).unwrap();
+        let origin = back.frame.origin;
+        assert!(
+            (origin.latitude.to_degrees() + 33.85).abs() < 1e-9,
+            "{text}"
+        );
+        assert!(
+            (origin.longitude.to_degrees() + 18.42).abs() < 1e-9,
+            "{text}"
+        );
+    }
+    let wrong = "name,latitude,N/S,longitude,E/W\nWell,33.85,up,18.42,W\n";
+    let error = read_any("x.csv", wrong.as_bytes(), None)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        error.contains("line 2") && error.contains("neither N nor S"),
+        "{error}"
+    );
+}
+
+#[test]
+fn altitudes_of_litchi_count_from_what_their_mode_says_and_no_speed_is_the_cruise() {
+    let text = "latitude,longitude,altitude(m),heading(deg),altitudemode,speed(m/s)\n\
+                47.0,8.0,30,0,1,0\n47.001,8.0,30,0,0,4.5\n";
+    let back = read_any("x.csv", text.as_bytes(), None).unwrap();
+    let way_points = &back.routes[0].way_points;
+    let frames: Vec<_> = way_points.iter().map(|w| w.altitude.frame).collect();
+    assert_eq!(
+        frames,
+        [AltitudeFrame::AboveGround, AltitudeFrame::AboveTakeOff]
+    );
+    let speeds: Vec<_> = way_points.iter().map(|w| w.speed).collect();
+    assert_eq!(speeds, [None, Some(4.5)]);
+}

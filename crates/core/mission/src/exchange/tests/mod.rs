@@ -1,6 +1,8 @@
 //! Round trips through every format, other people's files, and broken ones.
 
 mod foreign;
+mod globe;
+mod home;
 mod plan;
 mod round_trip;
 

@@ -1,0 +1,107 @@
+//! Latitudes and longitudes as people write them: degrees, minutes and seconds, letters of hemispheres.
+
+/// Degrees of a text: `-33.85`, `33.85 S`, `S33°51.0'`, `33 51 00 S`, `33:51:00S`, `33d51m0s`.
+///
+/// `letters` are those of the positive and the negative hemisphere. `None` where the text says
+/// anything else, has a sign and a letter that contradict each other, or minutes beyond 60.
+pub(super) fn degrees(text: &str, letters: (char, char)) -> Option<f64> {
+    let mut text = text.trim().to_uppercase();
+    let mut is_negative = None;
+    for (letter, negative) in [(letters.0, false), (letters.1, true)] {
+        // A last S may be that of seconds; then there are letters of degrees before it.
+        if let Some(rest) = text.strip_prefix(letter) {
+            (is_negative, text) = (Some(negative), rest.to_owned());
+            break;
+        }
+        let is_second = letter == 'S'
+            && text.contains('D')
+            && text.matches('S').count() == 1
+            && text.contains('M');
+        if let Some(rest) = text.strip_suffix(letter).filter(|_| !is_second) {
+            (is_negative, text) = (Some(negative), rest.to_owned());
+            break;
+        }
+    }
+    let text = text.replace('−', "-");
+    let text = text.trim();
+    // A number with an exponent is one number, whatever else the letter means.
+    if let Ok(value) = text.parse::<f64>() {
+        return match is_negative {
+            Some(_) if value < 0.0 => None,
+            Some(true) => Some(-value),
+            _ => value.is_finite().then_some(value),
+        };
+    }
+    let (is_minus, text) = match text.strip_prefix(['-', '+']) {
+        Some(rest) => (text.starts_with('-'), rest),
+        None => (false, text),
+    };
+    let separators = "°º˚'′’´\"″”:DMS_";
+    let parts: Vec<f64> = text
+        .split(|c: char| c.is_whitespace() || separators.contains(c))
+        .filter(|part| !part.is_empty())
+        .map(|part| {
+            let is_plain = part.chars().all(|c| c.is_ascii_digit() || c == '.');
+            part.parse().ok().filter(|_| is_plain)
+        })
+        .collect::<Option<_>>()?;
+    let value = match parts[..] {
+        [degrees] => degrees,
+        [degrees, minutes] if minutes < 60.0 => degrees + minutes / 60.0,
+        [degrees, minutes, seconds] if minutes < 60.0 && seconds <= 60.0 => {
+            degrees + minutes / 60.0 + seconds / 3600.0
+        }
+        _ => return None,
+    };
+    match is_negative {
+        Some(_) if is_minus => None,
+        Some(negative) => Some(if negative { -value } else { value }),
+        None => Some(if is_minus { -value } else { value }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angles_are_read_in_the_spellings_that_people_use() {
+        let south = ('N', 'S');
+        for text in [
+            "-33.85",
+            "33.85S",
+            "33.85 s",
+            "S 33.85",
+            "S33°51.0'",
+            "33°51'00\"S",
+            "33° 51′ 0″ S",
+            "33 51 00 S",
+            "33:51:00S",
+            "-33d51m0s",
+            "-33:51",
+            "33d51m0sS",
+            "−33.85",
+            "33°51''S",
+        ] {
+            let found = degrees(text, south);
+            assert!(
+                found.is_some_and(|d| (d + 33.85).abs() < 1e-9),
+                "{text}: {found:?}"
+            );
+        }
+        assert_eq!(degrees("18.42W", ('E', 'W')), Some(-18.42));
+        assert_eq!(degrees("18.42E", ('E', 'W')), Some(18.42));
+        assert_eq!(degrees("1.842e1", ('E', 'W')), Some(18.42));
+        for text in [
+            "",
+            "-33.85 S",
+            "33 71 0 S",
+            "east",
+            "33.85W",
+            "1 2 3 4",
+            "33-51-00",
+        ] {
+            assert_eq!(degrees(text, south), None, "{text}");
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! Fences of plans and of files of way-points: those that keep aircraft out, as no-fly areas.
+
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+
+use serde::Deserialize;
+
+use super::item::Item;
+use crate::mission::found::{FoundNoFly, LonLat, on_globe};
+use pilotage_base::frames::{Geodetic, GroundPoint, LocalFrame};
+
+const RETURN_POINT: u16 = 5000;
+const VERTEX_INSIDE: u16 = 5001;
+const VERTEX_OUTSIDE: u16 = 5002;
+const CIRCLE_INSIDE: u16 = 5003;
+const CIRCLE_OUTSIDE: u16 = 5004;
+const RALLY_POINT: u16 = 5100;
+/// Corners of the polygon around a circle.
+const CIRCLE_CORNERS: usize = 48;
+
+/// What the fences of a file are.
+#[derive(Default)]
+pub(super) struct Fences {
+    /// Those that keep aircraft out.
+    pub no_fly: Vec<FoundNoFly>,
+    /// What else there is, in sentences for people.
+    pub notes: Vec<String>,
+}
+
+/// Whether a command is a part of a fence, or a rally point.
+pub(super) fn is_fence(command: u16) -> bool {
+    (RETURN_POINT..=RALLY_POINT).contains(&command)
+}
+
+/// Fences whose corners and circles are commands; corners of one polygon follow each other, and each
+/// says how many there are.
+pub(super) fn of_items(items: &[&Item]) -> Fences {
+    let mut fences = Gathered::default();
+    let mut corners: Vec<LonLat> = Vec::new();
+    for item in items {
+        let [first, .., latitude, longitude, _] = item.parameters.map(|p| p.unwrap_or(0.0));
+        let place = (longitude, latitude);
+        if is_fence(item.command) && !on_globe(longitude, latitude) {
+            fences.broken += 1;
+            continue;
+        }
+        match item.command {
+            VERTEX_INSIDE | VERTEX_OUTSIDE => {
+                corners.push(place);
+                if corners.len() as f64 >= first {
+                    let corners = std::mem::take(&mut corners);
+                    fences.polygon(corners, item.command == VERTEX_INSIDE);
+                }
+            }
+            CIRCLE_INSIDE | CIRCLE_OUTSIDE => {
+                fences.circle(place, first, item.command == CIRCLE_INSIDE);
+            }
+            RALLY_POINT => fences.rally_points += 1,
+            _ => {}
+        }
+    }
+    fences.broken += usize::from(!corners.is_empty());
+    fences.finish()
+}
+
+/// Fences of a plan, the member `geoFence`; what is no such thing has none.
+pub(super) fn of_plan(text: &str) -> Fences {
+    #[derive(Deserialize)]
+    struct GeoFence {
+        #[serde(default)]
+        circles: Vec<Circle>,
+        #[serde(default)]
+        polygons: Vec<Polygon>,
+    }
+    #[derive(Deserialize)]
+    struct Circle {
+        circle: Round,
+        inclusion: bool,
+    }
+    #[derive(Deserialize)]
+    struct Round {
+        center: (f64, f64),
+        radius: f64,
+    }
+    #[derive(Deserialize)]
+    struct Polygon {
+        polygon: Vec<(f64, f64)>,
+        inclusion: bool,
+    }
+    let mut fences = Gathered::default();
+    let Ok(stated) = serde_json::from_str::<GeoFence>(text) else {
+        return Fences::default();
+    };
+    for Polygon { polygon, inclusion } in stated.polygons {
+        let corners: Vec<LonLat> = polygon.into_iter().map(|(lat, lon)| (lon, lat)).collect();
+        if corners.iter().all(|(lon, lat)| on_globe(*lon, *lat)) {
+            fences.polygon(corners, inclusion);
+        } else {
+            fences.broken += 1;
+        }
+    }
+    for Circle { circle, inclusion } in stated.circles {
+        let (latitude, longitude) = circle.center;
+        fences.circle((longitude, latitude), circle.radius, inclusion);
+    }
+    fences.finish()
+}
+
+#[derive(Default)]
+struct Gathered {
+    no_fly: Vec<FoundNoFly>,
+    inside: usize,
+    rally_points: usize,
+    broken: usize,
+}
+
+impl Gathered {
+    fn polygon(&mut self, corners: Vec<LonLat>, is_inside: bool) {
+        if corners.len() < 3 {
+            self.broken += 1;
+        } else if is_inside {
+            self.inside += 1;
+        } else {
+            let number = self.no_fly.len() + 1;
+            self.no_fly.push(FoundNoFly {
+                name: Some(format!("Fence {number}")),
+                corners,
+                holes: Vec::new(),
+                properties: BTreeMap::new(),
+            });
+        }
+    }
+
+    /// A circle as the polygon around it, which leaves none of it out.
+    fn circle(&mut self, (longitude, latitude): LonLat, radius: f64, is_inside: bool) {
+        if !(on_globe(longitude, latitude) && radius > 0.0 && radius < 1e6) {
+            self.broken += 1;
+            return;
+        }
+        let frame = LocalFrame::new(Geodetic::from_degrees(latitude, longitude, 0.0));
+        let step = TAU / CIRCLE_CORNERS as f64;
+        let radius = radius / (0.5 * step).cos();
+        let corners = (0..CIRCLE_CORNERS).map(|i| {
+            let (east, north) = (step * i as f64).sin_cos();
+            let corner = GroundPoint::new(radius * north, radius * east);
+            let place = frame.geodetic_from_ground(&corner);
+            (place.longitude.to_degrees(), place.latitude.to_degrees())
+        });
+        self.polygon(corners.collect(), is_inside);
+    }
+
+    fn finish(self) -> Fences {
+        let mut notes = Vec::new();
+        let mut tell = |count: usize, what: &str| {
+            if count > 0 {
+                notes.push(format!("{count} × {what}"));
+            }
+        };
+        tell(
+            self.no_fly.len(),
+            "fence that keeps aircraft out, which can be taken as a no-fly area",
+        );
+        tell(
+            self.inside,
+            "fence that keeps aircraft in: it is kept, and is no no-fly area",
+        );
+        tell(
+            self.rally_points,
+            "rally point, which is kept and not shown",
+        );
+        tell(
+            self.broken,
+            "fence that is no area: it is kept as it stands",
+        );
+        Fences {
+            no_fly: self.no_fly,
+            notes,
+        }
+    }
+}

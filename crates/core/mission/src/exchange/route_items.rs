@@ -1,0 +1,200 @@
+//! A route as the commands of a mission, as `item_route` has read them.
+
+use std::collections::BTreeMap;
+
+use serde_json::Value;
+use serde_json::value::RawValue;
+
+use super::item::{CHANGE_SPEED, Item, command_of, frame_number};
+use super::item_route::{
+    AT_HOME, FIRST, GROUND_SPEED, HOME, Home, MEMBER, OWN, Own, SPEED_MEMBER, SPEED_PLACE, THEN,
+    is_plain_speed,
+};
+use crate::mission::{Route, WayPoint, WayPointAction, globe};
+use pilotage_base::frames::LocalFrame;
+
+/// Farthest from home that a way-point counts as left there, metres: what rounding may do to it.
+const STILL_AT_HOME: f64 = 0.01;
+
+/// One step of a route to be written.
+pub(super) enum Written<'a> {
+    /// A way-point: the command and where its altitude and unknown members stand.
+    WayPoint(Item, &'a WayPoint),
+    /// A change of speed, and the number by which the file that it comes from names it.
+    Speed(Item, Option<usize>),
+    /// What was kept, as `QGroundControl` writes it.
+    Kept(&'a RawValue),
+}
+
+impl Written<'_> {
+    /// The number by which jumps name it, if the file that it comes from gave it one.
+    pub(super) fn jump_id(&self) -> Option<usize> {
+        match self {
+            Self::Speed(_, id) => *id,
+            Self::WayPoint(_, way_point) => members(way_point)
+                .find(|(name, _)| *name == "doJumpId")
+                .and_then(|(_, value)| value.parse().ok()),
+            Self::Kept(piece) => jump_id_of(piece.get()),
+        }
+    }
+}
+
+fn jump_id_of(text: &str) -> Option<usize> {
+    let value: Value = serde_json::from_str(text).ok()?;
+    usize::try_from(value.get("doJumpId")?.as_u64()?).ok()
+}
+
+/// The steps of a route, in order.
+pub(super) fn steps_of<'a>(route: &'a Route, frame: &LocalFrame) -> Vec<Written<'a>> {
+    let home = stated_home(route);
+    let mut steps = Vec::new();
+    let mut speed = None;
+    let mut before = kept(route.properties.get(FIRST));
+    for way_point in &route.way_points {
+        between(&mut steps, &before, Some((way_point, speed)));
+        speed = way_point.speed;
+        steps.push(Written::WayPoint(
+            command(way_point, frame, home),
+            way_point,
+        ));
+        before = kept(way_point.properties.get(THEN));
+    }
+    between(&mut steps, &before, None);
+    steps
+}
+
+fn kept(list: Option<&String>) -> Vec<&RawValue> {
+    // Properties that somebody wrote by hand may be no list; then nothing was kept.
+    list.and_then(|text| serde_json::from_str(text).ok())
+        .unwrap_or_default()
+}
+
+/// Adds what was kept before the way-point `next`, whose leg has another speed than that before it or
+/// has not; the change stands where it stood in the file, as long as it says the same.
+fn between<'a>(
+    steps: &mut Vec<Written<'a>>,
+    kept: &[&'a RawValue],
+    next: Option<(&WayPoint, Option<f64>)>,
+) {
+    let mut change = next
+        .filter(|(next, before)| next.speed != *before)
+        .map(|(next, _)| Written::Speed(speed_command(next), None));
+    for piece in kept {
+        if piece.get() == SPEED_PLACE {
+            steps.extend(change.take());
+        } else if let Some((item, id)) = kept_speed(piece.get()) {
+            let wanted = next.and_then(|(next, _)| next.speed);
+            if next.is_some() && item.parameters[1].filter(|v| *v > 0.0) == wanted {
+                steps.push(Written::Speed(item, id));
+                change = None;
+            } else if let Some(Written::Speed(item, _)) = change.take() {
+                steps.push(Written::Speed(item, id));
+            }
+        } else {
+            steps.push(Written::Kept(piece));
+        }
+    }
+    steps.extend(change);
+}
+
+/// The change of speed that stands among kept commands, and its number.
+fn kept_speed(text: &str) -> Option<(Item, Option<usize>)> {
+    let members: BTreeMap<&str, &RawValue> = serde_json::from_str(text).ok()?;
+    let own = members.get(SPEED_MEMBER)?.get();
+    let item = Item::of_json(own).ok().filter(is_plain_speed)?;
+    Some((item, jump_id_of(own)))
+}
+
+fn speed_command(way_point: &WayPoint) -> Item {
+    let is_over_ground = way_point.properties.contains_key(GROUND_SPEED);
+    change_of_speed(way_point.speed, is_over_ground)
+}
+
+/// Whether a change to `speed` is written as it is written where no file said how.
+pub(super) fn is_usual_speed(item: &Item, speed: Option<f64>) -> bool {
+    let usual = change_of_speed(speed, item.parameters[0] == Some(1.0));
+    let numbers = |item: &Item| item.parameters.map(|p| p.unwrap_or(0.0));
+    numbers(item) == numbers(&usual) && (item.frame, item.is_continued) == (2, true)
+}
+
+fn change_of_speed(speed: Option<f64>, is_over_ground: bool) -> Item {
+    let zero = Some(0.0);
+    // A speed of -2 is the vehicle's usual one, a throttle of -1 leaves the throttle alone.
+    let speed = Some(speed.unwrap_or(-2.0));
+    let kind = Some(f64::from(u8::from(is_over_ground)));
+    Item {
+        command: CHANGE_SPEED,
+        frame: 2,
+        parameters: [kind, speed, Some(-1.0), zero, zero, zero, zero],
+        is_continued: true,
+    }
+}
+
+fn command(way_point: &WayPoint, frame: &LocalFrame, home: Option<Home>) -> Item {
+    let (longitude, latitude) = globe::lon_lat(frame, &way_point.position);
+    let (command, own) = command_of(&way_point.action);
+    let rounded = |degrees: f64| Some((degrees * 1e10).round() / 1e10);
+    let mut item = Item {
+        command,
+        frame: frame_number(way_point.altitude.frame),
+        parameters: [
+            own[0],
+            own[1],
+            own[2],
+            own[3],
+            rounded(latitude),
+            rounded(longitude),
+            Some(way_point.altitude.metres),
+        ],
+        is_continued: true,
+    };
+    let kept = way_point.properties.get(OWN);
+    if let Some(own) = kept.and_then(|text| serde_json::from_str::<Own>(text).ok()) {
+        let mut before = item.clone();
+        before.command = own.command;
+        before.parameters[..4].copy_from_slice(&own.params);
+        let is_same = before.action().map(|a| std::mem::discriminant(&a))
+            == Some(std::mem::discriminant(&way_point.action));
+        if is_same {
+            item.command = own.command;
+            item.is_continued = own.is_continued;
+            item.parameters[..4].copy_from_slice(&own.params);
+            if let WayPointAction::Loiter { radius, turns } = way_point.action {
+                item.parameters[0] = Some(turns);
+                item.parameters[2] = Some(radius);
+            }
+        }
+    }
+    let is_at_home = home.is_some_and(|[latitude, longitude, _]| {
+        let home = globe::ground(frame, longitude, latitude);
+        home.distance(&way_point.position) < STILL_AT_HOME
+    });
+    if is_at_home && way_point.properties.contains_key(AT_HOME) {
+        item.parameters[4] = Some(0.0);
+        item.parameters[5] = Some(0.0);
+    }
+    item
+}
+
+/// Members of a plan's command that we do not know, from a way-point's properties.
+pub(super) fn members(way_point: &WayPoint) -> impl Iterator<Item = (&str, &String)> {
+    way_point
+        .properties
+        .iter()
+        .filter_map(|(name, value)| Some((name.strip_prefix(MEMBER)?, value)))
+}
+
+/// The home that a route keeps; without one that of its first way-point, of which the height is not
+/// known.
+pub(super) fn home_of(route: &Route, frame: &LocalFrame) -> Option<Home> {
+    stated_home(route).or_else(|| {
+        let first = route.way_points.first()?;
+        let (longitude, latitude) = globe::lon_lat(frame, &first.position);
+        Some([latitude, longitude, 0.0])
+    })
+}
+
+/// The home that a route keeps.
+pub(super) fn stated_home(route: &Route) -> Option<Home> {
+    serde_json::from_str(route.properties.get(HOME)?).ok()
+}

@@ -1,0 +1,109 @@
+//! Places anywhere on the globe through every format, holes of polygons, and moments without a place.
+
+use proptest::prelude::*;
+
+use super::super::{Format, read_any, write_route, write_routes_and_landmarks};
+
+fn csv(places: &[(f64, f64)]) -> String {
+    let rows: Vec<String> = places
+        .iter()
+        .map(|(latitude, longitude)| format!("r,{latitude},{longitude},50\n"))
+        .collect();
+    format!("route,latitude,longitude,altitude\n{}", rows.concat())
+}
+
+/// Degrees of longitude from one to the other, the short way.
+fn apart(a: f64, b: f64) -> f64 {
+    let d = (a - b).rem_euclid(360.0);
+    d.min(360.0 - d)
+}
+
+/// Latitude and longitude of the way-points of a table that we wrote.
+fn places(text: &str) -> Vec<(f64, f64)> {
+    let cells = |l: &str| l.split(',').map(str::to_owned).collect::<Vec<_>>();
+    let rows = text.lines().skip(1).map(cells);
+    rows.map(|c| (c[1].parse().unwrap(), c[2].parse().unwrap()))
+        .collect()
+}
+
+proptest! {
+    #[test]
+    fn places_anywhere_come_back_through_every_format_to_a_millimetre_or_are_refused(
+        first in (-89.9_f64..89.9, -180.0_f64..180.0),
+        off in (-60.0_f64..60.0, -90.0_f64..90.0),
+        scale in prop_oneof![Just(1e-4), Just(1e-2), Just(1.0)],
+    ) {
+        let second = ((first.0 + scale * off.0).clamp(-89.9, 89.9), first.1 + scale * off.1);
+        let asked = [first, second];
+        let Ok(imported) = read_any("a.csv", csv(&asked).as_bytes(), None) else {
+            // Only what is far apart may be refused.
+            prop_assert!(scale == 1.0, "{asked:?}");
+            return Ok(());
+        };
+        for format in Format::ALL {
+            let file = write_route(format, &imported.routes[0], &imported.frame).unwrap();
+            let back = read_any("x", &file.bytes, None).unwrap();
+            let table = write_route(Format::Csv, &back.routes[0], &back.frame).unwrap();
+            let found = places(&String::from_utf8(table.bytes).unwrap());
+            for (found, asked) in found.iter().zip(asked) {
+                let north = (found.0 - asked.0) * 111_700.0;
+                let east = apart(found.1, asked.1) * 111_400.0 * asked.0.to_radians().cos();
+                prop_assert!(north.hypot(east) < 1e-3, "{}: {found:?} {asked:?}", format.name());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_route_over_the_date_line_stays_there() {
+    let text = csv(&[(-17.0, 179.999), (-17.001, -179.999)]);
+    let imported = read_any("a.csv", text.as_bytes(), None).unwrap();
+    let origin = imported.frame.origin;
+    assert!((origin.latitude.to_degrees() + 17.0005).abs() < 1e-4);
+    assert!(apart(origin.longitude.to_degrees(), 180.0) < 1e-6);
+    assert!((imported.routes[0].length() - 240.0).abs() < 2.0);
+}
+
+#[test]
+fn places_around_the_whole_globe_are_refused_by_name() {
+    for places in [[(0.0, 0.0), (0.0, 180.0)], [(70.9, -178.7), (-89.0, 0.0)]] {
+        let error = read_any("a.csv", csv(&places).as_bytes(), None).unwrap_err();
+        let error = error.to_string();
+        assert!(error.starts_with("a.csv: its places lie"), "{error}");
+    }
+}
+
+const RING: &str = r#"<kml xmlns="http://www.opengis.net/kml/2.2"><Document><Placemark><name>ring</name><Polygon>
+ <outerBoundaryIs><LinearRing><coordinates>8,47 8.01,47 8.01,47.01 8,47.01 8,47</coordinates></LinearRing></outerBoundaryIs>
+ <innerBoundaryIs><LinearRing><coordinates>8.004,47.004 8.006,47.004 8.006,47.006 8.004,47.004</coordinates></LinearRing></innerBoundaryIs>
+ <innerBoundaryIs><LinearRing><coordinates>8.001,47.001 8.002,47.001 8.002,47.002 8.001,47.001</coordinates></LinearRing></innerBoundaryIs>
+</Polygon></Placemark></Document></kml>"#;
+
+#[test]
+fn holes_of_a_polygon_come_back_from_every_format_that_has_areas() {
+    let read = read_any("a.kml", RING.as_bytes(), None).unwrap();
+    let before = read.landmarks[0].holes();
+    assert_eq!(before.iter().map(Vec::len).collect::<Vec<_>>(), [3, 3]);
+    for format in [Format::GeoJson, Format::Kml, Format::Kmz, Format::Csv] {
+        let file = write_routes_and_landmarks(format, &[], &read.landmarks, &read.frame).unwrap();
+        let back = read_any("x", &file.bytes, Some(read.frame)).unwrap();
+        let after = back.landmarks[0].holes();
+        assert_eq!(after.len(), 2, "{}", format.name());
+        for (a, b) in after.iter().flatten().zip(before.iter().flatten()) {
+            assert!(a.distance(b) < 1e-3, "{}", format.name());
+        }
+    }
+}
+
+#[test]
+fn a_moment_of_a_track_without_a_place_is_left_out_and_told() {
+    let text = "<kml xmlns:gx=\"g\"><Placemark><gx:Track><gx:coord/><gx:coord>8 47 400</gx:coord>\
+                <gx:coord></gx:coord><gx:coord>8.001 47 401</gx:coord></gx:Track></Placemark></kml>";
+    let back = read_any("a.kml", text.as_bytes(), None).unwrap();
+    assert_eq!(back.routes[0].way_points.len(), 2);
+    assert!(
+        back.notes.iter().any(|n| n.starts_with("2 × moment")),
+        "{:?}",
+        back.notes
+    );
+}

@@ -1,0 +1,148 @@
+//! Home of files of way-points, and every line and jump of them through reading and writing.
+
+use super::super::{Format, Imported, read_any, write_route};
+use crate::mission::WayPointAction;
+
+fn read(lines: &[&str]) -> (Imported, String) {
+    let text = format!("QGC WPL 110\n{}\n", lines.join("\n").replace(' ', "\t"));
+    let imported = read_any("a.waypoints", text.as_bytes(), None).unwrap();
+    (imported, text)
+}
+
+fn written(imported: &Imported) -> String {
+    let route = &imported.routes[0];
+    let written = write_route(Format::Waypoints, route, &imported.frame).unwrap();
+    String::from_utf8(written.bytes).unwrap()
+}
+
+fn told(imported: &Imported, words: &str) -> bool {
+    imported.notes.iter().any(|note| note.contains(words))
+}
+
+/// A home, a take-off without a place, two changes of speed of which the second changes nothing, and
+/// jumps to a way-point and to a change of speed.
+const MISSION: [&str; 9] = [
+    "0 0 0 16 0 0 0 0 47 8 430 1",
+    "1 0 3 22 15 0 0 0 0 0 30 1",
+    "2 0 2 178 0 5 0 0 0 0 0 1",
+    "3 0 3 16 0 0 0 0 47.001 8 50 1",
+    "4 0 0 178 1 5 0 0 0 0 0 1",
+    "5 0 3 16 0 0 0 0 47.002 8 50 1",
+    "6 0 0 177 3 -1 0 0 0 0 0 1",
+    "7 0 0 177 2 1 0 0 0 0 0 1",
+    "8 0 3 21 0 0 0 0 47 8 0 1",
+];
+
+#[test]
+fn home_is_line_0_whatever_its_current_flag_and_every_line_comes_back() {
+    for current in ["0", "1"] {
+        let mut lines = MISSION;
+        let first = format!("0 {current} 0 16 0 0 0 0 47 8 430 1");
+        lines[0] = &first;
+        let (imported, text) = read(&lines);
+        let route = &imported.routes[0];
+        assert_eq!(route.properties["home"], "[47.0,8.0,430.0]");
+        assert_eq!(route.way_points.len(), 4);
+        assert_eq!(route.way_points[0].action, WayPointAction::TakeOff);
+        assert_eq!(route.way_points[1].speed, Some(5.0));
+        assert_eq!(written(&imported), text);
+    }
+}
+
+#[test]
+fn jumps_follow_their_commands_when_the_route_is_edited() {
+    let (mut imported, _) = read(&MISSION);
+    let copy = imported.routes[0].way_points[0].clone();
+    let mut added = crate::mission::WayPoint::new(copy.position, copy.altitude);
+    added.position.north += 50.0;
+    imported.routes[0].way_points.insert(1, added);
+    let text = written(&imported);
+    let jumps: Vec<&str> = text
+        .lines()
+        .filter(|l| l.split('\t').nth(3) == Some("177"))
+        .map(|l| l.split('\t').nth(4).unwrap())
+        .collect();
+    let row = |n: &str| {
+        text.lines()
+            .find(|l| l.starts_with(&format!("{n}\t")))
+            .unwrap()
+    };
+    assert!(row(jumps[0]).contains("\t47.001\t"), "{text}");
+}
+
+#[test]
+fn a_home_that_was_never_set_is_none_and_its_line_comes_back() {
+    let (imported, text) = read(&[
+        "0 1 0 0 0 0 0 0 0 0 0 1",
+        "1 0 3 22 0 0 0 0 0 0 30 1",
+        "2 0 3 16 0 0 0 0 47.001 8 50 1",
+    ]);
+    assert!(told(&imported, "home was not set"), "{:?}", imported.notes);
+    assert!(
+        told(&imported, "route begins behind it"),
+        "{:?}",
+        imported.notes
+    );
+    assert!(!imported.notes.iter().any(|n| n.contains("put at the home")));
+    assert_eq!(imported.routes[0].way_points.len(), 1);
+    assert!(!imported.routes[0].properties.contains_key("home"));
+    assert_eq!(written(&imported), text);
+}
+
+#[test]
+fn a_file_without_a_line_for_home_is_written_without_one() {
+    let (imported, text) = read(&[
+        "0 0 3 22 0 0 0 0 0 0 30 1",
+        "1 0 3 16 0 0 0 0 47.001 8 50 1",
+        "2 0 0 177 1 -1 0 0 0 0 0 1",
+    ]);
+    assert!(
+        told(&imported, "the file has no home"),
+        "{:?}",
+        imported.notes
+    );
+    assert_eq!(written(&imported), text);
+}
+
+#[test]
+fn fences_are_areas_and_talk_of_no_home() {
+    let (imported, text) = read(&[
+        "0 0 0 5002 3 0 0 0 47 8 0 0",
+        "1 0 0 5002 3 0 0 0 47 8.001 0 0",
+        "2 0 0 5002 3 0 0 0 47.001 8 0 0",
+        "3 0 0 5004 100 0 0 0 47.01 8 0 0",
+        "4 0 0 5001 3 0 0 0 47 8 0 0",
+        "5 0 0 5001 3 0 0 0 47 8.1 0 0",
+        "6 0 0 5001 3 0 0 0 47.1 8 0 0",
+    ]);
+    assert_eq!(imported.no_fly.len(), 2);
+    assert_eq!(imported.no_fly[0].corners.len(), 3);
+    // Every corner of the polygon around the circle lies at or a little beyond its radius.
+    let middle =
+        imported
+            .frame
+            .ground_from_geodetic(&pilotage_base::frames::Geodetic::from_degrees(
+                47.01, 8.0, 0.0,
+            ));
+    for corner in &imported.no_fly[1].corners {
+        let radius = corner.distance(&middle);
+        assert!((100.0..100.6).contains(&radius), "{radius}");
+    }
+    assert!(
+        !imported.notes.iter().any(|n| n.contains("home")),
+        "{:?}",
+        imported.notes
+    );
+    assert!(told(&imported, "keeps aircraft in"), "{:?}", imported.notes);
+    assert_eq!(written(&imported), text);
+}
+
+#[test]
+fn version_120_is_the_same_and_another_is_refused() {
+    let text = "QGC WPL 120\n0\t1\t0\t16\t0\t0\t0\t0\t47\t8\t430\t1\n1\t0\t3\t16\t0\t0\t0\t0\t47.001\t8\t50\t1\n";
+    let imported = read_any("a.waypoints", text.as_bytes(), None).unwrap();
+    assert_eq!(imported.routes[0].way_points.len(), 1);
+    assert_eq!(written(&imported), text);
+    let error = read_any("a.waypoints", text.replace("120", "999").as_bytes(), None).unwrap_err();
+    assert!(error.to_string().contains("line 1"), "{error}");
+}
