@@ -166,8 +166,8 @@ fn nothing(files: &dyn FileSet, tables: &[String]) -> String {
             return format!("\n  {name}: {is}");
         };
         let findings = table.map.findings.iter();
-        let findings: String = findings.map(|finding| format!("; {finding}")).collect();
-        format!("\n  {name}: {}{findings}", lacking(&table.map))
+        let findings: Vec<String> = findings.map(|finding| format!("; {finding}")).collect();
+        format!("\n  {name}: {}{}", lacking(&table.map), findings.concat())
     };
     let told: Vec<String> = tables.iter().map(told).collect();
     format!(
