@@ -148,7 +148,21 @@ fn open_folder(
 /// That nothing among files is a flight, and what to do.
 fn nothing(files: &dyn FileSet, tables: &[String]) -> String {
     if tables.is_empty() {
-        return FolderError::NoFlightFile.to_string();
+        let names = files.names();
+        let some: Vec<&str> = names.iter().take(5).map(String::as_str).collect();
+        let more = if names.len() > some.len() {
+            ", …"
+        } else {
+            ""
+        };
+        let held = if some.is_empty() {
+            "there is nothing in it".to_owned()
+        } else {
+            format!("it holds {}{more}", some.join(", "))
+        };
+        return format!(
+            "no log, no table and no photos with places are among the files, and no flight.json: {held}"
+        );
     }
     let guessed = guess_tables(files, tables);
     let told = |name: &String| {
