@@ -151,7 +151,21 @@ fn open_folder(
 /// That nothing among files is a flight, and what to do.
 fn nothing(files: &dyn FileSet, tables: &[String]) -> String {
     if tables.is_empty() {
-        return FolderError::NoFlightFile.to_string();
+        let names = files.names();
+        let some: Vec<&str> = names.iter().take(5).map(String::as_str).collect();
+        let more = if names.len() > some.len() {
+            ", …"
+        } else {
+            ""
+        };
+        let held = if some.is_empty() {
+            "there is nothing in it".to_owned()
+        } else {
+            format!("it holds {}{more}", some.join(", "))
+        };
+        return format!(
+            "no log, no table and no photos with places are among the files, and no flight.json: {held}"
+        );
     }
     let guessed = guess_tables(files, tables);
     let told = |name: &String| {
@@ -168,11 +182,9 @@ fn nothing(files: &dyn FileSet, tables: &[String]) -> String {
             );
             return format!("\n  {name}: {is}");
         };
-        let findings = table.map.findings.iter().map(ToString::to_string);
-        let words: Vec<String> = std::iter::once(lacking(&table.map))
-            .chain(findings)
-            .collect();
-        format!("\n  {name}: {}", words.join("; "))
+        let findings = table.map.findings.iter();
+        let findings: Vec<String> = findings.map(|finding| format!("; {finding}")).collect();
+        format!("\n  {name}: {}{}", lacking(&table.map), findings.concat())
     };
     let told: Vec<String> = tables.iter().map(told).collect();
     format!(

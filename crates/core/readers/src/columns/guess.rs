@@ -67,14 +67,14 @@ pub(super) struct Guess {
 /// What names and values say of the columns of a table; `None` if it is none.
 pub(super) fn guess_with_samples(file: &str, bytes: &[u8]) -> Option<Guess> {
     let (shape, samples, share) = sampled(bytes)?;
-    let (columns, hints, groups, body) = guess_columns(file, &samples, share);
+    let (columns, hints, groups, told) = guess_columns(file, &samples, share);
     let map = ColumnMap {
         file: file.to_owned(),
         shape,
         rows_per_second: None,
         findings: long::told(&samples, &columns)
             .into_iter()
-            .chain(body)
+            .chain(told)
             .collect(),
         questions: day_or_month(&samples, &columns).into_iter().collect(),
         columns,
@@ -179,12 +179,12 @@ fn ends_in_time(name: &str) -> bool {
 }
 
 /// What columns mean of which these are samples, `share` of all rows, what their names say for sure, which belong
-/// together, and which body their attitude is of, where there are two.
+/// together, and what one would not expect of them, in sentences.
 fn guess_columns(
     file: &str,
     samples: &[Sample],
     share: f64,
-) -> (Vec<MappedColumn>, Vec<Hint>, Vec<Group>, Option<String>) {
+) -> (Vec<MappedColumn>, Vec<Hint>, Vec<Group>, Vec<String>) {
     let time = guess_time(samples, share);
     let names: Vec<Parts> = samples.iter().map(|s| parts(&s.name, &s.unit)).collect();
     let is_numeric: Vec<bool> = samples.iter().map(Sample::is_numeric).collect();
@@ -234,8 +234,8 @@ fn guess_columns(
             };
         }
     }
-    let told = of_one_body(&mut columns);
-    hemispheres(samples, &mut columns);
+    let mut told: Vec<String> = of_one_body(&mut columns).into_iter().collect();
+    told.extend(hemispheres(samples, &mut columns));
     places(samples, &mut columns);
     parts_of_time(samples, &mut columns);
     settle(&mut columns);

@@ -73,6 +73,60 @@ fn degrees_and_minutes_with_hemispheres_are_places() {
 }
 
 #[test]
+fn columns_of_blackbox_tables_units_behind_times_and_minutes_of_receivers_are_known() {
+    let rows = |head: &str, row: &dyn Fn(f64) -> String| {
+        head.to_owned()
+            + "\n"
+            + &(0..60)
+                .map(|i| row(f64::from(i)) + "\n")
+                .collect::<String>()
+    };
+    let blackbox = rows("time (us),GPS_coord[0],GPS_coord[1]", &|i| {
+        format!(
+            "{},{:.7},{:.7}",
+            1_000_000.0 + 1e5 * i,
+            47.0 + 8e-6 * i,
+            8.0 + 3e-6 * i
+        )
+    });
+    let units = rows("time;latitude;longitude", &|i| {
+        format!(
+            "{:.1} s;{:.6}°;{:.6}°",
+            0.1 * i,
+            47.0 + 8e-6 * i,
+            8.0 + 3e-6 * i
+        )
+    });
+    for table in [blackbox, units] {
+        let files = files(&[("a.csv", &table)]);
+        let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+        let flight = flight_of_tables(&files, &maps).unwrap().flight;
+        let (first, last) = flight.span();
+        assert!((last - first - 5.9).abs() < 1e-6, "{table}");
+        let origin = flight.frame_on_globe.expect(&table).origin;
+        assert!(
+            (origin.latitude.to_degrees() - 47.0).abs() < 1e-6,
+            "{table}"
+        );
+    }
+    let receiver = rows("time,latitude,N/S,longitude,E/W", &|i| {
+        format!(
+            "{:.2},{:.4},N,{:.4},E",
+            0.1 * i,
+            4730.0 + 5e-4 * i,
+            830.0 + 5e-4 * i
+        )
+    });
+    let map = guess_table("a.csv", receiver.as_bytes()).unwrap();
+    assert!(map.column(super::ColumnRole::Latitude).is_none());
+    assert!(
+        map.findings.iter().any(|told| told.contains("NMEA")),
+        "{:?}",
+        map.findings
+    );
+}
+
+#[test]
 fn a_date_that_can_be_read_in_two_ways_is_asked_for_and_one_that_cannot_is_not() {
     let questions = |day: &str| {
         let row = |i: usize| {

@@ -48,11 +48,15 @@ const RULES: &[Rule] = &[
         0.8,
         "utc|clock|seconds|secs|sec|millis|milliseconds|micros|s|ms|us|flight time|boot time|time boot|date",
     ),
-    rule(Latitude, 0.98, "latitude|lat|gps lat|gps latitude"),
+    rule(
+        Latitude,
+        0.98,
+        "latitude|lat|gps lat|gps latitude|gps coord 0",
+    ),
     rule(
         Longitude,
         0.98,
-        "longitude|lon|lng|long|gps lon|gps lng|gps longitude",
+        "longitude|lon|lng|long|gps lon|gps lng|gps longitude|gps coord 1",
     ),
     rule(
         SpeedOverGround,

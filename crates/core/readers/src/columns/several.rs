@@ -86,8 +86,10 @@ pub(super) fn parts_of_time(samples: &[Sample], columns: &mut [MappedColumn]) {
     }
 }
 
-/// Turns latitudes and longitudes whose hemisphere stands in a column of its own, where that is south or west.
-pub(super) fn hemispheres(samples: &[Sample], columns: &mut [MappedColumn]) {
+/// Turns latitudes and longitudes whose hemisphere stands in a column of its own, where that is south or west. Returns why
+/// they are not read, in a sentence, where they are written as receivers write them, degrees and minutes in one number.
+pub(super) fn hemispheres(samples: &[Sample], columns: &mut [MappedColumn]) -> Option<String> {
+    let mut told = None;
     for (role, letters) in [(Latitude, ["N", "S"]), (Longitude, ["E", "W"])] {
         let letter = |text: &String| {
             let words = [["n", "north"], ["s", "south"], ["e", "east"], ["w", "west"]];
@@ -104,13 +106,33 @@ pub(super) fn hemispheres(samples: &[Sample], columns: &mut [MappedColumn]) {
         let Some(sample) = samples.iter().find(is_of) else {
             continue;
         };
+        let place = columns.iter().position(|column| column.role == role);
+        let most = if role == Latitude { 90.0 } else { 180.0 };
+        let are_minutes = |at: &usize| {
+            let numbers = &samples[*at].numbers;
+            let limit = 100.0 * most;
+            numbers.iter().any(|n| n.fract() != 0.0 && *n > most)
+                && numbers
+                    .iter()
+                    .all(|n| (0.0..=limit).contains(n) && n % 100.0 < 60.0)
+        };
+        if let Some(at) = place.filter(are_minutes) {
+            let name = columns[at].name.clone();
+            let reason =
+                "degrees and minutes stand in one number, as receivers write them".to_owned();
+            give_up(&mut columns[at], reason.clone());
+            columns[at].alternatives.clear();
+            told.get_or_insert(format!(
+                "{name}: {reason} (NMEA): write plain degrees to have the places read"
+            ));
+            continue;
+        }
         let turned = sample
             .texts
             .iter()
             .filter(|text| letter(text).as_deref() == Some(letters[1]))
             .count();
         let is_positive = |at: usize| samples[at].range().is_some_and(|(low, _)| low >= 0.0);
-        let place = columns.iter().position(|column| column.role == role);
         let Some(place) = place.filter(|place| turned > 0 && is_positive(*place)) else {
             continue;
         };
@@ -126,4 +148,5 @@ pub(super) fn hemispheres(samples: &[Sample], columns: &mut [MappedColumn]) {
             give_up(column, reason);
         }
     }
+    told
 }

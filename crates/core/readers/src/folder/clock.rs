@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::date::date_and_time;
+use crate::columns::number;
 
 /// How a time column is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -46,9 +47,9 @@ impl TimeFormat {
     /// Reads a cell; the error says in words what is expected.
     pub fn parse(self, text: &str) -> Result<Moment, String> {
         let scaled = |scale: f64| {
-            let value: f64 = text
-                .parse()
-                .map_err(|_| format!("\"{}\" is not a number", shortened(text)))?;
+            // A unit may stand behind it.
+            let value = number(text, false)
+                .ok_or_else(|| format!("\"{}\" is not a number", shortened(text)))?;
             if value.is_finite() {
                 Ok(Moment::Relative(value * scale))
             } else {

@@ -40,12 +40,18 @@ impl Log {
         let is_near = |time: f64| time >= earliest && time <= last + margin;
         for (place, topic) in self.topics.iter_mut().enumerate() {
             if !is_timed(place) {
-                move_near(topic.times.iter_mut(), (first, last), margin);
                 continue;
             }
             left_out.extend(topic.retain_times(is_near));
             if topic.len() < ENOUGH {
                 left_out.extend(topic.retain_sound());
+            }
+        }
+        // Rows without times of their own stand among the others.
+        if let Some(span) = self.span_of(1, &is_timed) {
+            let others = self.topics.iter_mut().enumerate();
+            for (_, topic) in others.filter(|(place, _)| !is_timed(*place)) {
+                move_near(topic.times.iter_mut(), span, 0.0);
             }
         }
         let Some((first, last)) = self.bulk(&is_timed) else {
@@ -83,17 +89,20 @@ impl Log {
 
     /// First and last time of the topics with many rows, or of all if none has; seconds.
     fn bulk(&self, is_timed: &impl Fn(usize) -> bool) -> Option<(f64, f64)> {
-        let span = |least: usize| {
-            let topics = self.topics.iter().enumerate();
-            let topics = topics.filter(|(place, topic)| is_timed(*place) && topic.len() >= least);
-            let times = topics.flat_map(|(_, topic)| &topic.times);
-            let finite = times.copied().filter(|time| time.is_finite());
-            finite.fold(None, |span: Option<(f64, f64)>, time| {
-                let (first, last) = span.unwrap_or((time, time));
-                Some((first.min(time), last.max(time)))
-            })
-        };
-        span(ENOUGH).or_else(|| span(1))
+        let many = self.span_of(ENOUGH, is_timed);
+        many.or_else(|| self.span_of(1, is_timed))
+    }
+
+    /// First and last time of the topics with so many rows at least, seconds.
+    fn span_of(&self, least: usize, is_timed: &impl Fn(usize) -> bool) -> Option<(f64, f64)> {
+        let topics = self.topics.iter().enumerate();
+        let topics = topics.filter(|(place, topic)| is_timed(*place) && topic.len() >= least);
+        let times = topics.flat_map(|(_, topic)| &topic.times);
+        let finite = times.copied().filter(|time| time.is_finite());
+        finite.fold(None, |span: Option<(f64, f64)>, time| {
+            let (first, last) = span.unwrap_or((time, time));
+            Some((first.min(time), last.max(time)))
+        })
     }
 
     /// Makes the second `zero` of the log's time base its second 0.
