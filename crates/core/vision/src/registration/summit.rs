@@ -14,8 +14,14 @@ use super::weighed::frame_template;
 use pilotage_base::frames::wrap_pi;
 use pilotage_raster::raster::{ChannelSearch, Gray, Peak, highest_peak};
 
-/// Ground sample distances against that of the sweep, and rounds at each; every round halves the steps.
-const LEVELS: [(f64, usize); 2] = [(1.0, 3), (0.6, 2)];
+/// Texture, ground sample distance against that of the sweep, and rounds of each level; every round halves the steps.
+///
+/// The first climbs what the sweep weighed, by edges and contrast: where there are few edges, edges alone lead to
+/// another summit nearby. The last places the frame by edges alone, because shadows and crops move contrast.
+const LEVELS: [(Texture, f64, usize); 2] = [
+    (Texture::EdgesAndContrast, 1.0, 3),
+    (Texture::Edges, 0.6, 2),
+];
 /// How far the summit may lie from the guess, pixels of the sweep.
 const MARGIN: f64 = 8.0;
 /// First step of roll and of pitch, radians.
@@ -85,9 +91,9 @@ pub fn climb(look: &Look<'_>, prior: &PosePrior, guess: &Guess) -> Option<Climbe
     let evidence = &guess.evidence;
     let mut climbed: Option<(Level<'_>, Summit)> = None;
     let mut share = 1.0;
-    for (finer, rounds) in LEVELS {
+    for (texture, finer, rounds) in LEVELS {
         let start = climbed.map_or(guess.at, |(_, top)| top.at);
-        let level = Level::new(look, prior, &start, evidence, finer)?;
+        let level = Level::new(look, prior, &start, evidence, texture, finer * guess.gsd)?;
         let mut top = level.summit(&start)?;
         for _ in 0..rounds {
             top = level.round(share, top);
@@ -107,7 +113,9 @@ struct Level<'a> {
     evidence: &'a Evidence,
     ground: GroundPicture,
     search: ChannelSearch,
+    /// Metres.
     gsd: f64,
+    texture: Texture,
 }
 
 impl<'a> Level<'a> {
@@ -116,14 +124,14 @@ impl<'a> Level<'a> {
         prior: &'a PosePrior,
         start: &MapPose,
         evidence: &'a Evidence,
-        finer: f64,
+        texture: Texture,
+        gsd: f64,
     ) -> Option<Self> {
         let footprint = look.footprint(start)?;
         let across = footprint.width().max(footprint.height());
-        let gsd = finer * Grid::full().gsd(&footprint);
         // At any heading and height of the first round, which are the farthest.
         let around = footprint.grown(MARGIN * gsd + 0.1 * across);
-        let ground = GroundPicture::of_map(look.map, &around, gsd, Texture::Edges, 0);
+        let ground = GroundPicture::of_map(look.map, &around, gsd, texture, 0);
         let search = ChannelSearch::new(&ground.channels, &ground.covered);
         Some(Self {
             look,
@@ -132,13 +140,14 @@ impl<'a> Level<'a> {
             ground,
             search,
             gsd,
+            texture,
         })
     }
 
     /// The best place of a pose.
     fn summit(&self, at: &MapPose) -> Option<Summit> {
         let (template, (left, top)) =
-            frame_template(self.look, at, &self.ground.window, Texture::Edges)?;
+            frame_template(self.look, at, &self.ground.window, self.texture)?;
         let surface = self.search.correlate(&template)?;
         let (peak, sample) = peak_near(&surface.score, left, top)?;
         let share = f64::from(surface.share_at(sample));

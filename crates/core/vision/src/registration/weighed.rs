@@ -211,6 +211,7 @@ impl Weighed {
             probability: 0.0,
             log_doubt: 0.0,
             evidence: seen.evidence,
+            gsd: seen.gsd,
         };
         self.summits.extend(summits.found.iter().map(of_summit));
     }
