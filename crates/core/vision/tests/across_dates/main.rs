@@ -246,7 +246,8 @@ fn frames_over_fields_and_river_lie_at_one_place_on_maps_of_two_dates() {
     let doubt = Doubt {
         position: 10.0,
         heading: Some(within(15_f64.to_radians())),
-        log_height: within(0.12),
+        // As far as photos are searched where nobody says otherwise: the stated height is not the one above ground.
+        log_height: within(0.2),
     };
     let (one, two) = (lay(&january, doubt, 1), lay(&march, doubt, 1));
     let same = at_one_place(&january, &march, &one, &two);
@@ -259,7 +260,7 @@ fn frames_over_fields_and_river_lie_at_one_place_on_maps_of_two_dates() {
     let both = both
         .filter(|(a, b)| a.result.is_ok() && b.result.is_ok())
         .count();
-    assert!(same >= 48 && both - same <= 3, "{same} of {both}");
+    assert!(same >= 51 && both - same <= 3, "{same} of {both}");
 }
 
 #[test]
