@@ -39,8 +39,20 @@ pub fn read_any(
     let unknown = || ExchangeError::Unknown {
         file: name.to_owned(),
     };
-    let format = Format::of(name, bytes).ok_or_else(unknown)?;
     let mut notes = Vec::new();
+    let decoded = of_utf_16(bytes);
+    let bytes = decoded.as_ref().map_or(bytes, |text| text.as_bytes());
+    if decoded.is_some() {
+        notes.push("the text is UTF-16".to_owned());
+    }
+    let format = Format::of(name, bytes).ok_or_else(unknown)?;
+    if format == Format::GeoJson && is_old_mission(bytes) {
+        return Err(ExchangeError::File {
+            file: name.to_owned(),
+            cause: "this is an old .mission of QGroundControl: open it there and save it as .plan"
+                .to_owned(),
+        });
+    }
     let unpacked = match format {
         Format::Kmz => kml_read::unpack(name, bytes)?,
         _ => Vec::new(),
@@ -131,6 +143,33 @@ fn too_far(file: &str, what: &str) -> ExchangeError {
         file: file.to_owned(),
         cause: format!("its places {what}: split the file into regions"),
     }
+}
+
+/// The text of bytes that begin with the mark of UTF-16, as Excel and Windows write it; what is no
+/// character becomes the sign for that.
+fn of_utf_16(bytes: &[u8]) -> Option<String> {
+    let (rest, is_little) = match bytes {
+        [0xff, 0xfe, rest @ ..] => (rest, true),
+        [0xfe, 0xff, rest @ ..] => (rest, false),
+        _ => return None,
+    };
+    let unit = |pair: &[u8]| {
+        let pair = [pair[0], pair[1]];
+        if is_little {
+            u16::from_le_bytes(pair)
+        } else {
+            u16::from_be_bytes(pair)
+        }
+    };
+    let units: Vec<u16> = rest.chunks_exact(2).map(unit).collect();
+    Some(String::from_utf16_lossy(&units))
+}
+
+/// Whether JSON is what `QGroundControl` saved before there were plans.
+fn is_old_mission(bytes: &[u8]) -> bool {
+    let members: Option<serde_json::Map<String, serde_json::Value>> =
+        serde_json::from_slice(bytes).ok();
+    members.is_some_and(|m| m.contains_key("items") && m.contains_key("MAV_AUTOPILOT"))
 }
 
 /// The text of a file: UTF-8, or else taken for Latin-1, which is said.
