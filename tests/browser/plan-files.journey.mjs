@@ -13,7 +13,10 @@ const item = (command, params, jump) => ({
 /** A plan around a place, with a camera trigger and a command that nobody knows. */
 const plan = ([latitude, longitude]) => JSON.stringify({
   fileType: "Plan", version: 1, groundStation: "QGroundControl",
-  geoFence: { circles: [], polygons: [], version: 2 }, rallyPoints: { points: [], version: 2 },
+  geoFence: {
+    circles: [], version: 2,
+    polygons: [{ inclusion: false, version: 1, polygon: [[0, 0], [0.001, 0], [0.001, 0.002]].map(([n, e]) => [latitude + n, longitude + e]) }],
+  }, rallyPoints: { points: [], version: 2 },
   mission: {
     version: 2, firmwareType: 3, vehicleType: 1, cruiseSpeed: 15, hoverSpeed: 5, globalPlanAltitudeMode: 1,
     plannedHomePosition: [latitude, longitude, 100],
@@ -49,10 +52,11 @@ export async function run(page, tools) {
 
   await tools.waitFor((s) => s.run_complete, "the whole run", 300_000);
   const others = (await tools.state()).plan.routes.length;
-  const planned = await open("field.plan", plan(before.origin), /Added 1 route from field\.plan.*kept but not understood.*31000/s);
+  const planned = await open("field.plan", plan(before.origin), /Added 1 route and 1 no-fly area from field\.plan.*kept but not understood.*31000/s);
   tools.check(planned.workspace === "Plan", "the plan is not shown");
   tools.check(planned.plan.routes.length === others + 1 && planned.plan.routes.at(-1).way_points.length === 3, "the route is not as it was");
   tools.check(planned.plan.routes.at(-1).way_points[1].altitude === 90, "an altitude was lost");
+  tools.check(planned.plan.no_fly.at(-1) === 3, `the fence is no area: ${planned.plan.no_fly}`);
   await tools.screenshot("plan-unknown-commands");
 
   // What was not understood is written again.

@@ -1,6 +1,6 @@
 //! Our files in the readers of pymavlink, fastkml and gpxpy.
 
-use pilotage_core::exchange::{Format, write_route, write_routes_and_landmarks};
+use pilotage_core::exchange::{Format, Places, write_places, write_route};
 use pilotage_core::frames::{
     Altitude, AltitudeFrame, Geodetic, GroundPoint, GroundRect, LocalFrame,
 };
@@ -106,8 +106,12 @@ fn other_readers_find_our_routes_and_landmarks_where_we_put_them() {
         GroundRect::centered(GroundPoint::new(200.0, 300.0), 20.0, 30.0),
     );
     let written = |format| {
-        write_routes_and_landmarks(format, &[route()], std::slice::from_ref(&barn), &frame)
-            .expect("the format holds both")
+        let places = Places {
+            routes: &[route()],
+            landmarks: std::slice::from_ref(&barn),
+            ..Places::default()
+        };
+        write_places(format, &places, &frame).expect("the format holds both")
     };
     let waypoints = write_route(Format::Waypoints, &route(), &frame).expect("WPL holds a route");
     let question = Files {

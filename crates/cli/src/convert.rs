@@ -2,9 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use pilotage_core::exchange::{
-    Format, Imported, read_any, write_landmarks, write_routes_and_landmarks,
-};
+use pilotage_core::exchange::{Format, Imported, Places, read_any, write_landmarks, write_places};
 use pilotage_core::mission::Route;
 
 use crate::Outcome;
@@ -63,8 +61,12 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let written = if arguments.landmarks {
         write_landmarks(format, &imported.landmarks, &imported.frame)?
     } else {
-        let (routes, landmarks) = (&imported.routes, &imported.landmarks);
-        write_routes_and_landmarks(format, routes, landmarks, &imported.frame)?
+        let places = Places {
+            routes: &imported.routes,
+            landmarks: &imported.landmarks,
+            no_fly: &imported.no_fly,
+        };
+        write_places(format, &places, &imported.frame)?
     };
     crate::files::write_whole(to, &written.bytes)?;
     notes.extend(written.notes);

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use super::App;
 use super::desk::Exporting;
 use crate::command::{Command, Workspace};
+use crate::documents::Brought;
 use crate::host::Host;
 use crate::jobs::{ExportOrder, ImportedFile, Job, JobEvent, JobId};
 use crate::plan::PlanTab;
@@ -47,9 +48,11 @@ impl App {
         }
         let routes: usize = files.iter().map(|f| f.routes.len()).sum();
         let landmarks: usize = files.iter().map(|f| f.landmarks.len()).sum();
+        let no_fly: usize = files.iter().map(|f| f.no_fly.len()).sum();
         let what: Vec<String> = counted(routes, "route")
             .into_iter()
             .chain(counted(landmarks, "landmark"))
+            .chain(counted(no_fly, "no-fly area"))
             .collect();
         let names: Vec<String> = files
             .iter()
@@ -72,16 +75,16 @@ impl App {
             .collect();
         let added = self
             .documents
-            .add_all(files.into_iter().map(|f| (f.routes, f.landmarks)).collect());
+            .add_all(files.into_iter().map(Brought::from).collect());
         self.show_workspace(Workspace::Plan);
         let planner = &mut self.views.planner;
         planner.drawing = false;
         planner.fitted = false;
         planner.way_point = None;
-        planner.tab = if added.routes.is_empty() {
-            PlanTab::Landmarks
-        } else {
-            PlanTab::Route
+        planner.tab = match (added.routes.is_empty(), added.landmarks.is_empty()) {
+            (false, _) => PlanTab::Route,
+            (true, false) => PlanTab::Landmarks,
+            (true, true) => PlanTab::Ground,
         };
         planner.route = added.routes.first().copied().or(planner.route);
         self.desk.document_changed = true;
@@ -121,6 +124,11 @@ impl App {
         };
         let order = ExportOrder::Places {
             format,
+            no_fly: if routes.is_empty() {
+                Vec::new()
+            } else {
+                mission.no_fly.clone()
+            },
             routes,
             landmarks,
             origin: mission.origin,

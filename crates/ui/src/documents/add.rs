@@ -1,9 +1,31 @@
-//! Routes and landmarks of files, added to the mission.
+//! Routes, landmarks and no-fly areas of files, added to the mission.
 
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::Route;
+use pilotage_core::mission::{NoFlyZone, Route};
 
 use super::Documents;
+use crate::jobs::ImportedFile;
+
+/// What one file brought to the mission.
+#[derive(Clone, Debug, Default)]
+pub struct Brought {
+    /// Routes; identities are unique in this file only.
+    pub routes: Vec<Route>,
+    /// Landmarks, likewise.
+    pub landmarks: Vec<Landmark>,
+    /// Areas that must not be flown over.
+    pub no_fly: Vec<NoFlyZone>,
+}
+
+impl From<ImportedFile> for Brought {
+    fn from(file: ImportedFile) -> Self {
+        Self {
+            routes: file.routes,
+            landmarks: file.landmarks,
+            no_fly: file.no_fly,
+        }
+    }
+}
 
 /// Identities that added things have in the mission.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -16,21 +38,22 @@ pub struct Added {
 
 impl Documents {
     /// Adds what several files brought, as one step; each gets a free identity.
-    pub fn add_all(&mut self, files: Vec<(Vec<Route>, Vec<Landmark>)>) -> Added {
+    pub fn add_all(&mut self, files: Vec<Brought>) -> Added {
         self.history.remember(&self.mission);
         self.mission_edited = true;
         let mut added = Added::default();
-        for (routes, landmarks) in files {
-            for mut route in routes {
+        for file in files {
+            for mut route in file.routes {
                 route.id = self.free_route_id();
                 added.routes.push(route.id);
                 self.mission.routes.push(route);
             }
-            for mut landmark in landmarks {
+            for mut landmark in file.landmarks {
                 landmark.id = self.mission.free_landmark_id();
                 added.landmarks.push(landmark.id);
                 self.mission.landmarks.push(landmark);
             }
+            self.mission.no_fly.extend(file.no_fly);
         }
         added
     }
@@ -50,11 +73,16 @@ mod tests {
         let before = documents.mission.clone();
         let file = || {
             let landmark = Landmark::new(own, "Barn", bounds);
-            (vec![Route::default()], vec![landmark])
+            Brought {
+                routes: vec![Route::default()],
+                landmarks: vec![landmark],
+                no_fly: vec![NoFlyZone::default()],
+            }
         };
         let added = documents.add_all(vec![file(), file()]);
         assert_eq!(added.routes, [1, 2]);
         assert_eq!(added.landmarks, [own + 1, own + 2]);
+        assert_eq!(documents.mission.no_fly.len(), 2);
         assert_eq!(documents.undo(), Some(true));
         assert_eq!(documents.mission, before);
     }

@@ -14,7 +14,7 @@ mod session;
 mod session_v1;
 mod store;
 
-pub use add::Added;
+pub use add::{Added, Brought};
 pub use ground::{Ground, TERRAIN_KEY};
 pub use history::History;
 pub use noticed::Noticed;

@@ -137,6 +137,7 @@ impl ViewState {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pilotage_core::mission::NoFlyZone;
 
     #[test]
     fn a_session_survives_the_storage() {
@@ -153,6 +154,23 @@ mod tests {
         let mut bytes = Session::demo().encode();
         bytes[0] = 0;
         assert_eq!(Session::decode(&bytes), None);
+    }
+
+    #[test]
+    fn areas_that_were_stored_before_they_could_have_holes_are_read() {
+        let mut mission = crate::documents::Documents::empty_mission();
+        mission.no_fly.push(NoFlyZone {
+            name: "Village".to_owned(),
+            ..NoFlyZone::default()
+        });
+        let session = Session {
+            mission: Some(mission),
+            ..Session::demo()
+        };
+        let text = String::from_utf8(session.encode()).unwrap();
+        let before = text.replace("\"holes\":[],", "");
+        assert_ne!(before, text);
+        assert_eq!(Session::decode(before.as_bytes()), Some(session));
     }
 
     #[test]

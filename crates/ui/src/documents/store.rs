@@ -10,7 +10,7 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{NavigatorSettings, Run};
 use pilotage_core::simulate::SimulationChoice;
 
-use super::{Ground, History, Noticed, Session};
+use super::{Brought, Ground, History, Noticed, Session};
 use crate::camera_log::CameraLog;
 use crate::compare::{Contest, Shelf};
 use crate::cut::Cuts;
@@ -242,7 +242,11 @@ impl Documents {
             self.history.clear();
             self.mission_edited = false;
             if edited {
-                self.add_all(vec![(own.routes, own.landmarks)]);
+                self.add_all(vec![Brought {
+                    routes: own.routes,
+                    landmarks: own.landmarks,
+                    no_fly: own.no_fly,
+                }]);
             }
         }
     }

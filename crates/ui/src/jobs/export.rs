@@ -1,7 +1,7 @@
 //! Files for other programs, as a job: the page needs no writer of theirs.
 
 use pilotage_core::exchange::labels::write_labels;
-use pilotage_core::exchange::{Written, write_routes_and_landmarks};
+use pilotage_core::exchange::{Places, Written, write_places};
 use pilotage_core::frames::LocalFrame;
 
 use super::ExportOrder;
@@ -14,10 +14,15 @@ impl ExportOrder {
                 format,
                 routes,
                 landmarks,
+                no_fly,
                 origin,
             } => {
-                let frame = LocalFrame::new(*origin);
-                write_routes_and_landmarks(*format, routes, landmarks, &frame)
+                let places = Places {
+                    routes,
+                    landmarks,
+                    no_fly,
+                };
+                write_places(*format, &places, &LocalFrame::new(*origin))
                     .map_err(|cause| cause.to_string())
             }
             Self::Labels {

@@ -97,6 +97,12 @@ fn placed(name: String, imported: Imported) -> Result<ImportedFile, String> {
     let places = imported.routes.iter().flat_map(|r| &r.way_points);
     let places = places.map(|w| w.position);
     let places = places.chain(imported.landmarks.iter().map(|l| l.reference));
+    let places = places.chain(
+        imported
+            .no_fly
+            .iter()
+            .flat_map(|z| z.corners.iter().copied()),
+    );
     let nearest = places
         .map(|p| p.distance(&origin))
         .fold(f64::INFINITY, f64::min);
@@ -112,6 +118,7 @@ fn placed(name: String, imported: Imported) -> Result<ImportedFile, String> {
         format: imported.format.name().to_owned(),
         routes: imported.routes,
         landmarks: imported.landmarks,
+        no_fly: imported.no_fly,
         notes: imported.notes,
     })
 }

@@ -14,7 +14,7 @@ use super::suggest_command::SuggestCommand;
 use super::suggestions::is_added;
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::documents::{Added, Documents};
+use crate::documents::{Added, Brought, Documents};
 use crate::jobs::SuggestOrder;
 use crate::map::{ScreenFromWorld, paint_halo_text, paint_lifted_line};
 use crate::shell::{caption, icon_button, icons::Icon, muted};
@@ -63,7 +63,10 @@ impl Planner {
                     })
                     .collect();
                 if !landmarks.is_empty() {
-                    return documents.add_all(vec![(Vec::new(), landmarks)]);
+                    return documents.add_all(vec![Brought {
+                        landmarks,
+                        ..Brought::default()
+                    }]);
                 }
             }
         }

@@ -4,8 +4,10 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use serde::Deserialize;
+use serde_json::{Value, json};
 
 use super::item::Item;
+use crate::mission::NoFlyZone;
 use crate::mission::found::{FoundNoFly, LonLat, on_globe};
 use pilotage_base::frames::{Geodetic, GroundPoint, LocalFrame};
 
@@ -15,6 +17,8 @@ const VERTEX_OUTSIDE: u16 = 5002;
 const CIRCLE_INSIDE: u16 = 5003;
 const CIRCLE_OUTSIDE: u16 = 5004;
 const RALLY_POINT: u16 = 5100;
+/// Corners that are this near each other are the same, degrees.
+const SAME_DEGREES: f64 = 1e-7;
 /// Corners of the polygon around a circle.
 const CIRCLE_CORNERS: usize = 48;
 
@@ -30,6 +34,13 @@ pub(super) struct Fences {
 /// Whether a command is a part of a fence, or a rally point.
 pub(super) fn is_fence(command: u16) -> bool {
     (RETURN_POINT..=RALLY_POINT).contains(&command)
+}
+
+/// Whether a file of way-points has fences that keep aircraft out.
+pub(super) fn are_in_way_points(text: &str) -> bool {
+    [VERTEX_OUTSIDE, CIRCLE_OUTSIDE]
+        .iter()
+        .any(|command| text.contains(&format!("\t{command}\t")))
 }
 
 /// Fences whose corners and circles are commands; corners of one polygon follow each other, and each
@@ -104,6 +115,50 @@ pub(super) fn of_plan(text: &str) -> Fences {
         fences.circle((longitude, latitude), circle.radius, inclusion);
     }
     fences.finish()
+}
+
+/// The member `geoFence` of a plan that keeps aircraft out of `areas`, after what a plan said before (`kept`): areas that
+/// came from it are not written again.
+pub(super) fn with_areas(kept: &str, areas: &[NoFlyZone], frame: &LocalFrame) -> String {
+    let known = of_plan(kept).no_fly;
+    let Ok(mut fences) = serde_json::from_str::<Value>(kept) else {
+        return kept.to_owned();
+    };
+    let corners = |area: &NoFlyZone| -> Vec<LonLat> {
+        let places = area.corners.iter().map(|c| frame.geodetic_from_ground(c));
+        let degrees = |p: Geodetic| (p.longitude.to_degrees(), p.latitude.to_degrees());
+        places.map(degrees).collect()
+    };
+    let is_known = |area: &[LonLat]| {
+        let same = |(a, b): (&LonLat, &LonLat)| {
+            (a.0 - b.0).abs() < SAME_DEGREES && (a.1 - b.1).abs() < SAME_DEGREES
+        };
+        let is_it = |other: &FoundNoFly| {
+            other.corners.len() == area.len() && other.corners.iter().zip(area).all(same)
+        };
+        known.iter().any(is_it)
+    };
+    let new = areas.iter().map(corners).filter(|area| !is_known(area));
+    let new: Vec<Value> = new
+        .map(|area| {
+            let nine = |degrees: f64| (degrees * 1e9).round() / 1e9;
+            let ring: Vec<[f64; 2]> = area
+                .iter()
+                .map(|(lon, lat)| [nine(*lat), nine(*lon)])
+                .collect();
+            json!({ "inclusion": false, "polygon": ring, "version": 1 })
+        })
+        .collect();
+    if new.is_empty() {
+        return kept.to_owned();
+    }
+    if let Some(members) = fences.as_object_mut() {
+        let polygons = members.entry("polygons").or_insert_with(|| json!([]));
+        if let Some(polygons) = polygons.as_array_mut() {
+            polygons.extend(new);
+        }
+    }
+    fences.to_string()
 }
 
 #[derive(Default)]

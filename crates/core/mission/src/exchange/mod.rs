@@ -34,4 +34,4 @@ mod xml;
 pub use error::ExchangeError;
 pub use format::Format;
 pub use read::{Imported, read_any};
-pub use write::{Written, write_landmarks, write_route, write_routes_and_landmarks};
+pub use write::{Places, Written, write_landmarks, write_places, write_route};

@@ -16,7 +16,7 @@ use super::item_route::{Home, Step, route_of};
 use super::route_items::{Written, home_of, members, steps_of};
 use crate::mission::text::{Members, Text};
 use crate::mission::way_point_file::kept;
-use crate::mission::{MissionError, Route, degrees};
+use crate::mission::{MissionError, NoFlyZone, Route, degrees};
 use pilotage_base::frames::{Altitude, AltitudeFrame, LocalFrame};
 
 /// Prefixes of a route's properties that are members of the plan and of its mission.
@@ -192,7 +192,11 @@ fn step<'a>(text: &Text<'a>, i: usize, piece: &'a RawValue) -> Result<Step, Miss
 }
 
 /// The route as a plan, and notes on what was assumed.
-pub(super) fn write(route: &Route, frame: &LocalFrame) -> (String, Vec<String>) {
+pub(super) fn write(
+    route: &Route,
+    no_fly: &[NoFlyZone],
+    frame: &LocalFrame,
+) -> (String, Vec<String>) {
     let mut notes = Vec::new();
     let own = |prefix: &'static str| {
         route
@@ -239,6 +243,9 @@ pub(super) fn write(route: &Route, frame: &LocalFrame) -> (String, Vec<String>) 
     ];
     for (name, value) in defaults {
         plan.entry(name).or_insert_with(|| value.to_owned());
+    }
+    if let Some(fences) = plan.get_mut("geoFence") {
+        *fences = fence::with_areas(fences, no_fly, frame);
     }
     plan.insert("fileType", "\"Plan\"".to_owned());
     plan.insert("version", "1".to_owned());

@@ -1,7 +1,7 @@
 //! One entry for all formats that are written.
 
-use super::{ExchangeError, Format, csv_write, geojson, gpx, kml_write, plan, waypoints};
-use crate::mission::Route;
+use super::{ExchangeError, Format, csv_write, fence, geojson, gpx, kml_write, plan, waypoints};
+use crate::mission::{NoFlyZone, Route};
 use pilotage_base::frames::LocalFrame;
 use pilotage_vision::landmark::Landmark;
 
@@ -14,13 +14,28 @@ pub struct Written {
     pub notes: Vec<String>,
 }
 
+/// What is written into one file.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Places<'a> {
+    /// Routes.
+    pub routes: &'a [Route],
+    /// Landmarks.
+    pub landmarks: &'a [Landmark],
+    /// Areas that must not be flown over: plans have them as fences, other formats have none.
+    pub no_fly: &'a [NoFlyZone],
+}
+
 /// One route, placed in the world `frame`, in any format.
 pub fn write_route(
     format: Format,
     route: &Route,
     frame: &LocalFrame,
 ) -> Result<Written, ExchangeError> {
-    write_routes_and_landmarks(format, std::slice::from_ref(route), &[], frame)
+    let places = Places {
+        routes: std::slice::from_ref(route),
+        ..Places::default()
+    };
+    write_places(format, &places, frame)
 }
 
 /// Landmarks, placed in the world `frame`, in a format that holds them.
@@ -29,16 +44,24 @@ pub fn write_landmarks(
     landmarks: &[Landmark],
     frame: &LocalFrame,
 ) -> Result<Written, ExchangeError> {
-    write_routes_and_landmarks(format, &[], landmarks, frame)
+    let places = Places {
+        landmarks,
+        ..Places::default()
+    };
+    write_places(format, &places, frame)
 }
 
-/// Routes and landmarks, placed in the world `frame`, together in one file.
-pub fn write_routes_and_landmarks(
+/// Routes, landmarks and no-fly areas, placed in the world `frame`, together in one file.
+pub fn write_places(
     format: Format,
-    routes: &[Route],
-    landmarks: &[Landmark],
+    places: &Places<'_>,
     frame: &LocalFrame,
 ) -> Result<Written, ExchangeError> {
+    let Places {
+        routes,
+        landmarks,
+        no_fly,
+    } = *places;
     let cannot_hold = |what: String, advice| ExchangeError::CannotHold {
         format: format.name(),
         what,
@@ -62,8 +85,8 @@ pub fn write_routes_and_landmarks(
             "choose one of them",
         ));
     }
-    let (text, notes) = match (format, routes) {
-        (Format::Plan, [route]) => plan::write(route, frame),
+    let (text, mut notes) = match (format, routes) {
+        (Format::Plan, [route]) => plan::write(route, no_fly, frame),
         (Format::Waypoints, [route]) => waypoints::write(route, frame),
         (Format::GeoJson, _) => geojson::write(routes, landmarks, frame),
         (Format::Kml | Format::Kmz, _) => kml_write::write(routes, landmarks, frame),
@@ -79,6 +102,13 @@ pub fn write_routes_and_landmarks(
             ));
         }
     };
+    let is_kept = format == Format::Plan || fence::are_in_way_points(&text);
+    if !is_kept && !no_fly.is_empty() {
+        let count = no_fly.len();
+        notes.push(format!(
+            "{count} × no-fly area is left out: a plan (.plan) has them as fences"
+        ));
+    }
     let bytes = match format {
         Format::Kmz => kml_write::pack(&text).map_err(|cause| ExchangeError::File {
             file: "doc.kml".to_owned(),

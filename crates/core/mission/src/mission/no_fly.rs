@@ -15,6 +15,7 @@ pub struct NoFlyZone {
     pub corners: Vec<GroundPoint>,
     /// Rings inside of it that are not part of it, each of at least three corners. Routes are
     /// searched around the whole of the area, so that a hole is not flown into.
+    #[serde(default)]
     pub holes: Vec<Vec<GroundPoint>>,
     /// Properties that a file brought and we do not know, by name, as JSON text.
     pub properties: BTreeMap<String, String>,

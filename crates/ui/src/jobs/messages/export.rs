@@ -4,7 +4,7 @@ use pilotage_core::exchange::Format;
 use pilotage_core::exchange::labels::LabelFormat;
 use pilotage_core::frames::Geodetic;
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::{FrameLabels, Route};
+use pilotage_core::mission::{FrameLabels, NoFlyZone, Route};
 use serde::{Deserialize, Serialize};
 
 /// What is written, and how.
@@ -18,6 +18,8 @@ pub enum ExportOrder {
         routes: Vec<Route>,
         /// Landmarks.
         landmarks: Vec<Landmark>,
+        /// Areas that must not be flown over.
+        no_fly: Vec<NoFlyZone>,
         /// Origin of the world in which they lie.
         origin: Geodetic,
     },

@@ -1,7 +1,7 @@
 //! What files of other programs brought.
 
 use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::Route;
+use pilotage_core::mission::{NoFlyZone, Route};
 use serde::{Deserialize, Serialize};
 
 /// What a file of another program brought, placed in the mission's world.
@@ -15,6 +15,8 @@ pub struct ImportedFile {
     pub routes: Vec<Route>,
     /// Its landmarks, likewise.
     pub landmarks: Vec<Landmark>,
+    /// Areas that it says must not be flown over: its own, and exclusion fences.
+    pub no_fly: Vec<NoFlyZone>,
     /// What was assumed, kept aside or left out, in sentences.
     pub notes: Vec<String>,
 }

@@ -50,6 +50,7 @@ fn file() -> ImportedFile {
             ..Route::default()
         }],
         landmarks: vec![Landmark::new(1, "Silo", bounds)],
+        no_fly: Vec::new(),
         notes: vec!["1 command is kept but not understood: command 31000".into()],
     }
 }

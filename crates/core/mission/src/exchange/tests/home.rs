@@ -1,6 +1,6 @@
 //! Home of files of way-points, and every line and jump of them through reading and writing.
 
-use super::super::{Format, Imported, read_any, write_route};
+use super::super::{Format, Imported, Places, read_any, write_places, write_route};
 use crate::mission::WayPointAction;
 
 fn read(lines: &[&str]) -> (Imported, String) {
@@ -135,6 +135,48 @@ fn fences_are_areas_and_talk_of_no_home() {
     );
     assert!(told(&imported, "keeps aircraft in"), "{:?}", imported.notes);
     assert_eq!(written(&imported), text);
+}
+
+#[test]
+fn areas_become_fences_of_a_plan_once_and_are_a_note_elsewhere() {
+    let (imported, _) = read(&[
+        "0 1 0 16 0 0 0 0 47 8 430 1",
+        "1 0 3 16 0 0 0 0 47.001 8 50 1",
+        "2 0 0 5002 3 0 0 0 47 8 0 0",
+        "3 0 0 5002 3 0 0 0 47 8.001 0 0",
+        "4 0 0 5002 3 0 0 0 47.001 8 0 0",
+    ]);
+    let plan = |imported: &Imported, format: Format| {
+        let places = Places {
+            routes: &imported.routes,
+            no_fly: &imported.no_fly,
+            ..Places::default()
+        };
+        write_places(format, &places, &imported.frame).unwrap()
+    };
+    let first = plan(&imported, Format::Plan);
+    let again = read_any("a.plan", &first.bytes, None).unwrap();
+    assert_eq!(again.no_fly.len(), 1);
+    for (a, b) in again.no_fly[0]
+        .corners
+        .iter()
+        .zip(&imported.no_fly[0].corners)
+    {
+        let apart = |c| again.frame.geodetic_from_ground(c);
+        let (a, b) = (apart(a), imported.frame.geodetic_from_ground(b));
+        assert!(
+            (a.latitude - b.latitude).abs() < 1e-10 && (a.longitude - b.longitude).abs() < 1e-10
+        );
+    }
+    // The fence that the plan kept is not written a second time.
+    let third = read_any("a.plan", &plan(&again, Format::Plan).bytes, None).unwrap();
+    assert_eq!(third.no_fly.len(), 1);
+    let table = plan(&imported, Format::Csv);
+    assert!(
+        table.notes.iter().any(|n| n.contains("no-fly area")),
+        "{:?}",
+        table.notes
+    );
 }
 
 #[test]
