@@ -69,6 +69,8 @@ export async function run(page, tools) {
   let text = "";
   for await (const part of stream) text += part;
   const commands = JSON.parse(text).mission.items.map((i) => i.command);
+  const fences = JSON.parse(text).geoFence.polygons;
+  tools.check(fences.length === 1 && fences[0].polygon.length === 3 && !fences[0].inclusion, `the fences are ${JSON.stringify(fences)}`);
   tools.check(commands.join() === "22,206,31000,16,16", `the commands are ${commands}`);
 
   const marked = await open("places.kml", kml(before.origin), /Added 1 route and 1 landmark from places\.kml.*style `silver` is missing/s);

@@ -213,7 +213,7 @@ impl Gathered {
         };
         tell(
             self.no_fly.len(),
-            "fence that keeps aircraft out, which can be taken as a no-fly area",
+            "fence that keeps aircraft out: a no-fly area",
         );
         tell(
             self.inside,

@@ -64,11 +64,11 @@ fn read_text(file: &str, text: &Text) -> Result<Found, MissionError> {
             .map_or(stem, |(stem, _)| stem)
             .to_owned(),
     );
-    for (name, what) in [("geoFence", "fences"), ("rallyPoints", "rally points")] {
-        let holds = plan.get(name).is_some_and(|piece| holds_places(piece));
-        if holds {
-            notes.push(format!("the {what} are kept, and not shown"));
-        }
+    if plan
+        .get("rallyPoints")
+        .is_some_and(|piece| holds_places(piece))
+    {
+        notes.push("the rally points are kept, and not shown".to_owned());
     }
     let fences = plan
         .get("geoFence")

@@ -100,7 +100,7 @@ fn places_speeds_and_altitudes_of_a_plan_are_understood() {
     told("3 commands are kept but not understood: DO_MOUNT_CONTROL, DO_SET_CAM_TRIGG_DIST, survey");
     told("1 command is shown as a way-point, and written again as it was: LOITER_TIME");
     told("return to launch is kept");
-    told("fences are kept");
+    told("keeps aircraft in: it is kept");
     told("at the home position");
 }
 
@@ -289,7 +289,7 @@ fn the_documented_plan_is_edited_and_keeps_fences_rally_points_and_the_survey() 
             "{words}: {notes:?}"
         );
     };
-    told("fences are kept");
+    told("keeps aircraft in: it is kept");
     told("rally points are kept");
     told("survey");
     let last = route.way_points.last_mut().unwrap();
