@@ -23,7 +23,14 @@ pub struct Order {
 pub const ORDERS: [&Order; 8] = [
     &Order {
         sources: "crates/core/base/src",
-        folders: &["statistics", "angle_text", "bytes", "files", "frames", "georeference"],
+        folders: &[
+            "statistics",
+            "angle_text",
+            "bytes",
+            "files",
+            "frames",
+            "georeference",
+        ],
         upward: &[],
     },
     &Order {
