@@ -2,8 +2,8 @@
 
 /// Degrees of a text such as `33.85 S`, `W18°25.2'`, `33° 51' 0.5" S`, `33 51 00 S` or `-33°51'`; south and west are negative.
 ///
-/// `None` where nothing but the number says that it is an angle (neither a letter nor a degree sign), or where minutes or
-/// seconds are 60 and more. Of a negative number with a letter the letter counts.
+/// `None` where nothing but the number says that it is an angle (neither a letter nor a degree sign), or where [`sexagesimal`]
+/// reads nothing. Of a negative number with a letter the letter counts.
 pub fn degrees_of_text(text: &str) -> Option<f64> {
     let text = text.trim();
     let (rest, letter) = hemisphere(text);
@@ -12,23 +12,33 @@ pub fn degrees_of_text(text: &str) -> Option<f64> {
         Some(rest) => (rest, true),
         None => (rest.strip_prefix('+').unwrap_or(rest), false),
     };
-    let is_seam = |c: char| c.is_whitespace() || "°º˚'′’\"″”:".contains(c);
-    let mut parts = rest.split(is_seam).filter(|part| !part.is_empty());
+    let degrees = sexagesimal(rest)?;
+    let is_south_or_west = letter.map_or(is_negative, |letter| "SW".contains(letter));
+    is_marked.then_some(if is_south_or_west { -degrees } else { degrees })
+}
+
+/// Degrees of one to three numbers without a sign, of which the last alone may have a fraction: degrees, minutes and
+/// seconds, with whatever marks people put between them (`33°51'00"`, `33:51:00`, `33d51m0s`).
+///
+/// `None` of anything else, and where minutes are 60 or seconds over 60.
+pub fn sexagesimal(text: &str) -> Option<f64> {
+    let is_seam = |c: char| c.is_whitespace() || "°º˚'′’´\"″”:_dDmMsS".contains(c);
+    let mut parts = text.split(is_seam).filter(|part| !part.is_empty());
     let (mut degrees, mut unit, mut is_whole) = (0.0, 1.0, true);
     for count in 0.. {
         let Some(part) = parts.next() else { break };
         let is_number = part.bytes().all(|b| b.is_ascii_digit() || b == b'.');
         let value: f64 = part.parse().ok().filter(|_| is_number)?;
+        let is_too_large = count == 1 && value >= 60.0 || count == 2 && value > 60.0;
         // Behind a fraction nothing follows.
-        if count > 2 || !is_whole || count > 0 && value >= 60.0 {
+        if count > 2 || !is_whole || is_too_large {
             return None;
         }
         is_whole = !part.contains('.');
         degrees += value / unit;
         unit *= 60.0;
     }
-    let is_south_or_west = letter.map_or(is_negative, |letter| "SW".contains(letter));
-    (is_marked && unit > 1.0).then_some(if is_south_or_west { -degrees } else { degrees })
+    (unit > 1.0).then_some(degrees)
 }
 
 /// A text without the letter or word of a hemisphere before or behind it, and that letter.

@@ -1,5 +1,7 @@
 //! Latitudes and longitudes as people write them: degrees, minutes and seconds, letters of hemispheres.
 
+use pilotage_base::angle_text::sexagesimal;
+
 /// Degrees of a text: `-33.85`, `33.85 S`, `S33°51.0'`, `33 51 00 S`, `33:51:00S`, `33d51m0s`.
 ///
 /// `letters` are those of the positive and the negative hemisphere. `None` where the text says
@@ -36,23 +38,7 @@ pub(super) fn degrees(text: &str, letters: (char, char)) -> Option<f64> {
         Some(rest) => (text.starts_with('-'), rest),
         None => (false, text),
     };
-    let separators = "°º˚'′’´\"″”:DMS_";
-    let parts: Vec<f64> = text
-        .split(|c: char| c.is_whitespace() || separators.contains(c))
-        .filter(|part| !part.is_empty())
-        .map(|part| {
-            let is_plain = part.chars().all(|c| c.is_ascii_digit() || c == '.');
-            part.parse().ok().filter(|_| is_plain)
-        })
-        .collect::<Option<_>>()?;
-    let value = match parts[..] {
-        [degrees] => degrees,
-        [degrees, minutes] if minutes < 60.0 => degrees + minutes / 60.0,
-        [degrees, minutes, seconds] if minutes < 60.0 && seconds <= 60.0 => {
-            degrees + minutes / 60.0 + seconds / 3600.0
-        }
-        _ => return None,
-    };
+    let value = sexagesimal(text)?;
     match is_negative {
         Some(_) if is_minus => None,
         Some(negative) => Some(if negative { -value } else { value }),
