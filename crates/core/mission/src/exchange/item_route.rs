@@ -13,7 +13,7 @@ use super::fence::is_fence;
 use super::item::{
     CHANGE_SPEED, Item, JUMP, RETURN_TO_LAUNCH, WAY_POINT, command_name, command_of, counted,
 };
-use super::route_items::is_usual_speed;
+use super::speed_command::is_usual_speed;
 use crate::mission::found::{FoundRoute, LonLat, on_globe};
 use crate::mission::{WayPoint, WayPointAction};
 use pilotage_base::frames::{Altitude, GroundPoint};

@@ -25,6 +25,7 @@ mod plan;
 mod plan_schema;
 mod read;
 mod route_items;
+mod speed_command;
 #[cfg(test)]
 mod tests;
 mod waypoints;

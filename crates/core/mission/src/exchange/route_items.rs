@@ -5,11 +5,12 @@ use std::collections::BTreeMap;
 use serde_json::Value;
 use serde_json::value::RawValue;
 
-use super::item::{CHANGE_SPEED, Item, command_of, frame_number};
+use super::item::{Item, command_of, frame_number};
 use super::item_route::{
     AT_HOME, FIRST, GROUND_SPEED, HOME, Home, MEMBER, OWN, Own, SPEED_MEMBER, SPEED_PLACE, THEN,
     is_plain_speed,
 };
+use super::speed_command::change_of_speed;
 use crate::mission::{Route, WayPoint, WayPointAction, globe};
 use pilotage_base::frames::LocalFrame;
 
@@ -108,26 +109,6 @@ fn kept_speed(text: &str) -> Option<(Item, Option<usize>)> {
 fn speed_command(way_point: &WayPoint) -> Item {
     let is_over_ground = way_point.properties.contains_key(GROUND_SPEED);
     change_of_speed(way_point.speed, is_over_ground)
-}
-
-/// Whether a change to `speed` is written as it is written where no file said how.
-pub(super) fn is_usual_speed(item: &Item, speed: Option<f64>) -> bool {
-    let usual = change_of_speed(speed, item.parameters[0] == Some(1.0));
-    let numbers = |item: &Item| item.parameters.map(|p| p.unwrap_or(0.0));
-    numbers(item) == numbers(&usual) && (item.frame, item.is_continued) == (2, true)
-}
-
-fn change_of_speed(speed: Option<f64>, is_over_ground: bool) -> Item {
-    let zero = Some(0.0);
-    // A speed of -2 is the vehicle's usual one, a throttle of -1 leaves the throttle alone.
-    let speed = Some(speed.unwrap_or(-2.0));
-    let kind = Some(f64::from(u8::from(is_over_ground)));
-    Item {
-        command: CHANGE_SPEED,
-        frame: 2,
-        parameters: [kind, speed, Some(-1.0), zero, zero, zero, zero],
-        is_continued: true,
-    }
 }
 
 fn command(way_point: &WayPoint, frame: &LocalFrame, home: Option<Home>) -> Item {

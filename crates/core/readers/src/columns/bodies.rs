@@ -2,8 +2,8 @@
 
 use pilotage_flight::ChannelName;
 
-use super::guess::give_up;
 use super::header::parts;
+use super::settle::give_up;
 use super::{ColumnRole, MappedColumn};
 
 /// Words by which a column is about the camera.

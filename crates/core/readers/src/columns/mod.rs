@@ -25,6 +25,7 @@ mod preview;
 mod rows;
 mod sample;
 mod sampling;
+mod settle;
 mod several;
 mod shape;
 #[cfg(test)]

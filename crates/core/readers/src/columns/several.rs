@@ -1,9 +1,9 @@
 //! What only several columns together say, or several numbers in one: places in a cell, parts of a time, hemispheres.
 
 use super::ColumnRole::{Latitude, Longitude};
-use super::guess::{give_up, unused};
 use super::header::parts;
 use super::rows::pair;
+use super::settle::{give_up, unused};
 use super::{ColumnRole, MappedColumn, Sample};
 
 /// Finds the column that has latitude and longitude in each cell.

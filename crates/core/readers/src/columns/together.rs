@@ -6,9 +6,10 @@ use serde::{Deserialize, Serialize};
 
 use super::flights::beginnings_of_flights;
 use super::groups::context;
-use super::guess::{Guess, TimeGuess, give_up, guess_with_samples, time_column, times, wanted};
+use super::guess::{Guess, TimeGuess, guess_with_samples, time_column, times, wanted};
 use super::physics::{self, Evidence};
 use super::rows::Rows;
+use super::settle::give_up;
 use super::{ColumnMap, ColumnRole, Preview, Sample, preview};
 use pilotage_base::files::FileSet;
 use pilotage_flight::ChannelName;

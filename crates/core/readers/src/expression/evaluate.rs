@@ -8,7 +8,6 @@ use std::rc::Rc;
 use super::function::floor_modulo;
 use super::grid::at_times;
 use super::nearest::nearest;
-use super::parse::seconds_of;
 use super::tree::{Node, Operator, Part};
 use super::{Expression, ExpressionError, Function, Samples, SeriesSource, Trouble};
 use super::{over_time, written};
@@ -252,6 +251,22 @@ impl Evaluator<'_> {
             unit,
             period,
         })
+    }
+}
+
+/// The length of time that a function is given, checked; 0 for functions without one.
+pub(super) fn seconds_of(function: Function, arguments: &[Part]) -> Result<f64, ExpressionError> {
+    let (Function::Smooth | Function::Shift, [_, seconds]) = (function, arguments) else {
+        return Ok(0.0);
+    };
+    let complain = |trouble| Err(ExpressionError::new(seconds.place.clone(), trouble));
+    match constant(seconds) {
+        None => complain(Trouble::NotConstant),
+        Some(value) if !value.is_finite() => complain(Trouble::NotConstant),
+        Some(value) if function == Function::Smooth && value <= 0.0 => {
+            complain(Trouble::NotPositive)
+        }
+        Some(value) => Ok(value),
     }
 }
 

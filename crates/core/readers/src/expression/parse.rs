@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::evaluate::seconds_of;
 use super::nearest::nearest;
 use super::token::{Placed, Token, tokens};
 use super::tree::{Node, Operator, Part};
@@ -203,21 +204,5 @@ impl Parser<'_> {
         seconds_of(function, &arguments)?;
         let node = Node::Call(function, arguments);
         Ok(Part { node, place })
-    }
-}
-
-/// The length of time that a function is given, checked; 0 for functions without one.
-pub(super) fn seconds_of(function: Function, arguments: &[Part]) -> Result<f64, ExpressionError> {
-    let (Function::Smooth | Function::Shift, [_, seconds]) = (function, arguments) else {
-        return Ok(0.0);
-    };
-    let complain = |trouble| Err(ExpressionError::new(seconds.place.clone(), trouble));
-    match super::evaluate::constant(seconds) {
-        None => complain(Trouble::NotConstant),
-        Some(value) if !value.is_finite() => complain(Trouble::NotConstant),
-        Some(value) if function == Function::Smooth && value <= 0.0 => {
-            complain(Trouble::NotPositive)
-        }
-        Some(value) => Ok(value),
     }
 }

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::date::date_and_time;
+use super::moment::Moment;
 use crate::columns::number;
 
 /// How a time column is written.
@@ -27,15 +28,6 @@ pub enum TimeFormat {
     /// Date and time as in ISO 8601, `2016-06-23T16:31:59.5Z`.
     #[serde(rename = "iso")]
     Iso,
-}
-
-/// A moment: whole seconds and a fraction, so that differences lose nothing.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Moment {
-    /// Seconds in the flight's time base.
-    Relative(f64),
-    /// Seconds since 1970-01-01 and a fraction of a second.
-    Absolute(i64, f64),
 }
 
 impl TimeFormat {
@@ -68,19 +60,6 @@ impl TimeFormat {
                     shortened(text)
                 )
             }),
-        }
-    }
-}
-
-impl Moment {
-    /// Seconds since `origin`; relative times are counted from it already.
-    pub fn since(self, origin: Option<(i64, f64)>) -> f64 {
-        match (self, origin) {
-            (Self::Relative(seconds), _) => seconds,
-            (Self::Absolute(whole, fraction), Some((whole0, fraction0))) => {
-                (whole.saturating_sub(whole0)) as f64 + (fraction - fraction0)
-            }
-            (Self::Absolute(whole, fraction), None) => whole as f64 + fraction,
         }
     }
 }

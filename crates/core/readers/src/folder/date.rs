@@ -1,6 +1,6 @@
 //! Dates and times as programs, cameras and loggers write them.
 
-use super::clock::Moment;
+use super::moment::Moment;
 
 /// Reads a date and time, or a time of day alone (of 1970-01-01): `2016-06-23T16:31:59.5+02:00`, `2016:06:23 16:31:59`,
 /// `2024/05/01 10:00:00`, `01.05.2024 10:00:00`, `5/1/2024 10:00:00 AM`, `10:00:00.250`. Times without a zone are taken

@@ -9,6 +9,7 @@ mod error;
 mod guess;
 mod layout;
 mod log;
+mod moment;
 mod pictures;
 mod position;
 mod read;
@@ -19,13 +20,14 @@ mod time_unit;
 mod units;
 mod write;
 
-pub(super) use clock::{Moment, TimeFormat};
+pub(super) use clock::TimeFormat;
 pub(super) use date::{date_and_time, readings};
 pub use error::FolderError;
 pub(super) use layout::{
     ChannelFile, FlightFile, FramesFile, StartFile, TimeColumn, VERSION, ValueColumn,
 };
 pub(super) use log::of_samples;
+pub(super) use moment::Moment;
 pub use pictures::FolderFrames;
 pub use read::{FLIGHT_FILE, FlightFolder, read_flight};
 pub(super) use read::{Told, read_tables};

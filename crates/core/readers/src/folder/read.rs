@@ -6,7 +6,6 @@ use std::sync::Arc;
 use nalgebra::{Point3, Vector2};
 
 use super::channels::read_channel;
-use super::clock::Moment;
 use super::date::date_and_time;
 use super::error::FolderError;
 use super::guess::guess;
@@ -14,6 +13,7 @@ use super::layout::{
     AttitudeColumns, FlightFile, FramesFile, StartFile, TimeColumn, TruthFile, VERSION, ValueColumn,
 };
 use super::log::Tables;
+use super::moment::Moment;
 use super::pictures::FolderFrames;
 use super::position::Positions;
 use super::table::Table;

@@ -2,9 +2,10 @@
 
 use std::borrow::Cow;
 
-use super::clock::{Moment, count_midnights, shortened};
+use super::clock::{count_midnights, shortened};
 use super::error::FolderError;
 use super::layout::{TimeColumn, ValueColumn};
+use super::moment::Moment;
 use super::units::Dimension;
 use crate::columns::{Separator, TableShape, number};
 use crate::times::{Verdict, judge};

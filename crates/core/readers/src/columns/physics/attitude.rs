@@ -7,13 +7,12 @@ use super::angles::{self, Convention, agreement, spread};
 use super::axes::{centred, compare};
 use super::board::{Basis, Board, Id};
 use super::grid::quantile;
+use super::ros::AHEAD;
 use super::{inertial, lean, quaternion};
 use crate::columns::ColumnRole;
 use crate::columns::groups::quaternion_roles;
 use crate::folder::Dimension;
 
-/// Mean cosine between heading and course from which on an aircraft is one that flies where it looks.
-pub(super) const AHEAD: f64 = 0.7;
 /// Speed from which on wings carry, m/s.
 const WINGS: f64 = 7.0;
 const GRAVITY: f64 = 9.806_65;
@@ -65,21 +64,6 @@ pub(super) fn keep(board: &Board, known: &mut Known) {
             known.attitude_rates[axis] = known.grid.rate(series);
         }
     }
-}
-
-/// Whether columns are called as ROS writes them to tables.
-pub(super) fn is_of_ros(names: &str) -> bool {
-    let names = names.to_lowercase();
-    [
-        "orientation.",
-        "field.",
-        "angular_velocity.",
-        "linear_acceleration.",
-        "twist.",
-        "pose.",
-    ]
-    .iter()
-    .any(|word| names.contains(word))
 }
 
 fn heading(board: &mut Board, known: &mut Known, id: Id) {

@@ -2,7 +2,7 @@
 
 use super::Evidence;
 use super::grid::{Grid, Series, quantile};
-use crate::columns::guess::give_up;
+use crate::columns::settle::give_up;
 use crate::columns::{ColumnMap, ColumnRole, MappedColumn};
 use crate::folder::Dimension;
 

@@ -196,7 +196,7 @@ fn acceleration(board: &mut Board, known: &mut Known, ids: [Id; 3], gyros: Optio
             .find(|fit| fit.axes.sign[0] != best.axes.sign[0] || fit.axes.order != best.axes.order);
         best.score > 0.4 && rival.is_none_or(|rival| best.score > rival.score + 0.2)
     });
-    let is_named_ros = super::attitude::is_of_ros(&names);
+    let is_named_ros = super::ros::is_of_ros(&names);
     let beside = gyros.filter(|_| {
         let gyro = board.find(ColumnRole::Channel(ChannelName::RollRate));
         gyro.is_some_and(|gyro| gyro.0 == ids[0].0)

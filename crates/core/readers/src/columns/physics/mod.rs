@@ -18,13 +18,14 @@ mod nameless;
 mod place;
 mod quaternion;
 mod questions;
+mod ros;
 mod unknown;
 mod velocity;
 
 use super::ColumnMap;
 use super::groups::Group;
-use super::guess::settle;
 use super::rows::Rows;
+use super::settle::settle;
 use board::Board;
 use grid::Grid;
 

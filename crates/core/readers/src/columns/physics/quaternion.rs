@@ -2,9 +2,9 @@
 
 use super::Known;
 use super::angles::agreement;
-use super::attitude::{AHEAD, is_of_ros};
 use super::board::{Board, Id};
 use super::grid::Series;
+use super::ros::{AHEAD, is_of_ros};
 use super::{inertial, lean};
 use crate::columns::attitude::attitude;
 use crate::columns::groups::quaternion_roles;
