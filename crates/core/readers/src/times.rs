@@ -92,7 +92,16 @@ pub(crate) fn judge(times: &[f64]) -> Option<Vec<Verdict>> {
 
 /// First and last time of the era that most of them tell; `None` if there is one only, or if another is told by more than
 /// half as many. Eras are over [`ERA`] apart.
-pub(crate) fn most_told_era(times: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
+pub(crate) fn most_told_era(times: impl Iterator<Item = f64> + Clone) -> Option<(f64, f64)> {
+    let (mut first, mut last) = (f64::INFINITY, f64::NEG_INFINITY);
+    for time in times.clone().filter(|time| time.is_finite()) {
+        first = first.min(time);
+        last = last.max(time);
+    }
+    // Nearly every log: nothing has to be counted.
+    if first > last || last - first <= ERA {
+        return None;
+    }
     let mut eras = std::collections::BTreeMap::new();
     for time in times.filter(|time| time.is_finite()) {
         let era = eras.entry((time / ERA).floor() as i64);

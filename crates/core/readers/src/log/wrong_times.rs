@@ -125,6 +125,9 @@ impl Log {
 impl Topic {
     /// Keeps only rows whose time is to be kept.
     fn retain_times(&mut self, is_kept: impl Fn(f64) -> bool) -> Option<(String, usize, f64)> {
+        if self.times.iter().all(|time| is_kept(*time)) {
+            return None;
+        }
         let kept: Vec<bool> = self.times.iter().map(|time| is_kept(*time)).collect();
         self.retain_rows(&kept)
     }
