@@ -43,6 +43,10 @@ pub enum GeoreferenceError {
     Degenerate,
 }
 
+/// Farthest from a world's origin that metres of the world's own frame are believed; larger numbers are
+/// those of a projected reference system, metres.
+const WORLD_REACH: f64 = 60_000.0;
+
 /// What a picture's side file says, before a world frame is chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Georeference {
@@ -367,6 +371,13 @@ impl WorldFile {
             c: 0.5,
             f: -0.5,
         }
+    }
+
+    /// Whether the numbers are too large for metres of a world's own frame: more than 60 km from its
+    /// origin, where the eastings and northings of projected systems lie.
+    #[must_use]
+    pub fn is_beyond_a_world(&self) -> bool {
+        self.c.abs() > WORLD_REACH || self.f.abs() > WORLD_REACH
     }
 
     /// (x, y) at a pixel with centres at half integers.

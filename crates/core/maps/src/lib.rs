@@ -6,6 +6,9 @@ mod map_error;
 mod map_file;
 mod map_options;
 mod mosaic;
+mod place_beside;
+#[cfg(test)]
+mod place_beside_tests;
 pub mod terrain;
 pub mod tiff;
 pub mod web_tiles;

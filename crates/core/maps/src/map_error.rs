@@ -49,6 +49,22 @@ pub enum MapError {
         /// What it names.
         name: String,
     },
+    /// The world file beside the picture counts in metres of a system that nothing names.
+    #[error(
+        "{file}: its world file counts from x = {x}, y = {y} and does not say in which reference system; which is it? Name it (--system, e.g. {example}), or put its code or its well-known text into {prj}"
+    )]
+    UnnamedSystem {
+        /// Name of the picture.
+        file: String,
+        /// First coordinate of the top left pixel.
+        x: f64,
+        /// Second coordinate of the top left pixel.
+        y: f64,
+        /// Name of the .prj file that would say it.
+        prj: String,
+        /// A system by code and in words.
+        example: String,
+    },
     /// The `GeoTIFF` cannot be read or does not lie anywhere.
     #[error(transparent)]
     GeoTiff(#[from] GeoTiffError),

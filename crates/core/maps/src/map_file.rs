@@ -4,31 +4,16 @@
 use crate::map_error::MapError;
 use crate::map_options::{MapOptions, frame_of, is_geo_tiff};
 use crate::mosaic::{self, Mosaic};
+use crate::place_beside::{place_beside, refuse_unnamed, system_beside};
 use crate::web_tiles::{PmTiles, WebTiles};
 use crate::{GeoTiff, GeoTiffError, GeoTiffFile};
 use pilotage_base::files::FileSet;
-use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
-use pilotage_base::georeference::Georeference;
+use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_raster::imagery::{GeoreferencedPicture, Imagery, Placement, Window, decode_map};
 use pilotage_raster::raster::{Raster, Rgba};
 
 /// Farthest from the world's origin that tiles of a web map are used, metres.
 const TILES_REACH: f64 = 100_000.0;
-
-/// What is put in place of a picture's ending to name the file that says where it lies.
-const SIDE_FILES: [&str; 11] = [
-    ".jgw",
-    ".jpgw",
-    ".pgw",
-    ".pngw",
-    ".tfw",
-    ".tifw",
-    ".wld",
-    "_georef.json",
-    ".georef.json",
-    ".georeference.json",
-    ".json",
-];
 
 /// An open map.
 pub enum OpenMap {
@@ -142,6 +127,7 @@ pub fn open_map_with(
         place_beside(files, name, options)?.ok_or_else(|| MapError::NoGeoreference {
             file: name.to_owned(),
         })?;
+    refuse_unnamed(&place, name, options)?;
     let georeference = |cause| MapError::Georeference {
         file: side.clone(),
         cause,
@@ -180,6 +166,7 @@ fn open_geo_tiff(
         },
     };
     let file = GeoTiffFile::open(source, beside, system)?;
+    refuse_unnamed(&file.georeference, name, options)?;
     let frame = frame_of(options, file.origin());
     Ok(GeoTiff::new(file, &frame, options.memory)?)
 }
@@ -212,58 +199,6 @@ fn missing(name: &str) -> MapError {
     MapError::Missing {
         file: name.to_owned(),
     }
-}
-
-/// Where the file beside a picture puts it, with that file's name.
-fn place_beside(
-    files: &dyn FileSet,
-    picture: &str,
-    options: &MapOptions,
-) -> Result<Option<(String, Georeference)>, MapError> {
-    if let Some(place) = options.place {
-        return Ok(Some((picture.to_owned(), place)));
-    }
-    let Some((side, text)) = side_file(files, picture) else {
-        return Ok(None);
-    };
-    let place = Georeference::from_text(&text).map_err(|cause| MapError::Georeference {
-        file: side.clone(),
-        cause,
-    })?;
-    let system = match options.system {
-        Some(system) => Some(system),
-        None => system_beside(files, picture)?,
-    };
-    let place = system.map_or(place, |system| place.with_system(system));
-    Ok(Some((side, place)))
-}
-
-/// The reference system that the .prj beside a picture names.
-fn system_beside(files: &dyn FileSet, picture: &str) -> Result<Option<ReferenceSystem>, MapError> {
-    let Some((stem, _)) = picture.rsplit_once('.') else {
-        return Ok(None);
-    };
-    let file = format!("{stem}.prj");
-    let Some(bytes) = files.read(&file) else {
-        return Ok(None);
-    };
-    let text = String::from_utf8_lossy(&bytes);
-    match ReferenceSystem::from_name(&text) {
-        Some(system) => Ok(Some(system)),
-        None => Err(MapError::System {
-            file,
-            name: text.trim().chars().take(60).collect(),
-        }),
-    }
-}
-
-fn side_file(files: &dyn FileSet, picture: &str) -> Option<(String, String)> {
-    let (stem, _) = picture.rsplit_once('.')?;
-    SIDE_FILES.iter().find_map(|ending| {
-        let side = format!("{stem}{ending}");
-        let bytes = files.read(&side)?;
-        Some((side, String::from_utf8_lossy(&bytes).into_owned()))
-    })
 }
 
 #[cfg(test)]
@@ -301,21 +236,6 @@ mod tests {
         assert!(middle.north.hypot(middle.east) < 1e-6, "{middle:?}");
         let right = map.placement().unwrap().ground_at(&Point2::new(30.0, 10.0));
         assert!((right.east - 4.0).abs() < 0.01 && (right.north - 3.0).abs() < 0.01);
-    }
-
-    #[test]
-    fn a_system_that_is_asked_for_stands_in_for_a_missing_prj() {
-        let plain = open_map(&files(&[("map.pgw", TURNED)]), "map.png", None).unwrap();
-        assert!(
-            (plain.bounds().west - 500_000.0).abs() < 20.0,
-            "the world's own metres"
-        );
-        let options = MapOptions {
-            system: ReferenceSystem::from_epsg(32_617),
-            ..MapOptions::default()
-        };
-        let map = open_map_with(&files(&[("map.pgw", TURNED)]), "map.png", &options).unwrap();
-        assert!(map.bounds().west.abs() < 20.0);
     }
 
     #[test]

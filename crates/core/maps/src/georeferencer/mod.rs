@@ -7,6 +7,8 @@ mod fit;
 mod kind;
 mod plane;
 mod points_file;
+#[cfg(test)]
+mod points_file_tests;
 mod solve;
 #[cfg(test)]
 mod tests;
@@ -14,4 +16,4 @@ mod tests;
 pub use fit::{ControlPoint, Fit, FitError, Residual, fit};
 pub use kind::TransformKind;
 pub use plane::in_metres;
-pub use points_file::{PointsFileError, read_points, write_points};
+pub use points_file::{PointsFileError, read_points, read_points_in, write_points};

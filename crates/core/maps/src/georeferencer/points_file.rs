@@ -19,6 +19,26 @@ pub enum PointsFileError {
         /// Line, counted from one.
         line: usize,
     },
+    /// The reference system that the file names is not known.
+    #[error(
+        "line {line}: the reference system \"{name}\" is not known; use points in EPSG:4326, EPSG:3857 or a UTM zone of WGS 84, or name the system"
+    )]
+    System {
+        /// Line, counted from one.
+        line: usize,
+        /// What the file names.
+        name: String,
+    },
+    /// Two lines name different reference systems.
+    #[error("line {line}: its reference system {name} is not that of the lines before, {before}")]
+    Systems {
+        /// Line, counted from one.
+        line: usize,
+        /// System of that line.
+        name: String,
+        /// System of the lines before.
+        before: String,
+    },
     /// A line of numbers is not one.
     #[error("line {line}: {cause}")]
     Line {
@@ -29,16 +49,28 @@ pub enum PointsFileError {
     },
 }
 
-/// Reads control points, and the reference system if the file names one that is known.
+/// Reads control points, and the reference system if the file names one: in a line `#CRS:`, or in a
+/// column `CRS` of every line, as QGIS 3.16 to 3.20 wrote it. One that is not known is an error.
 ///
 /// QGIS counts rows downward as negative numbers, from the outer corner of the first pixel.
 pub fn read_points(
     text: &str,
 ) -> Result<(Vec<ControlPoint>, Option<ReferenceSystem>), PointsFileError> {
+    read_points_in(text, None)
+}
+
+/// As [`read_points`]; whoever knows the system better than the file gives it as `named`, and what the
+/// file says of it is ignored.
+pub fn read_points_in(
+    text: &str,
+    named: Option<ReferenceSystem>,
+) -> Result<(Vec<ControlPoint>, Option<ReferenceSystem>), PointsFileError> {
     let mut points = Vec::new();
-    let mut system = None;
+    let mut system = named;
     let mut columns: Option<[usize; 4]> = None;
-    let mut enabled_column = None;
+    let (mut enabled_column, mut system_column) = (None, None);
+    // All lines mostly name the same.
+    let mut last_name = String::new();
     for (index, line) in text.lines().enumerate().take(MOST_LINES) {
         let number = index + 1;
         let line = line.trim().trim_start_matches('\u{feff}');
@@ -46,13 +78,16 @@ pub fn read_points(
             continue;
         }
         if let Some(comment) = line.strip_prefix('#') {
-            let name = comment.trim().strip_prefix("CRS:");
-            system = system.or(name.and_then(|name| ReferenceSystem::from_name(name.trim())));
+            let name = comment.trim().strip_prefix("CRS:").map_or("", str::trim);
+            if system.is_none() && !name.is_empty() {
+                system = Some(known(name, number)?);
+            }
             continue;
         }
-        let cells: Vec<&str> = line.split(',').map(str::trim).collect();
+        let cells = cells(line);
         let Some(columns) = columns else {
-            let find = |names: &[&str]| cells.iter().position(|cell| names.contains(cell));
+            let find =
+                |names: &[&str]| cells.iter().position(|cell| names.contains(&cell.as_str()));
             let found = || {
                 Some([
                     find(&["mapX"])?,
@@ -63,10 +98,26 @@ pub fn read_points(
             };
             columns = Some(found().ok_or(PointsFileError::Header { line: number })?);
             enabled_column = find(&["enable", "enabled"]);
+            system_column = find(&["CRS", "crs"]);
             continue;
         };
+        let name = system_column.and_then(|column: usize| cells.get(column));
+        if let Some(name) = name.filter(|name| named.is_none() && !name.is_empty())
+            && *name != last_name
+        {
+            let own = known(name, number)?;
+            if let Some(before) = system.filter(|before| *before != own) {
+                return Err(PointsFileError::Systems {
+                    line: number,
+                    name: own.name(),
+                    before: before.name(),
+                });
+            }
+            system = Some(own);
+            last_name.clone_from(name);
+        }
         let cell = |column: usize| -> Result<f64, PointsFileError> {
-            let text = cells.get(column).copied().unwrap_or("");
+            let text = cells.get(column).map_or("", String::as_str);
             let value: Option<f64> = text.parse().ok().filter(|v: &f64| v.is_finite());
             value.ok_or_else(|| PointsFileError::Line {
                 line: number,
@@ -77,17 +128,46 @@ pub fn read_points(
             })
         };
         let [x, y, column, row] = columns;
-        let enabled = enabled_column.and_then(|column| cells.get(column).copied());
+        let enabled = enabled_column.and_then(|column: usize| cells.get(column));
         points.push(ControlPoint {
             pixel: Point2::new(cell(column)?, -cell(row)?),
             place: Point2::new(cell(x)?, cell(y)?),
-            enabled: enabled != Some("0"),
+            enabled: enabled.is_none_or(|enabled| enabled != "0"),
         });
     }
     if columns.is_none() {
         return Err(PointsFileError::Header { line: 1 });
     }
     Ok((points, system))
+}
+
+/// The system that a file names in a line.
+fn known(name: &str, line: usize) -> Result<ReferenceSystem, PointsFileError> {
+    ReferenceSystem::from_name(name).ok_or_else(|| PointsFileError::System {
+        line,
+        name: name.chars().take(60).collect(),
+    })
+}
+
+/// Cells of a line, between commas that are not inside of quotes; two quotes in such a cell are one.
+fn cells(line: &str) -> Vec<String> {
+    let mut cells = vec![String::new()];
+    let mut is_quoted = false;
+    let mut characters = line.chars().peekable();
+    while let Some(character) = characters.next() {
+        let cell = cells.last_mut();
+        match (character, cell) {
+            ('"', Some(cell)) if is_quoted && characters.peek() == Some(&'"') => {
+                characters.next();
+                cell.push('"');
+            }
+            ('"', _) => is_quoted = !is_quoted,
+            (',', _) if !is_quoted => cells.push(String::new()),
+            (other, Some(cell)) => cell.push(other),
+            (_, None) => {}
+        }
+    }
+    cells.iter().map(|cell| cell.trim().to_owned()).collect()
 }
 
 /// Control points as QGIS writes them, with the residuals of `fit` in pixels if there is one.

@@ -29,7 +29,7 @@ const GEOGRAPHIC_3D: u64 = 4979;
 const USER_DEFINED: u64 = 32_767;
 
 /// What the keys say.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct GeoKeys {
     /// The reference system; without any keys there is none.
     pub system: Option<ReferenceSystem>,
@@ -39,21 +39,16 @@ pub struct GeoKeys {
     pub vertical_system: Option<u32>,
     /// Name of the system of heights, where it has no code.
     pub vertical_name: Option<String>,
-    /// Metres in the unit of heights.
-    pub metres_per_height: f64,
+    /// EPSG code of the unit of heights, where it is named.
+    pub vertical_unit: Option<u32>,
 }
 
 impl GeoKeys {
-    /// Reads the keys of a directory; a reference system that is not known is an error.
-    pub fn read(directory: &Directory) -> Result<Self, TiffError> {
+    /// Reads the keys of a directory; a reference system that is not known is an error, unless `named`
+    /// stands in for it.
+    pub fn read(directory: &Directory, named: Option<ReferenceSystem>) -> Result<Self, TiffError> {
         let numbers = directory.numbers(Tag::GeoKeyDirectory)?;
-        let mut keys = Self {
-            system: None,
-            is_point: false,
-            vertical_system: None,
-            vertical_name: None,
-            metres_per_height: 1.0,
-        };
+        let mut keys = Self::default();
         // Header: version, revision, minor revision, number of keys; then four numbers a key.
         let entries: Vec<&[u64]> = (numbers.get(4..).unwrap_or_default())
             .chunks_exact(4)
@@ -72,12 +67,9 @@ impl GeoKeys {
         if keys.vertical_system.is_none() && number(VERTICAL_TYPE).is_some() {
             keys.vertical_name = entry(VERTICAL_CITATION).and_then(|e| text(directory, e));
         }
-        keys.metres_per_height = match (number(VERTICAL_UNITS), keys.vertical_system) {
-            // Heights in feet have codes of their own, with which GDAL writes no unit.
-            (Some(9002), _) | (None, Some(8228)) => 0.3048,
-            (Some(9003), _) | (None, Some(5702 | 6360)) => 1200.0 / 3937.0,
-            _ => 1.0,
-        };
+        keys.vertical_unit = number(VERTICAL_UNITS)
+            .filter(|code| *code != USER_DEFINED)
+            .map(|code| code as u32);
         let code = match number(MODEL_TYPE) {
             None if entries.is_empty() => return Ok(keys),
             Some(2) if has_heights => Some(4326),
@@ -94,6 +86,7 @@ impl GeoKeys {
                 .and_then(utm_projection)
                 .or_else(|| ReferenceSystem::from_name(citation.as_deref()?)),
         };
+        keys.system = keys.system.or(named);
         if keys.system.is_some() {
             return Ok(keys);
         }

@@ -1,5 +1,6 @@
 //! `GeoTIFF` as imagery: any size, only the tiles in sight are read.
 
+mod band_metadata;
 mod coarse;
 mod colour;
 mod keys;
@@ -10,6 +11,7 @@ mod tiles;
 
 use std::sync::{Arc, Mutex, PoisonError};
 
+pub(crate) use band_metadata::BandMetadata;
 use coarse::Coarse;
 use colour::Colours;
 pub use keys::GeoKeys;
@@ -107,17 +109,7 @@ impl GeoTiffFile {
     ) -> Result<Self, GeoTiffError> {
         let tiff = TiffFile::open(source)?;
         let file = || tiff.name().to_owned();
-        let keys = match GeoKeys::read(&tiff.directory) {
-            // Somebody who names the system knows better than a file with an unknown one.
-            Err(_) if system.is_some() => GeoKeys {
-                system,
-                is_point: false,
-                vertical_system: None,
-                vertical_name: None,
-                metres_per_height: 1.0,
-            },
-            keys => keys?,
-        };
+        let keys = GeoKeys::read(&tiff.directory, system)?;
         let own = world_file(&tiff.directory, keys.is_point)?;
         let georeference = match (own, beside) {
             (Some(own), _) => {
@@ -146,13 +138,7 @@ impl GeoTiffFile {
         Ok(Self {
             tiff: TiffFile::open(source)?,
             georeference,
-            keys: GeoKeys {
-                system: None,
-                is_point: false,
-                vertical_system: None,
-                vertical_name: None,
-                metres_per_height: 1.0,
-            },
+            keys: GeoKeys::default(),
         })
     }
 

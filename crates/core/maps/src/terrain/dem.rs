@@ -1,22 +1,17 @@
 //! Elevation models in files: `GeoTIFF` and the .hgt of the shuttle's radar.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use nalgebra::Point2;
 
 use super::hgt::Hgt;
+use super::tiff_posts::TiffPosts;
 use super::{HeightDatum, Terrain, between_posts};
-use crate::tiff::{Chunk, TiffError, TiffFile};
+use crate::tiff::TiffError;
 use crate::{GeoTiffError, GeoTiffFile};
 use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
 use pilotage_base::{bytes::ByteSource, georeference::GeoreferenceError};
 use pilotage_raster::imagery::Placement;
-use pilotage_raster::imagery::kept::Kept;
-
-/// Bytes of unpacked tiles that are kept.
-const MEMORY: usize = 32 << 20;
-/// Heights beyond are marks for missing data that the file does not declare, metres.
-const HIGHEST: f64 = 12_000.0;
 
 /// Why a file cannot be terrain.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -25,12 +20,22 @@ pub enum TerrainError {
     #[error(transparent)]
     GeoTiff(#[from] GeoTiffError),
     /// A `GeoTIFF` that is a picture.
-    #[error("{file}: {samples} samples a pixel; an elevation model has one")]
+    #[error(
+        "{file}: a picture with {samples} samples of colour a pixel; the bands of an elevation model have no colours"
+    )]
     Picture {
         /// Name of the file.
         file: String,
         /// Samples of a pixel.
         samples: usize,
+    },
+    /// A `GeoTIFF` whose values are no heights, or in an unknown unit.
+    #[error("{file}: {cause}")]
+    Unit {
+        /// Name of the file.
+        file: String,
+        /// What they are.
+        cause: String,
     },
     /// A .hgt file that cannot be read.
     #[error("{file}: {cause}")]
@@ -48,21 +53,17 @@ pub struct Dem {
     placement: Placement,
     frame: LocalFrame,
     datum: HeightDatum,
-    problem: Mutex<Option<TiffError>>,
 }
 
 enum Posts {
-    GeoTiff {
-        file: TiffFile,
-        kept: Kept<(usize, usize), Option<Chunk>>,
-        metres_per_height: f64,
-    },
+    GeoTiff(Box<TiffPosts>),
     Hgt(Hgt),
 }
 
 impl Dem {
     /// Opens an elevation model, in the world frame `frame` or else around its own middle. `system`
-    /// stands in for a reference system that the file does not name.
+    /// stands in for a reference system that the file does not name. Of several bands the first holds
+    /// the heights; [`notes`](Self::notes) says so. Scale, offset, unit and masks of the file are used.
     pub fn open(
         source: Arc<dyn ByteSource>,
         frame: Option<LocalFrame>,
@@ -72,13 +73,7 @@ impl Dem {
             return Self::open_hgt(source.as_ref(), frame);
         }
         let file = GeoTiffFile::open(source, None, system)?;
-        let picture = &file.tiff.levels()[0];
-        if picture.samples != 1 {
-            return Err(TerrainError::Picture {
-                file: file.tiff.name().to_owned(),
-                samples: picture.samples,
-            });
-        }
+        let posts = Box::new(TiffPosts::new(&file)?);
         let own = file.origin().map(LocalFrame::new);
         let frame = frame.or(own).ok_or_else(|| GeoTiffError::Georeference {
             file: file.tiff.name().to_owned(),
@@ -88,12 +83,7 @@ impl Dem {
             placement: file.placement(&frame)?,
             frame,
             datum: HeightDatum::of(&file.keys),
-            posts: Posts::GeoTiff {
-                metres_per_height: file.keys.metres_per_height,
-                file: file.tiff,
-                kept: Kept::new(MEMORY),
-            },
-            problem: Mutex::new(None),
+            posts: Posts::GeoTiff(posts),
         })
     }
 
@@ -115,7 +105,6 @@ impl Dem {
             frame,
             // The shuttle's heights are above the geoid EGM96.
             datum: HeightDatum::MeanSeaLevel("EGM96".to_owned()),
-            problem: Mutex::new(None),
         })
     }
 
@@ -141,50 +130,33 @@ impl Dem {
 
     /// The first part of the file that could not be read, if any; its heights are unknown.
     pub fn problem(&self) -> Option<TiffError> {
-        let problem = self.problem.lock().unwrap_or_else(PoisonError::into_inner);
-        problem.clone()
+        match &self.posts {
+            Posts::GeoTiff(posts) => posts.problem(),
+            Posts::Hgt(_) => None,
+        }
     }
 
-    /// Height at a post, metres.
+    /// What was chosen where the file leaves a choice, in sentences that name the file.
+    pub fn notes(&self) -> Vec<String> {
+        match &self.posts {
+            Posts::GeoTiff(posts) => posts.notes(),
+            Posts::Hgt(_) => Vec::new(),
+        }
+    }
+
+    /// Height at a post, metres; panics outside.
     fn post(&self, column: usize, row: usize) -> Option<f64> {
-        let (file, kept, metres_per_height) = match &self.posts {
-            Posts::Hgt(hgt) => return hgt.post(column, row),
-            Posts::GeoTiff {
-                file,
-                kept,
-                metres_per_height,
-            } => (file, kept, metres_per_height),
-        };
-        let layout = &file.levels()[0];
-        let place = (column / layout.chunk_width, row / layout.chunk_height);
-        let made = kept.get_or_make(place, || {
-            let chunk = file.chunk(0, place.0, place.1)?;
-            let bytes = chunk
-                .as_ref()
-                .map_or(0, |c| c.samples.len() * layout.kind.bits() / 8);
-            Ok((chunk, bytes))
-        });
-        let chunk = match made {
-            Ok(chunk) => chunk,
-            Err(problem) => {
-                let mut first = self.problem.lock().unwrap_or_else(PoisonError::into_inner);
-                first.get_or_insert(problem);
-                return None;
-            }
-        };
-        let chunk = chunk.as_ref().as_ref()?;
-        let inside = (column % layout.chunk_width, row % layout.chunk_height);
-        let value = chunk.samples.real(inside.1 * chunk.width + inside.0);
-        let height = value * metres_per_height;
-        let is_known = layout.no_data != Some(value) && height.abs() <= HIGHEST;
-        is_known.then_some(height)
+        match &self.posts {
+            Posts::GeoTiff(posts) => posts.post(column, row),
+            Posts::Hgt(hgt) => hgt.post(column, row),
+        }
     }
 }
 
 impl Terrain for Dem {
     fn name(&self) -> &str {
         match &self.posts {
-            Posts::GeoTiff { file, .. } => file.name(),
+            Posts::GeoTiff(posts) => posts.name(),
             Posts::Hgt(hgt) => hgt.name(),
         }
     }

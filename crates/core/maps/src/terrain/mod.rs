@@ -4,10 +4,17 @@ mod dem;
 mod grid;
 mod hgt;
 #[cfg(test)]
+mod made_tiffs;
+#[cfg(test)]
 mod tests;
+mod tiff_posts;
+#[cfg(test)]
+mod tiff_tests;
+mod units;
 
 pub use dem::{Dem, TerrainError};
 pub use grid::HeightGrid;
+pub use tiff_posts::holds_heights;
 
 use serde::{Deserialize, Serialize};
 
@@ -23,7 +30,7 @@ fn between_posts(
 ) -> Option<f64> {
     let (column, row) = (x as usize, y as usize);
     let (fx, fy) = (x - column as f64, y - row as f64);
-    let mut sum = 0.0;
+    let (mut sum, mut weights) = (0.0, 0.0);
     for (dc, dr, weight) in [
         (0, 0, (1.0 - fx) * (1.0 - fy)),
         (1, 0, fx * (1.0 - fy)),
@@ -32,9 +39,11 @@ fn between_posts(
     ] {
         if weight > 1e-9 {
             sum += weight * post((column + dc).min(last.0), (row + dr).min(last.1))?;
+            weights += weight;
         }
     }
-    Some(sum)
+    // What is too little to count must not lower the height either.
+    Some(sum / weights)
 }
 
 /// What heights count from.

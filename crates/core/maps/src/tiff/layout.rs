@@ -60,6 +60,12 @@ pub enum SampleKind {
     U32,
     /// 32 bits with a sign.
     I32,
+    /// 64 bits.
+    U64,
+    /// 64 bits with a sign.
+    I64,
+    /// Real number of 16 bits.
+    F16,
     /// Real number of 32 bits.
     F32,
     /// Real number of 64 bits.
@@ -119,9 +125,9 @@ impl SampleKind {
         match self {
             Self::Bit => 1,
             Self::U8 | Self::I8 => 8,
-            Self::U16 | Self::I16 => 16,
+            Self::U16 | Self::I16 | Self::F16 => 16,
             Self::U32 | Self::I32 | Self::F32 => 32,
-            Self::F64 => 64,
+            Self::U64 | Self::I64 | Self::F64 => 64,
         }
     }
 
@@ -242,8 +248,11 @@ impl Layout {
         let name = Tag::Predictor.name();
         let fits = match self.predictor {
             1 => true,
-            2 => self.kind.bits() >= 8 && self.kind != SampleKind::F64,
-            3 => matches!(self.kind, SampleKind::F32 | SampleKind::F64),
+            2 => self.kind.bits() >= 8,
+            3 => matches!(
+                self.kind,
+                SampleKind::F16 | SampleKind::F32 | SampleKind::F64
+            ),
             _ => false,
         };
         if !fits {
@@ -399,6 +408,9 @@ fn kind(directory: &Directory, photometric: Photometric) -> Result<SampleKind, T
         (16, 2) => Some(SampleKind::I16),
         (32, 1 | 4) => Some(SampleKind::U32),
         (32, 2) => Some(SampleKind::I32),
+        (64, 1 | 4) => Some(SampleKind::U64),
+        (64, 2) => Some(SampleKind::I64),
+        (16, 3) => Some(SampleKind::F16),
         (32, 3) => Some(SampleKind::F32),
         (64, 3) => Some(SampleKind::F64),
         (1, 1) if photometric == Photometric::Mask => Some(SampleKind::Bit),
@@ -409,7 +421,7 @@ fn kind(directory: &Directory, photometric: Photometric) -> Result<SampleKind, T
         .ok_or_else(|| {
             let name = Tag::BitsPerSample.name();
             directory.blame(&name).unsupported(format!(
-                "samples of {bits:?} bits in format {format} are not read; 8 or 16 bits are"
+                "samples of {bits:?} bits in format {format} are not read; whole numbers of 8, 16, 32 and 64 bits and reals of 16, 32 and 64 are"
             ))
         })
 }

@@ -17,7 +17,11 @@ pub enum Samples {
     U32(Vec<u32>),
     /// 32 bits with a sign.
     I32(Vec<i32>),
-    /// Real numbers of 32 bits.
+    /// 64 bits.
+    U64(Vec<u64>),
+    /// 64 bits with a sign.
+    I64(Vec<i64>),
+    /// Real numbers of 16 or 32 bits; the former fit into the latter exactly.
     F32(Vec<f32>),
     /// Real numbers of 64 bits.
     F64(Vec<f64>),
@@ -46,6 +50,8 @@ impl Samples {
             Self::I16(v) => v.len(),
             Self::U32(v) => v.len(),
             Self::I32(v) => v.len(),
+            Self::U64(v) => v.len(),
+            Self::I64(v) => v.len(),
             Self::F32(v) => v.len(),
             Self::F64(v) => v.len(),
         }
@@ -56,7 +62,7 @@ impl Samples {
         self.len() == 0
     }
 
-    /// One sample as a real number; panics outside.
+    /// One sample as a real number, whole numbers beyond 2⁵³ rounded; panics outside.
     pub fn real(&self, index: usize) -> f64 {
         match self {
             Self::U8(v) => f64::from(v[index]),
@@ -65,6 +71,8 @@ impl Samples {
             Self::I16(v) => f64::from(v[index]),
             Self::U32(v) => f64::from(v[index]),
             Self::I32(v) => f64::from(v[index]),
+            Self::U64(v) => v[index] as f64,
+            Self::I64(v) => v[index] as f64,
             Self::F32(v) => f64::from(v[index]),
             Self::F64(v) => v[index],
         }
@@ -98,6 +106,8 @@ impl Samples {
             Self::I16(_) => weave!(I16),
             Self::U32(_) => weave!(U32),
             Self::I32(_) => weave!(I32),
+            Self::U64(_) => weave!(U64),
+            Self::I64(_) => weave!(I64),
             Self::F32(_) => weave!(F32),
             Self::F64(_) => weave!(F64),
         }
@@ -117,6 +127,7 @@ pub(super) fn from_bytes(layout: &Layout, mut bytes: Vec<u8>, width: usize) -> S
         // What comes out of the predictor begins with the most significant byte.
         return match layout.kind {
             SampleKind::F64 => Samples::F64(words(&bytes, false, f64::from_bits)),
+            SampleKind::F16 => Samples::F32(words(&bytes, false, half)),
             _ => Samples::F32(words(&bytes, false, |w: u32| f32::from_bits(w))),
         };
     }
@@ -147,11 +158,29 @@ pub(super) fn from_bytes(layout: &Layout, mut bytes: Vec<u8>, width: usize) -> S
         SampleKind::I16 => Samples::I16(whole!(u16, i16).into_iter().map(|v| v as i16).collect()),
         SampleKind::U32 => Samples::U32(whole!(u32, u32)),
         SampleKind::I32 => Samples::I32(whole!(u32, i32).into_iter().map(|v| v as i32).collect()),
+        SampleKind::U64 => Samples::U64(whole!(u64, u64)),
+        SampleKind::I64 => Samples::I64(whole!(u64, i64).into_iter().map(|v| v as i64).collect()),
+        SampleKind::F16 => Samples::F32(whole!(u16, f32).into_iter().map(half).collect()),
         SampleKind::F32 => {
             Samples::F32((whole!(u32, f32).into_iter()).map(f32::from_bits).collect())
         }
-        SampleKind::F64 => Samples::F64(words(&bytes, is_little_endian, f64::from_bits)),
+        SampleKind::F64 => {
+            Samples::F64((whole!(u64, f64).into_iter()).map(f64::from_bits).collect())
+        }
     }
+}
+
+/// The real number whose sixteen bits are `bits`: one sign, five of the exponent with the bias 15, ten
+/// of the fraction (IEEE 754, binary16).
+fn half(bits: u16) -> f32 {
+    let fraction = f32::from(bits & 0x3ff) / 1024.0;
+    let size = match bits >> 10 & 0x1f {
+        0 => fraction * 2.0_f32.powi(-14),
+        31 if fraction == 0.0 => f32::INFINITY,
+        31 => f32::NAN,
+        exponent => (1.0 + fraction) * 2.0_f32.powi(i32::from(exponent) - 15),
+    };
+    if bits & 0x8000 == 0 { size } else { -size }
 }
 
 /// A number of some bytes.

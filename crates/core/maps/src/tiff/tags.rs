@@ -82,6 +82,8 @@ tags! {
     GeoDoubleParams = 34_736,
     /// `GeoTIFF`: texts of the keys.
     GeoAsciiParams = 34_737,
+    /// GDAL: what is known about the file and its bands, as XML.
+    GdalMetadata = 42_112,
     /// GDAL: the value of pixels without data, as text.
     GdalNoData = 42_113,
 }

@@ -1,0 +1,58 @@
+//! `.points` files of every age of QGIS.
+
+use super::*;
+use pilotage_base::frames::ReferenceSystem;
+
+/// Two lines as QGIS 3.16 wrote them, with the system `names` in each.
+fn with_systems(names: [&str; 2]) -> String {
+    let lines = names.map(|name| {
+        let quoted = name.replace('"', "\"\"");
+        format!("8.5,47.25,10.5,-20.25,1,0,0,0,\"{quoted}\"\n")
+    });
+    format!(
+        "mapX,mapY,pixelX,pixelY,enable,dX,dY,residual,CRS\n{}",
+        lines.concat()
+    )
+}
+
+const GLOBE: &str = r#"GEOGCRS["WGS 84",DATUM["World Geodetic System 1984",ELLIPSOID["WGS 84",6378137,298.257223563,LENGTHUNIT["metre",1]]],PRIMEM["Greenwich",0],CS[ellipsoidal,2],AXIS["geodetic latitude (Lat)",north],ID["EPSG",4326]]"#;
+const ZONE: &str = r#"PROJCRS["WGS 84 / UTM zone 32N",BASEGEOGCRS["WGS 84",DATUM["World Geodetic System 1984",ELLIPSOID["WGS 84",6378137,298.257223563]]],CONVERSION["UTM zone 32N",METHOD["Transverse Mercator"]],CS[Cartesian,2],ID["EPSG",32632]]"#;
+const LAMBERT: &str = r#"PROJCRS["RGF93 v1 / Lambert-93",BASEGEOGCRS["RGF93 v1"],ID["EPSG",2154]]"#;
+
+#[test]
+fn the_system_in_every_line_is_that_of_the_points() {
+    for (name, epsg) in [(GLOBE, 4326), (ZONE, 32_632), ("EPSG:3857", 3857)] {
+        let (points, system) = read_points(&with_systems([name, name])).unwrap();
+        assert_eq!(system, ReferenceSystem::from_epsg(epsg), "{name}");
+        let point = &points[1];
+        assert_eq!((points.len(), point.enabled), (2, true));
+        assert_eq!((point.place.x, point.place.y), (8.5, 47.25));
+        assert_eq!((point.pixel.x, point.pixel.y), (10.5, 20.25));
+    }
+}
+
+#[test]
+fn a_system_that_is_not_known_is_named_unless_another_is_given() {
+    let rows = with_systems([LAMBERT, LAMBERT]);
+    let comment = format!("#CRS: {LAMBERT}\nmapX,mapY,sourceX,sourceY\n8.5,47.25,1,-1\n");
+    for (text, line) in [(rows, "line 2"), (comment, "line 1")] {
+        let error = read_points(&text).unwrap_err().to_string();
+        assert!(
+            error.starts_with(line) && error.contains("Lambert-93"),
+            "{error}"
+        );
+        let given = Some(ReferenceSystem::Geographic);
+        assert_eq!(read_points_in(&text, given).unwrap().1, given);
+    }
+}
+
+#[test]
+fn lines_of_different_systems_are_refused() {
+    let error = read_points(&with_systems([GLOBE, ZONE]))
+        .unwrap_err()
+        .to_string();
+    assert!(
+        error.starts_with("line 3") && error.contains("zone 32N"),
+        "{error}"
+    );
+}

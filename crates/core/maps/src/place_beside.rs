@@ -1,0 +1,109 @@
+//! The files beside a picture that say where it lies: world file, georeference in JSON, `.prj`.
+
+use crate::map_error::MapError;
+use crate::map_options::MapOptions;
+use pilotage_base::files::FileSet;
+use pilotage_base::frames::{LocalFrame, ReferenceSystem};
+use pilotage_base::georeference::Georeference;
+
+/// What is put in place of a picture's ending to name the file that says where it lies.
+const SIDE_FILES: [&str; 11] = [
+    ".jgw",
+    ".jpgw",
+    ".pgw",
+    ".pngw",
+    ".tfw",
+    ".tifw",
+    ".wld",
+    "_georef.json",
+    ".georef.json",
+    ".georeference.json",
+    ".json",
+];
+
+/// Where the file beside a picture puts it, with that file's name.
+pub(crate) fn place_beside(
+    files: &dyn FileSet,
+    picture: &str,
+    options: &MapOptions,
+) -> Result<Option<(String, Georeference)>, MapError> {
+    if let Some(place) = options.place {
+        return Ok(Some((picture.to_owned(), place)));
+    }
+    let found = (SIDE_FILES.iter()).find_map(|ending| beside(files, picture, ending));
+    let Some((side, bytes)) = found else {
+        return Ok(None);
+    };
+    let place = Georeference::from_text(&String::from_utf8_lossy(&bytes));
+    let place = place.map_err(|cause| MapError::Georeference {
+        file: side.clone(),
+        cause,
+    })?;
+    let system = match options.system {
+        Some(system) => Some(system),
+        None => system_beside(files, picture)?,
+    };
+    let place = system.map_or(place, |system| place.with_system(system));
+    Ok(Some((side, place)))
+}
+
+/// Refuses metres that cannot be those of the world's own frame, where nothing says of which reference
+/// system they are; the question offers the UTM zone of the world that is open. `picture` is the file whose
+/// place it is.
+pub(crate) fn refuse_unnamed(
+    place: &Georeference,
+    picture: &str,
+    options: &MapOptions,
+) -> Result<(), MapError> {
+    let Georeference::Metres(file) = place else {
+        return Ok(());
+    };
+    if options.place.is_some() || !file.is_beyond_a_world() {
+        return Ok(());
+    }
+    let world = options.frame.or(options.near.map(|(frame, _)| frame));
+    let zone = |frame: &LocalFrame| ReferenceSystem::utm_around(&frame.origin);
+    let stem = picture.rsplit_once('.').map_or(picture, |(stem, _)| stem);
+    Err(MapError::UnnamedSystem {
+        file: picture.to_owned(),
+        x: file.c,
+        y: file.f,
+        prj: format!("{stem}.prj"),
+        example: match world.as_ref().map(zone) {
+            Some(system) => format!("EPSG:{}, the UTM zone of the open world", system.epsg()),
+            None => "EPSG:32632 for the UTM zone 32 north".to_owned(),
+        },
+    })
+}
+
+/// The reference system that the .prj beside a picture names.
+pub(crate) fn system_beside(
+    files: &dyn FileSet,
+    picture: &str,
+) -> Result<Option<ReferenceSystem>, MapError> {
+    let Some((file, bytes)) = beside(files, picture, ".prj") else {
+        return Ok(None);
+    };
+    let text = String::from_utf8_lossy(&bytes);
+    match ReferenceSystem::from_name(&text) {
+        Some(system) => Ok(Some(system)),
+        None => Err(MapError::System {
+            file,
+            name: text.trim().chars().take(60).collect(),
+        }),
+    }
+}
+
+/// Name and contents of the file that has `ending` in place of the picture's, in small letters or in
+/// capitals; where the files can be listed, in any letters.
+fn beside(files: &dyn FileSet, picture: &str, ending: &str) -> Option<(String, Vec<u8>)> {
+    let (stem, _) = picture.rsplit_once('.')?;
+    let wanted = format!("{stem}{ending}");
+    let read = |name: String| files.read(&name).map(|bytes| (name, bytes));
+    read(wanted.clone())
+        .or_else(|| read(format!("{stem}{}", ending.to_uppercase())))
+        .or_else(|| {
+            let mut names = files.names().into_iter();
+            read(names.find(|name| name.eq_ignore_ascii_case(&wanted))?)
+        })
+}

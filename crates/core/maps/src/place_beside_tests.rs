@@ -1,0 +1,104 @@
+//! World files and `.prj` files beside pictures.
+
+use pilotage_base::files::MemoryFiles;
+use pilotage_base::frames::{Geodetic, LocalFrame, ReferenceSystem};
+use pilotage_raster::imagery::Imagery as _;
+use pilotage_raster::raster::{Picture, encode_png};
+
+use crate::{MapOptions, OpenMap, open_map_with};
+
+/// Half a metre a pixel around the central meridian of a UTM zone.
+const UTM: &str = "0.5\n0\n0\n-0.5\n500000.25\n4000000.0\n";
+
+fn open(files: &[(&str, &str)], picture: &str, options: &MapOptions) -> Result<OpenMap, String> {
+    let bytes = encode_png(&Picture::filled(40, 20, [90, 120, 60])).unwrap();
+    let mut all = MemoryFiles::default();
+    all.0.insert(picture.to_owned(), bytes);
+    for (name, text) in files {
+        all.0.insert((*name).to_owned(), text.as_bytes().to_vec());
+    }
+    open_map_with(&all, picture, options).map_err(|error| error.to_string())
+}
+
+fn in_zone_17() -> MapOptions {
+    MapOptions {
+        system: ReferenceSystem::from_epsg(32_617),
+        ..MapOptions::default()
+    }
+}
+
+#[test]
+fn side_files_are_found_in_capitals_and_in_any_letters() {
+    for (picture, world, prj) in [
+        ("a/map.png", "a/map.PGW", "a/map.PRJ"),
+        ("a/map.PNG", "a/map.PGW", "a/map.prj"),
+        ("MAP.PNG", "map.pgw", "Map.Prj"),
+        ("map.jpg", "map.JGW", "map.PRJ"),
+        ("map.png", "map.WLD", "map.PRJ"),
+    ] {
+        let map = open(
+            &[(world, UTM), (prj, "EPSG:32617")],
+            picture,
+            &MapOptions::default(),
+        );
+        let map = map.unwrap_or_else(|error| panic!("{picture}: {error}"));
+        // The zone's middle is 81° W; a metre of the grid is 1 / 0.9996 m there.
+        let origin = map.frame().unwrap().origin;
+        assert!(
+            (origin.longitude.to_degrees() + 81.0).abs() < 1e-3,
+            "{picture}"
+        );
+        assert!((map.native_gsd() - 0.5 / 0.9996).abs() < 1e-6, "{picture}");
+    }
+}
+
+#[test]
+fn a_world_file_in_metres_without_a_system_is_asked_for_its_system() {
+    let error = open(&[("map.pgw", UTM)], "map.png", &MapOptions::default());
+    let error = error.err().unwrap();
+    for word in [
+        "map.png",
+        "500000.25",
+        "4000000",
+        "which is it?",
+        "--system",
+        "map.prj",
+    ] {
+        assert!(error.contains(word), "{word}: {error}");
+    }
+    // In the world that is open its UTM zone is offered: 81.5° W lies in zone 17.
+    let frame = LocalFrame::new(Geodetic::from_degrees(36.0, -81.5, 0.0));
+    for options in [
+        MapOptions {
+            frame: Some(frame),
+            ..MapOptions::default()
+        },
+        MapOptions {
+            near: Some((frame, 1e4)),
+            ..MapOptions::default()
+        },
+    ] {
+        let error = open(&[("map.pgw", UTM)], "map.png", &options)
+            .err()
+            .unwrap();
+        assert!(error.contains("EPSG:32617"), "{error}");
+    }
+    // Near the equator only the easting is large.
+    let equator = "0.5\n0\n0\n-0.5\n166021.0\n12.0\n";
+    assert!(open(&[("map.pgw", equator)], "map.png", &MapOptions::default()).is_err());
+}
+
+#[test]
+fn a_system_that_is_asked_for_stands_in_for_a_missing_prj() {
+    let map = open(&[("map.pgw", UTM)], "map.png", &in_zone_17()).unwrap();
+    assert!(map.bounds().west.abs() < 20.0);
+}
+
+#[test]
+fn metres_of_the_world_itself_need_no_system() {
+    let own = "0.5\n0\n0\n-0.5\n1000.25\n-2000.25\n";
+    let map = open(&[("map.pgw", own)], "map.png", &MapOptions::default()).unwrap();
+    assert!(map.frame().is_none());
+    let bounds = map.bounds();
+    assert!((bounds.west - 1000.0).abs() < 1e-9 && (bounds.north + 2000.0).abs() < 1e-9);
+}
