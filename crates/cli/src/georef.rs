@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use nalgebra::Point2;
 use pilotage_core::frames::ReferenceSystem;
 use pilotage_core::imagery::georeferencer::{
-    ControlPoint, Fit, TransformKind, fit, in_metres, read_points,
+    ControlPoint, Fit, TransformKind, fit, in_metres, read_points_in,
 };
 use pilotage_core::mission::{MapOptions, open_map_with};
 use serde::Serialize;
@@ -83,7 +83,6 @@ struct PointSummary {
 pub fn run(arguments: &Arguments) -> Outcome {
     let file = arguments.points.display();
     let text = std::fs::read_to_string(&arguments.points).map_err(|e| format!("{file}: {e}"))?;
-    let (points, stated) = read_points(&text).map_err(|e| format!("{file}: {e}"))?;
     let named = match &arguments.system {
         Some(name) => Some(ReferenceSystem::from_name(name).ok_or_else(|| {
             format!(
@@ -92,7 +91,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
         })?),
         None => None,
     };
-    let system = named.or(stated).ok_or_else(|| {
+    let (points, system) = read_points_in(&text, named).map_err(|e| format!("{file}: {e}"))?;
+    let system = system.ok_or_else(|| {
         format!("{file}: the file does not say of which reference system its points are; name it by --system, e.g. EPSG:32617")
     })?;
     let (points, plane) = in_metres(&points, system).ok_or_else(|| {

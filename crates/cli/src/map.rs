@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use nalgebra::Point2;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
-use pilotage_core::imagery::terrain::{Dem, Terrain};
+use pilotage_core::imagery::terrain::{Dem, Terrain, holds_heights};
+use pilotage_core::imagery::tiff::TiffFile;
 use pilotage_core::imagery::{GeoTiffFile, Georeference, Imagery, Placement, Window};
 use pilotage_core::mission::{MapOptions, OpenMap, open_map_with};
 use pilotage_core::raster::encode_png_with_coverage;
@@ -172,7 +173,16 @@ fn info(arguments: &MapArguments, height_at: Option<&str>) -> Outcome {
     let place = height_at.map(lat_lon).transpose()?;
     let is_tiff = arguments.has_ending(&["tif", "tiff"]);
     let is_height = arguments.has_ending(&["hgt"]);
-    let info = if is_height || (is_tiff && is_elevation(arguments, system)) {
+    if place.is_some() && !is_tiff && !is_height {
+        return Err(format!(
+            "--height-at: {} is no elevation model; a GeoTIFF or a .hgt file may be one",
+            arguments.name()
+        )
+        .into());
+    }
+    // Who asks for a height says by that what the samples are.
+    let is_elevation = is_height || (is_tiff && (place.is_some() || is_elevation(arguments)));
+    let info = if is_elevation {
         elevation(arguments, system, place)?
     } else {
         picture(arguments, system)?
@@ -181,13 +191,10 @@ fn info(arguments: &MapArguments, height_at: Option<&str>) -> Outcome {
     Ok(())
 }
 
-/// Whether a `GeoTIFF` holds heights: one sample a pixel that no picture has.
-fn is_elevation(arguments: &MapArguments, system: Option<ReferenceSystem>) -> bool {
-    use pilotage_core::imagery::tiff::SampleKind;
-    geo_tiff(arguments, system).is_ok_and(|file| {
-        let layout = &file.tiff.levels()[0];
-        layout.samples == 1 && !matches!(layout.kind, SampleKind::U8 | SampleKind::U16)
-    })
+/// Whether a TIFF holds heights: samples that no picture has.
+fn is_elevation(arguments: &MapArguments) -> bool {
+    let source = disk_file(arguments).ok();
+    source.is_some_and(|source| TiffFile::open(source).is_ok_and(|file| holds_heights(&file)))
 }
 
 fn geo_tiff(
@@ -213,6 +220,9 @@ fn elevation(
     let (width, height) = dem.placement().size();
     let middle = Point2::new(0.5 * width as f64, 0.5 * height as f64);
     let file = geo_tiff(arguments, system).ok();
+    for note in dem.notes() {
+        eprintln!("note: {note}");
+    }
     let heights = Heights {
         above: dem.datum().name().to_owned(),
         frame: dem.datum().frame(),
@@ -221,6 +231,24 @@ fn elevation(
     };
     if let Some(problem) = dem.problem() {
         return Err(problem.into());
+    }
+    if let Some(place) = place.filter(|_| heights.height_at_place_m.is_none()) {
+        let pixel = dem.placement().pixel_at(&GroundPoint::default());
+        let is_inside = pixel.is_some_and(|pixel| {
+            (0.0..=width as f64).contains(&pixel.x) && (0.0..=height as f64).contains(&pixel.y)
+        });
+        let cause = if is_inside {
+            "data are missing there"
+        } else {
+            "the model does not reach there"
+        };
+        return Err(format!(
+            "--height-at: {} has no height at {}, {}: {cause}",
+            arguments.name(),
+            place.latitude.to_degrees(),
+            place.longitude.to_degrees(),
+        )
+        .into());
     }
     let geographic = ReferenceSystem::Geographic;
     let system = match &file {
