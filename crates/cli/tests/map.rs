@@ -79,13 +79,17 @@ impl Folder {
         std::fs::write(self.0.join(name), bytes).expect("the folder can be written");
     }
 
-    fn map(&self, words: &[&str]) -> Output {
-        let done = Command::new(env!("CARGO_BIN_EXE_pilotage"))
+    fn run(&self, words: &[&str]) -> Output {
+        Command::new(env!("CARGO_BIN_EXE_pilotage"))
             .current_dir(&self.0)
             .arg("map")
             .args(words)
             .output()
-            .expect("the program starts");
+            .expect("the program starts")
+    }
+
+    fn map(&self, words: &[&str]) -> Output {
+        let done = self.run(words);
         let said = String::from_utf8_lossy(&done.stderr);
         assert!(done.status.success(), "{said}");
         done
@@ -150,7 +154,8 @@ fn a_tile_cut_out_of_a_picture_has_its_pixels() {
     let picture = Picture::from_fn(WIDTH as usize, HEIGHT as usize, shade);
     folder.write("area.png", encode_png(&picture).expect("a picture"));
     // Metres of no place on the globe: nothing is turned or stretched.
-    folder.write("area.pgw", WORLD_FILE);
+    let local = WORLD_FILE.replace("570000.25", "100.25");
+    folder.write("area.pgw", local.replace("5189999.75", "99.75"));
     folder.map(&[
         "tile",
         "area.png",
@@ -254,4 +259,93 @@ fn several_pictures_with_a_table_of_their_corners_are_one_map() {
         !out.status.success() && told.contains("missing.png: there is no such file"),
         "{told}"
     );
+}
+
+/// An elevation model of four by four whole numbers of 16 bits without a sign, a thousandth of a degree
+/// apart from 47° N 8° E; the first is the mark for missing heights.
+fn heights() -> Vec<u8> {
+    let mut samples = vec![1200_u16; 16];
+    samples[0] = 9;
+    let pixels: Vec<u8> = samples.iter().flat_map(|v| v.to_le_bytes()).collect();
+    let shorts = |values: &[u16]| {
+        values
+            .iter()
+            .flat_map(|v| v.to_le_bytes())
+            .collect::<Vec<u8>>()
+    };
+    let reals = |values: &[f64]| {
+        values
+            .iter()
+            .flat_map(|v| v.to_le_bytes())
+            .collect::<Vec<u8>>()
+    };
+    let keys = [1, 1, 0, 3, 1024, 0, 1, 2, 1025, 0, 1, 1, 2048, 0, 1, 4326];
+    let tags: [(u16, u16, u32, Vec<u8>); 13] = [
+        (256, 3, 1, shorts(&[4, 0])),
+        (257, 3, 1, shorts(&[4, 0])),
+        (258, 3, 1, shorts(&[16, 0])),
+        (259, 3, 1, shorts(&[1, 0])),
+        (262, 3, 1, shorts(&[1, 0])),
+        (273, 4, 1, vec![8, 0, 0, 0]),
+        (277, 3, 1, shorts(&[1, 0])),
+        (278, 3, 1, shorts(&[4, 0])),
+        (279, 4, 1, vec![32, 0, 0, 0]),
+        (33_550, 12, 3, reals(&[1e-3, 1e-3, 0.0])),
+        (33_922, 12, 6, reals(&[0.0, 0.0, 0.0, 8.0, 47.0, 0.0])),
+        (34_735, 3, 16, shorts(&keys)),
+        (42_113, 2, 2, b"9\0\0\0".to_vec()),
+    ];
+    let after = 8 + pixels.len() + 2 + 12 * tags.len() + 4;
+    let mut beyond: Vec<u8> = Vec::new();
+    let mut file = b"II\x2a\x00\x28\0\0\0".to_vec();
+    file.extend(pixels);
+    file.extend((tags.len() as u16).to_le_bytes());
+    for (tag, kind, count, value) in tags {
+        file.extend(tag.to_le_bytes());
+        file.extend(kind.to_le_bytes());
+        file.extend(count.to_le_bytes());
+        if value.len() == 4 {
+            file.extend(value);
+        } else {
+            file.extend(((after + beyond.len()) as u32).to_le_bytes());
+            beyond.extend(value);
+        }
+    }
+    file.extend([0; 4]);
+    file.extend(beyond);
+    file
+}
+
+#[test]
+fn a_height_that_is_asked_for_is_told_or_its_lack_is_an_error() {
+    let folder = Folder::new("height-at");
+    folder.write("dem.tif", heights());
+    folder.write(
+        "picture.png",
+        encode_png(&Picture::filled(4, 4, [9; 3])).expect("a picture"),
+    );
+    folder.write("picture.pgw", "0.001\n0\n0\n-0.001\n8.0005\n46.9995\n");
+    // By itself it is a grey picture.
+    assert_eq!(folder.info(&["dem.tif"])["kind"], "GeoTIFF");
+    let info = folder.info(&["dem.tif", "--height-at", "46.9985,8.0015"]);
+    assert_eq!(info["kind"], "elevation model");
+    let height = info["height_at_place_m"].as_f64().expect("metres");
+    assert!((height - 1200.0).abs() < 1e-6, "{info}");
+    for (file, place, word) in [
+        ("dem.tif", "46.9995,8.0005", "data are missing there"),
+        ("dem.tif", "48,8.0015", "does not reach there"),
+        (
+            "picture.png",
+            "46.9985,8.0015",
+            "picture.png is no elevation model",
+        ),
+    ] {
+        let output = folder.run(&["info", file, "--height-at", place]);
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(
+            !output.status.success() && output.stdout.is_empty(),
+            "{told}"
+        );
+        assert!(told.contains(word), "{file} {place}: {told}");
+    }
 }
