@@ -51,7 +51,7 @@ pub enum MapError {
     },
     /// The world file beside the picture counts in metres of a system that nothing names.
     #[error(
-        "{file}: its world file counts from x = {x}, y = {y} and does not say in which reference system; which is it? Name it (--system, e.g. {example}), or put its code or its well-known text into {prj}"
+        "{file}: its world file counts from x = {x}, y = {y} and does not say in which reference system; which is it? Put its code (e.g. {example}) or its well-known text into {prj}, or name it by --system on the terminal"
     )]
     UnnamedSystem {
         /// Name of the picture.

@@ -158,7 +158,10 @@ fn what_a_mission_file_lacks_is_said_with_where_to_have_it() {
     };
     let files = [
         ("area.png", picture().into()),
-        ("area.pgw", WORLD_FILE.to_vec().into()),
+        (
+            "area.pgw",
+            b"0.5\n0\n0\n-0.5\n0.25\n-0.25\n".to_vec().into(),
+        ),
         ("area.aux", lent),
     ];
     let (bytes, lacks) = packed(&files, map());
