@@ -264,7 +264,7 @@ fn several_pictures_with_a_table_of_their_corners_are_one_map() {
 /// An elevation model of four by four whole numbers of 16 bits without a sign, a thousandth of a degree
 /// apart from 47° N 8° E; the first is the mark for missing heights.
 fn heights() -> Vec<u8> {
-    let mut samples = vec![1200_u16; 16];
+    let mut samples = [1200_u16; 16];
     samples[0] = 9;
     let pixels: Vec<u8> = samples.iter().flat_map(|v| v.to_le_bytes()).collect();
     let shorts = |values: &[u16]| {
