@@ -4,11 +4,12 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use pilotage_core::flight::log::{FieldLayout, Log, Scale, Topic};
+use pilotage_core::text::csv_cell;
 
 use crate::Outcome;
 use crate::opening::{Opened, open};
 
-/// What to export.
+/// Arguments of `pilotage export`.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A flight log, or a flight of tables or photos.
@@ -121,7 +122,7 @@ fn csv(topic: &Topic) -> String {
         } else {
             format!(" [{}]", field.unit)
         };
-        quoted(&format!("{}{unit}", field.name))
+        csv_cell(&format!("{}{unit}", field.name))
     });
     let mut text = format!("time_s,{}\n", head.collect::<Vec<_>>().join(","));
     for (time, row) in topic.times.iter().zip(topic.rows.iter()) {
@@ -131,22 +132,13 @@ fn csv(topic: &Topic) -> String {
             match value(field, row) {
                 Some(Value::Whole(whole)) => text += &whole.to_string(),
                 Some(Value::Real(real)) => text += &real.to_string(),
-                Some(Value::Text(words)) => text += &quoted(&words),
+                Some(Value::Text(words)) => text += &csv_cell(&words),
                 None => {}
             }
         }
         text.push('\n');
     }
     text
-}
-
-/// A cell, in quotation marks where it needs them.
-fn quoted(cell: &str) -> String {
-    if cell.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", cell.replace('"', "\"\""))
-    } else {
-        cell.to_owned()
-    }
 }
 
 /// Numbers that are none are null, as JSON has no others.

@@ -30,6 +30,7 @@ pub const ORDERS: [&Order; 8] = [
             "files",
             "frames",
             "georeference",
+            "text",
         ],
         upward: &[],
     },

@@ -9,3 +9,4 @@ pub mod files;
 pub mod frames;
 pub mod georeference;
 pub mod statistics;
+pub mod text;

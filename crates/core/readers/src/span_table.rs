@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use std::ops::Range;
 
 use super::expression::Samples;
+use pilotage_base::text::csv_cell;
 
 /// A table with the samples of several series within a span of time, written some rows at a time.
 ///
@@ -41,7 +42,7 @@ impl<S: Borrow<Samples>> SpanTable<S> {
                 unit => format!("{name} [{unit}]"),
             };
             row.push(',');
-            row.push_str(&quoted(&heading));
+            row.push_str(&csv_cell(&heading));
         }
         row.push('\n');
         row
@@ -87,15 +88,6 @@ fn push_number(table: &mut String, value: f64) {
         value if is_plain => write!(table, "{value}"),
         value => write!(table, "{value:e}"),
     };
-}
-
-/// A cell as RFC 4180 has it: in quotes where it holds a comma, a quote or the end of a line.
-fn quoted(cell: &str) -> String {
-    if cell.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", cell.replace('"', "\"\""))
-    } else {
-        cell.to_owned()
-    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! Tables of a flight: asked about, made a flight in a worker, and flown.
 
 use pilotage_core::flight::columns::GuessedTable;
+use pilotage_core::text::capitalised;
 use serde_json::{Value, json};
 
 use super::App;
@@ -114,14 +115,12 @@ impl App {
 /// Notes as one text: each a sentence, whether it was written as one or not.
 pub(super) fn sentences(notes: &[String]) -> String {
     let sentence = |note: &String| {
-        let mut letters = note.chars();
-        let first = letters.next().map(char::to_uppercase).into_iter().flatten();
         let end = if note.ends_with(['.', '!', '?']) {
             ""
         } else {
             "."
         };
-        format!("{}{}{end}", first.collect::<String>(), letters.as_str())
+        format!("{}{end}", capitalised(note))
     };
     notes.iter().map(sentence).collect::<Vec<_>>().join(" ")
 }

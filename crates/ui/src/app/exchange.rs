@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use pilotage_core::text::capitalised;
+
 use super::App;
 use super::desk::Exporting;
 use crate::command::{Command, Workspace};
@@ -25,10 +27,9 @@ fn counted(count: usize, one: &str) -> Option<String> {
 pub(super) fn sentences(notes: &[String]) -> String {
     let mut text = String::new();
     for note in notes.iter().take(MOST_NOTES) {
-        let mut letters = note.trim_end_matches('.').chars();
-        if let Some(first) = letters.next() {
-            text.extend(first.to_uppercase());
-            text.push_str(letters.as_str());
+        let note = note.trim_end_matches('.');
+        if !note.is_empty() {
+            text.push_str(&capitalised(note));
             text.push_str(". ");
         }
     }

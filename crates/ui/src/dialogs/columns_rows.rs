@@ -3,6 +3,7 @@
 use egui::{ComboBox, Grid, Label, RichText, Ui};
 use pilotage_core::flight::Quantity;
 use pilotage_core::flight::columns::{ColumnRole, GuessedTable, MappedColumn};
+use pilotage_core::text::capitalised;
 
 use crate::shell::{caption, muted};
 use crate::tokens::Tokens;
@@ -216,7 +217,7 @@ fn figure(value: f64) -> String {
 fn why(tokens: &Tokens, column: &MappedColumn) -> RichText {
     let reason = column.reason.as_str();
     if column.role == ColumnRole::Nothing || reason.starts_with("you ") {
-        return muted(tokens, capital(reason));
+        return muted(tokens, capitalised(reason));
     }
     let (word, colour) = match column.confidence {
         sure if sure >= SURE => ("Sure", tokens.muted),
@@ -229,12 +230,6 @@ fn why(tokens: &Tokens, column: &MappedColumn) -> RichText {
         ""
     };
     muted(tokens, format!("{word}: {reason}{turned}")).color(colour)
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    let first = letters.next().map(char::to_uppercase).into_iter().flatten();
-    first.chain(letters).collect()
 }
 
 #[cfg(test)]

@@ -16,6 +16,7 @@ use pilotage_core::imagery::tiff::{SampleKind, TiffFile};
 use pilotage_core::mission::package::{PACKAGE_HEAD, read_head};
 use pilotage_core::mission::{MapError, MapOptions, Mission, OpenMap, open_map_with, read_mission};
 use pilotage_core::navigator::Run;
+use pilotage_core::text::capitalised;
 
 use super::file_pool::{FilePool, has_ending};
 use super::flights::OpenFlight;
@@ -30,6 +31,8 @@ use crate::documents::decode_run;
 const PICTURES: [&str; 3] = ["jpg", "jpeg", "png"];
 /// Endings of photos.
 const PHOTOS: [&str; 2] = ["jpg", "jpeg"];
+/// Endings of files that may be a flight without saying so in a file beside them: photos, and subtitles of films.
+const FLOWN: [&str; 3] = ["jpg", "jpeg", "srt"];
 /// Endings of maps that say themselves where they lie.
 const MAPS: [&str; 3] = ["tif", "tiff", "pmtiles"];
 /// Files of a drop that are named for what they are, where none can be opened.
@@ -193,7 +196,8 @@ pub fn flight_folder(pool: &Arc<FilePool>) -> Result<Option<FlightFolder>, Strin
     match read_flight(pool.clone()) {
         Ok(folder) => Ok(Some(folder)),
         Err(FolderError::NoFlightFile) => {
-            if log_among(pool).is_some() {
+            let may_be_flown = !pool.ending_in(&FLOWN).is_empty();
+            if !may_be_flown || log_among(pool).is_some() {
                 return Ok(None);
             }
             let files: Arc<dyn FileSet> = pool.clone();
@@ -331,13 +335,6 @@ fn unknown(pool: &FilePool) -> String {
          GeoTIFF, PMTiles or an elevation model (.hgt), photos that say where they were taken, a mission or a run saved here, or routes and \
          landmarks as .plan, .waypoints, KML, GPX, GeoJSON or CSV, or tables of a flight as CSV."
     )
-}
-
-/// A sentence of its own.
-fn capitalised(words: &str) -> String {
-    let mut letters = words.chars();
-    let first = letters.next().map(char::to_uppercase);
-    first.into_iter().flatten().chain(letters).collect()
 }
 
 /// What is known of an elevation model in its own frame.

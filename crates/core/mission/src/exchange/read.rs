@@ -4,6 +4,7 @@ use super::{ExchangeError, Format, csv_read, geojson, gpx, kml_read, plan, waypo
 use crate::mission::found::{self, LonLat};
 use crate::mission::{NoFlyZone, Route};
 use pilotage_base::frames::{Geodetic, GroundPoint, LocalFrame};
+use pilotage_base::text::of_utf_16;
 use pilotage_vision::landmark::Landmark;
 
 /// Distance from the middle beyond which lengths on the plane differ from those on the ground by more
@@ -46,13 +47,6 @@ pub fn read_any(
         notes.push("the text is UTF-16".to_owned());
     }
     let format = Format::of(name, bytes).ok_or_else(unknown)?;
-    if format == Format::GeoJson && is_old_mission(bytes) {
-        return Err(ExchangeError::File {
-            file: name.to_owned(),
-            cause: "this is an old .mission of QGroundControl: open it there and save it as .plan"
-                .to_owned(),
-        });
-    }
     let unpacked = match format {
         Format::Kmz => kml_read::unpack(name, bytes)?,
         _ => Vec::new(),
@@ -67,7 +61,8 @@ pub fn read_any(
         match format {
             Format::Plan => plan::read(name, &content)?,
             Format::Waypoints => waypoints::read(name, &content)?,
-            Format::GeoJson => geojson::read(name, &content)?,
+            Format::GeoJson => geojson::read(name, &content)
+                .map_err(|cause| old_mission(name, bytes).unwrap_or(cause))?,
             Format::Kml | Format::Kmz => kml_read::read(name, &content)?,
             Format::Gpx => gpx::read(name, &content)?,
             Format::Csv => csv_read::read(name, &content)?,
@@ -145,31 +140,15 @@ fn too_far(file: &str, what: &str) -> ExchangeError {
     }
 }
 
-/// The text of bytes that begin with the mark of UTF-16, as Excel and Windows write it; what is no
-/// character becomes the sign for that.
-fn of_utf_16(bytes: &[u8]) -> Option<String> {
-    let (rest, is_little) = match bytes {
-        [0xff, 0xfe, rest @ ..] => (rest, true),
-        [0xfe, 0xff, rest @ ..] => (rest, false),
-        _ => return None,
-    };
-    let unit = |pair: &[u8]| {
-        let pair = [pair[0], pair[1]];
-        if is_little {
-            u16::from_le_bytes(pair)
-        } else {
-            u16::from_be_bytes(pair)
-        }
-    };
-    let units: Vec<u16> = rest.chunks_exact(2).map(unit).collect();
-    Some(String::from_utf16_lossy(&units))
-}
-
-/// Whether JSON is what `QGroundControl` saved before there were plans.
-fn is_old_mission(bytes: &[u8]) -> bool {
-    let members: Option<serde_json::Map<String, serde_json::Value>> =
-        serde_json::from_slice(bytes).ok();
-    members.is_some_and(|m| m.contains_key("items") && m.contains_key("MAV_AUTOPILOT"))
+/// The refusal of JSON that `QGroundControl` saved before there were plans.
+fn old_mission(file: &str, bytes: &[u8]) -> Option<ExchangeError> {
+    let members: serde_json::Map<String, serde_json::Value> = serde_json::from_slice(bytes).ok()?;
+    let is_old = members.contains_key("items") && members.contains_key("MAV_AUTOPILOT");
+    is_old.then(|| ExchangeError::File {
+        file: file.to_owned(),
+        cause: "this is an old .mission of QGroundControl: open it there and save it as .plan"
+            .to_owned(),
+    })
 }
 
 /// The text of a file: UTF-8, or else taken for Latin-1, which is said.

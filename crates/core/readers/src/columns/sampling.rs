@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use super::shape::unit_behind;
 use super::{Sample, TableShape};
 use crate::folder::decoded;
+use pilotage_base::text::of_utf_16;
 
 /// Bytes of the beginning that are looked at for the shape, and of each of the places that are looked at for values.
 const HEAD: usize = 1 << 16;
@@ -16,13 +17,8 @@ const PLACES: usize = 64;
 /// are, about; `None` if it is no table.
 pub(super) fn sampled(bytes: &[u8]) -> Option<(TableShape, Vec<Sample>, f64)> {
     // Pieces of UTF-16 have no mark.
-    let is_utf_16 = bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]);
-    let bytes = if is_utf_16 {
-        decoded(bytes)
-    } else {
-        Cow::Borrowed(bytes)
-    };
-    let bytes = bytes.as_ref();
+    let whole = of_utf_16(bytes);
+    let bytes = whole.as_ref().map_or(bytes, String::as_bytes);
     let head = text(&bytes[..bytes.len().min(HEAD)]);
     let shape = TableShape::of(&head)?;
     let (mut samples, share) = samples(&head, bytes, &shape);

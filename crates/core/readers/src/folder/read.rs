@@ -22,6 +22,7 @@ use super::units::Dimension;
 use crate::log::{Log, LogFormat};
 use pilotage_base::files::{FileSet, Unresolved, find, folder_of, joined};
 use pilotage_base::frames::{Attitude, GroundPoint, LocalFrame};
+use pilotage_base::text::capitalised;
 use pilotage_flight::{
     Channel, ChannelName, Flight, Frame, FrameTruth, StartFix, Truth, TruthState,
 };
@@ -71,10 +72,8 @@ impl FlightFolder {
 
 /// A note as a sentence.
 fn sentence(note: &str) -> String {
-    let mut letters = note.chars();
-    let first = letters.next().map(char::to_uppercase).into_iter().flatten();
     let end = if note.ends_with(['.', '?']) { "" } else { "." };
-    format!("{}{}{end}", first.collect::<String>(), letters.as_str())
+    format!("{}{end}", capitalised(note))
 }
 
 /// The files of a flight while it is read; each table is parsed once.

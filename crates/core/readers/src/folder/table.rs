@@ -9,6 +9,7 @@ use super::moment::Moment;
 use super::units::Dimension;
 use crate::columns::{Separator, TableShape, number};
 use crate::times::{Verdict, judge};
+use pilotage_base::text::of_utf_16;
 
 /// A CSV file, as text cells.
 pub(crate) struct Table {
@@ -344,18 +345,6 @@ fn point(cell: &str, has_decimal_comma: bool) -> Cow<'_, str> {
 
 fn without_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
-}
-
-/// The text of UTF-16, as some spreadsheets write it, by the mark that it begins with.
-fn of_utf_16(bytes: &[u8]) -> Option<String> {
-    let (rest, unit): (_, fn([u8; 2]) -> u16) = match bytes {
-        [0xff, 0xfe, rest @ ..] => (rest, u16::from_le_bytes),
-        [0xfe, 0xff, rest @ ..] => (rest, u16::from_be_bytes),
-        _ => return None,
-    };
-    let units = rest.chunks_exact(2).map(|pair| unit([pair[0], pair[1]]));
-    let letters = char::decode_utf16(units);
-    Some(letters.map(|letter| letter.unwrap_or('\u{fffd}')).collect())
 }
 
 /// The text in UTF-8: UTF-16 by its mark; what is no UTF-8 is taken for Latin-1, in which degrees are one byte.
