@@ -128,16 +128,21 @@ impl Row<'_> {
         self.cell(role).map(|(_, cell)| cell.to_owned())
     }
 
+    /// A number as the table writes it, with a decimal point.
+    fn with_point(&self, cell: &str) -> String {
+        if self.table.has_decimal_comma {
+            cell.replace(',', ".")
+        } else {
+            cell.to_owned()
+        }
+    }
+
     /// A number in SI, or in degrees.
     fn number(&self, role: Role) -> Result<Option<f64>, ExchangeError> {
         let Some((column, cell)) = self.cell(role) else {
             return Ok(None);
         };
-        let plain = if self.table.has_decimal_comma {
-            cell.replace(',', ".")
-        } else {
-            cell.to_owned()
-        };
+        let plain = self.with_point(cell);
         let value: f64 = plain
             .parse()
             .ok()
@@ -157,11 +162,7 @@ impl Row<'_> {
         let Some((column, cell)) = self.cell(role) else {
             return Ok(None);
         };
-        let plain = if self.table.has_decimal_comma {
-            cell.replace(',', ".")
-        } else {
-            cell.to_owned()
-        };
+        let plain = self.with_point(cell);
         let degrees = angle::degrees(&plain, letters)
             .ok_or_else(|| self.error(&column.name, &format!("`{cell}` is no number")))?;
         let Some((column, word)) = self.cell(hemisphere) else {

@@ -36,13 +36,6 @@ pub(super) fn is_fence(command: u16) -> bool {
     (RETURN_POINT..=RALLY_POINT).contains(&command)
 }
 
-/// Whether a file of way-points has fences that keep aircraft out.
-pub(super) fn are_in_way_points(text: &str) -> bool {
-    [VERTEX_OUTSIDE, CIRCLE_OUTSIDE]
-        .iter()
-        .any(|command| text.contains(&format!("\t{command}\t")))
-}
-
 /// Fences whose corners and circles are commands; corners of one polygon follow each other, and each
 /// says how many there are.
 pub(super) fn of_items(items: &[&Item]) -> Fences {
@@ -117,13 +110,8 @@ pub(super) fn of_plan(text: &str) -> Fences {
     fences.finish()
 }
 
-/// The member `geoFence` of a plan that keeps aircraft out of `areas`, after what a plan said before (`kept`): areas that
-/// came from it are not written again.
-pub(super) fn with_areas(kept: &str, areas: &[NoFlyZone], frame: &LocalFrame) -> String {
-    let known = of_plan(kept).no_fly;
-    let Ok(mut fences) = serde_json::from_str::<Value>(kept) else {
-        return kept.to_owned();
-    };
+/// Corners of those of `areas` that are none of the fences `known`.
+fn beside(known: &[FoundNoFly], areas: &[NoFlyZone], frame: &LocalFrame) -> Vec<Vec<LonLat>> {
     let corners = |area: &NoFlyZone| -> Vec<LonLat> {
         let places = area.corners.iter().map(|c| frame.geodetic_from_ground(c));
         let degrees = |p: Geodetic| (p.longitude.to_degrees(), p.latitude.to_degrees());
@@ -138,24 +126,40 @@ pub(super) fn with_areas(kept: &str, areas: &[NoFlyZone], frame: &LocalFrame) ->
         };
         known.iter().any(is_it)
     };
-    let new = areas.iter().map(corners).filter(|area| !is_known(area));
-    let new: Vec<Value> = new
-        .map(|area| {
-            let nine = |degrees: f64| (degrees * 1e9).round() / 1e9;
-            let ring: Vec<[f64; 2]> = area
-                .iter()
-                .map(|(lon, lat)| [nine(*lat), nine(*lon)])
-                .collect();
-            json!({ "inclusion": false, "polygon": ring, "version": 1 })
-        })
-        .collect();
+    let corners = areas.iter().map(corners);
+    corners.filter(|area| !is_known(area)).collect()
+}
+
+/// That areas are left out which are none of the fences `known` of a file, if there are any.
+pub(super) fn left_out(
+    known: &[FoundNoFly],
+    areas: &[NoFlyZone],
+    frame: &LocalFrame,
+) -> Option<String> {
+    let count = beside(known, areas, frame).len();
+    (count > 0)
+        .then(|| format!("{count} × no-fly area is left out: a plan (.plan) has them as fences"))
+}
+
+/// The member `geoFence` of a plan that keeps aircraft out of `areas`, after what a plan said before (`kept`): areas that
+/// came from it are not written again.
+pub(super) fn with_areas(kept: &str, areas: &[NoFlyZone], frame: &LocalFrame) -> String {
+    let new = beside(&of_plan(kept).no_fly, areas, frame);
+    let Ok(mut fences) = serde_json::from_str::<Value>(kept) else {
+        return kept.to_owned();
+    };
     if new.is_empty() {
         return kept.to_owned();
     }
+    let nine = |degrees: f64| (degrees * 1e9).round() / 1e9;
+    let polygon = |area: Vec<LonLat>| {
+        let ring = area.into_iter().map(|(lon, lat)| [nine(lat), nine(lon)]);
+        json!({ "inclusion": false, "polygon": ring.collect::<Vec<_>>(), "version": 1 })
+    };
     if let Some(members) = fences.as_object_mut() {
         let polygons = members.entry("polygons").or_insert_with(|| json!([]));
         if let Some(polygons) = polygons.as_array_mut() {
-            polygons.extend(new);
+            polygons.extend(new.into_iter().map(polygon));
         }
     }
     fences.to_string()

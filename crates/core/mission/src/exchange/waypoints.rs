@@ -13,7 +13,7 @@ use super::found::Found;
 use super::item::{Item, JUMP, WAY_POINT, counted};
 use super::item_route::{Home, Step, route_of};
 use super::route_items::{Written, home_of, stated_home, steps_of};
-use crate::mission::{Route, degrees};
+use crate::mission::{NoFlyZone, Route, degrees};
 use pilotage_base::frames::{Geodetic, LocalFrame};
 
 const HEADER: &str = "QGC WPL";
@@ -225,7 +225,11 @@ fn home_item(route: &Route, own: Option<&Own>, frame: &LocalFrame) -> Option<Ite
 }
 
 /// The route as lines, and notes on what they cannot hold.
-pub(super) fn write(route: &Route, frame: &LocalFrame) -> (String, Vec<String>) {
+pub(super) fn write(
+    route: &Route,
+    no_fly: &[NoFlyZone],
+    frame: &LocalFrame,
+) -> (String, Vec<String>) {
     let own: Option<Own> = route
         .properties
         .get(OWN)
@@ -252,6 +256,9 @@ pub(super) fn write(route: &Route, frame: &LocalFrame) -> (String, Vec<String>) 
         }
     }
     let lost = aim_jumps(&mut items);
+    let written: Vec<&Item> = items.iter().map(|(item, _)| item).collect();
+    let fences = fence::of_items(&written).no_fly;
+    notes.extend(fence::left_out(&fences, no_fly, frame));
     let current = own.as_ref().map_or(Some(0), |own| {
         own.current
             .and_then(|id| items.iter().position(|item| item.1 == Some(id)))

@@ -87,7 +87,7 @@ pub fn write_places(
     }
     let (text, mut notes) = match (format, routes) {
         (Format::Plan, [route]) => plan::write(route, no_fly, frame),
-        (Format::Waypoints, [route]) => waypoints::write(route, frame),
+        (Format::Waypoints, [route]) => waypoints::write(route, no_fly, frame),
         (Format::GeoJson, _) => geojson::write(routes, landmarks, frame),
         (Format::Kml | Format::Kmz, _) => kml_write::write(routes, landmarks, frame),
         (Format::Gpx, _) => gpx::write(routes, landmarks, frame),
@@ -102,12 +102,8 @@ pub fn write_places(
             ));
         }
     };
-    let is_kept = format == Format::Plan || fence::are_in_way_points(&text);
-    if !is_kept && !no_fly.is_empty() {
-        let count = no_fly.len();
-        notes.push(format!(
-            "{count} × no-fly area is left out: a plan (.plan) has them as fences"
-        ));
+    if !matches!(format, Format::Plan | Format::Waypoints) {
+        notes.extend(fence::left_out(&[], no_fly, frame));
     }
     let bytes = match format {
         Format::Kmz => kml_write::pack(&text).map_err(|cause| ExchangeError::File {

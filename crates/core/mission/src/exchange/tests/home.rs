@@ -180,6 +180,32 @@ fn areas_become_fences_of_a_plan_once_and_are_a_note_elsewhere() {
 }
 
 #[test]
+fn an_area_beside_the_fences_of_a_way_point_file_is_a_note() {
+    let (mut imported, _) = read(&[
+        "0 1 0 16 0 0 0 0 47 8 430 1",
+        "1 0 3 16 0 0 0 0 47.001 8 50 1",
+        "2 0 0 5002 3 0 0 0 47 8 0 0",
+        "3 0 0 5002 3 0 0 0 47 8.001 0 0",
+        "4 0 0 5002 3 0 0 0 47.001 8 0 0",
+    ]);
+    let left_out = |imported: &Imported| {
+        let places = Places {
+            routes: &imported.routes,
+            no_fly: &imported.no_fly,
+            ..Places::default()
+        };
+        let written = write_places(Format::Waypoints, &places, &imported.frame).unwrap();
+        let mut notes = written.notes.into_iter();
+        notes.find(|note| note.contains("no-fly area"))
+    };
+    assert_eq!(left_out(&imported), None);
+    let mut drawn = imported.no_fly[0].clone();
+    drawn.corners[0].north += 50.0;
+    imported.no_fly.push(drawn);
+    assert!(left_out(&imported).is_some_and(|note| note.starts_with("1 ×")));
+}
+
+#[test]
 fn version_120_is_the_same_and_another_is_refused() {
     let text = "QGC WPL 120\n0\t1\t0\t16\t0\t0\t0\t0\t47\t8\t430\t1\n1\t0\t3\t16\t0\t0\t0\t0\t47.001\t8\t50\t1\n";
     let imported = read_any("a.waypoints", text.as_bytes(), None).unwrap();
