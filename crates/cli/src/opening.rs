@@ -193,7 +193,7 @@ fn nothing(files: &dyn FileSet, tables: &[String]) -> String {
     )
 }
 
-/// What a table lacks, with the columns that it has.
+/// The lack of a table that is no flight, with the columns that it has.
 fn lacking(map: &ColumnMap) -> String {
     let names = map.columns.iter().map(|column| column.name.as_str());
     let names: Vec<&str> = names.take(12).collect();

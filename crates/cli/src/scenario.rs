@@ -1,9 +1,9 @@
-//! Which built-in scenario is flown, on which day, with which seeds.
+//! Arguments that name a built-in scenario, its day and its seeds.
 
 use clap::ValueEnum;
 use pilotage_core::simulate::{FlightDay, Scenario};
 
-/// Whether the camera sees the ground on the day of the map.
+/// Day on which the camera sees the ground.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum Day {
     /// The day of the map.

@@ -22,8 +22,6 @@ fn tiff(says_where: bool) -> Vec<u8> {
         .flat_map(|y| (0..WIDTH as usize).flat_map(move |x| shade(x, y)))
         .collect();
     let long = |value: u32| value.to_le_bytes().to_vec();
-    let shorts = |values: &[u16]| values.iter().flat_map(|v| v.to_le_bytes()).collect();
-    let reals = |values: &[f64]| values.iter().flat_map(|v| v.to_le_bytes()).collect();
     let mut tags: Vec<(u16, u16, u32, Vec<u8>)> = vec![
         (256, 4, 1, long(WIDTH)),
         (257, 4, 1, long(HEIGHT)),
@@ -42,6 +40,20 @@ fn tiff(says_where: bool) -> Vec<u8> {
         tags.push((33_922, 12, 6, reals(&tie)));
         tags.push((34_735, 3, 16, shorts(&keys)));
     }
+    tiff_of(&pixels, tags)
+}
+
+/// Numbers as tags of a TIFF have them.
+fn shorts(values: &[u16]) -> Vec<u8> {
+    values.iter().flat_map(|v| v.to_le_bytes()).collect()
+}
+
+fn reals(values: &[f64]) -> Vec<u8> {
+    values.iter().flat_map(|v| v.to_le_bytes()).collect()
+}
+
+/// A TIFF of one strip, which begins at byte 8: number, kind, count and value of each tag, in the order of the numbers.
+fn tiff_of(pixels: &[u8], tags: Vec<(u16, u16, u32, Vec<u8>)>) -> Vec<u8> {
     let directory = 8 + pixels.len();
     let after = directory + 2 + 12 * tags.len() + 4;
     let mut beyond: Vec<u8> = Vec::new();
@@ -267,20 +279,8 @@ fn heights() -> Vec<u8> {
     let mut samples = [1200_u16; 16];
     samples[0] = 9;
     let pixels: Vec<u8> = samples.iter().flat_map(|v| v.to_le_bytes()).collect();
-    let shorts = |values: &[u16]| {
-        values
-            .iter()
-            .flat_map(|v| v.to_le_bytes())
-            .collect::<Vec<u8>>()
-    };
-    let reals = |values: &[f64]| {
-        values
-            .iter()
-            .flat_map(|v| v.to_le_bytes())
-            .collect::<Vec<u8>>()
-    };
     let keys = [1, 1, 0, 3, 1024, 0, 1, 2, 1025, 0, 1, 1, 2048, 0, 1, 4326];
-    let tags: [(u16, u16, u32, Vec<u8>); 13] = [
+    let tags = vec![
         (256, 3, 1, shorts(&[4, 0])),
         (257, 3, 1, shorts(&[4, 0])),
         (258, 3, 1, shorts(&[16, 0])),
@@ -295,25 +295,7 @@ fn heights() -> Vec<u8> {
         (34_735, 3, 16, shorts(&keys)),
         (42_113, 2, 2, b"9\0\0\0".to_vec()),
     ];
-    let after = 8 + pixels.len() + 2 + 12 * tags.len() + 4;
-    let mut beyond: Vec<u8> = Vec::new();
-    let mut file = b"II\x2a\x00\x28\0\0\0".to_vec();
-    file.extend(pixels);
-    file.extend((tags.len() as u16).to_le_bytes());
-    for (tag, kind, count, value) in tags {
-        file.extend(tag.to_le_bytes());
-        file.extend(kind.to_le_bytes());
-        file.extend(count.to_le_bytes());
-        if value.len() == 4 {
-            file.extend(value);
-        } else {
-            file.extend(((after + beyond.len()) as u32).to_le_bytes());
-            beyond.extend(value);
-        }
-    }
-    file.extend([0; 4]);
-    file.extend(beyond);
-    file
+    tiff_of(&pixels, tags)
 }
 
 #[test]

@@ -4,6 +4,7 @@ use super::exif::{self, Directory, Exif};
 use super::head::{Found, head};
 use super::xmp::Xmp;
 use crate::folder::{Moment, date_and_time};
+use pilotage_base::angle_text::degrees_of_text;
 use pilotage_base::bytes::ByteSource;
 use pilotage_base::frames::Attitude;
 
@@ -322,20 +323,7 @@ fn place_of_xmp(xmp: &Xmp) -> Option<(f64, f64)> {
 
 /// Degrees of `47,30.125N` or `8,15,30W`, as XMP has them: degrees, minutes, seconds, hemisphere.
 fn adobe_angle(text: &str) -> Option<f64> {
-    let letter = text.chars().last()?.to_ascii_uppercase();
-    let sign = match letter {
-        'N' | 'E' => 1.0,
-        'S' | 'W' => -1.0,
-        _ => return None,
-    };
-    let mut degrees = 0.0;
-    let mut unit = 1.0;
-    for part in text[..text.len() - 1].split(',') {
-        let part: f64 = part.trim().parse().ok()?;
-        degrees += part / unit;
-        unit *= 60.0;
-    }
-    Some(sign * degrees)
+    degrees_of_text(&text.replace(',', " "))
 }
 
 /// An attitude of three properties in degrees; a roll that is not told is none.

@@ -112,17 +112,15 @@ pub(super) fn may_begin(bytes: &[u8]) -> bool {
 /// bytes says it, too.
 pub(super) fn begins(head: &[u8]) -> bool {
     let mut dialect = Dialect::default();
+    // Nothing is known of kinds that no dialect has.
     let mut is_sound = |frame: &Frame| {
-        let definition = dialect.get(frame.number);
-        definition.is_some_and(|definition| frame.is_sound(definition.seed))
+        let definition = dialect.get(frame.number)?;
+        Some(frame.is_sound(definition.seed))
     };
     if let Ok(frame) = Frame::parse(head) {
         let behind = &head[frame.length..];
-        if is_sound(&frame)
-            || Dialect::default().get(frame.number).is_none()
-                && behind.len() > STAMP
-                && may_begin(behind)
-        {
+        let is_followed = behind.len() > STAMP && may_begin(behind);
+        if is_sound(&frame).unwrap_or(is_followed) {
             return true;
         }
     }
@@ -131,7 +129,7 @@ pub(super) fn begins(head: &[u8]) -> bool {
         return false;
     }
     let mut places = 1..head.len().min(DAMAGED);
-    places.any(|at| Frame::parse(&head[at..]).is_ok_and(|frame| is_sound(&frame)))
+    places.any(|at| Frame::parse(&head[at..]).is_ok_and(|frame| is_sound(&frame) == Some(true)))
 }
 
 #[cfg(test)]
