@@ -318,7 +318,9 @@ impl Georeference {
     /// The affine map for a picture of the given size in the world frame `frame`.
     ///
     /// Coordinates on the globe are not affine in the tangent plane; over a kilometre the difference
-    /// is below a decimetre, and the middle and two sides of the picture are met.
+    /// is below a decimetre, and the middle and two sides of the picture are met. Of a picture whose
+    /// sides the world frame does not reach (a map of the world), the pixel that is nearest to the
+    /// frame's origin is met, and the scale there.
     /// `Placement` is exact.
     pub fn in_world(
         &self,
@@ -327,12 +329,31 @@ impl Georeference {
         height: usize,
     ) -> Result<GroundFromPixel, GeoreferenceError> {
         let (w, h) = (width.max(1) as f64, height.max(1) as f64);
-        let at = |x: f64, y: f64| self.ground_at(frame, x, y).to_vector();
-        let per_x = (at(w, 0.5 * h) - at(0.0, 0.5 * h)) / w;
-        let per_y = (at(0.5 * w, h) - at(0.5 * w, 0.0)) / h;
+        let middle = Point2::new(0.5 * w, 0.5 * h);
+        self.tangent(frame, middle, (0.5 * w, 0.5 * h))
+            .or_else(|e| {
+                let origin = self.pixel_at(frame, &GroundPoint::default()).ok_or(e)?;
+                let nearest = Point2::new(origin.x.clamp(0.0, w), origin.y.clamp(0.0, h));
+                self.tangent(frame, nearest, (0.5, 0.5))
+            })
+    }
+
+    /// The affine map that meets `pixel`, and the points `reach` pixels to its four sides up to what
+    /// is bent.
+    fn tangent(
+        &self,
+        frame: &LocalFrame,
+        pixel: Point2<f64>,
+        reach: (f64, f64),
+    ) -> Result<GroundFromPixel, GeoreferenceError> {
+        let at = |x: f64, y: f64| {
+            (self.ground_at(frame, pixel.x + x * reach.0, pixel.y + y * reach.1)).to_vector()
+        };
+        let per_x = (at(1.0, 0.0) - at(-1.0, 0.0)) / (2.0 * reach.0);
+        let per_y = (at(0.0, 1.0) - at(0.0, -1.0)) / (2.0 * reach.1);
         let map = GroundFromPixel {
             matrix: Matrix2::from_columns(&[per_x, per_y]),
-            corner: at(0.5 * w, 0.5 * h) - 0.5 * w * per_x - 0.5 * h * per_y,
+            corner: at(0.0, 0.0) - pixel.x * per_x - pixel.y * per_y,
         };
         let area = map.matrix.determinant().abs();
         if area.is_finite() && area > 1e-12 && map.corner.norm().is_finite() {

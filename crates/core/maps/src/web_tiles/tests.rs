@@ -70,11 +70,16 @@ fn a_template_names_every_tile_in_the_ways_that_servers_want() {
 }
 
 /// Tiles whose colours tell their pixel's place on the ground.
-struct Places(LocalFrame);
+struct Places {
+    frame: LocalFrame,
+    zooms: (u8, u8),
+    /// Metres for a radian of the colours' waves.
+    wave: f64,
+}
 
-fn shade(place: &GroundPoint) -> Rgba {
-    let wave = |v: f64| (127.0 + 120.0 * (v / 90.0).sin()) as u8;
-    [wave(place.north), wave(place.east), 90, 255]
+fn shade(place: &GroundPoint, wave: f64) -> Rgba {
+    let level = |v: f64| (127.0 + 120.0 * (v / wave).sin()) as u8;
+    [level(place.north), level(place.east), 90, 255]
 }
 
 impl TileStore for Places {
@@ -82,7 +87,7 @@ impl TileStore for Places {
         "places"
     }
     fn zooms(&self) -> (u8, u8) {
-        (10, 17)
+        self.zooms
     }
     fn side(&self) -> usize {
         256
@@ -91,7 +96,7 @@ impl TileStore for Places {
         let georeference = tile.georeference(256);
         Some(Raster::from_fn(256, 256, |x, y| {
             let (x, y) = (x as f64 + 0.5, y as f64 + 0.5);
-            shade(&georeference.ground_at(&self.0, x, y))
+            shade(&georeference.ground_at(&self.frame, x, y), self.wave)
         }))
     }
 }
@@ -100,7 +105,12 @@ impl TileStore for Places {
 fn a_window_shows_what_lies_there_at_every_zoom() {
     let frame = LocalFrame::new(Geodetic::from_degrees(MIDDLE.0, MIDDLE.1, 0.0));
     let area = GroundRect::centered(GroundPoint::default(), 3000.0, 3000.0);
-    let map = WebTiles::new(Box::new(Places(frame)), frame, area, 64 << 20);
+    let places = Places {
+        frame,
+        zooms: (10, 17),
+        wave: 90.0,
+    };
+    let map = WebTiles::new(Box::new(places), frame, area, 64 << 20);
     assert!(
         (map.native_gsd() - 0.817).abs() < 0.01,
         "{}",
@@ -118,7 +128,7 @@ fn a_window_shows_what_lies_there_at_every_zoom() {
         for row in 0..50 {
             for column in 0..60 {
                 let ground = window.ground_at(column as f64 + 0.5, row as f64 + 0.5);
-                let (ours, expected) = (seen.get(column, row), shade(&ground));
+                let (ours, expected) = (seen.get(column, row), shade(&ground, 90.0));
                 let off = ours.iter().zip(expected).map(|(a, b)| a.abs_diff(b)).max();
                 assert!(off <= Some(6), "{gsd} {ground:?}: {ours:?} {expected:?}");
             }
@@ -132,6 +142,42 @@ fn a_window_shows_what_lies_there_at_every_zoom() {
         height: 4,
     };
     assert_eq!(map.window(&elsewhere).get(2, 2), [0; 4]);
+}
+
+/// A tile of the world, or of half of it, has sides that the world frame does not reach.
+#[test]
+fn tiles_of_the_whole_world_are_drawn_where_the_frame_reaches() {
+    let wave = 3.0e6;
+    for (latitude, longitude) in [MIDDLE, (-17.0, 178.5), (64.1, -21.9), (-34.0, -178.0)] {
+        for zoom in [0, 1, 2] {
+            let frame = LocalFrame::new(Geodetic::from_degrees(latitude, longitude, 0.0));
+            let area = GroundRect::centered(GroundPoint::default(), 90_000.0, 90_000.0);
+            let places = Places {
+                frame,
+                zooms: (zoom, zoom),
+                wave,
+            };
+            let map = WebTiles::new(Box::new(places), frame, area, 64 << 20);
+            let window = Window {
+                north_edge: 20_000.0,
+                west_edge: -20_000.0,
+                gsd: 1000.0,
+                width: 40,
+                height: 40,
+            };
+            let seen = map.window(&window);
+            for (column, row) in [(3, 3), (36, 3), (20, 20), (3, 36), (36, 36)] {
+                let ground = window.ground_at(column as f64 + 0.5, row as f64 + 0.5);
+                let (ours, expected) = (seen.get(column, row), shade(&ground, wave));
+                let off = ours.iter().zip(expected).map(|(a, b)| a.abs_diff(b)).max();
+                let place = (latitude, longitude, zoom);
+                assert!(
+                    off <= Some(8),
+                    "{place:?} {ground:?}: {ours:?} {expected:?}"
+                );
+            }
+        }
+    }
 }
 
 fn number(out: &mut Vec<u8>, mut value: u64) {
