@@ -74,7 +74,7 @@ fn outcome(what: &str, flight: &Flight, without: (f64, f64)) -> Outcome {
     let instruments = Instruments::of(flight, None).expect("it has instruments");
     let plan = CutPlan {
         length: 30.0,
-        every: 5.0,
+        every: either(10.0, 5.0),
         ..CutPlan::default()
     };
     let settings = ReckonSettings::default();
@@ -234,7 +234,7 @@ fn dead_reckoning_by_failing_instruments_goes_on_says_so_and_stays_honest() {
             "{what}: nothing of \"{said}\" in {:?}",
             found.titles
         );
-        // Cuts of 30 s every 5 s overlap: about nine of them are independent.
+        // Cuts of 30 s every 5 or 10 s overlap: about nine of them are independent.
         assert!(found.covered >= 0.8, "{what}: {} inside", found.covered);
         assert!(found.median < 30.0, "{what}: {} m", found.median);
         assert!(found.cuts + 12 > sound.cuts, "{what}: {} cuts", found.cuts);
@@ -403,40 +403,54 @@ fn delay_frames(flight: &mut Flight, seconds: f64) {
 
 #[test]
 fn a_turned_compass_and_a_late_camera_are_told_put_right_and_leave_the_run_honest() {
-    let right = fly(|flight| turn_compass(flight, 20.0));
-    let left = fly_as("distinct-400ft-calm", 2, FlightDay::Other, |flight| {
-        turn_compass(flight, -25.0);
-    });
-    let late = fly(|flight| delay_frames(flight, 1.0));
-    let other = fly_as("distinct-400ft-wind", 2, FlightDay::Other, |flight| {
-        delay_frames(flight, 1.0);
-    });
-    let later = fly(|flight| delay_frames(flight, 1.3));
-    for (what, flown, largest, begin, end) in [
+    type Case = (&'static str, fn() -> Flown, f64, &'static str, &'static str);
+    let cases: [Case; 5] = [
+        (
+            "compass 25° left",
+            || {
+                fly_as("distinct-400ft-calm", 2, FlightDay::Other, |flight| {
+                    turn_compass(flight, -25.0);
+                })
+            },
+            80.0,
+            "heading reads 2",
+            "left",
+        ),
+        (
+            "camera 1.3 s late",
+            || fly(|flight| delay_frames(flight, 1.3)),
+            30.0,
+            "camera is 1.3 s late",
+            "",
+        ),
         (
             "compass 20° right",
-            &right,
+            || fly(|flight| turn_compass(flight, 20.0)),
             80.0,
             "heading reads 2",
             "right",
         ),
-        ("compass 25° left", &left, 80.0, "heading reads 2", "left"),
-        ("camera 1 s late", &late, 25.0, "camera is 1.0 s late", ""),
         (
-            "camera 1 s late, other seed",
-            &other,
+            "camera 1 s late",
+            || fly(|flight| delay_frames(flight, 1.0)),
             25.0,
             "camera is 1.0 s late",
             "",
         ),
         (
-            "camera 1.3 s late",
-            &later,
-            30.0,
-            "camera is 1.3 s late",
+            "camera 1 s late, other seed",
+            || {
+                fly_as("distinct-400ft-wind", 2, FlightDay::Other, |flight| {
+                    delay_frames(flight, 1.0);
+                })
+            },
+            25.0,
+            "camera is 1.0 s late",
             "",
         ),
-    ] {
+    ];
+    for (what, flown, largest, begin, end) in cases.into_iter().take(either(2, 5)) {
+        let flown = flown();
         let ((inside, worst), doubts) = (flown.honesty(), flown.doubts());
         println!(
             "{what}: {:.0} % inside, at most {worst:.1} m off; {doubts:?}",
@@ -478,12 +492,13 @@ fn late_cameras_are_told_and_punctual_ones_are_not_doubted() {
 
 #[test]
 fn sound_flights_are_believed_on_any_day() {
-    for (name, seed, day) in [
-        ("distinct-400ft-calm", 1, FlightDay::Other),
+    let flights = [
         ("distinct-400ft-wind", 5, FlightDay::Other),
-        ("distinct-400ft-wind", 1, FlightDay::Same),
         ("distinct-400ft-calm", 4, FlightDay::Same),
-    ] {
+        ("distinct-400ft-calm", 1, FlightDay::Other),
+        ("distinct-400ft-wind", 1, FlightDay::Same),
+    ];
+    for (name, seed, day) in flights.into_iter().take(either(2, 4)) {
         let flown = fly_as(name, seed, day, |_| {});
         let doubts = flown.doubts();
         assert!(doubts.is_empty(), "{name}, seed {seed}: {doubts:?}");
