@@ -4,6 +4,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::cover::Cover;
+use super::footprints::Footprints;
 use super::survival::Ground;
 use pilotage_base::frames::{GroundPoint, GroundRect, Pose};
 use pilotage_mission::settings::{NavigatorSettings, VehicleChoice};
@@ -30,8 +32,6 @@ const REHEARSAL: f64 = 0.73;
 const FIRST_DAYS: usize = 2;
 /// Probability on one day below which a place failed on it.
 const FAILED: f64 = 0.03;
-/// Share of the picture's height that a box keeps from its edge.
-const EDGE: f64 = 0.02;
 /// Rounds in which every chosen landmark may be exchanged for a better one.
 const ROUNDS: usize = 8;
 /// Error of a fix, metres: with dead reckoning as uncertain, it has faded.
@@ -358,131 +358,6 @@ fn measure(missed: f64) -> f64 {
     (1.0 + (1.0 - missed) / NEXT_TO_NONE).ln()
 }
 
-/// Which moments each candidate serves.
-struct Cover {
-    /// Seconds for which each frame stands.
-    lasting: Vec<f64>,
-    /// For each candidate the frames in which it counts, and the certainty of a fix by it alone.
-    worth: Vec<Vec<(usize, f64)>>,
-    /// Seconds in which each candidate is in the picture.
-    in_view: Vec<f64>,
-}
-
-impl Cover {
-    fn new(
-        candidates: &[Candidate],
-        camera: &CameraModel,
-        frames: &[(f64, Pose)],
-        ground_down: f64,
-        fading: f64,
-    ) -> Self {
-        let mut lasting: Vec<f64> = frames.windows(2).map(|f| f[1].0 - f[0].0).collect();
-        // The last frame is worth as much as the one before it.
-        lasting.extend(
-            lasting
-                .last()
-                .copied()
-                .or((!frames.is_empty()).then_some(1.0)),
-        );
-        let footprints = Footprints::new(camera, frames, ground_down);
-        let mut cover = Self {
-            lasting,
-            worth: Vec::new(),
-            in_view: Vec::new(),
-        };
-        for candidate in candidates {
-            let mut last: Option<f64> = None;
-            let (mut worth, mut in_view) = (Vec::new(), 0.0);
-            for (f, (time, _)) in frames.iter().enumerate() {
-                if footprints.hold(f, &candidate.bounds) {
-                    last = Some(*time);
-                    in_view += cover.lasting[f];
-                }
-                let age = last.map_or(f64::INFINITY, |seen| time - seen);
-                let left = if age <= 0.0 {
-                    1.0
-                } else {
-                    (-age / fading).exp()
-                };
-                if left > 1e-3 {
-                    worth.push((f, left * candidate.probability()));
-                }
-            }
-            cover.worth.push(worth);
-            cover.in_view.push(in_view);
-        }
-        cover
-    }
-
-    /// For each frame the probability that none of `chosen` gives a fix.
-    fn missed(&self, chosen: &[usize]) -> Vec<f64> {
-        let mut missed = vec![1.0; self.lasting.len()];
-        for i in chosen {
-            self.take(*i, &mut missed);
-        }
-        missed
-    }
-
-    fn take(&self, i: usize, missed: &mut [f64]) {
-        for (f, w) in &self.worth[i] {
-            missed[*f] *= 1.0 - w;
-        }
-    }
-
-    /// What taking a candidate adds to a measure of each moment, in all.
-    fn gain(&self, i: usize, missed: &[f64], measure: &dyn Fn(f64) -> f64) -> f64 {
-        let gains = self.worth[i].iter().map(|(f, w)| {
-            let before = missed[*f];
-            (measure(before * (1.0 - w)) - measure(before)) * self.lasting[*f]
-        });
-        gains.sum()
-    }
-}
-
-/// Which boxes lie whole in which pictures of a flight.
-struct Footprints<'a> {
-    camera: &'a CameraModel,
-    frames: &'a [(f64, Pose)],
-    ground_down: f64,
-    /// For each frame a box around the ground in its picture: what does not touch it is not looked at.
-    around: Vec<Option<GroundRect>>,
-}
-
-impl<'a> Footprints<'a> {
-    fn new(camera: &'a CameraModel, frames: &'a [(f64, Pose)], ground_down: f64) -> Self {
-        let around = |(_, pose): &(f64, Pose)| surroundings(camera, pose, ground_down);
-        Self {
-            camera,
-            frames,
-            ground_down,
-            around: frames.iter().map(around).collect(),
-        }
-    }
-
-    /// Whether the picture of frame `f` holds all of a box.
-    fn hold(&self, f: usize, bounds: &GroundRect) -> bool {
-        self.around[f].is_none_or(|around| around.overlaps(bounds))
-            && holds(self.camera, &self.frames[f].1, bounds, self.ground_down)
-    }
-}
-
-/// A box around the ground in the picture; `None` if part of the picture shows no ground.
-fn surroundings(camera: &CameraModel, pose: &Pose, ground_down: f64) -> Option<GroundRect> {
-    let corners = camera.corners();
-    let on_ground: Option<Vec<GroundPoint>> = corners
-        .iter()
-        .map(|p| camera.ground_at(pose, p, ground_down))
-        .collect();
-    let on_ground = on_ground?;
-    let most = |f: &dyn Fn(&GroundPoint) -> f64| on_ground.iter().map(f).fold(f64::MIN, f64::max);
-    Some(GroundRect {
-        north: most(&|p| p.north),
-        south: -most(&|p| -p.north),
-        east: most(&|p| p.east),
-        west: -most(&|p| -p.east),
-    })
-}
-
 fn reason(candidate: &Candidate, in_view: f64, gained: f64) -> String {
     let middle = candidate.bounds.center();
     let to = candidate.rival_place;
@@ -507,11 +382,6 @@ fn reason(candidate: &Candidate, in_view: f64, gained: f64) -> String {
          day, the strongest look-alike {distance:.0} m away {:.2}",
         candidate.score, candidate.rival
     )
-}
-
-/// Whether the whole box lies in the picture, with [`EDGE`] of the picture to spare.
-fn holds(camera: &CameraModel, pose: &Pose, bounds: &GroundRect, ground_down: f64) -> bool {
-    camera.holds(pose, bounds, ground_down, EDGE * camera.height as f64)
 }
 
 #[cfg(test)]
