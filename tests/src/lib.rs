@@ -2,6 +2,7 @@
 //!
 //! - [`data`] finds the recorded flights and other people's test vectors, which lie beside the
 //!   repository and are never part of it;
+//! - [`damage`] is what goes wrong with the channels of a flight, and [`flown`] are built-in flights after it;
 //! - [`oracle`] asks another program (FilterPy, OpenCV) for its answer to the same question;
 //! - [`logs`] are flight logs, made and damaged, and what must hold of their readers;
 //! - [`pmtiles`] is a small archive of tiles, for the tests of the other crates, too;
@@ -10,7 +11,9 @@
 //! - [`studies`] says whether questions over many seeds are asked in full;
 //! - [`whole_frames`] navigates recorded flights by laying whole frames on the map.
 
+pub mod damage;
 pub mod data;
+pub mod flown;
 pub mod logs;
 pub mod oracle;
 pub mod pmtiles;

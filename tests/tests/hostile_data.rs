@@ -1,17 +1,15 @@
 //! Recorded and simulated flights whose instruments fail, jump, stick and lie: navigation goes on, says what it
 //! refused, and knows how uncertain it has become.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
-use nalgebra::{Matrix4, Vector4};
-
-use pilotage_core::flight::{Channel, ChannelName, Flight, FrameSource, NoPictures};
+use pilotage_core::flight::{ChannelName, Flight, NoPictures};
 use pilotage_core::frames::wrap_pi;
 use pilotage_core::instruments::{CutPlan, Instruments, ReckonSettings, Way, reckon, study_cuts};
-use pilotage_core::navigator::{Doubt, Navigator, NavigatorSettings, Run};
-use pilotage_core::plan::{DetectionStatistics, ExpectedDetection, PlannedLandmark, as_stated};
-use pilotage_core::simulate::{FlightDay, Overrides, Scenario, SimulatedFlight};
+use pilotage_core::navigator::{Navigator, NavigatorSettings};
+use pilotage_core::simulate::{FlightDay, Scenario};
+use pilotage_tests::damage::{change, drop_samples};
+use pilotage_tests::flown::{Flown, fly, fly_as, fly_as_stated};
 use pilotage_tests::recorded;
 use pilotage_tests::studies::either;
 
@@ -19,46 +17,6 @@ use pilotage_tests::studies::either;
 fn x8() -> Option<Flight> {
     let folder = recorded::flight("testlog2", "inertialnav_x8")?.expect("the flight reads");
     Some(folder.flight)
-}
-
-fn channels<'a>(
-    flight: &'a mut Flight,
-    names: &'a [ChannelName],
-) -> impl Iterator<Item = &'a mut Channel> {
-    flight
-        .channels
-        .iter_mut()
-        .filter(|channel| names.contains(&channel.name))
-}
-
-/// Takes the samples out of a stretch of time.
-fn drop_samples(flight: &mut Flight, names: &[ChannelName], span: (f64, f64)) {
-    for channel in channels(flight, names) {
-        let samples = channel
-            .times
-            .iter()
-            .copied()
-            .zip(channel.values.iter().copied());
-        let kept = samples.filter(|(time, _)| !(span.0..=span.1).contains(time));
-        (channel.times, channel.values) = kept.unzip();
-    }
-}
-
-/// Changes the samples of a stretch of time.
-fn change(
-    flight: &mut Flight,
-    names: &[ChannelName],
-    span: (f64, f64),
-    to: impl Fn(ChannelName, f64) -> f64,
-) {
-    for channel in channels(flight, names) {
-        let name = channel.name;
-        for (time, value) in channel.times.iter().zip(&mut channel.values) {
-            if (span.0..=span.1).contains(time) {
-                *value = to(name, *value);
-            }
-        }
-    }
 }
 
 /// What cuts of 30 s through the flight came to.
@@ -240,106 +198,6 @@ fn dead_reckoning_by_failing_instruments_goes_on_says_so_and_stays_honest() {
         assert!(found.cuts + 12 > sound.cuts, "{what}: {} cuts", found.cuts);
     }
 }
-
-/// The first built-in flight by its landmarks, with its real pictures, after `damage`.
-struct Flown {
-    run: Run,
-    flight: Flight,
-}
-
-fn fly(damage: impl Fn(&mut Flight)) -> Flown {
-    fly_as("distinct-400ft-wind", 3, FlightDay::Other, damage)
-}
-
-/// The same of another scenario, seed and day.
-fn fly_as(name: &str, seed: u64, day: FlightDay, damage: impl Fn(&mut Flight)) -> Flown {
-    let scenario = Scenario::named(name).expect("a scenario");
-    let overrides = Overrides {
-        day: Some(day),
-        ..Overrides::default()
-    };
-    let SimulatedFlight {
-        mut flight,
-        mut frames,
-        ..
-    } = scenario.simulate(seed, &overrides);
-    damage(&mut flight);
-    let mission = scenario.mission();
-    let map = Arc::new(Scenario::map());
-    let given = Arc::new(flight.clone());
-    let navigator = Navigator::new(given, &mission.landmarks, map, &mission.navigator)
-        .expect("the flight has what it takes");
-    Flown::by(navigator, &mut frames, flight)
-}
-
-/// The same without pictures: four landmarks of five can be recognised, in seven frames of ten.
-fn fly_as_stated(name: &str, seed: u64, damage: impl Fn(&mut Flight)) -> Flown {
-    let scenario = Scenario::named(name).expect("a scenario");
-    let mut flight = scenario.fly(seed, &Overrides::default());
-    damage(&mut flight);
-    let mission = scenario.mission();
-    let spread = Vector4::new(0.5, 0.5, 0.02, 0.02);
-    let expected = ExpectedDetection {
-        recognised: 0.8,
-        per_frame: 0.7,
-        covariance: Matrix4::from_diagonal(&spread.map(|sd: f64| sd * sd)),
-    };
-    let planned = mission.landmarks.iter().map(|landmark| PlannedLandmark {
-        landmark: landmark.clone(),
-        detection: DetectionStatistics::everywhere(expected),
-    });
-    let planned: Vec<PlannedLandmark> = planned.collect();
-    let (detector, mut frames) = as_stated(&flight, &planned, seed).expect("a truth");
-    let given = Arc::new(flight.clone());
-    let (landmarks, settings) = (&mission.landmarks, &mission.navigator);
-    let navigator = Navigator::with_detector(given, landmarks, Box::new(detector), settings)
-        .expect("the flight has what it takes");
-    Flown::by(navigator, &mut frames, flight)
-}
-
-impl Flown {
-    fn by(navigator: Navigator, frames: &mut dyn FrameSource, flight: Flight) -> Self {
-        let mut navigator = navigator.sparing();
-        let mut run = navigator.run_head();
-        while let Some(step) = navigator.advance(frames, &|| 0.0) {
-            run.steps.push(step.expect("the filter goes on"));
-        }
-        Self { run, flight }
-    }
-
-    /// Share of the steps whose true position lies in the 95 % ellipse, and the largest error, metres.
-    fn honesty(&self) -> (f64, f64) {
-        let truth = self.flight.truth.as_ref().expect("a truth");
-        let (mut inside, mut steps, mut largest) = (0, 0, 0.0_f64);
-        for step in &self.run.steps {
-            let Some(place) = truth.position(step.time) else {
-                continue;
-            };
-            let off = step.after.position().to_vector() - place.xy().coords;
-            let inverse = step.after.position_covariance().try_inverse();
-            let squared = (inverse.expect("it can be inverted") * off).dot(&off);
-            inside += usize::from(squared < CHI_SQUARE_95);
-            steps += 1;
-            largest = largest.max(off.norm());
-        }
-        (f64::from(inside as u32) / f64::from(steps), largest)
-    }
-
-    /// Everything that was doubted, in words.
-    fn doubts(&self) -> BTreeSet<String> {
-        let doubts = self.run.steps.iter().flat_map(|step| &step.doubts);
-        doubts.map(Doubt::words).collect()
-    }
-
-    /// Why frames could not be used, in words.
-    fn troubles(&self) -> BTreeSet<String> {
-        let frames = self.run.steps.iter().filter_map(|s| s.frame.as_ref());
-        frames.filter_map(|f| f.trouble.clone()).collect()
-    }
-}
-
-/// What 95 % of the squared errors of two dimensions stay below.
-const CHI_SQUARE_95: f64 = 5.991;
 
 #[test]
 fn landmarks_and_failing_instruments_go_on_say_so_and_stay_honest() {

@@ -1,0 +1,123 @@
+//! Built-in flights that are flown after something went wrong with them.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use nalgebra::{Matrix4, Vector4};
+use pilotage_core::flight::{Flight, FrameSource};
+use pilotage_core::navigator::{Doubt, Navigator, Run};
+use pilotage_core::plan::{DetectionStatistics, ExpectedDetection, PlannedLandmark, as_stated};
+use pilotage_core::simulate::{FlightDay, Overrides, Scenario, SimulatedFlight};
+
+/// The first built-in flight by its landmarks, with its real pictures, after `damage`.
+pub struct Flown {
+    /// What the navigator made of it.
+    pub run: Run,
+    flight: Flight,
+}
+
+///
+/// # Panics
+/// If the scenario is none or the navigator cannot begin or go on.
+pub fn fly(damage: impl Fn(&mut Flight)) -> Flown {
+    fly_as("distinct-400ft-wind", 3, FlightDay::Other, damage)
+}
+
+/// The same of another scenario, seed and day.
+///
+/// # Panics
+/// If the scenario is none or the navigator cannot begin or go on.
+pub fn fly_as(name: &str, seed: u64, day: FlightDay, damage: impl Fn(&mut Flight)) -> Flown {
+    let scenario = Scenario::named(name).expect("a scenario");
+    let overrides = Overrides {
+        day: Some(day),
+        ..Overrides::default()
+    };
+    let SimulatedFlight {
+        mut flight,
+        mut frames,
+        ..
+    } = scenario.simulate(seed, &overrides);
+    damage(&mut flight);
+    let mission = scenario.mission();
+    let map = Arc::new(Scenario::map());
+    let given = Arc::new(flight.clone());
+    let navigator = Navigator::new(given, &mission.landmarks, map, &mission.navigator)
+        .expect("the flight has what it takes");
+    Flown::by(navigator, &mut frames, flight)
+}
+
+/// The same without pictures: four landmarks of five can be recognised, in seven frames of ten.
+///
+/// # Panics
+/// If the scenario is none or the navigator cannot begin or go on.
+pub fn fly_as_stated(name: &str, seed: u64, damage: impl Fn(&mut Flight)) -> Flown {
+    let scenario = Scenario::named(name).expect("a scenario");
+    let mut flight = scenario.fly(seed, &Overrides::default());
+    damage(&mut flight);
+    let mission = scenario.mission();
+    let spread = Vector4::new(0.5, 0.5, 0.02, 0.02);
+    let expected = ExpectedDetection {
+        recognised: 0.8,
+        per_frame: 0.7,
+        covariance: Matrix4::from_diagonal(&spread.map(|sd: f64| sd * sd)),
+    };
+    let planned = mission.landmarks.iter().map(|landmark| PlannedLandmark {
+        landmark: landmark.clone(),
+        detection: DetectionStatistics::everywhere(expected),
+    });
+    let planned: Vec<PlannedLandmark> = planned.collect();
+    let (detector, mut frames) = as_stated(&flight, &planned, seed).expect("a truth");
+    let given = Arc::new(flight.clone());
+    let (landmarks, settings) = (&mission.landmarks, &mission.navigator);
+    let navigator = Navigator::with_detector(given, landmarks, Box::new(detector), settings)
+        .expect("the flight has what it takes");
+    Flown::by(navigator, &mut frames, flight)
+}
+
+impl Flown {
+    fn by(navigator: Navigator, frames: &mut dyn FrameSource, flight: Flight) -> Self {
+        let mut navigator = navigator.sparing();
+        let mut run = navigator.run_head();
+        while let Some(step) = navigator.advance(frames, &|| 0.0) {
+            run.steps.push(step.expect("the filter goes on"));
+        }
+        Self { run, flight }
+    }
+
+    /// Share of the steps whose true position lies in the 95 % ellipse, and the largest error, metres.
+    ///
+    /// # Panics
+    /// If the flight has no truth.
+    pub fn honesty(&self) -> (f64, f64) {
+        let truth = self.flight.truth.as_ref().expect("a truth");
+        let (mut inside, mut steps, mut largest) = (0, 0, 0.0_f64);
+        for step in &self.run.steps {
+            let Some(place) = truth.position(step.time) else {
+                continue;
+            };
+            let off = step.after.position().to_vector() - place.xy().coords;
+            let inverse = step.after.position_covariance().try_inverse();
+            let squared = (inverse.expect("it can be inverted") * off).dot(&off);
+            inside += usize::from(squared < CHI_SQUARE_95);
+            steps += 1;
+            largest = largest.max(off.norm());
+        }
+        (f64::from(inside as u32) / f64::from(steps), largest)
+    }
+
+    /// Everything that was doubted, in words.
+    pub fn doubts(&self) -> BTreeSet<String> {
+        let doubts = self.run.steps.iter().flat_map(|step| &step.doubts);
+        doubts.map(Doubt::words).collect()
+    }
+
+    /// Why frames could not be used, in words.
+    pub fn troubles(&self) -> BTreeSet<String> {
+        let frames = self.run.steps.iter().filter_map(|s| s.frame.as_ref());
+        frames.filter_map(|f| f.trouble.clone()).collect()
+    }
+}
+
+/// What 95 % of the squared errors of two dimensions stay below.
+const CHI_SQUARE_95: f64 = 5.991;
