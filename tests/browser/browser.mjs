@@ -23,22 +23,27 @@ function program() {
   return found;
 }
 
+/** Pixels of the canvas for one of the page's, each way, where nobody asked for pictures to look at: filling them is
+ * a third of what journeys cost without a graphics card. */
+const coarse = 0.5;
 /** Frames a second of journeys that do not judge how smoothly the page moves: without a graphics card every frame
  * is painted by the cores that the program computes with. */
 const calm = 8;
 /** Steps after which the demo's flight rests in journeys that need no more of it: some 12 s of it. */
 const enough = 400;
 
-/** Launches the browser; `close` ends it and throws its profile away. `smooth` pages paint as often as they can, and
- * the demo is flown to its end unless it may `rest`. */
+/** Launches the browser; `close` ends it and throws its profile away. `smooth` pages paint as often and as finely as
+ * they do for people, and the demo is flown to its end unless it may `rest`. */
 export async function launch({ smooth = false, rest = true } = {}) {
   const profile = mkdtempSync(join(tmpdir(), "pilotage-"));
   const remove = () => rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
   try {
+    const deviceScaleFactor = smooth || process.env.PILOTAGE_SHARP ? 1 : coarse;
     const context = await chromium.launchPersistentContext(profile, {
-      executablePath: program(), headless: true, viewport, args: switches,
+      executablePath: program(), headless: true, viewport, deviceScaleFactor, args: switches,
     });
     if (!smooth) await context.addInitScript(paintSeldom, calm);
+    if (deviceScaleFactor !== 1) await context.addInitScript(measureByRatio);
     if (rest) await context.addInitScript(restFlight, enough);
     const close = async () => { await context.close(); remove(); };
     return { context, page: context.pages()[0] ?? await context.newPage(), close };
@@ -46,6 +51,12 @@ export async function launch({ smooth = false, rest = true } = {}) {
     remove();
     throw error;
   }
+}
+
+/** Runs in the page before anything else of it: the size of the canvas in pixels of the screen knows nothing of the
+ * ratio that is pretended, so that the page has to go by the ratio. */
+function measureByRatio() {
+  delete ResizeObserverEntry.prototype.devicePixelContentBoxSize;
 }
 
 /** Runs in the page before anything else of it: lets it paint no more than `rate` times a second. */
