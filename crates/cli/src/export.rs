@@ -102,8 +102,8 @@ enum Value {
     Text(String),
 }
 
-/// The value of a field in its unit; whole numbers that nothing scales keep all their digits. `None` of bytes that are
-/// neither number nor letters.
+/// The value of a field in its unit; whole numbers that nothing scales keep all their digits, and bytes that are neither
+/// number nor letters are written as hexadecimal digits.
 fn value(field: &FieldLayout, row: &[u8]) -> Option<Value> {
     let bytes = field.bytes(row)?;
     if field.scale == Scale::One
@@ -112,7 +112,15 @@ fn value(field: &FieldLayout, row: &[u8]) -> Option<Value> {
         return Some(Value::Whole(whole));
     }
     let real = field.value(row).map(Value::Real);
-    real.or_else(|| field.text(row).map(Value::Text))
+    let text = || field.text(row).map(Value::Text);
+    real.or_else(text)
+        .or_else(|| Some(Value::Text(hex_digits(bytes))))
+}
+
+fn hex_digits(bytes: &[u8]) -> String {
+    let digits = bytes.iter().flat_map(|byte| [byte >> 4, byte & 15]);
+    let letters = digits.filter_map(|digit| char::from_digit(u32::from(digit), 16));
+    letters.collect()
 }
 
 fn csv(topic: &Topic) -> String {
