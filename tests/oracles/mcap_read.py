@@ -15,12 +15,10 @@ from types import SimpleNamespace
 from google.protobuf import descriptor_pb2, descriptor_pool, message_factory
 from mcap.reader import make_reader
 from mcap.writer import CompressionType, Writer
-from mcap_protobuf.decoder import DecoderFactory as ProtobufDecoder
+from mcap_fields import DECODERS, put
 from mcap_protobuf.schema import build_file_descriptor_set
 from mcap_ros1._vendor.genpy import dynamic
-from mcap_ros1.decoder import DecoderFactory as FirstRosDecoder
 from mcap_ros2._dynamic import serialize_dynamic
-from mcap_ros2.decoder import DecoderFactory as SecondRosDecoder
 
 START = 1_700_000_000_123_456_789
 LINE = "=" * 80
@@ -338,46 +336,11 @@ def write(question):
         writer.finish()
 
 
-def put(path, value, fields):
-    if value is None:
-        return
-    if isinstance(value, float):
-        fields[path] = {"double": struct.pack(">d", value).hex()}
-    elif isinstance(value, (bool, int)):
-        fields[path] = int(value)
-    elif isinstance(value, str):
-        fields[path] = value
-    elif isinstance(value, (bytes, bytearray, memoryview)):
-        fields[f"{path}.length"] = len(value)
-    elif isinstance(value, dict):
-        for name, part in value.items():
-            put(f"{path}.{name}" if path else name, part, fields)
-    elif hasattr(value, "DESCRIPTOR"):
-        for field in value.DESCRIPTOR.fields:
-            if not field.is_repeated and field.has_presence and not value.HasField(field.name):
-                continue
-            put(f"{path}.{field.name}" if path else field.name, getattr(value, field.name), fields)
-    elif hasattr(value, "__slots__"):
-        for name in value.__slots__:
-            put(f"{path}.{name}" if path else name, getattr(value, name), fields)
-    else:
-        values = list(value)
-        fields[f"{path}.length"] = len(values)
-        for index, part in enumerate(values):
-            put(f"{path}[{index}]", part, fields)
-
-
-class JsonDecoder:
-    def decoder_for(self, encoding, schema):
-        return json.loads if encoding == "json" else None
-
-
 question = json.load(sys.stdin)
 write(question)
-decoders = [SecondRosDecoder(), FirstRosDecoder(), ProtobufDecoder(), JsonDecoder()]
 messages = []
 with open(question["path"], "rb") as file:
-    reader = make_reader(file, validate_crcs=True, decoder_factories=decoders)
+    reader = make_reader(file, validate_crcs=True, decoder_factories=DECODERS)
     for schema, channel, message, decoded in reader.iter_decoded_messages(log_time_order=False):
         fields = {}
         put("", decoded, fields)

@@ -1,13 +1,15 @@
 //! `pilotage export`: the values of a log, to be compared with those of other programs or used in them.
 
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use pilotage_core::exchange::{Format, write_flown};
 use pilotage_core::flight::log::{FieldLayout, Log, Scale, Topic};
 use pilotage_core::text::csv_cell;
 
 use crate::Outcome;
-use crate::opening::{Opened, open};
+use crate::export_track::{TrackKind, track};
+use crate::opening::{Opened, no_flight, open};
 
 /// Arguments of `pilotage export`.
 #[derive(clap::Args)]
@@ -18,11 +20,20 @@ pub struct Arguments {
     /// JSON.
     #[arg(long, value_name = "TOPIC")]
     topic: Vec<String>,
-    /// Form of the output.
-    #[arg(long, value_enum, default_value = "csv")]
-    format: Form,
+    /// Write where it flew instead, as this told it.
+    #[arg(long, value_enum, conflicts_with = "topic")]
+    track: Option<TrackKind>,
+    /// Values beside the places of the track, and its colour in KML: `ATT.Roll`.
+    #[arg(long, value_name = "TOPIC.FIELD", requires = "track")]
+    channel: Option<String>,
+    /// Take the flight of another vehicle of a telemetry log, by the number of its system.
+    #[arg(long, value_name = "SYSTEM")]
+    vehicle: Option<u32>,
+    /// Form of the output; without it as the ending of --out says, else CSV.
+    #[arg(long, value_enum)]
+    format: Option<Form>,
     /// File to write; the terminal without it.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, short, value_name = "FILE")]
     out: Option<PathBuf>,
     /// Meaning of the columns of tables, as `pilotage columns --save` wrote it.
     #[arg(long, value_name = "MAP")]
@@ -32,37 +43,92 @@ pub struct Arguments {
 /// Forms of the output.
 #[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 enum Form {
-    /// A line a row: `time_s`, then the fields with their units.
+    /// A line a row: `time_s`, then the fields with their units; of a track a line a place.
     Csv,
     /// An object by topic of an object by field of the list of its values.
     Json,
+    /// Of a track: in time, and coloured by --channel.
+    Kml,
+    /// The same in a zip.
+    Kmz,
+    /// Of a track: a track.
+    Gpx,
+    /// Of a track: a line, with times and values in `coordinateProperties`.
+    Geojson,
+}
+
+impl Form {
+    /// The format of a track; `None` of the one that is for topics alone.
+    fn of_track(self) -> Option<Format> {
+        Some(match self {
+            Self::Csv => Format::Csv,
+            Self::Json => return None,
+            Self::Kml => Format::Kml,
+            Self::Kmz => Format::Kmz,
+            Self::Gpx => Format::Gpx,
+            Self::Geojson => Format::GeoJson,
+        })
+    }
+}
+
+impl Arguments {
+    /// What was asked for, or what the name of the file to write says.
+    fn form(&self) -> Form {
+        let ending = self.out.as_ref().and_then(|out| out.extension());
+        let ending = ending.map(|ending| ending.to_string_lossy().into_owned());
+        let by_name =
+            ending.and_then(|ending| <Form as clap::ValueEnum>::from_str(&ending, true).ok());
+        self.format.or(by_name).unwrap_or(Form::Csv)
+    }
 }
 
 /// Writes the rows of topics, in the units of the log.
 pub fn run(arguments: &Arguments) -> Outcome {
     let path = &arguments.log;
-    let log = match open(path, arguments.columns.as_deref())? {
+    let mut opened = open(path, arguments.columns.as_deref())?;
+    if let (Some(system), Opened::Log(log, _)) = (arguments.vehicle, &mut opened) {
+        log.choose_vehicle(system)?;
+    }
+    if let Opened::Nothing(told) = &opened {
+        return Err(no_flight(path, told).into());
+    }
+    let form = arguments.form();
+    if let Some(kind) = arguments.track {
+        let format = form.of_track();
+        let format = format.ok_or("a track is written as csv, kml, kmz, gpx or geojson")?;
+        let written = write_flown(format, &track(opened, kind, arguments.channel.as_deref())?)?;
+        for note in &written.notes {
+            eprintln!("note: {note}");
+        }
+        return put(arguments.out.as_deref(), &written.bytes);
+    }
+    let log = match opened {
         Opened::Log(log, _) => *log,
         Opened::Folder(folder) => folder.log(),
-        Opened::Nothing(_) => {
-            return Err(format!("{}: no flight log and no flight", path.display()).into());
-        }
+        Opened::Nothing(told) => return Err(no_flight(path, &told).into()),
     };
     let topics = chosen(&log, &arguments.topic)?;
-    let text = match (arguments.format, topics.as_slice()) {
+    let text = match (form, topics.as_slice()) {
         (Form::Csv, [topic]) => csv(topic),
         (Form::Csv, _) => {
             let names = names(&topics);
             return Err(format!("a table has one topic; say which with --topic: {names}").into());
         }
         (Form::Json, topics) => json(topics)?,
+        _ => return Err("values are written as csv or json; a track by --track".into()),
     };
-    match &arguments.out {
-        Some(out) => std::fs::write(out, text).map_err(|e| format!("{}: {e}", out.display()))?,
-        None => std::io::stdout().lock().write_all(text.as_bytes())?,
-    }
+    put(arguments.out.as_deref(), text.as_bytes())?;
     for remark in &log.report.remarks {
         eprintln!("note: {remark}");
+    }
+    Ok(())
+}
+
+/// Writes to a file, or to the terminal without one.
+fn put(out: Option<&Path>, bytes: &[u8]) -> Outcome {
+    match out {
+        Some(out) => crate::files::write_whole(out, bytes)?,
+        None => std::io::stdout().lock().write_all(bytes)?,
     }
     Ok(())
 }
@@ -102,8 +168,8 @@ enum Value {
     Text(String),
 }
 
-/// The value of a field in its unit; whole numbers that nothing scales keep all their digits. `None` of bytes that are
-/// neither number nor letters.
+/// The value of a field in its unit; whole numbers that nothing scales keep all their digits, and bytes that are neither
+/// number nor letters are written as hexadecimal digits.
 fn value(field: &FieldLayout, row: &[u8]) -> Option<Value> {
     let bytes = field.bytes(row)?;
     if field.scale == Scale::One
@@ -112,7 +178,15 @@ fn value(field: &FieldLayout, row: &[u8]) -> Option<Value> {
         return Some(Value::Whole(whole));
     }
     let real = field.value(row).map(Value::Real);
-    real.or_else(|| field.text(row).map(Value::Text))
+    let text = || field.text(row).map(Value::Text);
+    real.or_else(text)
+        .or_else(|| Some(Value::Text(hex_digits(bytes))))
+}
+
+fn hex_digits(bytes: &[u8]) -> String {
+    let digits = bytes.iter().flat_map(|byte| [byte >> 4, byte & 15]);
+    let letters = digits.filter_map(|digit| char::from_digit(u32::from(digit), 16));
+    letters.collect()
 }
 
 fn csv(topic: &Topic) -> String {

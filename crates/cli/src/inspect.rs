@@ -46,11 +46,11 @@ pub fn run(arguments: &Arguments) -> Outcome {
             }
             return Ok(());
         }
-        Opened::Log(mut log, _) => {
+        Opened::Log(mut log, beside) => {
             if let Some(system) = arguments.vehicle {
                 log.choose_vehicle(system)?;
             }
-            inspect_log::describe(&log);
+            inspect_log::describe(&log, &beside);
             if arguments.counts {
                 inspect_log::counts(&log);
             }

@@ -1,18 +1,29 @@
 //! What a flight log holds, in words.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use pilotage_core::flight::FlightFolder;
+use pilotage_core::flight::files::FileSet;
 use pilotage_core::flight::interpret::{flight_from_log, log_of_flight};
 use pilotage_core::flight::log::Log;
 use pilotage_core::flight::overview::{Overview, Severity, modes, overview};
+use pilotage_core::flight::photo::add_photos;
 
 /// Prints what the log is, what measured, what looks wrong and what can be done with it.
-pub fn describe(log: &Log) {
+/// Of the files beside it the photos count.
+pub fn describe(log: &Log, beside: &Arc<dyn FileSet>) {
     let interpreted = flight_from_log(log);
-    let seen = overview(log, &interpreted.measured());
+    let mut seen = overview(log, &interpreted.measured());
+    let flight = interpreted.into_flight().ok().map(|mut flight| {
+        if let Some(placed) = add_photos(log, &mut flight, beside) {
+            seen.add_pictures(flight.frames.len());
+            seen.note_photos(&placed.notes);
+        }
+        flight
+    });
     measured(log, &seen);
-    if let Ok(flight) = &interpreted.into_flight() {
+    if let Some(flight) = &flight {
         crate::inspect_wind::describe(flight);
     }
     judged(&seen);

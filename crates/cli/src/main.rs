@@ -8,6 +8,7 @@ mod convert;
 mod detect;
 mod evaluate;
 mod export;
+mod export_track;
 mod files;
 mod filter_options;
 mod georef;
@@ -67,7 +68,7 @@ enum Job {
     Register(register::Arguments),
     /// Convert routes, landmarks and labels between file formats.
     Convert(convert::Arguments),
-    /// Write the values of a log as CSV or JSON.
+    /// Write the values of a log as CSV or JSON, or its track as KML, GPX, GeoJSON or CSV.
     Export(export::Arguments),
     /// Show what the columns of tables mean, and save it to be edited.
     Columns(columns::Arguments),

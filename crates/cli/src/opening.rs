@@ -10,7 +10,7 @@ use pilotage_core::flight::foreign::foreign;
 use pilotage_core::flight::interpret::flight_from_log;
 use pilotage_core::flight::log::{HEAD, Log, read_log, recognise};
 use pilotage_core::flight::mat::{self, MatFiles};
-use pilotage_core::flight::photo::{photos_lack, read_photos};
+use pilotage_core::flight::photo::{add_photos, photos_lack, read_photos};
 use pilotage_core::flight::srt::{flight_of_subtitles, read_srt};
 use pilotage_core::flight::{
     FLIGHT_FILE, Flight, FlightFolder, FolderError, FrameSource, NoPictures, read_flight,
@@ -51,8 +51,13 @@ impl Opened {
                 let flight = flight_from_log(&log).into_flight();
                 let mut flight = flight.map_err(|e| e.to_string())?;
                 let frames = add_pictures(&mut flight, &beside).map_err(|e| e.to_string())?;
+                if let Some(frames) = frames {
+                    return Ok(Some((flight, frames, Vec::new())));
+                }
+                let placed = add_photos(&log, &mut flight, &beside);
+                let (frames, notes) = placed.map_or((None, Vec::new()), |p| (p.frames, p.notes));
                 let frames = frames.unwrap_or_else(|| Box::new(NoPictures));
-                Ok(Some((flight, frames, Vec::new())))
+                Ok(Some((flight, frames, notes)))
             }
             Self::Nothing(told) if told.is_empty() => Ok(None),
             Self::Nothing(told) => Err(told),
@@ -97,6 +102,26 @@ pub fn open(path: &Path, columns: Option<&Path>) -> Result<Opened, Box<dyn std::
         Some(folder) => Opened::Folder(Box::new(folder)),
         None => Opened::Nothing(nothing(files.as_ref(), &names)),
     })
+}
+
+/// Why a path is no flight: as tables among it `told`, else what it is by its content, else that it is none.
+pub fn no_flight(path: &Path, told: &str) -> String {
+    let name = path.display();
+    if !told.is_empty() {
+        return format!("{name}: {told}");
+    }
+    let file = DiskFile::open(path, &path.to_string_lossy()).ok();
+    let is = file.and_then(|file| {
+        let length = HEAD.min(usize::try_from(file.length()).unwrap_or(HEAD));
+        foreign(&file.read(0, length).ok()?, file.length())
+    });
+    match is {
+        Some(is) => format!(
+            "{name}: it is {}, which is not read; {}",
+            is.what, is.advice
+        ),
+        None => format!("{name}: neither a flight folder, a log, tables nor photos"),
+    }
 }
 
 /// Contents of a zip or of a MATLAB file, as files; `None` of anything else.

@@ -20,7 +20,7 @@ use crate::Outcome;
 use crate::files::MAP_CACHE;
 use crate::files::open_map;
 use crate::mission_file::OpenMission;
-use crate::opening::open;
+use crate::opening::{Opened, no_flight, open};
 use crate::replay_frames::{print_frames, print_refusals};
 use crate::scenario::{Day, scenario, seed_range};
 use crate::statistics::{Quantiles, error_over_bound, print, table};
@@ -66,6 +66,9 @@ pub struct Arguments {
     /// Where to write the run.
     #[arg(long)]
     out: Option<PathBuf>,
+    /// Where to write the estimated track; its ending names the format: .kml, .kmz, .gpx, .geojson or .csv.
+    #[arg(long, value_name = "FILE", conflicts_with = "seeds")]
+    track: Option<PathBuf>,
     /// Where to write the summary.
     #[arg(long)]
     summary: Option<PathBuf>,
@@ -92,14 +95,11 @@ pub fn run(arguments: &Arguments) -> Outcome {
         return Err("say what was flown, or --scenario NAME".into());
     };
     let opened = open(path, arguments.columns.as_deref())?;
+    if let Opened::Nothing(told) = &opened {
+        return Err(no_flight(path, told).into());
+    }
     let found = opened.into_flight()?;
-    let nothing = || {
-        format!(
-            "{}: neither a flight folder, a log, tables nor photos",
-            path.display()
-        )
-    };
-    let (flight, mut frames, notes) = found.ok_or_else(nothing)?;
+    let (flight, mut frames, notes) = found.ok_or_else(|| no_flight(path, ""))?;
     for note in &notes {
         eprintln!("note: {note}");
     }
@@ -270,6 +270,9 @@ fn report(arguments: &Arguments, flight: &Flight, run: &Run, summary: &Summary) 
     if let Some(path) = &arguments.out {
         let bytes = pilotage_core::navigator::encode_run(run)?;
         crate::files::write_whole(path, bytes)?;
+    }
+    if let Some(path) = &arguments.track {
+        crate::export_track::write_estimate(flight, run, path)?;
     }
     Ok(())
 }

@@ -31,9 +31,57 @@ pub fn csv_cell(cell: &str) -> String {
     }
 }
 
+/// Date and time (UTC) of seconds since 1970 as ISO 8601 writes them, to the microsecond:
+/// `2014-05-18T10:20:31.250Z`. Years beyond 9999 and before 0 are written as they come.
+pub fn utc_text(seconds: f64) -> String {
+    let micro = (seconds * 1e6).round();
+    let days = (micro / 86_400e6).floor();
+    let rest = micro - days * 86_400e6;
+    let (year, month, day) = civil_date(days as i64);
+    let whole = (rest / 1e6).floor();
+    let (hours, minutes) = ((whole / 3600.0).floor(), (whole % 3600.0 / 60.0).floor());
+    let part = format!("{:06.0}", rest - 1e6 * whole);
+    let part = if part.ends_with("000") {
+        &part[..3]
+    } else {
+        &part
+    };
+    let seconds = whole % 60.0;
+    format!("{year:04}-{month:02}-{day:02}T{hours:02.0}:{minutes:02.0}:{seconds:02.0}.{part}Z")
+}
+
+/// Year, month and day of a number of days since 1970-01-01 in the Gregorian calendar.
+pub fn civil_date(days: i64) -> (i64, i64, i64) {
+    // Counted from 0000-03-01, so that the leap day ends the year.
+    let shifted = days.saturating_add(719_468);
+    let era = shifted.div_euclid(146_097);
+    let day_of_era = shifted.rem_euclid(146_097);
+    let year_of_era =
+        (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
+    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
+    let month_from_march = (5 * day_of_year + 2) / 153;
+    let day = day_of_year - (153 * month_from_march + 2) / 5 + 1;
+    let month = (month_from_march + 2) % 12 + 1;
+    let year = year_of_era + 400 * era + i64::from(month <= 2);
+    (year, month, day)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn dates_are_those_of_the_calendar_to_the_microsecond() {
+        assert_eq!(utc_text(0.0), "1970-01-01T00:00:00.000Z");
+        assert_eq!(utc_text(951_782_400.0), "2000-02-29T00:00:00.000Z");
+        assert_eq!(utc_text(1_400_408_431.25), "2014-05-18T10:20:31.250Z");
+        assert_eq!(
+            utc_text(1_400_408_431.999_999_9),
+            "2014-05-18T10:20:32.000Z"
+        );
+        assert_eq!(utc_text(-0.5), "1969-12-31T23:59:59.500Z");
+        assert_eq!(utc_text(59.000_25), "1970-01-01T00:00:59.000250Z");
+    }
 
     #[test]
     fn utf_16_is_read_by_its_mark_in_either_order() {

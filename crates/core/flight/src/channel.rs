@@ -109,6 +109,12 @@ channels! {
     WindNorth = "wind_north", Speed;
     /// Wind as the autopilot estimated it: velocity of the air, m/s east.
     WindEast = "wind_east", Speed;
+    /// Position as the autopilot estimated it, metres north of the origin.
+    AutopilotNorth = "autopilot_north", Length;
+    /// Position as the autopilot estimated it, metres east of the origin.
+    AutopilotEast = "autopilot_east", Length;
+    /// Height as the autopilot estimated it, metres above sea level.
+    AutopilotHeight = "autopilot_height", Length;
 }
 
 impl ChannelName {

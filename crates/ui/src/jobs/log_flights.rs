@@ -6,7 +6,8 @@ use pilotage_core::flight::Flight;
 use pilotage_core::flight::beside_log::add_pictures;
 use pilotage_core::flight::files::FileSet;
 use pilotage_core::flight::interpret::flight_from_log;
-use pilotage_core::flight::log::{HEAD, read_log, recognise};
+use pilotage_core::flight::log::{HEAD, Log, read_log, recognise};
+use pilotage_core::flight::photo::add_photos;
 use pilotage_core::imagery::ByteSource;
 
 use super::file_pool::FilePool;
@@ -28,24 +29,34 @@ pub fn head(source: &dyn ByteSource) -> Option<Vec<u8>> {
     source.read(0, length).ok()
 }
 
-/// A flight with the pictures that lie beside its log, or why it has none of them.
-pub fn with_pictures(mut flight: Flight, pool: Arc<FilePool>) -> (OpenFlight, Option<String>) {
+/// A flight with the pictures that lie beside its log, why it has none of them, and what was assumed of photos or why
+/// they are none of it.
+pub fn with_pictures(
+    log: &Log,
+    mut flight: Flight,
+    pool: Arc<FilePool>,
+) -> (OpenFlight, Option<String>, Vec<String>) {
     let files: Arc<dyn FileSet> = pool;
+    let open = |flight: Flight, source| OpenFlight {
+        frames: KeptFrames::stored(&flight, source),
+        flight: Arc::new(flight),
+        mission: None,
+    };
     match add_pictures(&mut flight, &files) {
-        Ok(Some(source)) => {
-            let frames = KeptFrames::stored(&flight, source);
-            let flight = Arc::new(flight);
-            let open = OpenFlight {
-                flight,
-                frames,
-                mission: None,
+        Ok(Some(source)) => (open(flight, source), None, Vec::new()),
+        Ok(None) => {
+            let placed = add_photos(log, &mut flight, &files);
+            let (source, notes) = placed.map_or((None, Vec::new()), |p| (p.frames, p.notes));
+            let open = match source {
+                Some(source) => open(flight, source),
+                None => OpenFlight::without_pictures(flight),
             };
-            (open, None)
+            (open, None, notes)
         }
-        Ok(None) => (OpenFlight::without_pictures(flight), None),
         Err(cause) => (
             OpenFlight::without_pictures(flight),
             Some(cause.to_string()),
+            Vec::new(),
         ),
     }
 }
@@ -62,5 +73,5 @@ pub fn flight_of_log(pool: &Arc<FilePool>) -> Result<Option<OpenFlight>, String>
     };
     let flight = flight_from_log(&log).into_flight();
     let flight = flight.map_err(|cause| cause.to_string())?;
-    Ok(Some(with_pictures(flight, pool.clone()).0))
+    Ok(Some(with_pictures(&log, flight, pool.clone()).0))
 }

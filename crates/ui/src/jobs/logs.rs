@@ -141,8 +141,9 @@ impl RunningJob for ReadingLog {
             Ok(flight) => {
                 read.flight = Ok(flight.frame_on_globe);
                 let pool = workshop.files(&self.key)?;
-                let (open, lost) = with_pictures(flight, pool);
+                let (open, lost, notes) = with_pictures(&log, flight, pool);
                 read.overview.add_pictures(open.flight.frames.len());
+                read.overview.note_photos(&notes);
                 read.lost_pictures = lost;
                 workshop.keep_flight(&self.key, open);
             }

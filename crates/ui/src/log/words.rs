@@ -42,26 +42,10 @@ pub fn series_name(series: &SeriesName) -> String {
 pub fn date(utc: f64) -> String {
     let days = (utc / 86_400.0).floor();
     let second = utc - 86_400.0 * days;
-    let (year, month, day) = civil(days as i64);
+    let (year, month, day) = pilotage_core::text::civil_date(days as i64);
     let (hours, rest) = ((second / 3600.0).floor(), second % 3600.0);
     let (minutes, seconds) = ((rest / 60.0).floor(), (rest % 60.0).floor());
     format!("{year}-{month:02}-{day:02} {hours:02.0}:{minutes:02.0}:{seconds:02.0} UTC")
-}
-
-/// Year, month and day of a number of days since 1970-01-01 in the Gregorian calendar.
-fn civil(days: i64) -> (i64, i64, i64) {
-    // Counted from 0000-03-01, so that the leap day ends the year.
-    let shifted = days + 719_468;
-    let era = shifted.div_euclid(146_097);
-    let day_of_era = shifted.rem_euclid(146_097);
-    let year_of_era =
-        (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;
-    let day_of_year = day_of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
-    let month_from_march = (5 * day_of_year + 2) / 153;
-    let day = day_of_year - (153 * month_from_march + 2) / 5 + 1;
-    let month = (month_from_march + 2) % 12 + 1;
-    let year = year_of_era + 400 * era + i64::from(month <= 2);
-    (year, month, day)
 }
 
 #[cfg(test)]

@@ -11,6 +11,8 @@ mod csv_write;
 mod embedded;
 mod error;
 mod fence;
+mod flown;
+mod flown_kml;
 mod format;
 mod found;
 mod geojson;
@@ -33,6 +35,7 @@ mod write;
 mod xml;
 
 pub use error::ExchangeError;
+pub use flown::{FlownPoint, FlownTrack, FlownValues, write_flown};
 pub use format::Format;
 pub use read::{Imported, read_any};
 pub use write::{Places, Written, write_landmarks, write_places, write_route};

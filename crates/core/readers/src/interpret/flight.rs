@@ -2,7 +2,7 @@
 
 use nalgebra::Point3;
 
-use super::{Role, RoleSeries, series};
+use super::{Navigation, Role, RoleSeries, places, series};
 use crate::log::Log;
 use pilotage_base::frames::{Geodetic, LocalFrame};
 use pilotage_flight::{Channel, ChannelName, Flight, StartFix, Truth, TruthState};
@@ -10,8 +10,6 @@ use pilotage_raster::camera::CameraModel;
 
 /// Standard deviation per axis of a position by satellite navigation at the start, metres.
 const GPS_DEVIATION: f64 = 5.0;
-/// Kinds of fix from which on a position counts.
-const FLAT_FIX: f64 = 2.0;
 
 /// What was measured in a flight, by what it means.
 #[derive(Clone, Copy, Debug)]
@@ -67,6 +65,7 @@ impl Interpreted {
         if !self.found.iter().any(has_height) {
             derived.push(height_above_start(&self.found, states));
         }
+        derived.extend(autopilot_track(&self.found, flight.frame_on_globe.as_ref()));
         flight.channels = self.found.into_iter().filter_map(channel).collect();
         flight.channels.extend(derived);
         Ok(flight)
@@ -123,7 +122,7 @@ pub(super) fn all_series(log: &Log) -> Vec<RoleSeries> {
 
 fn bare_flight(log: &Log, found: &[RoleSeries]) -> Result<Flight, InterpretError> {
     let name = || log.name.clone();
-    let fixes = fixes(found);
+    let fixes = places(found, Navigation::Gps);
     let Some((first_time, first)) = fixes.first().copied() else {
         return Err(InterpretError::NoPosition { log: name() });
     };
@@ -160,28 +159,31 @@ fn bare_flight(log: &Log, found: &[RoleSeries]) -> Result<Flight, InterpretError
     })
 }
 
-/// Times and places of all fixes that count.
-fn fixes(found: &[RoleSeries]) -> Vec<(f64, Geodetic)> {
-    let of = |role| found.iter().find(|s: &&RoleSeries| s.role == role);
-    let (Some(latitude), Some(longitude)) = (of(Role::Latitude), of(Role::Longitude)) else {
+/// Where the autopilot's own filter had it, north and east in the flight's world `frame`; none where that is not known.
+fn autopilot_track(found: &[RoleSeries], frame: Option<&LocalFrame>) -> Vec<Channel> {
+    let places = places(found, Navigation::Autopilot).into_iter();
+    let on_ground = |(time, place): (f64, Geodetic)| {
+        let ground = frame?.ground_if_near(&place)?;
+        Some((time, ground.north, ground.east))
+    };
+    let (mut times, mut norths, mut easts) = (Vec::new(), Vec::new(), Vec::new());
+    for (time, north, east) in places.filter_map(on_ground) {
+        times.push(time);
+        norths.push(north);
+        easts.push(east);
+    }
+    if times.is_empty() {
         return Vec::new();
+    }
+    let track = |name, times, values| Channel {
+        name,
+        times,
+        values,
     };
-    let value = |role, time: f64| of(role).and_then(|s| s.at(time));
-    let fix = |(time, latitude): (&f64, &f64)| {
-        let longitude = longitude.at(*time)?;
-        let is_fixed = value(Role::GpsFix, *time).is_none_or(|fix| fix >= FLAT_FIX);
-        let is_there = *latitude != 0.0 || longitude != 0.0;
-        (is_fixed && is_there).then_some((
-            *time,
-            Geodetic {
-                latitude: *latitude,
-                longitude,
-                height: value(Role::GpsHeight, *time).unwrap_or(0.0),
-            },
-        ))
-    };
-    let pairs = latitude.times.iter().zip(&latitude.values);
-    pairs.filter_map(fix).collect()
+    vec![
+        track(ChannelName::AutopilotNorth, times.clone(), norths),
+        track(ChannelName::AutopilotEast, times, easts),
+    ]
 }
 
 fn channel(series: RoleSeries) -> Option<Channel> {

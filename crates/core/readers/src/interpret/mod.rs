@@ -2,6 +2,8 @@
 
 mod beside_flight;
 mod flight;
+mod origin;
+mod places;
 mod reading;
 mod ros;
 mod series;
@@ -11,6 +13,7 @@ mod tests;
 
 pub use beside_flight::{BesideFlight, log_of_flight};
 pub use flight::{InterpretError, Interpreted, Measured, flight_from_log};
+pub use places::{Navigation, places};
 pub use series::series;
 
 pub use super::role::{Role, RoleSeries};

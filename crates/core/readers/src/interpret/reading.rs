@@ -26,6 +26,9 @@ pub enum Reading {
     RosFix(&'static str),
     /// The height at which the standard atmosphere has the pressure of a field, Pa.
     Pressure(&'static str),
+    /// A part of the place that `ArduPilot` means by the fields `PN`, `PE` and `PD`: metres north, east and below the
+    /// origin of its filter, which stands in rows of their own (`ORGN`).
+    FromOrigin,
 }
 
 /// A place where a role may be found.

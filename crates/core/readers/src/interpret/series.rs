@@ -2,6 +2,7 @@
 
 use nalgebra::{Quaternion, UnitQuaternion};
 
+use super::origin;
 use super::reading::{Reading, Source};
 use super::source::{factor_of_unit, sources};
 use crate::log::{FieldLayout, Log, Topic, system_of};
@@ -30,7 +31,7 @@ impl<'a> Scaled<'a> {
 /// What turns a row into a value, and the name of what it reads.
 type Reader<'a> = (Box<dyn Fn(&[u8]) -> Option<f64> + 'a>, String);
 
-fn reader<'a>(source: &Source, topic: &'a Topic) -> Option<Reader<'a>> {
+fn reader<'a>(log: &Log, source: &Source, topic: &'a Topic) -> Option<Reader<'a>> {
     let role = source.role;
     let north = matches!(role, Role::GpsVelocityNorth | Role::WindNorth);
     Some(match source.reading {
@@ -89,6 +90,21 @@ fn reader<'a>(source: &Source, topic: &'a Topic) -> Option<Reader<'a>> {
             };
             (Box::new(part), name)
         }
+        Reading::FromOrigin => {
+            let origin = origin::origin(log)?;
+            let part = |name| Scaled::new(topic, name, 1.0);
+            let (north, east, down) = (part("PN")?, part("PE")?, part("PD")?);
+            let value = move |row: &[u8]| {
+                let (north, east) = (north.value(row)?, east.value(row)?);
+                let place = origin::place(&origin, north, east, down.value(row)?);
+                Some(match role {
+                    Role::AutopilotLatitude => place.latitude,
+                    Role::AutopilotLongitude => place.longitude,
+                    _ => place.height,
+                })
+            };
+            (Box::new(value), "PN, PE, PD".to_owned())
+        }
         Reading::WindFrom(direction, factor, speed) => {
             let name = format!("{direction}, {speed}");
             let direction = Scaled::new(topic, direction, factor)?;
@@ -130,11 +146,11 @@ fn topics<'a>(log: &'a Log, source: &Source) -> Vec<&'a Topic> {
 }
 
 /// The series that `source` names in a topic, or `None` if it has no such fields or no row of them.
-fn read(topic: &Topic, source: &Source) -> Option<RoleSeries> {
+fn read(log: &Log, topic: &Topic, source: &Source) -> Option<RoleSeries> {
     if topic.is_empty() {
         return None;
     }
-    let (value_of, name) = reader(source, topic)?;
+    let (value_of, name) = reader(log, source, topic)?;
     let samples = topic.times.iter().zip(topic.rows.iter());
     let samples = samples.map(|(time, row)| (*time, value_of(row)));
     let name = format!("{}.{name}", topic.name);
@@ -160,7 +176,7 @@ pub fn series(log: &Log, role: Role) -> Option<RoleSeries> {
     for source in places {
         for found in topics(log, source)
             .into_iter()
-            .filter_map(|topic| read(topic, source))
+            .filter_map(|topic| read(log, topic, source))
         {
             if is_alive(&found) {
                 return Some(found);

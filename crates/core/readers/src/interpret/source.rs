@@ -68,6 +68,18 @@ const DATAFLASH: &[Source] = &[
     field(Role::WindEast, "NKF2", "VWE", 1.0),
     field(Role::WindNorth, "EKF2", "VWN", 0.01),
     field(Role::WindEast, "EKF2", "VWE", 0.01),
+    field(Role::AutopilotLatitude, "POS", "Lat", DEGREE),
+    field(Role::AutopilotLongitude, "POS", "Lng", DEGREE),
+    field(Role::AutopilotHeight, "POS", "Alt", 1.0),
+    of(Role::AutopilotLatitude, "XKF1", Reading::FromOrigin),
+    of(Role::AutopilotLongitude, "XKF1", Reading::FromOrigin),
+    of(Role::AutopilotHeight, "XKF1", Reading::FromOrigin),
+    of(Role::AutopilotLatitude, "NKF1", Reading::FromOrigin),
+    of(Role::AutopilotLongitude, "NKF1", Reading::FromOrigin),
+    of(Role::AutopilotHeight, "NKF1", Reading::FromOrigin),
+    of(Role::AutopilotLatitude, "EKF1", Reading::FromOrigin),
+    of(Role::AutopilotLongitude, "EKF1", Reading::FromOrigin),
+    of(Role::AutopilotHeight, "EKF1", Reading::FromOrigin),
 ];
 
 const ULOG: &[Source] = &[
@@ -194,6 +206,19 @@ const ULOG: &[Source] = &[
     field(Role::WindEast, "wind", "windspeed_east", 1.0),
     field(Role::WindNorth, "wind_estimate", "windspeed_north", 1.0),
     field(Role::WindEast, "wind_estimate", "windspeed_east", 1.0),
+    field(
+        Role::AutopilotLatitude,
+        "vehicle_global_position",
+        "lat",
+        DEGREE,
+    ),
+    field(
+        Role::AutopilotLongitude,
+        "vehicle_global_position",
+        "lon",
+        DEGREE,
+    ),
+    field(Role::AutopilotHeight, "vehicle_global_position", "alt", 1.0),
 ];
 
 const TLOG: &[Source] = &[
@@ -258,6 +283,19 @@ const TLOG: &[Source] = &[
         "WIND",
         Reading::WindFrom("direction", DEGREE, "speed"),
     ),
+    field(
+        Role::AutopilotLatitude,
+        "GLOBAL_POSITION_INT",
+        "lat",
+        1e-7 * DEGREE,
+    ),
+    field(
+        Role::AutopilotLongitude,
+        "GLOBAL_POSITION_INT",
+        "lon",
+        1e-7 * DEGREE,
+    ),
+    field(Role::AutopilotHeight, "GLOBAL_POSITION_INT", "alt", 1e-3),
 ];
 
 /// Factor to SI and radians of a unit as logs write it; `None` if it is not known.

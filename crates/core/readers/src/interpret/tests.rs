@@ -257,3 +257,67 @@ fn messages_of_px4_are_known_by_what_they_are_wherever_they_come_from() {
     assert!((heading.values[0] - FRAC_PI_2).abs() < 1e-12);
     assert_eq!(heading.source, "/fmu/out/vehicle_attitude.q");
 }
+
+/// The two places of a track's ends, degrees and metres.
+fn ends(log: &Log) -> Vec<[f64; 3]> {
+    let found = super::flight::all_series(log);
+    let places = places(&found, Navigation::Autopilot);
+    let ends = [places.first().unwrap(), places.last().unwrap()];
+    ends.map(|(_, p)| [p.latitude.to_degrees(), p.longitude.to_degrees(), p.height])
+        .to_vec()
+}
+
+#[test]
+fn the_autopilots_own_place_stands_beside_that_of_the_receiver() {
+    let mut log = eastward();
+    let fields = [
+        ("Lat", "deglatitude"),
+        ("Lng", "deglongitude"),
+        ("Alt", "m"),
+    ];
+    let rows = [vec![0.0, 47.0, 8.0, 501.0], vec![5.0, 47.001, 8.001, 507.0]];
+    add(&mut log, "POS", &fields, &rows);
+    let expected = [[47.0, 8.0, 501.0], [47.001, 8.001, 507.0]];
+    for (found, expected) in ends(&log).iter().flatten().zip(expected.iter().flatten()) {
+        assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+    }
+    let flight = flight_from_log(&log).into_flight().unwrap();
+    // A thousandth of a degree of latitude and of longitude there.
+    let north = flight.value(ChannelName::AutopilotNorth, 5.0).unwrap();
+    let east = flight.value(ChannelName::AutopilotEast, 5.0).unwrap();
+    assert!(
+        (north - 111.17).abs() < 0.03 && (east - 76.05).abs() < 0.03,
+        "{north} {east}"
+    );
+    assert_eq!(flight.value(ChannelName::AutopilotHeight, 5.0), Some(507.0));
+}
+
+#[test]
+fn metres_from_the_origin_of_the_filter_are_a_place_as_the_autopilot_reckons() {
+    let mut log = eastward();
+    let metres = [("PN", "m"), ("PE", "m"), ("PD", "m")];
+    let rows = [
+        vec![0.0, 0.0, 0.0, -1.0],
+        vec![5.0, 1113.188_450_2, -500.0, -20.0],
+    ];
+    add(&mut log, "XKF1", &metres, &rows);
+    // Without an origin nobody knows where that is.
+    assert!(series(&log, Role::AutopilotLatitude).is_none());
+    let fields = [("Type", ""), ("Lat", "deg"), ("Lng", "deg"), ("Alt", "m")];
+    let places = [
+        vec![0.0, 1.0, 9.0, 9.0, 9.0],
+        vec![0.0, 0.0, 47.0, 8.0, 500.0],
+    ];
+    add(&mut log, "ORGN", &fields, &places);
+    let found = ends(&log);
+    assert!(
+        (found[1][0] - 47.01).abs() < 1e-9 && (found[1][2] - 520.0).abs() < 1e-9,
+        "{found:?}"
+    );
+    // Metres of a degree of longitude halfway between 47 and 47.01 degrees.
+    let wide = 111_318.845_02 * 47.005_f64.to_radians().cos();
+    assert!(
+        (found[1][1] - (8.0 - 500.0 / wide)).abs() < 1e-9,
+        "{found:?}"
+    );
+}

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{FieldLayout, LogFormat, ReadReport, Topic, TopicName};
 use crate::role::RoleSeries;
+use crate::times::{Verdict, judge};
 
 /// A parameter of the autopilot at one time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -171,18 +172,16 @@ impl Log {
     }
 
     /// First and last time of any row, seconds, from when logging [began](Self::begins) on; `None` without rows. A time
-    /// that leaps ahead of the rows around it, as one damaged byte makes it, is none.
+    /// far from those of the rows around it, as one damaged byte makes it, is none.
     pub fn span(&self) -> Option<(f64, f64)> {
         let sound = self.topics.iter().flat_map(|topic| {
-            let times = &topic.times;
-            let leaps = |at: usize| {
-                let around = at
-                    .checked_sub(1)
-                    .and_then(|at| times.get(at))
-                    .zip(times.get(at + 1));
-                around.is_some_and(|(before, after)| times[at] > *after && after >= before)
+            let verdicts = judge(&topic.times);
+            let is_wrong = move |at: usize| {
+                let verdict = verdicts.as_ref().map(|verdicts| verdicts[at]);
+                verdict == Some(Verdict::Wrong)
             };
-            let kept = times.iter().enumerate().filter(move |(at, _)| !leaps(*at));
+            let kept = topic.times.iter().enumerate();
+            let kept = kept.filter(move |(at, _)| !is_wrong(*at));
             kept.map(|(_, time)| *time)
         });
         let span =
@@ -225,6 +224,18 @@ mod tests {
         assert!(log.topic(&TopicName::single("BARO")).is_none());
         assert_eq!(log.first("BARO").map(Topic::len), Some(2));
         assert_eq!(log.span(), Some((2.0, 4.0)));
+    }
+
+    #[test]
+    fn times_far_off_are_no_part_of_the_span_however_many_follow_one_another() {
+        let mut log = Log::new("a.bin", LogFormat::Dataflash);
+        let place = log.topic_or_new(&TopicName::single("A"), Vec::new);
+        for row in 0..100 {
+            let is_wrong = (40..43).contains(&row);
+            let time = if is_wrong { 9e12 } else { f64::from(row) };
+            log.topics[place].push(time, &[]);
+        }
+        assert_eq!(log.span(), Some((0.0, 99.0)));
     }
 
     #[test]

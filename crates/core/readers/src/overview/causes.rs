@@ -32,7 +32,13 @@ pub fn findings(sensors: &[Sensor], airborne: &[(f64, f64)]) -> Vec<Finding> {
 fn measures(role: Role) -> bool {
     !matches!(
         role,
-        Role::GpsFix | Role::GpsSatellites | Role::WindNorth | Role::WindEast
+        Role::GpsFix
+            | Role::GpsSatellites
+            | Role::WindNorth
+            | Role::WindEast
+            | Role::AutopilotLatitude
+            | Role::AutopilotLongitude
+            | Role::AutopilotHeight
     )
 }
 

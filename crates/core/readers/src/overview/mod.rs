@@ -22,6 +22,7 @@ pub use states::modes;
 
 use super::interpret::{Measured, Role};
 use super::log::Log;
+use pilotage_base::text::capitalised;
 
 /// A flight at a glance.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -53,6 +54,17 @@ impl Overview {
         let is_placed = !self.abilities.iter().any(ability::lacks_track);
         self.abilities
             .extend(ability::of_pictures(count, is_placed));
+    }
+
+    /// Tells what was assumed of the photos beside the log, or why they were left out.
+    pub fn note_photos(&mut self, notes: &[String]) {
+        let finding = |note: &String| Finding {
+            severity: Severity::Note,
+            title: "Photos beside the log".to_owned(),
+            text: format!("{}.", capitalised(note)),
+            span: None,
+        };
+        self.findings.extend(notes.iter().map(finding));
     }
 }
 

@@ -184,7 +184,7 @@ fn of_one_camera(photos: &mut Vec<Photo>, notes: &mut Vec<String>) {
     photos.retain(|photo| photo.camera.is_empty() || photo.camera == most);
 }
 
-fn is_photo(name: &str) -> bool {
+pub(super) fn is_photo(name: &str) -> bool {
     let file = name.rsplit('/').next().unwrap_or(name);
     let ending = file.rsplit('.').next().unwrap_or_default();
     let is_jpeg = ["jpg", "jpeg"]
@@ -282,7 +282,7 @@ fn name(photo: &str) -> String {
     name.to_owned()
 }
 
-fn camera(photo: &Photo, notes: &mut Vec<String>) -> CameraModel {
+pub(super) fn camera(photo: &Photo, notes: &mut Vec<String>) -> CameraModel {
     let (focal, whence) = focal_in_pixels(photo);
     let camera = CameraModel {
         focal,

@@ -19,6 +19,10 @@ mod search;
 #[cfg(test)]
 mod tests;
 mod timed;
+mod triggered;
+#[cfg(test)]
+mod triggered_tests;
+mod triggers;
 mod xmp;
 
 pub use camera::focal_in_pixels;
@@ -27,3 +31,5 @@ pub use laying::{LaidPhoto, PhotoAnswer, PhotoLook};
 pub use pose::{PhotoPose, photo_pose};
 pub use read::{Photo, PhotoError, PhotoPlace, read_photo};
 pub use search::PhotoSearch;
+pub use triggered::{PlacedPhotos, add_photos};
+pub use triggers::{Triggers, triggers};

@@ -57,11 +57,17 @@ pub enum Role {
     WindNorth,
     /// The same eastward, m/s.
     WindEast,
+    /// Latitude as the autopilot estimates it, radians.
+    AutopilotLatitude,
+    /// Longitude as the autopilot estimates it, radians.
+    AutopilotLongitude,
+    /// Height as the autopilot estimates it, metres above sea level.
+    AutopilotHeight,
 }
 
 impl Role {
     /// Every role, in the order in which people read them.
-    pub const ALL: [Self; 23] = [
+    pub const ALL: [Self; 26] = [
         Self::Airspeed,
         Self::Heading,
         Self::Roll,
@@ -85,6 +91,9 @@ impl Role {
         Self::AccelerationDown,
         Self::WindNorth,
         Self::WindEast,
+        Self::AutopilotLatitude,
+        Self::AutopilotLongitude,
+        Self::AutopilotHeight,
     ];
 
     /// Name for people.
@@ -113,6 +122,9 @@ impl Role {
             Self::AccelerationDown => "Acceleration down",
             Self::WindNorth => "Wind north, autopilot",
             Self::WindEast => "Wind east, autopilot",
+            Self::AutopilotLatitude => "Latitude, autopilot",
+            Self::AutopilotLongitude => "Longitude, autopilot",
+            Self::AutopilotHeight => "Height, autopilot",
         }
     }
 
@@ -120,11 +132,18 @@ impl Role {
     pub fn unit(self) -> (&'static str, f64) {
         let degrees = 1.0_f64.to_degrees();
         match self {
-            Self::Heading | Self::Roll | Self::Pitch | Self::Latitude | Self::Longitude => {
-                ("deg", degrees)
-            }
+            Self::Heading
+            | Self::Roll
+            | Self::Pitch
+            | Self::Latitude
+            | Self::Longitude
+            | Self::AutopilotLatitude
+            | Self::AutopilotLongitude => ("deg", degrees),
             Self::RollRate | Self::PitchRate | Self::YawRate => ("deg/s", degrees),
-            Self::HeightAboveGround | Self::BarometricHeight | Self::GpsHeight => ("m", 1.0),
+            Self::HeightAboveGround
+            | Self::BarometricHeight
+            | Self::GpsHeight
+            | Self::AutopilotHeight => ("m", 1.0),
             Self::AccelerationForward | Self::AccelerationRight | Self::AccelerationDown => {
                 ("m/s²", 1.0)
             }
@@ -155,11 +174,14 @@ impl Role {
             Self::AccelerationDown => ChannelName::AccelerationDown,
             Self::WindNorth => ChannelName::WindNorth,
             Self::WindEast => ChannelName::WindEast,
+            Self::AutopilotHeight => ChannelName::AutopilotHeight,
             Self::Latitude
             | Self::Longitude
             | Self::GroundSpeed
             | Self::GpsFix
-            | Self::GpsSatellites => return None,
+            | Self::GpsSatellites
+            | Self::AutopilotLatitude
+            | Self::AutopilotLongitude => return None,
         })
     }
 
@@ -192,9 +214,12 @@ impl Role {
             | Self::GpsVelocityEast
             | Self::GpsVelocityDown => 1000.0,
             Self::Heading | Self::Roll | Self::Pitch => TAU,
-            Self::HeightAboveGround | Self::BarometricHeight | Self::GpsHeight => 50_000.0,
-            Self::Latitude => FRAC_PI_2,
-            Self::Longitude => PI + 1e-9,
+            Self::HeightAboveGround
+            | Self::BarometricHeight
+            | Self::GpsHeight
+            | Self::AutopilotHeight => 50_000.0,
+            Self::Latitude | Self::AutopilotLatitude => FRAC_PI_2,
+            Self::Longitude | Self::AutopilotLongitude => PI + 1e-9,
             Self::GpsFix | Self::GpsSatellites => 255.0,
             Self::RollRate | Self::PitchRate | Self::YawRate => 100.0,
             Self::AccelerationForward | Self::AccelerationRight | Self::AccelerationDown => 2000.0,

@@ -1,5 +1,6 @@
 //! Round trips through every format, other people's files, and broken ones.
 
+mod flown;
 mod foreign;
 mod globe;
 mod home;

@@ -1,0 +1,196 @@
+//! `pilotage export --track`: where a log flew, in formats that maps and globes read.
+
+use std::path::Path;
+
+use pilotage_core::exchange::{FlownPoint, FlownTrack, FlownValues, Format, write_flown};
+use pilotage_core::flight::interpret::{Navigation, Role, flight_from_log, places};
+use pilotage_core::flight::log::{Log, Topic};
+use pilotage_core::flight::{ChannelName, Flight};
+use pilotage_core::frames::{Geodetic, GroundPoint};
+use pilotage_core::navigator::Run;
+
+use crate::Outcome;
+use crate::opening::Opened;
+
+/// What told the places of a track.
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum TrackKind {
+    /// The satellite receiver.
+    Gps,
+    /// The autopilot's own estimate: POS or XKF1 of ArduPilot, `vehicle_global_position` of PX4, `GLOBAL_POSITION_INT`.
+    Ekf,
+}
+
+impl TrackKind {
+    fn words(self) -> &'static str {
+        match self {
+            Self::Gps => "GPS",
+            Self::Ekf => "autopilot",
+        }
+    }
+}
+
+/// The track of what was opened, with the values of the field `channel` (`TOPIC.FIELD`) beside its places: at each the last
+/// value before it.
+///
+/// # Errors
+/// What was opened says no places of that kind, or has no such field.
+pub fn track(opened: Opened, kind: TrackKind, channel: Option<&str>) -> Result<FlownTrack, String> {
+    let (log, places, has_height) = match opened {
+        Opened::Log(log, _) => {
+            let interpreted = flight_from_log(&log);
+            let found = interpreted.measured().found;
+            let (by, height) = match kind {
+                TrackKind::Gps => (Navigation::Gps, Role::GpsHeight),
+                TrackKind::Ekf => (Navigation::Autopilot, Role::AutopilotHeight),
+            };
+            let has_height = found.iter().any(|series| series.role == height);
+            (*log, places(found, by), has_height)
+        }
+        Opened::Folder(folder) => {
+            let (places, has_height) = of_flight(&folder.flight, kind);
+            (folder.log(), places, has_height)
+        }
+        Opened::Nothing(told) => return Err(told),
+    };
+    if places.is_empty() {
+        let words = kind.words();
+        return Err(format!("{}: no places by the {words} in it", log.name));
+    }
+    let values = channel.map(|name| Values::of(&log, name)).transpose()?;
+    let points = places.into_iter().map(|(time, place)| FlownPoint {
+        time,
+        place,
+        value: values.as_ref().and_then(|values| values.at(time)),
+    });
+    Ok(FlownTrack {
+        name: format!("{}, {}", log.name, kind.words()),
+        utc_at_zero: log.utc_at_zero,
+        has_height,
+        points: points.collect(),
+        values: values.map(|values| values.called),
+    })
+}
+
+/// Times and places of a flight that was made of tables or photos, and whether their heights mean anything.
+fn of_flight(flight: &Flight, kind: TrackKind) -> (Vec<(f64, Geodetic)>, bool) {
+    let names = match kind {
+        TrackKind::Gps => [
+            ChannelName::GpsNorth,
+            ChannelName::GpsEast,
+            ChannelName::GpsHeight,
+        ],
+        TrackKind::Ekf => [
+            ChannelName::AutopilotNorth,
+            ChannelName::AutopilotEast,
+            ChannelName::AutopilotHeight,
+        ],
+    };
+    let [north, east, height] = names.map(|name| flight.channel(name));
+    let (Some(frame), Some(north), Some(east)) = (flight.frame_on_globe, north, east) else {
+        return (Vec::new(), false);
+    };
+    let pairs = north.times.iter().zip(&north.values);
+    let place = |(time, north): (&f64, &f64)| {
+        let ground = GroundPoint::new(*north, east.interpolated(*time)?);
+        let height = height.and_then(|height| height.interpolated(*time));
+        let place = frame.geodetic_from_ground(&ground);
+        Some((
+            *time,
+            Geodetic {
+                height: height.unwrap_or(0.0),
+                ..place
+            },
+        ))
+    };
+    (pairs.filter_map(place).collect(), height.is_some())
+}
+
+/// Writes the estimate of a run as a track without heights, in the format that the file's ending names.
+///
+/// # Errors
+/// An ending of no format that holds tracks, or a flight that lies nowhere on the globe.
+pub fn write_estimate(flight: &Flight, run: &Run, path: &Path) -> Outcome {
+    let name = path.to_string_lossy();
+    let format = Format::of_name(&name)
+        .ok_or_else(|| format!("{name}: a track ends in .kml, .kmz, .gpx, .geojson or .csv"))?;
+    let frame = flight
+        .frame_on_globe
+        .ok_or_else(|| format!("{}: nobody knows where it lies on the globe", flight.name))?;
+    let points = run.steps.iter().map(|step| FlownPoint {
+        time: step.time,
+        place: frame.geodetic_from_ground(&step.after.position()),
+        value: None,
+    });
+    let track = FlownTrack {
+        name: format!("{}, estimate", flight.name),
+        utc_at_zero: None,
+        has_height: false,
+        values: None,
+        points: points.collect(),
+    };
+    let written = write_flown(format, &track)?;
+    for note in &written.notes {
+        eprintln!("note: {note}");
+    }
+    Ok(crate::files::write_whole(path, written.bytes)?)
+}
+
+/// Values of a field, in order of time.
+struct Values {
+    called: FlownValues,
+    samples: Vec<(f64, f64)>,
+}
+
+impl Values {
+    fn of(log: &Log, name: &str) -> Result<Self, String> {
+        let is_topic = |topic: &&Topic, wanted: &str| {
+            !topic.is_empty() && (topic.name.to_string() == wanted || topic.name.name == wanted)
+        };
+        // Names of topics and of fields may have dots in them.
+        let mut dots = name.match_indices('.').map(|(at, _)| name.split_at(at));
+        let found = dots.find_map(|(topic, field)| {
+            let topic = log.topics.iter().find(|it| is_topic(it, topic))?;
+            let field = topic.field(&field[1..])?;
+            field.kind.is_number().then_some((topic, field))
+        });
+        let Some((topic, field)) = found else {
+            let fields = log
+                .topics
+                .iter()
+                .filter(|topic| name.split('.').next().is_some_and(|n| is_topic(topic, n)))
+                .flat_map(|topic| topic.fields.iter().filter(|f| f.kind.is_number()))
+                .map(|field| field.name.as_str());
+            let fields: Vec<&str> = fields.collect();
+            return Err(if fields.is_empty() {
+                format!(
+                    "{}: no field {name}; say TOPIC.FIELD, with a topic of `pilotage inspect --counts`",
+                    log.name
+                )
+            } else {
+                format!(
+                    "{}: no field {name}; there are {}",
+                    log.name,
+                    fields.join(", ")
+                )
+            });
+        };
+        let rows = topic.times.iter().zip(topic.rows.iter());
+        let samples = rows.filter_map(|(time, row)| Some((*time, field.value(row)?)));
+        let mut samples: Vec<(f64, f64)> = samples.filter(|(time, _)| time.is_finite()).collect();
+        samples.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Ok(Self {
+            called: FlownValues {
+                name: name.to_owned(),
+                unit: field.unit.clone(),
+            },
+            samples,
+        })
+    }
+
+    /// The last value at or before `time`.
+    fn at(&self, time: f64) -> Option<f64> {
+        let after = self.samples.partition_point(|(t, _)| *t <= time + 1e-9);
+        Some(self.samples.get(after.checked_sub(1)?)?.1)
+    }
+}
