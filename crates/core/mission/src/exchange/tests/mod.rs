@@ -3,6 +3,7 @@
 mod foreign;
 mod globe;
 mod home;
+mod makers;
 mod plan;
 mod round_trip;
 
