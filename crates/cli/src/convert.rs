@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use clap::ValueEnum;
 use pilotage_core::exchange::{Format, Imported, Places, read_any, write_landmarks, write_places};
 use pilotage_core::mission::Route;
 
@@ -10,7 +11,8 @@ use crate::Outcome;
 /// What to convert into what.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// File with routes or landmarks: .plan, .waypoints, .kml, .kmz, .geojson, .gpx or .csv. Or labels of pictures:
+    /// File with routes or landmarks: .plan, .mission, .waypoints, .kml, .kmz (also DJI's WPML), .geojson, .gpx or
+    /// .csv (also Litchi's). Or labels of pictures:
     /// COCO (.json), Pascal VOC (.xml, a .zip or a folder of them).
     from: PathBuf,
     /// File to write; its extension names the format.
@@ -21,6 +23,18 @@ pub struct Arguments {
     /// Take only the landmarks.
     #[arg(long)]
     landmarks: bool,
+    /// Write the mission of a maker: `dji`, way-points as WPML in a .kmz, or `litchi`, way-points in a .csv.
+    #[arg(long = "as", value_name = "MAKER", conflicts_with = "landmarks")]
+    maker: Option<Maker>,
+}
+
+/// A maker whose missions have the extensions of other files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Maker {
+    /// WPML in a .kmz.
+    Dji,
+    /// Way-points in a .csv.
+    Litchi,
 }
 
 /// Reads, chooses and writes; what was assumed or left out is told on the error stream.
@@ -30,7 +44,17 @@ pub fn run(arguments: &Arguments) -> Outcome {
         return crate::labels::convert(labels, to);
     }
     let name = to.to_string_lossy();
-    let format = Format::of_name(&name).ok_or_else(|| {
+    let named = Format::of_name(&name);
+    let of_maker = match (arguments.maker, named) {
+        (None, named) => named,
+        (Some(Maker::Dji), Some(Format::Kmz)) => Some(Format::Wpml),
+        (Some(Maker::Litchi), Some(Format::Csv)) => Some(Format::Litchi),
+        (Some(Maker::Dji), _) => return Err(format!("{name}: a mission of DJI is a .kmz").into()),
+        (Some(Maker::Litchi), _) => {
+            return Err(format!("{name}: a mission of Litchi is a .csv").into());
+        }
+    };
+    let format = of_maker.ok_or_else(|| {
         let known: Vec<_> = Format::ALL.iter().map(|f| f.extensions()[0]).collect();
         format!(
             "{name}: the extension names no format; known are .{}",

@@ -7,7 +7,7 @@ use crate::mission::MissionError;
 pub enum ExchangeError {
     /// Neither content nor extension tell a format that is known.
     #[error(
-        "{file}: this is no file of routes or landmarks; known are QGroundControl .plan, QGC WPL .waypoints, KML, KMZ, GeoJSON, GPX and CSV"
+        "{file}: this is no file of routes or landmarks; known are QGroundControl .plan, QGC WPL .waypoints, KML, KMZ, DJI's WPML, GeoJSON, GPX and CSV"
     )]
     Unknown {
         /// Name of the file.

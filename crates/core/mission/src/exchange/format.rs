@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::wpml;
+
 /// A format of files with routes or landmarks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Format {
@@ -19,10 +21,15 @@ pub enum Format {
     Gpx,
     /// Tables with a header.
     Csv,
+    /// DJI's way-point mission, WPML in a KMZ.
+    Wpml,
+    /// Litchi's table of way-points.
+    Litchi,
 }
 
 impl Format {
-    /// All formats, in the order in which people are offered them.
+    /// The formats that the extension of a file's name tells, in the order in which people are offered
+    /// them; those of DJI and Litchi have extensions of others.
     pub const ALL: [Self; 7] = [
         Self::Plan,
         Self::Waypoints,
@@ -43,6 +50,8 @@ impl Format {
             Self::GeoJson => "GeoJSON",
             Self::Gpx => "GPX",
             Self::Csv => "CSV",
+            Self::Wpml => "DJI WPML",
+            Self::Litchi => "Litchi CSV",
         }
     }
 
@@ -52,21 +61,28 @@ impl Format {
             Self::Plan => &["plan"],
             Self::Waypoints => &["waypoints", "wpl", "txt"],
             Self::Kml => &["kml"],
-            Self::Kmz => &["kmz"],
+            Self::Kmz | Self::Wpml => &["kmz"],
             Self::GeoJson => &["geojson", "json"],
             Self::Gpx => &["gpx"],
             Self::Csv => &["csv", "tsv"],
+            Self::Litchi => &["csv"],
         }
     }
 
     /// Whether it holds landmarks; all formats hold routes.
     pub fn holds_landmarks(self) -> bool {
-        !matches!(self, Self::Plan | Self::Waypoints)
+        !self.is_mission()
     }
 
     /// Whether it holds more than one route.
     pub fn holds_several_routes(self) -> bool {
-        !matches!(self, Self::Plan | Self::Waypoints)
+        !self.is_mission()
+    }
+
+    /// Whether it holds one mission of an aircraft, and nothing else.
+    fn is_mission(self) -> bool {
+        use Format::{Litchi, Plan, Waypoints, Wpml};
+        matches!(self, Plan | Waypoints | Wpml | Litchi)
     }
 
     /// The format that the extension of a file's name says.
@@ -83,7 +99,11 @@ impl Format {
     /// The format of a file, by its content first and its name where that leaves it open.
     pub fn of(name: &str, bytes: &[u8]) -> Option<Self> {
         if bytes.starts_with(b"PK\x03\x04") {
-            return Some(Self::Kmz);
+            return Some(if wpml::is_zip(bytes) {
+                Self::Wpml
+            } else {
+                Self::Kmz
+            });
         }
         let head = String::from_utf8_lossy(&bytes[..bytes.len().min(4096)]);
         let head = head.trim_start_matches('\u{feff}').trim_start();
@@ -92,6 +112,7 @@ impl Format {
         }
         if head.starts_with('<') {
             return match () {
+                () if wpml::is_text(head) => Some(Self::Wpml),
                 () if head.contains("<gpx") => Some(Self::Gpx),
                 () if head.contains("<kml") || head.contains(":kml") => Some(Self::Kml),
                 () => Self::of_name(name).filter(|f| matches!(f, Self::Kml | Self::Gpx)),

@@ -22,6 +22,7 @@ mod item_route;
 mod kml_read;
 mod kml_write;
 pub mod labels;
+mod litchi;
 mod plan;
 #[cfg(test)]
 mod plan_schema;
@@ -31,6 +32,7 @@ mod speed_command;
 #[cfg(test)]
 mod tests;
 mod waypoints;
+mod wpml;
 mod write;
 mod xml;
 

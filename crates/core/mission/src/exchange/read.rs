@@ -1,6 +1,6 @@
 //! One entry for all formats that are read.
 
-use super::{ExchangeError, Format, csv_read, geojson, gpx, kml_read, plan, waypoints};
+use super::{ExchangeError, Format, csv_read, geojson, gpx, kml_read, plan, waypoints, wpml};
 use crate::mission::found::{self, LonLat};
 use crate::mission::{NoFlyZone, Route};
 use pilotage_base::frames::{Geodetic, GroundPoint, LocalFrame};
@@ -57,15 +57,19 @@ pub fn read_any(
         bytes
     };
     let found = {
-        let content = text(bytes, &mut notes);
+        let content = match format {
+            Format::Wpml => String::new(),
+            _ => text(bytes, &mut notes),
+        };
         match format {
+            Format::Wpml => wpml::read(name, bytes)?,
             Format::Plan => plan::read(name, &content)?,
             Format::Waypoints => waypoints::read(name, &content)?,
             Format::GeoJson => geojson::read(name, &content)
                 .map_err(|cause| old_mission(name, bytes).unwrap_or(cause))?,
             Format::Kml | Format::Kmz => kml_read::read(name, &content)?,
             Format::Gpx => gpx::read(name, &content)?,
-            Format::Csv => csv_read::read(name, &content)?,
+            Format::Csv | Format::Litchi => csv_read::read(name, &content)?,
         }
     };
     if found.routes.is_empty() && found.landmarks.is_empty() && found.no_fly.is_empty() {

@@ -1,6 +1,8 @@
 //! One entry for all formats that are written.
 
-use super::{ExchangeError, Format, csv_write, fence, geojson, gpx, kml_write, plan, waypoints};
+use super::{
+    ExchangeError, Format, csv_write, fence, geojson, gpx, kml_write, litchi, plan, waypoints, wpml,
+};
 use crate::mission::{NoFlyZone, Route};
 use pilotage_base::frames::LocalFrame;
 use pilotage_vision::landmark::Landmark;
@@ -86,6 +88,12 @@ pub fn write_places(
         ));
     }
     let (text, mut notes) = match (format, routes) {
+        (Format::Wpml, [route]) => {
+            let (bytes, mut notes) = wpml::write(route, frame)?;
+            notes.extend(fence::left_out(&[], no_fly, frame));
+            return Ok(Written { bytes, notes });
+        }
+        (Format::Litchi, [route]) => litchi::write(route, frame)?,
         (Format::Plan, [route]) => plan::write(route, no_fly, frame),
         (Format::Waypoints, [route]) => waypoints::write(route, no_fly, frame),
         (Format::GeoJson, _) => geojson::write(routes, landmarks, frame),

@@ -4,6 +4,7 @@ mod flown;
 mod foreign;
 mod globe;
 mod home;
+mod makers;
 mod plan;
 mod round_trip;
 

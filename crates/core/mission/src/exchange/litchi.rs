@@ -1,0 +1,117 @@
+//! Litchi's table of way-points: 46 columns, of which those that we do not know are written as they were
+//! read, or say nothing.
+
+use std::collections::BTreeMap;
+
+use serde_json::Value;
+
+use super::csv_write::quoted;
+use super::{ExchangeError, Format};
+use crate::mission::{Route, WayPoint, WayPointAction, degrees, globe};
+use pilotage_base::frames::{AltitudeFrame, LocalFrame};
+
+/// Actions that a way-point may have.
+const ACTIONS: usize = 15;
+/// Columns before the actions and after them, each with what it says where nothing is known; without
+/// that it is written from the way-point.
+const BEFORE: [(&str, Option<&str>); 8] = [
+    ("latitude", None),
+    ("longitude", None),
+    ("altitude(m)", None),
+    ("heading(deg)", Some("0")),
+    ("curvesize(m)", Some("0")),
+    ("rotationdir", Some("0")),
+    ("gimbalmode", Some("0")),
+    ("gimbalpitchangle", Some("0")),
+];
+const AFTER: [(&str, Option<&str>); 8] = [
+    ("altitudemode", None),
+    ("speed(m/s)", None),
+    ("poi_latitude", Some("0")),
+    ("poi_longitude", Some("0")),
+    ("poi_altitude(m)", Some("0")),
+    ("poi_altitudemode", Some("0")),
+    ("photo_timeinterval", Some("-1")),
+    ("photo_distinterval", Some("-1")),
+];
+
+/// The route as a table, and notes on what it cannot hold.
+pub(super) fn write(
+    route: &Route,
+    frame: &LocalFrame,
+) -> Result<(String, Vec<String>), ExchangeError> {
+    if route
+        .way_points
+        .iter()
+        .any(|w| w.altitude.frame == AltitudeFrame::Amsl)
+    {
+        return Err(ExchangeError::CannotHold {
+            format: Format::Litchi.name(),
+            what: "altitudes above mean sea level".to_owned(),
+            advice: "let the altitudes count from take-off or from the ground",
+        });
+    }
+    let actions: Vec<(String, &str)> = (1..=ACTIONS)
+        .flat_map(|i| {
+            [
+                (format!("actiontype{i}"), "-1"),
+                (format!("actionparam{i}"), "0"),
+            ]
+        })
+        .collect();
+    let columns: Vec<(&str, Option<&str>)> = BEFORE
+        .into_iter()
+        .chain(
+            actions
+                .iter()
+                .map(|(name, usual)| (name.as_str(), Some(*usual))),
+        )
+        .chain(AFTER)
+        .collect();
+    let names: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
+    let mut text = names.join(",") + "\n";
+    for way_point in &route.way_points {
+        let (longitude, latitude) = globe::lon_lat(frame, &way_point.position);
+        let cell = |(name, usual): &(&str, Option<&str>)| match (*name, usual) {
+            (name, Some(usual)) => {
+                kept(&way_point.properties, name).unwrap_or_else(|| (*usual).to_owned())
+            }
+            ("latitude", _) => degrees(latitude),
+            ("longitude", _) => degrees(longitude),
+            ("altitude(m)", _) => way_point.altitude.metres.to_string(),
+            ("altitudemode", _) => {
+                u8::from(way_point.altitude.frame == AltitudeFrame::AboveGround).to_string()
+            }
+            // 0 is the cruise speed.
+            _ => way_point.speed.unwrap_or(0.0).to_string(),
+        };
+        let row: Vec<String> = columns.iter().map(|c| quoted(&cell(c))).collect();
+        text += &(row.join(",") + "\n");
+    }
+    let mut notes = Vec::new();
+    let is_more = |w: &&WayPoint| w.action != WayPointAction::FlyBy;
+    let more = route.way_points.iter().filter(is_more).count();
+    if more > 0 {
+        notes.push(format!(
+            "{more} × take-off, circle or landing is written as a way-point: Litchi has none of them"
+        ));
+    }
+    let is_column = |name: &str| names.iter().any(|own| own.eq_ignore_ascii_case(name));
+    let others = |w: &WayPoint| w.properties.keys().any(|name| !is_column(name));
+    if route.way_points.iter().any(others) {
+        notes.push("properties that are none of Litchi's columns are left out".to_owned());
+    }
+    Ok((text, notes))
+}
+
+/// What a table said in the column of that name.
+fn kept(properties: &BTreeMap<String, String>, name: &str) -> Option<String> {
+    let own = properties
+        .iter()
+        .find(|(own, _)| own.eq_ignore_ascii_case(name))?;
+    match serde_json::from_str(own.1) {
+        Ok(Value::String(text)) => Some(text),
+        Ok(Value::Number(number)) => Some(number.to_string()),
+        _ => None,
+    }
+}

@@ -1,0 +1,301 @@
+//! Missions of DJI and Litchi.
+
+use super::super::{ExchangeError, Format, Imported, read_any, write_route};
+use super::frame;
+use crate::mission::{Route, WayPoint, WayPointAction};
+use pilotage_base::files::{FileSet, FileSink, ZipFiles, ZipSink};
+use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
+
+/// The two files of DJI's documentation, shortened, with places.
+fn documented(mode: &str, flown: [f64; 2], drawn: Option<(&str, [f64; 2])>) -> Vec<u8> {
+    let head = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<kml xmlns=\"http://www.opengis.net/kml/2.2\" \
+        xmlns:wpml=\"http://www.dji.com/wpmz/1.0.6\"><Document>";
+    let mission = "<wpml:missionConfig><wpml:flyToWaylineMode>safely</wpml:flyToWaylineMode>\
+        <wpml:finishAction>goHome</wpml:finishAction>\
+        <wpml:takeOffRefPoint>47.400000,8.500000,460.000000</wpml:takeOffRefPoint>\
+        <wpml:droneInfo><wpml:droneEnumValue>67</wpml:droneEnumValue></wpml:droneInfo></wpml:missionConfig>";
+    let action = "<wpml:actionGroup><wpml:actionGroupId>0</wpml:actionGroupId>\
+        <wpml:actionGroupStartIndex>1</wpml:actionGroupStartIndex>\
+        <wpml:actionGroupEndIndex>1</wpml:actionGroupEndIndex><wpml:action><wpml:actionId>0</wpml:actionId>\
+        <wpml:actionActuatorFunc>takePhoto</wpml:actionActuatorFunc></wpml:action></wpml:actionGroup>";
+    let waylines = format!(
+        "{head}{mission}<Folder><wpml:templateId>0</wpml:templateId>\
+         <wpml:executeHeightMode>{mode}</wpml:executeHeightMode><wpml:waylineId>0</wpml:waylineId>\
+         <wpml:autoFlightSpeed>10</wpml:autoFlightSpeed>\
+         <Placemark><Point><coordinates>\n  8.5001234567,47.4001234567\n</coordinates></Point>\
+         <wpml:index>0</wpml:index><wpml:executeHeight>{}</wpml:executeHeight>\
+         <wpml:waypointSpeed>7</wpml:waypointSpeed><wpml:waypointTurnParam>\
+         <wpml:waypointTurnMode>coordinateTurn</wpml:waypointTurnMode>\
+         <wpml:waypointTurnDampingDist>5</wpml:waypointTurnDampingDist></wpml:waypointTurnParam></Placemark>\
+         <Placemark><Point><coordinates>8.51,47.41</coordinates></Point>\
+         <wpml:index>1</wpml:index><wpml:executeHeight>{}</wpml:executeHeight>\
+         <wpml:waypointSpeed>9</wpml:waypointSpeed>{action}</Placemark></Folder></Document></kml>",
+        flown[0], flown[1]
+    );
+    let mut zip = ZipSink::default();
+    if let Some((mode, heights)) = drawn {
+        let template = format!(
+            "{head}{mission}<Folder><wpml:templateType>waypoint</wpml:templateType>\
+             <wpml:templateId>0</wpml:templateId><wpml:waylineCoordinateSysParam>\
+             <wpml:coordinateMode>WGS84</wpml:coordinateMode><wpml:heightMode>{mode}</wpml:heightMode>\
+             </wpml:waylineCoordinateSysParam><wpml:autoFlightSpeed>10</wpml:autoFlightSpeed>\
+             <wpml:gimbalPitchMode>usePointSetting</wpml:gimbalPitchMode>\
+             <Placemark><Point><coordinates>8.5001234567,47.4001234567</coordinates></Point>\
+             <wpml:index>0</wpml:index><wpml:height>{}</wpml:height><wpml:useGlobalTurnParam>1</wpml:useGlobalTurnParam>\
+             </Placemark><Placemark><Point><coordinates>8.51,47.41</coordinates></Point>\
+             <wpml:index>1</wpml:index><wpml:height>{}</wpml:height>{action}</Placemark></Folder></Document></kml>",
+            heights[0], heights[1]
+        );
+        zip.write("wpmz/template.kml", template.as_bytes()).unwrap();
+    }
+    zip.write("wpmz/waylines.wpml", waylines.as_bytes())
+        .unwrap();
+    zip.finish().unwrap()
+}
+
+fn read(bytes: &[u8]) -> Imported {
+    let back = read_any("folder/roof.kmz", bytes, Some(frame())).unwrap();
+    assert_eq!((back.format, back.routes.len()), (Format::Wpml, 1));
+    back
+}
+
+fn altitudes(route: &Route) -> Vec<Altitude> {
+    route.way_points.iter().map(|w| w.altitude).collect()
+}
+
+#[test]
+fn a_mission_of_dji_has_the_heights_that_its_modes_say() {
+    for (bytes, wanted, frame) in [
+        (
+            documented("relativeToStartPoint", [60.0, 65.5], None),
+            [60.0, 65.5],
+            AltitudeFrame::AboveTakeOff,
+        ),
+        (
+            documented("realTimeFollowSurface", [60.0, 65.5], None),
+            [60.0, 65.5],
+            AltitudeFrame::AboveGround,
+        ),
+        (
+            documented("WGS84", [547.25, 553.25], Some(("EGM96", [500.0, 506.0]))),
+            [500.0, 506.0],
+            AltitudeFrame::Amsl,
+        ),
+        (
+            documented(
+                "WGS84",
+                [547.25, 553.25],
+                Some(("aboveGroundLevel", [80.0, 90.0])),
+            ),
+            [80.0, 90.0],
+            AltitudeFrame::AboveGround,
+        ),
+        (
+            documented("WGS84", [547.25, 553.25], None),
+            [547.25, 553.25],
+            AltitudeFrame::Amsl,
+        ),
+    ] {
+        let back = read(&bytes);
+        let route = &back.routes[0];
+        assert_eq!(route.name, "roof");
+        assert_eq!(altitudes(route), wanted.map(|m| Altitude::new(m, frame)));
+        // The speed of a leg stands at the way-point that it leads away from.
+        let speeds: Vec<_> = route.way_points.iter().map(|w| w.speed).collect();
+        assert_eq!(speeds, [None, Some(7.0)]);
+        let told = |words: &str| {
+            assert!(
+                back.notes.iter().any(|n| n.contains(words)),
+                "{:?}",
+                back.notes
+            )
+        };
+        told("turns at way-points are kept, and not shown: coordinateTurn");
+        told("actions are kept, and not shown: takePhoto");
+        told("goHome");
+        let is_ellipsoid = back.notes.iter().any(|n| n.contains("above the ellipsoid"));
+        assert_eq!(is_ellipsoid, wanted[0] > 540.0);
+    }
+}
+
+#[test]
+fn a_mission_of_dji_comes_back_with_all_that_it_said() {
+    for bytes in [
+        documented(
+            "relativeToStartPoint",
+            [60.0, 65.5],
+            Some(("relativeToStartPoint", [60.0, 65.5])),
+        ),
+        documented("WGS84", [547.25, 553.25], Some(("EGM96", [500.0, 506.0]))),
+        documented("WGS84", [547.25, 553.25], None),
+    ] {
+        let before = read(&bytes);
+        let written = write_route(Format::Wpml, &before.routes[0], &before.frame).unwrap();
+        assert_eq!(written.notes, Vec::<String>::new());
+        let after = read(&written.bytes);
+        assert_eq!(altitudes(&after.routes[0]), altitudes(&before.routes[0]));
+        let zip = ZipFiles::open(&written.bytes).unwrap();
+        let text = |name| String::from_utf8(zip.read(name).unwrap()).unwrap();
+        let (template, waylines) = (text("wpmz/template.kml"), text("wpmz/waylines.wpml"));
+        for text in [&template, &waylines] {
+            assert!(
+                text.contains("xmlns:wpml=\"http://www.dji.com/wpmz/1.0.6\""),
+                "{text}"
+            );
+            assert!(
+                text.contains("<wpml:droneEnumValue>67</wpml:droneEnumValue>"),
+                "{text}"
+            );
+        }
+        for kept in [
+            "8.5001234567,47.4001234567",
+            "<wpml:waypointTurnDampingDist>5</",
+            "takePhoto",
+        ] {
+            assert!(waylines.contains(kept), "{waylines}");
+        }
+        let again = write_route(Format::Wpml, &after.routes[0], &after.frame).unwrap();
+        let zip = ZipFiles::open(&again.bytes).unwrap();
+        assert_eq!(
+            String::from_utf8(zip.read("wpmz/waylines.wpml").unwrap()).unwrap(),
+            waylines
+        );
+    }
+}
+
+#[test]
+fn groups_of_actions_follow_their_way_points_when_others_are_put_before() {
+    let mut route = read(&documented("relativeToStartPoint", [60.0, 65.5], None))
+        .routes
+        .remove(0);
+    let new = WayPoint::new(
+        GroundPoint::new(50.0, 60.0),
+        Altitude::new(60.0, AltitudeFrame::AboveTakeOff),
+    );
+    route.way_points.insert(0, new);
+    let written = write_route(Format::Wpml, &route, &frame()).unwrap();
+    let zip = ZipFiles::open(&written.bytes).unwrap();
+    let waylines = String::from_utf8(zip.read("wpmz/waylines.wpml").unwrap()).unwrap();
+    assert!(
+        waylines.contains("<wpml:actionGroupStartIndex>2<"),
+        "{waylines}"
+    );
+    assert!(
+        waylines.contains("<wpml:actionGroupEndIndex>2<"),
+        "{waylines}"
+    );
+}
+
+#[test]
+fn what_dji_and_litchi_cannot_fly_is_refused_by_name() {
+    let at =
+        |metres, frame| WayPoint::new(GroundPoint::new(metres, 0.0), Altitude::new(metres, frame));
+    let route = |way_points: Vec<WayPoint>| Route {
+        way_points,
+        ..Route::default()
+    };
+    let above_sea = route(vec![
+        at(500.0, AltitudeFrame::Amsl),
+        at(510.0, AltitudeFrame::Amsl),
+    ]);
+    let mixed = route(vec![
+        at(50.0, AltitudeFrame::AboveGround),
+        at(60.0, AltitudeFrame::AboveTakeOff),
+    ]);
+    for (format, route, words) in [
+        (Format::Wpml, &above_sea, "above the ellipsoid"),
+        (Format::Wpml, &mixed, "several kinds"),
+        (Format::Wpml, &route(Vec::new()), "without way-points"),
+        (Format::Litchi, &above_sea, "above mean sea level"),
+    ] {
+        let error = write_route(format, route, &frame()).unwrap_err();
+        assert!(matches!(error, ExchangeError::CannotHold { .. }));
+        assert!(error.to_string().contains(words), "{error}");
+    }
+}
+
+#[test]
+fn a_landing_of_a_mission_of_dji_is_no_way_point_on_the_ground() {
+    let at = |metres, action| WayPoint {
+        action,
+        ..WayPoint::new(
+            GroundPoint::new(metres, 0.0),
+            Altitude::new(metres, AltitudeFrame::AboveTakeOff),
+        )
+    };
+    let route = Route {
+        way_points: vec![
+            at(50.0, WayPointAction::TakeOff),
+            at(80.0, WayPointAction::FlyBy),
+            at(0.0, WayPointAction::Land),
+        ],
+        ..Route::default()
+    };
+    let written = write_route(Format::Wpml, &route, &frame()).unwrap();
+    let back = read(&written.bytes);
+    let metres: Vec<f64> = altitudes(&back.routes[0])
+        .iter()
+        .map(|a| a.metres)
+        .collect();
+    assert_eq!(metres, [50.0, 80.0, 80.0]);
+    assert!(
+        back.notes.iter().any(|n| n.contains("autoLand")),
+        "{:?}",
+        back.notes
+    );
+}
+
+#[test]
+fn an_area_of_dji_without_waylines_is_shown_as_such() {
+    let text = "<kml xmlns:wpml=\"http://www.dji.com/wpmz/1.0.2\"><Document><Folder>\
+        <wpml:templateType>mapping2d</wpml:templateType><Placemark><Polygon><outerBoundaryIs><LinearRing>\
+        <coordinates>8,47,0 8.01,47,0 8.01,47.01,0</coordinates></LinearRing></outerBoundaryIs></Polygon>\
+        </Placemark></Folder></Document></kml>";
+    let back = read_any("template.kml", text.as_bytes(), None).unwrap();
+    assert_eq!((back.routes.len(), back.landmarks.len()), (0, 1));
+    assert!(
+        back.notes.iter().any(|n| n.contains("no waylines")),
+        "{:?}",
+        back.notes
+    );
+}
+
+const LITCHI: &str = "latitude,longitude,altitude(m),heading(deg),curvesize(m),rotationdir,gimbalmode,\
+gimbalpitchangle,actiontype1,actionparam1,actiontype2,actionparam2,actiontype3,actionparam3,actiontype4,\
+actionparam4,actiontype5,actionparam5,actiontype6,actionparam6,actiontype7,actionparam7,actiontype8,actionparam8,\
+actiontype9,actionparam9,actiontype10,actionparam10,actiontype11,actionparam11,actiontype12,actionparam12,\
+actiontype13,actionparam13,actiontype14,actionparam14,actiontype15,actionparam15,altitudemode,speed(m/s),\
+poi_latitude,poi_longitude,poi_altitude(m),poi_altitudemode,photo_timeinterval,photo_distinterval
+47.0012345,8.5,30.5,12.5,3,0,2,-45,1,0,0,2000,-1,0,-1,0,-1,0,-1,0,-1,0,-1,0,-1,0,-1,0,-1,0,-1,0,-1,0,-1,0,-1,0,1,0,47.1,8.6,5,0,-1,12
+47.002,8.501,40,0,0,0,0,0,-1,0,-1,0,-1,0,-1,0,-1,0,-1,0,-1,0,-1,0,-1,0,-1,0,-1,0,-1,0,-1,0,-1,0,-1,0,0,7.5,0,0,0,0,-1,-1
+";
+
+#[test]
+fn a_table_of_litchi_comes_back_as_it_was() {
+    let before = read_any("roof.csv", LITCHI.as_bytes(), None).unwrap();
+    let written = write_route(Format::Litchi, &before.routes[0], &before.frame).unwrap();
+    assert_eq!(String::from_utf8(written.bytes).unwrap(), LITCHI);
+    assert_eq!(written.notes, Vec::<String>::new());
+}
+
+#[test]
+fn a_table_for_litchi_says_nothing_about_what_a_route_does_not_know() {
+    let way_point = WayPoint::new(
+        GroundPoint::new(10.0, 20.0),
+        Altitude::new(30.0, AltitudeFrame::AboveTakeOff),
+    );
+    let route = Route {
+        way_points: vec![way_point],
+        ..Route::default()
+    };
+    let written = write_route(Format::Litchi, &route, &frame()).unwrap();
+    let text = String::from_utf8(written.bytes).unwrap();
+    let row: Vec<&str> = text.lines().nth(1).unwrap().split(',').collect();
+    assert_eq!(row.len(), 46);
+    assert_eq!(&row[2..8], ["30", "0", "0", "0", "0", "0"]);
+    assert!(
+        row[8..38].chunks(2).all(|action| action == ["-1", "0"]),
+        "{text}"
+    );
+    assert_eq!(&row[38..], ["0", "0", "0", "0", "0", "0", "-1", "-1"]);
+}

@@ -1,0 +1,329 @@
+//! Reading a mission of DJI: places, heights and speeds are those of the waylines, which are flown; the
+//! template says which of the heights are above mean sea level or the ground.
+
+use serde_json::Value;
+
+use super::super::found::Found;
+use super::super::item::counted;
+use super::super::item_route::HOME;
+use super::super::xml::{Element, Source};
+use super::super::{ExchangeError, kml_read};
+use super::folder::{Folder, Point, folders};
+use super::{
+    IN_TEMPLATE, IN_WAYLINES, INDEX, MISSION, OWN_NAME_SPACE, UNDULATION, ending, is_text, text_of,
+};
+use crate::mission::found::FoundRoute;
+use crate::mission::{USUAL_ALTITUDE, WayPoint};
+use pilotage_base::files::ZipFiles;
+use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
+
+/// Farthest that places of both files are apart, degrees.
+const SAME_DEGREES: f64 = 1e-6;
+/// More than the geoid is from the ellipsoid anywhere, metres.
+const FARTHEST_GEOID: f64 = 110.0;
+
+/// One of the two files.
+struct Part {
+    name: String,
+    text: String,
+    root: Element,
+    folders: Vec<Folder>,
+}
+
+/// Reads the zip, or one of the two files alone.
+pub(in super::super) fn read(file: &str, bytes: &[u8]) -> Result<Found, ExchangeError> {
+    let error = |cause: &str| ExchangeError::File {
+        file: file.to_owned(),
+        cause: cause.to_owned(),
+    };
+    let mut waylines = None;
+    let mut template = None;
+    if bytes.starts_with(b"PK") {
+        let zip = ZipFiles::open(bytes).map_err(|cause| error(&cause))?;
+        let part =
+            |end| ending(&zip, end).map(|(name, bytes)| part(&format!("{file}: {name}"), &bytes));
+        waylines = part(".wpml").transpose()?;
+        template = part("template.kml").transpose()?;
+    } else {
+        let only = part(file, bytes)?;
+        let is_flown = only.text.contains("executeHeight");
+        *(if is_flown {
+            &mut waylines
+        } else {
+            &mut template
+        }) = Some(only);
+    }
+    let mut found = Found::default();
+    let mut told = Told::default();
+    let drawn = template.as_ref().map_or(&[][..], |part| &part.folders);
+    let flown = waylines.as_ref().map_or(&[][..], |part| &part.folders);
+    for folder in flown {
+        let same = drawn.iter().find(|drawn| is_same(folder, drawn));
+        found.routes.push(told.route(folder, same, true));
+    }
+    if flown.is_empty() {
+        for folder in drawn {
+            found.routes.push(told.route(folder, None, false));
+        }
+    }
+    if found.routes.is_empty() {
+        let Some(part) = template.or(waylines) else {
+            return Err(error(
+                "the zip holds neither waylines.wpml nor template.kml of DJI",
+            ));
+        };
+        let mut found = kml_read::read(&part.name, &part.text)?;
+        found.notes.push(
+            "the mission of DJI has no waylines: its area is shown, the way-points are made when it \
+             is opened in DJI's program"
+                .to_owned(),
+        );
+        return Ok(found);
+    }
+    let root = [&waylines, &template]
+        .into_iter()
+        .flatten()
+        .next()
+        .map(|part| &part.root);
+    if let Some(root) = root {
+        for route in &mut found.routes {
+            told.mission(root, route);
+        }
+    }
+    if let Some(root) = template.as_ref().map(|part| &part.root) {
+        for route in &mut found.routes {
+            home(root, route);
+        }
+    }
+    found.notes = told.notes();
+    let stem = file.rsplit(['/', '\\']).next().unwrap_or(file);
+    let stem = stem.rsplit_once('.').map_or(stem, |(stem, _)| stem);
+    let is_only = found.routes.len() == 1;
+    for (i, route) in found.routes.iter_mut().enumerate() {
+        let name = if is_only {
+            stem.to_owned()
+        } else {
+            format!("{stem} {}", i + 1)
+        };
+        route.name.get_or_insert(name);
+    }
+    Ok(found)
+}
+
+fn part(name: &str, bytes: &[u8]) -> Result<Part, ExchangeError> {
+    let text = String::from_utf8_lossy(bytes);
+    let text = text.trim_start_matches('\u{feff}').to_owned();
+    let source = Source {
+        file: name,
+        text: &text,
+    };
+    let root = source.root()?;
+    let folders = folders(&source, &root)?;
+    Ok(Part {
+        name: name.to_owned(),
+        root,
+        folders,
+        text,
+    })
+}
+
+/// Whether a template has the same way-points as the waylines.
+fn is_same(flown: &Folder, drawn: &Folder) -> bool {
+    let near = |(a, b): (&Point, &Point)| {
+        let apart = (a.place.0 - b.place.0, a.place.1 - b.place.1);
+        apart.0.abs().max(apart.1.abs()) < SAME_DEGREES
+    };
+    flown.id == drawn.id
+        && flown.points.len() == drawn.points.len()
+        && flown.points.iter().zip(&drawn.points).all(near)
+}
+
+/// The reference take-off point, where the geoid is known there.
+fn home(root: &Element, route: &mut FoundRoute) {
+    let undulation = route
+        .way_points
+        .iter()
+        .find_map(|(_, way_point)| way_point.properties.get(UNDULATION)?.parse::<f64>().ok());
+    let point = find(root, "takeOffRefPoint").map(|element| {
+        let numbers = element
+            .text
+            .split(',')
+            .map(|part| part.trim().parse::<f64>());
+        numbers.flatten().collect::<Vec<f64>>()
+    });
+    if let (Some(undulation), Some([latitude, longitude, height])) = (undulation, point.as_deref())
+    {
+        let home = Value::from(vec![*latitude, *longitude, height - undulation]);
+        route.properties.insert(HOME.to_owned(), home.to_string());
+    }
+}
+
+fn find<'a>(element: &'a Element, name: &str) -> Option<&'a Element> {
+    let deeper = || element.children.iter().find_map(|child| find(child, name));
+    element.child(name).or_else(deeper)
+}
+
+/// What is to be told of a file.
+#[derive(Default)]
+struct Told {
+    turns: Vec<String>,
+    headings: Vec<String>,
+    actions: Vec<String>,
+    finish: Vec<String>,
+    modes: Vec<String>,
+    ellipsoid: usize,
+    heightless: usize,
+}
+
+impl Told {
+    fn route(&mut self, folder: &Folder, drawn: Option<&Folder>, is_flown: bool) -> FoundRoute {
+        let mut route = FoundRoute {
+            name: folder.name.clone(),
+            ..FoundRoute::default()
+        };
+        let mut keep = |key: &str, text: &str| {
+            if !text.is_empty() {
+                route
+                    .properties
+                    .insert(key.to_owned(), Value::from(text).to_string());
+            }
+        };
+        keep(
+            if is_flown { IN_WAYLINES } else { IN_TEMPLATE },
+            &folder.rest,
+        );
+        keep(IN_TEMPLATE, drawn.map_or("", |drawn| &drawn.rest));
+        let mut speed = None;
+        for (i, point) in folder.points.iter().enumerate() {
+            let template =
+                drawn.and_then(|drawn| Some((drawn.mode.as_deref()?, drawn.points.get(i)?)));
+            let (altitude, undulation) = self.altitude(folder.mode.as_deref(), point, template);
+            let mut way_point = WayPoint::new(GroundPoint::default(), altitude);
+            // A file states the speed of the leg that leads away.
+            way_point.speed = speed;
+            speed = point.speed;
+            let mut keep = |key: &str, value: Value| {
+                way_point
+                    .properties
+                    .insert(key.to_owned(), value.to_string());
+            };
+            keep(INDEX, Value::from(point.index.unwrap_or(i)));
+            if let Some(undulation) = undulation {
+                keep(UNDULATION, undulation.map_or(Value::Null, Value::from));
+            }
+            let own = if is_flown { IN_WAYLINES } else { IN_TEMPLATE };
+            keep(own, Value::from(point.rest.as_str()));
+            if let Some((_, template)) = template {
+                keep(IN_TEMPLATE, Value::from(template.rest.as_str()));
+            }
+            self.turns.extend(point.turn.clone());
+            self.headings.extend(point.heading.clone());
+            self.actions.extend(point.actions.iter().cloned());
+            route.way_points.push((point.place, way_point));
+        }
+        route
+    }
+
+    /// The altitude of a way-point; the second is the undulation, `Some(None)` where the altitude is above
+    /// the ellipsoid and nothing is known of the geoid.
+    fn altitude(
+        &mut self,
+        mode: Option<&str>,
+        point: &Point,
+        template: Option<(&str, &Point)>,
+    ) -> (Altitude, Option<Option<f64>>) {
+        let Some(height) = point.height else {
+            self.heightless += 1;
+            return (USUAL_ALTITUDE, None);
+        };
+        let drawn = template.and_then(|(mode, point)| Some((mode, point.height?)));
+        let mode = mode.or(drawn.map(|(mode, _)| mode));
+        match mode {
+            Some("relativeToStartPoint") => {
+                (Altitude::new(height, AltitudeFrame::AboveTakeOff), None)
+            }
+            Some("realTimeFollowSurface" | "aboveGroundLevel" | "AGL") => {
+                (Altitude::new(height, AltitudeFrame::AboveGround), None)
+            }
+            Some("EGM96") => (Altitude::new(height, AltitudeFrame::Amsl), None),
+            Some("WGS84") => match drawn {
+                Some(("EGM96", above_sea)) if (height - above_sea).abs() < FARTHEST_GEOID => {
+                    let altitude = Altitude::new(above_sea, AltitudeFrame::Amsl);
+                    (altitude, Some(Some(height - above_sea)))
+                }
+                Some(("aboveGroundLevel", above_ground)) => (
+                    Altitude::new(above_ground, AltitudeFrame::AboveGround),
+                    None,
+                ),
+                _ => {
+                    self.ellipsoid += 1;
+                    (Altitude::new(height, AltitudeFrame::Amsl), Some(None))
+                }
+            },
+            other => {
+                self.modes.push(other.unwrap_or("none").to_owned());
+                (Altitude::new(height, USUAL_ALTITUDE.frame), None)
+            }
+        }
+    }
+
+    /// Keeps the mission's configuration and the name space of DJI's elements.
+    fn mission(&mut self, root: &Element, route: &mut FoundRoute) {
+        if let Some(config) = find(root, "missionConfig") {
+            let text = text_of(config.children.iter());
+            route
+                .properties
+                .insert(MISSION.to_owned(), Value::from(text).to_string());
+            self.finish
+                .extend(config.child_text("finishAction").map(str::to_owned));
+        }
+        if let Some(name_space) = root
+            .attribute("wpml")
+            .filter(|uri| is_text(&format!("{uri}/")))
+        {
+            let name_space = Value::from(name_space).to_string();
+            route
+                .properties
+                .insert(OWN_NAME_SPACE.to_owned(), name_space);
+        }
+    }
+
+    fn notes(self) -> Vec<String> {
+        let mut notes = Vec::new();
+        let mut kept = |what: &str, names: &[String]| {
+            if !names.is_empty() {
+                notes.push(format!(
+                    "{what} are kept, and not shown: {}",
+                    counted(names)
+                ));
+            }
+        };
+        kept("turns at way-points", &self.turns);
+        kept("headings", &self.headings);
+        kept("actions", &self.actions);
+        if let Some(finish) = self.finish.first() {
+            notes.push(format!(
+                "what is done at the end is kept, and not shown: {finish}"
+            ));
+        }
+        if self.ellipsoid > 0 {
+            notes.push(format!(
+                "{} of the heights are above the ellipsoid, up to 107 m from mean sea level: they are taken \
+                 as they are",
+                self.ellipsoid
+            ));
+        }
+        if self.heightless > 0 {
+            notes.push(format!(
+                "way-points without a height are at {USUAL_ALTITUDE}"
+            ));
+        }
+        if !self.modes.is_empty() {
+            notes.push(format!(
+                "heights whose mode is not known are taken to count from take-off: {}",
+                counted(&self.modes)
+            ));
+        }
+        notes
+    }
+}
