@@ -99,7 +99,7 @@ pub fn write_flown(format: Format, track: &FlownTrack) -> Result<Written, Exchan
         Format::Gpx => gpx(track),
         Format::GeoJson => geojson(track),
         Format::Csv => csv(track),
-        Format::Plan | Format::Waypoints => {
+        Format::Plan | Format::Waypoints | Format::Wpml | Format::Litchi => {
             return Err(cannot_hold(
                 "a flown track",
                 "write it as KML, GPX, GeoJSON or CSV",
