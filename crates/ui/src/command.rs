@@ -124,6 +124,8 @@ pub enum Command {
     SaveRun,
     /// Save the selected route as a file of another program.
     ExportRoute(Format),
+    /// Save the estimated track, with the field that colours the recorded one, as a file of another program.
+    ExportTrack(Format),
     /// Save all landmarks as a file of another program.
     ExportLandmarks(Format),
     /// North up or track up.

@@ -82,6 +82,7 @@ impl App {
             | Command::PrintBrief
             | Command::OpenBeforeLink
             | Command::ExportRoute(_)
+            | Command::ExportTrack(_)
             | Command::ExportLandmarks(_)
             | Command::OpenDemo => self.file(command, host),
             other => self.look(&other, context),
@@ -280,6 +281,7 @@ impl App {
             Command::CopyLink => self.copy_link(host),
             Command::OpenBeforeLink => self.open_before_link(host),
             Command::ExportRoute(_) | Command::ExportLandmarks(_) => self.export(&command, host),
+            Command::ExportTrack(format) => self.export_track(format, host),
             Command::SaveRun => match self.documents.run.as_ref().map(encode_run) {
                 Some(Ok(bytes)) => {
                     let name = format!("{}.run", self.file_stem());

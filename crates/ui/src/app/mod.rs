@@ -11,6 +11,7 @@ mod detector;
 mod evaluating;
 mod exchange;
 mod execute;
+mod flown_track;
 mod flying;
 mod georeferencing;
 mod inbox;

@@ -1,7 +1,7 @@
 //! Files for other programs, as a job: the page needs no writer of theirs.
 
 use pilotage_core::exchange::labels::write_labels;
-use pilotage_core::exchange::{Places, Written, write_places};
+use pilotage_core::exchange::{Places, Written, write_flown, write_places};
 use pilotage_core::frames::LocalFrame;
 
 use super::ExportOrder;
@@ -24,6 +24,9 @@ impl ExportOrder {
                 };
                 write_places(*format, &places, &LocalFrame::new(*origin))
                     .map_err(|cause| cause.to_string())
+            }
+            Self::Track { format, track } => {
+                write_flown(*format, track).map_err(|cause| cause.to_string())
             }
             Self::Labels {
                 format,

@@ -1,6 +1,7 @@
 //! A log at a glance: what it is, what measured, what looks wrong, what can be done with it.
 
 use egui::{RichText, Ui};
+use pilotage_core::exchange::Format;
 use pilotage_core::flight::log::{LogFormat, Outline};
 use pilotage_core::flight::overview::{Ability, Finding, Overview, Sensor, Severity};
 
@@ -71,10 +72,31 @@ pub fn overview_panel(
         findings(ui, context, &all, first);
         abilities(ui, context, &overview.abilities);
         sensors(ui, context, &overview.sensors);
+        save_track(ui, context);
     }
     modes(ui, context, outline, first);
     messages(ui, context, outline, first);
     parameters(ui, context, outline);
+}
+
+/// Buttons that save the estimated track for maps and globes.
+fn save_track(ui: &mut Ui, context: &mut ViewContext<'_>) {
+    let tokens = context.tokens;
+    parts::section(ui, tokens, "Save the flown track", true, |ui| {
+        ui.label(
+            RichText::new("As the filter estimated it, with the field that colours the track.")
+                .size(tokens.text_sizes[0])
+                .color(tokens.muted),
+        );
+        ui.horizontal(|ui| {
+            for format in [Format::Kml, Format::Gpx, Format::GeoJson, Format::Csv] {
+                let words = format.name();
+                if crate::shell::text_button(ui, tokens, None, words, false).clicked() {
+                    context.commands.push(Command::ExportTrack(format));
+                }
+            }
+        });
+    });
 }
 
 fn facts(ui: &mut Ui, context: &ViewContext<'_>, outline: &Outline, overview: Option<&Overview>) {

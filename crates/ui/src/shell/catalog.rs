@@ -553,6 +553,36 @@ fn document() -> Vec<Entry> {
             Command::ExportRoute(Format::Csv),
         ),
         of(
+            "Export the route as DJI's way-points (WPML)",
+            vec![],
+            Command::ExportRoute(Format::Wpml),
+        ),
+        of(
+            "Export the route as Litchi's table",
+            vec![],
+            Command::ExportRoute(Format::Litchi),
+        ),
+        of(
+            "Save the flown track as KML",
+            vec![],
+            Command::ExportTrack(Format::Kml),
+        ),
+        of(
+            "Save the flown track as GPX",
+            vec![],
+            Command::ExportTrack(Format::Gpx),
+        ),
+        of(
+            "Save the flown track as GeoJSON",
+            vec![],
+            Command::ExportTrack(Format::GeoJson),
+        ),
+        of(
+            "Save the flown track as CSV",
+            vec![],
+            Command::ExportTrack(Format::Csv),
+        ),
+        of(
             "Export the landmarks as GeoJSON",
             vec![],
             Command::ExportLandmarks(Format::GeoJson),

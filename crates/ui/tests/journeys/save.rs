@@ -2,7 +2,7 @@ use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 use pilotage_ui::documents::decode_run;
 
-use super::support::rig;
+use super::support::{flight::mission, rig};
 
 #[test]
 fn the_mission_is_offered_as_a_file() {
@@ -31,6 +31,37 @@ fn the_run_is_offered_as_a_file_that_can_be_read_again() {
         Some(run.steps.len() as u64),
         rig.state()["run_steps"].as_u64()
     );
+}
+
+#[test]
+fn the_flown_track_is_offered_for_maps_and_globes() {
+    let mut rig = rig();
+    rig.key_with(Modifiers::COMMAND, Key::K);
+    let words = "save the flown track as csv";
+    rig.harness.event(egui::Event::Text(words.into()));
+    rig.frames(2);
+    rig.key(Key::Enter);
+    let (name, bytes) = rig.host().saved.pop().expect("a file");
+    assert!(name.ends_with("-track.csv"), "{name}");
+    let text = String::from_utf8(bytes).expect("a table");
+    let rows = text.lines().count() - 1;
+    assert_eq!(Some(rows as u64), rig.state()["run_steps"].as_u64());
+    // The run of the rig flies within two kilometres of its mission's origin.
+    let origin = mission().origin;
+    for row in text.lines().skip(1) {
+        let cells: Vec<f64> = row
+            .split(',')
+            .filter_map(|cell| cell.parse().ok())
+            .collect();
+        assert!(
+            (cells[1] - origin.latitude.to_degrees()).abs() < 0.02,
+            "{row}"
+        );
+        assert!(
+            (cells[2] - origin.longitude.to_degrees()).abs() < 0.04,
+            "{row}"
+        );
+    }
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use super::xml::escape;
@@ -11,7 +12,7 @@ use pilotage_base::frames::Geodetic;
 use pilotage_base::text::{csv_cell, utc_text};
 
 /// A place of a track.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FlownPoint {
     /// Seconds in the track's time base.
     pub time: f64,
@@ -22,7 +23,7 @@ pub struct FlownPoint {
 }
 
 /// The series whose values stand beside the places.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct FlownValues {
     /// What people call it: `ATT.Roll`.
     pub name: String,
@@ -42,7 +43,7 @@ impl FlownValues {
 }
 
 /// Where something flew.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FlownTrack {
     /// What people call it.
     pub name: String,

@@ -1,7 +1,7 @@
 //! A file to be written for another program.
 
-use pilotage_core::exchange::Format;
 use pilotage_core::exchange::labels::LabelFormat;
+use pilotage_core::exchange::{FlownTrack, Format};
 use pilotage_core::frames::Geodetic;
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{FrameLabels, NoFlyZone, Route};
@@ -22,6 +22,13 @@ pub enum ExportOrder {
         no_fly: Vec<NoFlyZone>,
         /// Origin of the world in which they lie.
         origin: Geodetic,
+    },
+    /// Where something flew.
+    Track {
+        /// The format.
+        format: Format,
+        /// The track.
+        track: FlownTrack,
     },
     /// Labels of pictures.
     Labels {
