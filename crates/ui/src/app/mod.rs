@@ -27,6 +27,7 @@ mod maps;
 mod marking;
 mod package;
 mod photos;
+mod plan_report;
 mod planning;
 mod report;
 mod start;
