@@ -13,6 +13,7 @@ const log = join(fileURLToPath(new URL("../../", import.meta.url)), "../shared/d
 const at = (offset, text) => Buffer.concat([Buffer.alloc(offset), Buffer.from(text, "latin1"), Buffer.alloc(64)]);
 
 /** Name, content, and what has to be said of it. */
+const rest = "\0".repeat(200);
 const kinds = [
   ["secret.ulge", "ULogEnc\x01", "encrypted"],
   ["walk.db3", "SQLite format 3\0", "ROS 2"],
@@ -22,7 +23,7 @@ const kinds = [
   ["logs.tar", at(257, "ustar"), "tar"],
   ["FLY012.DAT", at(16, "BUILD"), "DJI aircraft"],
   ["clip.bin", "\0\0\0\x18ftypmp42", "film"],
-  ["page.bin", "<!DOCTYPE html><html>", "web page"],
+  ["page.bin", "<!DOCTYPE html><html></html>\n", "web page"],
   ["values.parquet", "PAR1", "Parquet"],
   ["empty.bin", "", "empty"],
 ];
@@ -34,7 +35,7 @@ export async function run(page, tools) {
   for (const [file, content, words] of kinds) {
     const bytes = Buffer.isBuffer(content) ? content : Buffer.from(content, "latin1");
     const place = join(folder, file);
-    writeFileSync(place, bytes.length ? Buffer.concat([bytes, Buffer.alloc(200)]) : bytes);
+    writeFileSync(place, bytes);
     await page.setInputFiles("#files", [place]);
     const refused = await tools.waitFor((s) => s.toasts.some((t) => t.trouble && t.text.includes(file)), `${file} to be refused`, 30_000);
     const said = refused.toasts.find((t) => t.trouble && t.text.includes(file)).text;

@@ -20,12 +20,19 @@ pub fn is_mission(name: &str, bytes: &[u8]) -> bool {
         || has_ending(name, &["geojson", "json"]) && contains(bytes, b"\"pilotage_mission\"")
 }
 
+/// Whether a file is the table that says when pictures beside a log were taken: no table of places.
+pub fn is_picture_table(name: &str) -> bool {
+    name.rsplit('/').next() == Some(PICTURE_TABLE)
+}
+
 /// Reads every file that other programs write, placed around `origin`. `is_flight` says whether the
-/// files are a flight, whose tables and JSON are its own; `tables` are those among them that may be of a flight.
+/// files are a flight, whose tables and JSON are its own, `is_told` whether they hold a flight or a mission in any other
+/// form, beside which tables may be anything; `tables` are those among them that may be of a flight.
 pub fn imports(
     pool: &FilePool,
     origin: Geodetic,
     is_flight: bool,
+    is_told: bool,
     tables: &[GuessedTable],
 ) -> Result<Vec<ImportedFile>, String> {
     let is_flown = tables.iter().any(|table| table.is_proposed);
@@ -38,9 +45,8 @@ pub fn imports(
     for name in names {
         let plausible = has_ending(&name, &["plan", "waypoints", "wpl", "kml", "kmz", "gpx"])
             || !is_flight && has_ending(&name, &["csv", "tsv", "geojson", "json", "txt"]);
-        // The table that says when pictures beside a log were taken is no table of places.
-        let is_of_flight = is_flown && has_ending(&name, &["csv", "tsv", "txt"])
-            || name.rsplit('/').next() == Some(PICTURE_TABLE);
+        let is_of_flight =
+            is_flown && has_ending(&name, &["csv", "tsv", "txt"]) || is_picture_table(&name);
         if !plausible || is_of_flight {
             continue;
         }
@@ -57,7 +63,7 @@ pub fn imports(
         }
     }
     match refused {
-        Some(cause) if !found.is_empty() => Err(cause),
+        Some(cause) if !found.is_empty() && !is_told => Err(cause),
         _ => Ok(found),
     }
 }
@@ -139,6 +145,7 @@ mod tests {
         imports(
             &pool,
             Geodetic::from_degrees(latitude, 8.0, 0.0),
+            false,
             false,
             &[],
         )

@@ -20,7 +20,7 @@ use pilotage_core::text::capitalised;
 
 use super::file_pool::{FilePool, has_ending};
 use super::flights::OpenFlight;
-use super::imports::{imports, is_mission, labels};
+use super::imports::{imports, is_mission, is_picture_table, labels};
 use super::log_flights::{flight_of_log, head, log_among};
 use super::tables::{COLUMNS_FILE, flight_of_maps, tables_among};
 use super::workshop::{MAP_MEMORY, describe};
@@ -65,12 +65,12 @@ pub fn look_through(
     let mut remarks = Vec::new();
     let log = flight.is_none().then(|| log_among(pool)).flatten();
     let is_told = flight.is_some() || log.is_some() || mission.is_some() || run.is_some();
-    let mut tables = if is_told {
+    let mut tables = if flight.is_some() {
         Vec::new()
     } else {
         tables_among(pool)
     };
-    let imports = imports(pool, origin, flight.is_some(), &tables)?;
+    let imports = imports(pool, origin, flight.is_some(), is_told, &tables)?;
     let labels = labels(pool)?;
     let nothing = flight.is_none()
         && log.is_none()
@@ -80,8 +80,10 @@ pub fn look_through(
         && labels.is_none()
         && imports.is_empty();
     // Tables that may be anything are asked about where there is nothing else.
-    if !nothing && !tables.iter().any(|table| table.is_proposed) {
-        let is_other = |table: &GuessedTable| imports.iter().all(|i| i.name != table.map.file);
+    if is_told || !nothing && !tables.iter().any(|table| table.is_proposed) {
+        let is_other = |table: &GuessedTable| {
+            !is_picture_table(&table.map.file) && imports.iter().all(|i| i.name != table.map.file)
+        };
         let others = tables.drain(..).filter(is_other);
         remarks.extend(others.map(|table| format!("{} was left out.", table.map.file)));
     }
@@ -445,6 +447,23 @@ mod tests {
         assert!(!opened.tables[0].is_proposed);
         let opened = look(&[("odd.csv", NUMBERS), ("route.csv", ROUTE)]).unwrap_err();
         assert!(opened.starts_with("odd.csv"), "{opened}");
+    }
+
+    #[test]
+    fn tables_beside_a_log_are_left_out_and_said_so_and_routes_are_added() {
+        let log: &[u8] = b"ULog\x01\x12\x35\x01\0\0\0\0\0\0\0\0";
+        let files = [("a.ulg", log), ("odd.csv", NUMBERS), ("air.csv", AIR)];
+        let opened = look(&files).unwrap();
+        assert_eq!(opened.log.as_deref(), Some("a.ulg"));
+        assert!(opened.tables.is_empty() && opened.imports.is_empty());
+        let said = opened.remarks.join(" ");
+        assert!(said.contains("odd.csv was left out"), "{said}");
+        assert!(said.contains("air.csv was left out"), "{said}");
+        let opened = look(&[files[0], files[1], ("route.csv", ROUTE)]).unwrap();
+        assert_eq!(opened.imports.len(), 1);
+        assert_eq!(opened.remarks, ["odd.csv was left out."]);
+        let opened = look(&[files[0], ("frames.csv", b"file,time_s\nIMG_1.jpg,3\n")]).unwrap();
+        assert!(opened.remarks.is_empty(), "{:?}", opened.remarks);
     }
 
     #[test]
