@@ -96,11 +96,32 @@ def kinds():
     yield "no-data", "int16", 1, dict(tiles, nodata=-32768)
     yield "mask", "uint8", 3, dict(tiles, photometric="RGB")
     yield from kinds_with_overviews(layouts, tiles)
+    yield from kinds_of_bits(layouts, tiles)
     for real in ("float64", "uint32", "int32", "int8"):
         yield f"samples-{real}", real, 1, tiles
     for place in PLACES:
         yield f"place-{place}", "uint8", 1, tiles
     yield "place-point", "uint8", 1, tiles
+
+
+def kinds_of_bits(layouts, tiles):
+    for dtype, bands, predictor in [
+        ("uint8", 1, 1), ("uint8", 3, 2), ("uint16", 4, 2), ("int16", 1, 2), ("float32", 1, 3),
+    ]:
+        for layout, cut in layouts.items():
+            options = dict(cut, compress="zstd", predictor=predictor)
+            yield f"{layout}-zstd-{dtype}-{bands}", dtype, bands, options
+    for bands in (3, 4):
+        options = dict(layouts["tiles"], compress="webp", WEBP_LOSSLESS="YES", photometric="RGB")
+        if bands == 4:
+            options["alpha"] = "unassociated"
+        yield f"tiles-webp-{bands}", "uint8", bands, options
+    for bits, bands, (layout, cut), packing in itertools.product(
+        [1, 2, 3, 4, 6, 7, 9, 10, 12, 15], [1, 3], layouts.items(), ["none", "deflate"]
+    ):
+        dtype = "uint8" if bits < 8 else "uint16"
+        options = dict(cut, compress=packing, NBITS=bits)
+        yield f"bits-{bits}-{layout}-{packing}-{bands}", dtype, bands, options
 
 
 def kinds_with_overviews(layouts, tiles):
@@ -146,6 +167,8 @@ def write(directory, name, dtype, bands, options):
         # GDAL repeats halved colour where others interpolate: it has to be smooth in overviews, too.
         smooth = 8
     data = picture(random, np.dtype(dtype), (bands, height, width), smooth)
+    if "NBITS" in options:
+        data &= (1 << options["NBITS"]) - 1
     if name == "sparse":
         data[:, 16:48, 0:32] = 0
     if name == "no-data":

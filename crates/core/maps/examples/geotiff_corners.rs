@@ -26,7 +26,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         ("bottom left", 0.0, bottom),
     ];
     for (name, x, y) in corners {
-        let corner = frame.geodetic_from_ground(&placement.ground_at(&Point2::new(x, y)));
+        let corner = placement
+            .place_at(&Point2::new(x, y))
+            .ok_or("a corner beyond the pole")?;
         let (latitude, longitude) = (corner.latitude.to_degrees(), corner.longitude.to_degrees());
         println!("{name}: {latitude:.7}° latitude, {longitude:.7}° longitude");
     }

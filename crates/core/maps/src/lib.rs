@@ -6,9 +6,11 @@ mod map_error;
 mod map_file;
 mod map_options;
 mod mosaic;
+mod overlay;
 mod place_beside;
 #[cfg(test)]
 mod place_beside_tests;
+pub mod systems;
 pub mod terrain;
 pub mod tiff;
 pub mod web_tiles;

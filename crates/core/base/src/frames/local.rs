@@ -3,15 +3,12 @@
 use nalgebra::{Isometry3, Point3, Rotation3, UnitQuaternion, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::GroundPoint;
+use super::{Ellipsoid, GroundPoint};
 
 /// Equatorial radius of WGS 84, metres.
 pub(super) const SEMI_MAJOR: f64 = 6_378_137.0;
 /// Flattening of WGS 84.
 pub(super) const FLATTENING: f64 = 1.0 / 298.257_223_563;
-/// Square of the eccentricity of WGS 84.
-pub(super) const ECCENTRICITY_SQUARED: f64 = FLATTENING * (2.0 - FLATTENING);
-
 /// Cosine of the largest angle between the verticals at the origin of a plane and at a place on it.
 const FARTHEST_COSINE: f64 = 0.173_648_177_666_930_33;
 
@@ -37,30 +34,11 @@ impl Geodetic {
     }
 
     fn to_ecef(self) -> Vector3<f64> {
-        let (sin_lat, cos_lat) = self.latitude.sin_cos();
-        let (sin_lon, cos_lon) = self.longitude.sin_cos();
-        let n = SEMI_MAJOR / (1.0 - ECCENTRICITY_SQUARED * sin_lat * sin_lat).sqrt();
-        Vector3::new(
-            (n + self.height) * cos_lat * cos_lon,
-            (n + self.height) * cos_lat * sin_lon,
-            (n * (1.0 - ECCENTRICITY_SQUARED) + self.height) * sin_lat,
-        )
+        Ellipsoid::WGS84.geocentric(self.latitude, self.longitude, self.height)
     }
 
-    /// Iterates the latitude to convergence; three rounds reach a nanometre near the surface.
     fn from_ecef(p: Vector3<f64>) -> Self {
-        let longitude = p.y.atan2(p.x);
-        let r = p.x.hypot(p.y);
-        let mut latitude = p.z.atan2(r * (1.0 - ECCENTRICITY_SQUARED));
-        let mut height = 0.0;
-        for _ in 0..6 {
-            let sin_lat = latitude.sin();
-            let n = SEMI_MAJOR / (1.0 - ECCENTRICITY_SQUARED * sin_lat * sin_lat).sqrt();
-            height = r * latitude.cos() + p.z * sin_lat
-                - n * (1.0 - ECCENTRICITY_SQUARED * sin_lat * sin_lat);
-            latitude =
-                p.z.atan2(r * (1.0 - ECCENTRICITY_SQUARED * n / (n + height)));
-        }
+        let (latitude, longitude, height) = Ellipsoid::WGS84.geodetic(&p);
         Self {
             latitude,
             longitude,

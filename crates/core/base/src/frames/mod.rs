@@ -6,14 +6,19 @@
 
 mod altitude;
 mod attitude;
+mod ellipsoid;
 mod ground;
 mod local;
+mod other_system;
 mod reference_system;
 mod transverse_mercator;
 pub mod units;
 
 pub use altitude::{Altitude, AltitudeFrame, AltitudeReference};
 pub use attitude::{Attitude, Pose, wrap_pi};
+pub use ellipsoid::Ellipsoid;
 pub use ground::{GroundPoint, GroundRect};
 pub use local::{Geodetic, LocalFrame};
+pub use other_system::{Datum, OtherSystem, ProjectionMethod, SystemMethods, SystemNumbers};
 pub use reference_system::ReferenceSystem;
+pub use transverse_mercator::TransverseMercator;

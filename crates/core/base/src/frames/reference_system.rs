@@ -1,9 +1,12 @@
 //! The coordinate reference systems that maps come in.
 
+use std::f64::consts::{FRAC_PI_2, TAU};
+
 use serde::{Deserialize, Serialize};
 
 use super::local::SEMI_MAJOR;
-use super::{Geodetic, transverse_mercator};
+use super::other_system::ProjectionMethod;
+use super::{Ellipsoid, Geodetic, OtherSystem, TransverseMercator};
 
 /// False easting of a UTM zone, metres.
 const FALSE_EASTING: f64 = 500_000.0;
@@ -12,9 +15,11 @@ const FALSE_NORTHING_SOUTH: f64 = 10_000_000.0;
 /// Farthest from its central meridian that a zone is used, radians: beyond lies another part of the
 /// world, and coordinates that lead there are a mistake.
 const WIDEST: f64 = 0.7;
+/// The projection of UTM zones.
+const UTM: TransverseMercator = TransverseMercator::new(Ellipsoid::WGS84, 0.9996);
 
-/// A coordinate reference system on the datum WGS 84: what the x and y of a map mean.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+/// A coordinate reference system: what the x and y of a map mean.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum ReferenceSystem {
     /// EPSG:4326: x is longitude, y is latitude, degrees.
     Geographic,
@@ -27,10 +32,14 @@ pub enum ReferenceSystem {
         /// Whether northings count from ten thousand kilometres south of the equator.
         is_south: bool,
     },
+    /// Another projection or datum. Only programs that open maps know these; messages and saved
+    /// documents do not hold them.
+    #[serde(skip)]
+    Other(OtherSystem),
 }
 
 impl ReferenceSystem {
-    /// The system with that EPSG code, if it is one of those that are known.
+    /// The system with that EPSG code, if it is one of WGS 84 here.
     pub fn from_epsg(code: u32) -> Option<Self> {
         let utm = |is_south: bool| Self::Utm {
             zone: (code % 100) as u8,
@@ -53,6 +62,15 @@ impl ReferenceSystem {
         let digits = plain.strip_prefix("EPSG:").unwrap_or(&plain);
         if let Ok(code) = digits.parse() {
             return Self::from_epsg(code);
+        }
+        // A shift makes another datum of it.
+        if let Some((_, after)) = plain.split_once("TOWGS84")
+            && after
+                .split(']')
+                .next()?
+                .contains(|c| matches!(c, '1'..='9'))
+        {
+            return None;
         }
         // Names of other datums hold the same words; they must not pass for WGS 84.
         if !plain.contains("WGS84") && !plain.contains("WGS1984") && !plain.contains("PSEUDOMERC") {
@@ -85,12 +103,42 @@ impl ReferenceSystem {
         (!is_projected).then_some(Self::Geographic)
     }
 
-    /// EPSG code.
-    pub fn epsg(&self) -> u32 {
+    /// EPSG code, if it has one.
+    pub fn epsg(&self) -> Option<u32> {
         match self {
-            Self::Geographic => 4326,
-            Self::WebMercator => 3857,
-            Self::Utm { zone, is_south } => 32_600 + 100 * u32::from(*is_south) + u32::from(*zone),
+            Self::Geographic => Some(4326),
+            Self::WebMercator => Some(3857),
+            Self::Utm { zone, is_south } => {
+                Some(32_600 + 100 * u32::from(*is_south) + u32::from(*zone))
+            }
+            Self::Other(other) => other.code,
+        }
+    }
+
+    /// Whether coordinates are longitude and latitude.
+    pub fn is_geographic(&self) -> bool {
+        match self {
+            Self::Geographic => true,
+            Self::WebMercator | Self::Utm { .. } => false,
+            Self::Other(other) => other.numbers.method == ProjectionMethod::Geographic,
+        }
+    }
+
+    /// x of once around the Earth, where x counts along parallels: 360 in degrees.
+    pub fn around(&self) -> Option<f64> {
+        match self {
+            Self::Geographic => Some(360.0),
+            Self::WebMercator => Some(TAU * SEMI_MAJOR),
+            Self::Utm { .. } => None,
+            Self::Other(other) => other.numbers.around(),
+        }
+    }
+
+    /// What is to be told of places that come through another datum than WGS 84.
+    pub fn note(&self) -> Option<String> {
+        match self {
+            Self::Other(other) => other.note(),
+            _ => None,
         }
     }
 
@@ -103,6 +151,7 @@ impl ReferenceSystem {
                 let hemisphere = if *is_south { 'S' } else { 'N' };
                 format!("WGS 84, UTM zone {zone}{hemisphere}")
             }
+            Self::Other(other) => other.methods.name(other),
         }
     }
 
@@ -122,6 +171,7 @@ impl ReferenceSystem {
                     r#"PROJCS["WGS_1984_UTM_Zone_{zone}{hemisphere}",{globe},PROJECTION["Transverse_Mercator"],PARAMETER["False_Easting",{FALSE_EASTING:.1}],PARAMETER["False_Northing",{north:.1}],PARAMETER["Central_Meridian",{meridian}.0],PARAMETER["Scale_Factor",0.9996],PARAMETER["Latitude_Of_Origin",0.0],UNIT["Meter",1.0]]"#
                 )
             }
+            Self::Other(other) => other.methods.well_known_text(other),
         }
     }
 
@@ -149,14 +199,16 @@ impl ReferenceSystem {
                 if !(east.abs() < 0.8 * SEMI_MAJOR && north.abs() < 1.6 * SEMI_MAJOR) {
                     return None;
                 }
-                let (latitude, longitude) = transverse_mercator::unproject(east, north);
+                let (latitude, longitude) = UTM.unproject(east, north);
                 (latitude, longitude + central_meridian(*zone))
             }
+            Self::Other(other) => return other.methods.geodetic(other, x, y),
         };
+        // Pixels of maps of the world whose middles lie on a pole reach over it.
         let is_place =
-            latitude.abs() <= 90.01_f64.to_radians() && longitude.abs() <= 720.0_f64.to_radians();
+            latitude.abs() <= 90.6_f64.to_radians() && longitude.abs() <= 720.0_f64.to_radians();
         is_place.then_some(Geodetic {
-            latitude,
+            latitude: latitude.clamp(-FRAC_PI_2, FRAC_PI_2),
             longitude,
             height: 0.0,
         })
@@ -177,10 +229,11 @@ impl ReferenceSystem {
                 if from_meridian.abs() > WIDEST {
                     return None;
                 }
-                let (east, north) = transverse_mercator::project(latitude, from_meridian);
+                let (east, north) = UTM.project(latitude, from_meridian);
                 let south = if *is_south { FALSE_NORTHING_SOUTH } else { 0.0 };
                 (east + FALSE_EASTING, north + south)
             }
+            Self::Other(other) => return other.methods.coordinates(other, place),
         };
         (x.is_finite() && y.is_finite()).then_some((x, y))
     }
@@ -201,7 +254,7 @@ mod tests {
     fn every_code_comes_back() {
         for code in [4326, 3857, 32_601, 32_660, 32_701, 32_733, 32_760] {
             let system = ReferenceSystem::from_epsg(code).unwrap();
-            assert_eq!(system.epsg(), code);
+            assert_eq!(system.epsg(), Some(code));
         }
         for code in [0, 4269, 26_917, 32_600, 32_661, 32_700, 32_761] {
             assert_eq!(ReferenceSystem::from_epsg(code), None);
@@ -210,7 +263,7 @@ mod tests {
 
     #[test]
     fn systems_are_known_by_the_names_that_programs_write() {
-        let named = |text| ReferenceSystem::from_name(text).map(|system| system.epsg());
+        let named = |text| ReferenceSystem::from_name(text).and_then(|system| system.epsg());
         for (text, code) in [
             ("EPSG:3857", 3857),
             ("32733", 32_733),
@@ -233,6 +286,7 @@ mod tests {
             "NAD83 / UTM zone 17N",
             "EPSG:26917",
             "WGS 84 / UTM zone 99N",
+            r#"GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257],TOWGS84[0,0.5,0,0,0,0,0]],"#,
             r#"PROJCS["WGS_1984_Lambert",GEOGCS["GCS_WGS_1984","#,
         ] {
             assert_eq!(named(text), None, "{text}");
@@ -263,7 +317,7 @@ mod tests {
         let zone = ReferenceSystem::utm_around(&duluth);
         assert_eq!(zone.name(), "WGS 84, UTM zone 15N");
         let date_line = Geodetic::from_degrees(-20.0, 180.0, 0.0);
-        assert_eq!(ReferenceSystem::utm_around(&date_line).epsg(), 32_701);
+        assert_eq!(ReferenceSystem::utm_around(&date_line).epsg(), Some(32_701));
     }
 
     #[test]

@@ -15,6 +15,8 @@ pub struct Colours {
     alpha: Option<(usize, bool)>,
     /// Sample that is shown as full brightness.
     white: u32,
+    /// Sample of transparency that is full coverage.
+    opaque: u32,
     inverted: bool,
     palette: Vec<u16>,
     no_data: Option<f64>,
@@ -24,7 +26,8 @@ impl Colours {
     /// How to show the picture of `file`; an error if it is none.
     pub fn of(file: &TiffFile) -> Result<Self, TiffError> {
         let layout = &file.levels()[0];
-        if !matches!(layout.kind, SampleKind::U8 | SampleKind::U16) {
+        let kind = layout.kind;
+        if !matches!(kind, SampleKind::Bits(_) | SampleKind::U8 | SampleKind::U16) {
             return Err(file.directory.blame("samples").unsupported(format!(
                 "{:?} samples are heights or measurements, not a picture; it may serve as terrain",
                 layout.kind
@@ -39,7 +42,15 @@ impl Colours {
                 [0; 3]
             },
             alpha: layout.alpha,
-            white: 255,
+            white: match kind {
+                SampleKind::Bits(bits) => (1 << bits) - 1,
+                _ => 255,
+            },
+            opaque: match kind {
+                SampleKind::Bits(bits) => (1 << bits) - 1,
+                SampleKind::U16 => 65_535,
+                _ => 255,
+            },
             inverted: layout.photometric == Photometric::WhiteIsZero,
             palette: if is_palette {
                 layout.palette.clone()
@@ -95,10 +106,10 @@ impl Colours {
         let n = chunk.samples_per_pixel;
         let pixels: Vec<Rgba> = match &chunk.samples {
             Samples::U8(samples) => (samples.chunks_exact(n))
-                .map(|pixel| self.colour(|band| u32::from(pixel[band]), 255))
+                .map(|pixel| self.colour(|band| u32::from(pixel[band])))
                 .collect(),
             Samples::U16(samples) => (samples.chunks_exact(n))
-                .map(|pixel| self.colour(|band| u32::from(pixel[band]), 65_535))
+                .map(|pixel| self.colour(|band| u32::from(pixel[band])))
                 .collect(),
             _ => return empty(),
         };
@@ -106,7 +117,7 @@ impl Colours {
     }
 
     #[inline]
-    fn colour(&self, sample: impl Fn(usize) -> u32, opaque: u32) -> Rgba {
+    fn colour(&self, sample: impl Fn(usize) -> u32) -> Rgba {
         let colour = self.bands.map(&sample);
         if self.no_data.is_some() && colour.iter().all(|v| self.is_no_data(*v)) {
             return [0; 4];
@@ -122,7 +133,7 @@ impl Colours {
         let mut shown = colour.map(|v| to_byte(v, self.white));
         let mut coverage = 255;
         if let Some((band, is_multiplied)) = self.alpha {
-            coverage = to_byte(sample(band), opaque);
+            coverage = to_byte(sample(band), self.opaque);
             if coverage == 0 {
                 return [0; 4];
             }

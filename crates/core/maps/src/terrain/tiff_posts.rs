@@ -152,8 +152,12 @@ fn is_coloured(photometric: Photometric) -> bool {
 }
 
 /// Whether a TIFF is an elevation model by itself, without being asked for as one: without colours and
-/// with samples that no picture has. Whole numbers of 8 and 16 bits without a sign are grey pictures.
+/// with samples that no picture has. Whole numbers of up to 16 bits without a sign are grey pictures.
 pub fn holds_heights(file: &TiffFile) -> bool {
     let layout = &file.levels()[0];
-    !is_coloured(layout.photometric) && !matches!(layout.kind, SampleKind::U8 | SampleKind::U16)
+    let is_grey = matches!(
+        layout.kind,
+        SampleKind::Bits(_) | SampleKind::U8 | SampleKind::U16
+    );
+    !is_coloured(layout.photometric) && !is_grey
 }

@@ -1,8 +1,10 @@
 //! Unpacking of tiles and strips, never beyond the size that the layout gives them.
 
-use std::io::Read;
+use std::io::{Cursor, Read};
 
 use flate2::bufread::ZlibDecoder;
+use image_webp::WebPDecoder;
+use ruzstd::decoding::{BlockDecodingStrategy, FrameDecoder};
 use weezl::{BitOrder, LzwStatus, decode::Decoder};
 use zune_jpeg::JpegDecoder;
 use zune_jpeg::zune_core::bytestream::ZCursor;
@@ -10,6 +12,9 @@ use zune_jpeg::zune_core::colorspace::ColorSpace;
 use zune_jpeg::zune_core::options::DecoderOptions;
 
 use super::{Compression, Layout, Photometric};
+
+/// Largest window of Zstandard that is allowed for, bytes: no tile is larger.
+const WINDOW: u64 = 64 << 20;
 
 /// Unpacks `packed` into `expected` bytes; less if it ends early. The error says why not.
 pub(super) fn unpack(
@@ -28,6 +33,8 @@ pub(super) fn unpack(
         Compression::Lzw => lzw(&packed, expected),
         Compression::PackBits => Ok(pack_bits(&packed, expected)),
         Compression::Jpeg => jpeg(layout, packed, (width, rows)),
+        Compression::Zstandard => zstandard(&packed, expected),
+        Compression::WebP => webp(layout, &packed, (width, rows)),
     }
 }
 
@@ -88,6 +95,55 @@ fn pack_bits(packed: &[u8], expected: usize) -> Vec<u8> {
     }
     bytes.truncate(expected);
     bytes
+}
+
+/// Decodes a frame of Zstandard (RFC 8878), up to `expected` bytes.
+fn zstandard(packed: &[u8], expected: usize) -> Result<Vec<u8>, String> {
+    let wrong = |cause: &dyn std::fmt::Display| format!("Zstandard: {cause}");
+    let mut rest = packed;
+    let mut decoder = FrameDecoder::new();
+    decoder.set_max_window_size(WINDOW);
+    decoder.init(&mut rest).map_err(|cause| wrong(&cause))?;
+    let mut bytes = Vec::new();
+    while !decoder.is_finished() && bytes.len() < expected {
+        let one = BlockDecodingStrategy::UptoBlocks(1);
+        decoder
+            .decode_blocks(&mut rest, one)
+            .map_err(|cause| wrong(&cause))?;
+        (&mut decoder)
+            .take((expected - bytes.len()) as u64)
+            .read_to_end(&mut bytes)
+            .map_err(|cause| wrong(&cause))?;
+    }
+    Ok(bytes)
+}
+
+/// Decodes a `WebP` picture; one without transparency is opaque where the file has a sample for it.
+fn webp(layout: &Layout, packed: &[u8], (width, rows): (usize, usize)) -> Result<Vec<u8>, String> {
+    let wrong = |cause: &dyn std::fmt::Display| format!("WebP: {cause}");
+    let mut decoder = WebPDecoder::new(Cursor::new(packed)).map_err(|cause| wrong(&cause))?;
+    let (w, h) = decoder.dimensions();
+    if (w as usize, h as usize) != (width, rows) || decoder.is_animated() {
+        return Err(format!(
+            "a WebP of {w} × {h} pixels in a tile of {width} × {rows}"
+        ));
+    }
+    decoder.set_memory_limit(64 << 20);
+    let own = if decoder.has_alpha() { 4 } else { 3 };
+    let mut pixels = vec![0; width * rows * own];
+    decoder
+        .read_image(&mut pixels)
+        .map_err(|cause| wrong(&cause))?;
+    let samples = layout.samples_together();
+    Ok(match (own, samples) {
+        (4, 3) => (pixels.chunks_exact(4))
+            .flat_map(|pixel| [pixel[0], pixel[1], pixel[2]])
+            .collect(),
+        (3, 4) => (pixels.chunks_exact(3))
+            .flat_map(|pixel| [pixel[0], pixel[1], pixel[2], 255])
+            .collect(),
+        _ => pixels,
+    })
 }
 
 /// Decodes an abbreviated JPEG with the shared tables in front of it.

@@ -24,6 +24,10 @@ pub enum Compression {
     Deflate,
     /// Runs of equal bytes.
     PackBits,
+    /// Zstandard.
+    Zstandard,
+    /// `WebP`.
+    WebP,
 }
 
 /// What the samples of a pixel mean.
@@ -46,8 +50,9 @@ pub enum Photometric {
 /// What the bits of a sample are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SampleKind {
-    /// One bit, in masks.
-    Bit,
+    /// Whole numbers of other than whole bytes: 1 to 15 bits, packed from the most significant on, and
+    /// every row begins with a byte.
+    Bits(u8),
     /// 8 bits.
     U8,
     /// 8 bits with a sign.
@@ -123,7 +128,7 @@ impl SampleKind {
     /// Bits of a sample.
     pub fn bits(self) -> usize {
         match self {
-            Self::Bit => 1,
+            Self::Bits(bits) => usize::from(bits),
             Self::U8 | Self::I8 => 8,
             Self::U16 | Self::I16 | Self::F16 => 16,
             Self::U32 | Self::I32 | Self::F32 => 32,
@@ -188,7 +193,7 @@ impl Layout {
             is_tiled,
             samples,
             is_planar: directory.number(Tag::PlanarConfiguration)? == Some(2) && samples > 1,
-            kind: kind(directory, photometric)?,
+            kind: kind(directory)?,
             compression,
             predictor: directory.number(Tag::Predictor)?.unwrap_or(1),
             photometric,
@@ -248,7 +253,7 @@ impl Layout {
         let name = Tag::Predictor.name();
         let fits = match self.predictor {
             1 => true,
-            2 => self.kind.bits() >= 8,
+            2 => !matches!(self.kind, SampleKind::Bits(_)),
             3 => matches!(
                 self.kind,
                 SampleKind::F16 | SampleKind::F32 | SampleKind::F64
@@ -267,9 +272,18 @@ impl Layout {
                 .blame(&Tag::BitsPerSample.name())
                 .unsupported("JPEG with other than 8 bits is not read; export it with deflate"));
         }
-        if self.photometric == Photometric::Palette
-            && (self.palette.is_empty() || !matches!(self.kind, SampleKind::U8 | SampleKind::U16))
+        if self.compression == Compression::WebP
+            && !(self.kind == SampleKind::U8 && matches!(self.samples_together(), 3 | 4))
         {
+            return Err(directory.blame(&Tag::BitsPerSample.name()).unsupported(
+                "WebP with other than three or four samples of 8 bits is not read; export it with deflate",
+            ));
+        }
+        let is_index = matches!(
+            self.kind,
+            SampleKind::Bits(_) | SampleKind::U8 | SampleKind::U16
+        );
+        if self.photometric == Photometric::Palette && (self.palette.is_empty() || !is_index) {
             let name = Tag::ColorMap.name();
             return Err(directory
                 .blame(&name)
@@ -358,6 +372,8 @@ fn compression(directory: &Directory) -> Result<Compression, TiffError> {
         7 => Compression::Jpeg,
         8 | 32_946 => Compression::Deflate,
         32_773 => Compression::PackBits,
+        50_000 => Compression::Zstandard,
+        50_001 => Compression::WebP,
         other => {
             let name = match other {
                 2..=4 => "CCITT fax, ",
@@ -365,15 +381,13 @@ fn compression(directory: &Directory) -> Result<Compression, TiffError> {
                 34_712 | 33_003 | 33_005 => "JPEG 2000, ",
                 34_887 => "LERC, ",
                 34_925 => "LZMA, ",
-                50_000 => "Zstandard, ",
-                50_001 => "WebP, ",
                 50_002 => "JPEG XL, ",
                 _ => "",
             };
             return Err(directory
                 .blame(&Tag::Compression.name())
                 .unsupported(format!(
-                    "{name}method {other} is not read; export it with deflate, LZW, JPEG or none"
+                    "{name}method {other} is not read; export it with deflate, LZW, Zstandard, JPEG, WebP or none"
                 )));
         }
     })
@@ -397,7 +411,7 @@ fn photometric(directory: &Directory, packed: Compression) -> Result<Photometric
     })
 }
 
-fn kind(directory: &Directory, photometric: Photometric) -> Result<SampleKind, TiffError> {
+fn kind(directory: &Directory) -> Result<SampleKind, TiffError> {
     let bits = directory.numbers(Tag::BitsPerSample)?;
     let first = bits.first().copied().unwrap_or(1);
     let format = directory.number(Tag::SampleFormat)?.unwrap_or(1);
@@ -413,7 +427,7 @@ fn kind(directory: &Directory, photometric: Photometric) -> Result<SampleKind, T
         (16, 3) => Some(SampleKind::F16),
         (32, 3) => Some(SampleKind::F32),
         (64, 3) => Some(SampleKind::F64),
-        (1, 1) if photometric == Photometric::Mask => Some(SampleKind::Bit),
+        (bits @ (1..=7 | 9..=15), 1 | 4) => Some(SampleKind::Bits(bits as u8)),
         _ => None,
     };
     found
@@ -421,7 +435,7 @@ fn kind(directory: &Directory, photometric: Photometric) -> Result<SampleKind, T
         .ok_or_else(|| {
             let name = Tag::BitsPerSample.name();
             directory.blame(&name).unsupported(format!(
-                "samples of {bits:?} bits in format {format} are not read; whole numbers of 8, 16, 32 and 64 bits and reals of 16, 32 and 64 are"
+                "samples of {bits:?} bits in format {format} are not read; whole numbers of 1 to 16, 32 and 64 bits and reals of 16, 32 and 64 are"
             ))
         })
 }

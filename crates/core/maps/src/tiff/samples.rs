@@ -5,11 +5,11 @@ use super::{Layout, SampleKind};
 /// Samples of a tile, pixel by pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Samples {
-    /// 8 bits; also the single bits of masks, as 0 and 1.
+    /// 8 bits, and fewer.
     U8(Vec<u8>),
     /// 8 bits with a sign.
     I8(Vec<i8>),
-    /// 16 bits.
+    /// 16 bits, and 9 to 15.
     U16(Vec<u16>),
     /// 16 bits with a sign.
     I16(Vec<i16>),
@@ -147,11 +147,15 @@ pub(super) fn from_bytes(layout: &Layout, mut bytes: Vec<u8>, width: usize) -> S
         }};
     }
     match layout.kind {
-        SampleKind::Bit => Samples::U8(
-            (bytes.chunks_exact(row))
-                .flat_map(|row| (0..width).map(|x| row[x / 8] >> (7 - x % 8) & 1))
-                .collect(),
-        ),
+        SampleKind::Bits(bits) => {
+            let rows = bytes.chunks_exact(row.max(1));
+            let samples = rows.flat_map(|row| (0..width * together).map(|i| of_bits(row, i, bits)));
+            if bits <= 8 {
+                Samples::U8(samples.map(|sample| sample as u8).collect())
+            } else {
+                Samples::U16(samples.collect())
+            }
+        }
         SampleKind::U8 => Samples::U8(whole!(u8, u8)),
         SampleKind::I8 => Samples::I8(whole!(u8, i8).into_iter().map(|v| v as i8).collect()),
         SampleKind::U16 => Samples::U16(whole!(u16, u16)),
@@ -168,6 +172,17 @@ pub(super) fn from_bytes(layout: &Layout, mut bytes: Vec<u8>, width: usize) -> S
             Samples::F64((whole!(u64, f64).into_iter()).map(f64::from_bits).collect())
         }
     }
+}
+
+/// The sample of `bits` bits, 1 to 15, with that index in a row.
+fn of_bits(row: &[u8], index: usize, bits: u8) -> u16 {
+    let first = index * usize::from(bits);
+    // Up to three bytes hold a sample.
+    let window = (0..3).fold(0_u32, |sum, i| {
+        sum << 8 | u32::from(row.get(first / 8 + i).copied().unwrap_or(0))
+    });
+    let shift = 24 - first % 8 - usize::from(bits);
+    (window >> shift & ((1 << bits) - 1)) as u16
 }
 
 /// The real number whose sixteen bits are `bits`: one sign, five of the exponent with the bias 15, ten

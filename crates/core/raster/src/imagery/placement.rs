@@ -1,12 +1,21 @@
 //! Where the pixels of a picture lie on the ground, there and back.
 
-use nalgebra::{Matrix2, Point2};
+use nalgebra::{Matrix2, Point2, Vector2};
 
-use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame};
+use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
 use pilotage_base::georeference::{Georeference, GeoreferenceError, GroundFromPixel};
 
 /// Points along each side of a picture from which its extent is taken.
 const POINTS_PER_SIDE: usize = 32;
+/// Farthest from the world's origin that a map of the world is used, metres.
+const REACH: f64 = 5e6;
+/// What a picture covers that lies nowhere near.
+const NOTHING: GroundRect = GroundRect {
+    south: 0.0,
+    north: 0.0,
+    west: 0.0,
+    east: 0.0,
+};
 
 /// A map between the pixels of a picture (centres at half integers) and the ground.
 #[derive(Clone, Debug)]
@@ -16,6 +25,8 @@ pub struct Placement {
     size: (usize, usize),
     /// The same map made affine around the middle of the picture.
     affine: GroundFromPixel,
+    /// Pixels of once around the Earth.
+    turn: Option<Vector2<f64>>,
 }
 
 #[derive(Clone, Debug)]
@@ -33,6 +44,7 @@ impl Placement {
             kind: Kind::Affine(map, map.matrix.try_inverse()?),
             size: (width, height),
             affine: map,
+            turn: None,
         })
     }
 
@@ -49,7 +61,16 @@ impl Placement {
             kind: Kind::Globe(georeference, frame),
             size: (width, height),
             affine,
+            turn: georeference.turn(),
         })
+    }
+
+    /// Where the picture's side file or its own keys put it, if it has a place on the globe.
+    pub fn georeference(&self) -> Option<&Georeference> {
+        match &self.kind {
+            Kind::Globe(georeference, _) => Some(georeference),
+            Kind::Affine(..) => None,
+        }
     }
 
     /// Size of the picture, pixels.
@@ -85,8 +106,30 @@ impl Placement {
             Kind::Affine(map, inverse) => {
                 Some(Point2::from(inverse * (ground.to_vector() - map.corner)))
             }
-            Kind::Globe(georeference, frame) => georeference.pixel_at(frame, ground),
+            Kind::Globe(georeference, frame) => {
+                georeference.pixel_near(frame, ground, &self.middle_pixel())
+            }
         }
+    }
+
+    /// Place on the globe of a pixel, if the picture has any; also where the plane of the world does not
+    /// reach.
+    pub fn place_at(&self, pixel: &Point2<f64>) -> Option<Geodetic> {
+        match &self.kind {
+            Kind::Affine(..) => None,
+            Kind::Globe(georeference, _) => georeference.place_at(pixel.x, pixel.y),
+        }
+    }
+
+    /// Pixels of once around the Earth, where coordinates count along parallels: pixels so far apart are
+    /// the same place.
+    pub fn turn(&self) -> Option<&Vector2<f64>> {
+        self.turn.as_ref()
+    }
+
+    /// The middle of the picture, pixels.
+    pub fn middle_pixel(&self) -> Point2<f64> {
+        Point2::new(0.5 * self.size.0 as f64, 0.5 * self.size.1 as f64)
     }
 
     /// Ground sample distance in the middle of the picture, metres per pixel.
@@ -94,17 +137,37 @@ impl Placement {
         self.affine.gsd()
     }
 
-    /// The ground that the picture covers.
+    /// The ground that the picture covers; of one that reaches farther than 5,000 km from the world's
+    /// origin, as maps of the world do, the part within.
     pub fn bounds(&self) -> GroundRect {
         let (width, height) = (self.size.0 as f64, self.size.1 as f64);
+        let along = |i: usize| i as f64 / POINTS_PER_SIDE as f64;
         let sides = (0..=POINTS_PER_SIDE).flat_map(|i| {
-            let along = i as f64 / POINTS_PER_SIDE as f64;
-            let (x, y) = (along * width, along * height);
+            let (x, y) = (along(i) * width, along(i) * height);
             [(x, 0.0), (x, height), (0.0, y), (width, y)]
         });
-        let points = sides
+        let points: Vec<GroundPoint> = sides
             .map(|(x, y)| self.ground_at(&Point2::new(x, y)))
-            .filter(|p| p.north.is_finite() && p.east.is_finite());
-        GroundRect::around(points).unwrap_or(GroundRect::centered(GroundPoint::default(), 0.0, 0.0))
+            .collect();
+        let reach = GroundRect::centered(GroundPoint::default(), 2.0 * REACH, 2.0 * REACH);
+        if self.frame().is_none() || points.iter().all(|p| reach.contains(p)) {
+            let points = points
+                .into_iter()
+                .filter(|p| p.north.is_finite() && p.east.is_finite());
+            return GroundRect::around(points).unwrap_or(NOTHING);
+        }
+        // What of a grid over that part lies on the picture.
+        let grid = (0..=POINTS_PER_SIDE).flat_map(|i| (0..=POINTS_PER_SIDE).map(move |j| (i, j)));
+        let inside = grid.filter_map(|(i, j)| {
+            let ground = GroundPoint::new(
+                reach.south + along(i) * reach.height(),
+                reach.west + along(j) * reach.width(),
+            );
+            let pixel = self.pixel_at(&ground)?;
+            let is_inside = (0.0..=width).contains(&pixel.x) && (0.0..=height).contains(&pixel.y);
+            is_inside.then_some(ground)
+        });
+        let near = points.iter().filter(|p| reach.contains(p)).copied();
+        GroundRect::around(inside.chain(near)).unwrap_or(NOTHING)
     }
 }

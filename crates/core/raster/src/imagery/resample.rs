@@ -4,6 +4,7 @@ use nalgebra::{Point2, Vector2};
 
 use super::{Placement, Window};
 use crate::raster::{Raster, Rgba};
+use pilotage_base::georeference::nearest;
 
 /// Pixels of the window between the places where the map is evaluated. Between them it is linear to
 /// (spacing · gsd)² / (8 · radius of the Earth), far below a hundredth of a pixel at any scale.
@@ -55,6 +56,9 @@ pub struct Sight {
     across: usize,
     size: (f64, f64),
     window: (usize, usize),
+    /// Pixels of once around the Earth and the middle of the picture, where the window lies on both ends
+    /// of a map of the world.
+    seam: Option<(Vector2<f64>, Point2<f64>)>,
 }
 
 impl Sight {
@@ -69,11 +73,23 @@ impl Sight {
             pixel.map_or(Vector2::repeat(f64::NAN), |p: Point2<f64>| p.coords)
         };
         let (width, height) = placement.size();
+        let nodes: Vec<Vector2<f64>> = (0..across * down).map(node).collect();
+        let has_seam = |turn: &&Vector2<f64>| {
+            let is_far = |a: &Vector2<f64>, b: &Vector2<f64>| {
+                (a - b).dot(turn).abs() > 0.5 * turn.norm_squared()
+            };
+            let (beside, below) = (nodes.iter().skip(1), nodes.iter().skip(across));
+            nodes.iter().zip(beside).any(|(a, b)| is_far(a, b))
+                || nodes.iter().zip(below).any(|(a, b)| is_far(a, b))
+        };
+        let seam = placement.turn().filter(has_seam);
+        let seam = seam.map(|turn| (*turn, placement.middle_pixel()));
         Self {
-            nodes: (0..across * down).map(node).collect(),
+            nodes,
             across,
             size: (width as f64, height as f64),
             window: (window.width, window.height),
+            seam,
         }
     }
 
@@ -98,10 +114,18 @@ impl Sight {
         let (column, row) = (x as usize, y as usize);
         let (fx, fy) = (x - column as f64, y - row as f64);
         let i = row * self.across + column;
-        let top = self.nodes[i] * (1.0 - fx) + self.nodes[i + 1] * fx;
-        let bottom =
-            self.nodes[i + self.across] * (1.0 - fx) + self.nodes[i + self.across + 1] * fx;
-        top * (1.0 - fy) + bottom * fy
+        let mut corners = [i, i + 1, i + self.across, i + self.across + 1].map(|i| self.nodes[i]);
+        if let Some((turn, _)) = &self.seam {
+            let first = Point2::from(corners[0]);
+            corners = corners.map(|corner| nearest(&corner.into(), &first, turn).coords);
+        }
+        let top = corners[0] * (1.0 - fx) + corners[1] * fx;
+        let bottom = corners[2] * (1.0 - fx) + corners[3] * fx;
+        let pixel = top * (1.0 - fy) + bottom * fy;
+        match &self.seam {
+            Some((turn, middle)) => nearest(&pixel.into(), middle, turn).coords,
+            None => pixel,
+        }
     }
 
     /// The window's pixels, `per_side`² bilinear samples of `part` each. The part has to hold what
@@ -166,4 +190,53 @@ pub fn halved(picture: &Raster<Rgba>) -> Raster<Rgba> {
         }
         sum.pixel(1.0)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
+    use pilotage_base::georeference::{Georeference, WorldFile};
+
+    #[test]
+    fn a_map_of_the_world_goes_on_over_the_date_line() {
+        let place = Georeference::Projected {
+            system: ReferenceSystem::Geographic,
+            file: WorldFile {
+                a: 1.0,
+                d: 0.0,
+                b: 0.0,
+                e: -1.0,
+                c: -179.5,
+                f: 89.5,
+            },
+        };
+        // Its colour is its distance from the date line, in degrees.
+        let pixels = Raster::from_fn(360, 180, |x, _| {
+            let from_line = (x as f64 + 0.5).min(359.5 - x as f64);
+            [from_line as u8, 0, 0, 255]
+        });
+        let frame = LocalFrame::new(Geodetic::from_degrees(0.0, 180.0, 0.0));
+        let placement = Placement::on_globe(place, frame, 360, 180).unwrap();
+        let rect = GroundRect::centered(GroundPoint::default(), 1e6, 2.4e6);
+        let window = Window::covering(&rect, 30_000.0);
+        let sight = Sight::new(&window, &placement);
+        let part = Part {
+            pixels: &pixels,
+            first: (0, 0),
+            level: (360, 180),
+            scale: (1.0, 1.0),
+        };
+        let drawn = sight.draw(&part, 1);
+        for column in 0..drawn.width() {
+            let east = window.ground_at(column as f64 + 0.5, 1.0).east;
+            let degrees = (east.abs() / 6_378_137.0).atan().to_degrees();
+            let [seen, _, _, coverage] = drawn.get(column, drawn.height() / 2);
+            assert_eq!(coverage, 255);
+            assert!(
+                (f64::from(seen) - degrees).abs() < 1.5,
+                "{column}: {seen}, {degrees}"
+            );
+        }
+    }
 }

@@ -1,21 +1,18 @@
 //! Where the pixels of a picture lie on the ground: world files and fitted similarities.
 
+mod affine;
+#[cfg(test)]
+mod tests;
+
 use nalgebra::{Matrix2, Matrix3, Point2, Vector2};
 use serde::{Deserialize, Serialize};
 
-use crate::frames::{Geodetic, GroundPoint, LocalFrame, ReferenceSystem};
+use crate::frames::{Geodetic, GroundPoint, LocalFrame, ReferenceSystem, wrap_pi};
+
+pub use affine::GroundFromPixel;
 
 /// Radius of the sphere on which the fitted similarities count their metres.
 const SPHERE_RADIUS: f64 = 6_378_137.0;
-
-/// Ground coordinates (north, east) as an affine function of the pixel, centres at half integers.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct GroundFromPixel {
-    /// Change of (north, east) per pixel: first column per pixel to the right, second per pixel down.
-    pub matrix: Matrix2<f64>,
-    /// (north, east) of the outer corner of the top-left pixel, metres.
-    pub corner: Vector2<f64>,
-}
 
 /// Why a georeference cannot be used.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -41,6 +38,11 @@ pub enum GeoreferenceError {
     /// The pixels do not span an area.
     #[error("the numbers do not span an area on the ground; check for zeros")]
     Degenerate,
+    /// No part of the picture is near the world's origin.
+    #[error(
+        "it lies too far from the origin of the world, on the other side of the globe; open it in a world of its own"
+    )]
+    TooFar,
 }
 
 /// Farthest from a world's origin that metres of the world's own frame are believed; larger numbers are
@@ -193,6 +195,14 @@ impl Georeference {
         }
     }
 
+    /// What the coordinates mean, where they are those of a reference system.
+    pub fn system(&self) -> Option<&ReferenceSystem> {
+        match self {
+            Self::Projected { system, .. } | Self::Projective { system, .. } => Some(system),
+            Self::Metres(_) | Self::Similarity(_) => None,
+        }
+    }
+
     /// Reads a fitted similarity: JSON with `origin_lat`, `origin_lon`, `gsd`, `R` and `T`; or a
     /// perspective: `epsg` and the rows of `plane_from_pixel`. Other members are ignored.
     pub fn from_json(text: &str) -> Result<Self, GeoreferenceError> {
@@ -212,7 +222,8 @@ impl Georeference {
         })
     }
 
-    /// The JSON that [`Georeference::from_json`] reads; `None` of what is a world file.
+    /// The JSON that [`Georeference::from_json`] reads; `None` of what is a world file, and of a system
+    /// that has no code.
     pub fn to_json(&self) -> Option<String> {
         match self {
             Self::Metres(_) | Self::Projected { .. } => None,
@@ -222,7 +233,7 @@ impl Georeference {
                 plane_from_pixel: m,
             } => {
                 let perspective = Perspective {
-                    epsg: system.epsg(),
+                    epsg: system.epsg()?,
                     plane_from_pixel: [0, 1, 2].map(|row| [0, 1, 2].map(|column| m[(row, column)])),
                 };
                 serde_json::to_string(&perspective).ok()
@@ -242,63 +253,50 @@ impl Georeference {
     /// A place on the globe for the origin of a world frame, if the georeference names any: the
     /// similarity's own origin, or the middle of a picture of the given size.
     pub fn origin(&self, width: usize, height: usize) -> Option<Geodetic> {
-        match self {
-            Self::Metres(_) => None,
-            Self::Projected { system, file } => {
-                let (x, y) = file.at(0.5 * width as f64, 0.5 * height as f64);
-                system.geodetic(x, y)
-            }
-            Self::Similarity(s) => Some(Geodetic::from_degrees(s.origin_lat, s.origin_lon, 0.0)),
-            Self::Projective {
-                system,
-                plane_from_pixel,
-            } => {
-                let middle = Point2::new(0.5 * width as f64, 0.5 * height as f64);
-                let place = seen_through(plane_from_pixel, &middle)?;
-                system.geodetic(place.x, place.y)
-            }
+        if let Self::Similarity(s) = self {
+            return Some(Geodetic::from_degrees(s.origin_lat, s.origin_lon, 0.0));
         }
+        self.place_at(0.5 * width as f64, 0.5 * height as f64)
     }
 
     /// Ground point of a pixel (centres at half integers) in the world frame `frame`; not a number
     /// where the coordinates name no place on Earth.
     pub fn ground_at(&self, frame: &LocalFrame, x: f64, y: f64) -> GroundPoint {
-        match self {
-            Self::Metres(file) => {
-                let (east, north) = file.at(x, y);
-                GroundPoint::new(north, east)
-            }
-            Self::Projected { system, file } => {
-                let (x, y) = file.at(x, y);
-                system
-                    .geodetic(x, y)
-                    .map_or(GroundPoint::new(f64::NAN, f64::NAN), |place| {
-                        frame.ground_from_geodetic(&place)
-                    })
-            }
-            Self::Similarity(s) => {
-                let (latitude, longitude) = s.degrees_at(x, y);
-                frame.ground_from_geodetic(&Geodetic::from_degrees(latitude, longitude, 0.0))
-            }
-            Self::Projective {
-                system,
-                plane_from_pixel,
-            } => seen_through(plane_from_pixel, &Point2::new(x, y))
-                .and_then(|place| system.geodetic(place.x, place.y))
-                .map_or(GroundPoint::new(f64::NAN, f64::NAN), |place| {
-                    frame.ground_from_geodetic(&place)
-                }),
+        if let Self::Metres(file) = self {
+            let (east, north) = file.at(x, y);
+            return GroundPoint::new(north, east);
         }
+        self.place_at(x, y)
+            .map_or(GroundPoint::new(f64::NAN, f64::NAN), |place| {
+                frame.ground_from_geodetic(&place)
+            })
     }
 
     /// Pixel (centres at half integers) of a ground point in the world frame `frame`; `None` where
-    /// the reference system does not reach or the numbers span no area.
+    /// the reference system does not reach or the numbers span no area. Where coordinates go around the
+    /// Earth, it is the first from the left edge on.
     pub fn pixel_at(&self, frame: &LocalFrame, ground: &GroundPoint) -> Option<Point2<f64>> {
+        let half = self.turn().unwrap_or_default() * 0.5;
+        self.pixel_near(frame, ground, &Point2::from(half))
+    }
+
+    /// As [`pixel_at`](Self::pixel_at), but of the pixels that are the same place the one nearest to `near`,
+    /// the picture's middle.
+    pub fn pixel_near(
+        &self,
+        frame: &LocalFrame,
+        ground: &GroundPoint,
+        near: &Point2<f64>,
+    ) -> Option<Point2<f64>> {
         match self {
             Self::Metres(file) => file.pixel_at(ground.east, ground.north),
             Self::Projected { system, file } => {
                 let (x, y) = system.coordinates(&frame.geodetic_from_ground(ground))?;
-                file.pixel_at(x, y)
+                let pixel = file.pixel_at(x, y)?;
+                Some(match self.turn() {
+                    Some(turn) => nearest(&pixel, near, &turn),
+                    None => pixel,
+                })
             }
             Self::Similarity(s) => s.pixel_at(&frame.geodetic_from_ground(ground)),
             Self::Projective {
@@ -315,53 +313,46 @@ impl Georeference {
         }
     }
 
-    /// The affine map for a picture of the given size in the world frame `frame`.
-    ///
-    /// Coordinates on the globe are not affine in the tangent plane; over a kilometre the difference
-    /// is below a decimetre, and the middle and two sides of the picture are met. Of a picture whose
-    /// sides the world frame does not reach (a map of the world), the pixel that is nearest to the
-    /// frame's origin is met, and the scale there.
-    /// `Placement` is exact.
-    pub fn in_world(
-        &self,
-        frame: &LocalFrame,
-        width: usize,
-        height: usize,
-    ) -> Result<GroundFromPixel, GeoreferenceError> {
-        let (w, h) = (width.max(1) as f64, height.max(1) as f64);
-        let middle = Point2::new(0.5 * w, 0.5 * h);
-        self.tangent(frame, middle, (0.5 * w, 0.5 * h))
-            .or_else(|e| {
-                let origin = self.pixel_at(frame, &GroundPoint::default()).ok_or(e)?;
-                let nearest = Point2::new(origin.x.clamp(0.0, w), origin.y.clamp(0.0, h));
-                self.tangent(frame, nearest, (0.5, 0.5))
-            })
-    }
-
-    /// The affine map that meets `pixel`, and the points `reach` pixels to its four sides up to what
-    /// is bent.
-    fn tangent(
-        &self,
-        frame: &LocalFrame,
-        pixel: Point2<f64>,
-        reach: (f64, f64),
-    ) -> Result<GroundFromPixel, GeoreferenceError> {
-        let at = |x: f64, y: f64| {
-            (self.ground_at(frame, pixel.x + x * reach.0, pixel.y + y * reach.1)).to_vector()
-        };
-        let per_x = (at(1.0, 0.0) - at(-1.0, 0.0)) / (2.0 * reach.0);
-        let per_y = (at(0.0, 1.0) - at(0.0, -1.0)) / (2.0 * reach.1);
-        let map = GroundFromPixel {
-            matrix: Matrix2::from_columns(&[per_x, per_y]),
-            corner: at(0.0, 0.0) - pixel.x * per_x - pixel.y * per_y,
-        };
-        let area = map.matrix.determinant().abs();
-        if area.is_finite() && area > 1e-12 && map.corner.norm().is_finite() {
-            Ok(map)
-        } else {
-            Err(GeoreferenceError::Degenerate)
+    /// Place on the globe of a pixel (centres at half integers); `None` where the coordinates name no
+    /// place on Earth, and of a georeference that names none.
+    pub fn place_at(&self, x: f64, y: f64) -> Option<Geodetic> {
+        match self {
+            Self::Metres(_) => None,
+            Self::Projected { system, file } => {
+                let (x, y) = file.at(x, y);
+                system.geodetic(x, y)
+            }
+            Self::Similarity(s) => {
+                let (latitude, longitude) = s.degrees_at(x, y);
+                (latitude.is_finite() && longitude.is_finite())
+                    .then(|| Geodetic::from_degrees(latitude, longitude, 0.0))
+            }
+            Self::Projective {
+                system,
+                plane_from_pixel,
+            } => {
+                let place = seen_through(plane_from_pixel, &Point2::new(x, y))?;
+                system.geodetic(place.x, place.y)
+            }
         }
     }
+
+    /// Pixels from a place to the same place after once around the Earth, where coordinates count along
+    /// parallels.
+    pub fn turn(&self) -> Option<Vector2<f64>> {
+        let Self::Projected { system, file } = self else {
+            return None;
+        };
+        let matrix = Matrix2::new(file.a, file.b, file.d, file.e);
+        let turn = matrix.try_inverse()? * Vector2::new(system.around()?, 0.0);
+        (turn.norm_squared().is_normal()).then_some(turn)
+    }
+}
+
+/// `pixel`, or the same whole numbers of `turn` away that is nearest to `near`.
+pub fn nearest(pixel: &Point2<f64>, near: &Point2<f64>, turn: &Vector2<f64>) -> Point2<f64> {
+    let turns = (pixel - near).dot(turn) / turn.norm_squared();
+    pixel - turns.round() * turn
 }
 
 /// A pixel under a projective map; `None` beyond the horizon.
@@ -438,7 +429,8 @@ impl Similarity {
     fn pixel_at(&self, place: &Geodetic) -> Option<Point2<f64>> {
         let [[r00, r01], [r10, r11]] = self.rotation;
         let origin = Geodetic::from_degrees(self.origin_lat, self.origin_lon, 0.0);
-        let east = (place.longitude - origin.longitude) * SPHERE_RADIUS * origin.latitude.cos();
+        let from_origin = wrap_pi(place.longitude - origin.longitude);
+        let east = from_origin * SPHERE_RADIUS * origin.latitude.cos();
         let north = (place.latitude - origin.latitude) * SPHERE_RADIUS;
         let matrix = self.gsd * Matrix2::new(r00, -r01, r10, -r11);
         let from = Vector2::new(east - self.translation[0], north - self.translation[1]);
@@ -447,36 +439,6 @@ impl Similarity {
     }
 }
 
-impl GroundFromPixel {
-    /// A north-up picture with its top-left corner at `corner` and square pixels of `gsd` metres.
-    pub fn north_up(corner: GroundPoint, gsd: f64) -> Self {
-        Self {
-            matrix: Matrix2::new(0.0, -gsd, gsd, 0.0),
-            corner: corner.to_vector(),
-        }
-    }
-
-    /// Ground point of a pixel, centres at half integers.
-    pub fn ground_at(&self, pixel: &Point2<f64>) -> GroundPoint {
-        GroundPoint::from(self.matrix * pixel.coords + self.corner)
-    }
-
-    /// Pixel of a ground point, centres at half integers; `None` if the map does not span an area.
-    pub fn pixel_at(&self, ground: &GroundPoint) -> Option<Point2<f64>> {
-        let inverse = self.matrix.try_inverse()?;
-        Some(Point2::from(inverse * (ground.to_vector() - self.corner)))
-    }
-
-    /// Ground sample distance: the side of a square with a pixel's area, metres.
-    pub fn gsd(&self) -> f64 {
-        self.matrix.determinant().abs().sqrt()
-    }
-}
-
 fn abbreviated(word: &str) -> String {
     word.chars().take(40).collect()
 }
-
-#[cfg(test)]
-#[path = "georeference_tests.rs"]
-mod tests;
