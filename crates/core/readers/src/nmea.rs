@@ -366,11 +366,9 @@ mod tests {
     #[test]
     fn a_receiver_without_dates_goes_on_over_midnight() {
         let text = recording();
-        let alone: String = text
-            .lines()
-            .filter(|line| line.contains("GGA"))
-            .map(|line| format!("12:00:01 {line}\n"))
-            .collect();
+        let fixes = text.lines().filter(|line| line.contains("GGA"));
+        let alone: Vec<String> = fixes.map(|line| format!("12:00:01 {line}")).collect();
+        let alone = alone.join("\n");
         let folder = read_nmea("a.nmea", alone.as_bytes()).unwrap().unwrap();
         let (first, last) = folder.flight.span();
         assert!((last - first - 59.0).abs() < 1e-9, "{first} {last}");

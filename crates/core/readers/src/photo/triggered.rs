@@ -200,7 +200,7 @@ fn by_clock(photos: &[f64], events: &[f64]) -> Option<Vec<(usize, usize)>> {
         (other - shift).abs() > 2.0 * CLOCK && *count as f64 > MOST * found.len() as f64
     };
     let is_good = best >= 2 && found.len() as f64 >= MOST * fewer;
-    (is_good && !tried.iter().any(|it| is_other(it))).then_some(found)
+    (is_good && !tried.iter().any(is_other)).then_some(found)
 }
 
 /// Photos and events within [`CLOCK`] of each other if the camera's clock is `shift` seconds behind, each once and in
