@@ -10,6 +10,7 @@ use pilotage_core::flight::foreign::foreign;
 use pilotage_core::flight::interpret::flight_from_log;
 use pilotage_core::flight::log::{HEAD, Log, read_log, recognise};
 use pilotage_core::flight::mat::{self, MatFiles};
+use pilotage_core::flight::nmea::{flight_of_sentences, is_nmea, read_nmea};
 use pilotage_core::flight::photo::{add_photos, photos_lack, read_photos};
 use pilotage_core::flight::srt::{flight_of_subtitles, read_srt};
 use pilotage_core::flight::{
@@ -84,6 +85,15 @@ pub fn open(path: &Path, columns: Option<&Path>) -> Result<Opened, Box<dyn std::
     if let Some(log) = read_log(&file)? {
         let beside: Arc<dyn FileSet> = Arc::new(Directory::around(path)?);
         return Ok(Opened::Log(Box::new(log), beside));
+    }
+    let length = HEAD.min(usize::try_from(file.length()).unwrap_or(HEAD));
+    if file.read(0, length).is_ok_and(|head| is_nmea(&head)) {
+        let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
+        let name = path.file_name().map(|name| name.to_string_lossy());
+        let folder = read_nmea(&name.unwrap_or_default(), &bytes)?;
+        return Ok(folder.map_or(Opened::Nothing(String::new()), |folder| {
+            Opened::Folder(Box::new(folder))
+        }));
     }
     if has_ending(path, &["srt"]) {
         let bytes = std::fs::read(path).map_err(|e| format!("{}: {e}", path.display()))?;
@@ -163,6 +173,9 @@ fn open_folder(
     }
     if let Some(filmed) = flight_of_subtitles(files)? {
         return Ok(Opened::Folder(Box::new(filmed)));
+    }
+    if let Some(recorded) = flight_of_sentences(files)? {
+        return Ok(Opened::Folder(Box::new(recorded)));
     }
     if let Some(photos) = read_photos(files) {
         return Ok(Opened::Folder(Box::new(photos)));

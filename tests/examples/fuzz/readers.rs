@@ -4,8 +4,11 @@ use std::sync::Arc;
 
 use pilotage_core::flight::columns::{flight_of_tables, guess_tables, preview};
 use pilotage_core::flight::files::{FileSet, MemoryFiles};
+use pilotage_core::flight::foreign::foreign;
 use pilotage_core::flight::log::{FormatInfo, all_formats};
+use pilotage_core::flight::nmea::{is_nmea, read_nmea};
 use pilotage_core::flight::photo::{read_photo, read_photos};
+use pilotage_core::flight::srt::read_srt;
 use pilotage_core::flight::video::{MotionJpegReader, VideoIndex};
 use pilotage_core::imagery::MemoryBytes;
 use pilotage_core::raster::{Picture, encode_jpeg};
@@ -52,7 +55,58 @@ pub fn all_readers() -> Vec<Reader> {
         samples: Box::new(tables),
         execute: Box::new(|bytes, _| table(bytes)),
     });
+    readers.push(Reader {
+        name: "Nmea".to_owned(),
+        samples: Box::new(|| plain([sentences(40), sentences(7)])),
+        execute: Box::new(|bytes, _| Ok(sentences_of(bytes))),
+    });
+    readers.push(Reader {
+        name: "Subtitles".to_owned(),
+        samples: Box::new(|| plain([subtitles(false), subtitles(true)])),
+        execute: Box::new(|bytes, _| {
+            let read = read_srt("a.srt", bytes);
+            Ok((1, read.is_ok_and(|folder| folder.is_some())))
+        }),
+    });
     readers
+}
+
+/// What a receiver says in so many seconds.
+fn sentences(seconds: u32) -> Vec<u8> {
+    let sentence = |body: String| {
+        let sum = body.bytes().fold(0, |sum, byte| sum ^ byte);
+        format!("${body}*{sum:02X}\r\n")
+    };
+    let moment = |second: u32| {
+        let clock = format!("1020{:02}.25", second % 60);
+        let place = format!("4730.{:04},N,00833.9000,E", 7 * second);
+        sentence(format!("GNGGA,{clock},{place},1,12,0.8,540.5,M,47.0,M,,"))
+            + &sentence(format!("GNRMC,{clock},A,{place},19.4,12.5,010524,,,A"))
+            + &sentence("GNVTG,12.5,T,,M,19.4,N,36.0,K,A".to_owned())
+    };
+    (0..seconds).map(moment).collect::<String>().into_bytes()
+}
+
+/// Files of sentences are told by their content, and named for what they are where they cannot be read.
+fn sentences_of(bytes: &[u8]) -> (u64, bool) {
+    let told = is_nmea(bytes) || foreign(bytes, bytes.len() as u64).is_some();
+    let read = read_nmea("a.nmea", bytes);
+    (u64::from(told), read.is_ok_and(|folder| folder.is_some()))
+}
+
+/// Subtitles of a film, as old and as new firmware writes them.
+fn subtitles(is_old: bool) -> Vec<u8> {
+    let cue = |i: u32| {
+        let words = if is_old {
+            format!("F/2.8, GPS (8.{i:04}, 47.1, 15), D 24.6m, H 20.{i}m, H.S 0.1m/s")
+        } else {
+            format!(
+                "[latitude: 47.{i:06}] [longitude: 8.5] [rel_alt: {i}.5 abs_alt: 440.0] [gb_yaw: {i}.0 gb_pitch: -80.0]"
+            )
+        };
+        format!("{i}\n00:00:{i:02},000 --> 00:00:{i:02},500\n{words}\n\n")
+    };
+    (0..20).map(cue).collect::<String>().into_bytes()
 }
 
 fn log(info: &FormatInfo, bytes: &[u8], ends: &[usize]) -> Execution {

@@ -231,7 +231,7 @@ const WORDS: &[(&str, Foreign)] = &[
 
 const NMEA: Foreign = Foreign {
     what: "sentences of a satellite receiver (NMEA)",
-    advice: "make a CSV or GPX of them (gpsbabel -i nmea) and open that",
+    advice: "no two places could be read in them: they need GGA or RMC with a fix",
 };
 const WEB: Foreign = Foreign {
     what: "a web page",

@@ -8,6 +8,7 @@ pub mod foreign;
 pub mod interpret;
 pub mod log;
 pub mod mat;
+pub mod nmea;
 pub mod overview;
 pub mod photo;
 pub mod role;

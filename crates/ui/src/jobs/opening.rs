@@ -6,6 +6,7 @@ use pilotage_core::exchange::read_any;
 use pilotage_core::flight::columns::GuessedTable;
 use pilotage_core::flight::files::FileSet;
 use pilotage_core::flight::foreign::foreign;
+use pilotage_core::flight::nmea::flight_of_sentences;
 use pilotage_core::flight::photo::{read_photo, read_photos};
 use pilotage_core::flight::srt::flight_of_subtitles;
 use pilotage_core::flight::{FLIGHT_FILE, FlightFolder, FolderError, read_flight};
@@ -31,8 +32,9 @@ use crate::documents::decode_run;
 const PICTURES: [&str; 3] = ["jpg", "jpeg", "png"];
 /// Endings of photos.
 const PHOTOS: [&str; 2] = ["jpg", "jpeg"];
-/// Endings of files that may be a flight without saying so in a file beside them: photos, and subtitles of films.
-const FLOWN: [&str; 3] = ["jpg", "jpeg", "srt"];
+/// Endings of files that may be a flight without saying so in a file beside them: photos, subtitles of films, and what a
+/// satellite receiver said.
+const FLOWN: [&str; 4] = ["jpg", "jpeg", "srt", "nmea"];
 /// Endings of maps that say themselves where they lie.
 const MAPS: [&str; 3] = ["tif", "tiff", "pmtiles"];
 /// Files of a drop that are named for what they are, where none can be opened.
@@ -206,8 +208,12 @@ pub fn flight_folder(pool: &Arc<FilePool>) -> Result<Option<FlightFolder>, Strin
             }
             let files: Arc<dyn FileSet> = pool.clone();
             let filmed = flight_of_subtitles(&files).map_err(|cause| cause.to_string())?;
-            if filmed.is_some() || pool.ending_in(&PHOTOS).is_empty() {
+            if filmed.is_some() {
                 return Ok(filmed);
+            }
+            let recorded = flight_of_sentences(&files).map_err(|cause| cause.to_string())?;
+            if recorded.is_some() || pool.ending_in(&PHOTOS).is_empty() {
+                return Ok(recorded);
             }
             Ok(read_photos(&files))
         }

@@ -8,7 +8,7 @@ use super::physics::{self, Evidence, Hint};
 use super::rows::Rows;
 use super::sampling::sampled;
 use super::settle::{settle, unused};
-use super::several::{hemispheres, parts_of_time, places};
+use super::several::{degrees_and_minutes, hemispheres, parts_of_time, places};
 use super::time::unit_of_time;
 use super::values::{UnitGuess, are_degrees, unit};
 use super::{Alternative, ColumnMap, ColumnRole, MappedColumn, Sample, long};
@@ -235,8 +235,9 @@ fn guess_columns(
             };
         }
     }
-    let mut told: Vec<String> = of_one_body(&mut columns).into_iter().collect();
-    told.extend(hemispheres(samples, &mut columns));
+    let told: Vec<String> = of_one_body(&mut columns).into_iter().collect();
+    degrees_and_minutes(samples, &mut columns);
+    hemispheres(samples, &mut columns);
     places(samples, &mut columns);
     parts_of_time(samples, &mut columns);
     settle(&mut columns);

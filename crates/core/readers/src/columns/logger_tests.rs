@@ -117,13 +117,56 @@ fn columns_of_blackbox_tables_units_behind_times_and_minutes_of_receivers_are_kn
             830.0 + 5e-4 * i
         )
     });
-    let map = guess_table("a.csv", receiver.as_bytes()).unwrap();
-    assert!(map.column(super::ColumnRole::Latitude).is_none());
-    assert!(
-        map.findings.iter().any(|told| told.contains("NMEA")),
-        "{:?}",
-        map.findings
-    );
+    let by_letters = rows("time,latitude,longitude", &|i| {
+        let minutes = 5e-4 * i;
+        format!(
+            "{:.2},47{:07.4}N,008{:07.4}E",
+            0.1 * i,
+            30.0 + minutes,
+            30.0 + minutes
+        )
+    });
+    let signed = receiver.replace(",N,", ",,").replace(",E\n", ",\n");
+    for table in [receiver, by_letters, signed] {
+        let files = files(&[("a.csv", &table)]);
+        let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+        let flight = flight_of_tables(&files, &maps).unwrap().flight;
+        let origin = flight.frame_on_globe.expect(&table).origin;
+        assert!(
+            (origin.latitude.to_degrees() - 47.5).abs() < 1e-6,
+            "{table}"
+        );
+        assert!(
+            (origin.longitude.to_degrees() - 8.5).abs() < 1e-6,
+            "{table}"
+        );
+        // 59 steps of half a thousandth of a minute.
+        let north = flight.value(ChannelName::GpsNorth, 5.9).unwrap();
+        assert!(
+            (north - 59.0 * 5e-4 * 1852.8).abs() < 0.5,
+            "{north} {table}"
+        );
+    }
+}
+
+#[test]
+fn minutes_south_and_west_of_a_receiver_are_turned_and_near_the_equator_no_degrees() {
+    let row = |i: u32| {
+        let minutes = 5e-4 * f64::from(i);
+        let (latitude, longitude) = (30.0 + minutes, 7830.0 + minutes);
+        format!(
+            "{:.2},{latitude:.4},S,{longitude:.4},W\n",
+            0.1 * f64::from(i)
+        )
+    };
+    let table =
+        "time,latitude,N/S,longitude,E/W\n".to_owned() + &(0..60).map(row).collect::<String>();
+    let files = files(&[("a.csv", &table)]);
+    let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+    let flight = flight_of_tables(&files, &maps).unwrap().flight;
+    let origin = flight.frame_on_globe.unwrap().origin;
+    assert!((origin.latitude.to_degrees() + 0.5).abs() < 1e-6);
+    assert!((origin.longitude.to_degrees() + 78.5).abs() < 1e-6);
 }
 
 #[test]

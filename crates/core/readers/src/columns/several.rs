@@ -5,6 +5,7 @@ use super::header::parts;
 use super::rows::pair;
 use super::settle::{give_up, unused};
 use super::{ColumnRole, MappedColumn, Sample};
+use crate::folder::DEGREES_AND_MINUTES;
 
 /// Finds the column that has latitude and longitude in each cell.
 pub(super) fn places(samples: &[Sample], columns: &mut [MappedColumn]) {
@@ -86,10 +87,8 @@ pub(super) fn parts_of_time(samples: &[Sample], columns: &mut [MappedColumn]) {
     }
 }
 
-/// Turns latitudes and longitudes whose hemisphere stands in a column of its own, where that is south or west. Returns why
-/// they are not read, in a sentence, where they are written as receivers write them, degrees and minutes in one number.
-pub(super) fn hemispheres(samples: &[Sample], columns: &mut [MappedColumn]) -> Option<String> {
-    let mut told = None;
+/// Turns latitudes and longitudes whose hemisphere stands in a column of its own, where that is south or west.
+pub(super) fn hemispheres(samples: &[Sample], columns: &mut [MappedColumn]) {
     for (role, letters) in [(Latitude, ["N", "S"]), (Longitude, ["E", "W"])] {
         let letter = |text: &String| {
             let words = [["n", "north"], ["s", "south"], ["e", "east"], ["w", "west"]];
@@ -107,26 +106,6 @@ pub(super) fn hemispheres(samples: &[Sample], columns: &mut [MappedColumn]) -> O
             continue;
         };
         let place = columns.iter().position(|column| column.role == role);
-        let most = if role == Latitude { 90.0 } else { 180.0 };
-        let are_minutes = |at: &usize| {
-            let numbers = &samples[*at].numbers;
-            let limit = 100.0 * most;
-            numbers.iter().any(|n| n.fract() != 0.0 && *n > most)
-                && numbers
-                    .iter()
-                    .all(|n| (0.0..=limit).contains(n) && n % 100.0 < 60.0)
-        };
-        if let Some(at) = place.filter(are_minutes) {
-            let name = columns[at].name.clone();
-            let reason =
-                "degrees and minutes stand in one number, as receivers write them".to_owned();
-            give_up(&mut columns[at], reason.clone());
-            columns[at].alternatives.clear();
-            told.get_or_insert(format!(
-                "{name}: {reason} (NMEA): write plain degrees to have the places read"
-            ));
-            continue;
-        }
         let turned = sample
             .texts
             .iter()
@@ -148,5 +127,32 @@ pub(super) fn hemispheres(samples: &[Sample], columns: &mut [MappedColumn]) -> O
             give_up(column, reason);
         }
     }
-    told
+}
+
+/// Reads latitudes and longitudes whose degrees and minutes stand in one number, as satellite receivers write them: one of
+/// both has numbers that no degrees reach, with a fraction, and no number of either has sixty minutes or more.
+pub(super) fn degrees_and_minutes(samples: &[Sample], columns: &mut [MappedColumn]) {
+    let of = |role| columns.iter().position(|column| column.role == role);
+    let Some(places) = of(Latitude).zip(of(Longitude)) else {
+        return;
+    };
+    let places = [(places.0, 90.0), (places.1, 180.0)];
+    let are_beyond = |(at, most): &(usize, f64)| {
+        let mut numbers = samples[*at].numbers.iter();
+        numbers.any(|n| n.fract() != 0.0 && n.abs() > *most)
+    };
+    let fit = |(at, most): &(usize, f64)| {
+        let mut numbers = samples[*at].numbers.iter();
+        numbers.all(|n| n.abs() <= 100.0 * most && n.abs() % 100.0 < 60.0)
+    };
+    if !places.iter().any(are_beyond) || !places.iter().all(fit) {
+        return;
+    }
+    for (at, _) in places {
+        DEGREES_AND_MINUTES.clone_into(&mut columns[at].unit);
+        let reason = &mut columns[at].reason;
+        *reason = format!(
+            "{reason}; degrees and minutes stand in one number, as receivers write them (NMEA)"
+        );
+    }
 }

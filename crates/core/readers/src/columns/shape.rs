@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize};
 
-use crate::folder::date_and_time;
+use crate::folder::{DEGREES_AND_MINUTES, date_and_time, linear};
 use pilotage_base::angle_text::degrees_of_text;
 
 /// Lines that are looked at.
@@ -155,6 +155,11 @@ pub(crate) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
         .or_else(|| {
             let (value, behind) = split_unit(cell)?;
             let value = plain(value)?;
+            let value = if "NSEW".contains(behind) && is_of_receiver(cell, behind) {
+                linear(DEGREES_AND_MINUTES, value)
+            } else {
+                value
+            };
             match behind {
                 "S" | "W" => Some(-value),
                 "N" | "E" => Some(value),
@@ -162,6 +167,16 @@ pub(crate) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
             }
         })
         .or_else(|| degrees_of_text(cell))
+}
+
+/// Whether degrees and minutes stand in one number with the letter of a hemisphere behind it, as satellite receivers
+/// write them: `4717.5N`, `00833.9E`, with all zeros before the point, and digits behind it.
+fn is_of_receiver(cell: &str, letter: &str) -> bool {
+    let digits = if "NS".contains(letter) { 4 } else { 5 };
+    let minutes = cell.get(digits - 2..digits).and_then(|m| m.parse().ok());
+    cell.split_once('.').is_some_and(|(whole, _)| {
+        whole.len() == digits && whole.bytes().all(|b| b.is_ascii_digit())
+    }) && minutes.is_some_and(|minutes: u32| minutes < 60)
 }
 
 /// A cell that begins with a digit or sign, parted before the letters that it ends in.

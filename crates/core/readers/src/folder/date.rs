@@ -147,7 +147,7 @@ fn zone_offset(zone: &str) -> Option<i64> {
 }
 
 /// Days since 1970-01-01 in the Gregorian calendar (years that begin in March make leap days last).
-fn days_since_1970(year: i64, month: i64, day: i64) -> i64 {
+pub(crate) fn days_since_1970(year: i64, month: i64, day: i64) -> i64 {
     let year = if month <= 2 { year - 1 } else { year };
     let era = year.div_euclid(400);
     let year_of_era = year.rem_euclid(400);

@@ -21,7 +21,7 @@ mod units;
 mod write;
 
 pub(super) use clock::TimeFormat;
-pub(super) use date::{date_and_time, readings};
+pub(super) use date::{date_and_time, days_since_1970, readings};
 pub use error::FolderError;
 pub(super) use layout::{
     ChannelFile, FlightFile, FramesFile, StartFile, TimeColumn, VERSION, ValueColumn,
@@ -32,5 +32,5 @@ pub use pictures::FolderFrames;
 pub use read::{FLIGHT_FILE, FlightFolder, read_flight};
 pub(super) use read::{Told, read_tables};
 pub(super) use table::{Table, decoded};
-pub(super) use units::Dimension;
+pub(super) use units::{DEGREES_AND_MINUTES, Dimension, linear};
 pub use write::{WriteError, write_flight};

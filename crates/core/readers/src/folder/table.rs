@@ -6,7 +6,7 @@ use super::clock::{count_midnights, shortened};
 use super::error::FolderError;
 use super::layout::{TimeColumn, ValueColumn};
 use super::moment::Moment;
-use super::units::Dimension;
+use super::units::{Dimension, linear};
 use crate::columns::{Separator, TableShape, number};
 use crate::times::{Verdict, judge};
 use pilotage_base::text::of_utf_16;
@@ -289,6 +289,8 @@ impl Table {
                     return Ok(None);
                 }
                 let value = number(text, self.has_decimal_comma);
+                let unit = map.unit.as_deref().unwrap_or_default();
+                let value = value.map(|value| linear(unit, value));
                 let value = value.map(|value| (value * map.scale + map.offset) * factor);
                 match value {
                     Some(value) if value.is_finite() => Ok(Some(value)),

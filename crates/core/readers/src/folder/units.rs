@@ -15,6 +15,19 @@ pub(crate) enum Dimension {
     Number,
 }
 
+/// The unit of angles whose degrees and minutes stand in one number, as satellite receivers write them (NMEA 0183): 4717.5
+/// is 47° 17.5'.
+pub(crate) const DEGREES_AND_MINUTES: &str = "ddmm";
+
+/// The number of which a unit is a factor: degrees of degrees and minutes in one number, any other as it stands.
+pub(crate) fn linear(unit: &str, number: f64) -> f64 {
+    if unit != DEGREES_AND_MINUTES {
+        return number;
+    }
+    let whole = (number.abs() / 100.0).floor();
+    (whole + (number.abs() - 100.0 * whole) / 60.0).copysign(number)
+}
+
 const LENGTHS: &[(&str, f64)] = &[
     ("m", 1.0),
     ("ft", METRES_PER_FOOT),
@@ -40,6 +53,7 @@ const ANGLES: &[(&str, f64)] = &[
     ("ddeg", std::f64::consts::PI / 1800.0),
     ("cdeg", std::f64::consts::PI / 18_000.0),
     ("mrad", 1e-3),
+    (DEGREES_AND_MINUTES, std::f64::consts::PI / 180.0),
     ("deg1e5", std::f64::consts::PI / 1.8e7),
     ("deg1e6", std::f64::consts::PI / 1.8e8),
     ("deg1e7", std::f64::consts::PI / 1.8e9),

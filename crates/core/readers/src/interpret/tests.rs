@@ -298,7 +298,7 @@ fn metres_from_the_origin_of_the_filter_are_a_place_as_the_autopilot_reckons() {
     let metres = [("PN", "m"), ("PE", "m"), ("PD", "m")];
     let rows = [
         vec![0.0, 0.0, 0.0, -1.0],
-        vec![5.0, 1113.188_450_2, -500.0, -20.0],
+        vec![5.0, 1_113.188_450_2, -500.0, -20.0],
     ];
     add(&mut log, "XKF1", &metres, &rows);
     // Without an origin nobody knows where that is.

@@ -11,11 +11,13 @@ pub struct Triggers {
     pub times: Vec<f64>,
 }
 
-/// Where a log tells photos, the surest first: that the shutter opened, before that it was asked to. A field that has to be 1
-/// for a photo that was taken, if there is one.
+/// Where a log tells photos, the surest first: that the shutter opened, before that it was asked to; and a field that is 0
+/// for a photo that was not taken, if there is one.
 type Place = (&'static str, &'static str);
+/// True in rows of `camera_trigger` in which the camera itself says so; where it never does, every row counts.
+const FEEDBACK: &str = "feedback";
 const DATAFLASH: [Place; 2] = [("CAM", ""), ("TRIG", "")];
-const ULOG: [Place; 2] = [("camera_capture", "result"), ("camera_trigger", "")];
+const ULOG: [Place; 2] = [("camera_capture", "result"), ("camera_trigger", FEEDBACK)];
 const TLOG: [Place; 3] = [
     ("CAMERA_IMAGE_CAPTURED", "capture_result"),
     ("CAMERA_FEEDBACK", ""),
@@ -37,11 +39,14 @@ pub fn triggers(log: &Log) -> Option<Triggers> {
             topic.name.name == *name && chosen.is_none_or(|chosen| system == Some(chosen))
         };
         let topic = log.topics.iter().find(is_own)?;
-        let is_taken = topic.field(taken);
-        let rows = topic.times.iter().enumerate().filter(|(row, _)| {
-            let taken = is_taken.and_then(|field| topic.value(field, *row));
-            taken.is_none_or(|taken| taken == 1.0)
-        });
+        let field = topic.field(taken);
+        let is_taken = |row: usize| {
+            let taken = field.and_then(|field| topic.value(field, row));
+            taken.is_none_or(|taken| taken != 0.0)
+        };
+        let all_count = *taken == FEEDBACK && !(0..topic.len()).any(is_taken);
+        let rows = topic.times.iter().enumerate();
+        let rows = rows.filter(|(row, _)| all_count || is_taken(*row));
         let mut times: Vec<f64> = rows.map(|(_, t)| *t).filter(|t| t.is_finite()).collect();
         times.sort_by(f64::total_cmp);
         // A message that was sent twice tells of one photo.

@@ -4,7 +4,7 @@ use super::Evidence;
 use super::grid::{Grid, Series, quantile};
 use crate::columns::settle::give_up;
 use crate::columns::{ColumnMap, ColumnRole, MappedColumn};
-use crate::folder::Dimension;
+use crate::folder::{Dimension, linear};
 
 /// A column: which table, which of its columns.
 pub(super) type Id = (usize, usize);
@@ -119,11 +119,13 @@ impl<'a, 'b> Board<'a, 'b> {
         self.evidence[id.0].hints[id.1].is_axis
     }
 
-    /// The numbers of a column as they stand in its cells.
+    /// The numbers of a column as they stand in its cells, of degrees and minutes the degrees.
     pub fn raw(&self, id: Id) -> Series {
         let values = &self.evidence[id.0].rows.columns;
         let values = values.get(id.1).map_or(&[][..], Vec::as_slice);
-        Series::new(&self.times[id.0], values.iter().copied())
+        let unit = &self.column(id).unit;
+        let numbers = values.iter().map(|value| linear(unit, *value));
+        Series::new(&self.times[id.0], numbers)
     }
 
     /// The places in a column of two numbers a cell, latitude and longitude as they stand there.

@@ -7,7 +7,7 @@ use super::axes::EARTH;
 use super::board::{Basis, Board, Id, nearest};
 use super::grid::{self, Grid, Series, quantile};
 use crate::columns::ColumnRole;
-use crate::folder::Dimension;
+use crate::folder::{DEGREES_AND_MINUTES, Dimension};
 
 /// Mean radius of the earth, metres.
 const RADIUS: f64 = 6_371_000.0;
@@ -175,7 +175,12 @@ fn readings(board: &mut Board, known: &Known, pair: (Id, Id)) -> Vec<Reading> {
         } else {
             1.0
         };
-        for (unit, prior) in UNITS {
+        let units = match present.as_str() {
+            // What stands there was read as degrees already.
+            DEGREES_AND_MINUTES => &[(DEGREES_AND_MINUTES, 1.0)],
+            _ => &UNITS[..],
+        };
+        for (unit, prior) in units.iter().copied() {
             let by_range = if could_be_radians && unit != "rad" {
                 0.1
             } else {

@@ -1,0 +1,383 @@
+//! Sentences of a satellite receiver (NMEA 0183: GGA, RMC, VTG), as a flight.
+
+use std::fmt::Write as _;
+use std::sync::Arc;
+
+use crate::columns::{flight_of_tables, guess_table};
+use crate::folder::{
+    DEGREES_AND_MINUTES, FlightFolder, FolderError, days_since_1970, decoded, linear,
+};
+use pilotage_base::files::{FileSet, MemoryFiles};
+use pilotage_base::frames::units::MPS_PER_KNOT;
+use pilotage_base::text::utc_text;
+
+const DAY: f64 = 86_400.0;
+/// Receivers write two digits of a year; from this one on they are of the century before.
+const CENTURY: i64 = 80;
+/// Columns behind the time.
+const COLUMNS: [&str; 5] = [
+    "latitude [deg]",
+    "longitude [deg]",
+    "altitude msl [m]",
+    "speed over ground [m/s]",
+    "course over ground [deg]",
+];
+
+/// What the sentences of one moment say.
+#[derive(Clone, Copy, Debug, Default)]
+struct Epoch {
+    /// Seconds of the day (UTC).
+    second: f64,
+    /// Days since 1970, where they were told.
+    day: Option<i64>,
+    /// In the order of [`COLUMNS`].
+    values: [Option<f64>; 5],
+}
+
+/// What was read and left out.
+#[derive(Debug, Default)]
+struct Sentences {
+    epochs: Vec<Epoch>,
+    damaged: usize,
+    unfixed: usize,
+}
+
+/// Whether the first bytes of a file are sentences of a receiver: most lines are, and one says a place.
+pub fn is_nmea(head: &[u8]) -> bool {
+    let head = decoded(head);
+    let text = String::from_utf8_lossy(&head);
+    let lines = text.lines().map(str::trim).filter(|line| !line.is_empty());
+    let (mut all, mut sentences, mut has_place) = (0, 0, false);
+    for line in lines {
+        all += 1;
+        let name = line
+            .strip_prefix('$')
+            .and_then(|rest| rest.split(',').next());
+        let Some(name) = name.filter(|name| name.is_ascii() && name.len() >= 4) else {
+            continue;
+        };
+        sentences += 1;
+        has_place |= name.len() == 5 && (name.ends_with("GGA") || name.ends_with("RMC"));
+    }
+    has_place && 2 * sentences > all
+}
+
+/// The flight that the first file of sentences among `files` tells of; `None` if there is none. Others are left out with
+/// a note.
+///
+/// # Errors
+/// Sentences of which no flight can be made.
+pub fn flight_of_sentences(files: &Arc<dyn FileSet>) -> Result<Option<FlightFolder>, FolderError> {
+    let mut names = files.names();
+    names.retain(|name| name.to_lowercase().ends_with(".nmea"));
+    names.sort();
+    let mut found: Option<FlightFolder> = None;
+    for name in names {
+        let Some(bytes) = files.read(&name) else {
+            continue;
+        };
+        if let Some(first) = &mut found {
+            let note = format!("{name} was left out: it is a recording of its own");
+            first.notes.push(note);
+            continue;
+        }
+        found = read_nmea(&name, &bytes)?;
+    }
+    Ok(found)
+}
+
+/// The flight that sentences tell of; `None` if `bytes` have fewer than two places in sentences. Heights are above mean sea
+/// level, as receivers reckon it.
+///
+/// # Errors
+/// Sentences of which no flight can be made, as the tables of a flight.
+pub fn read_nmea(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, FolderError> {
+    let bytes = decoded(bytes);
+    let sentences = sentences(&String::from_utf8_lossy(&bytes));
+    let is_placed = |epoch: &&Epoch| epoch.values[0].is_some();
+    if sentences.epochs.iter().filter(is_placed).count() < 2 {
+        return Ok(None);
+    }
+    let table = table(&sentences.epochs);
+    let file = format!(
+        "{}.csv",
+        name.rsplit_once('.').map_or(name, |(stem, _)| stem)
+    );
+    let Some(mut map) = guess_table(&file, table.as_bytes()) else {
+        return Ok(None);
+    };
+    if sentences.damaged > 0 {
+        map.findings.push(format!(
+            "{} sentences were left out: their check sums say that they are damaged",
+            sentences.damaged
+        ));
+    }
+    if sentences.unfixed > 0 {
+        map.findings.push(format!(
+            "{} sentences were told without a fix, and have no place",
+            sentences.unfixed
+        ));
+    }
+    let files: Arc<dyn FileSet> = Arc::new(MemoryFiles([(file, table.into_bytes())].into()));
+    flight_of_tables(&files, &[map]).map(Some)
+}
+
+/// One line for each moment; by date and time where the day is told, else by seconds.
+fn table(epochs: &[Epoch]) -> String {
+    let told = |column: usize| epochs.iter().any(|epoch| epoch.values[column].is_some());
+    let told: Vec<usize> = (0..COLUMNS.len()).filter(|column| told(*column)).collect();
+    let first_day = epochs.iter().find_map(|epoch| epoch.day);
+    let time = if first_day.is_some() {
+        "time"
+    } else {
+        "time [s]"
+    };
+    let names: Vec<&str> = told.iter().map(|column| COLUMNS[*column]).collect();
+    let mut table = format!("{time},{}\n", names.join(","));
+    let mut day = first_day.unwrap_or(0);
+    let mut last = epochs.first().map_or(0.0, |epoch| epoch.second);
+    for epoch in epochs {
+        // A day that nobody told begins where the clock goes round.
+        let is_next = last - epoch.second > 0.5 * DAY;
+        day = epoch.day.unwrap_or(day + i64::from(is_next));
+        last = epoch.second;
+        let seconds = day as f64 * DAY + epoch.second;
+        let time = match first_day {
+            Some(_) => utc_text(seconds),
+            None => format!("{seconds:.3}"),
+        };
+        let cell = |column: &usize| {
+            let value = epoch.values[*column];
+            value.map_or_else(String::new, |value| value.to_string())
+        };
+        let cells: Vec<String> = told.iter().map(cell).collect();
+        let _ = writeln!(table, "{time},{}", cells.join(","));
+    }
+    table
+}
+
+fn sentences(text: &str) -> Sentences {
+    let mut found = Sentences::default();
+    for line in text.lines() {
+        // Loggers put times of their own before a sentence.
+        let Some((_, sentence)) = line.rsplit_once('$') else {
+            continue;
+        };
+        let body = match sentence.trim_end().split_once('*') {
+            Some((body, sum)) if is_whole(body, sum) => body,
+            Some(_) => {
+                found.damaged += 1;
+                continue;
+            }
+            None => sentence.trim_end(),
+        };
+        let fields: Vec<&str> = body.split(',').collect();
+        let name = fields[0];
+        if name.len() != 5 || !name.is_ascii() {
+            continue;
+        }
+        match &name[2..] {
+            "GGA" => found.fix(&fields),
+            "RMC" => found.least(&fields),
+            "VTG" => found.velocity(&fields),
+            _ => {}
+        }
+    }
+    found
+}
+
+/// Whether the letters of a sentence have the check sum behind its star.
+fn is_whole(body: &str, sum: &str) -> bool {
+    let found = body.bytes().fold(0, |sum, byte| sum ^ byte);
+    let said = sum
+        .get(..2)
+        .and_then(|sum| u8::from_str_radix(sum, 16).ok());
+    said == Some(found)
+}
+
+impl Sentences {
+    /// The moment of a sentence, which may be that of the one before.
+    fn epoch(&mut self, time: &str) -> Option<&mut Epoch> {
+        let second = second_of_day(time)?;
+        if self.epochs.last().is_none_or(|last| last.second != second) {
+            self.epochs.push(Epoch {
+                second,
+                ..Epoch::default()
+            });
+        }
+        self.epochs.last_mut()
+    }
+
+    /// GGA: time, latitude, its hemisphere, longitude, its hemisphere, kind of fix, satellites, dilution, height above sea
+    /// level.
+    fn fix(&mut self, fields: &[&str]) {
+        let [_, time, rest @ ..] = fields else { return };
+        let is_fixed = !matches!(rest.get(4), None | Some(&("" | "0")));
+        let place = place(rest).filter(|_| is_fixed);
+        let height = rest.get(7).and_then(|height| number(height));
+        self.unfixed += usize::from(place.is_none());
+        if let (Some(epoch), Some([latitude, longitude])) = (self.epoch(time), place) {
+            epoch.values[0] = Some(latitude);
+            epoch.values[1] = Some(longitude);
+            epoch.values[2] = height;
+        }
+    }
+
+    /// RMC: time, whether it is valid, latitude and longitude with their hemispheres, speed in knots, course, date.
+    fn least(&mut self, fields: &[&str]) {
+        let [_, time, valid, rest @ ..] = fields else {
+            return;
+        };
+        let place = place(rest).filter(|_| *valid == "A");
+        let speed = rest.get(4).and_then(|speed| number(speed));
+        let course = rest.get(5).and_then(|course| number(course));
+        let day = rest.get(6).and_then(|date| day(date));
+        self.unfixed += usize::from(place.is_none());
+        let Some(epoch) = self.epoch(time) else {
+            return;
+        };
+        epoch.day = day.or(epoch.day);
+        let Some([latitude, longitude]) = place else {
+            return;
+        };
+        epoch.values[0] = epoch.values[0].or(Some(latitude));
+        epoch.values[1] = epoch.values[1].or(Some(longitude));
+        epoch.values[3] = speed.map(|knots| knots * MPS_PER_KNOT).or(epoch.values[3]);
+        epoch.values[4] = course.or(epoch.values[4]);
+    }
+
+    /// VTG: true course, T, magnetic course, M, knots, N: of the moment before it.
+    fn velocity(&mut self, fields: &[&str]) {
+        let of = |index: usize| fields.get(index).and_then(|field| number(field));
+        let (course, speed) = (of(1), of(5));
+        let Some(epoch) = self.epochs.last_mut() else {
+            return;
+        };
+        epoch.values[3] = epoch.values[3].or(speed.map(|knots| knots * MPS_PER_KNOT));
+        epoch.values[4] = epoch.values[4].or(course);
+    }
+}
+
+fn number(text: &str) -> Option<f64> {
+    text.parse().ok().filter(|number: &f64| number.is_finite())
+}
+
+/// Degrees of latitude and longitude in the first four of these fields, degrees and minutes with their hemispheres.
+fn place(fields: &[&str]) -> Option<[f64; 2]> {
+    let angle = |number: &str, letter: &str, letters: [&str; 2], most: f64| {
+        let degrees = linear(DEGREES_AND_MINUTES, self::number(number)?);
+        let is_there = (0.0..=most).contains(&degrees) && letters.contains(&letter);
+        is_there.then_some(if letter == letters[1] {
+            -degrees
+        } else {
+            degrees
+        })
+    };
+    let [latitude, north, longitude, east, ..] = fields else {
+        return None;
+    };
+    let place = [
+        angle(latitude, north, ["N", "S"], 90.0)?,
+        angle(longitude, east, ["E", "W"], 180.0)?,
+    ];
+    (place != [0.0, 0.0]).then_some(place)
+}
+
+/// Seconds of the day of `102030.25`.
+fn second_of_day(text: &str) -> Option<f64> {
+    let part = |from: usize, to: usize| text.get(from..to)?.parse::<u32>().ok();
+    let (hours, minutes) = (part(0, 2)?, part(2, 4)?);
+    let seconds = number(text.get(4..)?).filter(|s| (0.0..61.0).contains(s))?;
+    (hours < 24 && minutes < 60).then(|| f64::from(3600 * hours + 60 * minutes) + seconds)
+}
+
+/// Days since 1970 of `010524`, the first of May 2024.
+fn day(text: &str) -> Option<i64> {
+    let part = |at: usize| text.get(at..at + 2)?.parse::<i64>().ok();
+    let (day, month, year) = (part(0)?, part(2)?, part(4)?);
+    let year = if year < CENTURY { 2000 } else { 1900 } + year;
+    ((1..=31).contains(&day) && (1..=12).contains(&month))
+        .then(|| days_since_1970(year, month, day))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use pilotage_flight::ChannelName;
+
+    fn sentence(body: &str) -> String {
+        let sum = body.bytes().fold(0, |sum, byte| sum ^ byte);
+        format!("${body}*{sum:02X}\r\n")
+    }
+
+    /// Southward and down at 36 km/h from 33° 30' S, 70° 30' W, over midnight.
+    fn recording() -> String {
+        let mut text = sentence("GPTXT,01,01,02,u-blox");
+        for i in 0..60_u32 {
+            let clock = if i < 30 {
+                format!("2359{:02}.00", 30 + i)
+            } else {
+                format!("0000{:02}.00", i - 30)
+            };
+            let date = if i < 30 { "311223" } else { "010124" };
+            let minutes = 30.0 + 10.0 / 1848.0 * f64::from(i);
+            let height = 900.0 - f64::from(i);
+            let place = format!("33{minutes:07.4},S,07030.0000,W");
+            text += &sentence(&format!(
+                "GNGGA,{clock},{place},1,12,0.8,{height:.1},M,24.0,M,,"
+            ));
+            text += &sentence(&format!("GNRMC,{clock},A,{place},19.438,180.0,{date},,,A"));
+            text += &sentence("GNVTG,180.0,T,,M,19.438,N,36.0,K,A");
+        }
+        text
+    }
+
+    #[test]
+    fn sentences_are_a_flight_with_heights_and_speeds_over_midnight() {
+        let text = recording();
+        assert!(is_nmea(text.as_bytes()));
+        let folder = read_nmea("flight.nmea", text.as_bytes()).unwrap().unwrap();
+        let flight = &folder.flight;
+        let (first, last) = flight.span();
+        assert!((last - first - 59.0).abs() < 1e-9, "{first} {last}");
+        let origin = flight.frame_on_globe.unwrap().origin;
+        assert!((origin.latitude.to_degrees() + 33.5).abs() < 1e-9);
+        assert!((origin.longitude.to_degrees() + 70.5).abs() < 1e-9);
+        let last = |name| *flight.channel(name).unwrap().values.last().unwrap();
+        assert!((last(ChannelName::GpsNorth) + 590.0).abs() < 1.0);
+        assert!((last(ChannelName::GpsHeight) - 841.0).abs() < 1e-9);
+        assert!((last(ChannelName::GpsVelocityNorth) + 10.0).abs() < 0.01);
+    }
+
+    #[test]
+    fn damaged_sentences_and_those_without_a_fix_are_left_out_and_told() {
+        let text = recording().replacen("33.4", "33.5", 1) + &recording().replace("GNGGA", "GNGGB");
+        let read = sentences(&text);
+        assert_eq!(read.damaged, 60);
+        let unfixed = recording().replace(",A,33", ",V,33");
+        let unfixed: String = unfixed
+            .lines()
+            .filter(|line| line.contains("RMC"))
+            .map(|line| sentence(&line[1..line.len() - 3]))
+            .collect();
+        assert!(read_nmea("a.nmea", unfixed.as_bytes()).unwrap().is_none());
+    }
+
+    #[test]
+    fn a_receiver_without_dates_goes_on_over_midnight() {
+        let text = recording();
+        let fixes = text.lines().filter(|line| line.contains("GGA"));
+        let alone: Vec<String> = fixes.map(|line| format!("12:00:01 {line}")).collect();
+        let alone = alone.join("\n");
+        let folder = read_nmea("a.nmea", alone.as_bytes()).unwrap().unwrap();
+        let (first, last) = folder.flight.span();
+        assert!((last - first - 59.0).abs() < 1e-9, "{first} {last}");
+    }
+
+    #[test]
+    fn tables_and_texts_are_no_sentences() {
+        for text in ["time,lat\n0,47\n", "$5 for GGA,1\n", "$GPGSV,1\n", ""] {
+            assert!(!is_nmea(text.as_bytes()), "{text}");
+        }
+    }
+}
