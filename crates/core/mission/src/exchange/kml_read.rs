@@ -243,6 +243,11 @@ impl Reader<'_> {
                 landmark.properties.extend(properties);
                 self.found.landmarks.push(landmark);
             }
+            Item::NoFly(mut zone) => {
+                zone.name.clone_from(&said.name);
+                zone.properties.extend(properties);
+                self.found.no_fly.push(zone);
+            }
         }
         true
     }
@@ -297,7 +302,7 @@ impl Reader<'_> {
         let path = format!("Placemark/{}/coordinates", geometry.name);
         let mut places = Vec::new();
         for list in holder.all("coordinates") {
-            for tuple in list.text.split_whitespace() {
+            for tuple in tuples(&list.text) {
                 let place = place(tuple.split(',')).ok_or_else(|| {
                     let cause = format!("{path}: `{tuple}` is no longitude,latitude,altitude");
                     self.source.error(list.begin, cause)
@@ -318,6 +323,19 @@ impl Reader<'_> {
         }
         Ok(places)
     }
+}
+
+/// The places of a list of coordinates as they stand: between them is space, and some programs write
+/// space beside the commas in them as well.
+fn tuples(text: &str) -> Vec<String> {
+    let mut tuples: Vec<String> = Vec::new();
+    for part in text.split_whitespace() {
+        match tuples.last_mut() {
+            Some(last) if last.ends_with(',') || part.starts_with(',') => last.push_str(part),
+            _ => tuples.push(part.to_owned()),
+        }
+    }
+    tuples
 }
 
 /// Identities of the styles in an element, and what its placemarks and style maps refer to.
