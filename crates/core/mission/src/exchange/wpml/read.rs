@@ -245,7 +245,11 @@ impl Told {
             Some("realTimeFollowSurface" | "aboveGroundLevel" | "AGL") => {
                 (Altitude::new(height, AltitudeFrame::AboveGround), None)
             }
-            Some("EGM96") => (Altitude::new(height, AltitudeFrame::Amsl), None),
+            Some("EGM96") => {
+                let undulation = point.ellipsoid.map(|ellipsoid| ellipsoid - height);
+                let undulation = undulation.filter(|metres| metres.abs() < FARTHEST_GEOID);
+                (Altitude::new(height, AltitudeFrame::Amsl), undulation.map(Some))
+            }
             Some("WGS84") => match drawn {
                 Some(("EGM96", above_sea)) if (height - above_sea).abs() < FARTHEST_GEOID => {
                     let altitude = Altitude::new(above_sea, AltitudeFrame::Amsl);
