@@ -52,9 +52,10 @@ pub(super) fn commands(text: &str) -> Vec<String> {
         return stored.iter().map(Value::to_string).collect();
     }
     let kind = item.get("complexItemType").and_then(Value::as_str);
-    let land = match kind {
-        Some("fwLandingPattern") => super::item::LAND,
-        Some("vtolLandingPattern") => super::item::VTOL_LAND,
+    // Some versions write it with capitals.
+    let land = match kind.map(str::to_ascii_lowercase).as_deref() {
+        Some("fwlandingpattern") => super::item::LAND,
+        Some("vtollandingpattern") => super::item::VTOL_LAND,
         _ => return Vec::new(),
     };
     landing(&item, land).unwrap_or_default()
@@ -71,11 +72,13 @@ fn landing(item: &Value, land: u16) -> Option<Vec<String>> {
     // Plans of QGroundControl before 4.1 call the approach so.
     let approach = place("landingApproachCoordinate").or_else(|| place("loiterCoordinate"))?;
     let touch_down = place("landCoordinate")?;
-    let frame = if is("altitudesAreRelative", true) {
-        3
-    } else {
-        0
+    // Older ones say of each height what it counts from.
+    let frame = |old: &str| {
+        let is_relative = is("altitudesAreRelative", is(old, true));
+        if is_relative { 3 } else { 0 }
     };
+    let above = frame("loiterAltitudeRelative");
+    let below = frame("landAltitudeRelative");
     let radius = item
         .get("loiterRadius")
         .and_then(Value::as_f64)
@@ -96,14 +99,14 @@ fn landing(item: &Value, land: u16) -> Option<Vec<String>> {
     let zeros = || [0, 0, 0, 0].map(Value::from);
     let approach = if is("useLoiterToAlt", true) {
         let own = [json!(1), json!(radius), json!(0), json!(1)];
-        command(super::item::LOITER_TO_ALTITUDE, frame, own, approach)
+        command(super::item::LOITER_TO_ALTITUDE, above, own, approach)
     } else {
-        command(super::item::WAY_POINT, frame, zeros(), approach)
+        command(super::item::WAY_POINT, above, zeros(), approach)
     };
     Some(vec![
         command(super::item::LAND_START, 2, zeros(), [0.0; 3]),
         approach,
-        command(land, frame, zeros(), touch_down),
+        command(land, below, zeros(), touch_down),
     ])
 }
 

@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::embedded::{self, Item};
 use super::found::{Found, POINT_BOX};
 use super::xml::{Element, Source};
-use super::{ExchangeError, kml_write};
+use super::{ExchangeError, kml_write, wpml};
 use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
 use crate::mission::{USUAL_ALTITUDE, WayPoint};
 use pilotage_base::files::{FileSet, ZipFiles};
@@ -32,7 +32,8 @@ pub(super) fn unpack(file: &str, bytes: &[u8]) -> Result<Vec<u8>, ExchangeError>
     };
     let zip = ZipFiles::open(bytes).map_err(error)?;
     let names = zip.names();
-    let is_kml = |name: &&String| name.to_ascii_lowercase().ends_with(".kml");
+    let is_kml =
+        |name: &&String| name.to_ascii_lowercase().ends_with(".kml") && !wpml::is_shadow(name);
     let name = names
         .iter()
         .find(|name| *name == "doc.kml")
