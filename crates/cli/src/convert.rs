@@ -95,8 +95,13 @@ pub fn run(arguments: &Arguments) -> Outcome {
     crate::files::write_whole(to, &written.bytes)?;
     notes.extend(written.notes);
     tell(to, &notes);
+    let holds_areas = [Format::Plan, Format::Kml, Format::Kmz, Format::GeoJson].contains(&format);
+    let no_fly = match imported.no_fly.len() {
+        number if number == 0 || arguments.landmarks || !holds_areas => String::new(),
+        number => format!(", {}", count(number, "no-fly area")),
+    };
     println!(
-        "{name}: {}, {} and {}",
+        "{name}: {}, {} and {}{no_fly}",
         format.name(),
         count(imported.routes.len(), "route"),
         count(imported.landmarks.len(), "landmark")

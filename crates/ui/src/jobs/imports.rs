@@ -43,7 +43,17 @@ pub fn imports(
     names.sort();
     let mut found = Vec::new();
     for name in names {
-        let plausible = has_ending(&name, &["plan", "waypoints", "wpl", "kml", "kmz", "gpx"])
+        let of_missions = [
+            "plan",
+            "mission",
+            "waypoints",
+            "wpl",
+            "kml",
+            "kmz",
+            "wpml",
+            "gpx",
+        ];
+        let plausible = has_ending(&name, &of_missions)
             || !is_flight && has_ending(&name, &["csv", "tsv", "geojson", "json", "txt"]);
         let is_of_flight =
             is_flown && has_ending(&name, &["csv", "tsv", "txt"]) || is_picture_table(&name);

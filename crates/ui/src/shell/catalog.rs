@@ -538,6 +538,16 @@ fn document() -> Vec<Entry> {
             Command::ExportRoute(Format::Kmz),
         ),
         of(
+            "Export the route as a mission of DJI (WPML)",
+            vec![],
+            Command::ExportRoute(Format::Wpml),
+        ),
+        of(
+            "Export the route as a table of Litchi",
+            vec![],
+            Command::ExportRoute(Format::Litchi),
+        ),
+        of(
             "Export the route as GPX",
             vec![],
             Command::ExportRoute(Format::Gpx),

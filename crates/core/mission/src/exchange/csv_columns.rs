@@ -217,6 +217,13 @@ fn column(name: &str) -> Column {
     let (mut unit, mut frame) = (None, None);
     loop {
         if let Some(role) = role_of(&words) {
+            // An elevation counts from mean sea level, whatever stands beside it.
+            if words
+                .first()
+                .is_some_and(|word| ["ele", "elevation"].contains(word))
+            {
+                frame = frame.or(Some(AltitudeFrame::Amsl));
+            }
             return Column {
                 name: name.to_owned(),
                 role: Some(role),
@@ -270,6 +277,8 @@ mod tests {
             (Some(Role::Speed), Some(Unit::KilometrePerHour), None)
         );
         assert_eq!(of("altitude_frame"), (Some(Role::Frame), None, None));
+        assert_eq!(of("Elevation").2, Some(AltitudeFrame::Amsl));
+        assert_eq!(of("elevation agl").2, Some(AltitudeFrame::AboveGround));
         assert_eq!(of("colour").0, None);
         assert_eq!(of("m").0, None);
     }

@@ -67,7 +67,8 @@ pub(super) fn write_landmarks(landmarks: &[Landmark], frame: &LocalFrame) -> Str
     ]);
     table.row_of(&others);
     // A hundredth of a millimetre, as places are written.
-    let metres = |value: f64| ((value * 1e5).round() / 1e5).to_string();
+    // A hundredth of a millimetre below zero is no -0.
+    let metres = |value: f64| ((value * 1e5).round() / 1e5 + 0.0).to_string();
     for landmark in landmarks {
         let (latitude, longitude) = place(frame, &landmark.reference);
         let middle = landmark.bounds.center();

@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 
-use crate::mission::found::{FoundLandmark, FoundRoute, LonLat};
+use crate::mission::found::{FoundLandmark, FoundNoFly, FoundRoute, LonLat};
 use crate::mission::text::Text;
-use crate::mission::{Route, read_features, write_features};
+use crate::mission::{NoFlyZone, Route, no_fly_feature, read_features, write_features};
 use pilotage_base::frames::LocalFrame;
 use pilotage_vision::landmark::Landmark;
 
@@ -36,6 +36,11 @@ pub(super) fn of_route_whole(route: &Route, frame: &LocalFrame) -> String {
 /// What is embedded for a landmark.
 pub(super) fn of_landmark(landmark: &Landmark, frame: &LocalFrame) -> Embedded {
     split(&write_features(&[], std::slice::from_ref(landmark), frame))
+}
+
+/// What is embedded for an area that must not be flown over.
+pub(super) fn of_no_fly(zone: &NoFlyZone, frame: &LocalFrame) -> Embedded {
+    split(&[no_fly_feature(zone, frame)])
 }
 
 fn split(features: &[String]) -> Embedded {
@@ -99,7 +104,10 @@ pub(super) fn read(own: &str, places: &[LonLat], holes: &[Vec<LonLat>]) -> Optio
     let content = collection.to_string();
     let (mut features, _) = read_features(&Text(&content)).ok()?;
     let route = features.routes.pop().map(Item::Route);
-    let item = route.or_else(|| features.landmarks.pop().map(Item::Landmark))?;
+    let no_fly = features.no_fly.pop().map(Item::NoFly);
+    let item = route
+        .or(no_fly)
+        .or_else(|| features.landmarks.pop().map(Item::Landmark))?;
     Some((item, is_changed))
 }
 
@@ -109,4 +117,6 @@ pub(super) enum Item {
     Route(FoundRoute),
     /// A landmark.
     Landmark(FoundLandmark),
+    /// An area that must not be flown over.
+    NoFly(FoundNoFly),
 }

@@ -75,6 +75,9 @@ pub(super) fn of_plan(text: &str) -> Fences {
         circles: Vec<Circle>,
         #[serde(default)]
         polygons: Vec<Polygon>,
+        /// Plans of before 2018 have one fence, which keeps the aircraft in.
+        #[serde(default)]
+        polygon: Vec<(f64, f64)>,
     }
     #[derive(Deserialize)]
     struct Circle {
@@ -95,6 +98,7 @@ pub(super) fn of_plan(text: &str) -> Fences {
     let Ok(stated) = serde_json::from_str::<GeoFence>(text) else {
         return Fences::default();
     };
+    fences.inside += usize::from(!stated.polygon.is_empty());
     for Polygon { polygon, inclusion } in stated.polygons {
         let corners: Vec<LonLat> = polygon.into_iter().map(|(lat, lon)| (lon, lat)).collect();
         if corners.iter().all(|(lon, lat)| on_globe(*lon, *lat)) {
@@ -137,8 +141,11 @@ pub(super) fn left_out(
     frame: &LocalFrame,
 ) -> Option<String> {
     let count = beside(known, areas, frame).len();
-    (count > 0)
-        .then(|| format!("{count} × no-fly area is left out: a plan (.plan) has them as fences"))
+    (count > 0).then(|| {
+        format!(
+            "{count} × no-fly area is left out: plans have them as fences, KML and GeoJSON as areas"
+        )
+    })
 }
 
 /// The member `geoFence` of a plan that keeps aircraft out of `areas`, after what a plan said before (`kept`): areas that

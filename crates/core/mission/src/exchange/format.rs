@@ -106,7 +106,8 @@ impl Format {
             });
         }
         let head = String::from_utf8_lossy(&bytes[..bytes.len().min(4096)]);
-        let head = head.trim_start_matches('\u{feff}').trim_start();
+        // A sequence of GeoJSON begins with the separator of its records.
+        let head = head.trim_start_matches(['\u{feff}', '\u{1e}']).trim_start();
         if head.starts_with("QGC WPL") {
             return Some(Self::Waypoints);
         }
@@ -120,7 +121,10 @@ impl Format {
         }
         if head.starts_with('{') {
             let text = String::from_utf8_lossy(bytes);
-            let is_plan = text.contains("\"fileType\"");
+            let has = |member: &str| text.contains(member);
+            // The second is a mission of QGroundControl before there were plans.
+            let is_plan =
+                (has("\"fileType\"") || has("\"MAV_AUTOPILOT\"")) && !has("\"FeatureCollection\"");
             return match Self::of_name(name) {
                 Some(Self::Plan) => Some(Self::Plan),
                 _ if is_plan => Some(Self::Plan),

@@ -4,22 +4,26 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
-use super::ExchangeError;
 use super::found::{Found, POINT_BOX};
-use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
+use super::{ExchangeError, Places};
+use crate::mission::found::{Extent, FoundLandmark, FoundNoFly, FoundRoute, LonLat, on_globe};
 use crate::mission::text::Text;
 use crate::mission::{
-    FEATURE_MEMBER, Route, USUAL_ALTITUDE, WayPoint, read_features, write_features,
+    FEATURE_MEMBER, NO_FLY_MARK, USUAL_ALTITUDE, WayPoint, no_fly_feature, read_features,
+    write_features,
 };
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint, LocalFrame};
-use pilotage_vision::landmark::Landmark;
 
 /// Reads a collection, a single feature or a bare geometry.
 pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
     // A piece is put into a collection on its own first line, so that lines stay what they are.
-    let kind = serde_json::from_str::<Value>(content)
-        .ok()
-        .and_then(|value| value.get("type")?.as_str().map(str::to_owned));
+    let lines = feature_lines(content);
+    let content = lines.as_deref().unwrap_or(content);
+    let whole: Option<Value> = serde_json::from_str(content).ok();
+    let system_note = whole
+        .as_ref()
+        .map_or(Ok(None), |whole| system(file, whole))?;
+    let kind = whole.and_then(|value| value.get("type")?.as_str().map(str::to_owned));
     let feature = |geometry: &str| {
         format!("{{\"type\":\"Feature\",\"properties\":{{}},\"geometry\":{geometry}}}")
     };
@@ -36,7 +40,7 @@ pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
         routes: features.routes,
         landmarks: features.landmarks,
         no_fly: features.no_fly,
-        notes: Vec::new(),
+        notes: system_note.into_iter().collect(),
         origin: features.origin,
     };
     let mut other = Others::default();
@@ -74,6 +78,52 @@ pub(super) fn read(file: &str, content: &str) -> Result<Found, ExchangeError> {
     Ok(found)
 }
 
+/// A sequence of features, one a line, as a collection with the same lines; `None` if the text is none.
+fn feature_lines(content: &str) -> Option<String> {
+    // A record may begin with its separator.
+    let bare = |line: &str| line.trim().trim_start_matches('\u{1e}').to_owned();
+    let lines: Vec<String> = content
+        .lines()
+        .map(bare)
+        .filter(|l| !l.is_empty())
+        .collect();
+    let is_feature = |line: &String| {
+        let value: Option<Value> = serde_json::from_str(line).ok();
+        value.is_some_and(|value| value.get("type").is_some_and(|kind| kind == "Feature"))
+    };
+    let is_sequence =
+        (lines.len() > 1 || content.contains('\u{1e}')) && lines.iter().all(is_feature);
+    is_sequence.then(|| {
+        format!(
+            "{{\"type\":\"FeatureCollection\",\"features\":[{}]}}",
+            lines.join(",\n")
+        )
+    })
+}
+
+/// A note on the reference system that a file of before 2016 may state, or its refusal.
+fn system(file: &str, whole: &Value) -> Result<Option<String>, ExchangeError> {
+    let name = whole
+        .pointer("/crs/properties/name")
+        .and_then(Value::as_str);
+    let Some(name) = name else {
+        return Ok(None);
+    };
+    let code = name.rsplit([':', '/']).next().unwrap_or(name);
+    match code {
+        "4326" | "4979" | "CRS84" | "CRS84h" | "WGS84" => Ok(None),
+        "4258" | "4937" | "4269" | "4283" | "7844" | "4167" => Ok(Some(format!(
+            "the coordinates are in {name}: they are taken for those of WGS 84, under 2 m away"
+        ))),
+        _ => Err(ExchangeError::File {
+            file: file.to_owned(),
+            cause: format!(
+                "its coordinates are in {name}, not in longitude and latitude: save it in EPSG:4326"
+            ),
+        }),
+    }
+}
+
 /// What was met in features that are not ours.
 #[derive(Default)]
 struct Others {
@@ -109,21 +159,10 @@ impl Others {
             }
             "MultiPolygon" => {
                 for polygon in each(coordinates) {
-                    let ring = polygon.get(0).cloned().unwrap_or_default();
-                    let corners: Vec<LonLat> = each(&ring)
-                        .iter()
-                        .map(|p| Ok(position(p)?.0))
-                        .collect::<Result<_, String>>()?;
-                    if corners.len() < 3 {
-                        return Err("a polygon has at least three corners".to_owned());
-                    }
-                    found.landmarks.push(FoundLandmark {
-                        name: name(feature),
-                        properties: properties(feature),
-                        ..FoundLandmark::new(Extent::Corners(corners))
-                    });
+                    polygon_of(&polygon, feature, found)?;
                 }
             }
+            "Polygon" => polygon_of(coordinates, feature, found)?,
             "GeometryCollection" => {
                 for geometry in each(geometry.get("geometries").unwrap_or(&Value::Null)) {
                     self.geometry(&geometry, feature, found)?;
@@ -178,6 +217,49 @@ impl Others {
     }
 }
 
+/// Adds a polygon with its holes: a landmark, or a no-fly area where its feature says so.
+fn polygon_of(rings: &Value, feature: &Value, found: &mut Found) -> Result<(), String> {
+    let rings = rings.as_array().map_or(&[][..], Vec::as_slice);
+    let mut rings = rings.iter().map(|ring| {
+        let corners = ring.as_array().map_or(&[][..], Vec::as_slice);
+        let corners = corners.iter().map(|corner| Ok(position(corner)?.0));
+        let corners: Vec<LonLat> = corners.collect::<Result<_, String>>()?;
+        if corners.len() < 3 {
+            return Err("a polygon has at least three corners".to_owned());
+        }
+        Ok(corners)
+    });
+    let Some(corners) = rings.next().transpose()? else {
+        return Err("a polygon has at least three corners".to_owned());
+    };
+    let holes: Vec<Vec<LonLat>> = rings.collect::<Result<_, _>>()?;
+    let (name, mut properties) = (name(feature), properties(feature));
+    let (mark, marked) = NO_FLY_MARK;
+    if properties.get(mark).is_some_and(|value| value == marked) {
+        properties.remove(mark);
+        let open = |mut ring: Vec<LonLat>| {
+            if ring.len() > 3 && ring.first() == ring.last() {
+                ring.pop();
+            }
+            ring
+        };
+        found.no_fly.push(FoundNoFly {
+            name,
+            corners: open(corners),
+            holes: holes.into_iter().map(open).collect(),
+            properties,
+        });
+    } else {
+        found.landmarks.push(FoundLandmark {
+            name,
+            holes,
+            properties,
+            ..FoundLandmark::new(Extent::Corners(corners))
+        });
+    }
+    Ok(())
+}
+
 /// Longitude and latitude of a position, and its height where it has one.
 fn position(value: &Value) -> Result<(LonLat, Option<f64>), String> {
     let number = |i: usize| value.get(i).and_then(Value::as_f64);
@@ -223,13 +305,10 @@ fn properties(feature: &Value) -> BTreeMap<String, String> {
         .collect()
 }
 
-/// Routes and landmarks as a collection of features.
-pub(super) fn write(
-    routes: &[Route],
-    landmarks: &[Landmark],
-    frame: &LocalFrame,
-) -> (String, Vec<String>) {
-    let features = write_features(routes, landmarks, frame);
+/// Routes, landmarks and no-fly areas as a collection of features.
+pub(super) fn write(places: &Places, frame: &LocalFrame) -> (String, Vec<String>) {
+    let mut features = write_features(places.routes, places.landmarks, frame);
+    features.extend(places.no_fly.iter().map(|zone| no_fly_feature(zone, frame)));
     let text = format!(
         "{{\n  \"type\": \"FeatureCollection\",\n  \"features\": [\n    {}\n  ]\n}}\n",
         features.join(",\n    ")

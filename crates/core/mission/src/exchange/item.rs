@@ -15,10 +15,11 @@ const LOITER_TIME: u16 = 19;
 pub(super) const RETURN_TO_LAUNCH: u16 = 20;
 pub(super) const LAND: u16 = 21;
 pub(super) const TAKE_OFF: u16 = 22;
-const LOITER_TO_ALTITUDE: u16 = 31;
+pub(super) const LOITER_TO_ALTITUDE: u16 = 31;
 const SPLINE_WAY_POINT: u16 = 82;
 const VTOL_TAKE_OFF: u16 = 84;
-const VTOL_LAND: u16 = 85;
+pub(super) const VTOL_LAND: u16 = 85;
+pub(super) const LAND_START: u16 = 189;
 pub(super) const JUMP: u16 = 177;
 pub(super) const CHANGE_SPEED: u16 = 178;
 
@@ -41,7 +42,7 @@ const NAMES: [(u16, &str); 30] = [
     (JUMP, "DO_JUMP"),
     (CHANGE_SPEED, "DO_CHANGE_SPEED"),
     (183, "DO_SET_SERVO"),
-    (189, "DO_LAND_START"),
+    (LAND_START, "DO_LAND_START"),
     (195, "DO_SET_ROI_LOCATION"),
     (201, "DO_SET_ROI"),
     (203, "DO_DIGICAM_CONTROL"),

@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 use serde_json::Value;
 
+use super::complex::{self, COMPLEX, Complex};
 use super::fence::is_fence;
 use super::item::{
     CHANGE_SPEED, Item, JUMP, RETURN_TO_LAUNCH, WAY_POINT, command_name, command_of, counted,
@@ -50,7 +51,9 @@ pub(super) enum Step {
         /// How `QGroundControl` writes it.
         text: String,
     },
-    /// Something that is no command, such as a survey: its name and its text.
+    /// Something that stands for several commands, such as a survey: its name, its text and they.
+    Complex(String, String, Vec<Step>),
+    /// Something that is no command: its name and its text.
     Other(String, String),
 }
 
@@ -82,23 +85,7 @@ pub(super) fn route_of(steps: Vec<Step>, home: Option<Home>) -> (FoundRoute, Vec
         ..Reader::default()
     };
     for step in steps {
-        match step {
-            Step::Other(name, text) => {
-                reader.unknown.push(name);
-                reader.between.push(Between::Kept(text));
-            }
-            Step::Command {
-                item,
-                altitude,
-                mut members,
-                text,
-            } => {
-                if !has_jumps {
-                    members.remove("doJumpId");
-                }
-                reader.command(item, altitude, &members, text, home);
-            }
-        }
+        reader.step(step, home);
     }
     reader.finish(home)
 }
@@ -107,6 +94,11 @@ pub(super) fn route_of(steps: Vec<Step>, home: Option<Home>) -> (FoundRoute, Vec
 struct Reader {
     route: FoundRoute,
     between: Vec<Between>,
+    /// Texts of the items that stand for several commands, and their way-points.
+    complex: Vec<(String, Vec<[f64; 4]>)>,
+    /// Whether the commands are those of the last of them.
+    is_inside: bool,
+    shown: Vec<String>,
     has_jumps: bool,
     speed: Option<f64>,
     unknown: Vec<String>,
@@ -119,6 +111,35 @@ struct Reader {
 }
 
 impl Reader {
+    fn step(&mut self, step: Step, home: Option<Home>) {
+        match step {
+            Step::Other(name, text) => {
+                self.unknown.push(name);
+                self.between.push(Between::Kept(text));
+            }
+            Step::Complex(name, text, steps) => {
+                self.shown.push(name);
+                self.complex.push((text, Vec::new()));
+                self.is_inside = true;
+                for step in steps {
+                    self.step(step, home);
+                }
+                self.is_inside = false;
+            }
+            Step::Command {
+                item,
+                altitude,
+                mut members,
+                text,
+            } => {
+                if !self.has_jumps {
+                    members.remove("doJumpId");
+                }
+                self.command(item, altitude, &members, text, home);
+            }
+        }
+    }
+
     fn command(
         &mut self,
         item: Item,
@@ -127,7 +148,14 @@ impl Reader {
         text: String,
         home: Option<Home>,
     ) {
-        if is_plain_speed(&item) {
+        let own_text = |text: String| match self.complex.len() {
+            count if self.is_inside => {
+                format!("{{ \"complex\": {}, \"item\": {text} }}", count - 1)
+            }
+            _ => text,
+        };
+        let text = own_text(text);
+        if is_plain_speed(&item) && !self.is_inside {
             self.between.push(Between::Speed(item, text));
             return;
         }
@@ -135,6 +163,8 @@ impl Reader {
         let place = Self::place(&item, home);
         let (Some(action), Some(altitude), Some(place)) = (item.action(), altitude, place) else {
             match item.command {
+                // Of an item that stands for several commands the way-points are shown.
+                _ if self.is_inside => {}
                 RETURN_TO_LAUNCH => self.returns += 1,
                 // Fences and rally points have notes of their own.
                 command if is_fence(command) => {}
@@ -176,11 +206,17 @@ impl Reader {
             let mark = "true".to_owned();
             way_point.properties.insert(AT_HOME.to_owned(), mark);
         }
-        if action == WayPointAction::FlyBy && item.command != WAY_POINT {
+        if action == WayPointAction::FlyBy && item.command != WAY_POINT && !self.is_inside {
             self.simplified.push(command_name(item.command));
         }
         self.settle(Some(&mut way_point));
         way_point.speed = self.speed;
+        let number = self.complex.len().saturating_sub(1);
+        if let Some((_, way_points)) = self.complex.last_mut().filter(|_| self.is_inside) {
+            way_points.push(complex::stamp(place, &way_point));
+            let number = number.to_string();
+            way_point.properties.insert(COMPLEX.to_owned(), number);
+        }
         self.route.way_points.push((place, way_point));
     }
 
@@ -249,7 +285,27 @@ impl Reader {
             let home = Value::from(home.to_vec()).to_string();
             self.route.properties.insert(HOME.to_owned(), home);
         }
+        let kept = self.complex.iter().filter_map(|(text, way_points)| {
+            Some(Complex {
+                item: serde_json::from_str(text).ok()?,
+                way_points: way_points.clone(),
+            })
+        });
+        // Texts and numbers always have a JSON form.
+        if let (false, Ok(kept)) = (
+            self.complex.is_empty(),
+            serde_json::to_string(&kept.collect::<Vec<_>>()),
+        ) {
+            self.route.properties.insert(COMPLEX.to_owned(), kept);
+        }
         let mut notes = Vec::new();
+        if !self.shown.is_empty() {
+            notes.push(format!(
+                "shown are the way-points of what stands for several commands, and written again as it \
+                 was unless they are changed: {}",
+                counted(&self.shown)
+            ));
+        }
         let mut note = |names: &[String], one: &str, many: &str| {
             if !names.is_empty() {
                 let (count, names) = (names.len(), counted(names));

@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::embedded::{self, Item};
 use super::found::{Found, POINT_BOX};
 use super::xml::{Element, Source};
-use super::{ExchangeError, kml_write};
+use super::{ExchangeError, kml_write, wpml};
 use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
 use crate::mission::{USUAL_ALTITUDE, WayPoint};
 use pilotage_base::files::{FileSet, ZipFiles};
@@ -39,7 +39,8 @@ pub(super) fn unpack(file: &str, bytes: &[u8]) -> Result<Vec<u8>, ExchangeError>
 
 /// The document of a KMZ that others hang on.
 pub(super) fn main_document(names: &[String]) -> Option<String> {
-    let is_kml = |name: &&String| name.to_ascii_lowercase().ends_with(".kml");
+    let is_kml =
+        |name: &&String| name.to_ascii_lowercase().ends_with(".kml") && !wpml::is_shadow(name);
     let mut all = names.iter();
     let main = all.find(|name| *name == "doc.kml");
     main.or_else(|| names.iter().find(is_kml)).cloned()
@@ -246,6 +247,11 @@ impl Reader<'_> {
                 landmark.properties.extend(properties);
                 self.found.landmarks.push(landmark);
             }
+            Item::NoFly(mut zone) => {
+                zone.name.clone_from(&said.name);
+                zone.properties.extend(properties);
+                self.found.no_fly.push(zone);
+            }
         }
         true
     }
@@ -300,7 +306,7 @@ impl Reader<'_> {
         let path = format!("Placemark/{}/coordinates", geometry.name);
         let mut places = Vec::new();
         for list in holder.all("coordinates") {
-            for tuple in list.text.split_whitespace() {
+            for tuple in tuples(&list.text) {
                 let place = place(tuple.split(',')).ok_or_else(|| {
                     let cause = format!("{path}: `{tuple}` is no longitude,latitude,altitude");
                     self.source.error(list.begin, cause)
@@ -321,6 +327,19 @@ impl Reader<'_> {
         }
         Ok(places)
     }
+}
+
+/// The places of a list of coordinates as they stand: between them is space, and some programs write
+/// space beside the commas in them as well.
+fn tuples(text: &str) -> Vec<String> {
+    let mut tuples: Vec<String> = Vec::new();
+    for part in text.split_whitespace() {
+        match tuples.last_mut() {
+            Some(last) if last.ends_with(',') || part.starts_with(',') => last.push_str(part),
+            _ => tuples.push(part.to_owned()),
+        }
+    }
+    tuples
 }
 
 /// Identities of the styles in an element, and what its placemarks and style maps refer to.

@@ -5,12 +5,12 @@ use std::fmt::Write;
 
 use serde_json::Value;
 
+use super::Places;
 use super::embedded::{self, Embedded};
 use super::xml::escape;
-use crate::mission::{Route, degrees, globe, rings};
+use crate::mission::{degrees, globe, rings};
 use pilotage_base::files::{FileSink, ZipSink};
 use pilotage_base::frames::{AltitudeFrame, GroundPoint, LocalFrame};
-use pilotage_vision::landmark::Landmark;
 
 /// Name of the datum that holds what only we know.
 pub(super) const OWN: &str = "pilotage";
@@ -34,12 +34,13 @@ const ORDER: [&str; 13] = [
     "StyleMap",
 ];
 
-/// Routes as lines and landmarks as polygons.
-pub(super) fn write(
-    routes: &[Route],
-    landmarks: &[Landmark],
-    frame: &LocalFrame,
-) -> (String, Vec<String>) {
+/// Routes as lines, landmarks and no-fly areas as polygons.
+pub(super) fn write(places: &Places, frame: &LocalFrame) -> (String, Vec<String>) {
+    let Places {
+        routes,
+        landmarks,
+        no_fly,
+    } = *places;
     let mut text = String::from(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
          <kml xmlns=\"http://www.opengis.net/kml/2.2\" \
@@ -79,23 +80,18 @@ pub(super) fn write(
         placemark(&mut text, &route.name, &embedded, &geometry);
     }
     for landmark in landmarks {
-        let mut geometry = String::from("<Polygon>");
-        for (i, ring) in rings(landmark).iter().enumerate() {
-            let boundary = if i == 0 {
-                "outerBoundaryIs"
-            } else {
-                "innerBoundaryIs"
-            };
-            let ring: Vec<String> = ring.iter().map(|corner| position(frame, corner)).collect();
-            let _ = write!(
-                geometry,
-                "<{boundary}><LinearRing><coordinates>{}</coordinates></LinearRing></{boundary}>",
-                ring.join(" ")
-            );
-        }
-        geometry.push_str("</Polygon>");
+        let geometry = polygon(&rings(landmark), frame);
         let embedded = embedded::of_landmark(landmark, frame);
         placemark(&mut text, &landmark.name, &embedded, &geometry);
+    }
+    for zone in no_fly {
+        let closed = |ring: &Vec<GroundPoint>| ring.iter().chain(ring.first()).copied().collect();
+        let rings: Vec<Vec<GroundPoint>> = std::iter::once(&zone.corners)
+            .chain(&zone.holes)
+            .map(closed)
+            .collect();
+        let embedded = embedded::of_no_fly(zone, frame);
+        placemark(&mut text, &zone.name, &embedded, &polygon(&rings, frame));
     }
     text.push_str("</Document>\n</kml>\n");
     let mut notes = Vec::new();
@@ -106,6 +102,25 @@ pub(super) fn write(
         );
     }
     (text, notes)
+}
+
+/// A polygon of rings, each with its first corner again at the end: the outer one, then holes.
+fn polygon(rings: &[Vec<GroundPoint>], frame: &LocalFrame) -> String {
+    let mut geometry = String::from("<Polygon>");
+    for (i, ring) in rings.iter().enumerate() {
+        let boundary = if i == 0 {
+            "outerBoundaryIs"
+        } else {
+            "innerBoundaryIs"
+        };
+        let ring: Vec<String> = ring.iter().map(|corner| position(frame, corner)).collect();
+        let _ = write!(
+            geometry,
+            "<{boundary}><LinearRing><coordinates>{}</coordinates></LinearRing></{boundary}>",
+            ring.join(" ")
+        );
+    }
+    geometry + "</Polygon>"
 }
 
 fn position(frame: &LocalFrame, p: &GroundPoint) -> String {

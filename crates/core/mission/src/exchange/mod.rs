@@ -5,6 +5,7 @@
 //! again into the same format; whatever was assumed, kept aside or left out stands in the notes.
 
 mod angle;
+mod complex;
 mod csv_columns;
 mod csv_read;
 mod csv_write;
@@ -24,6 +25,7 @@ mod kml_read;
 mod kml_write;
 pub mod labels;
 mod litchi;
+mod old_mission;
 mod plan;
 #[cfg(test)]
 mod plan_schema;

@@ -9,11 +9,12 @@ use serde_json::Value;
 use serde_json::value::RawValue;
 
 use super::ExchangeError;
+use super::complex;
 use super::fence;
 use super::found::Found;
 use super::item::Item;
 use super::item_route::{Home, Step, route_of};
-use super::route_items::{Written, home_of, members, steps_of};
+use super::route_items::{Written, home_of, members, steps_of_plan};
 use crate::mission::text::{Members, Text};
 use crate::mission::way_point_file::kept;
 use crate::mission::{MissionError, NoFlyZone, Route, degrees};
@@ -142,7 +143,7 @@ fn step<'a>(text: &Text<'a>, i: usize, piece: &'a RawValue) -> Result<Step, Miss
         let name = name
             .or(kind)
             .unwrap_or_else(|| "an item without type".to_owned());
-        return Ok(Step::Other(name, piece.get().to_owned()));
+        return Ok(several(name, piece.get()));
     }
     let missing = |name: &str| text.error(piece.get(), format!("{}: it is missing", path(name)));
     let command: Option<u16> = at(&path("command"), text.take(&mut members, "command"))?;
@@ -189,6 +190,36 @@ fn step<'a>(text: &Text<'a>, i: usize, piece: &'a RawValue) -> Result<Step, Miss
         members: kept(members),
         text: piece.get().to_owned(),
     })
+}
+
+/// An item that is no command: with those that it stands for, if they are stored and lead to a place.
+fn several(name: String, text: &str) -> Step {
+    let commands = complex::commands(text);
+    let read = |command: &String| {
+        let text = Text(command);
+        let piece = serde_json::from_str::<&RawValue>(command).ok()?;
+        match step(&text, 0, piece).ok()? {
+            Step::Command {
+                item,
+                altitude,
+                members,
+                text,
+            } => Some(Step::Command {
+                item,
+                altitude,
+                members,
+                text,
+            }),
+            _ => None,
+        }
+    };
+    // What cannot be read is kept as it stands.
+    let steps: Option<Vec<Step>> = commands.iter().map(read).collect();
+    let leads = |step: &Step| matches!(step, Step::Command { item, .. } if item.action().is_some());
+    match steps.filter(|steps| steps.iter().any(leads)) {
+        Some(steps) => Step::Complex(name, text.to_owned(), steps),
+        None => Step::Other(name, text.to_owned()),
+    }
 }
 
 /// The route as a plan, and notes on what was assumed.
@@ -294,7 +325,7 @@ fn plan_mode(route: &Route) -> u8 {
 }
 
 fn items(route: &Route, frame: &LocalFrame) -> String {
-    let steps = steps_of(route, frame);
+    let steps = steps_of_plan(route, frame);
     // Where commands jump to others by number, those with a number keep it.
     let own_ids: Vec<Option<usize>> = steps.iter().map(Written::jump_id).collect();
     let is_numbered_anew = !route

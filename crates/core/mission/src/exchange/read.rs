@@ -1,6 +1,8 @@
 //! One entry for all formats that are read.
 
-use super::{ExchangeError, Format, csv_read, geojson, gpx, kml_read, plan, waypoints, wpml};
+use super::{
+    ExchangeError, Format, csv_read, geojson, gpx, kml_read, old_mission, plan, waypoints, wpml,
+};
 use crate::mission::found::{self, LonLat};
 use crate::mission::{NoFlyZone, Route};
 use pilotage_base::frames::{Geodetic, GroundPoint, LocalFrame};
@@ -63,10 +65,12 @@ pub fn read_any(
         };
         match format {
             Format::Wpml => wpml::read(name, bytes)?,
-            Format::Plan => plan::read(name, &content)?,
+            Format::Plan => match old_mission::as_plan(&content) {
+                Some(plan) => old_mission::read(name, &plan)?,
+                None => plan::read(name, &content)?,
+            },
             Format::Waypoints => waypoints::read(name, &content)?,
-            Format::GeoJson => geojson::read(name, &content)
-                .map_err(|cause| old_mission(name, bytes).unwrap_or(cause))?,
+            Format::GeoJson => geojson::read(name, &content)?,
             Format::Kml | Format::Kmz => kml_read::read(name, &content)?,
             Format::Gpx => gpx::read(name, &content)?,
             Format::Csv | Format::Litchi => csv_read::read(name, &content)?,
@@ -142,17 +146,6 @@ fn too_far(file: &str, what: &str) -> ExchangeError {
         file: file.to_owned(),
         cause: format!("its places {what}: split the file into regions"),
     }
-}
-
-/// The refusal of JSON that `QGroundControl` saved before there were plans.
-fn old_mission(file: &str, bytes: &[u8]) -> Option<ExchangeError> {
-    let members: serde_json::Map<String, serde_json::Value> = serde_json::from_slice(bytes).ok()?;
-    let is_old = members.contains_key("items") && members.contains_key("MAV_AUTOPILOT");
-    is_old.then(|| ExchangeError::File {
-        file: file.to_owned(),
-        cause: "this is an old .mission of QGroundControl: open it there and save it as .plan"
-            .to_owned(),
-    })
 }
 
 /// The text of a file: UTF-8, or else taken for Latin-1, which is said.

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use serde_json::Value;
 use serde_json::value::RawValue;
 
+use super::complex::{self, Inside};
 use super::item::{Item, command_of, frame_number};
 use super::item_route::{
     AT_HOME, FIRST, GROUND_SPEED, HOME, Home, MEMBER, OWN, Own, SPEED_MEMBER, SPEED_PLACE, THEN,
@@ -45,20 +46,50 @@ fn jump_id_of(text: &str) -> Option<usize> {
     usize::try_from(value.get("doJumpId")?.as_u64()?).ok()
 }
 
-/// The steps of a route, in order.
+/// The steps of a route, in order; surveys and the like as the commands that they stand for.
 pub(super) fn steps_of<'a>(route: &'a Route, frame: &LocalFrame) -> Vec<Written<'a>> {
+    steps(route, frame, &[])
+}
+
+/// The steps of a route, in order, with surveys and the like as they were, unless somebody changed them.
+pub(super) fn steps_of_plan<'a>(route: &'a Route, frame: &LocalFrame) -> Vec<Written<'a>> {
+    steps(route, frame, &complex::unchanged(route, frame))
+}
+
+/// The steps of a route; `whole` are what stands for several commands and is written as it is.
+fn steps<'a>(
+    route: &'a Route,
+    frame: &LocalFrame,
+    whole: &[Option<&'a RawValue>],
+) -> Vec<Written<'a>> {
     let home = stated_home(route);
     let mut steps = Vec::new();
     let mut speed = None;
-    let mut before = kept(route.properties.get(FIRST));
+    let in_whole = |number: usize| whole.get(number).copied().flatten();
+    let outside = |pieces: Vec<&'a RawValue>| -> Vec<&'a RawValue> {
+        let of = |piece: &'a RawValue| match serde_json::from_str::<Inside>(piece.get()) {
+            Ok(inside) if in_whole(inside.complex).is_some() => None,
+            Ok(inside) => Some(inside.item),
+            Err(_) => Some(piece),
+        };
+        pieces.into_iter().filter_map(of).collect()
+    };
+    let mut last = None;
+    let mut before = outside(kept(route.properties.get(FIRST)));
     for way_point in &route.way_points {
         between(&mut steps, &before, Some((way_point, speed)));
         speed = way_point.speed;
-        steps.push(Written::WayPoint(
-            command(way_point, frame, home),
-            way_point,
-        ));
-        before = kept(way_point.properties.get(THEN));
+        let number = complex::number(way_point).filter(|number| in_whole(*number).is_some());
+        match number.and_then(in_whole) {
+            Some(_) if number == last => {}
+            Some(item) => steps.push(Written::Kept(item)),
+            None => steps.push(Written::WayPoint(
+                command(way_point, frame, home),
+                way_point,
+            )),
+        }
+        last = number;
+        before = outside(kept(way_point.properties.get(THEN)));
     }
     between(&mut steps, &before, None);
     steps

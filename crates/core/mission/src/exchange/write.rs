@@ -23,7 +23,8 @@ pub struct Places<'a> {
     pub routes: &'a [Route],
     /// Landmarks.
     pub landmarks: &'a [Landmark],
-    /// Areas that must not be flown over: plans have them as fences, other formats have none.
+    /// Areas that must not be flown over: plans have them as fences, KML and GeoJSON as marked polygons;
+    /// other formats have none.
     pub no_fly: &'a [NoFlyZone],
 }
 
@@ -96,8 +97,8 @@ pub fn write_places(
         (Format::Litchi, [route]) => litchi::write(route, frame)?,
         (Format::Plan, [route]) => plan::write(route, no_fly, frame),
         (Format::Waypoints, [route]) => waypoints::write(route, no_fly, frame),
-        (Format::GeoJson, _) => geojson::write(routes, landmarks, frame),
-        (Format::Kml | Format::Kmz, _) => kml_write::write(routes, landmarks, frame),
+        (Format::GeoJson, _) => geojson::write(places, frame),
+        (Format::Kml | Format::Kmz, _) => kml_write::write(places, frame),
         (Format::Gpx, _) => gpx::write(routes, landmarks, frame),
         (Format::Csv, []) => (csv_write::write_landmarks(landmarks, frame), Vec::new()),
         (Format::Csv, _) if landmarks.is_empty() => {
@@ -110,7 +111,7 @@ pub fn write_places(
             ));
         }
     };
-    if !matches!(format, Format::Plan | Format::Waypoints) {
+    if matches!(format, Format::Gpx | Format::Csv | Format::Litchi) {
         notes.extend(fence::left_out(&[], no_fly, frame));
     }
     let bytes = match format {

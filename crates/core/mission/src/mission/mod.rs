@@ -32,7 +32,7 @@ pub use record::{MapReference, Mission};
 pub use route::{Route, WayPoint, WayPointAction};
 pub use way_point_file::USUAL_ALTITUDE;
 pub use write::write_mission;
-pub(crate) use write::{degrees, rings, write_features};
+pub(crate) use write::{degrees, no_fly_feature, rings, write_features};
 
 /// Version of the file that is read and written.
 const VERSION: &str = "1";
@@ -55,4 +55,4 @@ pub const FEATURE_MEMBER: &str = "feature:";
 const ROUTE_MARK: (&str, &str) = ("pilotage", "\"route\"");
 
 /// Property and its value by which a polygon says that it is an area that must not be flown over.
-const NO_FLY_MARK: (&str, &str) = ("pilotage", "\"no-fly\"");
+pub(crate) const NO_FLY_MARK: (&str, &str) = ("pilotage", "\"no-fly\"");

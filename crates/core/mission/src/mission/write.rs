@@ -163,7 +163,8 @@ fn ring(frame: &LocalFrame, corners: &[GroundPoint]) -> String {
     format!("[{}]", corners.join(", "))
 }
 
-fn no_fly_feature(zone: &NoFlyZone, frame: &LocalFrame) -> String {
+/// An area that must not be flown over as a feature of GeoJSON.
+pub(crate) fn no_fly_feature(zone: &NoFlyZone, frame: &LocalFrame) -> String {
     let rings: Vec<String> = std::iter::once(&zone.corners)
         .chain(&zone.holes)
         .map(|corners| {

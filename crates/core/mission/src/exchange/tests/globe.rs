@@ -2,7 +2,9 @@
 
 use proptest::prelude::*;
 
-use super::super::{Format, read_any, write_landmarks, write_route};
+use super::super::{Format, Places, read_any, write_landmarks, write_places, write_route};
+use crate::mission::NoFlyZone;
+use pilotage_base::frames::GroundPoint;
 
 fn csv(places: &[(f64, f64)]) -> String {
     let rows: Vec<String> = places
@@ -106,4 +108,44 @@ fn a_moment_of_a_track_without_a_place_is_left_out_and_told() {
         "{:?}",
         back.notes
     );
+}
+
+#[test]
+fn no_fly_areas_come_back_as_such_with_their_holes() {
+    let mut read = read_any("a.kml", RING.as_bytes(), None).unwrap();
+    let ring = |places: &[(f64, f64)]| -> Vec<GroundPoint> {
+        places
+            .iter()
+            .map(|(n, e)| GroundPoint::new(*n, *e))
+            .collect()
+    };
+    read.landmarks.clear();
+    let zone = NoFlyZone {
+        name: "air base & town".to_owned(),
+        corners: ring(&[(0.0, 0.0), (900.0, 0.0), (900.0, 700.0), (0.0, 650.0)]),
+        holes: vec![ring(&[(100.0, 100.0), (200.0, 100.0), (200.0, 180.0)])],
+        properties: [("owner".to_owned(), "\"Ann\"".to_owned())].into(),
+    };
+    for format in [Format::GeoJson, Format::Kml, Format::Kmz] {
+        let places = Places {
+            no_fly: std::slice::from_ref(&zone),
+            ..Places::default()
+        };
+        let file = write_places(format, &places, &read.frame).unwrap();
+        assert_eq!(file.notes, Vec::<String>::new());
+        let back = read_any("x", &file.bytes, Some(read.frame)).unwrap();
+        let counts = (back.routes.len(), back.landmarks.len(), back.no_fly.len());
+        assert_eq!(counts, (0, 0, 1), "{}", format.name());
+        let after = &back.no_fly[0];
+        assert_eq!(
+            (&after.name, &after.properties),
+            (&zone.name, &zone.properties)
+        );
+        let rings = |zone: &NoFlyZone| [&[zone.corners.clone()][..], &zone.holes].concat();
+        assert_eq!(after.holes.len(), 1);
+        for (a, b) in rings(after).iter().zip(&rings(&zone)) {
+            assert_eq!(a.len(), b.len(), "{}", format.name());
+            assert!(a.iter().zip(b).all(|(a, b)| a.distance(b) < 1e-3));
+        }
+    }
 }

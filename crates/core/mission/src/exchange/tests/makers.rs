@@ -299,3 +299,90 @@ fn a_table_for_litchi_says_nothing_about_what_a_route_does_not_know() {
     );
     assert_eq!(&row[38..], ["0", "0", "0", "0", "0", "0", "-1", "-1"]);
 }
+
+#[test]
+fn what_a_zip_has_beside_a_mission_of_dji_is_told_and_shadows_are_none_of_it() {
+    let zip = ZipFiles::open(&documented("relativeToStartPoint", [60.0, 65.5], None)).unwrap();
+    let waylines = zip.read("wpmz/waylines.wpml").unwrap();
+    let mut more = ZipSink::default();
+    let shadow = "__MACOSX/wpmz/._waylines.wpml";
+    for (name, bytes) in [
+        (shadow, &[0, 5][..]),
+        ("wpmz/waylines.wpml", &waylines),
+        ("wpmz/res/a.jpg", &[1][..]),
+    ] {
+        more.write(name, bytes).unwrap();
+    }
+    let back = read(&more.finish().unwrap());
+    assert_eq!(back.routes[0].way_points.len(), 2);
+    assert!(
+        back.notes.iter().any(|n| n.starts_with("1 × other file")),
+        "{:?}",
+        back.notes
+    );
+}
+
+#[test]
+fn a_template_alone_says_how_far_the_ellipsoid_is() {
+    let text = "<kml xmlns:wpml=\"http://www.dji.com/wpmz/1.0.2\"><Document><Folder>\
+        <wpml:templateType>waypoint</wpml:templateType><wpml:waylineCoordinateSysParam>\
+        <wpml:heightMode>EGM96</wpml:heightMode></wpml:waylineCoordinateSysParam>\
+        <wpml:autoFlightSpeed>6</wpml:autoFlightSpeed><Placemark><Point><coordinates>8,47</coordinates></Point>\
+        <wpml:ellipsoidHeight>547.5</wpml:ellipsoidHeight><wpml:height>500</wpml:height></Placemark>\
+        <Placemark><Point><coordinates>8.01,47</coordinates></Point><wpml:ellipsoidHeight>557.5</wpml:ellipsoidHeight>\
+        <wpml:height>510</wpml:height></Placemark></Folder></Document></kml>";
+    let before = read(text.as_bytes());
+    let speeds: Vec<_> = before.routes[0]
+        .way_points
+        .iter()
+        .map(|w| w.speed)
+        .collect();
+    assert_eq!(speeds, [None, Some(6.0)]);
+    let written = write_route(Format::Wpml, &before.routes[0], &before.frame).unwrap();
+    let waylines = ZipFiles::open(&written.bytes)
+        .unwrap()
+        .read("wpmz/waylines.wpml")
+        .unwrap();
+    let waylines = String::from_utf8(waylines).unwrap();
+    for kept in [
+        "<wpml:executeHeightMode>WGS84<",
+        "<wpml:executeHeight>547.5<",
+        "<wpml:executeHeight>557.5<",
+    ] {
+        assert!(waylines.contains(kept), "{waylines}");
+    }
+}
+
+#[test]
+fn the_template_of_an_area_says_how_far_the_ellipsoid_of_its_waylines_is() {
+    let zip = ZipFiles::open(&documented("WGS84", [547.25, 553.25], None)).unwrap();
+    let template = "<kml xmlns:wpml=\"http://www.dji.com/wpmz/1.0.6\"><Document><Folder>\
+        <wpml:templateType>mapping2d</wpml:templateType><wpml:waylineCoordinateSysParam>\
+        <wpml:heightMode>EGM96</wpml:heightMode></wpml:waylineCoordinateSysParam><Placemark><Polygon/>\
+        <wpml:ellipsoidHeight>147.25</wpml:ellipsoidHeight><wpml:height>100</wpml:height></Placemark></Folder>\
+        </Document></kml>";
+    let read_with = |template: &str| {
+        let mut more = ZipSink::default();
+        let name = "wpmz/waylines.wpml";
+        more.write(name, &zip.read(name).unwrap()).unwrap();
+        more.write("wpmz/template.kml", template.as_bytes())
+            .unwrap();
+        read(&more.finish().unwrap())
+    };
+    let metres = |back: &Imported| -> Vec<f64> {
+        altitudes(&back.routes[0])
+            .iter()
+            .map(|a| a.metres)
+            .collect()
+    };
+    let back = read_with(template);
+    assert_eq!(metres(&back), [500.0, 506.0]);
+    assert!(
+        back.notes.iter().any(|n| n.contains("47.25 m above it")),
+        "{:?}",
+        back.notes
+    );
+    // Heights above the ground say nothing of the geoid.
+    let back = read_with(&template.replace("EGM96", "relativeToStartPoint"));
+    assert_eq!(metres(&back), [547.25, 553.25]);
+}

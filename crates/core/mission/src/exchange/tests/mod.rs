@@ -7,6 +7,7 @@ mod home;
 mod makers;
 mod plan;
 mod round_trip;
+mod several;
 
 use crate::mission::{Route, WayPoint, WayPointAction};
 use pilotage_base::frames::{Altitude, AltitudeFrame, Geodetic, GroundPoint, LocalFrame};

@@ -35,6 +35,8 @@ pub(super) struct Point {
     pub index: Option<usize>,
     /// Metres above what the folder's mode says.
     pub height: Option<f64>,
+    /// Metres above the ellipsoid, where the template says so beside that.
+    pub ellipsoid: Option<f64>,
     /// Speed of the leg that leads away from it, m/s.
     pub speed: Option<f64>,
     /// Everything else.
@@ -169,6 +171,7 @@ fn point(
         place,
         index: placemark.child_text("index").and_then(|t| t.parse().ok()),
         height: flown.or(drawn),
+        ellipsoid: number(source, placemark, "ellipsoidHeight")?,
         speed: speed.or(common.speed),
         rest: text_of(placemark.children.iter().filter(other).filter(kml)),
         turn: turn.map(str::to_owned),

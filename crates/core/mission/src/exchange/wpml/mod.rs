@@ -55,9 +55,15 @@ fn ending(files: &dyn FileSet, end: &str) -> Option<(String, Vec<u8>)> {
     names.sort();
     let name = names
         .into_iter()
-        .find(|name| name.to_ascii_lowercase().ends_with(end))?;
+        .find(|name| name.to_ascii_lowercase().ends_with(end) && !is_shadow(name))?;
     let bytes = files.read(&name)?;
     Some((name, bytes))
+}
+
+/// Whether a file in a zip is what macOS puts beside another one of the same name.
+pub(super) fn is_shadow(name: &str) -> bool {
+    let own = name.rsplit('/').next().unwrap_or(name);
+    name.starts_with("__MACOSX/") || own.starts_with("._")
 }
 
 /// Elements as text, all in DJI's name space.

@@ -10,11 +10,12 @@ use super::super::xml::{Element, Source};
 use super::super::{ExchangeError, kml_read};
 use super::folder::{Folder, Point, folders};
 use super::{
-    IN_TEMPLATE, IN_WAYLINES, INDEX, MISSION, OWN_NAME_SPACE, UNDULATION, ending, is_text, text_of,
+    IN_TEMPLATE, IN_WAYLINES, INDEX, MISSION, OWN_NAME_SPACE, UNDULATION, ending, is_shadow,
+    is_text, text_of,
 };
 use crate::mission::found::FoundRoute;
 use crate::mission::{USUAL_ALTITUDE, WayPoint};
-use pilotage_base::files::ZipFiles;
+use pilotage_base::files::{FileSet, ZipFiles};
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
 
 /// Farthest that places of both files are apart, degrees.
@@ -36,14 +37,21 @@ pub(in super::super) fn read(file: &str, bytes: &[u8]) -> Result<Found, Exchange
         file: file.to_owned(),
         cause: cause.to_owned(),
     };
-    let mut waylines = None;
-    let mut template = None;
+    let (mut waylines, mut template, mut others) = (None, None, 0);
     if bytes.starts_with(b"PK") {
         let zip = ZipFiles::open(bytes).map_err(|cause| error(&cause))?;
         let part =
             |end| ending(&zip, end).map(|(name, bytes)| part(&format!("{file}: {name}"), &bytes));
         waylines = part(".wpml").transpose()?;
         template = part("template.kml").transpose()?;
+        let is_other = |name: &&String| {
+            let name = name.to_ascii_lowercase();
+            !(is_shadow(&name)
+                || name.ends_with('/')
+                || name.ends_with(".wpml")
+                || name.ends_with("template.kml"))
+        };
+        others = zip.names().iter().filter(is_other).count();
     } else {
         let only = part(file, bytes)?;
         let is_flown = only.text.contains("executeHeight");
@@ -54,7 +62,10 @@ pub(in super::super) fn read(file: &str, bytes: &[u8]) -> Result<Found, Exchange
         }) = Some(only);
     }
     let mut found = Found::default();
-    let mut told = Told::default();
+    let mut told = Told {
+        site: template.as_ref().and_then(|part| site(&part.root)),
+        ..Told::default()
+    };
     let drawn = template.as_ref().map_or(&[][..], |part| &part.folders);
     let flown = waylines.as_ref().map_or(&[][..], |part| &part.folders);
     for folder in flown {
@@ -96,6 +107,11 @@ pub(in super::super) fn read(file: &str, bytes: &[u8]) -> Result<Found, Exchange
         }
     }
     found.notes = told.notes();
+    if others > 0 {
+        found
+            .notes
+            .push(format!("{others} × other file in the zip is left out"));
+    }
     let stem = file.rsplit(['/', '\\']).next().unwrap_or(file);
     let stem = stem.rsplit_once('.').map_or(stem, |(stem, _)| stem);
     let is_only = found.routes.len() == 1;
@@ -138,6 +154,21 @@ fn is_same(flown: &Folder, drawn: &Folder) -> bool {
         && flown.points.iter().zip(&drawn.points).all(near)
 }
 
+/// Height of mean sea level above the ellipsoid, metres, where a template states a height above both, as that of
+/// an area does for all of it.
+fn site(template: &Element) -> Option<f64> {
+    if find(template, "heightMode")?.text != "EGM96" {
+        return None;
+    }
+    fn difference(element: &Element) -> Option<f64> {
+        let number = |name: &str| element.child_text(name)?.parse::<f64>().ok();
+        let own = number("ellipsoidHeight").zip(number("height"));
+        let own = own.map(|(ellipsoid, sea)| ellipsoid - sea);
+        own.or_else(|| element.children.iter().find_map(difference))
+    }
+    difference(template).filter(|metres| metres.abs() < FARTHEST_GEOID)
+}
+
 /// The reference take-off point, where the geoid is known there.
 fn home(root: &Element, route: &mut FoundRoute) {
     let undulation = route
@@ -173,6 +204,9 @@ struct Told {
     modes: Vec<String>,
     ellipsoid: usize,
     heightless: usize,
+    /// Height of mean sea level above the ellipsoid where the template says so, metres.
+    site: Option<f64>,
+    by_site: usize,
 }
 
 impl Told {
@@ -245,7 +279,14 @@ impl Told {
             Some("realTimeFollowSurface" | "aboveGroundLevel" | "AGL") => {
                 (Altitude::new(height, AltitudeFrame::AboveGround), None)
             }
-            Some("EGM96") => (Altitude::new(height, AltitudeFrame::Amsl), None),
+            Some("EGM96") => {
+                let undulation = point.ellipsoid.map(|ellipsoid| ellipsoid - height);
+                let undulation = undulation.filter(|metres| metres.abs() < FARTHEST_GEOID);
+                (
+                    Altitude::new(height, AltitudeFrame::Amsl),
+                    undulation.map(Some),
+                )
+            }
             Some("WGS84") => match drawn {
                 Some(("EGM96", above_sea)) if (height - above_sea).abs() < FARTHEST_GEOID => {
                     let altitude = Altitude::new(above_sea, AltitudeFrame::Amsl);
@@ -255,10 +296,17 @@ impl Told {
                     Altitude::new(above_ground, AltitudeFrame::AboveGround),
                     None,
                 ),
-                _ => {
-                    self.ellipsoid += 1;
-                    (Altitude::new(height, AltitudeFrame::Amsl), Some(None))
-                }
+                _ => match self.site {
+                    Some(site) => {
+                        self.by_site += 1;
+                        let altitude = Altitude::new(height - site, AltitudeFrame::Amsl);
+                        (altitude, Some(Some(site)))
+                    }
+                    None => {
+                        self.ellipsoid += 1;
+                        (Altitude::new(height, AltitudeFrame::Amsl), Some(None))
+                    }
+                },
             },
             other => {
                 self.modes.push(other.unwrap_or("none").to_owned());
@@ -311,6 +359,14 @@ impl Told {
                 "{} of the heights are above the ellipsoid, up to 107 m from mean sea level: they are taken \
                  as they are",
                 self.ellipsoid
+            ));
+        }
+        if self.by_site > 0 {
+            notes.push(format!(
+                "{} of the heights are above the ellipsoid: they are given above mean sea level, which the \
+                 template says is {:.2} m above it",
+                self.by_site,
+                self.site.unwrap_or(0.0)
             ));
         }
         if self.heightless > 0 {

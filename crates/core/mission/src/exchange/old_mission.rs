@@ -1,0 +1,93 @@
+//! Missions of `QGroundControl` before there were plans (`.mission`, versions 1 and 2), as the plans that
+//! say the same.
+
+use serde_json::{Map, Value, json};
+
+use super::found::Found;
+use super::{ExchangeError, plan};
+
+/// The plan that says what an old mission says; `None` if the text is none.
+pub(super) fn as_plan(content: &str) -> Option<String> {
+    let mut old: Map<String, Value> = serde_json::from_str(content).ok()?;
+    let is_second = old.get("fileType").is_some_and(|kind| kind == "Mission");
+    let is_first = !old.contains_key("fileType") && old.contains_key("MAV_AUTOPILOT");
+    if !old.contains_key("items") || !(is_first || is_second) {
+        return None;
+    }
+    old.remove("fileType");
+    let ground_station = old.remove("groundStation");
+    if is_first {
+        renew(&mut old);
+    }
+    old.insert("version".to_owned(), json!(2));
+    let mut plan = json!({ "fileType": "Plan", "version": 1, "mission": old });
+    if let (Some(ground_station), Some(plan)) = (ground_station, plan.as_object_mut()) {
+        plan.insert("groundStation".to_owned(), ground_station);
+    }
+    Some(plan.to_string())
+}
+
+/// Reads a plan that was made of an old mission.
+pub(super) fn read(file: &str, plan: &str) -> Result<Found, ExchangeError> {
+    let mut found = plan::read(file, plan).map_err(|error| match error {
+        // Lines are those of the plan.
+        ExchangeError::Place { file, cause, .. } => ExchangeError::File { file, cause },
+        other => other,
+    })?;
+    found.notes.push(
+        "this is a mission of QGroundControl before there were plans; it is written as a plan"
+            .to_owned(),
+    );
+    Ok(found)
+}
+
+/// Members of version 1 as version 2 has them.
+fn renew(old: &mut Map<String, Value>) {
+    let simple = |item: Value| {
+        let Value::Object(mut item) = item else {
+            return item;
+        };
+        let mut parameters: Vec<Value> = (1..=4)
+            .map(|i| item.remove(&format!("param{i}")).unwrap_or_default())
+            .collect();
+        let place = item.remove("coordinate").unwrap_or_default();
+        parameters.extend(place.as_array().cloned().unwrap_or_default());
+        item.insert("params".to_owned(), Value::from(parameters));
+        item.insert("type".to_owned(), json!("SimpleItem"));
+        if let Some(id) = item.remove("id") {
+            item.insert("doJumpId".to_owned(), id);
+        }
+        Value::Object(item)
+    };
+    let taken = |old: &mut Map<String, Value>, name: &str| match old.remove(name) {
+        Some(Value::Array(list)) => list,
+        _ => Vec::new(),
+    };
+    let mut items: Vec<Value> = taken(old, "items").into_iter().map(simple).collect();
+    // Surveys stand apart, with the number at which they are flown.
+    for mut complex in taken(old, "complexItems") {
+        let number = |item: &Value, name: &str| item.get(name).and_then(Value::as_f64);
+        let own = number(&complex, "id");
+        let behind = |item: &Value| {
+            number(item, "doJumpId")
+                .zip(own)
+                .is_some_and(|(a, b)| a > b)
+        };
+        let at = items.iter().position(behind).unwrap_or(items.len());
+        if let Some(members) = complex.as_object_mut() {
+            members.insert("type".to_owned(), json!("ComplexItem"));
+        }
+        items.insert(at, complex);
+    }
+    old.insert("items".to_owned(), Value::from(items));
+    let firmware = old.remove("MAV_AUTOPILOT").unwrap_or_else(|| json!(12));
+    old.insert("firmwareType".to_owned(), firmware);
+    // Home was an item.
+    if let Some(home) = old
+        .get("plannedHomePosition")
+        .and_then(|home| home.get("coordinate"))
+    {
+        let home = home.clone();
+        old.insert("plannedHomePosition".to_owned(), home);
+    }
+}
