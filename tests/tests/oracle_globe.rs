@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use pilotage_core::exchange::{Format, Imported, Places, read_any, write_places};
 use pilotage_tests::oracle::{ask, hex_of_bytes};
-use rand::{Rng, SeedableRng};
+use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use serde::Serialize;
 

@@ -78,6 +78,7 @@ pub fn catalog() -> Vec<Entry> {
         Command::Compare(CompareCommand::KeepSmoothed),
     ));
     entries.extend(document());
+    entries.extend(exports());
     entries
 }
 
@@ -472,6 +473,47 @@ fn labels() -> Vec<Entry> {
     ]
 }
 
+/// What can be written for other programs.
+fn exports() -> Vec<Entry> {
+    let (route, track) = (Command::ExportRoute, Command::ExportTrack);
+    let landmarks = Command::ExportLandmarks;
+    let all = [
+        (
+            "Export the route as a QGroundControl plan",
+            route(Format::Plan),
+        ),
+        (
+            "Export the route as way-points (QGC WPL)",
+            route(Format::Waypoints),
+        ),
+        ("Export the route as KML", route(Format::Kml)),
+        ("Export the route as KMZ", route(Format::Kmz)),
+        (
+            "Export the route as a mission of DJI (WPML)",
+            route(Format::Wpml),
+        ),
+        (
+            "Export the route as a table of Litchi",
+            route(Format::Litchi),
+        ),
+        ("Export the route as GPX", route(Format::Gpx)),
+        ("Export the route as GeoJSON", route(Format::GeoJson)),
+        ("Export the route as CSV", route(Format::Csv)),
+        (
+            "Export the landmarks as GeoJSON",
+            landmarks(Format::GeoJson),
+        ),
+        ("Export the landmarks as KML", landmarks(Format::Kml)),
+        ("Export the landmarks as CSV", landmarks(Format::Csv)),
+        ("Save the flown track as KML", track(Format::Kml)),
+        ("Save the flown track as GPX", track(Format::Gpx)),
+        ("Save the flown track as GeoJSON", track(Format::GeoJson)),
+        ("Save the flown track as CSV", track(Format::Csv)),
+    ];
+    all.map(|(label, command)| entry(Group::Document, label, vec![], command))
+        .into()
+}
+
 fn document() -> Vec<Entry> {
     let of = |label, shortcuts, command| entry(Group::Document, label, shortcuts, command);
     vec![
@@ -516,96 +558,6 @@ fn document() -> Vec<Entry> {
             "Open what was open before the link",
             vec![],
             Command::OpenBeforeLink,
-        ),
-        of(
-            "Export the route as a QGroundControl plan",
-            vec![],
-            Command::ExportRoute(Format::Plan),
-        ),
-        of(
-            "Export the route as way-points (QGC WPL)",
-            vec![],
-            Command::ExportRoute(Format::Waypoints),
-        ),
-        of(
-            "Export the route as KML",
-            vec![],
-            Command::ExportRoute(Format::Kml),
-        ),
-        of(
-            "Export the route as KMZ",
-            vec![],
-            Command::ExportRoute(Format::Kmz),
-        ),
-        of(
-            "Export the route as a mission of DJI (WPML)",
-            vec![],
-            Command::ExportRoute(Format::Wpml),
-        ),
-        of(
-            "Export the route as a table of Litchi",
-            vec![],
-            Command::ExportRoute(Format::Litchi),
-        ),
-        of(
-            "Export the route as GPX",
-            vec![],
-            Command::ExportRoute(Format::Gpx),
-        ),
-        of(
-            "Export the route as GeoJSON",
-            vec![],
-            Command::ExportRoute(Format::GeoJson),
-        ),
-        of(
-            "Export the route as CSV",
-            vec![],
-            Command::ExportRoute(Format::Csv),
-        ),
-        of(
-            "Export the route as DJI's way-points (WPML)",
-            vec![],
-            Command::ExportRoute(Format::Wpml),
-        ),
-        of(
-            "Export the route as Litchi's table",
-            vec![],
-            Command::ExportRoute(Format::Litchi),
-        ),
-        of(
-            "Save the flown track as KML",
-            vec![],
-            Command::ExportTrack(Format::Kml),
-        ),
-        of(
-            "Save the flown track as GPX",
-            vec![],
-            Command::ExportTrack(Format::Gpx),
-        ),
-        of(
-            "Save the flown track as GeoJSON",
-            vec![],
-            Command::ExportTrack(Format::GeoJson),
-        ),
-        of(
-            "Save the flown track as CSV",
-            vec![],
-            Command::ExportTrack(Format::Csv),
-        ),
-        of(
-            "Export the landmarks as GeoJSON",
-            vec![],
-            Command::ExportLandmarks(Format::GeoJson),
-        ),
-        of(
-            "Export the landmarks as KML",
-            vec![],
-            Command::ExportLandmarks(Format::Kml),
-        ),
-        of(
-            "Export the landmarks as CSV",
-            vec![],
-            Command::ExportLandmarks(Format::Csv),
         ),
         of("Stop computing", vec![], Command::CancelJob),
         of("Open the built-in demo", vec![], Command::OpenDemo),

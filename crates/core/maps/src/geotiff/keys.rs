@@ -133,9 +133,8 @@ fn system(
     }
     match (systems::described(&name, values), own) {
         (Some(Ok(found)), _) => Ok(found),
-        (_, Some(wrong)) => wrong,
         // What is described but not known is not what its name says to others.
-        (Some(wrong), None) => wrong,
+        (_, Some(wrong)) | (Some(wrong), None) => wrong,
         (None, None) => (citation.and_then(|text| systems::by_name(text).ok()))
             .ok_or(SystemError::Unknown { name }),
     }
