@@ -103,6 +103,11 @@ fn a_mission_of_dji_has_the_heights_that_its_modes_say() {
         // The speed of a leg stands at the way-point that it leads away from.
         let speeds: Vec<_> = route.way_points.iter().map(|w| w.speed).collect();
         assert_eq!(speeds, [None, Some(7.0)]);
+        assert!(
+            route.way_points[1]
+                .properties
+                .contains_key("mavlink_ground_speed")
+        );
         let told = |words: &str| {
             assert!(
                 back.notes.iter().any(|n| n.contains(words)),

@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use super::super::found::Found;
 use super::super::item::counted;
-use super::super::item_route::HOME;
+use super::super::item_route::{GROUND_SPEED, HOME};
 use super::super::xml::{Element, Source};
 use super::super::{ExchangeError, kml_read};
 use super::folder::{Folder, Point, folders};
@@ -204,6 +204,7 @@ struct Told {
     modes: Vec<String>,
     ellipsoid: usize,
     heightless: usize,
+    speeds: usize,
     /// Height of mean sea level above the ellipsoid where the template says so, metres.
     site: Option<f64>,
     by_site: usize,
@@ -235,6 +236,8 @@ impl Told {
             let mut way_point = WayPoint::new(GroundPoint::default(), altitude);
             // A file states the speed of the leg that leads away.
             way_point.speed = speed;
+            let has_speed = speed.is_some();
+            self.speeds += usize::from(has_speed);
             speed = point.speed;
             let mut keep = |key: &str, value: Value| {
                 way_point
@@ -242,6 +245,9 @@ impl Told {
                     .insert(key.to_owned(), value.to_string());
             };
             keep(INDEX, Value::from(point.index.unwrap_or(i)));
+            if has_speed {
+                keep(GROUND_SPEED, Value::Bool(true));
+            }
             if let Some(undulation) = undulation {
                 keep(UNDULATION, undulation.map_or(Value::Null, Value::from));
             }
@@ -360,6 +366,11 @@ impl Told {
                  as they are",
                 self.ellipsoid
             ));
+        }
+        if self.speeds > 0 {
+            notes.push(
+                "the speeds are over ground; the prediction takes them for airspeeds".to_owned(),
+            );
         }
         if self.by_site > 0 {
             notes.push(format!(
