@@ -251,8 +251,8 @@ fn polygon_of(rings: &Value, feature: &Value, found: &mut Found) -> Result<(), S
         });
     } else {
         found.landmarks.push(FoundLandmark {
-            name,
             holes,
+            name,
             properties,
             ..FoundLandmark::new(Extent::Corners(corners))
         });

@@ -33,7 +33,7 @@ fn documented(mode: &str, flown: [f64; 2], drawn: Option<(&str, [f64; 2])>) -> V
         flown[0], flown[1]
     );
     let mut zip = ZipSink::default();
-    if let Some((mode, heights)) = drawn {
+    if let Some((mode, [first, second])) = drawn {
         let template = format!(
             "{head}{mission}<Folder><wpml:templateType>waypoint</wpml:templateType>\
              <wpml:templateId>0</wpml:templateId><wpml:waylineCoordinateSysParam>\
@@ -41,10 +41,9 @@ fn documented(mode: &str, flown: [f64; 2], drawn: Option<(&str, [f64; 2])>) -> V
              </wpml:waylineCoordinateSysParam><wpml:autoFlightSpeed>10</wpml:autoFlightSpeed>\
              <wpml:gimbalPitchMode>usePointSetting</wpml:gimbalPitchMode>\
              <Placemark><Point><coordinates>8.5001234567,47.4001234567</coordinates></Point>\
-             <wpml:index>0</wpml:index><wpml:height>{}</wpml:height><wpml:useGlobalTurnParam>1</wpml:useGlobalTurnParam>\
+             <wpml:index>0</wpml:index><wpml:height>{first}</wpml:height><wpml:useGlobalTurnParam>1</wpml:useGlobalTurnParam>\
              </Placemark><Placemark><Point><coordinates>8.51,47.41</coordinates></Point>\
-             <wpml:index>1</wpml:index><wpml:height>{}</wpml:height>{action}</Placemark></Folder></Document></kml>",
-            heights[0], heights[1]
+             <wpml:index>1</wpml:index><wpml:height>{second}</wpml:height>{action}</Placemark></Folder></Document></kml>"
         );
         zip.write("wpmz/template.kml", template.as_bytes()).unwrap();
     }
@@ -103,12 +102,17 @@ fn a_mission_of_dji_has_the_heights_that_its_modes_say() {
         // The speed of a leg stands at the way-point that it leads away from.
         let speeds: Vec<_> = route.way_points.iter().map(|w| w.speed).collect();
         assert_eq!(speeds, [None, Some(7.0)]);
+        assert!(
+            route.way_points[1]
+                .properties
+                .contains_key("mavlink_ground_speed")
+        );
         let told = |words: &str| {
             assert!(
                 back.notes.iter().any(|n| n.contains(words)),
                 "{:?}",
                 back.notes
-            )
+            );
         };
         told("turns at way-points are kept, and not shown: coordinateTurn");
         told("actions are kept, and not shown: takePhoto");

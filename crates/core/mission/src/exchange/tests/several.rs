@@ -204,10 +204,10 @@ fn geometries_in_geometries_are_read_with_their_holes() {
     let holes: Vec<usize> = back.landmarks.iter().map(|l| l.holes().len()).collect();
     assert_eq!(holes, [1, 0, 0, 1, 0]);
     assert_eq!(back.routes.len(), 2);
-    let kml = r#"<kml><Placemark><name>all</name><MultiGeometry><MultiGeometry><Point><coordinates>8,47</coordinates></Point>
+    let kml = r"<kml><Placemark><name>all</name><MultiGeometry><MultiGeometry><Point><coordinates>8,47</coordinates></Point>
         <LineString><coordinates>8,47 8.001,47</coordinates></LineString></MultiGeometry>
         <Polygon><outerBoundaryIs><LinearRing><coordinates>8,47 8.01,47 8.01,47.01 8,47</coordinates></LinearRing></outerBoundaryIs></Polygon>
-        </MultiGeometry></Placemark></kml>"#;
+        </MultiGeometry></Placemark></kml>";
     let back = read_any("x.kml", kml.as_bytes(), None).unwrap();
     assert_eq!((back.routes.len(), back.landmarks.len()), (1, 2));
     let middle = back.landmarks[1].bounds.center();

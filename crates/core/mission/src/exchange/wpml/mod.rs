@@ -9,6 +9,8 @@ mod heights;
 mod read;
 mod write;
 
+use std::fmt::Write;
+
 use super::xml::{Element, escape};
 use pilotage_base::files::FileSet;
 
@@ -71,7 +73,8 @@ fn text_of<'a>(elements: impl Iterator<Item = &'a Element>) -> String {
     let mut text = String::new();
     for element in elements {
         let inside = text_of(element.children.iter()) + &escape(&element.text);
-        text += &format!("<wpml:{0}>{inside}</wpml:{0}>", element.name);
+        // Writing into a string cannot fail.
+        let _ = write!(text, "<wpml:{0}>{inside}</wpml:{0}>", element.name);
     }
     text
 }

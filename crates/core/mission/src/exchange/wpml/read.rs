@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use super::super::found::Found;
 use super::super::item::counted;
-use super::super::item_route::HOME;
+use super::super::item_route::{GROUND_SPEED, HOME};
 use super::super::xml::{Element, Source};
 use super::super::{ExchangeError, kml_read};
 use super::folder::{Folder, Point, folders};
@@ -44,12 +44,10 @@ pub(in super::super) fn read(file: &str, bytes: &[u8]) -> Result<Found, Exchange
             |end| ending(&zip, end).map(|(name, bytes)| part(&format!("{file}: {name}"), &bytes));
         waylines = part(".wpml").transpose()?;
         template = part("template.kml").transpose()?;
+        let known = ["/", ".wpml", "template.kml"];
         let is_other = |name: &&String| {
-            let name = name.to_ascii_lowercase();
-            !(is_shadow(&name)
-                || name.ends_with('/')
-                || name.ends_with(".wpml")
-                || name.ends_with("template.kml"))
+            let lower = name.to_ascii_lowercase();
+            !is_shadow(name) && !known.iter().any(|end| lower.ends_with(end))
         };
         others = zip.names().iter().filter(is_other).count();
     } else {
@@ -160,13 +158,15 @@ fn site(template: &Element) -> Option<f64> {
     if find(template, "heightMode")?.text != "EGM96" {
         return None;
     }
-    fn difference(element: &Element) -> Option<f64> {
-        let number = |name: &str| element.child_text(name)?.parse::<f64>().ok();
-        let own = number("ellipsoidHeight").zip(number("height"));
-        let own = own.map(|(ellipsoid, sea)| ellipsoid - sea);
-        own.or_else(|| element.children.iter().find_map(difference))
-    }
     difference(template).filter(|metres| metres.abs() < FARTHEST_GEOID)
+}
+
+/// What a height of the ellipsoid is above the same height of the sea in the first element that has both, metres.
+fn difference(element: &Element) -> Option<f64> {
+    let number = |name: &str| element.child_text(name)?.parse::<f64>().ok();
+    let own = number("ellipsoidHeight").zip(number("height"));
+    let own = own.map(|(ellipsoid, sea)| ellipsoid - sea);
+    own.or_else(|| element.children.iter().find_map(difference))
 }
 
 /// The reference take-off point, where the geoid is known there.
@@ -204,6 +204,7 @@ struct Told {
     modes: Vec<String>,
     ellipsoid: usize,
     heightless: usize,
+    speeds: usize,
     /// Height of mean sea level above the ellipsoid where the template says so, metres.
     site: Option<f64>,
     by_site: usize,
@@ -235,6 +236,8 @@ impl Told {
             let mut way_point = WayPoint::new(GroundPoint::default(), altitude);
             // A file states the speed of the leg that leads away.
             way_point.speed = speed;
+            let has_speed = speed.is_some();
+            self.speeds += usize::from(has_speed);
             speed = point.speed;
             let mut keep = |key: &str, value: Value| {
                 way_point
@@ -242,8 +245,11 @@ impl Told {
                     .insert(key.to_owned(), value.to_string());
             };
             keep(INDEX, Value::from(point.index.unwrap_or(i)));
+            if has_speed {
+                keep(GROUND_SPEED, Value::Bool(true));
+            }
             if let Some(undulation) = undulation {
-                keep(UNDULATION, undulation.map_or(Value::Null, Value::from));
+                keep(UNDULATION, undulation);
             }
             let own = if is_flown { IN_WAYLINES } else { IN_TEMPLATE };
             keep(own, Value::from(point.rest.as_str()));
@@ -258,14 +264,14 @@ impl Told {
         route
     }
 
-    /// The altitude of a way-point; the second is the undulation, `Some(None)` where the altitude is above
-    /// the ellipsoid and nothing is known of the geoid.
+    /// The altitude of a way-point; the second is the undulation, null where the altitude is above the
+    /// ellipsoid and nothing is known of the geoid.
     fn altitude(
         &mut self,
         mode: Option<&str>,
         point: &Point,
         template: Option<(&str, &Point)>,
-    ) -> (Altitude, Option<Option<f64>>) {
+    ) -> (Altitude, Option<Value>) {
         let Some(height) = point.height else {
             self.heightless += 1;
             return (USUAL_ALTITUDE, None);
@@ -284,29 +290,28 @@ impl Told {
                 let undulation = undulation.filter(|metres| metres.abs() < FARTHEST_GEOID);
                 (
                     Altitude::new(height, AltitudeFrame::Amsl),
-                    undulation.map(Some),
+                    undulation.map(Value::from),
                 )
             }
             Some("WGS84") => match drawn {
                 Some(("EGM96", above_sea)) if (height - above_sea).abs() < FARTHEST_GEOID => {
                     let altitude = Altitude::new(above_sea, AltitudeFrame::Amsl);
-                    (altitude, Some(Some(height - above_sea)))
+                    (altitude, Some(Value::from(height - above_sea)))
                 }
                 Some(("aboveGroundLevel", above_ground)) => (
                     Altitude::new(above_ground, AltitudeFrame::AboveGround),
                     None,
                 ),
-                _ => match self.site {
-                    Some(site) => {
+                _ => {
+                    if let Some(site) = self.site {
                         self.by_site += 1;
                         let altitude = Altitude::new(height - site, AltitudeFrame::Amsl);
-                        (altitude, Some(Some(site)))
+                        return (altitude, Some(Value::from(site)));
                     }
-                    None => {
-                        self.ellipsoid += 1;
-                        (Altitude::new(height, AltitudeFrame::Amsl), Some(None))
-                    }
-                },
+                    self.ellipsoid += 1;
+                    let altitude = Altitude::new(height, AltitudeFrame::Amsl);
+                    (altitude, Some(Value::Null))
+                }
             },
             other => {
                 self.modes.push(other.unwrap_or("none").to_owned());
@@ -360,6 +365,11 @@ impl Told {
                  as they are",
                 self.ellipsoid
             ));
+        }
+        if self.speeds > 0 {
+            notes.push(
+                "the speeds are over ground; the prediction takes them for airspeeds".to_owned(),
+            );
         }
         if self.by_site > 0 {
             notes.push(format!(

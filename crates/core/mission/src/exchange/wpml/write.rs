@@ -1,6 +1,7 @@
 //! Writing a mission of DJI, both files of it.
 
 use std::collections::BTreeMap;
+use std::fmt::Write;
 
 use super::super::ExchangeError;
 use super::super::item::{Item, RETURN_TO_LAUNCH, command_name, counted};
@@ -56,8 +57,10 @@ pub(in super::super) fn write(
         let place = place(i, &way_point.position, frame);
         let speed = element("waypointSpeed", speeds[i]);
         let height = element("executeHeight", heights.flown[i]);
-        flown += &format!(
-            "<Placemark>{place}{height}{speed}{}</Placemark>\n",
+        // Writing into a string cannot fail.
+        let _ = writeln!(
+            flown,
+            "<Placemark>{place}{height}{speed}{}</Placemark>",
             complete(rest)
         );
         let (ellipsoid, height) = (
@@ -69,9 +72,10 @@ pub(in super::super) fn write(
              <wpml:useGlobalTurnParam>1</wpml:useGlobalTurnParam>"
                 .to_owned()
         });
-        drawn += &format!(
+        let _ = writeln!(
+            drawn,
             "<Placemark>{place}{ellipsoid}{height}<wpml:useGlobalHeight>0</wpml:useGlobalHeight>\
-             <wpml:useGlobalSpeed>0</wpml:useGlobalSpeed>{speed}{rest}</Placemark>\n"
+             <wpml:useGlobalSpeed>0</wpml:useGlobalSpeed>{speed}{rest}</Placemark>"
         );
     }
     let common = element("autoFlightSpeed", common);
@@ -150,7 +154,8 @@ fn complete(mut rest: String) -> String {
         rest.insert_str(0, &heading);
     }
     if !rest.contains("<wpml:waypointTurnParam>") {
-        rest += &format!(
+        let _ = write!(
+            rest,
             "<wpml:waypointTurnParam><wpml:waypointTurnMode>{TURN}</wpml:waypointTurnMode>\
              <wpml:waypointTurnDampingDist>0</wpml:waypointTurnDampingDist></wpml:waypointTurnParam>"
         );
@@ -269,7 +274,7 @@ fn renumbered(text: &str, own: usize, numbers: &BTreeMap<usize, usize>) -> Strin
             let number = number.trim().parse().ok();
             // The last way-point of a group may be gone.
             let number = number.and_then(|n: usize| numbers.get(&n)).unwrap_or(&own);
-            new += &format!("{begin}{}{end}{after}", number.max(&own));
+            let _ = write!(new, "{begin}{}{end}{after}", number.max(&own));
         }
         text = new;
     }
