@@ -20,7 +20,7 @@ def on_plane(latitude, longitude, origin):
         f"+h_0={origin[2]!r}"
     )
     height = np.full_like(latitude, origin[2])
-    for _ in range(8):
+    for _ in range(40):
         east, north, up = to_plane.transform(longitude, latitude, height)
         height = height - up
     return north, east

@@ -7,6 +7,7 @@ use pilotage_core::frames::ReferenceSystem;
 use pilotage_core::imagery::georeferencer::{
     ControlPoint, Fit, TransformKind, fit, in_metres, read_points_in,
 };
+use pilotage_core::imagery::systems;
 use pilotage_core::mission::{MapOptions, open_map_with};
 use serde::Serialize;
 
@@ -53,7 +54,8 @@ struct Summary {
     height: usize,
     kind: &'static str,
     reference_system: String,
-    epsg: u32,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    epsg: Option<u32>,
     gsd_m: f64,
     rms_px: f64,
     rms_m: f64,
@@ -84,17 +86,17 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let file = arguments.points.display();
     let text = std::fs::read_to_string(&arguments.points).map_err(|e| format!("{file}: {e}"))?;
     let named = match &arguments.system {
-        Some(name) => Some(ReferenceSystem::from_name(name).ok_or_else(|| {
-            format!(
-                "--system: \"{name}\" is not known; EPSG:4326, EPSG:3857 and the UTM zones of WGS 84 are"
-            )
-        })?),
+        Some(name) => Some(systems::by_name(name).map_err(|cause| format!("--system: {cause}"))?),
         None => None,
     };
-    let (points, system) = read_points_in(&text, named).map_err(|e| format!("{file}: {e}"))?;
+    let (points, system) = read_points_in(&text, named, |name| systems::by_name(name).ok())
+        .map_err(|e| format!("{file}: {e}"))?;
     let system = system.ok_or_else(|| {
         format!("{file}: the file does not say of which reference system its points are; name it by --system, e.g. EPSG:32617")
     })?;
+    if let Some(note) = system.note() {
+        eprintln!("note: {file}: {note}.");
+    }
     let (points, plane) = in_metres(&points, system).ok_or_else(|| {
         format!(
             "{file}: a point lies where {} does not reach",

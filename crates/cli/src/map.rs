@@ -4,7 +4,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use nalgebra::Point2;
-use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
+use pilotage_core::frames::{
+    Geodetic, GroundPoint, GroundRect, LocalFrame, ReferenceSystem, wrap_pi,
+};
+use pilotage_core::imagery::systems;
 use pilotage_core::imagery::terrain::{Dem, Terrain, holds_heights};
 use pilotage_core::imagery::tiff::TiffFile;
 use pilotage_core::imagery::{GeoTiffFile, Georeference, Imagery, Placement, Window};
@@ -62,7 +65,8 @@ enum Job {
 #[derive(clap::Args)]
 struct MapArguments {
     /// `GeoTIFF`, `PMTiles`, JPEG or PNG with a world file or a georeference beside it, or a table (CSV) of several
-    /// pictures with the latitude and longitude of their corners; for info also .hgt.
+    /// pictures with the latitude and longitude of their corners, KMZ or KML with a picture on the ground; for info also
+    /// .hgt.
     file: PathBuf,
     /// Reference system of the map's coordinates, before what its files say, e.g. EPSG:32617.
     #[arg(long)]
@@ -149,11 +153,8 @@ impl MapArguments {
         let Some(name) = &self.system else {
             return Ok(None);
         };
-        ReferenceSystem::from_name(name).map(Some).ok_or_else(|| {
-            format!(
-                "--system: \"{name}\" is not known; EPSG:4326, EPSG:3857 and the UTM zones of WGS 84 are"
-            )
-        })
+        let found = systems::by_name(name).map_err(|cause| format!("--system: {cause}"))?;
+        Ok(Some(found))
     }
 
     fn name(&self) -> String {
@@ -261,11 +262,11 @@ fn elevation(
         width,
         height,
         reference_system: system.map(|s| s.name()),
-        epsg: system.map(|s| s.epsg()),
+        epsg: system.and_then(|s| s.epsg()),
         gsd_m: dem.spacing(),
         width_m: dem.bounds().width(),
         height_m: dem.bounds().height(),
-        corners_lat_lon: Some(corners(dem.placement(), dem.frame())),
+        corners_lat_lon: corners(dem.placement()),
         pixels: file.as_ref().map(pixels),
         tiles: None,
         pictures: None,
@@ -283,6 +284,9 @@ fn picture(
         None
     };
     let map = open(arguments, system)?;
+    for note in map.notes() {
+        eprintln!("note: {note}");
+    }
     let placement = map.placement();
     let (width, height) = match &map {
         OpenMap::Mosaic(mosaic) => mosaic.size(),
@@ -310,14 +314,14 @@ fn picture(
         width,
         height,
         reference_system: system.map(|s| s.name()),
-        epsg: system.map(|s| s.epsg()),
+        epsg: system.and_then(|s| s.epsg()),
         gsd_m: map.native_gsd(),
         width_m: map.bounds().width(),
         height_m: map.bounds().height(),
         corners_lat_lon: match (&map, placement) {
             (OpenMap::PmTiles(tiles), _) => Some(corners_of(&tiles.bounds(), tiles.frame())),
             (OpenMap::Mosaic(mosaic), _) => Some(corners_of(&mosaic.bounds(), mosaic.frame())),
-            (_, placement) => placement.and_then(|p| Some(corners(p, p.frame()?))),
+            (_, placement) => placement.and_then(corners),
         },
         pixels: file.as_ref().map(pixels),
         tiles,
@@ -336,11 +340,30 @@ fn system_of(georeference: &Georeference) -> Option<ReferenceSystem> {
     }
 }
 
-fn corners(placement: &pilotage_core::imagery::Placement, frame: &LocalFrame) -> [[f64; 2]; 4] {
+/// The corners by the georeference itself, which is exact where the plane of the world does not reach.
+fn corners(placement: &Placement) -> Option<[[f64; 2]; 4]> {
+    placement.frame()?;
     let (width, height) = placement.size();
     let (w, h) = (width as f64, height as f64);
-    [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)]
-        .map(|(x, y)| degrees(frame, &placement.ground_at(&Point2::new(x, y))))
+    // Both ends of a map of the world stay apart.
+    let is_world = placement
+        .turn()
+        .is_some_and(|turn| turn.norm() <= w.max(h) + 1e-6);
+    let corners = [(0.0, 0.0), (w, 0.0), (w, h), (0.0, h)].map(|(x, y)| {
+        let place = placement.place_at(&Point2::new(x, y))?;
+        let longitude = place.longitude.to_degrees();
+        let is_wrapped = longitude.abs() > 180.0 + 1e-9 && !is_world;
+        let longitude = if is_wrapped {
+            wrap_pi(place.longitude).to_degrees()
+        } else {
+            longitude
+        };
+        Some([place.latitude.to_degrees(), longitude])
+    });
+    let [Some(a), Some(b), Some(c), Some(d)] = corners else {
+        return None;
+    };
+    Some([a, b, c, d])
 }
 
 /// The corners of `rect` from the north-west one on, as degrees of latitude and longitude.
@@ -389,6 +412,9 @@ fn open(
 
 fn tile(arguments: &MapArguments, out: &Path, window: Option<&str>, gsd: Option<f64>) -> Outcome {
     let map = open(arguments, arguments.system()?)?;
+    for note in map.notes() {
+        eprintln!("note: {note}");
+    }
     let rect = match (window, map.placement()) {
         (None, _) => map.bounds(),
         (Some(_), None) => {

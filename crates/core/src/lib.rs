@@ -24,8 +24,8 @@ pub mod imagery {
     pub use pilotage_base::bytes::*;
     pub use pilotage_base::georeference::*;
     pub use pilotage_maps::{
-        GeoKeys, GeoTiff, GeoTiffError, GeoTiffFile, MapMemory, georeferencer, terrain, tiff,
-        web_tiles,
+        GeoKeys, GeoTiff, GeoTiffError, GeoTiffFile, MapMemory, georeferencer, systems, terrain,
+        tiff, web_tiles,
     };
     pub use pilotage_raster::imagery::*;
 }

@@ -9,6 +9,7 @@ mod mosaic;
 mod place_beside;
 #[cfg(test)]
 mod place_beside_tests;
+pub mod systems;
 pub mod terrain;
 pub mod tiff;
 pub mod web_tiles;

@@ -2,6 +2,7 @@
 
 use crate::GeoTiffError;
 use crate::mosaic::CornersError;
+use crate::systems::SystemError;
 use crate::web_tiles::PmTilesError;
 use pilotage_base::georeference::GeoreferenceError;
 use pilotage_raster::raster::CodecError;
@@ -40,14 +41,12 @@ pub enum MapError {
         cause: CodecError,
     },
     /// The file beside the picture names a reference system that is not known.
-    #[error(
-        "{file}: the reference system \"{name}\" is not known; warp the map to EPSG:4326, EPSG:3857 or a UTM zone of WGS 84"
-    )]
+    #[error("{file}: {cause}")]
     System {
         /// Name of the .prj file.
         file: String,
-        /// What it names.
-        name: String,
+        /// What is wrong with it.
+        cause: SystemError,
     },
     /// The world file beside the picture counts in metres of a system that nothing names.
     #[error(

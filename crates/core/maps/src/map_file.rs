@@ -8,7 +8,8 @@ use crate::place_beside::{place_beside, refuse_unnamed, system_beside};
 use crate::web_tiles::{PmTiles, WebTiles};
 use crate::{GeoTiff, GeoTiffError, GeoTiffFile};
 use pilotage_base::files::FileSet;
-use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame};
+use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
+use pilotage_base::georeference::Georeference;
 use pilotage_raster::imagery::{GeoreferencedPicture, Imagery, Placement, Window, decode_map};
 use pilotage_raster::raster::{Raster, Rgba};
 
@@ -46,6 +47,20 @@ impl OpenMap {
             Self::GeoTiff(map) => Some(map.placement()),
             Self::PmTiles(_) | Self::Mosaic(_) => None,
         }
+    }
+
+    /// What is to be told of where it lies, in sentences that name the file: another datum than WGS 84.
+    pub fn notes(&self) -> Vec<String> {
+        if let Self::Mosaic(map) = self {
+            return map.notes().to_vec();
+        }
+        let georeference = self.placement().and_then(Placement::georeference);
+        let note = georeference
+            .and_then(Georeference::system)
+            .and_then(ReferenceSystem::note);
+        note.map(|note| format!("{}: {note}.", self.name()))
+            .into_iter()
+            .collect()
     }
 
     fn imagery(&self) -> &dyn Imagery {
@@ -263,7 +278,7 @@ mod tests {
 
     #[test]
     fn an_unknown_prj_is_named() {
-        let prj: &[u8] = br#"PROJCS["NAD_1983_UTM_Zone_17N","#;
+        let prj: &[u8] = br#"PROJCS["Timbalai_1948_RSO_Borneo_m","#;
         let error = open_map(
             &files(&[("map.pgw", TURNED), ("map.prj", prj)]),
             "map.png",
@@ -271,7 +286,7 @@ mod tests {
         );
         let text = error.err().unwrap().to_string();
         assert!(
-            text.starts_with("map.prj") && text.contains("NAD_1983"),
+            text.starts_with("map.prj") && text.contains("Timbalai"),
             "{text}"
         );
     }

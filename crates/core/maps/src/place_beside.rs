@@ -2,6 +2,7 @@
 
 use crate::map_error::MapError;
 use crate::map_options::MapOptions;
+use crate::systems;
 use pilotage_base::files::FileSet;
 use pilotage_base::frames::{LocalFrame, ReferenceSystem};
 use pilotage_base::georeference::Georeference;
@@ -69,8 +70,8 @@ pub(crate) fn refuse_unnamed(
         x: file.c,
         y: file.f,
         prj: format!("{stem}.prj"),
-        example: match world.as_ref().map(zone) {
-            Some(system) => format!("EPSG:{}, the UTM zone of the open world", system.epsg()),
+        example: match world.as_ref().map(zone).and_then(|zone| zone.epsg()) {
+            Some(code) => format!("EPSG:{code}, the UTM zone of the open world"),
             None => "EPSG:32632 for the UTM zone 32 north".to_owned(),
         },
     })
@@ -85,12 +86,9 @@ pub(crate) fn system_beside(
         return Ok(None);
     };
     let text = String::from_utf8_lossy(&bytes);
-    match ReferenceSystem::from_name(&text) {
-        Some(system) => Ok(Some(system)),
-        None => Err(MapError::System {
-            file,
-            name: text.trim().chars().take(60).collect(),
-        }),
+    match systems::by_name(&text) {
+        Ok(system) => Ok(Some(system)),
+        Err(cause) => Err(MapError::System { file, cause }),
     }
 }
 

@@ -91,7 +91,7 @@ impl App {
                     "rms_metres": fit.map(|f| f.rms_in_plane),
                     "rms_left_out": fit.and_then(|f| f.rms_left_out),
                     "places": it.places.len(),
-                    "epsg": it.system.map(|s| s.epsg()),
+                    "epsg": it.system.and_then(|s| s.epsg()),
                 })
             }),
             "labelling": self.views.labeller.as_ref().map(|it| json!({

@@ -363,7 +363,7 @@ mod tests {
     fn the_first_typed_place_decides_on_the_plane_where_nothing_is_open() {
         let mut it = Georeferencer::new("opened-1", "area.png", None);
         it.pick_globe(&Geodetic::from_degrees(-33.9, 151.2, 0.0));
-        assert_eq!(it.system.map(|s| s.epsg()), Some(32_756));
+        assert_eq!(it.system.and_then(|s| s.epsg()), Some(32_756));
         assert!(it.pending.place.is_some());
     }
 

@@ -3,7 +3,7 @@
 use nalgebra::Point2;
 
 use super::ControlPoint;
-use pilotage_base::frames::{Geodetic, ReferenceSystem};
+use pilotage_base::frames::ReferenceSystem;
 
 /// Points of `system` in a plane of metres: those in degrees are taken into the UTM zone around their
 /// middle, others stay. `None` if a point lies where its system does not reach.
@@ -11,14 +11,14 @@ pub fn in_metres(
     points: &[ControlPoint],
     system: ReferenceSystem,
 ) -> Option<(Vec<ControlPoint>, ReferenceSystem)> {
-    if system != ReferenceSystem::Geographic || points.is_empty() {
+    if !system.is_geographic() || points.is_empty() {
         return Some((points.to_vec(), system));
     }
     let sum = points
         .iter()
         .fold((0.0, 0.0), |(x, y), p| (x + p.place.x, y + p.place.y));
     let count = points.len() as f64;
-    let middle = Geodetic::from_degrees(sum.1 / count, sum.0 / count, 0.0);
+    let middle = system.geodetic(sum.0 / count, sum.1 / count)?;
     let plane = ReferenceSystem::utm_around(&middle);
     let moved = points.iter().map(|point| {
         let place = system.geodetic(point.place.x, point.place.y)?;

@@ -56,15 +56,23 @@ pub enum PointsFileError {
 pub fn read_points(
     text: &str,
 ) -> Result<(Vec<ControlPoint>, Option<ReferenceSystem>), PointsFileError> {
-    read_points_in(text, None)
+    read_points_in(text, None, ReferenceSystem::from_name)
 }
 
 /// As [`read_points`]; whoever knows the system better than the file gives it as `named`, and what the
-/// file says of it is ignored.
+/// file says of it is ignored. `system_of` finds systems by name: those of WGS 84 alone
+/// ([`ReferenceSystem::from_name`]), or all of [`systems`](crate::systems).
 pub fn read_points_in(
     text: &str,
     named: Option<ReferenceSystem>,
+    system_of: fn(&str) -> Option<ReferenceSystem>,
 ) -> Result<(Vec<ControlPoint>, Option<ReferenceSystem>), PointsFileError> {
+    let known = |name: &str, line: usize| {
+        system_of(name).ok_or_else(|| PointsFileError::System {
+            line,
+            name: name.chars().take(60).collect(),
+        })
+    };
     let mut points = Vec::new();
     let mut system = named;
     let mut columns: Option<[usize; 4]> = None;
@@ -141,14 +149,6 @@ pub fn read_points_in(
     Ok((points, system))
 }
 
-/// The system that a file names in a line.
-fn known(name: &str, line: usize) -> Result<ReferenceSystem, PointsFileError> {
-    ReferenceSystem::from_name(name).ok_or_else(|| PointsFileError::System {
-        line,
-        name: name.chars().take(60).collect(),
-    })
-}
-
 /// Cells of a line, between commas that are not inside of quotes; two quotes in such a cell are one.
 fn cells(line: &str) -> Vec<String> {
     let mut cells = vec![String::new()];
@@ -176,7 +176,10 @@ pub fn write_points(
     system: Option<ReferenceSystem>,
     fit: Option<&Fit>,
 ) -> String {
-    let system = system.map(|system| format!("#CRS: EPSG:{}\n", system.epsg()));
+    let system = system.map(|system| match system.epsg() {
+        Some(code) => format!("#CRS: EPSG:{code}\n"),
+        None => format!("#CRS: {}\n", system.well_known_text()),
+    });
     let header = "mapX,mapY,sourceX,sourceY,enable,dX,dY,residual\n".to_owned();
     let lines = points.iter().enumerate().map(|(index, point)| {
         let residual = fit

@@ -42,7 +42,12 @@ fn a_system_that_is_not_known_is_named_unless_another_is_given() {
             "{error}"
         );
         let given = Some(ReferenceSystem::Geographic);
-        assert_eq!(read_points_in(&text, given).unwrap().1, given);
+        assert_eq!(
+            read_points_in(&text, given, ReferenceSystem::from_name)
+                .unwrap()
+                .1,
+            given
+        );
     }
 }
 

@@ -3,6 +3,7 @@
 //! After OGC 19-008r4, chapter 7.
 
 use super::super::tiff::{Directory, Tag, TiffError};
+use crate::systems::{self, KeyValues, SystemError};
 use pilotage_base::frames::ReferenceSystem;
 
 /// Kind of coordinates: 1 projected, 2 geographic.
@@ -13,8 +14,8 @@ const RASTER_TYPE: u64 = 1025;
 const GEOGRAPHIC_TYPE: u64 = 2048;
 /// Code of the projected system.
 const PROJECTED_TYPE: u64 = 3072;
-/// Code of the projection, if the system has none.
-const PROJECTION: u64 = 3074;
+/// Code of the unit of lengths.
+const LINEAR_UNITS: u64 = 3076;
 /// Name of the projected or the whole system.
 const CITATIONS: [u64; 3] = [3073, 1026, 2049];
 /// Code of the unit of heights.
@@ -70,39 +71,84 @@ impl GeoKeys {
         keys.vertical_unit = number(VERTICAL_UNITS)
             .filter(|code| *code != USER_DEFINED)
             .map(|code| code as u32);
+        let values = KeyValues {
+            number: &number,
+            reals: &|key| entry(key).map_or(Vec::new(), |e| reals(directory, e)),
+            text: &|key| text(directory, entry(key)?),
+        };
         let code = match number(MODEL_TYPE) {
             None if entries.is_empty() => return Ok(keys),
             Some(2) if has_heights => Some(4326),
             Some(2) => number(GEOGRAPHIC_TYPE),
             _ => number(PROJECTED_TYPE).or(number(GEOGRAPHIC_TYPE)),
         };
-        let citation = CITATIONS
-            .into_iter()
-            .find_map(|key| text(directory, entry(key)?));
-        keys.system = match code {
-            Some(code) if code != USER_DEFINED => ReferenceSystem::from_epsg(code as u32),
-            _ => number(PROJECTION)
-                .filter(|_| matches!(number(GEOGRAPHIC_TYPE), None | Some(4326 | GEOGRAPHIC_3D)))
-                .and_then(utm_projection)
-                .or_else(|| ReferenceSystem::from_name(citation.as_deref()?)),
-        };
-        keys.system = keys.system.or(named);
+        let citation = CITATIONS.into_iter().find_map(values.text);
+        keys.system = named;
         if keys.system.is_some() {
             return Ok(keys);
         }
-        let found = match (code, citation) {
-            (Some(code), Some(name)) if code != USER_DEFINED => format!("EPSG:{code} ({name})"),
-            (Some(code), None) if code != USER_DEFINED => format!("EPSG:{code}"),
-            (_, Some(name)) => format!("\"{name}\""),
-            _ => "without a name".to_owned(),
-        };
-        Err(directory
-            .blame(&Tag::GeoKeyDirectory.name())
-            .unsupported(format!(
-                "the reference system {found} is not known; warp the map to EPSG:4326, EPSG:3857 or a \
-                 UTM zone of WGS 84 (EPSG:326xx, 327xx)"
-            )))
+        match system(
+            code.filter(|code| *code != USER_DEFINED),
+            citation.as_deref(),
+            &values,
+        ) {
+            Ok(system) => keys.system = Some(system),
+            Err(cause) => {
+                return Err(directory
+                    .blame(&Tag::GeoKeyDirectory.name())
+                    .unsupported(cause.to_string()));
+            }
+        }
+        Ok(keys)
     }
+}
+
+/// The system with a code, or that which the keys describe, or which a citation names.
+fn system(
+    code: Option<u64>,
+    citation: Option<&str>,
+    values: &KeyValues,
+) -> Result<ReferenceSystem, SystemError> {
+    let short = |text: &str| text.chars().take(80).collect::<String>();
+    if let Some(code) = code {
+        let known = systems::by_code(code as u32).map_err(|_| SystemError::Unknown {
+            name: match citation {
+                Some(name) => format!("EPSG:{code} ({})", short(name)),
+                None => format!("EPSG:{code}"),
+            },
+        })?;
+        // A file may count in another unit than the system of that code does.
+        let metres = (values.number)(LINEAR_UNITS).and_then(systems::length);
+        return Ok(metres.map_or(known, |metres| systems::in_unit(known, metres)));
+    }
+    let name = match citation {
+        Some(name) => format!("\"{}\"", short(name)),
+        None => "without a name".to_owned(),
+    };
+    // Programs of ESRI put their own text beside keys that say less.
+    let own = citation.and_then(|text| text.split_once("PE String = "));
+    let own = own.map(|(_, text)| systems::by_name(text));
+    if let Some(Ok(found)) = own {
+        return Ok(found);
+    }
+    match (systems::described(&name, values), own) {
+        (Some(Ok(found)), _) => Ok(found),
+        // What is described but not known is not what its name says to others.
+        (_, Some(wrong)) | (Some(wrong), None) => wrong,
+        (None, None) => (citation.and_then(|text| systems::by_name(text).ok()))
+            .ok_or(SystemError::Unknown { name }),
+    }
+}
+
+/// The real numbers of a key.
+fn reals(directory: &Directory, entry: &[u64]) -> Vec<f64> {
+    if entry[1] != Tag::GeoDoubleParams as u64 {
+        return Vec::new();
+    }
+    let all = directory.reals(Tag::GeoDoubleParams).unwrap_or_default();
+    let first = entry[3] as usize;
+    let end = first.saturating_add(entry[2] as usize).min(all.len());
+    all.get(first..end).unwrap_or_default().to_vec()
 }
 
 /// The text of a key.
@@ -114,15 +160,5 @@ fn text(directory: &Directory, entry: &[u64]) -> Option<String> {
     let end = entry[3].checked_add(entry[2])?;
     let text = all.get(entry[3] as usize..(end as usize).min(all.len()))?;
     let text = text.trim_end_matches(['|', '\0']).trim();
-    (!text.is_empty()).then(|| text.chars().take(120).collect())
-}
-
-/// UTM zones have codes of their own as projections: 16001-16060 north, 16101-16160 south.
-fn utm_projection(code: u64) -> Option<ReferenceSystem> {
-    let epsg = match code {
-        16_001..=16_060 => 32_600 + code - 16_000,
-        16_101..=16_160 => 32_700 + code - 16_100,
-        _ => return None,
-    };
-    ReferenceSystem::from_epsg(epsg as u32)
+    (!text.is_empty()).then(|| text.chars().take(4000).collect())
 }

@@ -199,10 +199,10 @@ fn a_file_without_a_place_or_with_an_unknown_system_says_what_it_lacks() {
     assert!(open(unnamed, utm).is_ok());
     let mut foreign = tags();
     let end = foreign[2].2.len();
-    foreign[2].2[end - 2..].copy_from_slice(&26_917_u16.to_le_bytes());
+    foreign[2].2[end - 2..].copy_from_slice(&29_999_u16.to_le_bytes());
     let error = file(write(&recipe, &foreign)).err().unwrap().to_string();
     assert!(
-        error.contains("EPSG:26917") && error.contains("34735"),
+        error.contains("EPSG:29999") && error.contains("34735"),
         "{error}"
     );
     assert!(open(write(&recipe, &foreign), utm).is_ok());

@@ -68,7 +68,7 @@ pub enum CornersError {
 /// A picture and its corners (x, y) from the top left one clockwise: degrees of longitude and latitude, or coordinates
 /// of another reference system.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct CorneredPicture {
+pub(crate) struct CorneredPicture {
     /// Name of the picture, as the table gives it.
     pub file: String,
     /// Line of the table, counted from one.
@@ -310,7 +310,7 @@ fn is_upright(corners: &[[f64; 2]; 4]) -> bool {
 
 impl CorneredPicture {
     /// Where its pixels lie, with so many of them; `None` if its corners do not span an area.
-    pub(super) fn georeference(&self, width: usize, height: usize) -> Option<Georeference> {
+    pub(crate) fn georeference(&self, width: usize, height: usize) -> Option<Georeference> {
         let (w, h) = (width as f64, height as f64);
         let [a, b, c, d] = self.corners;
         let gap = [0, 1].map(|i| a[i] + c[i] - b[i] - d[i]);
@@ -459,6 +459,9 @@ mod tests {
         assert!(told(header).contains("no rows"));
         let utm = format!("{header}a.png,5000000,400000,4999000,401000\n");
         let system = ReferenceSystem::from_epsg(32_617);
-        assert_eq!(read_corners(&utm, system).unwrap()[0].system.epsg(), 32_617);
+        assert_eq!(
+            read_corners(&utm, system).unwrap()[0].system.epsg(),
+            Some(32_617)
+        );
     }
 }

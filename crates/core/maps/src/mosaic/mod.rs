@@ -11,7 +11,8 @@ use crate::map_error::MapError;
 use crate::map_options::{MapOptions, frame_of, is_geo_tiff};
 use crate::tiff::TiffFile;
 use crate::{GeoTiff, GeoTiffError, GeoTiffFile};
-use corners::{CorneredPicture, read_corners};
+pub(crate) use corners::CorneredPicture;
+use corners::read_corners;
 
 pub use corners::CornersError;
 
@@ -27,6 +28,8 @@ pub struct Mosaic {
     bounds: GroundRect,
     /// The finest first.
     pieces: Vec<Box<dyn Imagery>>,
+    /// What is to be told of it.
+    notes: Vec<String>,
 }
 
 impl Mosaic {
@@ -42,13 +45,24 @@ impl Mosaic {
         };
         let text = String::from_utf8_lossy(&bytes);
         let rows = read_corners(&text, options.system).map_err(wrong)?;
+        let folder = name.rsplit_once('/').map_or("", |(folder, _)| folder);
+        Self::of(files, name, folder, &rows, options)
+    }
+
+    /// The map of pictures that lie in `folder` among `files`; there is at least one.
+    pub(crate) fn of(
+        files: &dyn FileSet,
+        name: &str,
+        folder: &str,
+        rows: &[CorneredPicture],
+        options: &MapOptions,
+    ) -> Result<Self, MapError> {
         let middle = rows[0].georeference(1, 1);
         let middle = middle.and_then(|place| place.origin(1, 1));
         let frame = frame_of(options, middle);
-        let folder = name.rsplit_once('/').map_or("", |(folder, _)| folder);
         let mut pieces = Vec::new();
         let mut kept = 0;
-        for row in &rows {
+        for row in rows {
             let file = if folder.is_empty() {
                 row.file.clone()
             } else {
@@ -71,6 +85,11 @@ impl Mosaic {
             pieces.push(piece);
         }
         pieces.sort_by(|a, b| a.native_gsd().total_cmp(&b.native_gsd()));
+        let note = rows[0].system.note();
+        let notes = note
+            .map(|note| format!("{name}: {note}."))
+            .into_iter()
+            .collect();
         let corners = pieces.iter().flat_map(|piece| piece.bounds().corners());
         let origin = GroundPoint::default();
         Ok(Self {
@@ -79,7 +98,19 @@ impl Mosaic {
             bounds: GroundRect::around(corners)
                 .unwrap_or_else(|| GroundRect::centered(origin, 0.0, 0.0)),
             pieces,
+            notes,
         })
+    }
+
+    /// The map with more that is to be told of it.
+    pub(crate) fn with_notes(mut self, notes: Vec<String>) -> Self {
+        self.notes.extend(notes);
+        self
+    }
+
+    /// What is to be told of it, in sentences: another datum than WGS 84, pictures that were left out.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// The world frame that it was put into.

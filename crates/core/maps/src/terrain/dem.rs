@@ -136,12 +136,17 @@ impl Dem {
         }
     }
 
-    /// What was chosen where the file leaves a choice, in sentences that name the file.
+    /// What was chosen where the file leaves a choice, and what another datum than WGS 84 costs, in
+    /// sentences that name the file.
     pub fn notes(&self) -> Vec<String> {
-        match &self.posts {
+        let mut notes = match &self.posts {
             Posts::GeoTiff(posts) => posts.notes(),
             Posts::Hgt(_) => Vec::new(),
-        }
+        };
+        let georeference = self.placement.georeference();
+        let note = georeference.and_then(|place| place.system()?.note());
+        notes.extend(note.map(|note| format!("{}: {note}.", self.name())));
+        notes
     }
 
     /// Height at a post, metres; panics outside.

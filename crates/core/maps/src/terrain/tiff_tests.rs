@@ -250,7 +250,7 @@ fn a_system_that_is_named_leaves_the_unit_and_the_place_of_pixels() {
     let known = keys(&[1025, 0, 1, 1, 2048, 0, 1, 4326]);
     let at_keys = (0..bytes.len()).find(|i| bytes[*i..].starts_with(&known));
     let at_keys = at_keys.unwrap();
-    bytes[at_keys..at_keys + 16].copy_from_slice(&keys(&[1025, 0, 1, 2, 2048, 0, 1, 4267]));
+    bytes[at_keys..at_keys + 16].copy_from_slice(&keys(&[1025, 0, 1, 2, 2048, 0, 1, 4211]));
     let source = Arc::new(MemoryBytes::new("dem.tif", bytes));
     assert!(Dem::open(source.clone(), None, None).is_err());
     let dem = Dem::open(source, None, Some(ReferenceSystem::Geographic)).unwrap();
