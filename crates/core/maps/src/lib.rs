@@ -6,6 +6,7 @@ mod map_error;
 mod map_file;
 mod map_options;
 mod mosaic;
+mod overlay;
 mod place_beside;
 #[cfg(test)]
 mod place_beside_tests;

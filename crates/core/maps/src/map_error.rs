@@ -78,6 +78,20 @@ pub enum MapError {
         /// What is wrong with it.
         cause: CornersError,
     },
+    /// A KML or KMZ that lays no picture on the ground.
+    #[error("{file}: no map: there is no picture on the ground (GroundOverlay) in it")]
+    NoOverlay {
+        /// Name of the file.
+        file: String,
+    },
+    /// The pictures on the ground of a KML or KMZ cannot be read.
+    #[error("{file}: {cause}")]
+    Overlay {
+        /// Name of the file.
+        file: String,
+        /// What is wrong with it.
+        cause: String,
+    },
     /// Several pictures are too large to be kept in memory together.
     #[error(
         "{file}: its pictures have more than {megapixels} million pixels together; make one GeoTIFF of them (gdal_merge.py)"

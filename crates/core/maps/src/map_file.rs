@@ -4,6 +4,7 @@
 use crate::map_error::MapError;
 use crate::map_options::{MapOptions, frame_of, is_geo_tiff};
 use crate::mosaic::{self, Mosaic};
+use crate::overlay::{is_overlay, open_overlay};
 use crate::place_beside::{place_beside, refuse_unnamed, system_beside};
 use crate::web_tiles::{PmTiles, WebTiles};
 use crate::{GeoTiff, GeoTiffError, GeoTiffFile};
@@ -130,6 +131,10 @@ pub fn open_map_with(
     let lower = name.to_ascii_lowercase();
     if lower.ends_with(mosaic::ENDING) {
         return Mosaic::open(files, name, options).map(|map| OpenMap::Mosaic(Box::new(map)));
+    }
+    if is_overlay(name) {
+        let (map, notes) = open_overlay(files, name, options)?;
+        return Ok(OpenMap::Mosaic(Box::new(map.with_notes(notes))));
     }
     if is_geo_tiff(name) {
         return open_geo_tiff(files, name, options).map(|map| OpenMap::GeoTiff(Box::new(map)));

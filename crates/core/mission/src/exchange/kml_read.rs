@@ -31,15 +31,18 @@ pub(super) fn unpack(file: &str, bytes: &[u8]) -> Result<Vec<u8>, ExchangeError>
         cause,
     };
     let zip = ZipFiles::open(bytes).map_err(error)?;
-    let names = zip.names();
-    let is_kml = |name: &&String| name.to_ascii_lowercase().ends_with(".kml");
-    let name = names
-        .iter()
-        .find(|name| *name == "doc.kml")
-        .or_else(|| names.iter().find(is_kml))
+    let name = main_document(&zip.names())
         .ok_or_else(|| error("there is no .kml in the zip".to_owned()))?;
-    zip.read(name)
+    zip.read(&name)
         .ok_or_else(|| error(format!("{name} in the zip cannot be unpacked")))
+}
+
+/// The document of a KMZ that others hang on.
+pub(super) fn main_document(names: &[String]) -> Option<String> {
+    let is_kml = |name: &&String| name.to_ascii_lowercase().ends_with(".kml");
+    let mut all = names.iter();
+    let main = all.find(|name| *name == "doc.kml");
+    main.or_else(|| names.iter().find(is_kml)).cloned()
 }
 
 /// Reads all placemarks, however they lie in folders.

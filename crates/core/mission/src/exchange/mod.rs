@@ -15,6 +15,7 @@ mod format;
 mod found;
 mod geojson;
 mod gpx;
+mod ground_overlay;
 mod item;
 mod item_route;
 mod kml_read;
@@ -34,5 +35,6 @@ mod xml;
 
 pub use error::ExchangeError;
 pub use format::Format;
+pub use ground_overlay::{GroundOverlay, GroundOverlays, ground_overlays};
 pub use read::{Imported, read_any};
 pub use write::{Places, Written, write_landmarks, write_places, write_route};
