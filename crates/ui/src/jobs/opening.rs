@@ -11,8 +11,8 @@ use pilotage_core::flight::srt::flight_of_subtitles;
 use pilotage_core::flight::{FLIGHT_FILE, FlightFolder, FolderError, read_flight};
 use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::imagery::GeoTiffError;
-use pilotage_core::imagery::terrain::{Dem, Terrain as _};
-use pilotage_core::imagery::tiff::{SampleKind, TiffFile};
+use pilotage_core::imagery::terrain::{Dem, Terrain as _, holds_heights};
+use pilotage_core::imagery::tiff::TiffFile;
 use pilotage_core::mission::package::{PACKAGE_HEAD, read_head};
 use pilotage_core::mission::{MapError, MapOptions, Mission, OpenMap, open_map_with, read_mission};
 use pilotage_core::navigator::Run;
@@ -106,6 +106,8 @@ pub fn look_through(
         remarks.extend(folder.notes);
         folder.flight
     });
+    remarks.extend(terrain.iter().flat_map(Dem::notes));
+    remarks.extend(map.iter().flat_map(|(_, map)| map.notes()));
     let map = map.map(|(_, map)| MapInfo {
         origin: map.frame().map(|frame| frame.origin),
         ..describe(&map)
@@ -235,14 +237,19 @@ pub fn flight(pool: &Arc<FilePool>) -> Result<Option<OpenFlight>, String> {
 /// does; beside its name.
 pub fn map(pool: &FilePool, options: &MapOptions) -> Result<Option<(String, OpenMap)>, String> {
     let names = pool.ending_in(&MAPS).into_iter();
-    for name in names.chain(pool.ending_in(&PICTURES)) {
+    let names = names.chain(pool.ending_in(&PICTURES));
+    // Most of these hold places and routes only.
+    for name in names.chain(pool.ending_in(&["kmz", "kml"])) {
         if has_ending(&name, &MAPS) && is_elevation(pool, &name) {
             continue;
         }
         match open_map_with(pool, &name, options) {
             Ok(map) => return Ok(Some((name, map))),
             Err(
-                MapError::NoGeoreference { .. } | MapError::GeoTiff(GeoTiffError::NoPlace { .. }),
+                MapError::NoGeoreference { .. }
+                | MapError::NoOverlay { .. }
+                | MapError::Overlay { .. }
+                | MapError::GeoTiff(GeoTiffError::NoPlace { .. }),
             ) => {}
             Err(other) => return Err(other.to_string()),
         }
@@ -264,16 +271,13 @@ pub fn terrain(pool: &FilePool, frame: Option<LocalFrame>) -> Result<Option<Dem>
     Ok(Some(dem))
 }
 
-/// Whether a TIFF holds heights: one sample a pixel that no picture has.
+/// Whether a TIFF holds heights by itself.
 fn is_elevation(pool: &FilePool, name: &str) -> bool {
     let Some(source) = pool.source(name) else {
         return false;
     };
     has_ending(name, &["tif", "tiff"])
-        && TiffFile::open(source).is_ok_and(|file| {
-            let layout = &file.levels()[0];
-            layout.samples == 1 && !matches!(layout.kind, SampleKind::U8 | SampleKind::U16)
-        })
+        && TiffFile::open(source).is_ok_and(|file| holds_heights(&file))
 }
 
 /// The mission among the files; beside a flight any GeoJSON is its mission.
