@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use pilotage_core::exchange::{Format, Imported, Places, read_any, write_places};
 use pilotage_tests::oracle::{ask, hex_of_bytes};
-use rand::{Rng, SeedableRng};
+use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use serde::Serialize;
 
@@ -34,7 +34,7 @@ struct Case {
 
 /// Places around a middle: the whole globe is visited, the poles and the date line most of all.
 fn places(file: usize, random: &mut ChaCha8Rng) -> Vec<[f64; 2]> {
-    let middle = match file % 5 {
+    let middle: [f64; 2] = match file % 5 {
         0 => [90.0, random.random_range(-180.0..180.0)],
         1 => [-90.0, random.random_range(-180.0..180.0)],
         2 => [random.random_range(-89.0..89.0), 180.0],
@@ -43,7 +43,7 @@ fn places(file: usize, random: &mut ChaCha8Rng) -> Vec<[f64; 2]> {
             random.random_range(-180.0..180.0),
         ],
     };
-    let reach = [1e-5, 1e-3, 0.1, 5.0, 40.0, 100.0][file / 5 % 6];
+    let reach: f64 = [1e-5, 1e-3, 0.1, 5.0, 40.0, 100.0][file / 5 % 6];
     let mut places = vec![middle];
     while places.len() < PLACES {
         let mut latitude: f64 = middle[0] + random.random_range(-reach..reach);
@@ -118,7 +118,10 @@ fn ten_thousand_places_go_through_every_format_and_back_or_are_refused() {
             let back = match read_any("x", &bytes, None) {
                 Ok(back) => back,
                 Err(cause) => {
-                    assert!(cause.to_string().contains("its places lie"), "{name}: {cause}");
+                    assert!(
+                        cause.to_string().contains("its places lie"),
+                        "{name}: {cause}"
+                    );
                     continue;
                 }
             };
