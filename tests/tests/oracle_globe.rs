@@ -34,7 +34,7 @@ struct Case {
 
 /// Places around a middle: the whole globe is visited, the poles and the date line most of all.
 fn places(file: usize, random: &mut ChaCha8Rng) -> Vec<[f64; 2]> {
-    let middle = match file % 5 {
+    let middle: [f64; 2] = match file % 5 {
         0 => [90.0, random.random_range(-180.0..180.0)],
         1 => [-90.0, random.random_range(-180.0..180.0)],
         2 => [random.random_range(-89.0..89.0), 180.0],
@@ -43,7 +43,7 @@ fn places(file: usize, random: &mut ChaCha8Rng) -> Vec<[f64; 2]> {
             random.random_range(-180.0..180.0),
         ],
     };
-    let reach = [1e-5, 1e-3, 0.1, 5.0, 40.0, 100.0][file / 5 % 6];
+    let reach: f64 = [1e-5, 1e-3, 0.1, 5.0, 40.0, 100.0][file / 5 % 6];
     let mut places = vec![middle];
     while places.len() < PLACES {
         let mut latitude: f64 = middle[0] + random.random_range(-reach..reach);
