@@ -36,7 +36,16 @@ pub fn imports(
     names.sort();
     let mut found = Vec::new();
     for name in names {
-        let of_missions = ["plan", "mission", "waypoints", "wpl", "kml", "kmz", "wpml", "gpx"];
+        let of_missions = [
+            "plan",
+            "mission",
+            "waypoints",
+            "wpl",
+            "kml",
+            "kmz",
+            "wpml",
+            "gpx",
+        ];
         let plausible = has_ending(&name, &of_missions)
             || !is_flight && has_ending(&name, &["csv", "tsv", "geojson", "json", "txt"]);
         // The table that says when pictures beside a log were taken is no table of places.
