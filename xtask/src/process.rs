@@ -35,8 +35,9 @@ pub fn cargo(arguments: &[&str]) -> Command {
         }
     }
     if is_automatic() {
-        // Nothing is built twice there; the extra files would only cost time.
+        // Nothing is built twice there, and nobody looks into a debugger; what both take would only cost time.
         command.env("CARGO_INCREMENTAL", "0");
+        command.env("CARGO_PROFILE_DEV_DEBUG", "false");
     }
     command.args(arguments);
     command
