@@ -236,7 +236,9 @@ impl Labeller {
         if ui.ctx().text_edit_focused() || ui.memory(|m| m.focused().is_some()) {
             return;
         }
-        let pressed = |key| ui.input(|i| i.key_pressed(key));
+        // A slow frame may hold several presses of a key.
+        let presses = |key| ui.input(|i| i.num_presses(key));
+        let pressed = |key| presses(key) > 0;
         let mut send = |command| context.commands.push(Command::Label(command));
         if pressed(Key::Delete) || pressed(Key::Backspace) {
             send(LabelCommand::Delete);
@@ -250,13 +252,13 @@ impl Labeller {
         let (alt, shift) = ui.input(|i| (i.modifiers.alt, i.modifiers.shift));
         if !alt {
             for (key, rows) in [(Key::ArrowUp, -1), (Key::ArrowDown, 1)] {
-                if pressed(key) {
+                for _ in 0..presses(key) {
                     send(LabelCommand::Choose(rows));
                 }
             }
             return;
         }
-        let step = |less, more| f64::from(i8::from(pressed(more)) - i8::from(pressed(less)));
+        let step = |less, more| presses(more) as f64 - presses(less) as f64;
         let by = [
             step(Key::ArrowLeft, Key::ArrowRight),
             step(Key::ArrowUp, Key::ArrowDown),

@@ -95,8 +95,8 @@ impl MapView {
         let typing = ui.ctx().text_edit_focused();
         let (closer, farther, left, right, escape, delete, enter) = ui.input(|i| {
             (
-                i.key_pressed(Key::Plus) || i.key_pressed(Key::Equals),
-                i.key_pressed(Key::Minus),
+                i.num_presses(Key::Plus) + i.num_presses(Key::Equals),
+                i.num_presses(Key::Minus),
                 i.key_down(Key::Q),
                 i.key_down(Key::E),
                 i.key_pressed(Key::Escape),
@@ -108,10 +108,10 @@ impl MapView {
             return;
         }
         let middle = rect.center();
-        if closer {
+        for _ in 0..closer {
             self.camera.zoom(rect, 1.5, middle);
         }
-        if farther {
+        for _ in 0..farther {
             self.camera.zoom(rect, 1.0 / 1.5, middle);
         }
         if (left || right) && !self.track_up {

@@ -40,7 +40,7 @@ impl Marking {
             (
                 i.key_pressed(Key::Enter),
                 i.key_pressed(Key::Escape),
-                i.key_pressed(Key::Backspace),
+                i.num_presses(Key::Backspace),
             )
         });
         if escape {
@@ -51,8 +51,10 @@ impl Marking {
                 say(PlanCommand::AddCorner(view.inverse(response.rect.center())));
             }
             say(PlanCommand::FinishMarking);
-        } else if back && !typing {
-            say(PlanCommand::RemoveCorner);
+        } else if !typing {
+            for _ in 0..back {
+                say(PlanCommand::RemoveCorner);
+            }
         }
         if response.double_clicked() && !self.purpose.is_point() {
             say(PlanCommand::FinishMarking);

@@ -188,7 +188,7 @@ fn keyboard(ui: &Ui, widget: egui::Id, commands: &mut Vec<Command>) {
     ui.memory_mut(|m| m.set_focus_lock_filter(widget, filter));
     ui.input(|i| {
         for (key, sign) in [(Key::ArrowLeft, -1), (Key::ArrowRight, 1)] {
-            if i.key_pressed(key) {
+            for _ in 0..i.num_presses(key) {
                 commands.push(if i.modifiers.shift {
                     Command::Jump(5.0 * f64::from(sign))
                 } else {

@@ -79,6 +79,20 @@ impl Rig {
         self.frames(2);
     }
 
+    /// Presses a key several times within one frame, as a fast hand does on a slow machine.
+    pub fn key_times(&mut self, key: Key, times: usize) {
+        for pressed in [true, false].repeat(times) {
+            self.harness.input_mut().events.push(egui::Event::Key {
+                key,
+                physical_key: None,
+                pressed,
+                repeat: false,
+                modifiers: Modifiers::NONE,
+            });
+        }
+        self.frames(2);
+    }
+
     /// Presses a key with modifiers.
     pub fn key_with(&mut self, modifiers: Modifiers, key: Key) {
         self.harness.key_press_modifiers(modifiers, key);
