@@ -5,7 +5,6 @@ import { fileURLToPath } from "node:url";
 
 export const name = "GPS is cut out of a real flight where the mouse drags, and the error grows within its radius";
 export const tags = ["readers"];
-export const flies = true;
 
 const repository = fileURLToPath(new URL("../../", import.meta.url));
 const folder = join(repository, "../shared/data/inertialnav_x8");
@@ -16,7 +15,7 @@ export async function run(page, tools) {
     return;
   }
   await tools.waitReady();
-  const before = await tools.waitFor((s) => s.flight !== null && s.run_complete, "the demo", 150_000);
+  const before = await tools.openRun();
   await page.keyboard.press("Shift+G");
   const { timeline: line } = await tools.waitFor((s) => s.side_tab === "Cut", "the cut's panel");
   await page.mouse.click(line[0] + 0.4 * (line[2] - line[0]), (line[1] + line[3]) / 2);

@@ -4,14 +4,12 @@ import { drop } from "./drop.mjs";
 
 export const name = "what a trained detector saw is shown stage by stage, with its features, its score and the edges of its patch";
 export const tags = ["training"];
-export const flies = true;
 
 const mission = new URL("./trained.geojson", import.meta.url);
 
 export async function run(page, tools) {
   await tools.waitReady();
-  await tools.waitFor((s) => s.run_complete, "the whole run", 300_000);
-  const { run_generation: before } = await tools.state();
+  const { run_generation: before } = await tools.openRun();
 
   // Without a detector the view says what to do.
   await page.keyboard.press("z");

@@ -1,7 +1,6 @@
 // Files of other programs dropped on the plan: what is not understood is kept, what is missing told.
 export const name = "a .plan with unknown commands and a KML with missing styles are read, and say what they lack";
 export const tags = ["plan"];
-export const flies = true;
 
 const file = (name, text) => ({ name, mimeType: "application/octet-stream", buffer: Buffer.from(text) });
 
@@ -50,8 +49,7 @@ export async function run(page, tools) {
     return state;
   };
 
-  await tools.waitFor((s) => s.run_complete, "the whole run", 300_000);
-  const others = (await tools.state()).plan.routes.length;
+  const others = (await tools.openRun()).plan.routes.length;
   const planned = await open("field.plan", plan(before.origin), /Added 1 route and 1 no-fly area from field\.plan.*kept but not understood.*31000/s);
   tools.check(planned.workspace === "Plan", "the plan is not shown");
   tools.check(planned.plan.routes.length === others + 1 && planned.plan.routes.at(-1).way_points.length === 3, "the route is not as it was");

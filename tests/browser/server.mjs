@@ -1,4 +1,4 @@
-// The page's server for one run of the journeys: `xtask serve` on a free port.
+// What the journeys need of the repository: the page's server, `xtask serve` on a free port, and the run of the demo.
 import { spawn } from "node:child_process";
 import { existsSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -10,6 +10,11 @@ function existing(places, advice) {
   const found = places.map((place) => repository + place).find(existsSync);
   if (!found) throw new Error(`${places.join(", ")}: not there; ${advice}`);
   return found;
+}
+
+/** The demo as the native program has flown it. */
+export function demoRun() {
+  return process.env.PILOTAGE_RUN ?? existing(["target/demo.run"], "`cargo xtask test --only journeys` flies it");
 }
 
 /** Starts a server; resolves to its `url` (with a slash at the end) and a way to `stop` it. */

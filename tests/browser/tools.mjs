@@ -2,7 +2,7 @@
 // `window.app.state()`, what the program holds, and `window.app.a11y()`, what it shows: a list of
 // { role, label, value, rect: [left, top, right, bottom] in CSS pixels, … }.
 import { join } from "node:path";
-import { startServer } from "./server.mjs";
+import { demoRun, startServer } from "./server.mjs";
 
 const patience = 45_000; // milliseconds for anything but the start, on a machine that does other work, too
 const patienceForStart = 120_000; // a busy machine without a graphics card is slow
@@ -39,6 +39,13 @@ export function makeTools({ page, address, pictures, watched, atEnd, said }) {
         throw new Error(`the page did not become ready (${ready}): ${text}`);
       }
       await page.evaluate(() => window.app.enable_a11y?.());
+    },
+
+    /** Opens the run of the demo that was flown once for all journeys, and resolves to the state that shows it. */
+    async openRun() {
+      const before = await tools.waitFor((s) => s.run_steps > 0 && s.map.known, "the demo", patienceForStart);
+      await page.setInputFiles("#files", demoRun());
+      return tools.waitFor((s) => s.run_generation > before.run_generation && s.run_complete, "the demo's run");
     },
 
     /** What the program holds. */

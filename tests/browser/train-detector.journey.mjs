@@ -2,7 +2,6 @@
 // chosen, flown with; then all are trained side by side, paused and cancelled.
 export const name = "a detector is trained in the page, goes on after a reload, and the flight flies with it";
 export const tags = ["training"];
-export const flies = true;
 
 const idle = (page) => page.waitForFunction(() => window.page.storage.pending === 0, null, { timeout: 30_000 });
 const of = (s, landmark) => s.plan.trainings.find((t) => t.name === landmark);
@@ -10,7 +9,7 @@ const of = (s, landmark) => s.plan.trainings.find((t) => t.name === landmark);
 export async function run(page, tools) {
   const landmark = "dairy barn";
   await tools.waitReady();
-  const first = await tools.waitFor((s) => s.run_complete, "the demo's run", 200_000);
+  const first = await tools.openRun();
   await page.keyboard.press("Space");
 
   /** Shows the landmark in the plan. */

@@ -3,17 +3,20 @@
 use std::{
     fs,
     path::{Path, PathBuf},
+    process::Stdio,
 };
 
 use super::install;
 use crate::{
     failure::Failure,
     places,
-    process::{capture, on_path, program, run},
+    process::{capture, cargo, on_path, program, run},
 };
 
 /// Oldest Node that runs the journeys.
 const NODE: u32 = 20;
+/// Scenario that the page flies by itself.
+const DEMO: &str = "distinct-400ft-wind";
 /// Names under which Chromium goes.
 const NAMES: [&str; 4] = [
     "chromium",
@@ -28,16 +31,29 @@ pub fn check(dist: &Path, tags: Option<&[String]>) -> Result<(), Failure> {
     let browser = chromium()?;
     packages()?;
     let server = std::env::current_exe().map_err(Failure::file("xtask"))?;
+    let demo = fly_demo()?;
     run(
         program("node")
             .arg("tests/browser/run.mjs")
             .env("PILOTAGE_CHROMIUM", browser)
             .env("PILOTAGE_SERVER", server)
             .env("PILOTAGE_PAGE", dist)
+            .env("PILOTAGE_RUN", demo)
             .env("PILOTAGE_TAGS", tags.unwrap_or_default().join(","))
             .env("PILOTAGE_SCREENSHOTS", places::target().join("screenshots")),
         "node was found a moment ago",
     )
+}
+
+/// Flies the demo once for all journeys that do not judge how it is flown.
+fn fly_demo() -> Result<PathBuf, Failure> {
+    let file = places::target().join("demo.run");
+    let mut replay = cargo(&["run", "--locked", "--quiet", "-p", "pilotage-cli", "--"]);
+    replay
+        .args(["replay", "--scenario", DEMO, "--out"])
+        .arg(&file);
+    run(replay.stdout(Stdio::null()), "cargo was found before")?;
+    Ok(file)
 }
 
 /// Makes sure that a Node of the right age is there.
