@@ -46,16 +46,7 @@ const fn near(
     ellipsoid: Ellipsoid,
     names: &'static [&'static str],
 ) -> KnownDatum {
-    KnownDatum {
-        code,
-        datum: Datum {
-            name,
-            ellipsoid,
-            shift: [0.0; 7],
-            accuracy: NEAR,
-        },
-        names,
-    }
+    shifted(code, name, ellipsoid, [0.0; 7], NEAR, names)
 }
 
 /// Shifts in metres, rotations in seconds of arc after the position-vector convention, scale in parts per
@@ -119,7 +110,7 @@ pub(super) const DATUMS: &[KnownDatum] = &[
     near(4612, "JGD2000", GRS80, &["JAPANESEGEODETICDATUM2000"]),
     near(6668, "JGD2011", GRS80, &["JAPANESEGEODETICDATUM2011"]),
     near(4674, "SIRGAS 2000", GRS80, &["SISTEMADEREFERENCIAGEOCENTRICOPARALASAMERICAS2000", "SIRGAS2000", "SISTEMADEREFERENCIAGEOCENTRICOPARAAMERICADELSUR2000"]),
-    near(4490, "CGCS2000", ellipsoid(6_378_137.0, 298.257_222_101), &["CHINA2000", "CHINAGEODETICCOORDINATESYSTEM2000"]),
+    near(4490, "CGCS2000", GRS80, &["CHINA2000", "CHINAGEODETICCOORDINATESYSTEM2000"]),
     near(4737, "KGD2002", GRS80, &["KOREA2000", "KOREANGEODETICDATUM2002", "GEOCENTRICDATUMOFKOREA", "KOREAGEODETICDATUM2002"]),
     near(3824, "TWD97", GRS80, &["TAIWANDATUM1997", "TWD1997"]),
     near(4148, "Hartebeesthoek94", Ellipsoid::WGS84, &["HARTEBEESTHOEK1994"]),
