@@ -3,6 +3,8 @@
 use nalgebra::Vector3;
 use pilotage_base::frames::{Datum, Ellipsoid};
 
+use super::plain;
+
 /// Radians in a second of arc.
 const SECOND: f64 = std::f64::consts::PI / 648_000.0;
 /// Accuracy of taking a datum of today's continents for WGS 84, metres.
@@ -194,29 +196,25 @@ pub(super) fn by_datum_code(code: u32) -> Option<Datum> {
         .flatten()
 }
 
+/// A name as [`plain`] writes it; "CH1903+" is another datum than "CH1903".
+pub(super) fn plain_name(name: &str) -> String {
+    plain(&name.replace('+', "PLUS"))
+}
+
 /// The datum that a file calls so.
 pub(super) fn named(name: &str) -> Option<Datum> {
-    // "CH1903+" is another datum than "CH1903".
-    let name = name.replace('+', "PLUS");
-    let plain: String = (name.chars())
-        .filter(char::is_ascii_alphanumeric)
-        .map(|c| c.to_ascii_uppercase())
-        .collect();
-    let plain = plain.as_str();
+    let name = plain_name(name);
+    let name = name.as_str();
     let is_meant = |wanted: &str| {
-        plain == wanted
-            || plain.strip_prefix('D') == Some(wanted)
-            || plain.strip_prefix("GCS") == Some(wanted)
+        name == wanted
+            || name.strip_prefix('D') == Some(wanted)
+            || name.strip_prefix("GCS") == Some(wanted)
     };
     if WGS84_NAMES.iter().any(|wanted| is_meant(wanted)) {
         return Some(WGS84);
     }
     let own = |known: &KnownDatum| {
-        let own: String = (known.datum.name.replace('+', "PLUS").chars())
-            .filter(char::is_ascii_alphanumeric)
-            .map(|c| c.to_ascii_uppercase())
-            .collect();
-        is_meant(&own) || known.names.iter().any(|wanted| is_meant(wanted))
+        is_meant(&plain_name(known.datum.name)) || known.names.iter().any(|wanted| is_meant(wanted))
     };
     DATUMS
         .iter()

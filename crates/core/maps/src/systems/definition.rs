@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use pilotage_base::frames::{Datum, ProjectionMethod, ReferenceSystem};
 
-use super::{SystemError, codes, datums, methods, of_numbers};
+use super::{SystemError, codes, datums, methods, of_numbers, plain};
 
 /// What a number of a projection is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -129,10 +129,7 @@ const METHODS: [(&str, ProjectionMethod); 28] = [
 impl Definition {
     /// The system with the projection that a file calls so.
     pub fn system(&self, method: &str) -> Result<ReferenceSystem, SystemError> {
-        let plain: String = (method.chars())
-            .filter(char::is_ascii_alphanumeric)
-            .map(|c| c.to_ascii_uppercase())
-            .collect();
+        let plain = plain(method);
         let is_web =
             plain == "POPULARVISUALISATIONPSEUDOMERCATOR" || plain == "MERCATORAUXILIARYSPHERE";
         if is_web && self.datum == datums::WGS84 && self.unit == 1.0 {

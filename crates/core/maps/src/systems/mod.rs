@@ -144,7 +144,7 @@ fn of_numbers(code: Option<u32>, numbers: SystemNumbers) -> Result<ReferenceSyst
         numbers,
         methods: &Methods,
     };
-    Ok(plain(&other).unwrap_or(ReferenceSystem::Other(other)))
+    Ok(simpler(&other).unwrap_or(ReferenceSystem::Other(other)))
 }
 
 /// Most systems that a program keeps: people have a handful.
@@ -174,7 +174,7 @@ fn kept(numbers: &SystemNumbers) -> Option<&'static SystemNumbers> {
 }
 
 /// The system of WGS 84 that is the same, where there is one.
-fn plain(other: &OtherSystem) -> Option<ReferenceSystem> {
+fn simpler(other: &OtherSystem) -> Option<ReferenceSystem> {
     let numbers = other.numbers;
     if numbers.datum.accuracy != 0.0 || numbers.prime_meridian != 0.0 {
         return None;
@@ -326,4 +326,12 @@ impl SystemMethods for Methods {
 
 fn shortened(text: &str) -> String {
     text.trim().chars().take(60).collect()
+}
+
+/// Letters and digits in capitals.
+fn plain(text: &str) -> String {
+    (text.chars())
+        .filter(char::is_ascii_alphanumeric)
+        .map(|c| c.to_ascii_uppercase())
+        .collect()
 }

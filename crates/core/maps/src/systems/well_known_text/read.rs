@@ -6,7 +6,7 @@ use pilotage_base::frames::{Datum, Ellipsoid, ProjectionMethod, ReferenceSystem}
 
 use super::tree::{Node, Value};
 use crate::systems::definition::{Definition, Role};
-use crate::systems::{SystemError, by_code, codes, datums, of_numbers, shortened};
+use crate::systems::{SystemError, by_code, codes, datums, of_numbers, plain, shortened};
 
 const PROJECTED: [&str; 3] = ["PROJCS", "PROJCRS", "PROJECTEDCRS"];
 const GEOGRAPHIC: [&str; 6] = [
@@ -355,12 +355,4 @@ fn is_same(described: &ReferenceSystem, named: &ReferenceSystem) -> bool {
         && is_near(a.offset[1], b.offset[1], 1e-4)
         && is_near(a.unit, b.unit, 1e-9)
         && a.latitude_0.abs() <= FRAC_PI_2 + 1e-9
-}
-
-/// Letters and digits in capitals.
-fn plain(text: &str) -> String {
-    (text.chars())
-        .filter(char::is_ascii_alphanumeric)
-        .map(|c| c.to_ascii_uppercase())
-        .collect()
 }
