@@ -222,14 +222,30 @@ pub(super) fn named(name: &str) -> Option<Datum> {
         .map(|known| known.datum)
 }
 
-/// A datum whose shift a file states; its accuracy is not known.
-pub(super) fn stated(ellipsoid: Ellipsoid, shift: [f64; 7]) -> Datum {
-    Datum {
-        name: "a datum with a shift of its own",
-        ellipsoid,
-        shift: in_radians(shift),
-        accuracy: f64::NAN,
+/// The datum whose shift a file states, in metres, seconds of arc and parts per million: the `known` one if that is its
+/// own shift, else one on `ellipsoid`, or on that of the known one, whose accuracy is not known. `None` without an
+/// ellipsoid.
+pub(super) fn stated(
+    known: Option<Datum>,
+    ellipsoid: Option<Ellipsoid>,
+    shift: impl IntoIterator<Item = f64>,
+) -> Option<Datum> {
+    let mut stated = [0.0; 7];
+    for (to, from) in stated.iter_mut().zip(shift) {
+        *to = from;
     }
+    let is_own = |known: &Datum| {
+        let own = in_seconds(known.shift);
+        own.iter().zip(stated).all(|(a, b)| (a - b).abs() < 0.1)
+    };
+    known.filter(is_own).or_else(|| {
+        Some(Datum {
+            name: "a datum with a shift of its own",
+            ellipsoid: ellipsoid.or(known.map(|known| known.ellipsoid))?,
+            shift: in_radians(stated),
+            accuracy: f64::NAN,
+        })
+    })
 }
 
 /// Whether a datum's places are those of WGS 84 as they are.

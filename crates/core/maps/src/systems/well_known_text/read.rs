@@ -176,25 +176,13 @@ fn datum(node: &Node, shift: Option<[f64; 7]>, name: &str) -> Result<Datum, Syst
     let known = datums::named(datum.name())
         .or_else(|| datums::by_datum_code(datum.code()?))
         .or_else(|| datums::by_code(node.code()?));
-    let stated = shift.or_else(|| {
-        let mut shift = [0.0; 7];
-        for (to, from) in shift.iter_mut().zip(datum.child(&["TOWGS84"])?.numbers()) {
-            *to = from;
-        }
-        Some(shift)
-    });
-    let Some(stated) = stated else {
-        return known.ok_or_else(unknown);
+    let in_text = || Some(datum.child(&["TOWGS84"])?.numbers());
+    let stated = shift.map(Vec::from).or_else(in_text);
+    let known = match stated {
+        Some(shift) => datums::stated(known, ellipsoid(datum), shift),
+        None => known,
     };
-    let is_known = |known: &Datum| {
-        let own = datums::in_seconds(known.shift);
-        own.iter().zip(stated).all(|(a, b)| (a - b).abs() < 0.1)
-    };
-    if let Some(known) = known.filter(is_known) {
-        return Ok(known);
-    }
-    let own = ellipsoid(datum).or(known.map(|known| known.ellipsoid));
-    Ok(datums::stated(own.ok_or_else(unknown)?, stated))
+    known.ok_or_else(unknown)
 }
 
 fn ellipsoid(datum: &Node) -> Option<Ellipsoid> {
