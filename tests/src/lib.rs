@@ -6,6 +6,7 @@
 //! - [`oracle`] asks another program (FilterPy, OpenCV) for its answer to the same question;
 //! - [`logs`] are flight logs, made and damaged, and what must hold of their readers;
 //! - [`pmtiles`] is a small archive of tiles, for the tests of the other crates, too;
+//! - [`pyproj`] asks that program for the places of coordinates;
 //! - [`recorded`] reads the recorded flights that have a column map here;
 //! - [`routes`] flies found routes beside straight lines over generated counties;
 //! - [`studies`] says whether questions over many seeds are asked in full;
@@ -17,6 +18,7 @@ pub mod flown;
 pub mod logs;
 pub mod oracle;
 pub mod pmtiles;
+pub mod pyproj;
 pub mod recorded;
 pub mod routes;
 pub mod studies;
