@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::flight::{camera, is_photo};
+use super::flight::{camera, is_photo, of_one_size};
 use super::read::{Photo, read_photo};
 use super::triggers::triggers;
 use crate::folder::FolderFrames;
@@ -93,16 +93,7 @@ fn photos(files: &dyn FileSet, notes: &mut Vec<String>) -> Vec<Photo> {
     let Some((size, _)) = most else {
         return photos;
     };
-    let total = photos.len();
-    photos.retain(|photo| (photo.width, photo.height) == size);
-    if photos.len() < total {
-        notes.push(format!(
-            "{} of {total} photos beside the log are of another size than {} x {} and were left out",
-            total - photos.len(),
-            size.0,
-            size.1
-        ));
-    }
+    of_one_size(&mut photos, size, "photos beside the log", notes);
     photos.sort_by(|a, b| (folder(a), number(a), &a.name).cmp(&(folder(b), number(b), &b.name)));
     if let Some(seconds) = clock(&photos) {
         let mut order: Vec<(f64, Photo)> = seconds.into_iter().zip(photos).collect();
