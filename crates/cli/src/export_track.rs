@@ -117,19 +117,7 @@ pub fn write_estimate(flight: &Flight, run: &Run, path: &Path) -> Outcome {
     let frame = flight
         .frame_on_globe
         .ok_or_else(|| format!("{}: nobody knows where it lies on the globe", flight.name))?;
-    let points = run.steps.iter().map(|step| FlownPoint {
-        time: step.time,
-        place: frame.geodetic_from_ground(&step.after.position()),
-        value: None,
-    });
-    let track = FlownTrack {
-        name: format!("{}, estimate", flight.name),
-        utc_at_zero: None,
-        has_height: false,
-        values: None,
-        points: points.collect(),
-    };
-    let written = write_flown(format, &track)?;
+    let written = write_flown(format, &run.estimated_track(&flight.name, &frame))?;
     for note in &written.notes {
         eprintln!("note: {note}");
     }
