@@ -2,7 +2,7 @@
 //!
 //! - [`data`] finds the recorded flights and other people's test vectors, which lie beside the
 //!   repository and are never part of it;
-//! - [`damage`] is what goes wrong with the channels of a flight, and [`flown`] are built-in flights after it;
+//! - [`damage`] are faults in the channels of a flight, and [`flown`] are built-in flights after it;
 //! - [`oracle`] asks another program (FilterPy, OpenCV) for its answer to the same question;
 //! - [`logs`] are flight logs, made and damaged, and what must hold of their readers;
 //! - [`pmtiles`] is a small archive of tiles, for the tests of the other crates, too;

@@ -12,7 +12,7 @@ use pilotage_core::navigator::Run;
 use crate::Outcome;
 use crate::opening::Opened;
 
-/// What told the places of a track.
+/// Source of the places of a track.
 #[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum TrackKind {
     /// The satellite receiver.
@@ -34,7 +34,7 @@ impl TrackKind {
 /// value before it.
 ///
 /// # Errors
-/// What was opened says no places of that kind, or has no such field.
+/// A flight without places of that kind, or without such a field.
 pub fn track(opened: Opened, kind: TrackKind, channel: Option<&str>) -> Result<FlownTrack, String> {
     let (log, places, has_height) = match opened {
         Opened::Log(log, _) => {

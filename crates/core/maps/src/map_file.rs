@@ -50,7 +50,7 @@ impl OpenMap {
         }
     }
 
-    /// What is to be told of where it lies, in sentences that name the file: another datum than WGS 84.
+    /// Notes on the place of the map, in sentences that name the file: another datum than WGS 84.
     pub fn notes(&self) -> Vec<String> {
         if let Self::Mosaic(map) = self {
             return map.notes().to_vec();

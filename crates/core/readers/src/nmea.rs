@@ -22,7 +22,7 @@ const COLUMNS: [&str; 5] = [
     "course over ground [deg]",
 ];
 
-/// What the sentences of one moment say.
+/// Values that the sentences of one moment say.
 #[derive(Clone, Copy, Debug, Default)]
 struct Epoch {
     /// Seconds of the day (UTC).
@@ -33,7 +33,7 @@ struct Epoch {
     values: [Option<f64>; 5],
 }
 
-/// What was read and left out.
+/// Moments that were read, and the number of sentences that were not used.
 #[derive(Debug, Default)]
 struct Sentences {
     epochs: Vec<Epoch>,

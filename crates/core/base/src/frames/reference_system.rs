@@ -134,7 +134,7 @@ impl ReferenceSystem {
         }
     }
 
-    /// What is to be told of places that come through another datum than WGS 84.
+    /// Note on places that come through another datum than WGS 84.
     pub fn note(&self) -> Option<String> {
         match self {
             Self::Other(other) => other.note(),

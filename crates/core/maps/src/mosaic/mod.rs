@@ -28,7 +28,7 @@ pub struct Mosaic {
     bounds: GroundRect,
     /// The finest first.
     pieces: Vec<Box<dyn Imagery>>,
-    /// What is to be told of it.
+    /// Notes on it, in sentences.
     notes: Vec<String>,
 }
 
@@ -108,7 +108,7 @@ impl Mosaic {
         self
     }
 
-    /// What is to be told of it, in sentences: another datum than WGS 84, pictures that were left out.
+    /// Notes on it, in sentences: another datum than WGS 84, pictures that were left out.
     pub fn notes(&self) -> &[String] {
         &self.notes
     }

@@ -13,7 +13,7 @@ const TABLE: &str = include_str!("codes.txt");
 
 /// A code's line of the table.
 struct Row {
-    /// How many codes of its family are before this one.
+    /// Number of codes of its family before this one.
     step: u32,
     /// EPSG code of the datum's longitude and latitude.
     datum: u32,

@@ -35,9 +35,9 @@ const GRS67: Ellipsoid = ellipsoid(6_378_160.0, 298.247_167_427);
 pub(super) struct KnownDatum {
     /// EPSG code of its longitude and latitude.
     pub code: u32,
-    /// What it is.
+    /// The datum itself.
     pub datum: Datum,
-    /// How files call it, in capitals and without anything but letters and digits; the name of the datum
+    /// Names that files have for it, in capitals and without anything but letters and digits; the name of the datum
     /// is one as well.
     names: &'static [&'static str],
 }

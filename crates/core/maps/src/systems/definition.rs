@@ -7,7 +7,7 @@ use pilotage_base::frames::{Datum, ProjectionMethod, ReferenceSystem};
 
 use super::{SystemError, codes, datums, methods, of_numbers, plain};
 
-/// What a number of a projection is.
+/// Role of a number in a projection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Role {
     /// Latitude of the origin, radians.
@@ -31,7 +31,7 @@ pub(crate) enum Role {
 /// A projected system before its projection is known by name.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Definition {
-    /// What the file calls it.
+    /// Name in the file.
     pub name: String,
     /// Its datum.
     pub datum: Datum,
@@ -39,7 +39,7 @@ pub(crate) struct Definition {
     pub prime_meridian: f64,
     /// Metres in the unit of the coordinates.
     pub unit: f64,
-    /// What is given, by role.
+    /// Numbers that are given, by role.
     pub numbers: [Option<f64>; 8],
 }
 

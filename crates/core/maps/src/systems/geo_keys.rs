@@ -50,7 +50,7 @@ const TRANSFORMATIONS: &[(u64, ProjectionMethod)] = &[
     (16, ProjectionMethod::ObliqueStereographic),
 ];
 
-/// What the keys of a file hold.
+/// Values of the keys of a file.
 pub(crate) struct KeyValues<'a> {
     /// The whole number of a key.
     pub number: &'a dyn Fn(u64) -> Option<u64>,

@@ -26,7 +26,7 @@ use pilotage_base::frames::{
 pub(crate) use geo_keys::{KeyValues, described};
 pub(crate) use units::length;
 
-/// Why a reference system cannot be used.
+/// Reason why a reference system cannot be used.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SystemError {
     /// It is not among those that are known.
@@ -34,17 +34,17 @@ pub enum SystemError {
         "the reference system {name} is not known; warp the map to EPSG:4326, EPSG:3857 or a UTM zone of WGS 84"
     )]
     Unknown {
-        /// What the file calls it.
+        /// Its name in the file.
         name: String,
     },
-    /// How its datum lies to WGS 84 is not known.
+    /// The shift of its datum to WGS 84 is not known.
     #[error(
         "the reference system {name} is on the datum \"{datum}\", whose shift to WGS 84 is not known; warp the map to EPSG:4326, EPSG:3857 or a UTM zone of WGS 84"
     )]
     Datum {
-        /// What the file calls the system.
+        /// Name of the system in the file.
         name: String,
-        /// What it calls the datum.
+        /// Name of the datum in the file.
         datum: String,
     },
     /// Its projection is not known.
@@ -52,17 +52,17 @@ pub enum SystemError {
         "the projection \"{method}\" of the reference system {name} is not known; warp the map to EPSG:4326, EPSG:3857 or a UTM zone of WGS 84"
     )]
     Method {
-        /// What the file calls the system.
+        /// Name of the system in the file.
         name: String,
-        /// What it calls the projection.
+        /// Name of the projection in the file.
         method: String,
     },
     /// A number of its description is missing or impossible.
     #[error("the reference system {name}: {cause}")]
     Number {
-        /// What the file calls it.
+        /// Its name in the file.
         name: String,
-        /// What is wrong.
+        /// The fault.
         cause: String,
     },
 }

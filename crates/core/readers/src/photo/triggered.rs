@@ -23,7 +23,7 @@ const MOST: f64 = 0.9;
 pub struct PlacedPhotos {
     /// Their pictures, in the order of the flight's frames; `None` if they were left out.
     pub frames: Option<Box<dyn FrameSource>>,
-    /// What was assumed, or why they were left out, in sentences.
+    /// Notes on assumptions, or on the reason why they were left out, in sentences.
     pub notes: Vec<String>,
 }
 
@@ -129,7 +129,7 @@ fn clock(photos: &[Photo]) -> Option<Vec<f64>> {
 /// Pairs of a photo and an event by their places, and how they were found, in words.
 type Matched = (Vec<(usize, usize)>, &'static str);
 
-/// Which photo is of which event; `None` if nothing decides that.
+/// Pairs of a photo and its event; `None` if nothing decides that.
 fn matched(photos: &[Photo], events: &[f64]) -> Option<Matched> {
     let seconds = clock(photos);
     let by_clock = seconds.as_ref().and_then(|times| by_clock(times, events));

@@ -274,7 +274,7 @@ fn parameter(node: &Node, name: &str) -> Option<f64> {
     found.numbers().first().copied()
 }
 
-/// What a parameter says, by its name in any of the dialects.
+/// Role of a parameter, by its name in any of the dialects.
 fn role(name: &str) -> Option<Role> {
     Some(match plain(name).as_str() {
         "LATITUDEOFORIGIN"
