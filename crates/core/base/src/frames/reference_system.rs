@@ -142,6 +142,11 @@ impl ReferenceSystem {
         }
     }
 
+    /// [`Self::note`] as a sentence about the file of that name.
+    pub fn note_on(&self, file: &str) -> Option<String> {
+        Some(format!("{file}: {}.", self.note()?))
+    }
+
     /// Name for people.
     pub fn name(&self) -> String {
         match self {

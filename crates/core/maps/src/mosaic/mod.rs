@@ -85,11 +85,7 @@ impl Mosaic {
             pieces.push(piece);
         }
         pieces.sort_by(|a, b| a.native_gsd().total_cmp(&b.native_gsd()));
-        let note = rows[0].system.note();
-        let notes = note
-            .map(|note| format!("{name}: {note}."))
-            .into_iter()
-            .collect();
+        let notes = rows[0].system.note_on(name).into_iter().collect();
         let corners = pieces.iter().flat_map(|piece| piece.bounds().corners());
         let origin = GroundPoint::default();
         Ok(Self {

@@ -144,8 +144,7 @@ impl Dem {
             Posts::Hgt(_) => Vec::new(),
         };
         let georeference = self.placement.georeference();
-        let note = georeference.and_then(|place| place.system()?.note());
-        notes.extend(note.map(|note| format!("{}: {note}.", self.name())));
+        notes.extend(georeference.and_then(|place| place.system()?.note_on(self.name())));
         notes
     }
 
