@@ -1,4 +1,4 @@
-//! What goes wrong with the channels of a flight.
+//! Faults in the channels of a flight.
 
 use pilotage_core::flight::{Channel, ChannelName, Flight};
 

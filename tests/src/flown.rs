@@ -11,7 +11,7 @@ use pilotage_core::simulate::{FlightDay, Overrides, Scenario, SimulatedFlight};
 
 /// The first built-in flight by its landmarks, with its real pictures, after `damage`.
 pub struct Flown {
-    /// What the navigator made of it.
+    /// The navigator's run over it.
     pub run: Run,
     flight: Flight,
 }
@@ -112,12 +112,12 @@ impl Flown {
         doubts.map(Doubt::words).collect()
     }
 
-    /// Why frames could not be used, in words.
+    /// Reasons why frames could not be used, in words.
     pub fn troubles(&self) -> BTreeSet<String> {
         let frames = self.run.steps.iter().filter_map(|s| s.frame.as_ref());
         frames.filter_map(|f| f.trouble.clone()).collect()
     }
 }
 
-/// What 95 % of the squared errors of two dimensions stay below.
+/// Bound below which 95 % of the squared errors of two dimensions stay.
 const CHI_SQUARE_95: f64 = 5.991;

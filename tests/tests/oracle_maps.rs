@@ -13,6 +13,7 @@ use pilotage_core::imagery::{
 };
 use pilotage_tests::data::shared;
 use pilotage_tests::oracle::{ask, bytes_of_hex};
+use pilotage_tests::pyproj::{self, Coordinates};
 use serde::{Deserialize, Serialize};
 
 #[derive(Serialize)]
@@ -306,18 +307,6 @@ fn samples_with_a_sign_are_no_picture() {
     assert!(message.contains("terrain"), "{message}");
 }
 
-#[derive(Serialize)]
-struct Points {
-    cases: Vec<PointsOf>,
-}
-
-#[derive(Serialize)]
-struct PointsOf {
-    epsg: u32,
-    coordinates: Vec<[f64; 2]>,
-    origin: [f64; 3],
-}
-
 #[test]
 fn every_utm_zone_and_the_web_map_agree_with_pyproj_to_a_hundredth_of_a_millimetre() {
     let mut cases = Vec::new();
@@ -345,7 +334,7 @@ fn every_utm_zone_and_the_web_map_agree_with_pyproj_to_a_hundredth_of_a_millimet
             .collect();
         let first = places[7];
         cases.push((
-            PointsOf {
+            Coordinates {
                 epsg,
                 coordinates,
                 origin: [
@@ -358,13 +347,12 @@ fn every_utm_zone_and_the_web_map_agree_with_pyproj_to_a_hundredth_of_a_millimet
         ));
     }
     let (cases, places): (Vec<_>, Vec<_>) = cases.into_iter().unzip();
-    let question = Points { cases };
-    let Some(answer) = ask::<_, Vec<Vec<[f64; 4]>>>("pyproj_points.py", &question) else {
+    let Some(answer) = pyproj::places(&cases) else {
         return;
     };
     let mut furthest: f64 = 0.0;
     let mut on_plane: f64 = 0.0;
-    for ((case, places), answers) in question.cases.iter().zip(places).zip(answer) {
+    for ((case, places), answers) in cases.iter().zip(places).zip(answer) {
         let [latitude, longitude, height] = case.origin;
         let frame = LocalFrame::new(Geodetic::from_degrees(latitude, longitude, height));
         for (place, [latitude, longitude, north, east]) in places.iter().zip(answers) {

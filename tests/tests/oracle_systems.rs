@@ -14,6 +14,7 @@ use pilotage_core::imagery::{
     systems,
 };
 use pilotage_tests::oracle::ask;
+use pilotage_tests::pyproj::{self, Coordinates};
 use serde::{Deserialize, Serialize};
 
 /// Radius that makes metres of small angles.
@@ -279,18 +280,6 @@ fn systems_that_the_keys_of_a_file_describe_put_it_where_rasterio_does() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-#[derive(Serialize)]
-struct Points {
-    cases: Vec<PointsOf>,
-}
-
-#[derive(Serialize)]
-struct PointsOf {
-    epsg: u32,
-    coordinates: Vec<[f64; 2]>,
-    origin: [f64; 3],
-}
-
 /// A map of a large part of the world: code, size, coordinates of its first corner, and of a pixel.
 type World = (u32, (usize, usize), [f64; 2], [f64; 2]);
 
@@ -353,7 +342,7 @@ fn places_of_maps_of_the_world_lie_where_pyproj_puts_them() {
                 epsg != 4326 || place[1].abs() <= 90.0
             };
             let own: Vec<[f64; 2]> = own.into_iter().filter(inside).collect();
-            cases.push(PointsOf {
+            cases.push(Coordinates {
                 epsg,
                 coordinates: own
                     .iter()
@@ -364,20 +353,9 @@ fn places_of_maps_of_the_world_lie_where_pyproj_puts_them() {
             pixels.push(((width, height), corner, step, own));
         }
     }
-    let answer: Option<Vec<Vec<[f64; 4]>>> = ask(
-        "pyproj_points.py",
-        &Points {
-            cases: cases
-                .iter()
-                .map(|case| PointsOf {
-                    epsg: case.epsg,
-                    coordinates: case.coordinates.clone(),
-                    origin: case.origin,
-                })
-                .collect(),
-        },
-    );
-    let Some(answer) = answer else { return };
+    let Some(answer) = pyproj::places(&cases) else {
+        return;
+    };
     let (mut places, mut on_planes, mut refused) = (0, 0, 0);
     let (mut furthest, mut on_plane, mut back): (f64, f64, f64) = (0.0, 0.0, 0.0);
     for ((case, (size, corner, step, pixels)), answers) in cases.iter().zip(&pixels).zip(&answer) {

@@ -30,7 +30,7 @@ pub struct Arguments {
     /// Changes to the filter, e.g. frame-height=50,acceleration=3.
     #[arg(long, default_value = "")]
     filter: String,
-    /// Where to write what was found.
+    /// File for what was found.
     #[arg(long)]
     out: Option<PathBuf>,
 }

@@ -49,7 +49,7 @@ pub struct Arguments {
     /// Changes to the filter, e.g. alpha=0.5,particles=5000.
     #[arg(long, default_value = "")]
     filter: String,
-    /// Where to write the table as JSON.
+    /// File for the table as JSON.
     #[arg(long)]
     out: Option<PathBuf>,
 }

@@ -72,7 +72,7 @@ impl Form {
 }
 
 impl Arguments {
-    /// What was asked for, or what the name of the file to write says.
+    /// The form that was asked for, else that of the ending of the file to write, else CSV.
     fn form(&self) -> Form {
         let ending = self.out.as_ref().and_then(|out| out.extension());
         let ending = ending.map(|ending| ending.to_string_lossy().into_owned());

@@ -12,7 +12,7 @@ use pilotage_core::navigator::Run;
 use crate::Outcome;
 use crate::opening::Opened;
 
-/// What told the places of a track.
+/// Source of the places of a track.
 #[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum TrackKind {
     /// The satellite receiver.
@@ -34,7 +34,7 @@ impl TrackKind {
 /// value before it.
 ///
 /// # Errors
-/// What was opened says no places of that kind, or has no such field.
+/// A flight without places of that kind, or without such a field.
 pub fn track(opened: Opened, kind: TrackKind, channel: Option<&str>) -> Result<FlownTrack, String> {
     let (log, places, has_height) = match opened {
         Opened::Log(log, _) => {
@@ -117,19 +117,7 @@ pub fn write_estimate(flight: &Flight, run: &Run, path: &Path) -> Outcome {
     let frame = flight
         .frame_on_globe
         .ok_or_else(|| format!("{}: nobody knows where it lies on the globe", flight.name))?;
-    let points = run.steps.iter().map(|step| FlownPoint {
-        time: step.time,
-        place: frame.geodetic_from_ground(&step.after.position()),
-        value: None,
-    });
-    let track = FlownTrack {
-        name: format!("{}, estimate", flight.name),
-        utc_at_zero: None,
-        has_height: false,
-        values: None,
-        points: points.collect(),
-    };
-    let written = write_flown(format, &track)?;
+    let written = write_flown(format, &run.estimated_track(&flight.name, &frame))?;
     for note in &written.notes {
         eprintln!("note: {note}");
     }

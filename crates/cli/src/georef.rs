@@ -94,8 +94,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let system = system.ok_or_else(|| {
         format!("{file}: the file does not say of which reference system its points are; name it by --system, e.g. EPSG:32617")
     })?;
-    if let Some(note) = system.note() {
-        eprintln!("note: {file}: {note}.");
+    if let Some(note) = system.note_on(&file.to_string()) {
+        eprintln!("note: {note}");
     }
     let (points, plane) = in_metres(&points, system).ok_or_else(|| {
         format!(

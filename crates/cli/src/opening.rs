@@ -114,7 +114,8 @@ pub fn open(path: &Path, columns: Option<&Path>) -> Result<Opened, Box<dyn std::
     })
 }
 
-/// Why a path is no flight: as tables among it `told`, else what it is by its content, else that it is none.
+/// The reason why a path is no flight: the one that tables among it `told`, else its kind by its content, else that it
+/// is none.
 pub fn no_flight(path: &Path, told: &str) -> String {
     let name = path.display();
     if !told.is_empty() {

@@ -63,13 +63,13 @@ pub struct Arguments {
     /// Changes to the filter, e.g. alpha=0.5,vehicle=airplane-wind.
     #[arg(long, default_value = "")]
     filter: String,
-    /// Where to write the run.
+    /// File for the run.
     #[arg(long)]
     out: Option<PathBuf>,
-    /// Where to write the estimated track; its ending names the format: .kml, .kmz, .gpx, .geojson or .csv.
+    /// File for the estimated track; its ending names the format: .kml, .kmz, .gpx, .geojson or .csv.
     #[arg(long, value_name = "FILE", conflicts_with = "seeds")]
     track: Option<PathBuf>,
-    /// Where to write the summary.
+    /// File for the summary.
     #[arg(long)]
     summary: Option<PathBuf>,
     /// Print every camera frame with what became of it, and what frames and landmarks were refused of, counted.

@@ -58,10 +58,10 @@ pub struct Arguments {
     /// Folder for each landmark's cascade as an OpenCV XML file.
     #[arg(long, value_name = "FOLDER")]
     out: Option<PathBuf>,
-    /// Where to write the mission with the detectors in it.
+    /// File for the mission with the detectors in it.
     #[arg(long, value_name = "FILE")]
     write_mission: Option<PathBuf>,
-    /// Where to write how the trainings went, JSON.
+    /// File for the course of the trainings, JSON.
     #[arg(long, value_name = "FILE")]
     summary: Option<PathBuf>,
 }

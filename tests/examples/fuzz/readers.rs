@@ -71,7 +71,7 @@ pub fn all_readers() -> Vec<Reader> {
     readers
 }
 
-/// What a receiver says in so many seconds.
+/// Sentences of a receiver in so many seconds.
 fn sentences(seconds: u32) -> Vec<u8> {
     let sentence = |body: String| {
         let sum = body.bytes().fold(0, |sum, byte| sum ^ byte);

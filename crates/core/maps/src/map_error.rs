@@ -45,7 +45,7 @@ pub enum MapError {
     System {
         /// Name of the .prj file.
         file: String,
-        /// What is wrong with it.
+        /// The fault in it.
         cause: SystemError,
     },
     /// The world file beside the picture counts in metres of a system that nothing names.
@@ -89,7 +89,7 @@ pub enum MapError {
     Overlay {
         /// Name of the file.
         file: String,
-        /// What is wrong with it.
+        /// The fault in it.
         cause: String,
     },
     /// Several pictures are too large to be kept in memory together.

@@ -9,7 +9,7 @@ use crate::place_beside::{place_beside, refuse_unnamed, system_beside};
 use crate::web_tiles::{PmTiles, WebTiles};
 use crate::{GeoTiff, GeoTiffError, GeoTiffFile};
 use pilotage_base::files::FileSet;
-use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
+use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_base::georeference::Georeference;
 use pilotage_raster::imagery::{GeoreferencedPicture, Imagery, Placement, Window, decode_map};
 use pilotage_raster::raster::{Raster, Rgba};
@@ -50,18 +50,15 @@ impl OpenMap {
         }
     }
 
-    /// What is to be told of where it lies, in sentences that name the file: another datum than WGS 84.
+    /// Notes on the place of the map, in sentences that name the file: another datum than WGS 84.
     pub fn notes(&self) -> Vec<String> {
         if let Self::Mosaic(map) = self {
             return map.notes().to_vec();
         }
         let georeference = self.placement().and_then(Placement::georeference);
-        let note = georeference
-            .and_then(Georeference::system)
-            .and_then(ReferenceSystem::note);
-        note.map(|note| format!("{}: {note}.", self.name()))
-            .into_iter()
-            .collect()
+        let system = georeference.and_then(Georeference::system);
+        let note = system.and_then(|system| system.note_on(self.name()));
+        note.into_iter().collect()
     }
 
     fn imagery(&self) -> &dyn Imagery {

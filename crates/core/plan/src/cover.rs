@@ -1,11 +1,11 @@
-//! Which moments of a flight the boxes of a map serve.
+//! Moments of a flight that the boxes of a map serve.
 
 use super::footprints::Footprints;
 use super::suggest::Candidate;
 use pilotage_base::frames::Pose;
 use pilotage_raster::camera::CameraModel;
 
-/// Which moments each candidate serves.
+/// Moments that each candidate serves.
 pub(super) struct Cover {
     /// Seconds for which each frame stands.
     lasting: Vec<f64>,
@@ -78,7 +78,7 @@ impl Cover {
         }
     }
 
-    /// What taking a candidate adds to a measure of each moment, in all.
+    /// Sum over the moments that taking a candidate adds to a measure of each.
     pub fn gain(&self, i: usize, missed: &[f64], measure: &dyn Fn(f64) -> f64) -> f64 {
         let gains = self.worth[i].iter().map(|(f, w)| {
             let before = missed[*f];

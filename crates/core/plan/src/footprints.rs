@@ -1,4 +1,4 @@
-//! Which boxes of the map lie in which pictures of a flight.
+//! Boxes of the map in the pictures of a flight.
 
 use pilotage_base::frames::{GroundPoint, GroundRect, Pose};
 use pilotage_raster::camera::CameraModel;
@@ -6,7 +6,7 @@ use pilotage_raster::camera::CameraModel;
 /// Share of the picture's height that a box keeps from its edge.
 const EDGE: f64 = 0.02;
 
-/// Which boxes lie whole in which pictures of a flight.
+/// Ground in the pictures of a flight, to find the boxes that lie whole in one.
 pub(super) struct Footprints<'a> {
     camera: &'a CameraModel,
     frames: &'a [(f64, Pose)],

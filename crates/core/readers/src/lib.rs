@@ -15,6 +15,7 @@ pub mod role;
 mod span_statistics;
 mod span_table;
 pub mod srt;
+mod text_tables;
 mod times;
 pub mod trajectory;
 pub mod video;

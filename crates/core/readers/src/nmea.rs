@@ -1,13 +1,12 @@
 //! Sentences of a satellite receiver (NMEA 0183: GGA, RMC, VTG), as a flight.
 
-use std::fmt::Write as _;
 use std::sync::Arc;
 
-use crate::columns::{flight_of_tables, guess_table};
 use crate::folder::{
     DEGREES_AND_MINUTES, FlightFolder, FolderError, days_since_1970, decoded, linear,
 };
-use pilotage_base::files::{FileSet, MemoryFiles};
+use crate::text_tables::{first_flight, flight_of_table, table};
+use pilotage_base::files::FileSet;
 use pilotage_base::frames::units::MPS_PER_KNOT;
 use pilotage_base::text::utc_text;
 
@@ -23,7 +22,7 @@ const COLUMNS: [&str; 5] = [
     "course over ground [deg]",
 ];
 
-/// What the sentences of one moment say.
+/// Values that the sentences of one moment say.
 #[derive(Clone, Copy, Debug, Default)]
 struct Epoch {
     /// Seconds of the day (UTC).
@@ -34,7 +33,7 @@ struct Epoch {
     values: [Option<f64>; 5],
 }
 
-/// What was read and left out.
+/// Moments that were read, and the number of sentences that were not used.
 #[derive(Debug, Default)]
 struct Sentences {
     epochs: Vec<Epoch>,
@@ -68,22 +67,8 @@ pub fn is_nmea(head: &[u8]) -> bool {
 /// # Errors
 /// Sentences of which no flight can be made.
 pub fn flight_of_sentences(files: &Arc<dyn FileSet>) -> Result<Option<FlightFolder>, FolderError> {
-    let mut names = files.names();
-    names.retain(|name| name.to_lowercase().ends_with(".nmea"));
-    names.sort();
-    let mut found: Option<FlightFolder> = None;
-    for name in names {
-        let Some(bytes) = files.read(&name) else {
-            continue;
-        };
-        if let Some(first) = &mut found {
-            let note = format!("{name} was left out: it is a recording of its own");
-            first.notes.push(note);
-            continue;
-        }
-        found = read_nmea(&name, &bytes)?;
-    }
-    Ok(found)
+    let because = "it is a recording of its own";
+    first_flight(files.as_ref(), ".nmea", because, read_nmea)
 }
 
 /// The flight that sentences tell of; `None` if `bytes` have fewer than two places in sentences. Heights are above mean sea
@@ -98,45 +83,28 @@ pub fn read_nmea(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, Folde
     if sentences.epochs.iter().filter(is_placed).count() < 2 {
         return Ok(None);
     }
-    let table = table(&sentences.epochs);
-    let file = format!(
-        "{}.csv",
-        name.rsplit_once('.').map_or(name, |(stem, _)| stem)
-    );
-    let Some(mut map) = guess_table(&file, table.as_bytes()) else {
-        return Ok(None);
-    };
+    let mut findings = Vec::new();
     if sentences.damaged > 0 {
-        map.findings.push(format!(
+        findings.push(format!(
             "{} sentences were left out: their check sums say that they are damaged",
             sentences.damaged
         ));
     }
     if sentences.unfixed > 0 {
-        map.findings.push(format!(
+        findings.push(format!(
             "{} sentences were told without a fix, and have no place",
             sentences.unfixed
         ));
     }
-    let files: Arc<dyn FileSet> = Arc::new(MemoryFiles([(file, table.into_bytes())].into()));
-    flight_of_tables(&files, &[map]).map(Some)
+    flight_of_table(name, table_of(&sentences.epochs), findings)
 }
 
 /// One line for each moment; by date and time where the day is told, else by seconds.
-fn table(epochs: &[Epoch]) -> String {
-    let told = |column: usize| epochs.iter().any(|epoch| epoch.values[column].is_some());
-    let told: Vec<usize> = (0..COLUMNS.len()).filter(|column| told(*column)).collect();
+fn table_of(epochs: &[Epoch]) -> String {
     let first_day = epochs.iter().find_map(|epoch| epoch.day);
-    let time = if first_day.is_some() {
-        "time"
-    } else {
-        "time [s]"
-    };
-    let names: Vec<&str> = told.iter().map(|column| COLUMNS[*column]).collect();
-    let mut table = format!("{time},{}\n", names.join(","));
     let mut day = first_day.unwrap_or(0);
     let mut last = epochs.first().map_or(0.0, |epoch| epoch.second);
-    for epoch in epochs {
+    let row = |epoch: &Epoch| {
         // A day that nobody told begins where the clock goes round.
         let is_next = last - epoch.second > 0.5 * DAY;
         day = epoch.day.unwrap_or(day + i64::from(is_next));
@@ -146,14 +114,15 @@ fn table(epochs: &[Epoch]) -> String {
             Some(_) => utc_text(seconds),
             None => format!("{seconds:.3}"),
         };
-        let cell = |column: &usize| {
-            let value = epoch.values[*column];
-            value.map_or_else(String::new, |value| value.to_string())
-        };
-        let cells: Vec<String> = told.iter().map(cell).collect();
-        let _ = writeln!(table, "{time},{}", cells.join(","));
-    }
-    table
+        (time, epoch.values)
+    };
+    let rows: Vec<_> = epochs.iter().map(row).collect();
+    let time = if first_day.is_some() {
+        "time"
+    } else {
+        "time [s]"
+    };
+    table(time, COLUMNS, &rows)
 }
 
 fn sentences(text: &str) -> Sentences {

@@ -2,13 +2,12 @@
 //! frames.
 
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 use std::sync::Arc;
 
 use crate::beside_log::{BesideLogError, pictures_counted_from};
-use crate::columns::{flight_of_tables, guess_table};
 use crate::folder::{FlightFolder, FolderError, decoded};
-use pilotage_base::files::{FileSet, MemoryFiles};
+use crate::text_tables::{first_flight, flight_of_table, table};
+use pilotage_base::files::FileSet;
 
 /// What is taken of a subtitle, by the names that firmware has given it, and the column that it becomes.
 const VALUES: [(&str, &[&str]); 7] = [
@@ -33,34 +32,23 @@ const ENDING: &str = ".srt";
 /// # Errors
 /// Subtitles of which no flight can be made, or a table of frames that cannot be read.
 pub fn flight_of_subtitles(files: &Arc<dyn FileSet>) -> Result<Option<FlightFolder>, FolderError> {
-    let mut names = files.names();
-    names.retain(|name| name.to_lowercase().ends_with(ENDING));
-    names.sort();
-    let mut found: Option<FlightFolder> = None;
-    for name in names {
-        let Some(bytes) = files.read(&name) else {
-            continue;
-        };
-        if let Some(first) = &mut found {
-            let note = format!("{name} was left out: it belongs to another film");
-            first.notes.push(note);
-            continue;
-        }
-        let Some((mut folder, begins)) = of_film(&name, &bytes)? else {
-            continue;
+    let with_frames = |name: &str, bytes: &[u8]| {
+        let Some((mut folder, begins)) = of_film(name, bytes)? else {
+            return Ok(None);
         };
         let zero = folder.flight.span().0 - begins;
         let frames = pictures_counted_from(zero, &mut folder.flight, files);
         let broken = |cause: BesideLogError| FolderError::File {
-            file: name.clone(),
+            file: name.to_owned(),
             cause: cause.to_string(),
         };
         if let Some(frames) = frames.map_err(broken)? {
             folder.frames = frames;
         }
-        found = Some(folder);
-    }
-    Ok(found)
+        Ok(Some(folder))
+    };
+    let because = "it belongs to another film";
+    first_flight(files.as_ref(), ENDING, because, with_frames)
 }
 
 /// The flight that subtitles tell of; `None` if `bytes` are no subtitles with places in them.
@@ -77,23 +65,15 @@ pub fn read_srt(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, Folder
 /// That flight, and the second of the film at which it begins.
 fn of_film(name: &str, bytes: &[u8]) -> Result<Option<(FlightFolder, f64)>, FolderError> {
     let bytes = decoded(bytes);
-    let Some((table, begins, notes)) = table(&String::from_utf8_lossy(&bytes)) else {
+    let Some((table, begins, notes)) = table_of(&String::from_utf8_lossy(&bytes)) else {
         return Ok(None);
     };
-    let file = format!(
-        "{}.csv",
-        name.rsplit_once('.').map_or(name, |(stem, _)| stem)
-    );
-    let Some(mut map) = guess_table(&file, table.as_bytes()) else {
-        return Ok(None);
-    };
-    map.findings.extend(notes);
-    let files: Arc<dyn FileSet> = Arc::new(MemoryFiles([(file, table.into_bytes())].into()));
-    Ok(Some((flight_of_tables(&files, &[map])?, begins)))
+    let folder = flight_of_table(name, table, notes)?;
+    Ok(folder.map(|folder| (folder, begins)))
 }
 
 /// One line of a table for each subtitle with a place, the time of the first, and what people should know of it.
-fn table(text: &str) -> Option<(String, f64, Vec<String>)> {
+fn table_of(text: &str) -> Option<(String, f64, Vec<String>)> {
     let mut rows: Vec<(f64, [Option<f64>; 7])> = Vec::new();
     let (mut cues, mut time, mut words) = (0, None, String::new());
     let mut end = |time: Option<f64>, words: &str| {
@@ -119,21 +99,9 @@ fn table(text: &str) -> Option<(String, f64, Vec<String>)> {
     if rows.len() < 2 {
         return None;
     }
-    let is_told = |column: usize| rows.iter().any(|(_, values)| values[column].is_some());
-    let told: Vec<usize> = (0..VALUES.len())
-        .filter(|column| is_told(*column))
-        .collect();
-    let names: Vec<&str> = told.iter().map(|column| VALUES[*column].0).collect();
-    let mut table = format!("time [s],{}\n", names.join(","));
-    for (time, values) in &rows {
-        let cells = told
-            .iter()
-            .map(|column| values[*column].map_or_else(String::new, |value| value.to_string()));
-        let cells: Vec<String> = cells.collect();
-        let _ = writeln!(table, "{time:.3},{}", cells.join(","));
-    }
+    let has_attitude = rows.iter().any(|(_, values)| values[PITCH].is_some());
     let mut notes = vec!["times are those of the film beside it".to_owned()];
-    if told.contains(&PITCH) {
+    if has_attitude {
         notes.push("heading, pitch and roll are those of the camera's gimbal".to_owned());
     }
     if rows.len() < cues {
@@ -143,7 +111,11 @@ fn table(text: &str) -> Option<(String, f64, Vec<String>)> {
         ));
     }
     let begins = rows.first()?.0;
-    Some((table, begins, notes))
+    let rows: Vec<_> = (rows.into_iter())
+        .map(|(time, values)| (format!("{time:.3}"), values))
+        .collect();
+    let columns = VALUES.map(|(column, _)| column);
+    Some((table("time [s]", columns, &rows), begins, notes))
 }
 
 /// Seconds of `00:01:02,033`.
@@ -194,6 +166,7 @@ fn values(words: &str) -> [Option<f64>; 7] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use pilotage_base::files::MemoryFiles;
     use pilotage_flight::ChannelName;
     use pilotage_raster::raster::{Picture, encode_png};
 

@@ -1,8 +1,7 @@
 //! The estimated track as a file of another program.
 
-use pilotage_core::exchange::{FlownPoint, FlownTrack, FlownValues, Format};
+use pilotage_core::exchange::{FlownTrack, FlownValues, Format};
 use pilotage_core::frames::LocalFrame;
-use pilotage_core::navigator::Run;
 
 use super::App;
 use super::desk::Exporting;
@@ -43,24 +42,12 @@ impl App {
         });
         let frame = flight.frame_on_globe;
         let frame = frame.unwrap_or_else(|| LocalFrame::new(documents.mission.origin));
-        Some(FlownTrack {
-            name: format!("{}, estimate", flight.name),
-            utc_at_zero: log.and_then(|log| log.outline.as_ref()?.utc_at_zero),
-            has_height: false,
-            values,
-            points: points(run, &frame, |time| coloured.and_then(|(_, s)| s.at(time))),
-        })
+        let mut track = run.estimated_track(&flight.name, &frame);
+        track.utc_at_zero = log.and_then(|log| log.outline.as_ref()?.utc_at_zero);
+        track.values = values;
+        for point in &mut track.points {
+            point.value = coloured.and_then(|(_, series)| series.at(point.time));
+        }
+        Some(track)
     }
-}
-
-fn points(run: &Run, frame: &LocalFrame, value: impl Fn(f64) -> Option<f64>) -> Vec<FlownPoint> {
-    let of_step = |(time, place)| FlownPoint {
-        time,
-        place: frame.geodetic_from_ground(&place),
-        value: value(time),
-    };
-    let steps = run.steps.iter();
-    steps
-        .map(|step| of_step((step.time, step.after.position())))
-        .collect()
 }

@@ -1,4 +1,4 @@
-//! What journeys read of the Plan workspace.
+//! The Plan workspace as journeys read it.
 
 use serde_json::{Value, json};
 

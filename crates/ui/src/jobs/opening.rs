@@ -74,13 +74,7 @@ pub fn look_through(
     };
     let imports = imports(pool, origin, flight.is_some(), is_told, &tables)?;
     let labels = labels(pool)?;
-    let nothing = flight.is_none()
-        && log.is_none()
-        && map.is_none()
-        && mission.is_none()
-        && run.is_none()
-        && labels.is_none()
-        && imports.is_empty();
+    let nothing = !is_told && map.is_none() && labels.is_none() && imports.is_empty();
     // Tables that may be anything are asked about where there is nothing else.
     if is_told || !nothing && !tables.iter().any(|table| table.is_proposed) {
         let is_other = |table: &GuessedTable| {

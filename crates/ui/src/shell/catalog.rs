@@ -473,7 +473,7 @@ fn labels() -> Vec<Entry> {
     ]
 }
 
-/// What can be written for other programs.
+/// Commands that write for other programs.
 fn exports() -> Vec<Entry> {
     let (route, track) = (Command::ExportRoute, Command::ExportTrack);
     let landmarks = Command::ExportLandmarks;

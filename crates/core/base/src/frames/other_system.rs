@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 
 use super::{Ellipsoid, Geodetic};
 
-/// How coordinates come from latitude and longitude.
+/// Method by which coordinates come from latitude and longitude.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ProjectionMethod {
     /// They are longitude and latitude.
@@ -42,7 +42,7 @@ pub struct Datum {
     /// Position-vector transformation to WGS 84: shifts in metres, rotations in radians, and the
     /// difference of the scale from 1.
     pub shift: [f64; 7],
-    /// How far places may be off after that, metres; 0 for WGS 84 itself, not a number where the shift
+    /// Distance by which places may be off after that, metres; 0 for WGS 84 itself, not a number where the shift
     /// is one that a file states.
     pub accuracy: f64,
 }
@@ -83,7 +83,7 @@ impl SystemNumbers {
     }
 }
 
-/// What computes with [`SystemNumbers`].
+/// Formulas that compute with [`SystemNumbers`].
 pub trait SystemMethods: Sync {
     /// Latitude and longitude of WGS 84 of the coordinates (x, y), at height zero; `None` where they name
     /// no place on Earth.
@@ -104,14 +104,14 @@ pub trait SystemMethods: Sync {
 pub struct OtherSystem {
     /// EPSG code, if it has one.
     pub code: Option<u32>,
-    /// What it is. It stays for the life of the program, so that a system is as small as a code.
+    /// Its definition. It stays for the life of the program, so that a system is as small as a code.
     pub numbers: &'static SystemNumbers,
-    /// What computes with it.
+    /// Formulas that compute with it.
     pub methods: &'static dyn SystemMethods,
 }
 
 impl OtherSystem {
-    /// What is to be told of places that come through another datum than WGS 84.
+    /// Note on places that come through another datum than WGS 84.
     pub fn note(&self) -> Option<String> {
         let Datum {
             name,

@@ -134,12 +134,17 @@ impl ReferenceSystem {
         }
     }
 
-    /// What is to be told of places that come through another datum than WGS 84.
+    /// Note on places that come through another datum than WGS 84.
     pub fn note(&self) -> Option<String> {
         match self {
             Self::Other(other) => other.note(),
             _ => None,
         }
+    }
+
+    /// [`Self::note`] as a sentence about the file of that name.
+    pub fn note_on(&self, file: &str) -> Option<String> {
+        Some(format!("{file}: {}.", self.note()?))
     }
 
     /// Name for people.

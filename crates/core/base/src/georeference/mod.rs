@@ -195,7 +195,7 @@ impl Georeference {
         }
     }
 
-    /// What the coordinates mean, where they are those of a reference system.
+    /// Reference system of the coordinates, where they have one.
     pub fn system(&self) -> Option<&ReferenceSystem> {
         match self {
             Self::Projected { system, .. } | Self::Projective { system, .. } => Some(system),

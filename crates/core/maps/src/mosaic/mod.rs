@@ -28,7 +28,7 @@ pub struct Mosaic {
     bounds: GroundRect,
     /// The finest first.
     pieces: Vec<Box<dyn Imagery>>,
-    /// What is to be told of it.
+    /// Notes on it, in sentences.
     notes: Vec<String>,
 }
 
@@ -85,11 +85,7 @@ impl Mosaic {
             pieces.push(piece);
         }
         pieces.sort_by(|a, b| a.native_gsd().total_cmp(&b.native_gsd()));
-        let note = rows[0].system.note();
-        let notes = note
-            .map(|note| format!("{name}: {note}."))
-            .into_iter()
-            .collect();
+        let notes = rows[0].system.note_on(name).into_iter().collect();
         let corners = pieces.iter().flat_map(|piece| piece.bounds().corners());
         let origin = GroundPoint::default();
         Ok(Self {
@@ -108,7 +104,7 @@ impl Mosaic {
         self
     }
 
-    /// What is to be told of it, in sentences: another datum than WGS 84, pictures that were left out.
+    /// Notes on it, in sentences: another datum than WGS 84, pictures that were left out.
     pub fn notes(&self) -> &[String] {
         &self.notes
     }

@@ -5,14 +5,15 @@ use std::f64::consts::FRAC_PI_2;
 
 use pilotage_base::frames::{Datum, ProjectionMethod, ReferenceSystem, SystemNumbers};
 
-use super::{datums, methods, of_numbers, units};
+use super::datums::{self, plain_name};
+use super::{methods, of_numbers, units};
 
 /// The table; its first lines say how it is written.
 const TABLE: &str = include_str!("codes.txt");
 
 /// A code's line of the table.
 struct Row {
-    /// How many codes of its family are before this one.
+    /// Number of codes of its family before this one.
     step: u32,
     /// EPSG code of the datum's longitude and latitude.
     datum: u32,
@@ -43,21 +44,21 @@ pub(super) fn name(code: u32) -> Option<String> {
 
 /// The system that is called so, by the name of EPSG or of ESRI.
 pub(super) fn named(text: &str) -> Option<ReferenceSystem> {
-    let wanted = plain(text);
+    let wanted = plain_name(text);
     if let Some(datum) = datums::named(text) {
         let known = datums::DATUMS.iter().find(|known| known.datum == datum)?;
         return system(known.code);
     }
     let code = rows().find_map(|(codes, name, _)| {
         // Most rows are decided by their first letters.
-        let start = plain(name.split('{').next().unwrap_or(name));
+        let start = plain_name(name.split('{').next().unwrap_or(name));
         if !wanted.contains(&start) {
             return None;
         }
         codes_of(codes).find_map(|(first, last, datum, unit)| {
             (first..=last).find(|code| {
                 let rest = stepped(name, code - first).unwrap_or_default();
-                let rest = plain(&rest) + unit_of(unit).1.trim_matches([' ', '(', ')']);
+                let rest = plain_name(&rest) + unit_of(unit).1.trim_matches([' ', '(', ')']);
                 let rest = rest.to_uppercase();
                 let before = wanted.strip_suffix(rest.as_str());
                 before.is_some_and(|before| {
@@ -227,14 +228,6 @@ fn stepped(name: &str, step: u32) -> Option<String> {
     let (first, by) = number.split_once('+').unwrap_or((number, "1"));
     let (first, by): (u32, u32) = (first.parse().ok()?, by.parse().ok()?);
     Some(format!("{before}{}{after}", first + by * step))
-}
-
-/// Letters and digits in capitals.
-fn plain(text: &str) -> String {
-    (text.replace('+', "PLUS").chars())
-        .filter(char::is_ascii_alphanumeric)
-        .map(|c| c.to_ascii_uppercase())
-        .collect()
 }
 
 /// Every code.

@@ -3,6 +3,8 @@
 use nalgebra::Vector3;
 use pilotage_base::frames::{Datum, Ellipsoid};
 
+use super::plain;
+
 /// Radians in a second of arc.
 const SECOND: f64 = std::f64::consts::PI / 648_000.0;
 /// Accuracy of taking a datum of today's continents for WGS 84, metres.
@@ -33,9 +35,9 @@ const GRS67: Ellipsoid = ellipsoid(6_378_160.0, 298.247_167_427);
 pub(super) struct KnownDatum {
     /// EPSG code of its longitude and latitude.
     pub code: u32,
-    /// What it is.
+    /// The datum itself.
     pub datum: Datum,
-    /// How files call it, in capitals and without anything but letters and digits; the name of the datum
+    /// Names that files have for it, in capitals and without anything but letters and digits; the name of the datum
     /// is one as well.
     names: &'static [&'static str],
 }
@@ -46,16 +48,7 @@ const fn near(
     ellipsoid: Ellipsoid,
     names: &'static [&'static str],
 ) -> KnownDatum {
-    KnownDatum {
-        code,
-        datum: Datum {
-            name,
-            ellipsoid,
-            shift: [0.0; 7],
-            accuracy: NEAR,
-        },
-        names,
-    }
+    shifted(code, name, ellipsoid, [0.0; 7], NEAR, names)
 }
 
 /// Shifts in metres, rotations in seconds of arc after the position-vector convention, scale in parts per
@@ -119,7 +112,7 @@ pub(super) const DATUMS: &[KnownDatum] = &[
     near(4612, "JGD2000", GRS80, &["JAPANESEGEODETICDATUM2000"]),
     near(6668, "JGD2011", GRS80, &["JAPANESEGEODETICDATUM2011"]),
     near(4674, "SIRGAS 2000", GRS80, &["SISTEMADEREFERENCIAGEOCENTRICOPARALASAMERICAS2000", "SIRGAS2000", "SISTEMADEREFERENCIAGEOCENTRICOPARAAMERICADELSUR2000"]),
-    near(4490, "CGCS2000", ellipsoid(6_378_137.0, 298.257_222_101), &["CHINA2000", "CHINAGEODETICCOORDINATESYSTEM2000"]),
+    near(4490, "CGCS2000", GRS80, &["CHINA2000", "CHINAGEODETICCOORDINATESYSTEM2000"]),
     near(4737, "KGD2002", GRS80, &["KOREA2000", "KOREANGEODETICDATUM2002", "GEOCENTRICDATUMOFKOREA", "KOREAGEODETICDATUM2002"]),
     near(3824, "TWD97", GRS80, &["TAIWANDATUM1997", "TWD1997"]),
     near(4148, "Hartebeesthoek94", Ellipsoid::WGS84, &["HARTEBEESTHOEK1994"]),
@@ -203,29 +196,25 @@ pub(super) fn by_datum_code(code: u32) -> Option<Datum> {
         .flatten()
 }
 
+/// A name as [`plain`] writes it; "CH1903+" is another datum than "CH1903".
+pub(super) fn plain_name(name: &str) -> String {
+    plain(&name.replace('+', "PLUS"))
+}
+
 /// The datum that a file calls so.
 pub(super) fn named(name: &str) -> Option<Datum> {
-    // "CH1903+" is another datum than "CH1903".
-    let name = name.replace('+', "PLUS");
-    let plain: String = (name.chars())
-        .filter(char::is_ascii_alphanumeric)
-        .map(|c| c.to_ascii_uppercase())
-        .collect();
-    let plain = plain.as_str();
+    let name = plain_name(name);
+    let name = name.as_str();
     let is_meant = |wanted: &str| {
-        plain == wanted
-            || plain.strip_prefix('D') == Some(wanted)
-            || plain.strip_prefix("GCS") == Some(wanted)
+        name == wanted
+            || name.strip_prefix('D') == Some(wanted)
+            || name.strip_prefix("GCS") == Some(wanted)
     };
     if WGS84_NAMES.iter().any(|wanted| is_meant(wanted)) {
         return Some(WGS84);
     }
     let own = |known: &KnownDatum| {
-        let own: String = (known.datum.name.replace('+', "PLUS").chars())
-            .filter(char::is_ascii_alphanumeric)
-            .map(|c| c.to_ascii_uppercase())
-            .collect();
-        is_meant(&own) || known.names.iter().any(|wanted| is_meant(wanted))
+        is_meant(&plain_name(known.datum.name)) || known.names.iter().any(|wanted| is_meant(wanted))
     };
     DATUMS
         .iter()
@@ -233,14 +222,30 @@ pub(super) fn named(name: &str) -> Option<Datum> {
         .map(|known| known.datum)
 }
 
-/// A datum whose shift a file states; its accuracy is not known.
-pub(super) fn stated(ellipsoid: Ellipsoid, shift: [f64; 7]) -> Datum {
-    Datum {
-        name: "a datum with a shift of its own",
-        ellipsoid,
-        shift: in_radians(shift),
-        accuracy: f64::NAN,
+/// The datum whose shift a file states, in metres, seconds of arc and parts per million: the `known` one if that is its
+/// own shift, else one on `ellipsoid`, or on that of the known one, whose accuracy is not known. `None` without an
+/// ellipsoid.
+pub(super) fn stated(
+    known: Option<Datum>,
+    ellipsoid: Option<Ellipsoid>,
+    shift: impl IntoIterator<Item = f64>,
+) -> Option<Datum> {
+    let mut stated = [0.0; 7];
+    for (to, from) in stated.iter_mut().zip(shift) {
+        *to = from;
     }
+    let is_own = |known: &Datum| {
+        let own = in_seconds(known.shift);
+        own.iter().zip(stated).all(|(a, b)| (a - b).abs() < 0.1)
+    };
+    known.filter(is_own).or_else(|| {
+        Some(Datum {
+            name: "a datum with a shift of its own",
+            ellipsoid: ellipsoid.or(known.map(|known| known.ellipsoid))?,
+            shift: in_radians(stated),
+            accuracy: f64::NAN,
+        })
+    })
 }
 
 /// Whether a datum's places are those of WGS 84 as they are.

@@ -5,9 +5,9 @@ use std::f64::consts::FRAC_PI_2;
 
 use pilotage_base::frames::{Datum, ProjectionMethod, ReferenceSystem};
 
-use super::{SystemError, codes, datums, methods, of_numbers};
+use super::{SystemError, codes, datums, methods, of_numbers, plain};
 
-/// What a number of a projection is.
+/// Role of a number in a projection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Role {
     /// Latitude of the origin, radians.
@@ -31,7 +31,7 @@ pub(crate) enum Role {
 /// A projected system before its projection is known by name.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Definition {
-    /// What the file calls it.
+    /// Name in the file.
     pub name: String,
     /// Its datum.
     pub datum: Datum,
@@ -39,7 +39,7 @@ pub(crate) struct Definition {
     pub prime_meridian: f64,
     /// Metres in the unit of the coordinates.
     pub unit: f64,
-    /// What is given, by role.
+    /// Numbers that are given, by role.
     pub numbers: [Option<f64>; 8],
 }
 
@@ -129,10 +129,7 @@ const METHODS: [(&str, ProjectionMethod); 28] = [
 impl Definition {
     /// The system with the projection that a file calls so.
     pub fn system(&self, method: &str) -> Result<ReferenceSystem, SystemError> {
-        let plain: String = (method.chars())
-            .filter(char::is_ascii_alphanumeric)
-            .map(|c| c.to_ascii_uppercase())
-            .collect();
+        let plain = plain(method);
         let is_web =
             plain == "POPULARVISUALISATIONPSEUDOMERCATOR" || plain == "MERCATORAUXILIARYSPHERE";
         if is_web && self.datum == datums::WGS84 && self.unit == 1.0 {

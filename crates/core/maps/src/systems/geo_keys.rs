@@ -50,7 +50,7 @@ const TRANSFORMATIONS: &[(u64, ProjectionMethod)] = &[
     (16, ProjectionMethod::ObliqueStereographic),
 ];
 
-/// What the keys of a file hold.
+/// Values of the keys of a file.
 pub(crate) struct KeyValues<'a> {
     /// The whole number of a key.
     pub number: &'a dyn Fn(u64) -> Option<u64>,
@@ -179,21 +179,9 @@ fn datum(keys: &KeyValues) -> Result<Datum, String> {
         }
         (None, []) => Err("without a name".to_owned()),
         (known, shift) => {
-            let mut stated = [0.0; 7];
-            for (to, from) in stated.iter_mut().zip(shift) {
-                *to = *from;
-            }
             let known = known.and_then(Result::ok);
-            let is_known = |known: &Datum| {
-                let own = datums::in_seconds(known.shift);
-                own.iter().zip(stated).all(|(a, b)| (a - b).abs() < 0.1)
-            };
-            if let Some(known) = known.filter(is_known) {
-                return Ok(known);
-            }
-            let own = ellipsoid(keys).or(known.map(|known| known.ellipsoid));
-            let own = own.ok_or("without an ellipsoid".to_owned())?;
-            Ok(datums::stated(own, stated))
+            let stated = datums::stated(known, ellipsoid(keys), shift.iter().copied());
+            stated.ok_or_else(|| "without an ellipsoid".to_owned())
         }
     }
 }

@@ -26,7 +26,7 @@ use pilotage_base::frames::{
 pub(crate) use geo_keys::{KeyValues, described};
 pub(crate) use units::length;
 
-/// Why a reference system cannot be used.
+/// Reason why a reference system cannot be used.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SystemError {
     /// It is not among those that are known.
@@ -34,17 +34,17 @@ pub enum SystemError {
         "the reference system {name} is not known; warp the map to EPSG:4326, EPSG:3857 or a UTM zone of WGS 84"
     )]
     Unknown {
-        /// What the file calls it.
+        /// Its name in the file.
         name: String,
     },
-    /// How its datum lies to WGS 84 is not known.
+    /// The shift of its datum to WGS 84 is not known.
     #[error(
         "the reference system {name} is on the datum \"{datum}\", whose shift to WGS 84 is not known; warp the map to EPSG:4326, EPSG:3857 or a UTM zone of WGS 84"
     )]
     Datum {
-        /// What the file calls the system.
+        /// Name of the system in the file.
         name: String,
-        /// What it calls the datum.
+        /// Name of the datum in the file.
         datum: String,
     },
     /// Its projection is not known.
@@ -52,17 +52,17 @@ pub enum SystemError {
         "the projection \"{method}\" of the reference system {name} is not known; warp the map to EPSG:4326, EPSG:3857 or a UTM zone of WGS 84"
     )]
     Method {
-        /// What the file calls the system.
+        /// Name of the system in the file.
         name: String,
-        /// What it calls the projection.
+        /// Name of the projection in the file.
         method: String,
     },
     /// A number of its description is missing or impossible.
     #[error("the reference system {name}: {cause}")]
     Number {
-        /// What the file calls it.
+        /// Its name in the file.
         name: String,
-        /// What is wrong.
+        /// The fault.
         cause: String,
     },
 }
@@ -144,7 +144,7 @@ fn of_numbers(code: Option<u32>, numbers: SystemNumbers) -> Result<ReferenceSyst
         numbers,
         methods: &Methods,
     };
-    Ok(plain(&other).unwrap_or(ReferenceSystem::Other(other)))
+    Ok(simpler(&other).unwrap_or(ReferenceSystem::Other(other)))
 }
 
 /// Most systems that a program keeps: people have a handful.
@@ -174,7 +174,7 @@ fn kept(numbers: &SystemNumbers) -> Option<&'static SystemNumbers> {
 }
 
 /// The system of WGS 84 that is the same, where there is one.
-fn plain(other: &OtherSystem) -> Option<ReferenceSystem> {
+fn simpler(other: &OtherSystem) -> Option<ReferenceSystem> {
     let numbers = other.numbers;
     if numbers.datum.accuracy != 0.0 || numbers.prime_meridian != 0.0 {
         return None;
@@ -326,4 +326,12 @@ impl SystemMethods for Methods {
 
 fn shortened(text: &str) -> String {
     text.trim().chars().take(60).collect()
+}
+
+/// Letters and digits in capitals.
+fn plain(text: &str) -> String {
+    (text.chars())
+        .filter(char::is_ascii_alphanumeric)
+        .map(|c| c.to_ascii_uppercase())
+        .collect()
 }

@@ -136,7 +136,7 @@ impl Dem {
         }
     }
 
-    /// What was chosen where the file leaves a choice, and what another datum than WGS 84 costs, in
+    /// Notes on choices that the file leaves open, and on the error by another datum than WGS 84, in
     /// sentences that name the file.
     pub fn notes(&self) -> Vec<String> {
         let mut notes = match &self.posts {
@@ -144,8 +144,7 @@ impl Dem {
             Posts::Hgt(_) => Vec::new(),
         };
         let georeference = self.placement.georeference();
-        let note = georeference.and_then(|place| place.system()?.note());
-        notes.extend(note.map(|note| format!("{}: {note}.", self.name())));
+        notes.extend(georeference.and_then(|place| place.system()?.note_on(self.name())));
         notes
     }
 

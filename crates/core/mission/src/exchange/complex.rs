@@ -110,7 +110,7 @@ fn landing(item: &Value, land: u16) -> Option<Vec<String>> {
     ])
 }
 
-/// What is kept of a way-point, to see whether it was changed.
+/// The numbers of a way-point that are kept, to see whether it was changed.
 pub(super) fn stamp(place: LonLat, way_point: &WayPoint) -> [f64; 4] {
     let altitude = &way_point.altitude;
     let frame = f64::from(frame_number(altitude.frame));

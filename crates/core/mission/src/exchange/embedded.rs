@@ -38,7 +38,7 @@ pub(super) fn of_landmark(landmark: &Landmark, frame: &LocalFrame) -> Embedded {
     split(&write_features(&[], std::slice::from_ref(landmark), frame))
 }
 
-/// What is embedded for an area that must not be flown over.
+/// The area that must not be flown over, to be embedded.
 pub(super) fn of_no_fly(zone: &NoFlyZone, frame: &LocalFrame) -> Embedded {
     split(&[no_fly_feature(zone, frame)])
 }

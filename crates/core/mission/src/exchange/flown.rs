@@ -18,14 +18,14 @@ pub struct FlownPoint {
     pub time: f64,
     /// The place; its height is in metres above sea level as whoever measured it counts.
     pub place: Geodetic,
-    /// What the chosen series says there, if it says anything.
+    /// Value of the chosen series there, if it has one.
     pub value: Option<f64>,
 }
 
 /// The series whose values stand beside the places.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct FlownValues {
-    /// What people call it: `ATT.Roll`.
+    /// Name for people: `ATT.Roll`.
     pub name: String,
     /// Unit of its values, or empty.
     pub unit: String,
@@ -42,10 +42,10 @@ impl FlownValues {
     }
 }
 
-/// Where something flew.
+/// A flown track.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FlownTrack {
-    /// What people call it.
+    /// Name for people.
     pub name: String,
     /// Seconds since 1970 (UTC) at time zero, where known.
     pub utc_at_zero: Option<f64>,

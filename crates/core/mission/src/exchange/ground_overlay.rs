@@ -30,7 +30,7 @@ pub struct GroundOverlay {
 pub struct GroundOverlays {
     /// The pictures.
     pub overlays: Vec<GroundOverlay>,
-    /// What was left out.
+    /// Notes on pictures that were left out.
     pub notes: Vec<String>,
 }
 

@@ -104,7 +104,7 @@ pub(super) fn write(
     Ok((text, notes))
 }
 
-/// What a table said in the column of that name.
+/// Value that a table had in the column of that name.
 fn kept(properties: &BTreeMap<String, String>, name: &str) -> Option<String> {
     let own = properties
         .iter()

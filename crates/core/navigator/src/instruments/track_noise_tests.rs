@@ -5,7 +5,7 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::*;
 
-/// What is left of a flight of so many seconds in which nothing was fitted.
+/// Residuals of a flight of so many seconds in which nothing was fitted.
 fn left(noise: &TrackNoise, seconds: u32, seed: u64) -> Vec<Left<0>> {
     let mut random = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
     let mut normal = || -> Vector2<f64> {

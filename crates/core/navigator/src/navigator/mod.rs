@@ -7,6 +7,7 @@ mod expected;
 mod explain;
 mod finding;
 mod fixes;
+mod flown;
 mod found_places;
 mod heading_doubt;
 mod inputs;

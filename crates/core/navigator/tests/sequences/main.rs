@@ -12,7 +12,8 @@ mod photos;
 
 use std::sync::Arc;
 
-use photos::{Photo, Site, either};
+use photos::studies::either;
+use photos::{Photo, Site};
 use pilotage_base::frames::GroundPoint;
 use pilotage_flight::{Channel, ChannelName, Flight, Frame, FrameError, FrameSource, StartFix};
 use pilotage_mission::settings::{NavigatorSettings, VehicleChoice};

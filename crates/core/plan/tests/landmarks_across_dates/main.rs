@@ -17,7 +17,8 @@ mod photos;
 use std::sync::Arc;
 
 use looks::{ELSEWHERE, Laid, Seen, TRACKING, Which, laid, look, tally};
-use photos::{Site, either};
+use photos::Site;
+use photos::studies::either;
 use pilotage_base::frames::{GroundRect, Pose};
 use pilotage_mission::settings::NavigatorSettings;
 use pilotage_plan::{Candidate, FieldView, Proposal, ProposalQuestion, Ranking, choose};

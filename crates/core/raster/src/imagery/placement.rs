@@ -9,7 +9,7 @@ use pilotage_base::georeference::{Georeference, GeoreferenceError, GroundFromPix
 const POINTS_PER_SIDE: usize = 32;
 /// Farthest from the world's origin that a map of the world is used, metres.
 const REACH: f64 = 5e6;
-/// What a picture covers that lies nowhere near.
+/// Ground of a picture that lies nowhere near: none.
 const NOTHING: GroundRect = GroundRect {
     south: 0.0,
     north: 0.0,
@@ -65,7 +65,7 @@ impl Placement {
         })
     }
 
-    /// Where the picture's side file or its own keys put it, if it has a place on the globe.
+    /// The georeference by the picture's side file or its own keys, if it has a place on the globe.
     pub fn georeference(&self) -> Option<&Georeference> {
         match &self.kind {
             Kind::Globe(georeference, _) => Some(georeference),

@@ -159,7 +159,7 @@ fn bare_flight(log: &Log, found: &[RoleSeries]) -> Result<Flight, InterpretError
     })
 }
 
-/// Where the autopilot's own filter had it, north and east in the flight's world `frame`; none where that is not known.
+/// Channels of the autopilot's own estimate, north and east in the flight's world `frame`; none where that is not known.
 fn autopilot_track(found: &[RoleSeries], frame: Option<&LocalFrame>) -> Vec<Channel> {
     let places = places(found, Navigation::Autopilot).into_iter();
     let on_ground = |(time, place): (f64, Geodetic)| {

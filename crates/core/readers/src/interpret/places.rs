@@ -1,4 +1,4 @@
-//! Where a log says that it was: by its satellite receiver, and by the autopilot's own filter.
+//! Places in a log: by its satellite receiver, and by the autopilot's own filter.
 
 use super::{Role, RoleSeries};
 use pilotage_base::frames::Geodetic;
@@ -6,7 +6,7 @@ use pilotage_base::frames::Geodetic;
 /// Kinds of fix from which on a position counts.
 const FLAT_FIX: f64 = 2.0;
 
-/// What told a place.
+/// Source of a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Navigation {
     /// The satellite receiver.

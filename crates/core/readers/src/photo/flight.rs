@@ -120,18 +120,28 @@ fn photos(files: &dyn FileSet, notes: &mut Vec<String>) -> Vec<Timed> {
     let Some((size, _)) = enough.max_by_key(|(_, (_, all))| *all) else {
         return Vec::new();
     };
+    of_one_size(&mut photos, size, "photos", notes);
+    of_one_camera(&mut photos, notes);
+    timed(photos, notes)
+}
+
+/// Leaves out the photos of another size (width and height in pixels) with a note that calls all of them `what`.
+pub(super) fn of_one_size(
+    photos: &mut Vec<Photo>,
+    size: (usize, usize),
+    what: &str,
+    notes: &mut Vec<String>,
+) {
     let total = photos.len();
     photos.retain(|photo| (photo.width, photo.height) == size);
     if photos.len() < total {
         notes.push(format!(
-            "{} of {total} photos are of another size than {} x {} and were left out",
+            "{} of {total} {what} are of another size than {} x {} and were left out",
             total - photos.len(),
             size.0,
             size.1
         ));
     }
-    of_one_camera(&mut photos, notes);
-    timed(photos, notes)
 }
 
 /// Why the photos among files are no flight, in words with the tags that lack; `None` without photos.

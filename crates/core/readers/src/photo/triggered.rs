@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::flight::{camera, is_photo};
+use super::flight::{camera, is_photo, of_one_size};
 use super::read::{Photo, read_photo};
 use super::triggers::triggers;
 use crate::folder::FolderFrames;
@@ -23,7 +23,7 @@ const MOST: f64 = 0.9;
 pub struct PlacedPhotos {
     /// Their pictures, in the order of the flight's frames; `None` if they were left out.
     pub frames: Option<Box<dyn FrameSource>>,
-    /// What was assumed, or why they were left out, in sentences.
+    /// Notes on assumptions, or on the reason why they were left out, in sentences.
     pub notes: Vec<String>,
 }
 
@@ -93,16 +93,7 @@ fn photos(files: &dyn FileSet, notes: &mut Vec<String>) -> Vec<Photo> {
     let Some((size, _)) = most else {
         return photos;
     };
-    let total = photos.len();
-    photos.retain(|photo| (photo.width, photo.height) == size);
-    if photos.len() < total {
-        notes.push(format!(
-            "{} of {total} photos beside the log are of another size than {} x {} and were left out",
-            total - photos.len(),
-            size.0,
-            size.1
-        ));
-    }
+    of_one_size(&mut photos, size, "photos beside the log", notes);
     photos.sort_by(|a, b| (folder(a), number(a), &a.name).cmp(&(folder(b), number(b), &b.name)));
     if let Some(seconds) = clock(&photos) {
         let mut order: Vec<(f64, Photo)> = seconds.into_iter().zip(photos).collect();
@@ -138,7 +129,7 @@ fn clock(photos: &[Photo]) -> Option<Vec<f64>> {
 /// Pairs of a photo and an event by their places, and how they were found, in words.
 type Matched = (Vec<(usize, usize)>, &'static str);
 
-/// Which photo is of which event; `None` if nothing decides that.
+/// Pairs of a photo and its event; `None` if nothing decides that.
 fn matched(photos: &[Photo], events: &[f64]) -> Option<Matched> {
     let seconds = clock(photos);
     let by_clock = seconds.as_ref().and_then(|times| by_clock(times, events));

@@ -1,4 +1,4 @@
-//! When a log says that its camera took a photo.
+//! Times at which a log says that its camera took a photo.
 
 use crate::log::{Log, LogFormat, Topic, system_of};
 
@@ -11,8 +11,8 @@ pub struct Triggers {
     pub times: Vec<f64>,
 }
 
-/// Where a log tells photos, the surest first: that the shutter opened, before that it was asked to; and a field that is 0
-/// for a photo that was not taken, if there is one.
+/// Topic that tells photos, and its field that is 0 for a photo that was not taken, if there is one. The surest stand first:
+/// that the shutter opened, before that it was asked to.
 type Place = (&'static str, &'static str);
 /// True in rows of `camera_trigger` in which the camera itself says so; where it never does, every row counts.
 const FEEDBACK: &str = "feedback";

@@ -1,6 +1,9 @@
 //! Photos of other people over maps of other dates.
 #![allow(dead_code, reason = "each of the tests that read them uses a part")]
 
+#[path = "../../../../../tests/src/studies.rs"]
+pub mod studies;
+
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
@@ -38,15 +41,6 @@ impl Site {
     /// Middle of the map.
     pub fn map_middle(&self) -> GroundPoint {
         self.map.bounds().center()
-    }
-}
-
-/// `quick` in the everyday run, `full` where studies are asked for in full.
-pub fn either<T>(quick: T, full: T) -> T {
-    if std::env::var_os("PILOTAGE_STUDIES").is_some() {
-        full
-    } else {
-        quick
     }
 }
 

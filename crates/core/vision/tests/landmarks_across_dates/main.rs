@@ -16,7 +16,8 @@ mod photos;
 use std::sync::Arc;
 
 use looks::{Doubt, ELSEWHERE, TRACKING, Tally, Which, boxes, laid, look, tally};
-use photos::{Site, either};
+use photos::Site;
+use photos::studies::either;
 use pilotage_raster::imagery::Imagery;
 use pilotage_vision::landmark::{TemplateDetector, TemplateFeatures, TemplateSettings};
 

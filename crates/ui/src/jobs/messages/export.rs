@@ -23,7 +23,7 @@ pub enum ExportOrder {
         /// Origin of the world in which they lie.
         origin: Geodetic,
     },
-    /// Where something flew.
+    /// A flown track.
     Track {
         /// The format.
         format: Format,

@@ -9,6 +9,35 @@ use super::{authalic, isometric, latitude_of, latitude_of_area, parallel_radius}
 /// Parallels nearer to each other are one, radians.
 const ONE_PARALLEL: f64 = 1e-10;
 
+/// A cone through the standard parallels of a system.
+struct Cone {
+    /// Radius of the first parallel in units of the equatorial radius.
+    m1: f64,
+    /// Measure of the latitude of the first parallel: isometric or authalic.
+    measure: f64,
+    /// Angle on the map per longitude.
+    n: f64,
+}
+
+/// The cone for which `n` is `difference(m₁, m₂)` by the difference of the parallels' measures, or the sine of the one
+/// parallel at which it touches.
+fn cone(
+    numbers: &SystemNumbers,
+    measure: fn(&Ellipsoid, f64) -> f64,
+    difference: fn(f64, f64) -> f64,
+) -> Cone {
+    let ellipsoid = &numbers.datum.ellipsoid;
+    let [first, second] = numbers.parallels;
+    let [m1, m2] = [first, second].map(|latitude| parallel_radius(ellipsoid, latitude));
+    let [measure, other] = [first, second].map(|latitude| measure(ellipsoid, latitude));
+    let n = if (first - second).abs() < ONE_PARALLEL {
+        first.sin()
+    } else {
+        difference(m1, m2) / (other - measure)
+    };
+    Cone { m1, measure, n }
+}
+
 /// Lambert's conformal conic, EPSG methods 9801 and 9802.
 pub(super) struct LambertConformal {
     ellipsoid: Ellipsoid,
@@ -23,17 +52,11 @@ pub(super) struct LambertConformal {
 impl LambertConformal {
     pub fn new(numbers: &SystemNumbers) -> Self {
         let ellipsoid = numbers.datum.ellipsoid;
-        let [first, second] = numbers.parallels;
-        let (m1, m2) = (
-            parallel_radius(&ellipsoid, first),
-            parallel_radius(&ellipsoid, second),
-        );
-        let (psi1, psi2) = (isometric(&ellipsoid, first), isometric(&ellipsoid, second));
-        let n = if (first - second).abs() < ONE_PARALLEL {
-            first.sin()
-        } else {
-            (m1 / m2).ln() / (psi2 - psi1)
-        };
+        let Cone {
+            m1,
+            measure: psi1,
+            n,
+        } = cone(numbers, isometric, |m1, m2| (m1 / m2).ln());
         let factor = ellipsoid.semi_major * numbers.scale * m1 / n * (n * psi1).exp();
         let mut projection = Self {
             ellipsoid,
@@ -76,17 +99,7 @@ pub(super) struct Albers {
 impl Albers {
     pub fn new(numbers: &SystemNumbers) -> Self {
         let ellipsoid = numbers.datum.ellipsoid;
-        let [first, second] = numbers.parallels;
-        let (m1, m2) = (
-            parallel_radius(&ellipsoid, first),
-            parallel_radius(&ellipsoid, second),
-        );
-        let (q1, q2) = (authalic(&ellipsoid, first), authalic(&ellipsoid, second));
-        let n = if (first - second).abs() < ONE_PARALLEL {
-            first.sin()
-        } else {
-            (m1 * m1 - m2 * m2) / (q2 - q1)
-        };
+        let Cone { m1, measure: q1, n } = cone(numbers, authalic, |m1, m2| m1 * m1 - m2 * m2);
         let mut projection = Self {
             ellipsoid,
             n,

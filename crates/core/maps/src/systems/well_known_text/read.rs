@@ -6,7 +6,7 @@ use pilotage_base::frames::{Datum, Ellipsoid, ProjectionMethod, ReferenceSystem}
 
 use super::tree::{Node, Value};
 use crate::systems::definition::{Definition, Role};
-use crate::systems::{SystemError, by_code, codes, datums, of_numbers, shortened};
+use crate::systems::{SystemError, by_code, codes, datums, of_numbers, plain, shortened};
 
 const PROJECTED: [&str; 3] = ["PROJCS", "PROJCRS", "PROJECTEDCRS"];
 const GEOGRAPHIC: [&str; 6] = [
@@ -176,25 +176,13 @@ fn datum(node: &Node, shift: Option<[f64; 7]>, name: &str) -> Result<Datum, Syst
     let known = datums::named(datum.name())
         .or_else(|| datums::by_datum_code(datum.code()?))
         .or_else(|| datums::by_code(node.code()?));
-    let stated = shift.or_else(|| {
-        let mut shift = [0.0; 7];
-        for (to, from) in shift.iter_mut().zip(datum.child(&["TOWGS84"])?.numbers()) {
-            *to = from;
-        }
-        Some(shift)
-    });
-    let Some(stated) = stated else {
-        return known.ok_or_else(unknown);
+    let in_text = || Some(datum.child(&["TOWGS84"])?.numbers());
+    let stated = shift.map(Vec::from).or_else(in_text);
+    let known = match stated {
+        Some(shift) => datums::stated(known, ellipsoid(datum), shift),
+        None => known,
     };
-    let is_known = |known: &Datum| {
-        let own = datums::in_seconds(known.shift);
-        own.iter().zip(stated).all(|(a, b)| (a - b).abs() < 0.1)
-    };
-    if let Some(known) = known.filter(is_known) {
-        return Ok(known);
-    }
-    let own = ellipsoid(datum).or(known.map(|known| known.ellipsoid));
-    Ok(datums::stated(own.ok_or_else(unknown)?, stated))
+    known.ok_or_else(unknown)
 }
 
 fn ellipsoid(datum: &Node) -> Option<Ellipsoid> {
@@ -286,7 +274,7 @@ fn parameter(node: &Node, name: &str) -> Option<f64> {
     found.numbers().first().copied()
 }
 
-/// What a parameter says, by its name in any of the dialects.
+/// Role of a parameter, by its name in any of the dialects.
 fn role(name: &str) -> Option<Role> {
     Some(match plain(name).as_str() {
         "LATITUDEOFORIGIN"
@@ -355,12 +343,4 @@ fn is_same(described: &ReferenceSystem, named: &ReferenceSystem) -> bool {
         && is_near(a.offset[1], b.offset[1], 1e-4)
         && is_near(a.unit, b.unit, 1e-9)
         && a.latitude_0.abs() <= FRAC_PI_2 + 1e-9
-}
-
-/// Letters and digits in capitals.
-fn plain(text: &str) -> String {
-    (text.chars())
-        .filter(char::is_ascii_alphanumeric)
-        .map(|c| c.to_ascii_uppercase())
-        .collect()
 }

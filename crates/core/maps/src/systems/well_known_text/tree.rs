@@ -10,11 +10,11 @@ const DEEPEST: usize = 24;
 pub struct Node {
     /// In capitals.
     pub keyword: String,
-    /// What stands in the brackets, in order.
+    /// Values in the brackets, in order.
     pub values: Vec<Value>,
 }
 
-/// What may stand in brackets.
+/// A value in brackets.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
     /// In quotes.

@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 
 use super::super::{Format, Places, read_any, write_landmarks, write_places, write_route};
+use super::assert_noted;
 use crate::mission::NoFlyZone;
 use pilotage_base::frames::GroundPoint;
 
@@ -103,11 +104,7 @@ fn a_moment_of_a_track_without_a_place_is_left_out_and_told() {
                 <gx:coord></gx:coord><gx:coord>8.001 47 401</gx:coord></gx:Track></Placemark></kml>";
     let back = read_any("a.kml", text.as_bytes(), None).unwrap();
     assert_eq!(back.routes[0].way_points.len(), 2);
-    assert!(
-        back.notes.iter().any(|n| n.starts_with("2 × moment")),
-        "{:?}",
-        back.notes
-    );
+    assert_noted(&back.notes, |n| n.starts_with("2 × moment"));
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Home of files of way-points, and every line and jump of them through reading and writing.
 
 use super::super::{Format, Imported, Places, read_any, write_places, write_route};
+use super::assert_noted;
 use crate::mission::WayPointAction;
 
 fn read(lines: &[&str]) -> (Imported, String) {
@@ -172,11 +173,7 @@ fn areas_become_fences_of_a_plan_once_and_are_a_note_elsewhere() {
     let third = read_any("a.plan", &plan(&again, Format::Plan).bytes, None).unwrap();
     assert_eq!(third.no_fly.len(), 1);
     let table = plan(&imported, Format::Csv);
-    assert!(
-        table.notes.iter().any(|n| n.contains("no-fly area")),
-        "{:?}",
-        table.notes
-    );
+    assert_noted(&table.notes, |n| n.contains("no-fly area"));
 }
 
 #[test]

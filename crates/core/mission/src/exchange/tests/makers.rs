@@ -1,7 +1,7 @@
 //! Missions of DJI and Litchi.
 
 use super::super::{ExchangeError, Format, Imported, read_any, write_route};
-use super::frame;
+use super::{assert_noted, frame};
 use crate::mission::{Route, WayPoint, WayPointAction};
 use pilotage_base::files::{FileSet, FileSink, ZipFiles, ZipSink};
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
@@ -62,6 +62,11 @@ fn altitudes(route: &Route) -> Vec<Altitude> {
     route.way_points.iter().map(|w| w.altitude).collect()
 }
 
+fn metres(back: &Imported) -> Vec<f64> {
+    let altitudes = altitudes(&back.routes[0]);
+    altitudes.iter().map(|altitude| altitude.metres).collect()
+}
+
 #[test]
 fn a_mission_of_dji_has_the_heights_that_its_modes_say() {
     for (bytes, wanted, frame) in [
@@ -108,11 +113,7 @@ fn a_mission_of_dji_has_the_heights_that_its_modes_say() {
                 .contains_key("mavlink_ground_speed")
         );
         let told = |words: &str| {
-            assert!(
-                back.notes.iter().any(|n| n.contains(words)),
-                "{:?}",
-                back.notes
-            );
+            assert_noted(&back.notes, |n| n.contains(words));
         };
         told("turns at way-points are kept, and not shown: coordinateTurn");
         told("actions are kept, and not shown: takePhoto");
@@ -237,16 +238,8 @@ fn a_landing_of_a_mission_of_dji_is_no_way_point_on_the_ground() {
     };
     let written = write_route(Format::Wpml, &route, &frame()).unwrap();
     let back = read(&written.bytes);
-    let metres: Vec<f64> = altitudes(&back.routes[0])
-        .iter()
-        .map(|a| a.metres)
-        .collect();
-    assert_eq!(metres, [50.0, 80.0, 80.0]);
-    assert!(
-        back.notes.iter().any(|n| n.contains("autoLand")),
-        "{:?}",
-        back.notes
-    );
+    assert_eq!(metres(&back), [50.0, 80.0, 80.0]);
+    assert_noted(&back.notes, |n| n.contains("autoLand"));
 }
 
 #[test]
@@ -257,11 +250,7 @@ fn an_area_of_dji_without_waylines_is_shown_as_such() {
         </Placemark></Folder></Document></kml>";
     let back = read_any("template.kml", text.as_bytes(), None).unwrap();
     assert_eq!((back.routes.len(), back.landmarks.len()), (0, 1));
-    assert!(
-        back.notes.iter().any(|n| n.contains("no waylines")),
-        "{:?}",
-        back.notes
-    );
+    assert_noted(&back.notes, |n| n.contains("no waylines"));
 }
 
 const LITCHI: &str = "latitude,longitude,altitude(m),heading(deg),curvesize(m),rotationdir,gimbalmode,\
@@ -319,11 +308,7 @@ fn what_a_zip_has_beside_a_mission_of_dji_is_told_and_shadows_are_none_of_it() {
     }
     let back = read(&more.finish().unwrap());
     assert_eq!(back.routes[0].way_points.len(), 2);
-    assert!(
-        back.notes.iter().any(|n| n.starts_with("1 × other file")),
-        "{:?}",
-        back.notes
-    );
+    assert_noted(&back.notes, |n| n.starts_with("1 × other file"));
 }
 
 #[test]
@@ -373,19 +358,9 @@ fn the_template_of_an_area_says_how_far_the_ellipsoid_of_its_waylines_is() {
             .unwrap();
         read(&more.finish().unwrap())
     };
-    let metres = |back: &Imported| -> Vec<f64> {
-        altitudes(&back.routes[0])
-            .iter()
-            .map(|a| a.metres)
-            .collect()
-    };
     let back = read_with(template);
     assert_eq!(metres(&back), [500.0, 506.0]);
-    assert!(
-        back.notes.iter().any(|n| n.contains("47.25 m above it")),
-        "{:?}",
-        back.notes
-    );
+    assert_noted(&back.notes, |n| n.contains("47.25 m above it"));
     // Heights above the ground say nothing of the geoid.
     let back = read_with(&template.replace("EGM96", "relativeToStartPoint"));
     assert_eq!(metres(&back), [547.25, 553.25]);

@@ -52,6 +52,12 @@ pub(super) fn route() -> Route {
     }
 }
 
+/// Asserts that one of the notes is as wanted.
+#[track_caller]
+pub(super) fn assert_noted(notes: &[String], is_wanted: impl Fn(&str) -> bool) {
+    assert!(notes.iter().any(|note| is_wanted(note)), "{notes:#?}");
+}
+
 /// Asserts that two routes state the same, places to a tenth of a millimetre.
 pub(super) fn assert_same_way_points(after: &Route, before: &Route) {
     assert_eq!(after.way_points.len(), before.way_points.len());

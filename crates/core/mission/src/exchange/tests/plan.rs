@@ -1,7 +1,7 @@
 //! Plans and way-point files of ground stations.
 
 use super::super::{ExchangeError, Format, plan_schema, read_any, write_route};
-use super::{assert_same_way_points, frame, route};
+use super::{assert_noted, assert_same_way_points, frame, route};
 use crate::mission::{Route, WayPointAction};
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
 
@@ -228,16 +228,8 @@ fn the_first_line_of_mission_planner_is_home_and_no_way_point() {
 fn a_survey_that_has_no_line_is_left_out_and_that_is_said() {
     let (route, _) = read("survey.plan", SURVEY);
     let written = write_route(Format::Waypoints, &route, &frame()).unwrap();
-    assert!(
-        written.notes.iter().any(|n| n.contains("left out: survey")),
-        "{:#?}",
-        written.notes
-    );
-    assert!(
-        written.notes.iter().any(|n| n.contains("fences")),
-        "{:#?}",
-        written.notes
-    );
+    assert_noted(&written.notes, |n| n.contains("left out: survey"));
+    assert_noted(&written.notes, |n| n.contains("fences"));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Surveys and landing patterns of plans, missions before there were plans, and geometries in geometries.
 
 use super::super::{Format, plan_schema, read_any, write_route};
-use super::frame;
+use super::{assert_noted, frame};
 use crate::mission::{Route, WayPointAction};
 use pilotage_base::frames::{Altitude, AltitudeFrame, GroundPoint};
 
@@ -159,13 +159,7 @@ fn missions_before_there_were_plans_are_read_in_both_versions() {
             (route.name.as_str(), route.properties["home"].as_str()),
             ("old", "[47.4,8.5,412.0]")
         );
-        assert!(
-            back.notes
-                .iter()
-                .any(|n| n.contains("before there were plans")),
-            "{:?}",
-            back.notes
-        );
+        assert_noted(&back.notes, |n| n.contains("before there were plans"));
         let items = &plan(&route)["mission"]["items"];
         assert_eq!(items[1]["params"][0], 5.0);
         assert_eq!(items[2]["complexItemType"], "survey");

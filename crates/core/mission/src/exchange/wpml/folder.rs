@@ -41,7 +41,7 @@ pub(super) struct Point {
     pub speed: Option<f64>,
     /// Everything else.
     pub rest: String,
-    /// What is done about turns, the heading and actions, in the file's words.
+    /// Turns, the heading and actions, in the file's words.
     pub turn: Option<String>,
     pub heading: Option<String>,
     pub actions: Vec<String>,
@@ -51,7 +51,7 @@ pub(super) struct Point {
 pub(super) struct Folder {
     pub id: Option<String>,
     pub name: Option<String>,
-    /// What heights count from, in the file's word.
+    /// Mode of heights, which says from where they count, in the file's word.
     pub mode: Option<String>,
     pub points: Vec<Point>,
     pub rest: String,
@@ -119,7 +119,7 @@ fn folder(source: &Source, element: &Element) -> Result<Folder, ExchangeError> {
     })
 }
 
-/// What a folder says of all its way-points.
+/// Values of a folder that all its way-points have in common.
 struct Common<'a> {
     height: Option<f64>,
     speed: Option<f64>,

@@ -5,7 +5,7 @@ use super::UNDULATION;
 use crate::mission::{Route, WayPoint, WayPointAction};
 use pilotage_base::frames::AltitudeFrame;
 
-/// What heights count from in the words of both files, and the heights themselves, metres.
+/// Heights in metres, and the modes, in the words of both files, that say from where they count.
 pub(super) struct Heights {
     /// `None` where the template cannot state them.
     pub drawn_mode: Option<&'static str>,

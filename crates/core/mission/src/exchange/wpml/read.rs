@@ -161,7 +161,7 @@ fn site(template: &Element) -> Option<f64> {
     difference(template).filter(|metres| metres.abs() < FARTHEST_GEOID)
 }
 
-/// What a height of the ellipsoid is above the same height of the sea in the first element that has both, metres.
+/// Height above the ellipsoid less that above the sea in the first element that has both, metres.
 fn difference(element: &Element) -> Option<f64> {
     let number = |name: &str| element.child_text(name)?.parse::<f64>().ok();
     let own = number("ellipsoidHeight").zip(number("height"));
@@ -194,7 +194,7 @@ fn find<'a>(element: &'a Element, name: &str) -> Option<&'a Element> {
     element.child(name).or_else(deeper)
 }
 
-/// What is to be told of a file.
+/// Notes on a file, by their kind.
 #[derive(Default)]
 struct Told {
     turns: Vec<String>,

@@ -147,7 +147,7 @@ fn place(index: usize, position: &GroundPoint, frame: &LocalFrame) -> String {
     )
 }
 
-/// What the waylines need of a way-point and a file did not say.
+/// Elements of a way-point, with those that waylines need and its file did not have.
 fn complete(mut rest: String) -> String {
     if !rest.contains("<wpml:waypointHeadingParam>") {
         let heading = format!("<wpml:waypointHeadingParam>{HEADING}</wpml:waypointHeadingParam>");
@@ -203,7 +203,7 @@ fn speeds(route: &Route, notes: &mut Vec<String>) -> (Vec<f64>, f64) {
     (speeds, common)
 }
 
-/// What the aircraft does at the end; notes on what has no place in the file.
+/// Action of the aircraft at the end, in the file's word; notes on steps that have no place in the file.
 fn finish(route: &Route, frame: &LocalFrame, notes: &mut Vec<String>) -> &'static str {
     let mut left_out = Vec::new();
     let mut returns = false;

@@ -1,6 +1,8 @@
 //! One flight, written in many units and axes: each has to be read as the same values, or with a question.
 
 mod flown;
+#[path = "../../../../../../tests/src/studies.rs"]
+mod studies;
 mod written;
 
 use std::sync::Arc;
@@ -113,10 +115,7 @@ fn check(craft: Craft, all: &[Choices], share: (usize, usize)) {
 
 /// Tables of mixed conventions: the same ones first, more of them where studies are asked for in full.
 fn tables() -> usize {
-    match std::env::var_os("PILOTAGE_STUDIES") {
-        Some(_) => 60,
-        None => 20,
-    }
+    studies::either(20, 60)
 }
 
 #[test]
