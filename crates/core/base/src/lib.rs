@@ -10,3 +10,4 @@ pub mod frames;
 pub mod georeference;
 pub mod statistics;
 pub mod text;
+pub mod viridis;

@@ -5,20 +5,8 @@ use std::fmt::Write;
 use super::flown::{FlownPoint, FlownTrack, angles, finite};
 use super::xml::escape;
 use pilotage_base::text::utc_text;
+use pilotage_base::viridis::VIRIDIS;
 
-/// Colours from the least value to the greatest: viridis, which grows lighter evenly and reads the same without red or
-/// green. Red, green, blue.
-const COLOURS: [[u8; 3]; 9] = [
-    [68, 1, 84],
-    [71, 45, 123],
-    [59, 82, 139],
-    [44, 114, 142],
-    [33, 145, 140],
-    [40, 174, 128],
-    [94, 201, 98],
-    [173, 220, 48],
-    [253, 231, 37],
-];
 /// Colour where the series says nothing.
 const NONE: [u8; 3] = [160, 160, 160];
 const TRACK: [u8; 3] = [31, 119, 180];
@@ -35,7 +23,7 @@ pub(super) fn write(track: &FlownTrack) -> String {
     let range = range(track);
     if range.is_some() {
         style(&mut text, "none", NONE);
-        for (step, colour) in COLOURS.into_iter().enumerate() {
+        for (step, colour) in VIRIDIS.into_iter().enumerate() {
             style(&mut text, &format!("step{step}"), colour);
         }
     }
@@ -119,8 +107,8 @@ fn height(track: &FlownTrack, point: &FlownPoint) -> f64 {
 fn step(value: Option<f64>, (least, greatest): (f64, f64)) -> Option<usize> {
     let value = finite(value)?;
     let share = (value - least) / (greatest - least).max(f64::MIN_POSITIVE);
-    let last = COLOURS.len() - 1;
-    Some(((share * COLOURS.len() as f64) as usize).min(last))
+    let last = VIRIDIS.len() - 1;
+    Some(((share * VIRIDIS.len() as f64) as usize).min(last))
 }
 
 /// Lines of one colour each, in a folder that says which values they have; a piece has the colour of its first point.
