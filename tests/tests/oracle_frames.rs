@@ -4,6 +4,7 @@ use pilotage_core::frames::GroundPoint;
 use pilotage_core::imagery::Georeference;
 use pilotage_tests::data::shared;
 use pilotage_tests::oracle::ask;
+use pilotage_tests::studies::either;
 use pilotage_tests::whole_frames::{caliterra_unaided, laid};
 use serde::Serialize;
 
@@ -15,7 +16,9 @@ struct Question {
 
 /// OpenCV takes half a minute for all of them: one in so many is asked for. Of all 75 the middles are 0.08 m
 /// apart (median), 0.34 m at most.
-const EVERY: usize = 3;
+const EVERY: usize = 2;
+/// Frames that may be told by one of both only.
+const MISSING: usize = 3;
 
 fn quantile(values: &[f64], share: f64) -> f64 {
     let mut sorted = values.to_vec();
@@ -31,6 +34,7 @@ fn the_middles_of_frames_lie_where_homographies_of_opencv_have_them() {
     let Some(mut site) = caliterra_unaided() else {
         return;
     };
+    site.flight.frames.truncate(either(48, 75));
     let folder = shared("caliterra").expect("the flight was found");
     let names = site.flight.frames.iter().map(|frame| &frame.name);
     let names = names.step_by(EVERY);
@@ -41,6 +45,7 @@ fn the_middles_of_frames_lie_where_homographies_of_opencv_have_them() {
     let Some(answer) = ask::<_, Vec<Option<[f64; 3]>>>("opencv_homographies.py", &question) else {
         return;
     };
+    let asked = answer.len();
     let text = std::fs::read_to_string(folder.join("ortho_georef.json")).expect("it is text");
     let place = Georeference::from_json(&text).expect("the map has a place");
     let world = site.flight.frame_on_globe.expect("it is on the globe");
@@ -78,7 +83,11 @@ fn the_middles_of_frames_lie_where_homographies_of_opencv_have_them() {
             values.len()
         );
     }
-    assert!(apart.len() >= 22, "{} frames", apart.len());
+    assert!(
+        apart.len() + MISSING >= asked,
+        "{} of {asked} frames",
+        apart.len()
+    );
     assert!(quantile(&apart, 0.5) < 0.25 && quantile(&apart, 1.0) < 1.0);
     assert!(quantile(&ours_off, 0.5) < quantile(&theirs_off, 0.5) + 0.1);
 }

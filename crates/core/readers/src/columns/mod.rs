@@ -29,6 +29,9 @@ mod settle;
 mod several;
 mod shape;
 #[cfg(test)]
+#[path = "../../../../../tests/src/studies.rs"]
+mod studies;
+#[cfg(test)]
 mod tests;
 mod time;
 mod together;

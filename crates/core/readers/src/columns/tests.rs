@@ -7,6 +7,7 @@ use super::*;
 use pilotage_base::files::{FileSet, MemoryFiles};
 use pilotage_flight::ChannelName;
 
+use super::studies::either;
 use ColumnRole::{Channel, Course, Latitude, Longitude, Nothing, SpeedOverGround, Time};
 
 /// What a column of a table was guessed to be, and in which unit.
@@ -507,6 +508,10 @@ proptest! {
     fn damaged_tables_never_panic(bytes in damaged()) {
         go_through(&bytes);
     }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(either(8, 64)))]
 
     #[test]
     fn long_tables_are_looked_at_in_places_and_never_panic(

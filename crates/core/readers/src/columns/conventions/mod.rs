@@ -1,8 +1,6 @@
 //! One flight, written in many units and axes: each has to be read as the same values, or with a question.
 
 mod flown;
-#[path = "../../../../../../tests/src/studies.rs"]
-mod studies;
 mod written;
 
 use std::sync::Arc;
@@ -115,7 +113,7 @@ fn check(craft: Craft, all: &[Choices], share: (usize, usize)) {
 
 /// Tables of mixed conventions: the same ones first, more of them where studies are asked for in full.
 fn tables() -> usize {
-    studies::either(20, 60)
+    super::studies::either(20, 60)
 }
 
 #[test]
