@@ -27,9 +27,7 @@ const NAMES: [&str; 4] = [
 
 /// Walks the journeys through the page in `dist`: all, or those with one of `tags`.
 pub fn check(dist: &Path, tags: Option<&[String]>) -> Result<(), Failure> {
-    node()?;
-    let browser = chromium()?;
-    packages()?;
+    let browser = prepare()?;
     let server = std::env::current_exe().map_err(Failure::file("xtask"))?;
     let demo = fly_demo()?;
     run(
@@ -43,6 +41,14 @@ pub fn check(dist: &Path, tags: Option<&[String]>) -> Result<(), Failure> {
             .env("PILOTAGE_SCREENSHOTS", places::target().join("screenshots")),
         "node was found a moment ago",
     )
+}
+
+/// Brings what the journeys need beside the page, and says which browser they take.
+pub fn prepare() -> Result<PathBuf, Failure> {
+    node()?;
+    let browser = chromium()?;
+    packages()?;
+    Ok(browser)
 }
 
 /// Flies the demo once for all journeys that do not judge how it is flown.

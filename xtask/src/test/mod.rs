@@ -4,6 +4,7 @@
 
 mod browser;
 mod changed;
+mod fingerprint;
 mod install;
 mod native;
 mod oracles;
@@ -11,7 +12,7 @@ mod policy;
 mod programs;
 mod table;
 
-use std::process::ExitCode;
+use std::{process::ExitCode, thread::JoinHandle};
 
 use crate::{
     failure::Failure,
@@ -35,11 +36,25 @@ pub struct Choice {
     pub reach: Option<Reach>,
 }
 
+/// Brings what later checks need of other places, beside those that compute.
+fn fetch(oracles: bool, browser: bool) -> JoinHandle<()> {
+    std::thread::spawn(move || {
+        if browser {
+            let _ = browser::prepare();
+        }
+        if oracles {
+            let _ = oracles::interpreter();
+        }
+    })
+}
+
 /// Runs the checks and prints the table.
 pub fn run(choice: &Choice) -> Result<ExitCode, Failure> {
     let mut table = Table::new(choice.only.clone());
     let packages = native::Packages::of(choice.reach.as_ref());
     let page_is_reached = choice.reach.as_ref().is_none_or(|reach| reach.page);
+    let fetched = (!choice.quick && choice.only.is_none())
+        .then(|| fetch(packages.hold("pilotage-tests"), page_is_reached));
     table.check("format", native::format);
     table.check("dependencies: licences, bans, sources", policy::check);
     table.check("house rules", native::house_rules);
@@ -58,6 +73,10 @@ pub fn run(choice: &Choice) -> Result<ExitCode, Failure> {
     if !choice.quick {
         if !packages.are_none() {
             table.check("documentation", || native::documentation(&packages));
+        }
+        if let Some(fetched) = fetched {
+            // What it failed at is tried again by the check that needs it, which tells why.
+            let _ = fetched.join();
         }
         if packages.hold("pilotage-tests") {
             table.check("oracles", oracles::check);

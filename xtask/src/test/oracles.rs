@@ -2,16 +2,15 @@
 
 use std::{
     fs,
-    io::Write,
     path::{Path, PathBuf},
     process::Command,
 };
 
-use super::{install, native::PACKAGES};
+use super::{install, native::PACKAGES, programs};
 use crate::{
     failure::Failure,
     places,
-    process::{capture, cargo, on_path, program, run, succeed, succeeds},
+    process::{on_path, program, run, succeeds},
 };
 
 /// What an oracle test prints when it had no interpreter (`tests/src/oracle.rs`).
@@ -24,27 +23,13 @@ const IS_USABLE: &str = "import sys, venv, ensurepip; sys.exit(sys.version_info 
 /// Prepares the interpreter and runs the tests; a test that skips is a failure here.
 pub fn check() -> Result<(), Failure> {
     let python = interpreter()?;
-    let mut tests = cargo(&["test", "--no-fail-fast"]);
-    tests
-        .args(PACKAGES)
-        .args(["--test", "oracle_*", "--", "--nocapture"]);
-    tests
-        .env(INTERPRETER, python)
-        .stderr(std::process::Stdio::inherit());
-    let output = capture(&mut tests, "cargo came with rustup")?;
-    // A closed pipe is no reason to stop.
-    let _ = std::io::stdout().write_all(&output.stdout);
-    succeed(&tests, output.status)?;
-    if String::from_utf8_lossy(&output.stdout).contains(SKIPPED) {
-        return Err(Failure::Check(
-            "a test skipped its oracle, see above".to_owned(),
-        ));
-    }
-    Ok(())
+    let python = python.to_string_lossy();
+    let arguments = [&PACKAGES[..], &["--test", "oracle_*"]].concat();
+    programs::test_aloud(&arguments, &[(INTERPRETER, &python)], SKIPPED)
 }
 
-/// The Python of `target/oracles`, with everything in `tests/oracles/requirements.txt`.
-fn interpreter() -> Result<PathBuf, Failure> {
+/// The Python of `target/oracles`, with everything in `tests/oracles/requirements.txt`; made if it is not there.
+pub fn interpreter() -> Result<PathBuf, Failure> {
     let home = places::target().join("oracles");
     let python = home.join(if cfg!(windows) {
         "Scripts/python.exe"

@@ -13,7 +13,7 @@ use std::{
 
 use serde_json::Value;
 
-use super::native::ADVICE;
+use super::{fingerprint, native::ADVICE};
 use crate::{
     failure::Failure,
     places,
@@ -21,11 +21,17 @@ use crate::{
 };
 
 /// Programs that take longest, which begin before the others and which `--quick` leaves out.
-const LONG: [&str; 3] = ["hostile_data", "whole_frames", "scenarios"];
+const LONG: [&str; 4] = ["whole_frames", "across_dates", "hostile_data", "scenarios"];
 /// What takes longest beside them, and begins next: it must not be what everybody waits for at the end.
-const EARLY: [&str; 5] = [
+const EARLY: [&str; 11] = [
+    "oracle_frames",
     "pilotage_ui",
+    "landmarks_across_dates",
+    "pilotage_readers",
+    "sequences",
     "journeys",
+    "pilotage_navigator",
+    "recorded_flight",
     "pilotage_plan",
     "golden_cascades",
     "train",
@@ -58,8 +64,7 @@ impl Program {
 /// Builds the tests of the packages that `arguments` choose and runs them; `environment` is what they are told.
 /// `quick` leaves out what takes long and what has not changed since it passed.
 pub fn test(arguments: &[&str], environment: &[(&str, &str)], quick: bool) -> Result<(), Failure> {
-    let mut programs = build(arguments)?;
-    programs.sort_by_key(|one| (one.rank(), one.name.clone()));
+    let mut programs = in_order(build(arguments)?);
     let all = programs.len();
     let mut passed = Passed::read();
     if quick {
@@ -73,23 +78,64 @@ pub fn test(arguments: &[&str], environment: &[(&str, &str)], quick: bool) -> Re
             all - left - programs.len()
         );
     }
-    let outcomes = run_all(programs, environment, &|told| {
-        // A closed pipe is no reason to stop.
-        let _ = writeln!(std::io::stdout(), "{told}");
-    });
+    let manner = Manner {
+        environment,
+        ..Manner::default()
+    };
+    let outcomes = run_all(programs, &manner, &print);
+    for (one, has_passed) in &outcomes {
+        passed.note(one, *has_passed);
+    }
+    passed.write()?;
+    judge(&outcomes)
+}
+
+/// Builds the test programs that `arguments` choose and runs them; `environment` is what they are told. What they say
+/// is printed, and one that says `skipped` has failed.
+pub fn test_aloud(
+    arguments: &[&str],
+    environment: &[(&str, &str)],
+    skipped: &str,
+) -> Result<(), Failure> {
+    let manner = Manner {
+        environment,
+        aloud: Some(skipped),
+    };
+    judge(&run_all(in_order(build(arguments)?), &manner, &print))
+}
+
+/// The programs in the order in which they begin.
+fn in_order(mut programs: Vec<Program>) -> Vec<Program> {
+    programs.sort_by_key(|one| (one.rank(), one.name.clone()));
+    programs
+}
+
+/// How programs are run.
+#[derive(Debug, Default)]
+struct Manner<'a> {
+    /// Variables that they find.
+    environment: &'a [(&'a str, &'a str)],
+    /// All that they say is printed; and what makes one fail that says it.
+    aloud: Option<&'a str>,
+}
+
+fn print(told: &str) {
+    // A closed pipe is no reason to stop.
+    let _ = writeln!(std::io::stdout(), "{told}");
+}
+
+/// Fails with the names of the programs that did.
+fn judge(outcomes: &[(Program, bool)]) -> Result<(), Failure> {
     let failed: Vec<&str> = outcomes
         .iter()
         .filter(|(_, has_passed)| !has_passed)
         .map(|(one, _)| one.name.as_str())
         .collect();
-    for (one, has_passed) in &outcomes {
-        passed.note(one, *has_passed);
+    if failed.is_empty() {
+        Ok(())
+    } else {
+        Err(Failure::Check(format!("{} failed", failed.join(", "))))
     }
-    passed.write()?;
-    if !failed.is_empty() {
-        return Err(Failure::Check(format!("{} failed", failed.join(", "))));
-    }
-    Ok(())
 }
 
 /// Has cargo build the test programs.
@@ -128,7 +174,7 @@ fn of_message(line: &str) -> Option<Program> {
 /// when it is over.
 fn run_all(
     programs: Vec<Program>,
-    environment: &[(&str, &str)],
+    manner: &Manner<'_>,
     tell: &(dyn Fn(&str) + Sync),
 ) -> Vec<(Program, bool)> {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
@@ -140,7 +186,7 @@ fn run_all(
                 loop {
                     let next = queue.lock().unwrap_or_else(PoisonError::into_inner).next();
                     let Some(next) = next else { return };
-                    let (has_passed, told) = run_one(&next, environment);
+                    let (has_passed, told) = run_one(&next, manner);
                     tell(&told);
                     let mut outcomes = outcomes.lock().unwrap_or_else(PoisonError::into_inner);
                     outcomes.push((next, has_passed));
@@ -154,22 +200,24 @@ fn run_all(
 }
 
 /// Runs a program: whether it passed, and how it went in words, with all that it said if it failed.
-fn run_one(one: &Program, environment: &[(&str, &str)]) -> (bool, String) {
+fn run_one(one: &Program, manner: &Manner<'_>) -> (bool, String) {
     let mut command: Command = program(&one.executable);
     command.current_dir(&one.folder);
     command.env("CARGO_MANIFEST_DIR", &one.folder);
     command.env("RUST_TEST_THREADS", "1");
-    command.envs(environment.iter().copied());
+    command.envs(manner.environment.iter().copied());
+    if manner.aloud.is_some() {
+        command.arg("--nocapture");
+    }
     let begun = Instant::now();
     let output = command.output();
     let seconds = begun.elapsed().as_secs_f64();
     let (has_passed, said) = match &output {
         Ok(output) => {
             let said = [output.stdout.as_slice(), output.stderr.as_slice()].concat();
-            (
-                output.status.success(),
-                String::from_utf8_lossy(&said).into_owned(),
-            )
+            let said = String::from_utf8_lossy(&said).into_owned();
+            let skipped = manner.aloud.is_some_and(|word| said.contains(word));
+            (output.status.success() && !skipped, said)
         }
         Err(error) => (false, error.to_string()),
     };
@@ -178,7 +226,11 @@ fn run_one(one: &Program, environment: &[(&str, &str)]) -> (bool, String) {
         .unwrap_or("no result")
         .trim_start_matches("test result: ");
     let told = if has_passed {
-        format!("{seconds:>7.1} s  {}: {result}", one.name)
+        let head = format!("{seconds:>7.1} s  {}: {result}", one.name);
+        match manner.aloud {
+            Some(_) => format!("{said}{head}"),
+            None => head,
+        }
     } else {
         format!("FAILED {seconds:.1} s  {}\n{said}", one.name)
     };
@@ -206,28 +258,15 @@ impl Passed {
 
     fn has(&self, one: &Program) -> bool {
         let print = self.prints.get(&one.name);
-        print.is_some() && print == fingerprint(one).as_ref()
+        print.is_some() && print == fingerprint::of(&one.executable).as_ref()
     }
 
     fn note(&mut self, one: &Program, has_passed: bool) {
         self.prints.remove(&one.name);
-        if let Some(print) = fingerprint(one).filter(|_| has_passed) {
+        if let Some(print) = fingerprint::of(&one.executable).filter(|_| has_passed) {
             self.prints.insert(one.name.clone(), print);
         }
     }
-}
-
-/// Tells a program from what it was before: its name has a hash of what it is built from, its time the last build.
-fn fingerprint(one: &Program) -> Option<String> {
-    let known = fs::metadata(&one.executable).ok()?;
-    let built = known.modified().ok()?;
-    let since = built.duration_since(std::time::UNIX_EPOCH).ok()?;
-    Some(format!(
-        "{} {} {}",
-        one.executable.display(),
-        known.len(),
-        since.as_nanos()
-    ))
 }
 
 #[cfg(test)]
@@ -287,7 +326,7 @@ mod tests {
         };
         let said = Mutex::new(Vec::new());
         let tell = |told: &str| said.lock().unwrap().push(told.to_owned());
-        let outcomes = run_all(vec![missing.clone()], &[], &tell);
+        let outcomes = run_all(vec![missing.clone()], &Manner::default(), &tell);
         assert_eq!(outcomes, [(missing, false)]);
         let said = said.into_inner().unwrap();
         assert!(
