@@ -123,20 +123,31 @@ impl Modules {
                 return None;
             }
             let below = [place.as_slice(), std::slice::from_ref(next)].concat();
-            if self.modules.contains_key(&below) {
-                place = below;
-                rest = after;
-                continue;
+            let found = self.item(&place, next, after, steps);
+            if !self.modules.contains_key(&below) || (found.is_some() && after.is_empty()) {
+                return found;
             }
-            let module = self.modules.get(&place)?;
-            if module.defined.contains(next) {
-                return Some((module.file.clone(), next.clone()));
-            } else if let Some(import) = module.imported.get(next) {
-                let whole = [import.as_slice(), after].concat();
-                return self.follow(&place, &whole, steps);
-            } else {
-                return self.through_globs(&place, next, steps);
-            }
+            place = below;
+            rest = after;
+        }
+    }
+
+    /// File that defines the item `name` of the module at `place`, or what follows it as `after`.
+    fn item(
+        &self,
+        place: &[String],
+        name: &String,
+        after: &[String],
+        steps: usize,
+    ) -> Option<(ModulePath, String)> {
+        let module = self.modules.get(place)?;
+        if module.defined.contains(name) {
+            Some((module.file.clone(), name.clone()))
+        } else if let Some(import) = module.imported.get(name) {
+            let whole = [import.as_slice(), after].concat();
+            self.follow(place, &whole, steps)
+        } else {
+            self.through_globs(place, name, steps)
         }
     }
 
@@ -357,6 +368,18 @@ mod tests {
             ("a/b_more.rs", "use super::B;"),
         ]);
         assert_eq!(found, ["a/b/more > a/b: B"]);
+    }
+
+    #[test]
+    fn a_function_may_be_called_like_the_module_that_it_lies_in() {
+        let b = ("a/b.rs", "pub fn b() {}");
+        for text in [
+            "mod b; fn f() { b::b() }",
+            "mod b; pub use b::b; fn f() { self::b() }",
+            "mod b; use b::b;",
+        ] {
+            assert_eq!(arrows(&[("a.rs", text), b]), ["a > a/b: b"], "{text}");
+        }
     }
 
     #[test]

@@ -117,6 +117,13 @@ impl Walk {
             [TokenTree::Ident(keyword), rest @ ..] if keyword == "use" => {
                 self.import(false, &tokens[..1], rest)
             }
+            [TokenTree::Punct(dot), TokenTree::Punct(second), rest @ ..]
+                if dot.as_char() == '.' && second.as_char() == '.' =>
+            {
+                rest
+            }
+            // A field or a method belongs to a value: its name is no path.
+            [TokenTree::Punct(dot), TokenTree::Ident(_), rest @ ..] if dot.as_char() == '.' => rest,
             [TokenTree::Ident(_), ..] => self.path(&[], tokens),
             [TokenTree::Group(group), rest @ ..] => {
                 self.tokens(group.stream());
@@ -346,6 +353,12 @@ mod tests {
             [test("a::b"), test("c::d"), test("e::f")],
             [Some(false), Some(true), Some(false)]
         );
+    }
+
+    #[test]
+    fn fields_and_methods_are_no_paths_and_the_ends_of_a_range_are() {
+        let found = texts("a.b.c::<D>(e..f, ..g)");
+        assert_eq!(found, ["a", "D", "e", "f", "g"]);
     }
 
     #[test]
