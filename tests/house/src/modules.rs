@@ -61,10 +61,13 @@ impl Modules {
             found.at(&file, &[]);
             let stream: TokenStream = source.text.parse().unwrap_or_default();
             found.define(&file, &mut Vec::new(), stream);
+            let mut is_declared = false;
             for path in named_paths(&source.text) {
-                if !path.in_test {
+                let declares = path.segments == ["mod"];
+                if !path.in_test && !is_declared {
                     found.at(&file, &path.inside).take(path);
                 }
+                is_declared = declares;
             }
         }
         found
@@ -343,6 +346,11 @@ mod tests {
         let b = ("a/b.rs", "pub struct B;");
         let found = arrows(&[("a/mod.rs", "mod b; pub(crate) use b::B;"), b]);
         assert!(found.is_empty(), "{found:?}");
+        let same = [
+            ("a/mod.rs", "pub use c::c; mod c;"),
+            ("a/c.rs", "pub fn c() {}"),
+        ];
+        assert!(arrows(&same).is_empty());
         let text = "mod b; pub use b::B; fn f(b: B) {}";
         assert_eq!(arrows(&[("a/mod.rs", text), b]), ["a > a/b: B"]);
         let text = "mod b; pub use self::b::B; fn f() { B::new() }";
