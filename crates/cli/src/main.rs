@@ -21,6 +21,7 @@ mod mission_file;
 mod numbers;
 mod opening;
 mod outage;
+mod outcome;
 mod own_map;
 mod photo_picture;
 mod plan;
@@ -35,6 +36,8 @@ mod train;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+
+use outcome::Outcome;
 
 /// Navigate aircraft by what can be seen on the ground.
 #[derive(Parser)]
@@ -79,9 +82,6 @@ enum Job {
     /// Time the kernels and the filter.
     Bench(bench::Arguments),
 }
-
-/// What a job may end with: an error that names the place and what to do.
-type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 fn main() -> ExitCode {
     // Who reads no further (`pilotage … | head`) ends the program, as with any other tool.

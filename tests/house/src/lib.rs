@@ -4,8 +4,10 @@
 //! piece of bad source, so that a rule which can no longer fail is noticed. A package of its own that knows
 //! none of the others, so that the rules are checked in seconds, before anything else is compiled.
 
+pub mod circles;
 pub mod layers;
 pub mod manifest;
+pub mod modules;
 pub mod reach;
 pub mod shape;
 pub mod sources;

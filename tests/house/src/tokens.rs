@@ -15,6 +15,17 @@ pub struct NamedPath {
     pub line: usize,
     /// Whether it stands under `#[cfg(test)]`.
     pub in_test: bool,
+    /// Where a `use` brings it in: how.
+    pub import: Option<Import>,
+}
+
+/// How a `use` brings something in.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Import {
+    /// The name that it has from there on.
+    pub name: String,
+    /// Whether a visibility stands before the `use`, so that others may come here for it.
+    pub is_exported: bool,
 }
 
 impl NamedPath {
@@ -51,6 +62,8 @@ struct Walk {
     found: Vec<NamedPath>,
     inside: Vec<String>,
     in_test: bool,
+    /// Within a `use`: whether it exports what it brings in.
+    in_use: Option<bool>,
 }
 
 impl Walk {
@@ -87,6 +100,30 @@ impl Walk {
                 self.inside.pop();
                 rest
             }
+            [
+                TokenTree::Ident(public),
+                TokenTree::Ident(keyword),
+                rest @ ..,
+            ] if public == "pub" && keyword == "use" => self.import(true, &tokens[1..2], rest),
+            [
+                TokenTree::Ident(public),
+                TokenTree::Group(to),
+                TokenTree::Ident(keyword),
+                rest @ ..,
+            ] if public == "pub" && keyword == "use" => {
+                self.tokens(to.stream());
+                self.import(true, &tokens[2..3], rest)
+            }
+            [TokenTree::Ident(keyword), rest @ ..] if keyword == "use" => {
+                self.import(false, &tokens[..1], rest)
+            }
+            [TokenTree::Punct(dot), TokenTree::Punct(second), rest @ ..]
+                if dot.as_char() == '.' && second.as_char() == '.' =>
+            {
+                rest
+            }
+            // A field or a method belongs to a value: its name is no path.
+            [TokenTree::Punct(dot), TokenTree::Ident(_), rest @ ..] if dot.as_char() == '.' => rest,
             [TokenTree::Ident(_), ..] => self.path(&[], tokens),
             [TokenTree::Group(group), rest @ ..] => {
                 self.tokens(group.stream());
@@ -94,6 +131,23 @@ impl Walk {
             }
             _ => &tokens[1..],
         }
+    }
+
+    /// Reads what a `use` (`keyword`) brings in and returns what follows it.
+    fn import<'a>(
+        &mut self,
+        is_exported: bool,
+        keyword: &[TokenTree],
+        tree: &'a [TokenTree],
+    ) -> &'a [TokenTree] {
+        self.path(&[], keyword);
+        if !matches!(tree, [TokenTree::Ident(_), ..]) {
+            return tree;
+        }
+        self.in_use = Some(is_exported);
+        let rest = self.path(&[], tree);
+        self.in_use = None;
+        rest
     }
 
     /// Reads a path that begins here, after `prefix`, and returns what follows it.
@@ -132,12 +186,22 @@ impl Walk {
                 _ => break,
             }
         }
+        let import = self.in_use.map(|is_exported| Import {
+            name: match tokens {
+                [TokenTree::Ident(renames), TokenTree::Ident(name), ..] if renames == "as" => {
+                    name.to_string()
+                }
+                _ => brought_in(&segments),
+            },
+            is_exported,
+        });
         let (inside, in_test) = (self.inside.clone(), self.in_test);
         self.found.push(NamedPath {
             segments,
             inside,
             line,
             in_test,
+            import,
         });
         tokens
     }
@@ -151,6 +215,12 @@ impl Walk {
             self.path(prefix, branch);
         }
     }
+}
+
+/// Name that a `use` of this path brings in: its last part, for `self` the part before it.
+fn brought_in(segments: &[String]) -> String {
+    let named = segments.iter().rev().find(|segment| *segment != "self");
+    named.cloned().unwrap_or_default()
 }
 
 /// Whether an attribute is `#[cfg(test)]` (or a `cfg` that asks for `test` among others).
@@ -172,10 +242,40 @@ fn is_test_attribute(attribute: &Group) -> bool {
     }
 }
 
-/// Number of tokens up to the end of the item that begins here: its body or its semicolon.
+/// Words that begin an item or a statement; whatever begins otherwise is an arm, a variant or a field, which ends
+/// at its comma.
+const BEGINNINGS: [&str; 17] = [
+    "pub",
+    "fn",
+    "struct",
+    "enum",
+    "union",
+    "trait",
+    "type",
+    "const",
+    "static",
+    "mod",
+    "use",
+    "impl",
+    "unsafe",
+    "async",
+    "extern",
+    "macro_rules",
+    "let",
+];
+
+/// Number of tokens up to the end of what begins here: its body, its semicolon or its comma.
 fn item_length(tokens: &[TokenTree]) -> usize {
+    let mut first = tokens;
+    while let [TokenTree::Punct(hash), TokenTree::Group(_), rest @ ..] = first
+        && hash.as_char() == '#'
+    {
+        first = rest;
+    }
+    let is_item = matches!(first.first(), Some(TokenTree::Ident(word))
+        if BEGINNINGS.iter().any(|beginning| word == beginning));
     let ends = |token: &TokenTree| match token {
-        TokenTree::Punct(mark) => mark.as_char() == ';',
+        TokenTree::Punct(mark) => mark.as_char() == ';' || (mark.as_char() == ',' && !is_item),
         TokenTree::Group(body) => body.delimiter() == Delimiter::Brace,
         _ => false,
     };
@@ -208,6 +308,25 @@ mod tests {
     }
 
     #[test]
+    fn a_use_tells_the_name_that_it_brings_in_and_whether_others_may_have_it() {
+        let source =
+            "use a::{b::{self, C}, d as e}; pub use f::*; pub(super) use g::h; fn i() { j::k() }";
+        let found = named_paths(source);
+        let imports = found.iter().filter_map(|path| path.import.as_ref());
+        let imports: Vec<_> = imports
+            .map(|import| (import.name.as_str(), import.is_exported))
+            .collect();
+        let expected = [
+            ("b", false),
+            ("C", false),
+            ("e", false),
+            ("*", true),
+            ("h", true),
+        ];
+        assert_eq!(imports, expected);
+    }
+
+    #[test]
     fn comments_and_texts_name_nothing() {
         let found = texts("// crate::navigator\n/* std::fs */ const A: &str = \"std::fs\";");
         assert!(!found.iter().any(|path| path.contains("::")), "{found:?}");
@@ -233,6 +352,30 @@ mod tests {
         assert_eq!(
             [test("a::b"), test("c::d"), test("e::f")],
             [Some(false), Some(true), Some(false)]
+        );
+    }
+
+    #[test]
+    fn fields_and_methods_are_no_paths_and_the_ends_of_a_range_are() {
+        let found = texts("a.b.c::<D>(e..f, ..g)");
+        assert_eq!(found, ["a", "D", "e", "f", "g"]);
+    }
+
+    #[test]
+    fn an_arm_or_a_variant_of_the_tests_ends_at_its_comma() {
+        let found = named_paths(
+            "fn f() { match x { #[cfg(test)] A::B => a::b(), A::C => { c::d() } } }\n\
+             enum E { #[cfg(test)] G, H(i::J) }\n\
+             #[cfg(test)] fn k<L, M>() where L: N, M: o::P { q::r() }",
+        );
+        let tests = found.iter().filter(|path| path.in_test);
+        let tests: Vec<_> = tests.map(NamedPath::text).collect();
+        assert!(tests.contains(&"a::b".to_owned()) && tests.contains(&"q::r".to_owned()));
+        let others = ["A::C", "c::d", "i::J"];
+        assert!(
+            !others
+                .iter()
+                .any(|other| tests.contains(&(*other).to_owned()))
         );
     }
 

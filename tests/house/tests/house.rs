@@ -1,7 +1,7 @@
 //! The rules of the house, applied to this repository.
 
 use pilotage_house::{
-    assert_none, layers, manifest, reach, shape,
+    assert_none, circles, layers, manifest, reach, shape,
     sources::{below, folders_with_rust, repository},
 };
 
@@ -28,6 +28,24 @@ fn no_folder_imports_upward() {
             order.sources
         );
     }
+}
+
+#[test]
+fn no_files_of_a_folder_need_each_other_in_a_circle() {
+    let found: Vec<_> = crates_with_sources()
+        .iter()
+        .flat_map(|folder| {
+            let sources = reach::without_test_files(below(folder));
+            let has_order = layers::ORDERS.iter().any(|order| order.sources == folder);
+            circles::circles(folder, &sources, !has_order)
+        })
+        .collect();
+    assert_none(&circles::new_circles(&found, &circles::LEFT));
+    let opened = circles::opened_circles(&found, &circles::LEFT);
+    assert!(
+        opened.is_empty(),
+        "these circles are open or have other files now: take them off the list, {opened:?}"
+    );
 }
 
 #[test]
@@ -117,6 +135,19 @@ fn no_file_names_a_folder_of_one_machine() {
 
 #[test]
 fn the_architecture_page_names_every_folder() {
+    let folders: Vec<_> = crates_with_sources()
+        .iter()
+        .flat_map(|sources| folders_with_rust(sources))
+        .collect();
+    assert!(folders.len() > 3, "{folders:?}");
+    assert_none(&shape::unmentioned_folders(
+        &text("ARCHITECTURE.md"),
+        &folders,
+    ));
+}
+
+/// Folders of sources of the crates, relative to the root of the repository.
+fn crates_with_sources() -> Vec<String> {
     let crates = ["crates", "crates/core"].map(|folder| {
         std::fs::read_dir(repository().join(folder))
             .expect("the crates lie in crates/ and crates/core/")
@@ -125,13 +156,5 @@ fn the_architecture_page_names_every_folder() {
             .filter(|sources| repository().join(sources).is_dir())
             .collect::<Vec<_>>()
     });
-    let crates = crates.iter().flatten();
-    let folders: Vec<_> = crates
-        .flat_map(|sources| folders_with_rust(sources))
-        .collect();
-    assert!(folders.len() > 3, "{folders:?}");
-    assert_none(&shape::unmentioned_folders(
-        &text("ARCHITECTURE.md"),
-        &folders,
-    ));
+    crates.concat()
 }

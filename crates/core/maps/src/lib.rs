@@ -1,5 +1,6 @@
 #![doc = include_str!("../README.md")]
 
+mod corners_error;
 pub mod georeferencer;
 mod geotiff;
 mod map_error;
@@ -15,9 +16,10 @@ pub mod terrain;
 pub mod tiff;
 pub mod web_tiles;
 
+pub use corners_error::CornersError;
 pub use geotiff::{GeoKeys, GeoTiff, GeoTiffError, GeoTiffFile, MapMemory};
 pub use map_error::MapError;
 pub use map_file::{OpenMap, open_map, open_map_with};
 pub use map_options::MapOptions;
-pub use mosaic::{CornersError, Mosaic};
+pub use mosaic::Mosaic;
 pub use pilotage_base::{bytes, files, frames};

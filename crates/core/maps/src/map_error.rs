@@ -1,7 +1,7 @@
 //! Why something is no map.
 
 use crate::GeoTiffError;
-use crate::mosaic::CornersError;
+use crate::corners_error::CornersError;
 use crate::systems::SystemError;
 use crate::web_tiles::PmTilesError;
 use pilotage_base::georeference::GeoreferenceError;

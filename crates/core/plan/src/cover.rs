@@ -1,7 +1,7 @@
 //! Moments of a flight that the boxes of a map serve.
 
+use super::candidate::Candidate;
 use super::footprints::Footprints;
-use super::suggest::Candidate;
 use pilotage_base::frames::Pose;
 use pilotage_raster::camera::CameraModel;
 

@@ -3,8 +3,9 @@
 
 use std::sync::Arc;
 
+use super::candidate::Candidate;
 use super::field::{FieldBuilder, FieldView, FixSource, Localizability};
-use super::suggest::{Candidate, Ranking};
+use super::suggest::Ranking;
 use pilotage_base::frames::{GroundPoint, GroundRect};
 use pilotage_raster::imagery::Imagery;
 

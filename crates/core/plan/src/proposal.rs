@@ -3,9 +3,10 @@
 
 use std::sync::Arc;
 
+use super::candidate::Candidate;
 use super::field::FieldView;
 use super::poses::{poses_all_over, poses_over};
-use super::suggest::{Candidate, Ranking, Suggestion, choose_lasting, fading, most_certain_first};
+use super::suggest::{Ranking, Suggestion, choose_lasting, fading, most_certain_first};
 use pilotage_base::frames::{GroundPoint, GroundRect, Pose};
 use pilotage_mission::settings::NavigatorSettings;
 use pilotage_raster::imagery::{CachedImagery, Imagery};

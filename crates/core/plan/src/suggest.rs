@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::candidate::Candidate;
 use super::cover::Cover;
 use super::footprints::Footprints;
 use super::survival::Ground;
@@ -13,21 +14,6 @@ use pilotage_raster::camera::CameraModel;
 use pilotage_raster::imagery::Imagery;
 use pilotage_vision::landmark::{Rehearsal, TemplateFeatures, rehearse};
 
-/// Greatest ratio of a rival's score to the landmark's, as the detector has it.
-const AMBIGUITY: f64 = 0.85;
-/// Margin at which a landmark is as likely refused as ambiguous as not, and the width of that change.
-/// A rehearsal takes more from the landmark's score than from its rival's, so that it is below zero:
-/// from all boxes of one recorded flight.
-const EVEN_MARGIN: f64 = -0.1;
-/// See [`EVEN_MARGIN`].
-const MARGIN_WIDTH: f64 = 0.05;
-/// Score in a rehearsal at which a landmark is as likely found as not, from the same boxes.
-const EVEN_SCORE: f64 = 0.25;
-/// See [`EVEN_SCORE`].
-const SCORE_WIDTH: f64 = 0.12;
-/// What a rehearsal can promise at best: relief, another camera and a real day are not in it. So many looks
-/// at boxes that pass one succeeded on a recorded flight.
-const REHEARSAL: f64 = 0.73;
 /// Days after which a place that failed on all of them is given up.
 const FIRST_DAYS: usize = 2;
 /// Probability on one day below which a place failed on it.
@@ -40,55 +26,6 @@ const FIX: f64 = 2.0;
 const NEXT_TO_NONE: f64 = 0.1;
 /// Seconds over which a fix fades: the error of dead reckoning has then grown to about a fix's own.
 const FADING: f64 = 8.0;
-
-/// A box of the map, how likely it is found, and how it did on its worst rehearsal day.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Candidate {
-    /// The box.
-    pub bounds: GroundRect,
-    /// Score at its own place, 0 to 1.
-    pub score: f64,
-    /// Score of its strongest rival.
-    pub rival: f64,
-    /// Where the rival is.
-    pub rival_place: GroundPoint,
-    /// What it has in hand before it is refused as ambiguous.
-    pub margin: f64,
-    /// How far it seemed to move on another day, metres.
-    pub drift: f64,
-    /// Probability of being found in a picture, the mean over the rehearsal days; on a map of another date, as far
-    /// as real ones tell.
-    pub probability: f64,
-    /// Where that lies for nine in ten maps of another date; the probability twice where the map is of the
-    /// flight's own.
-    pub range: [f64; 2],
-}
-
-impl Candidate {
-    /// As it did on one day.
-    fn of(bounds: GroundRect, r: &Rehearsal) -> Self {
-        let margin = r.margin(AMBIGUITY);
-        let rise = |x: f64| 1.0 / (1.0 + (-x).exp());
-        let probability = REHEARSAL
-            * rise((margin - EVEN_MARGIN) / MARGIN_WIDTH)
-            * rise((r.score - EVEN_SCORE) / SCORE_WIDTH);
-        Self {
-            bounds,
-            score: r.score,
-            rival: r.rival,
-            rival_place: r.rival_place,
-            margin,
-            drift: r.drift,
-            probability,
-            range: [probability; 2],
-        }
-    }
-
-    /// Probability of being found in a picture, as far as rehearsals can tell.
-    pub fn probability(&self) -> f64 {
-        self.probability
-    }
-}
 
 /// Rehearses the places of a map, one a call, so that the caller can show progress and stop.
 pub struct Ranking {

@@ -1,6 +1,7 @@
 #![doc = include_str!("../README.md")]
 
 pub mod beside_log;
+mod cells;
 pub mod columns;
 pub mod expression;
 mod folder;

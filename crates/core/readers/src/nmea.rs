@@ -2,9 +2,8 @@
 
 use std::sync::Arc;
 
-use crate::folder::{
-    DEGREES_AND_MINUTES, FlightFolder, FolderError, days_since_1970, decoded, linear,
-};
+use crate::cells::{DEGREES_AND_MINUTES, days_since_1970, linear};
+use crate::folder::{FlightFolder, FolderError, decoded};
 use crate::text_tables::{first_flight, flight_of_table, table};
 use pilotage_base::files::FileSet;
 use pilotage_base::frames::units::MPS_PER_KNOT;

@@ -11,6 +11,7 @@ mod sample;
 #[cfg(test)]
 mod tests;
 mod trainer;
+mod training_error;
 
 pub use envelope::FlightEnvelope;
 pub use held_out::Photos;
@@ -18,4 +19,5 @@ pub use labelled::labelled_photos;
 pub use photo::{Assumed, Photo, Photographer};
 pub use plan::TrainingPlan;
 pub use sample::Sample;
-pub use trainer::{DetectorTraining, StageReport, TrainingError, TrainingPhase, TrainingProgress};
+pub use trainer::{DetectorTraining, StageReport, TrainingPhase, TrainingProgress};
+pub use training_error::TrainingError;

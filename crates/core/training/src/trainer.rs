@@ -14,6 +14,7 @@ use super::photo::{Photo, Photographer};
 use super::plan::TrainingPlan;
 use super::precision;
 use super::sample::Sample;
+use super::training_error::TrainingError;
 use pilotage_raster::imagery::Imagery;
 use pilotage_simulate::other_days::OtherDays;
 use pilotage_vision::landmark::cascade::train::{
@@ -29,27 +30,6 @@ use pilotage_vision::landmark::{Detector, Landmark, SearchRequest, TemplateDetec
 const TEMPLATE_EVERY: usize = 3;
 /// With fewer windows than this that pass though they should not, there is nothing left to learn from.
 const FEWEST_FALSE: usize = 40;
-
-/// Why a detector cannot be trained.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum TrainingError {
-    /// It is too large for the pictures.
-    #[error(
-        "landmark \"{0}\" does not fit into a picture from that height; fly higher or mark a smaller box"
-    )]
-    TooLarge(String),
-    /// Nothing in it tells it from its surroundings.
-    #[error("landmark \"{0}\" cannot be told from its surroundings: no feature parts them")]
-    Featureless(String),
-    /// The cascade is none.
-    #[error("the detector of landmark \"{name}\": {cause}")]
-    Cascade {
-        /// Of which landmark.
-        name: String,
-        /// What is wrong.
-        cause: CascadeError,
-    },
-}
 
 /// One stage of the table that people watch.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

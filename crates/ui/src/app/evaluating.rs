@@ -3,71 +3,17 @@
 use egui::{Frame, Id, Modal};
 
 use super::App;
+use super::evaluation::Evaluating;
 use crate::command::Command;
 use crate::host::Host;
-use crate::jobs::{
-    AssessmentOrder, EvaluationOrder, EvaluationReport, FlightSource, Job, JobEvent, JobId,
-};
+use crate::jobs::{AssessmentOrder, EvaluationOrder, FlightSource, Job};
 use crate::plan::flown;
 use crate::shell::{muted, text_button, title};
-use crate::views::{DetectorCommand, EvaluationScene, EvaluationView};
+use crate::views::{DetectorCommand, EvaluationScene};
 
 /// Photos on which a detector is judged, and days on which they are taken.
 const PHOTOS: usize = 200;
 const DAYS: usize = 20;
-
-/// The judging of a detector and the dialog that shows it.
-#[derive(Default)]
-pub(super) struct Evaluating {
-    is_open: bool,
-    /// The landmark that is shown.
-    landmark: Option<u32>,
-    job: Option<(JobId, f32, String)>,
-    report: Option<EvaluationReport>,
-    /// What was trained when it was judged.
-    of: Option<String>,
-    trouble: Option<String>,
-    view: EvaluationView,
-}
-
-impl Evaluating {
-    /// Whether the dialog is open, and whether its report is whole.
-    pub fn state(&self) -> (bool, bool) {
-        let is_whole = self.report.as_ref().is_some_and(|r| !r.is_partial);
-        (self.is_open, is_whole)
-    }
-
-    /// How far the judging is, and in words.
-    pub fn progress(&self) -> Option<(f32, &str)> {
-        let (_, part, words) = self.job.as_ref()?;
-        Some((*part, words.as_str()))
-    }
-
-    /// Figures of the report.
-    pub fn figures(&self) -> &[String] {
-        self.report.as_ref().map_or(&[], |r| &r.figures)
-    }
-
-    /// Takes what a worker says of the judging; false if it is about something else.
-    pub fn receive(&mut self, id: JobId, event: &JobEvent) -> bool {
-        let Some((_, part, words)) = self.job.as_mut().filter(|job| job.0 == id) else {
-            return false;
-        };
-        match event {
-            JobEvent::Progress(fraction, what) => {
-                (*part, *words) = (*fraction, what.clone());
-            }
-            JobEvent::Evaluation(report) => self.report = Some(report.as_ref().clone()),
-            JobEvent::Failed(why) => {
-                self.trouble = Some(why.clone());
-                self.job = None;
-            }
-            JobEvent::Finished | JobEvent::Cancelled => self.job = None,
-            _ => {}
-        }
-        true
-    }
-}
 
 impl App {
     /// Shows how well the detector of a landmark does, after judging it unless that was done.

@@ -2,6 +2,7 @@
 
 mod advice;
 mod aligning;
+mod aside;
 mod brief;
 mod columns;
 mod comparing;
@@ -9,6 +10,7 @@ mod cutting;
 mod desk;
 mod detector;
 mod evaluating;
+mod evaluation;
 mod exchange;
 mod execute;
 mod flown_track;
@@ -155,11 +157,11 @@ pub struct App {
     toasts: Toasts,
     views: Views,
     desk: Desk,
-    evaluating: evaluating::Evaluating,
+    evaluating: evaluation::Evaluating,
     commands: Vec<Command>,
     started: bool,
     /// What was stored at an earlier visit and could not be read.
-    aside: Option<start::Aside>,
+    aside: Option<aside::Aside>,
     last_now: Option<f64>,
     stored_session: Vec<u8>,
     stored_view: Vec<u8>,

@@ -1,6 +1,7 @@
 //! The first moments, and what is remembered of an earlier visit.
 
 use super::App;
+use super::aside::Aside;
 use super::desk::Desk;
 use crate::documents::{
     Documents, Ground, SESSION_KEY, Session, TERRAIN_KEY, UNREAD_KEY, VIEW_KEY, ViewState,
@@ -15,14 +16,6 @@ use crate::tokens::Tokens;
 
 /// How long a change waits before it is stored, milliseconds.
 const STORE_AFTER: f64 = 600.0;
-
-/// What becomes of a document that could not be read.
-pub(super) enum Aside {
-    /// It is kept aside.
-    Keep(Vec<u8>),
-    /// It was aside and can be read now.
-    Taken,
-}
 
 impl App {
     /// The app as it was left, or with the built-in demo.
@@ -66,7 +59,7 @@ impl App {
             toasts: Toasts::default(),
             views: super::Views::default(),
             desk: Desk::default(),
-            evaluating: super::evaluating::Evaluating::default(),
+            evaluating: super::evaluation::Evaluating::default(),
             commands: Vec::new(),
             started: false,
             aside,

@@ -1,31 +1,6 @@
 //! Routes, landmarks and no-fly areas of files, added to the mission.
 
-use pilotage_core::landmark::Landmark;
-use pilotage_core::mission::{NoFlyZone, Route};
-
-use super::Documents;
-use crate::jobs::ImportedFile;
-
-/// What one file brought to the mission.
-#[derive(Clone, Debug, Default)]
-pub struct Brought {
-    /// Routes; identities are unique in this file only.
-    pub routes: Vec<Route>,
-    /// Landmarks, likewise.
-    pub landmarks: Vec<Landmark>,
-    /// Areas that must not be flown over.
-    pub no_fly: Vec<NoFlyZone>,
-}
-
-impl From<ImportedFile> for Brought {
-    fn from(file: ImportedFile) -> Self {
-        Self {
-            routes: file.routes,
-            landmarks: file.landmarks,
-            no_fly: file.no_fly,
-        }
-    }
-}
+use super::{Brought, Documents};
 
 /// Identities that added things have in the mission.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -64,6 +39,8 @@ mod tests {
     use super::*;
     use crate::documents::Session;
     use pilotage_core::frames::{GroundPoint, GroundRect};
+    use pilotage_core::landmark::Landmark;
+    use pilotage_core::mission::{NoFlyZone, Route};
 
     #[test]
     fn what_two_files_brought_gets_free_identities_and_is_gone_after_one_undo() {

@@ -1,7 +1,9 @@
 //! What is open: the mission, the flight, the run, its ghost, the pictures.
 
 mod add;
+mod brought;
 mod edit;
+mod empty_mission;
 mod findings;
 mod ground;
 mod history;
@@ -13,8 +15,10 @@ mod noticed;
 mod session;
 mod session_v1;
 mod store;
+mod stored_session;
 
-pub use add::{Added, Brought};
+pub use add::Added;
+pub use brought::Brought;
 pub use ground::{Ground, TERRAIN_KEY};
 pub use history::History;
 pub use noticed::Noticed;

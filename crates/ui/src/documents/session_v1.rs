@@ -12,7 +12,8 @@ use pilotage_core::navigator::{
 };
 use serde::Deserialize;
 
-use super::{Documents, Session};
+use super::Session;
+use super::empty_mission::empty_mission;
 use crate::jobs::{FlightSource, MapSource};
 
 #[derive(Deserialize)]
@@ -130,7 +131,7 @@ fn mission(old: MissionV1) -> Mission {
             ..NavigatorSettings::default()
         },
         properties: old.properties,
-        ..Documents::empty_mission()
+        ..empty_mission()
     }
 }
 

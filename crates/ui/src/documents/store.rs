@@ -1,6 +1,6 @@
 //! The open documents. Nothing else remembers what is shown.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use pilotage_core::alignment::CameraAdjustment;
@@ -10,6 +10,7 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{NavigatorSettings, Run};
 use pilotage_core::simulate::SimulationChoice;
 
+use super::empty_mission::empty_mission;
 use super::{Brought, Ground, History, Noticed, Session};
 use crate::camera_log::CameraLog;
 use crate::compare::{Contest, Shelf};
@@ -90,19 +91,7 @@ pub struct Documents {
 impl Documents {
     /// A mission with nothing in it.
     pub fn empty_mission() -> Mission {
-        Mission {
-            name: "New mission".into(),
-            origin: Geodetic::from_degrees(0.0, 0.0, 0.0),
-            map: None,
-            landmarks: Vec::new(),
-            routes: Vec::new(),
-            no_fly: Vec::new(),
-            labels: Vec::new(),
-            camera: None,
-            camera_to_log: None,
-            navigator: NavigatorSettings::default(),
-            properties: BTreeMap::new(),
-        }
+        empty_mission()
     }
 
     /// Nothing flown yet; sources as the session says.

@@ -66,10 +66,9 @@ pub use messages::{
     TrainingOutcome, TrainingReport, Unplaced, WebMap, WindReport,
 };
 pub use prelude::{FirstMap, FirstSeconds, Prelude};
-pub use programs::{Abilities, Program};
+pub use programs::Program;
 pub use runner::JobRunner;
-pub use running::{Advance, RunningJob};
 pub use simulated::{scenario_route, scenario_wind};
 pub use tables::{COLUMNS_FILE, write_columns};
 pub use wanted_tiles::wanted_addresses;
-pub use workshop::Workshop;
+pub use workshop::{Abilities, Advance, RunningJob, Workshop};

@@ -1,6 +1,6 @@
-//! A job that is under way.
+//! Jobs in slices, and jobs that are one piece of work.
 
-use super::{Job, JobEvent, Workshop};
+use super::{Advance, JobEvent, RunningJob, Workshop};
 
 /// Longest time that a slice of work should take, milliseconds.
 pub const SLICE: f64 = 25.0;
@@ -16,39 +16,8 @@ pub fn slice(clock: &dyn Fn() -> f64, mut step: impl FnMut() -> bool) -> bool {
     more
 }
 
-/// Whether a job has more to do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Advance {
-    /// Call again.
-    More,
-    /// The last event was sent.
-    Done,
-}
-
-/// A job as a state machine: whoever owns it calls [`RunningJob::advance`] until it is done, and
-/// drops it to cancel it.
-pub trait RunningJob {
-    /// Works for about a slice (25 ms by `clock`, milliseconds) and emits what came of it.
-    ///
-    /// # Errors
-    /// Why it cannot go on, in words; its owner tells them as the job's last event.
-    fn advance(
-        &mut self,
-        workshop: &mut Workshop,
-        clock: &dyn Fn() -> f64,
-        emit: &mut dyn FnMut(JobEvent),
-    ) -> Result<Advance, String>;
-}
-
-impl Workshop {
-    /// Makes a job ready to advance.
-    pub fn start(&mut self, job: Job) -> Box<dyn RunningJob> {
-        (self.abilities.begin)(self, job)
-    }
-}
-
 /// A job that is one piece of work, done in one call.
-pub struct Once<F>(pub Option<F>);
+struct Once<F>(Option<F>);
 
 impl<F> RunningJob for Once<F>
 where
@@ -66,4 +35,12 @@ where
         }
         Ok(Advance::Done)
     }
+}
+
+/// A job that is one piece of work.
+pub fn once<F>(work: F) -> Box<dyn RunningJob>
+where
+    F: FnOnce(&mut Workshop, &mut dyn FnMut(JobEvent)) -> Result<(), String> + 'static,
+{
+    Box::new(Once(Some(work)))
 }

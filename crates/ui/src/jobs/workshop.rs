@@ -1,4 +1,5 @@
-//! What the jobs of one worker share: files, opened maps, flights, rendered frames.
+//! What the jobs of one worker share: files, opened maps, flights, rendered frames; and what a job is that works
+//! with them.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -18,9 +19,8 @@ use super::fetched_tiles::{FetchedTiles, WEB_TILES};
 use super::file_pool::FilePool;
 use super::flights::OpenFlight;
 use super::lent::{LentFiles, OpenAddress};
-use super::programs::Abilities;
 use super::samples::{KeptSamples, samples};
-use super::{FileContent, FlightSource, MapInfo, MapSource, SeriesName};
+use super::{FileContent, FlightSource, Job, JobEvent, MapInfo, MapSource, SeriesName};
 
 /// Memory for what one job reads of a map, megabytes.
 const CACHE_MEGABYTES: usize = 48;
@@ -46,9 +46,47 @@ struct KeptMap {
     told: usize,
 }
 
+/// Whether a job has more to do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Advance {
+    /// Call again.
+    More,
+    /// The last event was sent.
+    Done,
+}
+
+/// A job as a state machine: whoever owns it calls [`RunningJob::advance`] until it is done, and
+/// drops it to cancel it.
+pub trait RunningJob {
+    /// Works for about a slice (25 ms by `clock`, milliseconds) and emits what came of it.
+    ///
+    /// # Errors
+    /// Why it cannot go on, in words; its owner tells them as the job's last event.
+    fn advance(
+        &mut self,
+        workshop: &mut Workshop,
+        clock: &dyn Fn() -> f64,
+        emit: &mut dyn FnMut(JobEvent),
+    ) -> Result<Advance, String>;
+}
+
+/// A map that was opened, or why not, in words.
+pub type OpenedMap = Result<Arc<dyn Imagery>, String>;
+
+/// What a worker can do: how it begins jobs, and what it opens for them.
+#[derive(Clone, Copy)]
+pub struct Abilities {
+    /// Makes a job ready to advance; one that it cannot do fails with its first step.
+    pub begin: fn(&mut Workshop, Job) -> Box<dyn RunningJob>,
+    /// Opens a map; the error says in words why not.
+    pub open_map: fn(&mut Workshop, &MapSource) -> OpenedMap,
+    /// Opens a flight; the error says in words why not.
+    pub open_flight: fn(&mut Workshop, &FlightSource) -> Result<OpenFlight, String>,
+}
+
 /// The store of a worker. Everything in it can be made anew from the files.
 pub struct Workshop {
-    pub(super) abilities: Abilities,
+    abilities: Abilities,
     /// Files by key; a zip that cannot be read is told when the files are used.
     files: BTreeMap<String, Result<Arc<FilePool>, String>>,
     lent: LentFiles,
@@ -83,6 +121,11 @@ impl Workshop {
             days: None,
             rehearsal: None,
         }
+    }
+
+    /// Makes a job ready to advance.
+    pub fn start(&mut self, job: Job) -> Box<dyn RunningJob> {
+        (self.abilities.begin)(self, job)
     }
 
     /// Lends a file that is read by pieces under a number.

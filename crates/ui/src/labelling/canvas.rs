@@ -6,6 +6,7 @@ use egui::{
 };
 use pilotage_core::mission::LabelBox;
 
+use super::drag::Drag;
 use super::{LabelCommand, Labeller, color_of, frame_at};
 use crate::command::Command;
 use crate::context::ViewContext;
@@ -17,36 +18,6 @@ const REACH: f32 = 9.0;
 const MOST_NEARNESS: f32 = 4.0;
 /// Half the side of a handle, points.
 const HANDLE: f32 = 4.0;
-
-/// A box being drawn, moved or given another size.
-#[derive(Clone, Debug)]
-pub(super) struct Drag {
-    frame: usize,
-    landmark: u32,
-    /// The box when the drag began; corners of a new one are where the pointer went down.
-    from: [[f64; 2]; 2],
-    /// Where the pointer went down, pixels.
-    at: [f64; 2],
-    /// Which edges follow the pointer: of the first corner and of the second, by axis.
-    edges: [[bool; 2]; 2],
-    /// Whether the label is hard to see, which a drag does not change.
-    difficult: bool,
-}
-
-impl Drag {
-    /// The corners once the pointer is at `to`, pixels.
-    fn corners(&self, to: [f64; 2]) -> [[f64; 2]; 2] {
-        let mut corners = self.from;
-        for (corner, edges) in corners.iter_mut().zip(self.edges) {
-            for axis in 0..2 {
-                if edges[axis] {
-                    corner[axis] += to[axis] - self.at[axis];
-                }
-            }
-        }
-        corners
-    }
-}
 
 /// From pixels of the picture to points on the screen.
 #[derive(Clone, Copy)]

@@ -1,6 +1,7 @@
 //! Labelling: boxes put around landmarks in the pictures of a flight, by hand or from a proposal.
 
 mod canvas;
+mod drag;
 mod panel;
 mod propose;
 
@@ -58,7 +59,7 @@ pub struct Labeller {
     nearness: f32,
     /// Shift of the picture's centre from the middle of the view, pixels.
     shift: Vec2,
-    drag: Option<canvas::Drag>,
+    drag: Option<drag::Drag>,
     /// Whether a box is proposed in every picture.
     always: bool,
     /// Frame and landmark for which a proposal was asked.

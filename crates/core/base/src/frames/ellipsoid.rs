@@ -2,6 +2,11 @@
 
 use nalgebra::Vector3;
 
+/// Equatorial radius of WGS 84, metres.
+pub(super) const SEMI_MAJOR: f64 = 6_378_137.0;
+/// Flattening of WGS 84.
+const FLATTENING: f64 = 1.0 / 298.257_223_563;
+
 /// An ellipsoid of revolution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ellipsoid {
@@ -14,8 +19,8 @@ pub struct Ellipsoid {
 impl Ellipsoid {
     /// The ellipsoid of WGS 84.
     pub const WGS84: Self = Self {
-        semi_major: super::local::SEMI_MAJOR,
-        flattening: super::local::FLATTENING,
+        semi_major: SEMI_MAJOR,
+        flattening: FLATTENING,
     };
 
     /// Square of the eccentricity.

@@ -5,10 +5,6 @@ use serde::{Deserialize, Serialize};
 
 use super::{Ellipsoid, GroundPoint};
 
-/// Equatorial radius of WGS 84, metres.
-pub(super) const SEMI_MAJOR: f64 = 6_378_137.0;
-/// Flattening of WGS 84.
-pub(super) const FLATTENING: f64 = 1.0 / 298.257_223_563;
 /// Cosine of the largest angle between the verticals at the origin of a plane and at a place on it.
 const FARTHEST_COSINE: f64 = 0.173_648_177_666_930_33;
 

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use serde::{Deserialize, Serialize};
 
-use super::local::SEMI_MAJOR;
+use super::ellipsoid::SEMI_MAJOR;
 use super::other_system::ProjectionMethod;
 use super::{Ellipsoid, Geodetic, OtherSystem, TransverseMercator};
 

@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, SMatrix, SVector};
 
+use crate::CornersError;
 use pilotage_base::frames::ReferenceSystem;
 use pilotage_base::georeference::{Georeference, WorldFile};
 
@@ -37,33 +38,6 @@ const FILLERS: [&str; 12] = [
 ];
 /// How far four corners may be from a parallelogram, as a share of its diagonal, to count as one.
 const PARALLEL: f64 = 1e-6;
-
-/// Why a table of corners is none.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum CornersError {
-    /// Its columns do not say it.
-    #[error(
-        "a table of corners has a column of files and latitude and longitude of two opposite corners at least, e.g. \
-         \"file,top_left_lat,top_left_lon,bottom_right_lat,bottom_right_lon\" or \"file,north,west,south,east\"; {cause}"
-    )]
-    Columns {
-        /// What is missing.
-        cause: String,
-    },
-    /// A row cannot be used.
-    #[error("line {line}: {cause}")]
-    Row {
-        /// Line, counted from one.
-        line: usize,
-        /// What is wrong with it.
-        cause: String,
-    },
-    /// Coordinates of no stated system.
-    #[error(
-        "its corners are no degrees of latitude and longitude; name their reference system, e.g. --system EPSG:32617"
-    )]
-    NoSystem,
-}
 
 /// A picture and its corners (x, y) from the top left one clockwise: degrees of longitude and latitude, or coordinates
 /// of another reference system.

@@ -14,8 +14,6 @@ use crate::{GeoTiff, GeoTiffError, GeoTiffFile};
 pub(crate) use corners::CorneredPicture;
 use corners::read_corners;
 
-pub use corners::CornersError;
-
 /// Ending of a table of corners.
 pub(crate) const ENDING: &str = ".csv";
 /// Most pixels of pictures that are kept whole in memory: 1 GB with their pyramids.

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use pilotage_base::frames::{Datum, Ellipsoid};
 
-use super::plain;
+use super::names::plain;
 
 /// Radians in a second of arc.
 const SECOND: f64 = std::f64::consts::PI / 648_000.0;

@@ -5,7 +5,9 @@ use std::f64::consts::FRAC_PI_2;
 
 use pilotage_base::frames::{Datum, ProjectionMethod, ReferenceSystem};
 
-use super::{SystemError, codes, datums, methods, of_numbers, plain};
+use super::made::of_numbers;
+use super::names::{plain, shortened};
+use super::{SystemError, code_table, datums, methods};
 
 /// Role of a number in a projection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -146,7 +148,7 @@ impl Definition {
         let known = METHODS.iter().find(|(name, _)| *name == plain);
         let (_, known) = known.ok_or_else(|| SystemError::Method {
             name: self.name.clone(),
-            method: super::shortened(method),
+            method: shortened(method),
         })?;
         let is_south = plain.ends_with("SOUTHPOLE");
         self.with(*known, is_south)
@@ -163,7 +165,7 @@ impl Definition {
             cause: cause.to_owned(),
         };
         let number = |role: Role| self.numbers[role as usize];
-        let mut numbers = codes::plain_numbers(self.datum, method);
+        let mut numbers = code_table::plain_numbers(self.datum, method);
         numbers.unit = self.unit;
         numbers.prime_meridian = self.prime_meridian;
         numbers.longitude_0 = number(Role::Longitude)

@@ -5,7 +5,9 @@
 use pilotage_base::frames::{Datum, Ellipsoid, ProjectionMethod, ReferenceSystem};
 
 use super::definition::{Definition, Role};
-use super::{SystemError, codes, datums, of_numbers};
+use super::made::of_numbers;
+use super::names::shortened;
+use super::{SystemError, code_table, datums};
 
 const MODEL_TYPE: u64 = 1024;
 const GEOGRAPHIC_TYPE: u64 = 2048;
@@ -88,7 +90,7 @@ pub(crate) fn described(
         .unwrap_or(1.0_f64.to_radians());
     let prime_meridian = real(PRIME_MERIDIAN_LONGITUDE).unwrap_or(0.0) * angle;
     if !is_projected {
-        let mut numbers = codes::plain_numbers(datum, ProjectionMethod::Geographic);
+        let mut numbers = code_table::plain_numbers(datum, ProjectionMethod::Geographic);
         numbers.unit = angle;
         numbers.prime_meridian = prime_meridian;
         let system = of_numbers(None, numbers);
@@ -167,7 +169,7 @@ fn datum(keys: &KeyValues) -> Result<Datum, String> {
         let citation = (keys.text)(GEOGRAPHIC_CITATION)?;
         let parts = citation.split(['|', '=']).map(str::trim);
         let found = parts.clone().find_map(datums::named);
-        Some(found.ok_or_else(|| super::shortened(&citation)))
+        Some(found.ok_or_else(|| shortened(&citation)))
     };
     let known = by_system.or_else(by_datum).or_else(by_name);
     let shift = (keys.reals)(TO_WGS84);

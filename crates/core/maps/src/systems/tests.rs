@@ -1,5 +1,6 @@
 //! Tests of `systems`; those against pyproj are with the end-to-end tests.
 
+use pilotage_base::frames::{Geodetic, wrap_pi};
 use proptest::prelude::*;
 
 use super::*;

@@ -6,46 +6,12 @@ use nalgebra::Point2;
 
 use super::hgt::Hgt;
 use super::tiff_posts::TiffPosts;
-use super::{HeightDatum, Terrain, between_posts};
+use super::{HeightDatum, Terrain, TerrainError, between_posts};
 use crate::tiff::TiffError;
 use crate::{GeoTiffError, GeoTiffFile};
 use pilotage_base::frames::{GroundPoint, GroundRect, LocalFrame, ReferenceSystem};
 use pilotage_base::{bytes::ByteSource, georeference::GeoreferenceError};
 use pilotage_raster::imagery::Placement;
-
-/// Why a file cannot be terrain.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum TerrainError {
-    /// A `GeoTIFF` that cannot be read.
-    #[error(transparent)]
-    GeoTiff(#[from] GeoTiffError),
-    /// A `GeoTIFF` that is a picture.
-    #[error(
-        "{file}: a picture with {samples} samples of colour a pixel; the bands of an elevation model have no colours"
-    )]
-    Picture {
-        /// Name of the file.
-        file: String,
-        /// Samples of a pixel.
-        samples: usize,
-    },
-    /// A `GeoTIFF` whose values are no heights, or in an unknown unit.
-    #[error("{file}: {cause}")]
-    Unit {
-        /// Name of the file.
-        file: String,
-        /// What they are.
-        cause: String,
-    },
-    /// A .hgt file that cannot be read.
-    #[error("{file}: {cause}")]
-    Hgt {
-        /// Name of the file.
-        file: String,
-        /// What is wrong.
-        cause: String,
-    },
-}
 
 /// Heights at a grid of posts; between posts they are interpolated.
 pub struct Dem {

@@ -5,6 +5,7 @@ mod grid;
 mod hgt;
 #[cfg(test)]
 mod made_tiffs;
+mod terrain_error;
 #[cfg(test)]
 mod tests;
 mod tiff_posts;
@@ -12,8 +13,9 @@ mod tiff_posts;
 mod tiff_tests;
 mod units;
 
-pub use dem::{Dem, TerrainError};
+pub use dem::Dem;
 pub use grid::HeightGrid;
+pub use terrain_error::TerrainError;
 pub use tiff_posts::holds_heights;
 
 use serde::{Deserialize, Serialize};

@@ -2,7 +2,7 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use super::dem::TerrainError;
+use super::TerrainError;
 use super::units::metres_per_unit;
 use crate::GeoTiffFile;
 use crate::geotiff::BandMetadata;

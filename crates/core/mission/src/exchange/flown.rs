@@ -2,72 +2,12 @@
 
 use std::fmt::Write;
 
-use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
+use super::flown_track::{FlownTrack, angles, finite};
 use super::xml::escape;
 use super::{ExchangeError, Format, Written, flown_kml};
-use crate::mission::degrees;
-use pilotage_base::frames::Geodetic;
-use pilotage_base::text::{csv_cell, utc_text};
-
-/// A place of a track.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct FlownPoint {
-    /// Seconds in the track's time base.
-    pub time: f64,
-    /// The place; its height is in metres above sea level as whoever measured it counts.
-    pub place: Geodetic,
-    /// Value of the chosen series there, if it has one.
-    pub value: Option<f64>,
-}
-
-/// The series whose values stand beside the places.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub struct FlownValues {
-    /// Name for people: `ATT.Roll`.
-    pub name: String,
-    /// Unit of its values, or empty.
-    pub unit: String,
-}
-
-impl FlownValues {
-    /// Name and unit in one: `ATT.Roll [deg]`.
-    pub(super) fn title(&self) -> String {
-        if self.unit.is_empty() {
-            self.name.clone()
-        } else {
-            format!("{} [{}]", self.name, self.unit)
-        }
-    }
-}
-
-/// A flown track.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct FlownTrack {
-    /// Name for people.
-    pub name: String,
-    /// Seconds since 1970 (UTC) at time zero, where known.
-    pub utc_at_zero: Option<f64>,
-    /// Whether heights mean anything.
-    pub has_height: bool,
-    /// The series beside the places, if one was chosen.
-    pub values: Option<FlownValues>,
-    /// Places in order of time.
-    pub points: Vec<FlownPoint>,
-}
-
-impl FlownTrack {
-    /// Date and time of a point as ISO 8601 writes them, where known.
-    fn utc(&self, point: &FlownPoint) -> Option<String> {
-        Some(utc_text(self.utc_at_zero? + point.time))
-    }
-}
-
-/// A number that formats may hold.
-pub(super) fn finite(value: Option<f64>) -> Option<f64> {
-    value.filter(|v| v.is_finite())
-}
+use pilotage_base::text::csv_cell;
 
 /// The track as a file of a format; angles are written to ten decimals of a degree, heights and values with all digits.
 ///
@@ -148,14 +88,6 @@ fn gpx(track: &FlownTrack) -> String {
     }
     text.push_str("  </trkseg>\n</trk>\n</gpx>\n");
     text
-}
-
-/// Latitude and longitude in degrees, as they are written.
-pub(super) fn angles(place: &Geodetic) -> (String, String) {
-    (
-        degrees(place.latitude.to_degrees()),
-        degrees(place.longitude.to_degrees()),
-    )
 }
 
 /// One line; times and values stand in `coordinateProperties`, one each per place, as converters of GPX and KML write them.

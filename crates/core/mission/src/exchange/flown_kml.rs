@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::flown::{FlownPoint, FlownTrack, angles, finite};
+use super::flown_track::{FlownPoint, FlownTrack, angles, finite};
 use super::xml::escape;
 use pilotage_base::text::utc_text;
 use pilotage_base::viridis::VIRIDIS;

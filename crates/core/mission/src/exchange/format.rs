@@ -1,8 +1,6 @@
-//! The formats and how a file is told to be in one of them.
+//! The formats.
 
 use serde::{Deserialize, Serialize};
-
-use super::wpml;
 
 /// A format of files with routes or landmarks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -94,50 +92,5 @@ impl Format {
                 .iter()
                 .any(|own| own.eq_ignore_ascii_case(extension))
         })
-    }
-
-    /// The format of a file, by its content first and its name where that leaves it open.
-    pub fn of(name: &str, bytes: &[u8]) -> Option<Self> {
-        if bytes.starts_with(b"PK\x03\x04") {
-            return Some(if wpml::is_zip(bytes) {
-                Self::Wpml
-            } else {
-                Self::Kmz
-            });
-        }
-        let head = String::from_utf8_lossy(&bytes[..bytes.len().min(4096)]);
-        // A sequence of GeoJSON begins with the separator of its records.
-        let head = head.trim_start_matches(['\u{feff}', '\u{1e}']).trim_start();
-        if head.starts_with("QGC WPL") {
-            return Some(Self::Waypoints);
-        }
-        if head.starts_with('<') {
-            return match () {
-                () if wpml::is_text(head) => Some(Self::Wpml),
-                () if head.contains("<gpx") => Some(Self::Gpx),
-                () if head.contains("<kml") || head.contains(":kml") => Some(Self::Kml),
-                () => Self::of_name(name).filter(|f| matches!(f, Self::Kml | Self::Gpx)),
-            };
-        }
-        if head.starts_with('{') {
-            let text = String::from_utf8_lossy(bytes);
-            let has = |member: &str| text.contains(member);
-            // The second is a mission of QGroundControl before there were plans.
-            let is_plan =
-                (has("\"fileType\"") || has("\"MAV_AUTOPILOT\"")) && !has("\"FeatureCollection\"");
-            return match Self::of_name(name) {
-                Some(Self::Plan) => Some(Self::Plan),
-                _ if is_plan => Some(Self::Plan),
-                _ => Some(Self::GeoJson),
-            };
-        }
-        let named = Self::of_name(name);
-        let first_line = head.lines().next().unwrap_or("");
-        let is_table = [',', ';', '\t'].iter().any(|c| first_line.contains(*c));
-        match named {
-            Some(Self::Waypoints) if is_table => Some(Self::Csv),
-            Some(named) => Some(named),
-            None => is_table.then_some(Self::Csv),
-        }
     }
 }

@@ -6,8 +6,9 @@ use serde_json::Value;
 
 use super::embedded::{self, Item};
 use super::found::{Found, POINT_BOX};
+use super::shadow::is_shadow;
 use super::xml::{Element, Source};
-use super::{ExchangeError, kml_write, wpml};
+use super::{ExchangeError, kml_write};
 use crate::mission::found::{Extent, FoundLandmark, FoundRoute, LonLat, on_globe};
 use crate::mission::{USUAL_ALTITUDE, WayPoint};
 use pilotage_base::files::{FileSet, ZipFiles};
@@ -39,8 +40,7 @@ pub(super) fn unpack(file: &str, bytes: &[u8]) -> Result<Vec<u8>, ExchangeError>
 
 /// The document of a KMZ that others hang on.
 pub(super) fn main_document(names: &[String]) -> Option<String> {
-    let is_kml =
-        |name: &&String| name.to_ascii_lowercase().ends_with(".kml") && !wpml::is_shadow(name);
+    let is_kml = |name: &&String| name.to_ascii_lowercase().ends_with(".kml") && !is_shadow(name);
     let mut all = names.iter();
     let main = all.find(|name| *name == "doc.kml");
     main.or_else(|| names.iter().find(is_kml)).cloned()

@@ -14,7 +14,9 @@ mod error;
 mod fence;
 mod flown;
 mod flown_kml;
+mod flown_track;
 mod format;
+mod format_of_file;
 mod found;
 mod geojson;
 mod gpx;
@@ -26,11 +28,13 @@ mod kml_write;
 pub mod labels;
 mod litchi;
 mod old_mission;
+mod places;
 mod plan;
 #[cfg(test)]
 mod plan_schema;
 mod read;
 mod route_items;
+mod shadow;
 mod speed_command;
 #[cfg(test)]
 mod tests;
@@ -40,8 +44,10 @@ mod write;
 mod xml;
 
 pub use error::ExchangeError;
-pub use flown::{FlownPoint, FlownTrack, FlownValues, write_flown};
+pub use flown::write_flown;
+pub use flown_track::{FlownPoint, FlownTrack, FlownValues};
 pub use format::Format;
 pub use ground_overlay::{GroundOverlay, GroundOverlays, ground_overlays};
+pub use places::Places;
 pub use read::{Imported, read_any};
-pub use write::{Places, Written, write_landmarks, write_places, write_route};
+pub use write::{Written, write_landmarks, write_places, write_route};

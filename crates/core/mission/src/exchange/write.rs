@@ -1,9 +1,10 @@
 //! One entry for all formats that are written.
 
 use super::{
-    ExchangeError, Format, csv_write, fence, geojson, gpx, kml_write, litchi, plan, waypoints, wpml,
+    ExchangeError, Format, Places, csv_write, fence, geojson, gpx, kml_write, litchi, plan,
+    waypoints, wpml,
 };
-use crate::mission::{NoFlyZone, Route};
+use crate::mission::Route;
 use pilotage_base::frames::LocalFrame;
 use pilotage_vision::landmark::Landmark;
 
@@ -14,18 +15,6 @@ pub struct Written {
     pub bytes: Vec<u8>,
     /// What was assumed or left out, in sentences for people.
     pub notes: Vec<String>,
-}
-
-/// What is written into one file.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Places<'a> {
-    /// Routes.
-    pub routes: &'a [Route],
-    /// Landmarks.
-    pub landmarks: &'a [Landmark],
-    /// Areas that must not be flown over: plans have them as fences, KML and GeoJSON as marked polygons;
-    /// other formats have none.
-    pub no_fly: &'a [NoFlyZone],
 }
 
 /// One route, placed in the world `frame`, in any format.

@@ -3,6 +3,7 @@
 mod attention;
 mod bound;
 mod engine;
+mod estimate;
 mod expected;
 mod explain;
 mod finding;
@@ -28,6 +29,7 @@ mod whole_frames;
 
 pub use bound::position_bound;
 pub use engine::vehicle;
+pub use estimate::Estimate;
 pub use explain::{explain, explain_cascade};
 pub use fixes::position_fixes;
 pub use inputs::{Disbelief, Doubt, Instrument};
@@ -35,8 +37,8 @@ pub use laid_refusal::LaidRefusal;
 pub use pilotage_vision::landmark::Refusal;
 pub use pipeline::{Navigator, NavigatorError};
 pub use report::{
-    CandidateReport, Control, Estimate, FrameReport, JointReport, LaidPlace, LaidReport, Outcome,
-    SigmaSets, StepReport, StepTiming,
+    CandidateReport, Control, FrameReport, JointReport, LaidPlace, LaidReport, Outcome, SigmaSets,
+    StepReport, StepTiming,
 };
 pub use run::Run;
 pub use run_file::{RunFileError, decode_run, encode_run};

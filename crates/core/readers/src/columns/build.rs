@@ -164,7 +164,7 @@ fn derive(map: &ColumnMap, table: &mut Table) -> Result<(), FolderError> {
         .column(ColumnRole::Time)
         .zip(map.column(ColumnRole::TimeRest))
     {
-        let number = crate::folder::Dimension::Number;
+        let number = crate::cells::Dimension::Number;
         let read = |column: &MappedColumn| {
             let plain = MappedColumn {
                 unit: String::new(),
@@ -184,7 +184,7 @@ fn derive(map: &ColumnMap, table: &mut Table) -> Result<(), FolderError> {
         let [Some(w), Some(x), Some(y), Some(z)] = parts else {
             continue;
         };
-        let number = crate::folder::Dimension::Number;
+        let number = crate::cells::Dimension::Number;
         let mut values = Vec::with_capacity(4);
         for column in [w, x, y, z] {
             values.push(table.values(&value(column), number)?);
@@ -202,8 +202,8 @@ fn derive(map: &ColumnMap, table: &mut Table) -> Result<(), FolderError> {
         .column(ColumnRole::WindSpeed)
         .zip(map.column(ColumnRole::WindFrom));
     if let Some((speed, from)) = wind {
-        let speed = table.values(&value(speed), crate::folder::Dimension::Speed)?;
-        let from = table.values(&value(from), crate::folder::Dimension::Angle)?;
+        let speed = table.values(&value(speed), crate::cells::Dimension::Speed)?;
+        let from = table.values(&value(from), crate::cells::Dimension::Angle)?;
         let along = |part: fn(f64) -> f64| -> Vec<Option<f64>> {
             let pairs = speed.iter().zip(&from);
             pairs
@@ -334,7 +334,7 @@ fn first_place(
             .iter()
             .find(|c| c.file == map.file && c.name == "gps")?;
         let angles = |column: &Option<ValueColumn>| {
-            let dimension = crate::folder::Dimension::Angle;
+            let dimension = crate::cells::Dimension::Angle;
             table.values(column.as_ref()?, dimension).ok()
         };
         let pairs = angles(&channel.latitude)?

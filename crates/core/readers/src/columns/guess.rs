@@ -9,10 +9,10 @@ use super::rows::Rows;
 use super::sampling::sampled;
 use super::settle::{settle, unused};
 use super::several::{degrees_and_minutes, hemispheres, parts_of_time, places};
-use super::time::unit_of_time;
 use super::values::{UnitGuess, are_degrees, unit};
 use super::{Alternative, ColumnMap, ColumnRole, MappedColumn, Sample, long};
-use crate::folder::{Dimension, date_and_time, readings};
+use crate::cells::time::unit_of_time;
+use crate::cells::{Dimension, date_and_time, readings};
 
 /// Below this a name says nothing.
 const LEAST: f64 = 0.3;

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use super::{ColumnRole, MappedColumn, Sample};
-use crate::folder::date_and_time;
+use crate::cells::date_and_time;
 
 /// Most names of values, and how often each stands there at least, in the mean.
 const MOST_NAMES: usize = 300;

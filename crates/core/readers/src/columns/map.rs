@@ -173,8 +173,8 @@ impl ColumnRole {
             Self::Nothing => Vec::new(),
             Self::Time | Self::TimeRest => super::time::UNITS.to_vec(),
             role => {
-                let dimension = role.quantity().map(crate::folder::Dimension::from);
-                dimension.map_or_else(Vec::new, crate::folder::Dimension::names)
+                let dimension = role.quantity().map(crate::cells::Dimension::from);
+                dimension.map_or_else(Vec::new, crate::cells::Dimension::names)
             }
         }
     }
@@ -182,7 +182,7 @@ impl ColumnRole {
     /// What a value in `unit` is multiplied by to be in SI and radians; `None` for what has no quantity, and for
     /// units that are none of its own.
     pub fn factor(self, unit: &str) -> Option<f64> {
-        let dimension = crate::folder::Dimension::of(self.quantity()?);
+        let dimension = crate::cells::Dimension::of(self.quantity()?);
         dimension.factor(Some(unit)).ok()
     }
 }

@@ -23,26 +23,22 @@ mod physics;
 mod pictures;
 mod preview;
 mod rows;
-mod sample;
 mod sampling;
 mod settle;
 mod several;
-mod shape;
 #[cfg(test)]
 #[path = "../../../../../tests/src/studies.rs"]
 mod studies;
 #[cfg(test)]
 mod tests;
-mod time;
 mod together;
 mod values;
 
+use crate::cells::{Sample, time};
+
+pub use crate::cells::{Separator, TableShape};
 pub use build::flight_of_tables;
 pub use guess::guess_table;
 pub use map::{Alternative, BodyAxis, ColumnMap, ColumnRole, MappedColumn, QuaternionPart};
 pub use preview::{Preview, preview};
-pub(super) use sample::Sample;
-pub(super) use shape::number;
-pub use shape::{Separator, TableShape};
-pub(super) use time::unit_of_time;
 pub use together::{GuessedTable, guess_tables, tables_lack};

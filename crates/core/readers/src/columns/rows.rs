@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::{ColumnMap, ColumnRole, TableShape, time};
-use crate::folder::{Moment, date_and_time, decoded};
+use crate::cells::{Moment, date_and_time};
+use crate::folder::decoded;
 
 /// Rows that are looked at, about.
 const MOST: usize = 20_000;

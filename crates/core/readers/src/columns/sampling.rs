@@ -3,8 +3,8 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
-use super::shape::unit_behind;
 use super::{Sample, TableShape};
+use crate::cells::unit_behind;
 use crate::folder::decoded;
 use pilotage_base::text::of_utf_16;
 

@@ -5,7 +5,7 @@ use super::header::parts;
 use super::rows::pair;
 use super::settle::{give_up, unused};
 use super::{ColumnRole, MappedColumn, Sample};
-use crate::folder::DEGREES_AND_MINUTES;
+use crate::cells::DEGREES_AND_MINUTES;
 
 /// Finds the column that has latitude and longitude in each cell.
 pub(super) fn places(samples: &[Sample], columns: &mut [MappedColumn]) {

@@ -6,7 +6,7 @@ use super::evaluate::seconds_of;
 use super::nearest::nearest;
 use super::token::{Placed, Token, tokens};
 use super::tree::{Node, Operator, Part};
-use super::{ExpressionError, FUNCTIONS, Function, Trouble};
+use super::{Expression, ExpressionError, FUNCTIONS, Function, Trouble};
 
 /// Parts within each other that nobody writes, but that would fill the stack.
 const DEEPEST: usize = 64;
@@ -18,8 +18,18 @@ const SIGN: u8 = 7;
 /// What an operand is called where one is missing.
 const OPERAND: &str = "a name, a number or `(`";
 
+impl Expression {
+    /// Reads an expression. Whether there are series of these names, [`Expression::check`] says.
+    ///
+    /// # Errors
+    /// What is wrong and where, as bytes of `text`.
+    pub fn parse(text: &str) -> Result<Self, ExpressionError> {
+        parse(text).map(|root| Self { root })
+    }
+}
+
 /// Reads an expression.
-pub(super) fn parse(text: &str) -> Result<Part, ExpressionError> {
+fn parse(text: &str) -> Result<Part, ExpressionError> {
     let tokens = tokens(text)?;
     if let Some((_, place)) = tokens.get(LONGEST) {
         return Err(ExpressionError::new(place.clone(), Trouble::TooLong));

@@ -2,7 +2,7 @@
 
 use super::nearest::nearest;
 use super::tree::{Node, Part};
-use super::{ExpressionError, Trouble, parse, written};
+use super::{ExpressionError, Trouble, written};
 
 /// An expression whose words fit together.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,14 +11,6 @@ pub struct Expression {
 }
 
 impl Expression {
-    /// Reads an expression. Whether there are series of these names, [`Expression::check`] says.
-    ///
-    /// # Errors
-    /// What is wrong and where, as bytes of `text`.
-    pub fn parse(text: &str) -> Result<Self, ExpressionError> {
-        parse::parse(text).map(|root| Self { root })
-    }
-
     /// Names of the series in it, each once, in the order of the text.
     pub fn names(&self) -> Vec<&str> {
         let mut names = Vec::new();

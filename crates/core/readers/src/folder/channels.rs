@@ -1,11 +1,11 @@
 //! Channels out of tables.
 
 use super::error::FolderError;
+use super::files::{Folder, contents};
 use super::layout::{ChannelFile, ValueColumn};
 use super::position::Positions;
-use super::read::{Folder, contents};
 use super::table::Table;
-use super::units::Dimension;
+use crate::cells::Dimension;
 use pilotage_base::frames::wrap_pi;
 use pilotage_flight::{Channel, ChannelName};
 

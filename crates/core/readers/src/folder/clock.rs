@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::date::date_and_time;
-use super::moment::Moment;
-use crate::columns::number;
+use crate::cells::Moment;
+use crate::cells::number;
+use crate::cells::{date_and_time, shortened};
 
 /// How a time column is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -84,11 +84,6 @@ pub(super) fn count_midnights<'a>(moments: impl Iterator<Item = &'a mut Moment>)
         before = Some(*whole);
         *whole += days * DAY;
     }
-}
-
-/// At most forty characters, for messages.
-pub(super) fn shortened(text: &str) -> String {
-    text.chars().take(40).collect()
 }
 
 #[cfg(test)]

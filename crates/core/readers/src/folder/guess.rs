@@ -9,7 +9,7 @@ use super::layout::{
     TimeColumn, TruthFile, TruthFramesFile, VERSION, ValueColumn,
 };
 use super::table::Table;
-use super::units::Dimension;
+use crate::cells::Dimension;
 use pilotage_base::files::{FileSet, find, folder_of};
 use pilotage_base::frames::wrap_pi;
 use pilotage_base::georeference::Georeference;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::layout::{ChannelFile, FlightFile, TimeColumn, ValueColumn};
 use super::table::Table;
-use super::units::Dimension;
+use crate::cells::Dimension;
 use crate::interpret::{Role, RoleSeries};
 use crate::log::{Cells, Column, Log, LogFormat};
 use pilotage_flight::{Channel, ChannelName, Flight};

@@ -3,10 +3,10 @@
 use nalgebra::Point3;
 
 use super::error::FolderError;
+use super::files::{Folder, contents};
 use super::layout::{MapPixelColumns, PixelCentres, PositionColumns, ValueColumn};
-use super::read::{Folder, contents, world_point};
 use super::table::Table;
-use super::units::Dimension;
+use crate::cells::Dimension;
 use pilotage_base::frames::{Geodetic, GroundPoint, LocalFrame};
 use pilotage_base::georeference::{Georeference, GeoreferenceError};
 
@@ -160,4 +160,9 @@ impl Positions {
             .map(|(ground, down): (Option<GroundPoint>, _)| Some(world_point(ground?, down?)))
             .collect())
     }
+}
+
+/// A position with its down coordinate.
+fn world_point(ground: GroundPoint, down: f64) -> Point3<f64> {
+    Point3::new(ground.north, ground.east, down)
 }

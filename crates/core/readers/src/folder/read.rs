@@ -3,22 +3,23 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use nalgebra::{Point3, Vector2};
+use nalgebra::Vector2;
 
 use super::channels::read_channel;
-use super::date::date_and_time;
 use super::error::FolderError;
+use super::files::{FLIGHT_FILE, Folder, contents};
 use super::guess::guess;
 use super::layout::{
     AttitudeColumns, FlightFile, FramesFile, StartFile, TimeColumn, TruthFile, VERSION, ValueColumn,
 };
 use super::log::Tables;
-use super::moment::Moment;
 use super::pictures::FolderFrames;
 use super::position::Positions;
 use super::table::Table;
 use super::time_unit;
-use super::units::Dimension;
+use crate::cells::Dimension;
+use crate::cells::Moment;
+use crate::cells::date_and_time;
 use crate::log::{Log, LogFormat};
 use pilotage_base::files::{FileSet, Unresolved, find, folder_of, joined};
 use pilotage_base::frames::{Attitude, GroundPoint, LocalFrame};
@@ -27,9 +28,6 @@ use pilotage_flight::{
     Channel, ChannelName, Flight, Frame, FrameTruth, StartFix, Truth, TruthState,
 };
 use pilotage_raster::camera::CameraModel;
-
-/// Name of the file that makes a folder a flight.
-pub const FLIGHT_FILE: &str = "flight.json";
 
 /// What a flight folder gave.
 pub struct FlightFolder {
@@ -74,54 +72,6 @@ impl FlightFolder {
 fn sentence(note: &str) -> String {
     let end = if note.ends_with(['.', '?']) { "" } else { "." };
     format!("{}{end}", capitalised(note))
-}
-
-/// The files of a flight while it is read; each table is parsed once.
-pub(super) struct Folder {
-    pub(super) files: Arc<dyn FileSet>,
-    /// Folders in which names are looked up first.
-    pub(super) folders: Vec<String>,
-    tables: BTreeMap<String, Arc<Table>>,
-    pub(super) notes: Vec<String>,
-}
-
-impl Folder {
-    /// Contents of a file that `wanted_by` refers to.
-    pub(super) fn read(&self, name: &str, wanted_by: &str) -> Result<Vec<u8>, FolderError> {
-        let folders: Vec<&str> = self.folders.iter().map(String::as_str).collect();
-        find(self.files.as_ref(), &folders, name)
-            .map(|(_, bytes)| bytes)
-            .map_err(|problem| match problem {
-                Unresolved::Missing => FolderError::Missing {
-                    file: name.to_owned(),
-                    wanted_by: wanted_by.to_owned(),
-                },
-                Unresolved::Ambiguous(first, second) => FolderError::Ambiguous {
-                    file: name.to_owned(),
-                    first,
-                    second,
-                },
-            })
-    }
-
-    pub(super) fn table(&mut self, name: &str, wanted_by: &str) -> Result<Arc<Table>, FolderError> {
-        if let Some(table) = self.tables.get(name) {
-            return Ok(Arc::clone(table));
-        }
-        let bytes = self.read(name, wanted_by)?;
-        let table = Arc::new(Table::parse(name, &bytes)?);
-        self.tables.insert(name.to_owned(), Arc::clone(&table));
-        Ok(table)
-    }
-}
-
-/// A complaint about a member of flight.json.
-pub(super) fn contents(place: &str, cause: impl Into<String>) -> FolderError {
-    FolderError::Contents {
-        file: FLIGHT_FILE.to_owned(),
-        place: place.to_owned(),
-        cause: cause.into(),
-    }
 }
 
 /// Reads the flight that a set of files holds: the only flight.json among them and what it refers to.
@@ -472,9 +422,4 @@ fn read_start(
         position,
         standard_deviation: map.standard_deviation_m,
     })
-}
-
-/// A position with its down coordinate.
-pub(super) fn world_point(ground: GroundPoint, down: f64) -> Point3<f64> {
-    Point3::new(ground.north, ground.east, down)
 }

@@ -2,12 +2,13 @@
 
 use std::borrow::Cow;
 
-use super::clock::{count_midnights, shortened};
+use super::clock::count_midnights;
 use super::error::FolderError;
 use super::layout::{TimeColumn, ValueColumn};
-use super::moment::Moment;
-use super::units::{Dimension, linear};
-use crate::columns::{Separator, TableShape, number};
+use crate::cells::Moment;
+use crate::cells::shortened;
+use crate::cells::{Dimension, linear};
+use crate::cells::{Separator, TableShape, number};
 use crate::times::{Verdict, judge};
 use pilotage_base::text::of_utf_16;
 

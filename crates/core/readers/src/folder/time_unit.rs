@@ -3,9 +3,10 @@
 use std::collections::BTreeSet;
 
 use super::clock::TimeFormat;
+use super::files::Folder;
 use super::layout::{FlightFile, TimeColumn};
-use super::read::Folder;
-use crate::columns::{Sample, unit_of_time};
+use crate::cells::Sample;
+use crate::cells::time::unit_of_time;
 
 /// Seconds between rows, in the middle, that no series of a flight has.
 const LONGEST_STEP: f64 = 100.0;

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use super::clock::TimeFormat;
+use super::files::FLIGHT_FILE;
 use super::layout::{
     AttitudeColumns, ChannelFile, FlightFile, FramesFile, PositionColumns, StartFile, TimeColumn,
     TruthFile, TruthFramesFile, TruthStatesFile, VERSION, ValueColumn, WindColumns,
 };
-use super::read::FLIGHT_FILE;
 use pilotage_base::files::FileSink;
 use pilotage_base::frames::Attitude;
 use pilotage_flight::{

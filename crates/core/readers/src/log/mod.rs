@@ -7,6 +7,7 @@
 
 mod column;
 mod dataflash;
+mod format;
 mod formats;
 mod gps_time;
 mod growing;
@@ -15,6 +16,7 @@ mod mcap;
 mod model;
 mod outline;
 mod px4_modes;
+mod reader;
 mod release;
 mod report;
 mod rows;
@@ -31,10 +33,12 @@ mod whole;
 mod wrong_times;
 
 pub use column::{Cells, Column};
-pub use formats::{FormatInfo, HEAD, LogFormat, LogReader, all_formats, recognise};
+pub use format::LogFormat;
+pub use formats::{HEAD, all_formats, recognise};
 pub use layout::{FieldKind, FieldLayout};
 pub use model::{DefaultValue, Fact, Log, LogMessage, ModeChange, Parameter};
 pub use outline::{FieldOutline, Outline, TopicOutline};
+pub use reader::{FormatInfo, LogReader};
 pub use report::{Gap, ReadReport, Skipped};
 pub use rows::Rows;
 pub use scale::Scale;

@@ -3,7 +3,7 @@
 use super::exif::{self, Directory, Exif};
 use super::head::{Found, head};
 use super::xmp::Xmp;
-use crate::folder::{Moment, date_and_time};
+use crate::cells::{Moment, date_and_time};
 use pilotage_base::angle_text::degrees_of_text;
 use pilotage_base::bytes::ByteSource;
 use pilotage_base::frames::Attitude;

@@ -6,45 +6,18 @@ use super::features::{FeatureTemplate, Features};
 use super::oriented;
 use super::patch::FLAT_CONTRAST;
 use super::peak::{best_peaks, refine};
+use super::rehearsed::{MOST_BLANK, OFF_PIXELS, Rehearsal, blank};
 use pilotage_base::frames::{GroundPoint, GroundRect};
 use pilotage_raster::imagery::{Imagery, Window};
-use pilotage_raster::raster::{Raster, Rgba};
 
 /// Longer side of the patch, pixels, to within half an octave.
 const PIXELS: f64 = 32.0;
 /// Pixels between a place and its nearest rival.
 const RIVAL_PIXELS: usize = 3;
-/// A best place further off than this, in pixels, is not the landmark.
-pub(super) const OFF_PIXELS: f64 = 2.0;
-
 /// Grey levels by which two pictures of the same ground differ beyond what the rehearsal knows: sensor,
 /// compression, exposure over the picture, another camera. Measured on recorded flights: patches of
 /// less contrast than this were hardly ever found.
 const OTHER_PICTURE: f64 = 8.0;
-/// Pixels of a patch that may be pure white or pure black: more of them are a hole in the map.
-pub(super) const MOST_BLANK: f64 = 0.005;
-
-/// How a patch of the map fits the ground on another day.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rehearsal {
-    /// Score at the landmark's own place, -1 to 1; zero if the best place is elsewhere.
-    pub score: f64,
-    /// Score of the best other place.
-    pub rival: f64,
-    /// Where that is.
-    pub rival_place: GroundPoint,
-    /// How far the best place lies from where the landmark is, metres.
-    pub drift: f64,
-}
-
-impl Rehearsal {
-    /// What the detector has in hand before it must refuse the landmark as ambiguous, with
-    /// `ambiguity` the greatest ratio of the rival's score to its own; negative if it must.
-    pub fn margin(&self, ambiguity: f64) -> f64 {
-        ambiguity * self.score - self.rival
-    }
-}
-
 /// Looks for the patch `bounds` of `map` on `day` within `radius` metres, by these features.
 ///
 /// `None` if the patch is flat, lies partly beyond the map or has a hole in it.
@@ -121,15 +94,10 @@ pub fn rehearse(
     })
 }
 
-/// Share of the pixels that are pure white or pure black.
-pub(super) fn blank(patch: &Raster<Rgba>) -> f64 {
-    let pure = |[r, g, b, _]: &&Rgba| (*r).min(*g).min(*b) >= 253 || (*r).max(*g).max(*b) <= 2;
-    let count = patch.pixels().iter().filter(pure).count();
-    count as f64 / patch.pixels().len().max(1) as f64
-}
-
 #[cfg(test)]
 mod tests {
+    use pilotage_raster::raster::{Raster, Rgba};
+
     use super::*;
 
     /// A ground with a fence of posts every 4 m along a straight edge, and one house.

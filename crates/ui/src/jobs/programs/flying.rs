@@ -11,11 +11,11 @@ use super::super::explain::explained;
 use super::super::flights::OpenFlight;
 use super::super::fly::Fly;
 use super::super::predict::Predict;
-use super::super::workshop::describe;
+use super::super::running::once;
+use super::super::workshop::{OpenedMap, describe};
 use super::super::{
     FlightSource, Job, JobEvent, MapSource, RunningJob, Workshop, distinct, simulated,
 };
-use super::{OpenedMap, once};
 
 /// Whether the small program does a job.
 pub fn does(job: &Job) -> bool {

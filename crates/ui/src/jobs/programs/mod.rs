@@ -6,13 +6,7 @@
 mod flying;
 mod whole;
 
-use std::sync::Arc;
-
-use pilotage_core::imagery::Imagery;
-
-use super::flights::OpenFlight;
-use super::running::Once;
-use super::{FlightSource, Job, JobEvent, MapSource, RunningJob, Workshop};
+use super::{Abilities, Job};
 
 /// A program of a worker.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,20 +39,6 @@ impl Program {
     }
 }
 
-/// A map that was opened, or why not, in words.
-type OpenedMap = Result<Arc<dyn Imagery>, String>;
-
-/// What a worker can do: how it begins jobs, and what it opens for them.
-#[derive(Clone, Copy)]
-pub struct Abilities {
-    /// Makes a job ready to advance; one that it cannot do fails with its first step.
-    pub begin: fn(&mut Workshop, Job) -> Box<dyn RunningJob>,
-    /// Opens a map; the error says in words why not.
-    pub open_map: fn(&mut Workshop, &MapSource) -> OpenedMap,
-    /// Opens a flight; the error says in words why not.
-    pub open_flight: fn(&mut Workshop, &FlightSource) -> Result<OpenFlight, String>,
-}
-
 impl Abilities {
     /// Those of [`Program::Flying`].
     pub const FLYING: Self = Self {
@@ -75,17 +55,9 @@ impl Abilities {
     };
 }
 
-/// A job that is one piece of work.
-fn once<F>(work: F) -> Box<dyn RunningJob>
-where
-    F: FnOnce(&mut Workshop, &mut dyn FnMut(JobEvent)) -> Result<(), String> + 'static,
-{
-    Box::new(Once(Some(work)))
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::{Advance, SimulationOptions};
+    use super::super::{Advance, FlightSource, JobEvent, MapSource, SimulationOptions, Workshop};
     use super::*;
 
     /// What `job` says in the small program until it is over, or why it failed.

@@ -25,12 +25,13 @@ use super::super::pack::pack;
 use super::super::photos::{LayPhotos, draped};
 use super::super::prepare::PrepareMap;
 use super::super::reckon::MakeCut;
+use super::super::running::once;
 use super::super::suggest::{Suggest, choose};
 use super::super::tables::make_flight;
 use super::super::train::Train;
-use super::super::workshop::MAP_MEMORY;
+use super::super::workshop::{MAP_MEMORY, OpenedMap};
 use super::super::{FlightSource, Job, JobEvent, MapSource, RunningJob, Share, Workshop, opening};
-use super::{OpenedMap, flying, once};
+use super::flying;
 
 /// Makes a job ready to advance.
 pub fn begin(workshop: &mut Workshop, job: Job) -> Box<dyn RunningJob> {

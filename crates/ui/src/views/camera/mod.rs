@@ -3,17 +3,18 @@
 mod attitude;
 mod overlay;
 mod picture;
+mod placement;
 
 use std::sync::Arc;
 
 use egui::{Rect, Sense, Ui, Vec2, pos2, vec2};
-use nalgebra::Point2;
 use pilotage_core::navigator::{FrameReport, Run};
 
 use super::{parts, picking};
 use crate::command::Command;
 use crate::context::{Drawn, ViewContext};
 use picture::PictureCache;
+use placement::Placement;
 
 /// Furthest that the wheel goes in.
 const MOST_ZOOM: f32 = 12.0;
@@ -37,21 +38,6 @@ impl Default for CameraView {
             shift: Vec2::ZERO,
             drawn: None,
         }
-    }
-}
-
-/// From pixels of the camera picture to points on the screen.
-#[derive(Clone, Copy)]
-struct Placement {
-    /// The whole picture on the screen.
-    rect: Rect,
-    /// Points per pixel.
-    scale: f32,
-}
-
-impl Placement {
-    fn at(&self, pixel: &Point2<f64>) -> egui::Pos2 {
-        self.rect.min + self.scale * vec2(pixel.x as f32, pixel.y as f32)
     }
 }
 

@@ -4,7 +4,7 @@ use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
 use pilotage_core::navigator::{CandidateReport, FrameReport, Outcome, Run};
 
 use super::super::{ellipse, parts, picking};
-use super::Placement;
+use super::placement::Placement;
 use crate::context::ViewContext;
 use crate::tokens::Tokens;
 

@@ -1,6 +1,7 @@
 //! What a trained detector saw and did: windows as stages reject them, features over the patch, score
 //! over the ground, edges of the patch.
 
+mod command;
 mod drawn_feature;
 mod ground;
 mod patch;
@@ -14,7 +15,6 @@ use egui::{RichText, ScrollArea, TextureHandle, TextureOptions, Ui};
 use pilotage_core::landmark::CascadeEvidence;
 use pilotage_core::navigator::{FrameReport, Run};
 
-use super::evaluation::EvaluationFile;
 use super::sights::Sights;
 use super::{color_map, parts, picking};
 use crate::command::Command;
@@ -22,34 +22,10 @@ use crate::context::ViewContext;
 use crate::jobs::DetectorSearch;
 use patch::PatchState;
 
+pub use command::DetectorCommand;
+
 /// Seconds for which each stage is shown while they pass by themselves.
 const STAGE_SECONDS: f64 = 0.9;
-
-/// Something about what a trained detector saw and did.
-#[derive(Clone, Debug, PartialEq)]
-pub enum DetectorCommand {
-    /// Show the view.
-    Show,
-    /// Ask what the detector saw and did; may be sent every frame, asked once.
-    Explain {
-        /// Time of the step, seconds in the flight's time base.
-        time: f64,
-        /// Landmark id.
-        landmark: u32,
-    },
-    /// Show what so many stages more have rejected; fewer if negative.
-    Stages(i32),
-    /// Let one stage after the other reject its windows, or stop.
-    Play,
-    /// Show how well the detector does where it was not trained.
-    Evaluate,
-    /// Stop judging it.
-    StopEvaluating,
-    /// Save a table or a plot of it.
-    SaveEvaluation(EvaluationFile),
-    /// Close what shows it.
-    CloseEvaluation,
-}
 
 /// Textures of one search.
 struct Textures {

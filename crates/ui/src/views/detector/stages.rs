@@ -4,7 +4,7 @@ use egui::{Align2, Color32, ColorImage, Rect, Sense, Stroke, TextureId, Ui, pos2
 use pilotage_core::landmark::CascadeEvidence;
 
 use super::super::{color_map, parts};
-use super::DetectorCommand;
+use super::command::DetectorCommand;
 use super::ground::{GroundPlan, legend};
 use super::words;
 use crate::command::Command;

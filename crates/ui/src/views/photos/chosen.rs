@@ -6,7 +6,7 @@ use pilotage_core::flight::photo::LaidPhoto;
 use pilotage_core::frames::{GroundPoint, LocalFrame};
 use pilotage_core::registration::LaidBy;
 
-use super::{PhotosScene, send};
+use super::scene::{PhotosScene, send};
 use crate::context::ViewContext;
 use crate::jobs::PhotoReport;
 use crate::photos::{PhotosCommand as Do, Shown};

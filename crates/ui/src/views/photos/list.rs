@@ -4,7 +4,7 @@ use egui::{Align2, Color32, Label, RichText, Role, Sense, Stroke, StrokeKind, Ui
 use egui::{pos2, vec2};
 use pilotage_core::filter::probability_words;
 
-use super::send;
+use super::scene::send;
 use crate::context::ViewContext;
 use crate::jobs::PhotoReport;
 use crate::photos::{Photos, PhotosCommand as Do};

@@ -2,6 +2,7 @@
 
 mod chosen;
 mod list;
+mod scene;
 mod search;
 
 use egui::{Label, RichText, ScrollArea, Ui};
@@ -10,20 +11,9 @@ use crate::command::Command;
 use crate::context::ViewContext;
 use crate::photos::{Photos, PhotosCommand as Do};
 use crate::shell::{at_work, heading, muted, text_button, title};
+use scene::send;
 
-/// What the sheet is drawn from.
-pub struct PhotosScene<'a> {
-    /// What is known.
-    pub photos: &'a Photos,
-    /// World frame of the map, if it has a place on the globe.
-    pub frame: Option<pilotage_core::frames::LocalFrame>,
-    /// Whether there is a map.
-    pub has_map: bool,
-}
-
-fn send(context: &mut ViewContext<'_>, what: Do) {
-    context.commands.push(Command::Photos(what));
-}
+pub use scene::PhotosScene;
 
 /// Draws the sheet.
 pub fn photos_sheet(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &PhotosScene<'_>) {

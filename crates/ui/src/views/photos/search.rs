@@ -3,7 +3,7 @@
 use egui::{DragValue, Ui};
 use pilotage_core::flight::photo::PhotoSearch;
 
-use super::{PhotosScene, send};
+use super::scene::{PhotosScene, send};
 use crate::context::ViewContext;
 use crate::photos::PhotosCommand as Do;
 use crate::shell::{muted, text_button};

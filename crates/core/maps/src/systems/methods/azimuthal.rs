@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use pilotage_base::frames::{Ellipsoid, SystemNumbers};
 
-use super::{authalic, isometric, latitude_of, latitude_of_area, parallel_radius};
+use super::latitudes::{authalic, isometric, latitude_of, latitude_of_area, parallel_radius};
 
 /// Lambert's azimuthal equal-area, EPSG method 9820.
 pub(super) struct LambertAzimuthal {

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use pilotage_base::frames::{Ellipsoid, SystemNumbers};
 
-use super::{authalic, isometric, latitude_of, latitude_of_area, parallel_radius};
+use super::latitudes::{authalic, isometric, latitude_of, latitude_of_area, parallel_radius};
 
 /// Parallels nearer to each other are one, radians.
 const ONE_PARALLEL: f64 = 1e-10;

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use pilotage_base::frames::SystemNumbers;
 
-use super::{isometric, latitude_of};
+use super::latitudes::{isometric, latitude_of};
 
 /// Mercator, EPSG methods 9804 and 9805; a standard parallel is in the scale.
 pub(super) fn mercator(numbers: &SystemNumbers, latitude: f64, longitude: f64) -> (f64, f64) {

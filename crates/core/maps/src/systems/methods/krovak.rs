@@ -3,7 +3,7 @@
 
 use pilotage_base::frames::SystemNumbers;
 
-use super::{isometric, latitude_of};
+use super::latitudes::{isometric, latitude_of};
 
 /// Angle between the axes of the Earth and of the cone: 30° 17′ 17.30311″, radians.
 const TILT: f64 = (30.0 + 17.0 / 60.0 + 17.303_11 / 3600.0) * std::f64::consts::PI / 180.0;

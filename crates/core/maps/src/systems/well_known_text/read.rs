@@ -6,7 +6,9 @@ use pilotage_base::frames::{Datum, Ellipsoid, ProjectionMethod, ReferenceSystem}
 
 use super::tree::{Node, Value};
 use crate::systems::definition::{Definition, Role};
-use crate::systems::{SystemError, by_code, codes, datums, of_numbers, plain, shortened};
+use crate::systems::made::of_numbers;
+use crate::systems::names::{plain, shortened};
+use crate::systems::{SystemError, by_code, code_table, datums};
 
 const PROJECTED: [&str; 3] = ["PROJCS", "PROJCRS", "PROJECTEDCRS"];
 const GEOGRAPHIC: [&str; 6] = [
@@ -159,7 +161,7 @@ fn projected(node: &Node, shift: Option<[f64; 7]>) -> Result<ReferenceSystem, Sy
 fn geographic(node: &Node, shift: Option<[f64; 7]>) -> Result<ReferenceSystem, SystemError> {
     let name = format!("\"{}\"", shortened(node.name()));
     let datum = datum(node, shift, &name)?;
-    let mut numbers = codes::plain_numbers(datum, ProjectionMethod::Geographic);
+    let mut numbers = code_table::plain_numbers(datum, ProjectionMethod::Geographic);
     numbers.unit = unit_of_angles(node);
     numbers.prime_meridian = prime_meridian(node);
     of_numbers(None, numbers).map_err(|cause| SystemError::Number { name, cause })

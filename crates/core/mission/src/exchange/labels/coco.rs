@@ -6,7 +6,8 @@ use serde::Deserialize;
 use serde_json::value::RawValue;
 use serde_json::{Value, json};
 
-use super::{ExchangeError, FoundLabels, stated_box};
+use super::ExchangeError;
+use super::found::{FoundLabels, stated_box};
 use crate::mission::text::{Members, Text};
 use crate::mission::{FrameLabels, MissionError};
 

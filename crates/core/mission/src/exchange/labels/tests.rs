@@ -1,6 +1,7 @@
 //! Labels written and read again, other people's files, broken ones.
 
 use super::*;
+use crate::mission::LabelBox;
 use pilotage_base::files::{FileSet as _, ZipFiles};
 use pilotage_base::frames::{GroundPoint, GroundRect};
 

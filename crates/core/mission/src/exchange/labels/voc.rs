@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
-use super::{ExchangeError, FoundLabels, stated_box};
+use super::ExchangeError;
+use super::found::{FoundLabels, stated_box};
 use crate::exchange::xml::{Element, Source, escape};
 use crate::mission::FrameLabels;
 

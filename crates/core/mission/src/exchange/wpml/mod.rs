@@ -11,6 +11,7 @@ mod write;
 
 use std::fmt::Write;
 
+use super::shadow::is_shadow;
 use super::xml::{Element, escape};
 use pilotage_base::files::FileSet;
 
@@ -60,12 +61,6 @@ fn ending(files: &dyn FileSet, end: &str) -> Option<(String, Vec<u8>)> {
         .find(|name| name.to_ascii_lowercase().ends_with(end) && !is_shadow(name))?;
     let bytes = files.read(&name)?;
     Some((name, bytes))
-}
-
-/// Whether a file in a zip is what macOS puts beside another one of the same name.
-pub(super) fn is_shadow(name: &str) -> bool {
-    let own = name.rsplit('/').next().unwrap_or(name);
-    name.starts_with("__MACOSX/") || own.starts_with("._")
 }
 
 /// Elements as text, all in DJI's name space.

@@ -1,6 +1,6 @@
 //! Plain loops: what the vector ones are tested against, and the way out where there are none.
 
-use super::{BLOCK_ROWS, BlockKernel, PaddedRows};
+use super::blocks::{BLOCK_ROWS, BlockKernel, PaddedRows};
 
 /// See [`super::correlate`]; `out` is zero on entry.
 pub(super) fn correlate(

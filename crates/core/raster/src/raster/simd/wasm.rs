@@ -7,7 +7,7 @@
 
 use std::arch::wasm32::{f32x4_add, f32x4_mul, f32x4_splat, v128, v128_load, v128_store};
 
-use super::{BLOCK_ROWS, BlockKernel, PaddedRows};
+use super::blocks::{BLOCK_ROWS, BlockKernel, PaddedRows};
 
 /// See [`super::correlate`].
 pub(super) fn correlate(

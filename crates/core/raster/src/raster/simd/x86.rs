@@ -13,8 +13,8 @@ use std::arch::x86_64::{
 
 use rustfft::num_complex::Complex32;
 
+use super::blocks::{BLOCK_ROWS, BlockKernel, PaddedRows};
 use super::elementwise::{self, Twist};
-use super::{BLOCK_ROWS, BlockKernel, PaddedRows};
 use crate::raster::integral::Corners;
 
 /// The instruction sets that the kernels are written for.

@@ -6,8 +6,8 @@ use pilotage_flight::ChannelName;
 use super::Known;
 use super::board::{Basis, Board, Id, nearest};
 use super::grid::quantile;
+use crate::cells::Dimension;
 use crate::columns::ColumnRole;
-use crate::folder::Dimension;
 
 /// Airspeeds are off by up to this factor, as a logarithm, and no more.
 const SCALE: f64 = 0.32;

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::board::{Basis, Board, Id};
 use super::grid::Grid;
-use crate::folder::Dimension;
+use crate::cells::Dimension;
 
 /// From where and in which sense a direction is counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

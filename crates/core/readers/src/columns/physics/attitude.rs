@@ -9,9 +9,9 @@ use super::board::{Basis, Board, Id};
 use super::grid::quantile;
 use super::ros::AHEAD;
 use super::{inertial, lean, quaternion};
+use crate::cells::Dimension;
 use crate::columns::ColumnRole;
 use crate::columns::groups::quaternion_roles;
-use crate::folder::Dimension;
 
 /// Speed from which on wings carry, m/s.
 const WINGS: f64 = 7.0;

@@ -1,10 +1,10 @@
 //! The columns of a flight's tables, by what they mean.
 
-use super::Evidence;
+use super::evidence::Evidence;
 use super::grid::{Grid, Series, quantile};
+use crate::cells::{Dimension, linear};
 use crate::columns::settle::give_up;
 use crate::columns::{ColumnMap, ColumnRole, MappedColumn};
-use crate::folder::{Dimension, linear};
 
 /// A column: which table, which of its columns.
 pub(super) type Id = (usize, usize);

@@ -6,7 +6,8 @@ use pilotage_flight::ChannelName;
 use super::Known;
 use super::axes::{BODY, Fit, fits};
 use super::board::{Board, Id};
-use super::velocity::{TOLERANCE, Turned, along_earth};
+use super::known::Turned;
+use super::velocity::{TOLERANCE, along_earth};
 use crate::columns::{BodyAxis, ColumnRole};
 
 /// Mean correlation along the axes from which on they are the body's.

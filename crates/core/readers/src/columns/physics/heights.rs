@@ -7,8 +7,8 @@ use super::axes::{centred, compare};
 use super::board::{Basis, Board, Id, nearest};
 use super::grid::quantile;
 use super::velocity::sign_by_height;
+use crate::cells::Dimension;
 use crate::columns::ColumnRole;
-use crate::folder::Dimension;
 
 const HEIGHTS: [ChannelName; 3] = [
     ChannelName::GpsHeight,

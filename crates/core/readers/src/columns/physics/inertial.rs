@@ -6,8 +6,8 @@ use super::Known;
 use super::axes::{Axes, BODY, Fit, centred, compare, fits};
 use super::board::{Board, Id};
 use super::grid::quantile;
+use crate::cells::Dimension;
 use crate::columns::ColumnRole;
-use crate::folder::Dimension;
 
 const GRAVITY: f64 = 9.806_65;
 

@@ -10,9 +10,11 @@ mod attitude;
 mod axes;
 mod board;
 mod body_velocity;
+mod evidence;
 mod grid;
 mod heights;
 mod inertial;
+mod known;
 mod lean;
 mod nameless;
 mod place;
@@ -23,47 +25,11 @@ mod unknown;
 mod velocity;
 
 use super::ColumnMap;
-use super::groups::Group;
-use super::rows::Rows;
 use super::settle::settle;
 use board::Board;
-use grid::Grid;
+use known::Known;
 
-/// What a column's name says for sure.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Hint {
-    /// Whether the table states its unit.
-    pub is_stated: bool,
-    /// Whether it is one of several that are called by the letters or numbers of axes, so that nobody knows which.
-    pub is_axis: bool,
-}
-
-/// What is known of a table besides its map.
-#[derive(Debug)]
-pub(super) struct Evidence {
-    pub rows: Rows,
-    pub hints: Vec<Hint>,
-    pub groups: Vec<Group>,
-}
-
-/// What the columns are held against, once it is known; values per cell of the grid, NaN where there is none.
-struct Known {
-    grid: Grid,
-    /// Velocity over ground, m/s north, east, down.
-    velocity: [Vec<f64>; 3],
-    /// Whether that is of the position's own steps.
-    is_of_track: bool,
-    /// Roll, pitch and heading, radians, unwrapped.
-    attitude: [Vec<f64>; 3],
-    /// Their rates, rad/s.
-    attitude_rates: [Vec<f64>; 3],
-    /// Whether heading, pitch and the other axes were found to be those of ROS; `None` where nothing tells.
-    is_ros: Option<bool>,
-    /// Whether the sense of the heading is by evidence.
-    is_heading_sure: bool,
-    /// A velocity that has the amount of the track's, but hardly its direction.
-    turned: Option<velocity::Turned>,
-}
+pub(super) use evidence::{Evidence, Hint};
 
 /// Judges the tables of one flight, a map each, and writes into the maps what was found.
 pub(super) fn judge(maps: &mut [&mut ColumnMap], evidence: &[Evidence]) {
@@ -94,41 +60,4 @@ pub(super) fn judge(maps: &mut [&mut ColumnMap], evidence: &[Evidence]) {
     }
     nameless::tell(&mut board);
     questions::ask(&mut board);
-}
-
-impl Known {
-    fn new(grid: Grid) -> Self {
-        let none = || vec![f64::NAN; grid.count];
-        Self {
-            velocity: [none(), none(), none()],
-            is_of_track: false,
-            attitude: [none(), none(), none()],
-            attitude_rates: [none(), none(), none()],
-            is_ros: None,
-            is_heading_sure: false,
-            turned: None,
-            grid,
-        }
-    }
-
-    /// Speed over ground per cell, m/s.
-    fn speed(&self) -> Vec<f64> {
-        let [north, east, _] = &self.velocity;
-        north.iter().zip(east).map(|(n, e)| n.hypot(*e)).collect()
-    }
-
-    /// Course over ground per cell, radians clockwise from north, NaN where it is too slow to have one.
-    fn course(&self) -> Vec<f64> {
-        let speed = self.speed();
-        let least = (0.3 * grid::quantile(&speed, 0.9)).max(1.0);
-        let [north, east, _] = &self.velocity;
-        let course = |index: usize| {
-            if speed[index] > least {
-                east[index].atan2(north[index])
-            } else {
-                f64::NAN
-            }
-        };
-        (0..speed.len()).map(course).collect()
-    }
 }

@@ -8,8 +8,8 @@ use super::axes::{centred, compare};
 use super::board::{Board, Id};
 use super::grid::{Series, quantile};
 use super::inertial::course_rate;
+use crate::cells::Dimension;
 use crate::columns::ColumnRole;
-use crate::folder::Dimension;
 
 /// Mean radius of the earth, metres.
 const RADIUS: f64 = 6_371_000.0;

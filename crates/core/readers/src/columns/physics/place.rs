@@ -6,8 +6,8 @@ use super::Known;
 use super::axes::EARTH;
 use super::board::{Basis, Board, Id, nearest};
 use super::grid::{self, Grid, Series, quantile};
+use crate::cells::{DEGREES_AND_MINUTES, Dimension};
 use crate::columns::ColumnRole;
-use crate::folder::{DEGREES_AND_MINUTES, Dimension};
 
 /// Mean radius of the earth, metres.
 const RADIUS: f64 = 6_371_000.0;

@@ -2,13 +2,13 @@
 
 use pilotage_flight::ChannelName;
 
-use super::Known;
 use super::angles::{self, Convention};
 use super::axes::{EARTH, Fit, compare, fits};
 use super::board::{Basis, Board, Id};
 use super::grid::{Series, quantile};
+use super::known::{Known, Turned};
+use crate::cells::Dimension;
 use crate::columns::ColumnRole;
-use crate::folder::Dimension;
 
 /// Speed that the track has to reach for speeds to be told from it, m/s.
 const MOVING: f64 = 1.0;
@@ -95,13 +95,6 @@ fn vector(board: &mut Board, known: &mut Known, north: Id, east: Id) {
         return;
     }
     along_earth(board, &ids, best);
-}
-
-/// Velocities that have the amount of the track's, but hardly its direction.
-pub(super) struct Turned {
-    pub ids: Vec<Id>,
-    /// How they agree along north and east at best.
-    pub earth: Fit,
 }
 
 /// Takes columns for the velocity over ground as far as they agree with it.

@@ -13,6 +13,7 @@ mod chunk;
 mod contents;
 mod decode;
 mod inside;
+mod magic;
 mod message_topic;
 mod reader;
 mod record;
@@ -24,11 +25,10 @@ mod units;
 mod words;
 mod zstandard;
 
+use magic::MAGIC;
+
 use super::stepping::Stepping;
 use super::{FormatInfo, LogFormat};
-
-/// What a file begins and ends with.
-const MAGIC: [u8; 8] = *b"\x89MCAP0\r\n";
 
 /// The format.
 pub(super) const INFO: FormatInfo = FormatInfo {

@@ -2,11 +2,11 @@
 
 use crc32fast::Hasher;
 
-use super::MAGIC;
 use super::attachment::{Attachment, attachment};
 use super::chunk::{self, Packing};
 use super::contents::Contents;
 use super::inside::Inside;
+use super::magic::MAGIC;
 use super::record::{
     ATTACHMENT, CHUNK, FRAME, MESSAGE, Record, frame, is_known, parse, whole_length,
 };

@@ -1,9 +1,9 @@
 //! The way back after damage.
 
-use super::MAGIC;
 use super::attachment::attachment;
 use super::chunk;
 use super::contents::Contents;
+use super::magic::MAGIC;
 use super::record::{
     ATTACHMENT, CHANNEL, CHUNK, FRAME, MESSAGE, MESSAGE_HEAD, SCHEMA, frame, is_known, may_begin,
     parse, whole_length,

@@ -6,7 +6,9 @@
 //! Rows are stored as the file has them, without their number. Times are seconds since the autopilot
 //! started; of appended data (what a crash left behind) as well.
 
+mod belief;
 mod definition;
+mod header;
 mod message;
 mod reader;
 mod rows;
@@ -16,13 +18,11 @@ mod tests;
 mod units;
 mod value;
 
+use header::MAGIC;
 pub(super) use units::unit_and_scale;
 
 use super::stepping::Stepping;
 use super::{FormatInfo, LogFormat};
-
-/// What a file begins with; the version and the time of the start follow.
-const MAGIC: [u8; 7] = *b"ULog\x01\x12\x35";
 
 /// The format.
 pub(super) const INFO: FormatInfo = FormatInfo {

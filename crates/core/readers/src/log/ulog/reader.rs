@@ -3,14 +3,14 @@
 use super::super::release::release;
 use super::super::stepping::{Step, Steps};
 use super::super::{DefaultValue, Fact, Log, LogMessage, Parameter, TopicName};
-use super::MAGIC;
+use super::belief::{Belief, belief};
 use super::definition::Definitions;
+use super::header::{HEADER, MAGIC};
 use super::message::{FRAME, Message, frame, may_begin, parse};
-use super::rows::{Fit, Subscriptions};
+use super::rows::Subscriptions;
+use super::search::next_sure;
 use super::value::Keyed;
 
-/// Bytes of the header: what every file begins with, a version, the time of the start.
-pub(super) const HEADER: usize = 16;
 /// The version whose form this is.
 const VERSION: u8 = 1;
 /// Rows this long before the start were measured before it, seconds: those of slow sensors are a little late.
@@ -18,20 +18,11 @@ const EARLIER: f64 = 2.0;
 /// Default values of parameters: for the airframe rather than for the whole system.
 const OF_AIRFRAME: u8 = 2;
 
-/// How far a message can be believed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Belief {
-    /// It holds together so well that it is no accident.
-    Sure,
-    /// Only if another message follows right behind it.
-    Likely,
-}
-
 /// The state of reading.
 #[derive(Default)]
 pub(super) struct Ulog {
     definitions: Definitions,
-    pub(super) subscriptions: Subscriptions,
+    subscriptions: Subscriptions,
     /// Latest time, seconds since the autopilot started.
     time: f64,
     /// Places in the file where data were appended, which no message crosses.
@@ -155,7 +146,7 @@ impl Ulog {
             Ok(message) => message,
             Err(cause) => return lose(self, cause, log),
         };
-        match self.belief(&message) {
+        match belief(&self.definitions, &self.subscriptions, &message) {
             Err(cause) => return lose(self, cause, log),
             Ok(Belief::Sure) => {}
             Ok(Belief::Likely) => {
@@ -176,39 +167,6 @@ impl Ulog {
             Err(cause) => log.report.skip(offset, length as u64, cause),
         }
         Step::Took(length)
-    }
-
-    /// How far a message can be believed, or why not at all.
-    pub(super) fn belief(&self, message: &Message) -> Result<Belief, &'static str> {
-        let sure_if = |good| Ok(if good { Belief::Sure } else { Belief::Likely });
-        match message {
-            Message::Definition(_) | Message::Sync => Ok(Belief::Sure),
-            Message::Fact(value) => sure_if(value.is_whole()),
-            Message::Parameter(value) | Message::Default { value, .. } => {
-                let is_parameter = value.parameter().is_some();
-                is_parameter
-                    .then_some(Belief::Sure)
-                    .ok_or("a parameter that is no number")
-            }
-            Message::Subscribe { name, .. } => sure_if(self.definitions.has(name)),
-            Message::Row { number, row } => match self.subscriptions.fit(*number, row.len()) {
-                Fit::Yes => Ok(Belief::Sure),
-                Fit::Unknown => Ok(Belief::Likely),
-                Fit::No => Err("a row has not the length of its definition"),
-            },
-            Message::Words { text, .. } => {
-                let is_clean = |text: &str| {
-                    !text
-                        .chars()
-                        .any(|c| c.is_control() && !"\t\n\r\x1b".contains(c))
-                };
-                sure_if(str::from_utf8(text).is_ok_and(is_clean))
-            }
-            Message::Flags { .. }
-            | Message::Unsubscribe
-            | Message::Dropout(_)
-            | Message::Unknown => Ok(Belief::Likely),
-        }
     }
 
     /// Puts into the log what a message says, or tells why that cannot be.
@@ -318,7 +276,7 @@ impl Ulog {
         cause: &str,
         log: &mut Log,
     ) -> Step {
-        let (count, is_found) = super::search::next_sure(self, bytes, over);
+        let (count, is_found) = next_sure(&self.definitions, &self.subscriptions, bytes, over);
         if count > 0 {
             log.report.skip(offset, count as u64, cause);
         }

@@ -1,16 +1,22 @@
 //! The way back after damage.
 
-use super::MAGIC;
+use super::belief::{Belief, belief};
+use super::definition::Definitions;
+use super::header::{HEADER, MAGIC};
 use super::message::{FRAME, frame, parse};
-use super::reader::{Belief, HEADER, Ulog};
-use super::rows::Fit;
+use super::rows::{Fit, Subscriptions};
 
 /// How many of `bytes` come before the next message that holds together so well that it is no
 /// accident, and whether there is one. Where more bytes are needed to tell, the count ends there; where
 /// `over`, no more will come.
-pub(super) fn next_sure(reader: &Ulog, bytes: &[u8], over: bool) -> (usize, bool) {
+pub(super) fn next_sure(
+    definitions: &Definitions,
+    subscriptions: &Subscriptions,
+    bytes: &[u8],
+    over: bool,
+) -> (usize, bool) {
     for place in 0..bytes.len() {
-        match is_sure(reader, &bytes[place..]) {
+        match is_sure(definitions, subscriptions, &bytes[place..]) {
             Some(true) => return (place, true),
             None if !over => return (place, false),
             Some(false) | None => {}
@@ -20,7 +26,7 @@ pub(super) fn next_sure(reader: &Ulog, bytes: &[u8], over: bool) -> (usize, bool
 }
 
 /// Whether a message begins here that is no accident; `None` if that takes more bytes.
-fn is_sure(reader: &Ulog, bytes: &[u8]) -> Option<bool> {
+fn is_sure(definitions: &Definitions, subscriptions: &Subscriptions, bytes: &[u8]) -> Option<bool> {
     if bytes.starts_with(&MAGIC) {
         return (bytes.len() >= HEADER).then_some(true);
     }
@@ -36,10 +42,13 @@ fn is_sure(reader: &Ulog, bytes: &[u8]) -> Option<bool> {
         let number = bytes.get(FRAME..FRAME + 2)?;
         let number = u16::from_le_bytes(number.try_into().ok()?);
         let row = length.checked_sub(2);
-        if row.map(|row| reader.subscriptions.fit(number, row)) != Some(Fit::Yes) {
+        if row.map(|row| subscriptions.fit(number, row)) != Some(Fit::Yes) {
             return Some(false);
         }
     }
     let message = parse(kind, bytes.get(FRAME..FRAME + length)?);
-    Some(message.is_ok_and(|message| reader.belief(&message) == Ok(Belief::Sure)))
+    Some(
+        message
+            .is_ok_and(|message| belief(definitions, subscriptions, &message) == Ok(Belief::Sure)),
+    )
 }

@@ -4,7 +4,7 @@ use super::patch::{ACROSS, OrientedPatch};
 use super::variants::{Variant, Variants};
 use crate::landmark::patch::FLAT_CONTRAST;
 use crate::landmark::peak::separation;
-use crate::landmark::rehearsal::{MOST_BLANK, OFF_PIXELS, Rehearsal, blank};
+use crate::landmark::rehearsed::{MOST_BLANK, OFF_PIXELS, Rehearsal, blank};
 use crate::landmark::window::window_around;
 use crate::texture::Texture;
 use pilotage_base::frames::GroundRect;

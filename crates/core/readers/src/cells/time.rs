@@ -1,13 +1,13 @@
 //! Which column is the time, and in what unit.
 
-use super::Sample;
-use crate::folder::date_and_time;
+use super::date::date_and_time;
+use super::sample::Sample;
 
 /// Units that a time may be in: seconds, parts of them, date and time.
-pub(super) const UNITS: [&str; 5] = ["s", "ms", "us", "ns", "date and time"];
+pub(crate) const UNITS: [&str; 5] = ["s", "ms", "us", "ns", "date and time"];
 
 /// Date and time as a cell.
-pub(super) const DATE: &str = "date and time";
+pub(crate) const DATE: &str = "date and time";
 
 /// Shortest and longest time that a table is thought to span, seconds, and the time between rows.
 const SPAN: (f64, f64) = (2.0, 50_000.0);
@@ -23,7 +23,7 @@ const USUAL_STEP: f64 = 0.05;
 const SECONDS: [(&str, f64); 4] = [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9)];
 
 /// Seconds in a unit of times; 1 for dates.
-pub(super) fn seconds(unit: &str) -> f64 {
+pub(crate) fn seconds(unit: &str) -> f64 {
     let known = SECONDS.iter().find(|(name, _)| *name == unit);
     known.map_or(1.0, |(_, seconds)| *seconds)
 }

@@ -4,7 +4,9 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize};
 
-use crate::folder::{DEGREES_AND_MINUTES, date_and_time, linear};
+use super::date::date_and_time;
+use super::spellings::is_unit;
+use super::units::{DEGREES_AND_MINUTES, linear};
 use pilotage_base::angle_text::degrees_of_text;
 
 /// Lines that are looked at.
@@ -163,7 +165,7 @@ pub(crate) fn number(cell: &str, has_decimal_comma: bool) -> Option<f64> {
             match behind {
                 "S" | "W" => Some(-value),
                 "N" | "E" => Some(value),
-                unit => super::header::is_unit(unit).then_some(value),
+                unit => is_unit(unit).then_some(value),
             }
         })
         .or_else(|| degrees_of_text(cell))
@@ -195,9 +197,9 @@ fn split_unit(cell: &str) -> Option<(&str, &str)> {
 }
 
 /// The unit that stands behind the number in a cell.
-pub(super) fn unit_behind(cell: &str) -> Option<&str> {
+pub(crate) fn unit_behind(cell: &str) -> Option<&str> {
     let (_, unit) = split_unit(cell)?;
-    super::header::is_unit(unit).then_some(unit)
+    is_unit(unit).then_some(unit)
 }
 
 fn is_remark(line: &str) -> bool {

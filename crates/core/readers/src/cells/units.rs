@@ -111,7 +111,7 @@ impl Dimension {
                 let names: Vec<&str> = known.iter().map(|(name, _)| *name).collect();
                 format!(
                     "\"{}\" is not a unit for this; use one of {}",
-                    super::clock::shortened(unit),
+                    shortened(unit),
                     names.join(", ")
                 )
             })
@@ -128,4 +128,9 @@ impl From<Quantity> for Dimension {
             Quantity::Acceleration => Self::Acceleration,
         }
     }
+}
+
+/// At most forty characters, for messages.
+pub(crate) fn shortened(text: &str) -> String {
+    text.chars().take(40).collect()
 }

@@ -5,7 +5,7 @@ use pilotage_base::frames::{OtherSystem, ProjectionMethod, SystemNumbers};
 use crate::systems::{datums, units};
 
 /// The text of `system`, which people call `name`.
-pub(in super::super) fn write(system: &OtherSystem, name: &str) -> String {
+pub(super) fn write(system: &OtherSystem, name: &str) -> String {
     let numbers = system.numbers;
     let globe = globe(numbers);
     let code = system

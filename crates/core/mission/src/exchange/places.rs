@@ -1,0 +1,16 @@
+//! What is written into one file.
+
+use crate::mission::{NoFlyZone, Route};
+use pilotage_vision::landmark::Landmark;
+
+/// What is written into one file.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Places<'a> {
+    /// Routes.
+    pub routes: &'a [Route],
+    /// Landmarks.
+    pub landmarks: &'a [Landmark],
+    /// Areas that must not be flown over: plans have them as fences, KML and GeoJSON as marked polygons;
+    /// other formats have none.
+    pub no_fly: &'a [NoFlyZone],
+}

@@ -1,0 +1,16 @@
+//! What stands in the cells of tables, and how: separators, numbers, units, dates and times.
+
+mod date;
+mod moment;
+mod sample;
+mod shape;
+pub(crate) mod spellings;
+pub(crate) mod time;
+mod units;
+
+pub(crate) use date::{date_and_time, days_since_1970, readings};
+pub(crate) use moment::Moment;
+pub(crate) use sample::Sample;
+pub use shape::{Separator, TableShape};
+pub(crate) use shape::{number, unit_behind};
+pub(crate) use units::{DEGREES_AND_MINUTES, Dimension, linear, shortened};

@@ -1,0 +1,21 @@
+//! What is known of a table besides its map.
+
+use crate::columns::groups::Group;
+use crate::columns::rows::Rows;
+
+/// What a column's name says for sure.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(in crate::columns) struct Hint {
+    /// Whether the table states its unit.
+    pub is_stated: bool,
+    /// Whether it is one of several that are called by the letters or numbers of axes, so that nobody knows which.
+    pub is_axis: bool,
+}
+
+/// What is known of a table besides its map.
+#[derive(Debug)]
+pub(in crate::columns) struct Evidence {
+    pub rows: Rows,
+    pub hints: Vec<Hint>,
+    pub groups: Vec<Group>,
+}

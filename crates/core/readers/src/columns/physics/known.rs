@@ -1,0 +1,69 @@
+//! What the columns of a flight are held against, as far as it is known.
+
+use super::axes::Fit;
+use super::board::Id;
+use super::grid::{Grid, quantile};
+
+/// What the columns are held against, once it is known; values per cell of the grid, NaN where there is none.
+pub(super) struct Known {
+    pub grid: Grid,
+    /// Velocity over ground, m/s north, east, down.
+    pub velocity: [Vec<f64>; 3],
+    /// Whether that is of the position's own steps.
+    pub is_of_track: bool,
+    /// Roll, pitch and heading, radians, unwrapped.
+    pub attitude: [Vec<f64>; 3],
+    /// Their rates, rad/s.
+    pub attitude_rates: [Vec<f64>; 3],
+    /// Whether heading, pitch and the other axes were found to be those of ROS; `None` where nothing tells.
+    pub is_ros: Option<bool>,
+    /// Whether the sense of the heading is by evidence.
+    pub is_heading_sure: bool,
+    /// A velocity that has the amount of the track's, but hardly its direction.
+    pub turned: Option<Turned>,
+}
+
+/// Velocities that have the amount of the track's, but hardly its direction.
+pub(super) struct Turned {
+    pub ids: Vec<Id>,
+    /// How they agree along north and east at best.
+    pub earth: Fit,
+}
+
+impl Known {
+    /// Nothing yet, on this grid.
+    pub fn new(grid: Grid) -> Self {
+        let none = || vec![f64::NAN; grid.count];
+        Self {
+            velocity: [none(), none(), none()],
+            is_of_track: false,
+            attitude: [none(), none(), none()],
+            attitude_rates: [none(), none(), none()],
+            is_ros: None,
+            is_heading_sure: false,
+            turned: None,
+            grid,
+        }
+    }
+
+    /// Speed over ground per cell, m/s.
+    pub fn speed(&self) -> Vec<f64> {
+        let [north, east, _] = &self.velocity;
+        north.iter().zip(east).map(|(n, e)| n.hypot(*e)).collect()
+    }
+
+    /// Course over ground per cell, radians clockwise from north, NaN where it is too slow to have one.
+    pub fn course(&self) -> Vec<f64> {
+        let speed = self.speed();
+        let least = (0.3 * quantile(&speed, 0.9)).max(1.0);
+        let [north, east, _] = &self.velocity;
+        let course = |index: usize| {
+            if speed[index] > least {
+                east[index].atan2(north[index])
+            } else {
+                f64::NAN
+            }
+        };
+        (0..speed.len()).map(course).collect()
+    }
+}

@@ -1,0 +1,57 @@
+//! The judging of a detector: how far it is, what came of it.
+
+use crate::jobs::{EvaluationReport, JobEvent, JobId};
+use crate::views::EvaluationView;
+
+/// The judging of a detector and the dialog that shows it.
+#[derive(Default)]
+pub(super) struct Evaluating {
+    pub is_open: bool,
+    /// The landmark that is shown.
+    pub landmark: Option<u32>,
+    pub job: Option<(JobId, f32, String)>,
+    pub report: Option<EvaluationReport>,
+    /// What was trained when it was judged.
+    pub of: Option<String>,
+    pub trouble: Option<String>,
+    pub view: EvaluationView,
+}
+
+impl Evaluating {
+    /// Whether the dialog is open, and whether its report is whole.
+    pub fn state(&self) -> (bool, bool) {
+        let is_whole = self.report.as_ref().is_some_and(|r| !r.is_partial);
+        (self.is_open, is_whole)
+    }
+
+    /// How far the judging is, and in words.
+    pub fn progress(&self) -> Option<(f32, &str)> {
+        let (_, part, words) = self.job.as_ref()?;
+        Some((*part, words.as_str()))
+    }
+
+    /// Figures of the report.
+    pub fn figures(&self) -> &[String] {
+        self.report.as_ref().map_or(&[], |r| &r.figures)
+    }
+
+    /// Takes what a worker says of the judging; false if it is about something else.
+    pub fn receive(&mut self, id: JobId, event: &JobEvent) -> bool {
+        let Some((_, part, words)) = self.job.as_mut().filter(|job| job.0 == id) else {
+            return false;
+        };
+        match event {
+            JobEvent::Progress(fraction, what) => {
+                (*part, *words) = (*fraction, what.clone());
+            }
+            JobEvent::Evaluation(report) => self.report = Some(report.as_ref().clone()),
+            JobEvent::Failed(why) => {
+                self.trouble = Some(why.clone());
+                self.job = None;
+            }
+            JobEvent::Finished | JobEvent::Cancelled => self.job = None,
+            _ => {}
+        }
+        true
+    }
+}

@@ -1,0 +1,27 @@
+//! What files bring to the mission.
+
+use pilotage_core::landmark::Landmark;
+use pilotage_core::mission::{NoFlyZone, Route};
+
+use crate::jobs::ImportedFile;
+
+/// What one file brought to the mission.
+#[derive(Clone, Debug, Default)]
+pub struct Brought {
+    /// Routes; identities are unique in this file only.
+    pub routes: Vec<Route>,
+    /// Landmarks, likewise.
+    pub landmarks: Vec<Landmark>,
+    /// Areas that must not be flown over.
+    pub no_fly: Vec<NoFlyZone>,
+}
+
+impl From<ImportedFile> for Brought {
+    fn from(file: ImportedFile) -> Self {
+        Self {
+            routes: file.routes,
+            landmarks: file.landmarks,
+            no_fly: file.no_fly,
+        }
+    }
+}

@@ -1,0 +1,31 @@
+//! A box in the hand.
+
+/// A box being drawn, moved or given another size.
+#[derive(Clone, Debug)]
+pub(super) struct Drag {
+    pub frame: usize,
+    pub landmark: u32,
+    /// The box when the drag began; corners of a new one are where the pointer went down.
+    pub from: [[f64; 2]; 2],
+    /// Where the pointer went down, pixels.
+    pub at: [f64; 2],
+    /// Which edges follow the pointer: of the first corner and of the second, by axis.
+    pub edges: [[bool; 2]; 2],
+    /// Whether the label is hard to see, which a drag does not change.
+    pub difficult: bool,
+}
+
+impl Drag {
+    /// The corners once the pointer is at `to`, pixels.
+    pub fn corners(&self, to: [f64; 2]) -> [[f64; 2]; 2] {
+        let mut corners = self.from;
+        for (corner, edges) in corners.iter_mut().zip(self.edges) {
+            for axis in 0..2 {
+                if edges[axis] {
+                    corner[axis] += to[axis] - self.at[axis];
+                }
+            }
+        }
+        corners
+    }
+}

@@ -1,0 +1,20 @@
+//! What the sheet of photos is drawn from, and where it sends its commands.
+
+use crate::command::Command;
+use crate::context::ViewContext;
+use crate::photos::{Photos, PhotosCommand};
+
+/// What the sheet is drawn from.
+pub struct PhotosScene<'a> {
+    /// What is known.
+    pub photos: &'a Photos,
+    /// World frame of the map, if it has a place on the globe.
+    pub frame: Option<pilotage_core::frames::LocalFrame>,
+    /// Whether there is a map.
+    pub has_map: bool,
+}
+
+/// Asks for something about photos.
+pub(super) fn send(context: &mut ViewContext<'_>, what: PhotosCommand) {
+    context.commands.push(Command::Photos(what));
+}
