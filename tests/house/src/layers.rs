@@ -31,6 +31,7 @@ pub const ORDERS: [&Order; 8] = [
             "frames",
             "georeference",
             "text",
+            "viridis",
         ],
         upward: &[],
     },
