@@ -36,6 +36,8 @@ pub struct FlyJob {
     pub words: String,
     /// Whether the run has begun.
     pub began: bool,
+    /// Whether a run out of a file is shown in place of the one that is flown: only the pictures are still wanted.
+    pub for_pictures: bool,
 }
 
 /// Files being looked at.

@@ -20,7 +20,11 @@ impl App {
         match event {
             JobEvent::Progress(fraction, words) => {
                 fly.progress = fraction;
-                fly.words = words;
+                fly.words = if fly.for_pictures {
+                    "Taking the pictures".to_owned()
+                } else {
+                    words
+                };
             }
             JobEvent::Flight(flight) => fly.staged.flight = Some(*flight),
             JobEvent::Mission(mission) => {
@@ -45,6 +49,7 @@ impl App {
                 }
             }
             JobEvent::CannotNavigate(why) => self.look_at_flight(host, &why),
+            JobEvent::Steps(_) if fly.for_pictures => {}
             JobEvent::Steps(mut steps) => {
                 if let Some(run) = &mut self.documents.run {
                     run.steps.append(&mut steps);

@@ -263,10 +263,7 @@ impl App {
             }
             if let Some(run) = run {
                 parts.push("a run");
-                self.stop_flying(host);
-                self.documents
-                    .begin_run(run, true, crate::documents::Staged::default());
-                self.documents.run_complete = true;
+                self.show_opened_run(host, run);
             }
         }
         let adds = !imports.is_empty() || labels.is_some() || is_log || !tables.is_empty();

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use pilotage_core::frames::GroundRect;
 use pilotage_core::mission::Mission;
+use pilotage_core::navigator::Run;
 
 use super::App;
 use super::desk::FlyJob;
@@ -105,7 +106,22 @@ impl App {
             progress: 0.0,
             words: "Starting …".to_owned(),
             began: false,
+            for_pictures: false,
         });
+    }
+
+    /// Shows a run out of a file. The flight that is under way beneath it goes on for its pictures.
+    pub(super) fn show_opened_run(&mut self, host: &mut dyn Host, run: Run) {
+        match self.desk.fly.as_mut().filter(|fly| fly.began) {
+            Some(fly) => {
+                fly.for_pictures = true;
+                self.desk.fly_again_at = None;
+                self.desk.align_after_flight = false;
+            }
+            None => self.stop_flying(host),
+        }
+        self.documents.begin_run(run, true, Staged::default());
+        self.documents.run_complete = true;
     }
 
     /// Stops what is being flown; what has streamed in stays.

@@ -24,6 +24,7 @@ mod log_statistics;
 mod lost_worker;
 mod names;
 mod open_map;
+mod open_run;
 mod palette;
 mod photos;
 mod pictures;
