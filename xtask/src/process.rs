@@ -15,6 +15,9 @@ pub fn program(program: impl AsRef<OsStr>) -> Command {
     command
 }
 
+/// What to do where there is no cargo.
+pub const CARGO_ADVICE: &str = "cargo came with rustup";
+
 /// Cargo with `arguments`, as if it had been typed at a terminal.
 ///
 /// What the cargo that runs this program has set for it is taken away again: with it, build

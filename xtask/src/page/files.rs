@@ -5,7 +5,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use super::{PROGRAMS, module_name};
+use super::profile::{PROGRAMS, module_name};
 use crate::{failure::Failure, places};
 
 /// Makes `dist` an empty folder. Refuses one that holds something else than a page.

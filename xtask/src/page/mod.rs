@@ -7,74 +7,18 @@
 mod compress;
 mod files;
 mod offline;
+mod profile;
 mod sizes;
 mod wasm;
 mod weights;
 
 use std::path::Path;
 
+pub use profile::{PROGRAMS, Profile};
 pub use sizes::check as check_sizes;
 pub use wasm::{TARGET, ensure_target, without_flags};
 
 use crate::{failure::Failure, progress::step};
-
-/// The package of the page itself.
-const PAGE: &str = "pilotage-web";
-
-/// The packages that become programs: the page, and what its workers run, the first of them at once.
-pub const PROGRAMS: [&str; 3] = [PAGE, "pilotage-worker-flying", "pilotage-worker-whole"];
-
-/// Name of a package's program in `pkg/`, without its endings.
-pub fn module_name(package: &str) -> String {
-    package.replace('-', "_")
-}
-
-/// How a page is built.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Profile {
-    /// Quick to link, for working on it and for the browser's journeys.
-    Quick,
-    /// Small and fast, for shipping.
-    Shipped,
-}
-
-impl Profile {
-    /// The profile of that name.
-    pub fn named(name: &str) -> Result<Self, Failure> {
-        match name {
-            "web-quick" => Ok(Self::Quick),
-            "web" => Ok(Self::Shipped),
-            _ => Err(Failure::Usage(format!(
-                "no profile `{name}`; there are web-quick and web"
-            ))),
-        }
-    }
-
-    /// Its name in `Cargo.toml`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Quick => "web-quick",
-            Self::Shipped => "web",
-        }
-    }
-
-    /// The profile in `Cargo.toml` that the program of `package` is compiled in: what is shipped of the page itself
-    /// has one of its own, small before fast, since its workers do what takes long.
-    fn of_program(self, package: &str) -> &'static str {
-        match self {
-            Self::Shipped if package == PAGE => "web-page",
-            Self::Shipped | Self::Quick => self.name(),
-        }
-    }
-
-    /// Brotli's quality from 0 to 11: the last grades cost many seconds and are for shipping.
-    fn brotli_quality(self) -> u32 {
-        match self {
-            Self::Quick => 5,
-            Self::Shipped => 11,
-        }
-    }
-}
 
 /// Builds the page into `dist`, replacing a page that is there.
 pub fn build(profile: Profile, dist: &Path) -> Result<(), Failure> {

@@ -2,7 +2,12 @@
 
 use std::{fs, path::Path};
 
-use super::{PROGRAMS, Profile, compress::beside, files, module_name, wasm, weights};
+use super::{
+    compress::beside,
+    files,
+    profile::{PROGRAMS, Profile, module_name},
+    wasm, weights,
+};
 use crate::{failure::Failure, places};
 
 /// Crates that are printed of a program that is over its budget.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use wasm_bindgen_cli_support::Bindgen;
 
-use super::{PROGRAMS, Profile, module_name};
+use super::profile::{PROGRAMS, Profile, module_name};
 use crate::{failure::Failure, places, process, progress::step};
 
 /// The target of the page.

@@ -11,10 +11,8 @@ use std::path::Path;
 use crate::{
     failure::Failure,
     page::{PROGRAMS, Profile, TARGET, without_flags},
-    process::{cargo, program, run, succeeds},
+    process::{CARGO_ADVICE, cargo, program, run, succeeds},
 };
-
-pub const ADVICE: &str = "cargo came with rustup";
 
 /// Has rustup bring `component`, without which cargo lacks `command`.
 fn ensure_component(component: &str, command: &str) -> Result<(), Failure> {
@@ -79,7 +77,7 @@ impl Packages {
 /// `cargo fmt` would change nothing.
 pub fn format() -> Result<(), Failure> {
     ensure_component("rustfmt", "fmt")?;
-    run(&mut cargo(&["fmt", "--all", "--check"]), ADVICE)
+    run(&mut cargo(&["fmt", "--all", "--check"]), CARGO_ADVICE)
 }
 
 /// No lint has anything to say about anything built natively.
@@ -87,7 +85,10 @@ pub fn lints(packages: &Packages) -> Result<(), Failure> {
     ensure_component("clippy", "clippy")?;
     let packages = packages.arguments(&["--locked", "--workspace"]);
     let mut clippy = cargo(&["clippy", "--all-targets"]);
-    run(clippy.args(packages).args(["--", "-D", "warnings"]), ADVICE)
+    run(
+        clippy.args(packages).args(["--", "-D", "warnings"]),
+        CARGO_ADVICE,
+    )
 }
 
 /// The same for what only the page is built from.
@@ -99,7 +100,7 @@ pub fn page_lints() -> Result<(), Failure> {
     clippy.args(PROGRAMS.iter().flat_map(|name| ["-p", name]));
     clippy.args(["--profile", Profile::Quick.name(), "--", "-D", "warnings"]);
     without_flags(&mut clippy);
-    run(&mut clippy, ADVICE)
+    run(&mut clippy, CARGO_ADVICE)
 }
 
 /// The rules of the house (tests/house), in the profile of this program: both need little, and much of it is
@@ -113,7 +114,7 @@ pub fn house_rules() -> Result<(), Failure> {
         "-p",
         "pilotage-house",
     ];
-    run(&mut cargo(&arguments), ADVICE)
+    run(&mut cargo(&arguments), CARGO_ADVICE)
 }
 
 /// Every test that needs no other program; `studies` over all their seeds (`tests/src/studies.rs`). `quick` leaves
@@ -127,7 +128,7 @@ pub fn tests(packages: &Packages, studies: bool, quick: bool) -> Result<(), Fail
         return tested;
     }
     let mut examples = cargo(&["test", "--no-fail-fast", "--doc"]);
-    let examples = run(examples.args(&packages), ADVICE);
+    let examples = run(examples.args(&packages), CARGO_ADVICE);
     tested.and(examples)
 }
 
@@ -137,14 +138,14 @@ pub fn store_first_seconds(dist: &Path) -> Result<(), Failure> {
     let mut test = cargo(&["test", "--locked", "-p", "pilotage-ui", "--lib"]);
     test.args(["--", "--exact"]);
     test.arg("jobs::prelude::tests::the_stored_first_seconds_are_what_the_program_computes");
-    run(test.env("PILOTAGE_FIRST_SECONDS_OF", dist), ADVICE)
+    run(test.env("PILOTAGE_FIRST_SECONDS_OF", dist), CARGO_ADVICE)
 }
 
 /// The tests of this program.
 pub fn build_program() -> Result<(), Failure> {
     run(
         &mut cargo(&["test", "--locked", "--profile", "tool", "-p", "xtask"]),
-        ADVICE,
+        CARGO_ADVICE,
     )
 }
 
@@ -155,6 +156,6 @@ pub fn documentation(packages: &Packages) -> Result<(), Failure> {
         cargo(&arguments)
             .args(packages.arguments(&PACKAGES))
             .env("RUSTDOCFLAGS", "-D warnings"),
-        ADVICE,
+        CARGO_ADVICE,
     )
 }

@@ -13,11 +13,11 @@ use std::{
 
 use serde_json::Value;
 
-use super::{fingerprint, native::ADVICE};
+use super::fingerprint;
 use crate::{
     failure::Failure,
     places,
-    process::{capture, cargo, program, succeed},
+    process::{CARGO_ADVICE, capture, cargo, program, succeed},
 };
 
 /// Programs that take longest, which begin before the others and which `--quick` leaves out.
@@ -144,7 +144,7 @@ fn build(arguments: &[&str]) -> Result<Vec<Program>, Failure> {
     cargo.args(arguments);
     cargo.arg("--message-format=json-render-diagnostics");
     cargo.stderr(Stdio::inherit());
-    let output = capture(&mut cargo, ADVICE)?;
+    let output = capture(&mut cargo, CARGO_ADVICE)?;
     succeed(&cargo, output.status)?;
     let text = String::from_utf8_lossy(&output.stdout);
     Ok(text.lines().filter_map(of_message).collect())
