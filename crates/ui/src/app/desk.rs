@@ -34,10 +34,26 @@ pub struct FlyJob {
     pub progress: f32,
     /// What it is doing.
     pub words: String,
-    /// Whether the run has begun.
-    pub began: bool,
-    /// Whether a run out of a file is shown in place of the one that is flown: only the pictures are still wanted.
-    pub for_pictures: bool,
+    /// What of it is shown.
+    pub shown: Shown,
+}
+
+/// What of a flight that is under way is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shown {
+    /// Nothing: its run has not begun.
+    Nothing,
+    /// Its run and its pictures.
+    Run,
+    /// Its pictures alone, beneath a run out of a file.
+    Pictures,
+}
+
+impl FlyJob {
+    /// Whether its run has begun.
+    pub fn began(&self) -> bool {
+        self.shown != Shown::Nothing
+    }
 }
 
 /// Files being looked at.

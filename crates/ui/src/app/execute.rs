@@ -1,5 +1,6 @@
 //! Commands carried out, once a frame, after everything is drawn.
 
+use super::desk::FlyJob;
 use super::exchange::stem;
 use super::{App, SideTab};
 use crate::command::{Command, Workspace};
@@ -269,7 +270,7 @@ impl App {
                     || self.stop_preparing(host);
             }
             Command::CancelJob => {
-                self.documents.run_complete |= self.desk.fly.as_ref().is_some_and(|f| f.began);
+                self.documents.run_complete |= self.desk.fly.as_ref().is_some_and(FlyJob::began);
                 self.stop_flying(host);
                 self.toasts
                     .note(now, "Stopped", "What had been computed stays on screen.");

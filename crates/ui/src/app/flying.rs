@@ -3,6 +3,7 @@
 use pilotage_core::frames::{GroundPoint, GroundRect};
 
 use super::App;
+use super::desk::Shown;
 use crate::host::Host;
 use crate::jobs::{FlightSource, JobEvent, MapSource};
 
@@ -20,7 +21,7 @@ impl App {
         match event {
             JobEvent::Progress(fraction, words) => {
                 fly.progress = fraction;
-                fly.words = if fly.for_pictures {
+                fly.words = if fly.shown == Shown::Pictures {
                     "Taking the pictures".to_owned()
                 } else {
                     words
@@ -36,8 +37,8 @@ impl App {
                 let given = fly.given;
                 let staged = std::mem::take(&mut fly.staged);
                 let (flight, map) = (fly.flight.clone(), fly.map.clone());
-                let first = !fly.began;
-                fly.began = true;
+                let first = !fly.began();
+                fly.shown = Shown::Run;
                 self.documents.begin_run(*head, again, staged);
                 self.documents.mission_edited |= given;
                 if !again {
@@ -49,7 +50,7 @@ impl App {
                 }
             }
             JobEvent::CannotNavigate(why) => self.look_at_flight(host, &why),
-            JobEvent::Steps(_) if fly.for_pictures => {}
+            JobEvent::Steps(_) if fly.shown == Shown::Pictures => {}
             JobEvent::Steps(mut steps) => {
                 if let Some(run) = &mut self.documents.run {
                     run.steps.append(&mut steps);
@@ -59,7 +60,7 @@ impl App {
                 self.documents.pictures.insert(index, encoded.into());
             }
             // It could not be navigated, and all of its pictures are there.
-            JobEvent::Finished if !fly.began => {
+            JobEvent::Finished if !fly.began() => {
                 self.desk.fly = None;
                 self.align_after_flight(host, false);
             }
@@ -75,7 +76,7 @@ impl App {
             }
             JobEvent::Cancelled => self.desk.fly = None,
             JobEvent::Failed(why) => {
-                let began = fly.began;
+                let began = fly.began();
                 let is_of_log = self.documents.flight_source == fly.flight && !fly.again;
                 self.desk.fly = None;
                 self.align_after_flight(host, false);

@@ -7,7 +7,7 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::Run;
 
 use super::App;
-use super::desk::FlyJob;
+use super::desk::{FlyJob, Shown};
 use crate::documents::{Session, Staged};
 use crate::host::Host;
 use crate::jobs::{Distinctness, ExplainedBy, FlightSource, Job, MapSource};
@@ -60,7 +60,7 @@ impl App {
     /// Flies the same flight again with the mission as it is now.
     pub(super) fn fly_again(&mut self, host: &mut dyn Host) {
         // What is edited meanwhile is added to the flight's own mission, which is yet to come.
-        let awaited = |fly: &FlyJob| !fly.given && !fly.began;
+        let awaited = |fly: &FlyJob| !fly.given && !fly.began();
         if self.desk.fly.as_ref().is_some_and(awaited) {
             self.desk.fly_again_at = Some(host.now() + FLY_AGAIN_AFTER);
             return;
@@ -105,16 +105,15 @@ impl App {
             staged,
             progress: 0.0,
             words: "Starting …".to_owned(),
-            began: false,
-            for_pictures: false,
+            shown: Shown::Nothing,
         });
     }
 
     /// Shows a run out of a file. The flight that is under way beneath it goes on for its pictures.
     pub(super) fn show_opened_run(&mut self, host: &mut dyn Host, run: Run) {
-        match self.desk.fly.as_mut().filter(|fly| fly.began) {
+        match self.desk.fly.as_mut().filter(|fly| fly.began()) {
             Some(fly) => {
-                fly.for_pictures = true;
+                fly.shown = Shown::Pictures;
                 self.desk.fly_again_at = None;
                 self.desk.align_after_flight = false;
             }
