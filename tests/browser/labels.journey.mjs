@@ -6,21 +6,29 @@ export const tags = ["readers", "training"];
 
 const boxes = (s) => s.labels.flatMap((l) => l.boxes);
 
-/** Drags a box in the picture at the cursor. */
+/** Drags a box in the picture at the cursor; again should the picture not have been there yet, since its pixels come
+ * from a worker. */
 async function label(tools, part) {
   const before = boxes(await tools.state()).length;
-  const { labelling: { picture: [left, top, right, bottom] } } = await tools.state();
-  const at = (x, y) => ({ x: left + x * (right - left), y: top + y * (bottom - top) });
-  await tools.drag(at(part, 0.3), at(part + 0.2, 0.55));
-  return tools.waitFor((s) => boxes(s).length === before + 1, "the box that was dragged");
+  const dragged = (s) => boxes(s).length === before + 1;
+  for (let tries = 0; tries < 6; tries += 1) {
+    await tools.drawn();
+    const { labelling: { picture: [left, top, right, bottom] } } = await tools.state();
+    const at = (x, y) => ({ x: left + x * (right - left), y: top + y * (bottom - top) });
+    await tools.drag(at(part, 0.3), at(part + 0.2, 0.55));
+    const state = await tools.waitFor(dragged, "the box that was dragged", 4000).catch(() => null);
+    if (state) return state;
+  }
+  return tools.waitFor(dragged, "the box that was dragged");
 }
 
 export async function run(page, tools) {
   await tools.waitReady();
   await tools.waitFor((s) => s.run_steps >= 200, "the first seconds of the run", 150_000);
   await page.keyboard.press("k");
-  await page.keyboard.press("Home"); // where all pictures are there that follow
   await tools.waitFor((s) => s.labelling?.picture && !s.playing && s.drawn !== null, "the picture to label");
+  await page.keyboard.press("Home"); // where all pictures are there that follow
+  await tools.waitFor((s) => s.time < 0.5, "the first picture");
 
   // Two pictures by hand, one of them taken back and made again.
   const first = await label(tools, 0.2);
