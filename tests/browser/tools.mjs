@@ -138,11 +138,14 @@ export function makeTools({ page, address, pictures, watched, atEnd, said }) {
       throw new Error(`"${text}" cannot be typed into ${label}`);
     },
 
-    /** Drags with the mouse from one place { x, y } to another, as a hand does: in steps. */
+    /** Drags with the mouse from one place { x, y } to another, as a hand does: in steps, and never within one frame,
+     * in which a press and its release are a click. */
     async drag(from, to, steps = 12) {
       await page.mouse.move(from.x, from.y);
       await page.mouse.down();
+      await tools.drawn();
       await page.mouse.move(to.x, to.y, { steps });
+      await tools.drawn();
       await page.mouse.up();
     },
 
