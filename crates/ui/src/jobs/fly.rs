@@ -115,17 +115,8 @@ fn bare_mission(flight: &Flight) -> Mission {
         .frame_on_globe
         .map_or_else(pilotage_core::simulate::world_origin, |frame| frame.origin);
     Mission {
-        name: flight.name.clone(),
-        origin,
-        map: None,
-        landmarks: Vec::new(),
-        routes: Vec::new(),
-        no_fly: Vec::new(),
-        labels: Vec::new(),
-        camera: None,
-        camera_to_log: None,
         navigator,
-        properties: std::collections::BTreeMap::new(),
+        ..Mission::new(flight.name.clone(), origin)
     }
 }
 

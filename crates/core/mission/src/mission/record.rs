@@ -56,6 +56,23 @@ pub struct Mission {
 }
 
 impl Mission {
+    /// A mission with nothing in it, around `origin`.
+    pub fn new(name: impl Into<String>, origin: Geodetic) -> Self {
+        Self {
+            name: name.into(),
+            origin,
+            map: None,
+            landmarks: Vec::new(),
+            routes: Vec::new(),
+            no_fly: Vec::new(),
+            labels: Vec::new(),
+            camera: None,
+            camera_to_log: None,
+            navigator: NavigatorSettings::default(),
+            properties: BTreeMap::new(),
+        }
+    }
+
     /// The flight as it is flown in this mission: with the mission's camera, put beside the log as the mission
     /// says.
     pub fn flown(&self, flight: &Arc<Flight>) -> Arc<Flight> {
