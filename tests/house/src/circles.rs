@@ -147,16 +147,10 @@ fn reachable<'a>(file: &str, next: &BTreeMap<&'a str, BTreeSet<&'a str>>) -> BTr
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sources::made_of;
 
     fn found(files: &[(&str, &str)], with_root: bool) -> Vec<Circle> {
-        let sources: Vec<_> = files
-            .iter()
-            .map(|(path, text)| Source {
-                path: (*path).to_owned(),
-                text: (*text).to_owned(),
-            })
-            .collect();
-        circles("house/src", &sources, with_root)
+        circles("house/src", &made_of(files), with_root)
     }
 
     fn files(circles: &[Circle]) -> Vec<String> {

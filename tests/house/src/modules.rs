@@ -19,7 +19,7 @@ pub struct Modules {
     modules: BTreeMap<ModulePath, Module>,
 }
 
-/// What one module holds, be it a file or written inside one.
+/// Content of one module, be it a file or written inside one.
 #[derive(Debug, Default)]
 struct Module {
     /// Module of the file that it is written in.
@@ -46,7 +46,7 @@ pub struct Arrow {
     pub name: String,
 }
 
-/// How many `use` a name may pass through before it is given up: no code has as many.
+/// Number of `use` that a name may pass through before it is given up: no code has as many.
 const MOST_STEPS: usize = 16;
 
 impl Modules {
@@ -303,15 +303,10 @@ fn declared_by_path(source: &Source) -> Vec<(String, ModulePath)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sources::made_of;
 
     fn arrows(files: &[(&str, &str)]) -> Vec<String> {
-        let sources: Vec<_> = files
-            .iter()
-            .map(|(path, text)| Source {
-                path: (*path).to_owned(),
-                text: (*text).to_owned(),
-            })
-            .collect();
+        let sources = made_of(files);
         let arrows = Modules::read(&sources).arrows();
         let told = arrows.iter().map(|arrow| {
             let (from, to) = (arrow.from.join("/"), arrow.to.join("/"));

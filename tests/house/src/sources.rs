@@ -26,6 +26,16 @@ impl Source {
     }
 }
 
+/// Sources made of paths and texts.
+#[cfg(test)]
+pub fn made_of(files: &[(&str, &str)]) -> Vec<Source> {
+    let source = |(path, text): &(&str, &str)| Source {
+        path: (*path).to_owned(),
+        text: (*text).to_owned(),
+    };
+    files.iter().map(source).collect()
+}
+
 /// Root of the repository.
 pub fn repository() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))

@@ -19,7 +19,7 @@ pub struct NamedPath {
     pub import: Option<Import>,
 }
 
-/// How a `use` brings something in.
+/// Manner in which a `use` brings something in.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Import {
     /// The name that it has from there on.
