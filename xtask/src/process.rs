@@ -15,7 +15,7 @@ pub fn program(program: impl AsRef<OsStr>) -> Command {
     command
 }
 
-/// What to do where there is no cargo.
+/// Advice where there is no cargo.
 pub const CARGO_ADVICE: &str = "cargo came with rustup";
 
 /// Cargo with `arguments`, as if it had been typed at a terminal.

@@ -1,4 +1,4 @@
-//! How a job ends.
+//! The end of a job.
 
-/// What a job may end with: an error that names the place and what to do.
+/// Success, or an error that names the place and what to do.
 pub type Outcome = Result<(), Box<dyn std::error::Error>>;

@@ -1,4 +1,4 @@
-//! Which packages become programs of the page, and how they are built.
+//! Packages that become programs of the page, and their profiles.
 
 use crate::failure::Failure;
 

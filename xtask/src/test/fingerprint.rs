@@ -1,4 +1,4 @@
-//! What makes a program another one: what of it is run or read.
+//! The identity of a program: its code and data.
 
 use std::{
     collections::hash_map::DefaultHasher,

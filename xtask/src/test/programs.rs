@@ -110,7 +110,7 @@ fn in_order(mut programs: Vec<Program>) -> Vec<Program> {
     programs
 }
 
-/// How programs are run.
+/// Manner in which programs are run.
 #[derive(Debug, Default)]
 struct Manner<'a> {
     /// Variables that they find.

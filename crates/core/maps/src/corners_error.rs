@@ -9,7 +9,7 @@ pub enum CornersError {
          \"file,top_left_lat,top_left_lon,bottom_right_lat,bottom_right_lon\" or \"file,north,west,south,east\"; {cause}"
     )]
     Columns {
-        /// What is missing.
+        /// The missing columns.
         cause: String,
     },
     /// A row cannot be used.
@@ -17,7 +17,7 @@ pub enum CornersError {
     Row {
         /// Line, counted from one.
         line: usize,
-        /// What is wrong with it.
+        /// The fault of the row.
         cause: String,
     },
     /// Coordinates of no stated system.

@@ -17,7 +17,7 @@ const MARGIN_WIDTH: f64 = 0.05;
 const EVEN_SCORE: f64 = 0.25;
 /// See [`EVEN_SCORE`].
 const SCORE_WIDTH: f64 = 0.12;
-/// What a rehearsal can promise at best: relief, another camera and a real day are not in it. So many looks
+/// Greatest promise of a rehearsal: relief, another camera and a real day are not in it. So many looks
 /// at boxes that pass one succeeded on a recorded flight.
 const REHEARSAL: f64 = 0.73;
 
@@ -30,7 +30,7 @@ pub struct Candidate {
     pub score: f64,
     /// Score of its strongest rival.
     pub rival: f64,
-    /// Where the rival is.
+    /// The place of the rival.
     pub rival_place: GroundPoint,
     /// What it has in hand before it is refused as ambiguous.
     pub margin: f64,

@@ -1,6 +1,6 @@
 //! A document of an earlier visit that could not be read.
 
-/// What becomes of it.
+/// Its fate.
 pub(super) enum Aside {
     /// It is kept aside.
     Keep(Vec<u8>),

@@ -34,11 +34,11 @@ pub struct FlyJob {
     pub progress: f32,
     /// What it is doing.
     pub words: String,
-    /// What of it is shown.
+    /// The part of it that is shown.
     pub shown: Shown,
 }
 
-/// What of a flight that is under way is shown.
+/// The part of a flight under way that is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shown {
     /// Nothing: its run has not begun.

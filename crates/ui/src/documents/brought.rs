@@ -1,11 +1,11 @@
-//! What files bring to the mission.
+//! Additions to the mission out of files.
 
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{NoFlyZone, Route};
 
 use crate::jobs::ImportedFile;
 
-/// What one file brought to the mission.
+/// Additions to the mission out of one file.
 #[derive(Clone, Debug, Default)]
 pub struct Brought {
     /// Routes; identities are unique in this file only.

@@ -23,7 +23,7 @@ pub enum TerrainError {
     Unit {
         /// Name of the file.
         file: String,
-        /// What they are.
+        /// The meaning of the values.
         cause: String,
     },
     /// A .hgt file that cannot be read.

@@ -1,4 +1,4 @@
-//! How a file is told to be in a format.
+//! The format of a file, by its name and content.
 
 use super::{Format, wpml};
 

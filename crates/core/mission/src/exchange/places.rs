@@ -1,9 +1,9 @@
-//! What is written into one file.
+//! The content of a file that is written.
 
 use crate::mission::{NoFlyZone, Route};
 use pilotage_vision::landmark::Landmark;
 
-/// What is written into one file.
+/// The content of one file.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Places<'a> {
     /// Routes.

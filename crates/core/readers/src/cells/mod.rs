@@ -1,4 +1,4 @@
-//! What stands in the cells of tables, and how: separators, numbers, units, dates and times.
+//! The cells of tables: separators, numbers, units, dates and times.
 
 mod date;
 mod moment;

@@ -1,4 +1,4 @@
-//! Which formats of logs there are.
+//! The formats of logs.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,4 +1,4 @@
-//! What reads a log, and what is known of it before any file is read.
+//! Readers of logs, and knowledge of them before any file is read.
 
 use super::{Log, LogFormat};
 
@@ -14,9 +14,9 @@ pub trait LogReader: Send {
     fn finish(&mut self, log: &mut Log);
 }
 
-/// What is known of a format before any file is read.
+/// Knowledge of a format before any file is read.
 pub struct FormatInfo {
-    /// Which format.
+    /// The format.
     pub format: LogFormat,
     /// Endings of its files, in small letters.
     pub endings: &'static [&'static str],

@@ -1,4 +1,4 @@
-//! What a rehearsal of a landmark tells, and what every rehearsal holds to.
+//! Findings of a rehearsal of a landmark, and rules of every rehearsal.
 
 use pilotage_base::frames::GroundPoint;
 use pilotage_raster::raster::{Raster, Rgba};

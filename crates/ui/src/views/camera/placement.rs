@@ -1,4 +1,4 @@
-//! Where the camera picture lies on the screen.
+//! The place of the camera picture on the screen.
 
 use egui::{Pos2, Rect, vec2};
 use nalgebra::Point2;

@@ -1,4 +1,4 @@
-//! What may be asked about a trained detector.
+//! Commands about a trained detector.
 
 use crate::views::evaluation::EvaluationFile;
 

@@ -1,10 +1,10 @@
-//! What the sheet of photos is drawn from, and where it sends its commands.
+//! The scene of the sheet of photos: its data, and the list that takes its commands.
 
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::photos::{Photos, PhotosCommand};
 
-/// What the sheet is drawn from.
+/// Data that the sheet is drawn from.
 pub struct PhotosScene<'a> {
     /// What is known.
     pub photos: &'a Photos,

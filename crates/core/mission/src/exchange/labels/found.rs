@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use crate::mission::{FrameLabels, LabelBox};
 use pilotage_vision::landmark::Landmark;
 
-/// What a file of labels brought; its landmarks are known by name.
+/// Labels out of a file; its landmarks are known by name.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FoundLabels {
     /// The pictures; ids of landmarks are what the file says, 0 if it says none.

@@ -1,9 +1,9 @@
-//! What is known of a table besides its map.
+//! Samples of a table: knowledge of it besides its map.
 
 use crate::columns::groups::Group;
 use crate::columns::rows::Rows;
 
-/// What a column's name says for sure.
+/// Meaning that a column's name says for sure.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::columns) struct Hint {
     /// Whether the table states its unit.
@@ -12,7 +12,7 @@ pub(in crate::columns) struct Hint {
     pub is_axis: bool,
 }
 
-/// What is known of a table besides its map.
+/// Knowledge of a table besides its map.
 #[derive(Debug)]
 pub(in crate::columns) struct Evidence {
     pub rows: Rows,

@@ -1,4 +1,4 @@
-//! What the columns of a flight are held against, as far as it is known.
+//! Knowledge that the columns of a flight are held against.
 
 use super::axes::Fit;
 use super::board::Id;

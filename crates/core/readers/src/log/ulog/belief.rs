@@ -1,10 +1,10 @@
-//! How far messages can be believed.
+//! Trust in messages.
 
 use super::definition::Definitions;
 use super::message::Message;
 use super::rows::{Fit, Subscriptions};
 
-/// How far a message can be believed.
+/// Trust in a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Belief {
     /// It holds together so well that it is no accident.
@@ -13,7 +13,7 @@ pub(super) enum Belief {
     Likely,
 }
 
-/// How far a message can be believed, or why not at all.
+/// Trust in a message, or the reason for none.
 pub(super) fn belief(
     definitions: &Definitions,
     subscriptions: &Subscriptions,
