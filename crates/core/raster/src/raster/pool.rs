@@ -6,7 +6,7 @@
 use std::ops::{Deref, DerefMut};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use rustfft::num_complex::Complex32;
+use pilotage_fourier::Complex32;
 
 /// Buffers of one type kept at most.
 const KEPT: usize = 24;

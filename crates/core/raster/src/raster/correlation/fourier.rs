@@ -16,8 +16,7 @@
 use std::f64::consts::PI;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use rustfft::Fft;
-use rustfft::num_complex::Complex32;
+use pilotage_fourier::{Complex32, Transforms};
 
 use crate::raster::pool::Buffer;
 use crate::raster::simd::{self, Twist};
@@ -34,25 +33,13 @@ pub(super) struct Spectrum {
 
 /// What transforming signals of one length takes.
 struct Plan {
-    forward: Arc<dyn Fft<f32>>,
-    inverse: Arc<dyn Fft<f32>>,
+    /// Of half as many complex samples.
+    transforms: Transforms,
     twist: Twist,
 }
 
 /// Plans kept; a navigator meets few lengths.
 const KEPT_PLANS: usize = 64;
-
-/// What plans transforms for the machine it runs on.
-#[cfg(not(target_arch = "wasm32"))]
-fn planner() -> rustfft::FftPlanner<f32> {
-    rustfft::FftPlanner::new()
-}
-
-/// In a browser only the vector forms are taken along: the plain ones are as much code again.
-#[cfg(target_arch = "wasm32")]
-fn planner() -> rustfft::FftPlannerWasmSimd<f32> {
-    rustfft::FftPlannerWasmSimd::new().expect("the page is built with vector instructions")
-}
 
 /// The plan for signals of `length` real samples.
 fn plan(length: usize) -> Arc<Plan> {
@@ -61,11 +48,9 @@ fn plan(length: usize) -> Arc<Plan> {
     if let Some((_, plan)) = plans.iter().find(|(own, _)| *own == length) {
         return Arc::clone(plan);
     }
-    let mut planner = planner();
     let angle = |n: usize| PI * n as f64 / length as f64;
     let plan = Arc::new(Plan {
-        forward: planner.plan_fft_forward(length / 2),
-        inverse: planner.plan_fft_inverse(length / 2),
+        transforms: pilotage_fourier::plan(length / 2),
         twist: Twist {
             cos: (0..length / 2).map(|n| angle(n).cos() as f32).collect(),
             sin: (0..length / 2).map(|n| angle(n).sin() as f32).collect(),
@@ -177,9 +162,9 @@ impl Spectrum {
     /// Transforms a product back; places begin at the kernel's delay.
     fn back(&self, mut product: Buffer<Complex32>, delay: usize) -> Buffer<f32> {
         let plan = plan(self.length);
-        let mut scratch = Buffer::<Complex32>::dirty(plan.inverse.get_inplace_scratch_len());
-        plan.inverse
-            .process_with_scratch(&mut product, &mut scratch);
+        let inverse = &plan.transforms.inverse;
+        let mut scratch = Buffer::<Complex32>::dirty(inverse.get_inplace_scratch_len());
+        inverse.process_with_scratch(&mut product, &mut scratch);
         let half = self.length / 2;
         let mut samples = Buffer::<f32>::dirty(self.length - delay);
         let (real, imaginary) = samples.split_at_mut(half.saturating_sub(delay));
@@ -192,8 +177,9 @@ impl Spectrum {
 
 impl Plan {
     fn transform(&self, bins: &mut [Complex32]) {
-        let mut scratch = Buffer::<Complex32>::dirty(self.forward.get_inplace_scratch_len());
-        self.forward.process_with_scratch(bins, &mut scratch);
+        let forward = &self.transforms.forward;
+        let mut scratch = Buffer::<Complex32>::dirty(forward.get_inplace_scratch_len());
+        forward.process_with_scratch(bins, &mut scratch);
     }
 }
 

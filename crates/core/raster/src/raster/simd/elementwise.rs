@@ -5,7 +5,7 @@
     reason = "each is compiled once per instruction set, into the function that enables it"
 )]
 
-use rustfft::num_complex::Complex32;
+use pilotage_fourier::Complex32;
 
 use crate::raster::integral::Corners;
 

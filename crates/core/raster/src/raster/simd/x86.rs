@@ -11,7 +11,7 @@ use std::arch::x86_64::{
     _mm512_storeu_ps,
 };
 
-use rustfft::num_complex::Complex32;
+use pilotage_fourier::Complex32;
 
 use super::blocks::{BLOCK_ROWS, BlockKernel, PaddedRows};
 use super::elementwise::{self, Twist};

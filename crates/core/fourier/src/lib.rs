@@ -1,0 +1,74 @@
+//! Plans of Fourier transforms of single precision, for whatever machine the program runs on.
+//!
+//! A crate of its own because the vector forms of the transforms are generic: whoever plans one compiles all of them,
+//! which takes longer than all kernels of pictures together.
+
+use std::sync::Arc;
+
+use rustfft::Fft;
+pub use rustfft::num_complex::Complex32;
+
+/// The transforms of one length.
+#[derive(Clone)]
+pub struct Transforms {
+    /// Σ x(n) exp(-2πi kn/N).
+    pub forward: Arc<dyn Fft<f32>>,
+    /// Σ X(k) exp(2πi kn/N), not divided by the length N.
+    pub inverse: Arc<dyn Fft<f32>>,
+}
+
+/// What plans transforms for the machine it runs on.
+#[cfg(not(target_arch = "wasm32"))]
+fn planner() -> rustfft::FftPlanner<f32> {
+    rustfft::FftPlanner::new()
+}
+
+/// In a browser only the vector forms are taken along: the plain ones are as much code again.
+#[cfg(target_arch = "wasm32")]
+fn planner() -> rustfft::FftPlannerWasmSimd<f32> {
+    rustfft::FftPlannerWasmSimd::new().expect("the page is built with vector instructions")
+}
+
+/// Plans the transforms of `length` complex samples.
+#[inline(never)]
+pub fn plan(length: usize) -> Transforms {
+    let mut planner = planner();
+    Transforms {
+        forward: planner.plan_fft_forward(length),
+        inverse: planner.plan_fft_inverse(length),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use super::*;
+
+    #[test]
+    fn transforms_are_the_sums_that_they_stand_for() {
+        for length in [1, 6, 40, 96] {
+            let signal: Vec<Complex32> = (0..length)
+                .map(|n| Complex32::new((n * n % 7) as f32, (n % 5) as f32))
+                .collect();
+            let transforms = plan(length);
+            let mut bins = signal.clone();
+            transforms.forward.process(&mut bins);
+            for (k, bin) in bins.iter().enumerate() {
+                let (mut real, mut imaginary) = (0.0, 0.0);
+                for (n, value) in signal.iter().enumerate() {
+                    let (sin, cos) = (-TAU * (k * n) as f64 / length as f64).sin_cos();
+                    let (re, im) = (f64::from(value.re), f64::from(value.im));
+                    real += re * cos - im * sin;
+                    imaginary += re * sin + im * cos;
+                }
+                let off = (f64::from(bin.re) - real).hypot(f64::from(bin.im) - imaginary);
+                assert!(off < 1e-3, "{length} {k}: {off}");
+            }
+            transforms.inverse.process(&mut bins);
+            for (back, value) in bins.iter().zip(&signal) {
+                assert!((back / length as f32 - value).norm() < 1e-4);
+            }
+        }
+    }
+}
