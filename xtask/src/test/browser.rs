@@ -6,11 +6,11 @@ use std::{
     process::Stdio,
 };
 
-use super::install;
+use super::{install, linted::native_cargo};
 use crate::{
     failure::Failure,
     places,
-    process::{capture, cargo, on_path, program, run},
+    process::{capture, on_path, program, run},
 };
 
 /// Oldest Node that runs the journeys.
@@ -54,7 +54,8 @@ pub fn prepare() -> Result<PathBuf, Failure> {
 /// Flies the demo once for all journeys that do not judge how it is flown.
 fn fly_demo() -> Result<PathBuf, Failure> {
     let file = places::target().join("demo.run");
-    let mut replay = cargo(&["run", "--locked", "--quiet", "-p", "pilotage-cli", "--"]);
+    let arguments = ["run", "--locked", "--quiet", "-p", "pilotage-cli", "--"];
+    let mut replay = native_cargo(&arguments)?;
     replay
         .args(["replay", "--scenario", DEMO, "--out"])
         .arg(&file);

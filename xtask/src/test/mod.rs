@@ -6,6 +6,7 @@ mod browser;
 mod changed;
 mod fingerprint;
 mod install;
+mod linted;
 mod native;
 mod oracles;
 mod policy;

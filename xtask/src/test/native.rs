@@ -5,24 +5,14 @@
 //! rules of the house are left out of the tests and have their own lines: their libraries are built
 //! already, in this program's profile.
 
-use super::{Reach, programs};
+use super::{Reach, install::ensure_component, linted, linted::native_cargo, programs};
 use std::path::Path;
 
 use crate::{
     failure::Failure,
     page::{PROGRAMS, Profile, TARGET, without_flags},
-    process::{CARGO_ADVICE, cargo, program, run, succeeds},
+    process::{CARGO_ADVICE, cargo, is_automatic, run},
 };
-
-/// Has rustup bring `component`, without which cargo lacks `command`.
-fn ensure_component(component: &str, command: &str) -> Result<(), Failure> {
-    if succeeds(&mut cargo(&[command, "--version"])) {
-        return Ok(());
-    }
-    let mut rustup = program("rustup");
-    rustup.args(["component", "add", component]);
-    run(&mut rustup, "install Rust with rustup (https://rustup.rs)")
-}
 
 /// The packages that are tested natively.
 pub const PACKAGES: [&str; 6] = [
@@ -31,6 +21,17 @@ pub const PACKAGES: [&str; 6] = [
     "--exclude",
     "xtask",
     "--exclude",
+    "pilotage-house",
+];
+
+/// Those that have their own lines, in the profile of this program.
+const OWN_LINE: [&str; 7] = [
+    "--locked",
+    "--profile",
+    "tool",
+    "-p",
+    "xtask",
+    "-p",
     "pilotage-house",
 ];
 
@@ -80,9 +81,14 @@ pub fn format() -> Result<(), Failure> {
     run(&mut cargo(&["fmt", "--all", "--check"]), CARGO_ADVICE)
 }
 
-/// No lint has anything to say about anything built natively.
+/// No lint has anything to say about anything built natively. Where nobody sits at the terminal, what the tests are
+/// built of is linted as it is built.
 pub fn lints(packages: &Packages) -> Result<(), Failure> {
     ensure_component("clippy", "clippy")?;
+    if is_automatic() {
+        let of_tools = linted::check(&OWN_LINE);
+        return linted::check(&packages.arguments(&PACKAGES)).and(of_tools);
+    }
     let packages = packages.arguments(&["--locked", "--workspace"]);
     let mut clippy = cargo(&["clippy", "--all-targets"]);
     run(
@@ -114,7 +120,7 @@ pub fn house_rules() -> Result<(), Failure> {
         "-p",
         "pilotage-house",
     ];
-    run(&mut cargo(&arguments), CARGO_ADVICE)
+    run(&mut native_cargo(&arguments)?, CARGO_ADVICE)
 }
 
 /// Every test that needs no other program; `studies` over all their seeds (`tests/src/studies.rs`). `quick` leaves
@@ -127,7 +133,7 @@ pub fn tests(packages: &Packages, studies: bool, quick: bool) -> Result<(), Fail
     if quick {
         return tested;
     }
-    let mut examples = cargo(&["test", "--no-fail-fast", "--doc"]);
+    let mut examples = native_cargo(&["test", "--no-fail-fast", "--doc"])?;
     let examples = run(examples.args(&packages), CARGO_ADVICE);
     tested.and(examples)
 }
@@ -144,7 +150,7 @@ pub fn store_first_seconds(dist: &Path) -> Result<(), Failure> {
 /// The tests of this program.
 pub fn build_program() -> Result<(), Failure> {
     run(
-        &mut cargo(&["test", "--locked", "--profile", "tool", "-p", "xtask"]),
+        &mut native_cargo(&["test", "--locked", "--profile", "tool", "-p", "xtask"])?,
         CARGO_ADVICE,
     )
 }

@@ -13,11 +13,11 @@ use std::{
 
 use serde_json::Value;
 
-use super::fingerprint;
+use super::{fingerprint, linted::native_cargo};
 use crate::{
     failure::Failure,
     places,
-    process::{CARGO_ADVICE, capture, cargo, program, succeed},
+    process::{CARGO_ADVICE, capture, program, succeed},
 };
 
 /// Programs that take longest, which begin before the others and which `--quick` leaves out.
@@ -140,7 +140,7 @@ fn judge(outcomes: &[(Program, bool)]) -> Result<(), Failure> {
 
 /// Has cargo build the test programs.
 fn build(arguments: &[&str]) -> Result<Vec<Program>, Failure> {
-    let mut cargo = cargo(&["test", "--no-run"]);
+    let mut cargo = native_cargo(&["test", "--no-run"])?;
     cargo.args(arguments);
     cargo.arg("--message-format=json-render-diagnostics");
     cargo.stderr(Stdio::inherit());
