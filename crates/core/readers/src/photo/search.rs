@@ -8,7 +8,7 @@ use super::read::Photo;
 use pilotage_base::frames::{Geodetic, GroundPoint, GroundRect, LocalFrame};
 use pilotage_raster::camera::CameraModel;
 use pilotage_vision::registration::{
-    HeadingPrior, MapShape, PosePrior, deviation_within, log_deviation_within,
+    HeadingPrior, MapShape, PosePrior, StoredTurn, deviation_within, log_deviation_within,
 };
 
 /// Where nothing tells the height: metres, and the share by which it may be exceeded.
@@ -165,7 +165,7 @@ impl PhotoSearch {
                 HeadingPrior::Around {
                     heading,
                     deviation: deviation_within(self.heading_within),
-                    may_be_turned: false,
+                    stored: StoredTurn::None,
                 }
             }
             _ => HeadingPrior::Unknown,

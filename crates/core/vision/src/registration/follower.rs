@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::limits::{deviation_within, limit_of, log_deviation_within, share_of};
-use super::prior::{HeadingPrior, PosePrior};
+use super::prior::{HeadingPrior, PosePrior, StoredTurn};
 use super::register::Registration;
 use super::shape::MapShape;
 use pilotage_base::frames::GroundPoint;
@@ -121,6 +121,8 @@ pub struct Follower {
     height: Option<(Belief, f64)>,
     along: Belief,
     across: Belief,
+    /// How the last frame was stored, radians clockwise.
+    stored_turn: f64,
 }
 
 impl Follower {
@@ -135,6 +137,7 @@ impl Follower {
             height: None,
             along: unknown,
             across: unknown,
+            stored_turn: 0.0,
         }
     }
 
@@ -162,7 +165,13 @@ impl Follower {
             Some(heading) => HeadingPrior::Around {
                 heading,
                 deviation: s.heading_deviation,
-                may_be_turned: s.may_be_turned,
+                stored: if s.may_be_turned {
+                    StoredTurn::Quarters {
+                        first: self.stored_turn,
+                    }
+                } else {
+                    StoredTurn::None
+                },
             },
         };
         let most = s.farthest.map_or(f64::INFINITY, deviation_within);
@@ -203,6 +212,7 @@ impl Follower {
         self.across = self
             .across
             .corrected(shape.across, fit.covariance[(7, 7)] + least);
+        self.stored_turn = found.stored_turn;
     }
 
     /// How the map is stretched, as far as the frames have shown.

@@ -6,6 +6,18 @@ use super::MapShape;
 use super::limits::REACH;
 use pilotage_base::frames::{Attitude, GroundPoint, wrap_pi};
 
+/// What is known of the turn of a stored picture against the mount, beyond one that the camera has already.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StoredTurn {
+    /// There is none.
+    None,
+    /// Any number of quarter turns, one of which is tried first.
+    Quarters {
+        /// That one, radians clockwise.
+        first: f64,
+    },
+}
+
 /// What is known of the heading.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HeadingPrior {
@@ -17,8 +29,8 @@ pub enum HeadingPrior {
         heading: f64,
         /// Standard deviation, radians.
         deviation: f64,
-        /// Whether the picture may have been stored turned by any number of quarter turns.
-        may_be_turned: bool,
+        /// How the picture is stored against the mount.
+        stored: StoredTurn,
     },
 }
 
@@ -41,15 +53,19 @@ impl HeadingPrior {
         }
     }
 
-    /// Turns of the stored picture to try, radians clockwise.
-    pub(super) fn turns(&self) -> &'static [f64] {
+    /// Turns of the stored picture to try, radians clockwise, the one to be tried first before the others.
+    pub(super) fn turns(&self) -> Vec<f64> {
         const QUARTERS: [f64; 4] = [0.0, FRAC_PI_2, PI, -FRAC_PI_2];
-        match self {
+        match *self {
             Self::Around {
-                may_be_turned: true,
+                stored: StoredTurn::Quarters { first },
                 ..
-            } => &QUARTERS,
-            _ => &QUARTERS[..1],
+            } => {
+                let mut turns = QUARTERS.to_vec();
+                turns.sort_by_key(|turn| wrap_pi(turn - first).abs() > 0.5 * FRAC_PI_2);
+                turns
+            }
+            _ => vec![0.0],
         }
     }
 }
@@ -135,6 +151,32 @@ impl PosePrior {
             roll: self.roll,
             pitch: self.pitch,
             yaw: heading,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_quarter_turn_is_tried_the_first_one_first() {
+        let turns = |stored| {
+            let around = HeadingPrior::Around {
+                heading: 0.0,
+                deviation: 0.1,
+                stored,
+            };
+            around.turns()
+        };
+        assert_eq!(turns(StoredTurn::None), [0.0]);
+        assert_eq!(HeadingPrior::Unknown.turns(), [0.0]);
+        for first in [0.0, FRAC_PI_2, PI, -PI, -FRAC_PI_2] {
+            let tried = turns(StoredTurn::Quarters { first });
+            assert!(wrap_pi(tried[0] - first).abs() < 1e-9, "{first}: {tried:?}");
+            let mut all = tried.clone();
+            all.sort_by(f64::total_cmp);
+            assert_eq!(all, [-FRAC_PI_2, 0.0, FRAC_PI_2, PI]);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The whole frame against the map at every heading, height and place that the prior allows: first as finely as
-//! there is time for, then around the likeliest places at the full fineness.
+//! there is time for, then around the likeliest places at the full fineness. Of the ways in which the picture may be
+//! stored, those after the first are looked at only where the first leaves doubt.
 
 use super::grid::{Grid, Poses};
 use super::guess::Guess;
@@ -12,15 +13,18 @@ use super::weighed::Weighed;
 const HEIGHTS_AT_ONCE: f64 = 0.3;
 /// Places of a coarse sweep that are looked at finely.
 const LOOKED_AT: usize = 12;
+/// Doubt, as a logarithm (base 10), with which no other turn of the picture is looked at; as much of it as they have of
+/// the prior is that it lies in one of them.
+const LITTLE_DOUBT: f64 = -2.0;
 
 /// The best `most` poses, best first, none beside a better one, with their probabilities. `looks` have the
-/// picture turned in the possible ways.
+/// picture turned in the possible ways, the one to be tried first before the others.
 pub fn sweep(looks: &[Look<'_>], prior: &PosePrior, most: usize) -> Vec<Guess> {
     let Some(grid) = Grid::affordable(looks, prior) else {
         return Vec::new();
     };
     let step = grid.step();
-    let poses = Poses {
+    let mut poses = Poses {
         center: prior.position,
         reach: REACH * prior.position_deviation,
         heights: prior.heights(step),
@@ -28,6 +32,26 @@ pub fn sweep(looks: &[Look<'_>], prior: &PosePrior, most: usize) -> Vec<Guess> {
         turns: (0..looks.len()).collect(),
     };
     let mut swept = Weighed::new(prior, &poses, grid);
+    let mut left = poses.turns.split_off(1);
+    loop {
+        look_at_all(&mut swept, looks, prior, &poses, grid);
+        let guesses = finely(&mut swept, looks, prior, grid, most);
+        let is_sure = |best: &Guess| best.log_doubt <= LITTLE_DOUBT;
+        if left.is_empty() || guesses.first().is_some_and(is_sure) {
+            return guesses;
+        }
+        poses.turns = std::mem::take(&mut left);
+    }
+}
+
+/// Looks at all poses, as many heights at once as one ground sample distance serves.
+fn look_at_all(
+    swept: &mut Weighed,
+    looks: &[Look<'_>],
+    prior: &PosePrior,
+    poses: &Poses,
+    grid: Grid,
+) {
     let mut at_once: &[f64] = &poses.heights;
     while let Some(&first) = at_once.first() {
         let together = at_once
@@ -42,6 +66,16 @@ pub fn sweep(looks: &[Look<'_>], prior: &PosePrior, most: usize) -> Vec<Guess> {
         swept.look(looks, prior, &these, grid);
         at_once = rest;
     }
+}
+
+/// The best `most` poses of what was swept; the likeliest of a coarse grid are looked at at the full fineness first.
+fn finely(
+    swept: &mut Weighed,
+    looks: &[Look<'_>],
+    prior: &PosePrior,
+    grid: Grid,
+    most: usize,
+) -> Vec<Guess> {
     if grid.is_full() {
         return swept.guesses(looks, most);
     }

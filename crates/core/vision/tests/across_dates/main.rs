@@ -14,7 +14,7 @@ use photos::{Photo, Site};
 use pilotage_base::frames::GroundPoint;
 use pilotage_raster::imagery::Imagery;
 use pilotage_vision::registration::{
-    HeadingPrior, Look, MapShape, NotRegistered, PosePrior, Registration, register,
+    HeadingPrior, Look, MapShape, NotRegistered, PosePrior, Registration, StoredTurn, register,
 };
 
 /// What is not known of a photo; deviations.
@@ -134,7 +134,7 @@ fn prior(photo: &Photo, doubt: Doubt, way: f64) -> PosePrior {
             .map_or(HeadingPrior::Unknown, |deviation| HeadingPrior::Around {
                 heading: photo.heading,
                 deviation,
-                may_be_turned: false,
+                stored: StoredTurn::None,
             }),
         roll: 0.0,
         pitch: photo.pitch,

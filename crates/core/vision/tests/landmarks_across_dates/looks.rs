@@ -11,7 +11,9 @@ use pilotage_raster::imagery::Imagery;
 use pilotage_vision::landmark::{
     Detection, Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting,
 };
-use pilotage_vision::registration::{HeadingPrior, Look, MapShape, PosePrior, register};
+use pilotage_vision::registration::{
+    HeadingPrior, Look, MapShape, PosePrior, StoredTurn, register,
+};
 
 /// Pixels beyond the edge of the picture.
 const OUTSIDE: f64 = 150.0;
@@ -111,7 +113,7 @@ fn prior(photo: &Photo) -> PosePrior {
         heading: HeadingPrior::Around {
             heading: photo.heading,
             deviation: 6_f64.to_radians(),
-            may_be_turned: false,
+            stored: StoredTurn::None,
         },
         roll: 0.0,
         pitch: photo.pitch,
