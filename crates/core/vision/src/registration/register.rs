@@ -11,7 +11,7 @@ use super::guess::{Guess, are_beside};
 use super::look::{Look, MapPose};
 use super::patches::PatchMatch;
 use super::prior::PosePrior;
-use super::summit::climb;
+use super::summit::{climb, place_by_edges};
 use super::sweep::sweep;
 use pilotage_base::frames::GroundPoint;
 use pilotage_base::statistics::probability_words;
@@ -214,14 +214,14 @@ fn apart(laid: &[Registration], ground_down: f64) -> Vec<Registration> {
 
 /// A guess made exact.
 fn exact(look: &Look<'_>, prior: &PosePrior, guess: &Guess) -> Option<Registration> {
-    let climbed = climb(look, prior, guess);
-    let start = climbed.map_or(guess.at, |climbed| climbed.top.at);
+    let begun = climb(look, prior, guess);
+    let start = begun.map_or(guess.at, |top| top.at);
     if is_promising(look, &start)
         && let Some(laid) = by_patches(look, prior, guess, &start)
     {
         return Some(laid);
     }
-    let fit = climbed?.fit(look, prior)?;
+    let fit = place_by_edges(look, prior, guess, &begun?)?.fit(look, prior)?;
     let (matches, tried) = pieces(look, &fit.at)?;
     let by_edges = Exact {
         fit,

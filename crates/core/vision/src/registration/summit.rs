@@ -14,14 +14,30 @@ use super::weighed::frame_template;
 use pilotage_base::frames::wrap_pi;
 use pilotage_raster::raster::{ChannelSearch, Gray, Peak, highest_peak};
 
-/// Texture, ground sample distance against that of the sweep, and rounds of each level; every round halves the steps.
-///
-/// The first climbs what the sweep weighed, by edges and contrast: where there are few edges, edges alone lead to
-/// another summit nearby. The last places the frame by edges alone, because shadows and crops move contrast.
-const LEVELS: [(Texture, f64, usize); 2] = [
-    (Texture::EdgesAndContrast, 1.0, 3),
-    (Texture::Edges, 0.6, 2),
-];
+/// What is climbed.
+struct Stage {
+    texture: Texture,
+    /// Ground sample distance against that of the sweep.
+    finer: f64,
+    rounds: usize,
+    /// First step against the axis' own; every round halves it.
+    share: f64,
+}
+
+/// What the sweep weighed, by edges and contrast: where there are few edges, edges alone lead to another summit nearby.
+const WEIGHED: Stage = Stage {
+    texture: Texture::EdgesAndContrast,
+    finer: 1.0,
+    rounds: 3,
+    share: 1.0,
+};
+/// By edges alone, because shadows and crops move contrast.
+const EDGES: Stage = Stage {
+    texture: Texture::Edges,
+    finer: 0.6,
+    rounds: 2,
+    share: 0.125,
+};
 /// How far the summit may lie from the guess, pixels of the sweep.
 const MARGIN: f64 = 8.0;
 /// First step of roll and of pitch, radians.
@@ -86,22 +102,21 @@ impl Axis {
     }
 }
 
-/// The pose at the top.
-pub fn climb(look: &Look<'_>, prior: &PosePrior, guess: &Guess) -> Option<Climbed> {
-    let evidence = &guess.evidence;
-    let mut climbed: Option<(Level<'_>, Summit)> = None;
-    let mut share = 1.0;
-    for (texture, finer, rounds) in LEVELS {
-        let start = climbed.map_or(guess.at, |(_, top)| top.at);
-        let level = Level::new(look, prior, &start, evidence, texture, finer * guess.gsd)?;
-        let mut top = level.summit(&start)?;
-        for _ in 0..rounds {
-            top = level.round(share, top);
-            share *= 0.5;
-        }
-        climbed = Some((level, top));
-    }
-    let (level, top) = climbed?;
+/// The top of what the sweep weighed: near enough for patches to be looked for.
+pub fn climb(look: &Look<'_>, prior: &PosePrior, guess: &Guess) -> Option<Summit> {
+    let level = Level::new(look, prior, guess, &guess.at, &WEIGHED)?;
+    level.climb(&guess.at, &WEIGHED)
+}
+
+/// The top by edges around that of [`climb`], and how sharp it is: the place of a frame of another date than the map.
+pub fn place_by_edges(
+    look: &Look<'_>,
+    prior: &PosePrior,
+    guess: &Guess,
+    begun: &Summit,
+) -> Option<Climbed> {
+    let level = Level::new(look, prior, guess, &begun.at, &EDGES)?;
+    let top = level.climb(&begun.at, &EDGES)?;
     let variances = Axis::ALL.map(|axis| level.variance(axis, &top));
     Some(Climbed { top, variances })
 }
@@ -122,11 +137,11 @@ impl<'a> Level<'a> {
     fn new(
         look: &'a Look<'a>,
         prior: &'a PosePrior,
+        guess: &'a Guess,
         start: &MapPose,
-        evidence: &'a Evidence,
-        texture: Texture,
-        gsd: f64,
+        stage: &Stage,
     ) -> Option<Self> {
+        let (texture, gsd) = (stage.texture, stage.finer * guess.gsd);
         let footprint = look.footprint(start)?;
         let across = footprint.width().max(footprint.height());
         // At any heading and height of the first round, which are the farthest.
@@ -136,12 +151,23 @@ impl<'a> Level<'a> {
         Some(Self {
             look,
             prior,
-            evidence,
+            evidence: &guess.evidence,
             ground,
             search,
             gsd,
             texture,
         })
+    }
+
+    /// The top above a pose.
+    fn climb(&self, start: &MapPose, stage: &Stage) -> Option<Summit> {
+        let mut top = self.summit(start)?;
+        let mut share = stage.share;
+        for _ in 0..stage.rounds {
+            top = self.round(share, top);
+            share *= 0.5;
+        }
+        Some(top)
     }
 
     /// The best place of a pose.
