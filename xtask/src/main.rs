@@ -29,6 +29,10 @@ cargo xtask test [--quick] [--studies] [--changed] [--base REV] [--only WORD]
     --studies asks over all seeds what the everyday run asks over a few";
 
 fn main() -> ExitCode {
+    if let Some(linter) = std::env::var_os(test::LINTER) {
+        let arguments: Vec<_> = std::env::args_os().skip(1).collect();
+        return test::compile(&linter, &arguments);
+    }
     let arguments = std::env::args().skip(1);
     match run(Arguments::new(arguments)) {
         Ok(code) => code,

@@ -1,5 +1,5 @@
 //! The linter in the place of the compiler: it compiles as the compiler does, and lints on the way, for a tenth of the
-//! time that a pass of its own takes.
+//! time that a pass of its own takes. Documentation is made on the way, too.
 //!
 //! What the two build, cargo keeps apart. So this is done where nobody sits at the terminal: who edits and tests a
 //! crate by hand shall find it built by the compiler already.
@@ -12,7 +12,7 @@ use std::{
 
 use serde_json::Value;
 
-use super::install::ensure_component;
+use super::{documented::LINTER, install::ensure_component};
 use crate::{
     failure::Failure,
     process::{CARGO_ADVICE, capture, cargo, is_automatic, program, succeed},
@@ -22,7 +22,9 @@ use crate::{
 pub fn native_cargo(arguments: &[&str]) -> Result<Command, Failure> {
     let mut command = cargo(arguments);
     if is_automatic() {
-        command.env("RUSTC_WORKSPACE_WRAPPER", linter()?);
+        let own = std::env::current_exe().map_err(Failure::file("this program"))?;
+        command.env("RUSTC_WORKSPACE_WRAPPER", own);
+        command.env(LINTER, linter()?);
     }
     Ok(command)
 }

@@ -4,6 +4,7 @@
 
 mod browser;
 mod changed;
+mod documented;
 mod fingerprint;
 mod install;
 mod linted;
@@ -21,6 +22,7 @@ use crate::{
     places,
 };
 pub use changed::{Reach, reach};
+pub use documented::{LINTER, compile};
 pub use native::store_first_seconds;
 use table::Table;
 
