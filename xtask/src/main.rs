@@ -1,6 +1,7 @@
 //! Build, serve, pack and test, without a tool to install: `cargo xtask COMMAND`.
 
 mod arguments;
+mod compiler;
 mod failure;
 mod metadata;
 mod page;
@@ -29,9 +30,9 @@ cargo xtask test [--quick] [--studies] [--changed] [--base REV] [--only WORD]
     --studies asks over all seeds what the everyday run asks over a few";
 
 fn main() -> ExitCode {
-    if let Some(linter) = std::env::var_os(test::LINTER) {
+    if let Some(linter) = std::env::var_os(compiler::LINTER) {
         let arguments: Vec<_> = std::env::args_os().skip(1).collect();
-        return test::compile(&linter, &arguments);
+        return compiler::compile(&linter, &arguments);
     }
     let arguments = std::env::args().skip(1);
     match run(Arguments::new(arguments)) {

@@ -16,7 +16,7 @@ use std::path::Path;
 
 pub use profile::{PROGRAMS, Profile};
 pub use sizes::check as check_sizes;
-pub use wasm::{TARGET, ensure_target, without_flags};
+pub use wasm::{TARGET, compile, ensure_target, without_flags};
 
 use crate::{failure::Failure, progress::step};
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use wasm_bindgen_cli_support::Bindgen;
 
 use super::profile::{PROGRAMS, Profile, module_name};
-use crate::{failure::Failure, places, process, progress::step};
+use crate::{compiler, failure::Failure, places, process, progress::step};
 
 /// The target of the page.
 pub const TARGET: &str = "wasm32-unknown-unknown";
@@ -41,6 +41,7 @@ pub fn compile(profile: Profile) -> Result<[PathBuf; PROGRAMS.len()], Failure> {
         cargo.args(alike.iter().flat_map(|package| ["-p", package]));
         cargo.args(["--target", TARGET, "--profile", name]);
         without_flags(&mut cargo);
+        compiler::take_place(&mut cargo)?;
         process::run(&mut cargo, "cargo came with rustup")?;
         left = others;
     }

@@ -2,18 +2,8 @@
 
 use crate::{
     failure::Failure,
-    process::{cargo, on_path, program, run, succeeds},
+    process::{on_path, program, run, succeeds},
 };
-
-/// Has rustup bring `component`, without which cargo lacks `command`.
-pub fn ensure_component(component: &str, command: &str) -> Result<(), Failure> {
-    if succeeds(&mut cargo(&[command, "--version"])) {
-        return Ok(());
-    }
-    let mut rustup = program("rustup");
-    rustup.args(["component", "add", component]);
-    run(&mut rustup, "install Rust with rustup (https://rustup.rs)")
-}
 
 /// Installs Debian packages if this machine has them and lets us; says whether it did.
 pub fn debian_packages(packages: &[&str]) -> Result<bool, Failure> {

@@ -1,43 +1,24 @@
-//! The linter in the place of the compiler: it compiles as the compiler does, and lints on the way, for a tenth of the
-//! time that a pass of its own takes. Documentation is made on the way, too.
-//!
-//! What the two build, cargo keeps apart. So this is done where nobody sits at the terminal: who edits and tests a
-//! crate by hand shall find it built by the compiler already.
+//! Lints told while compiling (`compiler.rs`): a tenth of the time that a pass of their own takes.
 
 use std::{
     collections::BTreeSet,
-    path::PathBuf,
     process::{Command, Stdio},
 };
 
 use serde_json::Value;
 
-use super::{documented::LINTER, install::ensure_component};
 use crate::{
+    compiler::{self, Pass},
     failure::Failure,
-    process::{CARGO_ADVICE, capture, cargo, is_automatic, program, succeed},
+    page::{self, PROGRAMS, Profile},
+    process::{CARGO_ADVICE, capture, cargo, succeed},
 };
 
-/// Cargo with `arguments` for what is built natively: by the linter where nobody sits at the terminal.
+/// Cargo with `arguments` for what is built natively.
 pub fn native_cargo(arguments: &[&str]) -> Result<Command, Failure> {
     let mut command = cargo(arguments);
-    if is_automatic() {
-        let own = std::env::current_exe().map_err(Failure::file("this program"))?;
-        command.env("RUSTC_WORKSPACE_WRAPPER", own);
-        command.env(LINTER, linter()?);
-    }
+    compiler::take_place(&mut command)?;
     Ok(command)
-}
-
-/// The linter of the compiler that is in use.
-fn linter() -> Result<PathBuf, Failure> {
-    ensure_component("clippy", "clippy")?;
-    let mut ask = program("rustc");
-    let output = capture(ask.args(["--print", "sysroot"]), CARGO_ADVICE)?;
-    succeed(&ask, output.status)?;
-    let sysroot = PathBuf::from(String::from_utf8_lossy(&output.stdout).trim());
-    let name = format!("clippy-driver{}", std::env::consts::EXE_SUFFIX);
-    Ok(sysroot.join("bin").join(name))
 }
 
 /// Builds the test programs and examples of what `arguments` choose by the linter, which must have nothing to say.
@@ -46,10 +27,30 @@ pub fn check(arguments: &[&str]) -> Result<(), Failure> {
     build.args(arguments).stderr(Stdio::inherit());
     let output = capture(&mut build, CARGO_ADVICE)?;
     let told = diagnostics(&String::from_utf8_lossy(&output.stdout));
-    for diagnostic in &told {
+    let judged = judge(&told);
+    succeed(&build, output.status)?;
+    judged
+}
+
+/// Compiles the programs of the page, of which the linter must have nothing to say.
+pub fn check_page() -> Result<(), Failure> {
+    page::compile(Profile::Quick)?;
+    let missing = PROGRAMS.map(|name| name.replace('-', "_"));
+    if let Some(name) = missing
+        .iter()
+        .find(|name| Pass::PageLints.said(name).is_none())
+    {
+        return Err(Failure::Check(format!("{name} was not linted")));
+    }
+    let said = Pass::PageLints.all_said()?;
+    judge(&said.into_iter().filter(|said| !said.is_empty()).collect())
+}
+
+/// Prints what was said, which must be nothing.
+fn judge(told: &BTreeSet<String>) -> Result<(), Failure> {
+    for diagnostic in told {
         eprintln!("{diagnostic}");
     }
-    succeed(&build, output.status)?;
     match told.len() {
         0 => Ok(()),
         count => Err(Failure::Check(format!("lints: {count}"))),

@@ -22,7 +22,6 @@ use crate::{
     places,
 };
 pub use changed::{Reach, reach};
-pub use documented::{LINTER, compile};
 pub use native::store_first_seconds;
 use table::Table;
 

@@ -5,10 +5,11 @@
 //! rules of the house are left out of the tests and have their own lines: their libraries are built
 //! already, in this program's profile.
 
-use super::{Reach, documented, install::ensure_component, linted, linted::native_cargo, programs};
+use super::{Reach, documented, linted, linted::native_cargo, programs};
 use std::path::Path;
 
 use crate::{
+    compiler::ensure_component,
     failure::Failure,
     page::{PROGRAMS, Profile, TARGET, without_flags},
     process::{CARGO_ADVICE, cargo, is_automatic, run},
@@ -101,6 +102,9 @@ pub fn lints(packages: &Packages) -> Result<(), Failure> {
 pub fn page_lints() -> Result<(), Failure> {
     ensure_component("clippy", "clippy")?;
     crate::page::ensure_target()?;
+    if is_automatic() {
+        return linted::check_page();
+    }
     let mut clippy = cargo(&["clippy", "--locked", "--target", TARGET]);
     clippy.args(["-p", "pilotage-worker"]);
     clippy.args(PROGRAMS.iter().flat_map(|name| ["-p", name]));
