@@ -240,7 +240,6 @@ fn the_lag_of_the_receiver_over_caliterra_is_found() {
         return;
     };
     let mut flight = folder.flight.clone();
-    flight.frames.truncate(either(52, 75));
     let map = map(
         &flight,
         "caliterra/ortho.png",
