@@ -101,11 +101,15 @@ pub fn compile(linter: &OsString, arguments: &[OsString]) -> ExitCode {
         .map(|argument| argument.to_string_lossy().into_owned())
         .collect();
     let passed = of_compiler(&texts).map(|(name, options)| {
-        if is_page {
-            lint_page(linter, &name, &options)
-        } else {
-            document(&name, &options)
+        if !is_page {
+            return document(&name, &options);
         }
+        lint_page(linter, &name, &options)?;
+        // Programs of the page are compiled for it only.
+        if is_of_type(&options, "cdylib") {
+            return document(&name, &options);
+        }
+        Ok(())
     });
     match passed {
         Some(Err(failure)) => {
@@ -150,6 +154,12 @@ fn of_compiler(arguments: &[String]) -> Option<(String, Vec<String>)> {
         }
     }
     Some((name, options))
+}
+
+fn is_of_type(options: &[String], kind: &str) -> bool {
+    options
+        .windows(2)
+        .any(|pair| pair == ["--crate-type", kind])
 }
 
 fn document(name: &str, options: &[String]) -> Result<(), Failure> {
