@@ -85,10 +85,7 @@ impl Arguments {
 /// Writes the rows of topics, in the units of the log.
 pub fn run(arguments: &Arguments) -> Outcome {
     let path = &arguments.log;
-    let mut opened = open(path, arguments.columns.as_deref())?;
-    if let (Some(system), Opened::Log(log, _)) = (arguments.vehicle, &mut opened) {
-        log.choose_vehicle(system)?;
-    }
+    let opened = open(path, arguments.columns.as_deref())?.of_vehicle(arguments.vehicle)?;
     if let Opened::Nothing(told) = &opened {
         return Err(no_flight(path, told).into());
     }

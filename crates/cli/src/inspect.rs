@@ -37,7 +37,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
         crate::labels::describe(format, found);
         return Ok(());
     }
-    let told = match open(path, arguments.columns.as_deref())? {
+    let opened = open(path, arguments.columns.as_deref())?.of_vehicle(arguments.vehicle)?;
+    let told = match opened {
         Opened::Folder(folder) => {
             describe(&folder.flight);
             inspect_log::describe_folder(&folder);
@@ -46,10 +47,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
             }
             return Ok(());
         }
-        Opened::Log(mut log, beside) => {
-            if let Some(system) = arguments.vehicle {
-                log.choose_vehicle(system)?;
-            }
+        Opened::Log(log, beside) => {
             inspect_log::describe(&log, &beside);
             if arguments.counts {
                 inspect_log::counts(&log);

@@ -39,6 +39,17 @@ pub enum Opened {
 pub type Frames = Box<dyn FrameSource>;
 
 impl Opened {
+    /// The same with the vehicle of that system as the one that flies; all but telemetry logs know one vehicle.
+    ///
+    /// # Errors
+    /// In words, where no such system flies in the log.
+    pub fn of_vehicle(mut self, system: Option<u32>) -> Result<Self, String> {
+        if let (Self::Log(log, _), Some(system)) = (&mut self, system) {
+            log.choose_vehicle(system)?;
+        }
+        Ok(self)
+    }
+
     /// The flight with its pictures, and what was assumed or left out, in sentences; `None` where there is none.
     ///
     /// # Errors

@@ -57,6 +57,9 @@ pub struct Arguments {
     /// Meaning of the columns of tables, as `pilotage columns --save` wrote it.
     #[arg(long, value_name = "MAP")]
     columns: Option<PathBuf>,
+    /// Fly another vehicle of a telemetry log, by the number of its system.
+    #[arg(long, value_name = "SYSTEM")]
+    vehicle: Option<u32>,
     /// Length of the GPS outages, where there is no map.
     #[arg(long, value_name = "SECONDS", default_value_t = 60.0)]
     outage: f64,
@@ -94,7 +97,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let Some(path) = arguments.path.as_ref().or(arguments.flight.as_ref()) else {
         return Err("say what was flown, or --scenario NAME".into());
     };
-    let opened = open(path, arguments.columns.as_deref())?;
+    let opened = open(path, arguments.columns.as_deref())?.of_vehicle(arguments.vehicle)?;
     if let Opened::Nothing(told) = &opened {
         return Err(no_flight(path, told).into());
     }
