@@ -9,6 +9,8 @@ use crate::jobs::{FlightSource, JobEvent, MapSource};
 
 /// Scales of the map at which an aircraft can be followed, metres per point.
 const USUAL_SCALES: std::ops::RangeInclusive<f64> = 0.25..=2.5;
+/// Square around the origin in which other tracks of a log are fitted into the map, metres across.
+const NEARBY: f64 = 20_000.0;
 /// Title of the notice that a flight came to nothing.
 const CANNOT_FLY: &str = "The flight cannot be flown";
 
@@ -189,7 +191,7 @@ impl App {
             .fit(both.map_or(flight, |map| flight.union(&map)));
     }
 
-    /// The ground over which the flight goes, with its landmarks.
+    /// The ground over which the flight goes, with its landmarks and what else its log tracks nearby.
     pub(super) fn flight_ground(&self) -> Option<GroundRect> {
         let documents = &self.documents;
         let truth = documents.flight.iter().flat_map(|f| &f.truth);
@@ -202,7 +204,11 @@ impl App {
             .flat_map(|r| r.steps.iter().step_by(1 + r.steps.len() / 500));
         let estimate = steps.map(|s| s.after.position());
         let landmarks = documents.mission.landmarks.iter().map(|l| l.reference);
-        GroundRect::around(truth.chain(estimate).chain(landmarks))
+        let flight = truth.chain(estimate).chain(landmarks);
+        let beside = documents.log.iter().flat_map(|log| &log.tracks.0);
+        let beside = beside.flat_map(|track| track.places.iter().step_by(10).copied());
+        let near = GroundRect::centered(GroundPoint::default(), NEARBY, NEARBY);
+        GroundRect::around(flight.chain(beside.filter(|place| near.contains(place))))
             .or_else(|| documents.map.as_ref().map(|m| m.bounds))
     }
 }

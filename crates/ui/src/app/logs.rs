@@ -10,8 +10,10 @@ use super::log_work::{LogAnswers, ReadingLog};
 use super::{App, SideTab};
 use crate::command::Workspace;
 use crate::documents::{Documents, Session, Staged};
-use crate::host::Host;
-use crate::jobs::{FlightSource, Job, JobEvent, JobId, MapSource, ReadLog, SeriesName};
+use crate::host::{Host, OpenedFile};
+use crate::jobs::{
+    FlightSource, Job, JobEvent, JobId, MapSource, ReadLog, SeriesName, VEHICLE_FILE, write_vehicle,
+};
 use crate::log::{LogCommand, OpenLog, PresetCommand};
 
 /// Farthest from a flight that the origin of the map may lie that was open before, metres: what lies
@@ -61,6 +63,34 @@ impl App {
         if let Some(reading) = &mut self.desk.logs.reading {
             reading.is_again = true;
         }
+    }
+
+    /// Reads the log that is open again with another of its vehicles as the one that flies; the map stays.
+    fn fly_vehicle(&mut self, system: u32, host: &mut dyn Host) {
+        let Some(log) = &self.documents.log else {
+            return;
+        };
+        let (key, file) = (log.key.clone(), log.file.clone());
+        let Some(mut files) = self.desk.keeping.files(&key) else {
+            let title = format!("Another vehicle of {file} cannot be chosen here");
+            let text = "The browser keeps no logs as large as this one. `pilotage replay --vehicle` flies it on the \
+                        terminal.";
+            self.toasts.trouble(host.now(), title, text);
+            return;
+        };
+        files.retain(|it| it.path != VEHICLE_FILE);
+        files.push(OpenedFile {
+            path: VEHICLE_FILE.to_owned(),
+            content: write_vehicle(system).into(),
+        });
+        let provided = files.iter().map(|it| (it.path.clone(), it.content.clone()));
+        host.start(Job::Provide {
+            key: key.clone(),
+            files: provided.collect(),
+        });
+        self.keep_files(host, &key, &file, &files);
+        let map = self.documents.map_source.clone();
+        self.read_log(host, key, file, Some(map), None);
     }
 
     fn read_log(
@@ -180,6 +210,8 @@ impl App {
         };
         log.grow(read.outline);
         log.overview = Some(read.overview);
+        let frame = read.flight.as_ref().ok().copied().flatten();
+        log.tracks = (read.tracks, frame);
         self.desk.logs.answers = LogAnswers::default();
         let plots = &mut self.views.log_plots;
         if plots.is_empty() || plots.panels().eq(OpenLog::likely_fields()) {
@@ -338,6 +370,7 @@ impl App {
                 self.views.presets.execute(command, shown);
             }
             LogCommand::ReadAgain => self.reopen_log(host),
+            LogCommand::FlyVehicle(system) => self.fly_vehicle(system, host),
             other => {
                 self.views.shows_log_plots = true;
                 self.view.plots_open = Some(true);

@@ -64,6 +64,12 @@ impl Keeping {
         self.sets.insert(set.to_owned(), it);
     }
 
+    /// The files of a set, unless there were too many to be stored.
+    pub fn files(&self, set: &str) -> Option<Vec<OpenedFile>> {
+        let files = &self.sets.get(set)?.files;
+        (!files.is_empty()).then(|| files.clone())
+    }
+
     fn store(&mut self, set: &str) {
         let Some(Set { files, .. }) = self.sets.get(set) else {
             return;

@@ -12,6 +12,7 @@ use pilotage_core::imagery::ByteSource;
 
 use super::file_pool::FilePool;
 use super::flights::{KeptFrames, OpenFlight};
+use super::vehicle::choose_vehicle;
 
 /// The first log among files, by what is in it.
 pub fn log_among(pool: &FilePool) -> Option<String> {
@@ -68,9 +69,10 @@ pub fn flight_of_log(pool: &Arc<FilePool>) -> Result<Option<OpenFlight>, String>
     };
     let source = pool.source(&file).ok_or("the log is gone")?;
     let blame = |cause: String| format!("{file}: {cause}");
-    let Some(log) = read_log(source.as_ref()).map_err(blame)? else {
+    let Some(mut log) = read_log(source.as_ref()).map_err(blame)? else {
         return Ok(None);
     };
+    choose_vehicle(pool, &mut log)?;
     let flight = flight_from_log(&log).into_flight();
     let flight = flight.map_err(|cause| cause.to_string())?;
     Ok(Some(with_pictures(&log, flight, pool.clone()).0))

@@ -5,16 +5,20 @@ use std::rc::Rc;
 use std::sync::Arc;
 
 use pilotage_core::flight::files::FileSet as _;
-use pilotage_core::flight::interpret::{flight_from_log, log_of_flight};
+use pilotage_core::flight::interpret::{
+    RecordedTrack, flight_from_log, log_of_flight, recorded_tracks,
+};
 use pilotage_core::flight::log::{Log, LogReader, Outline, recognise};
 use pilotage_core::flight::overview::overview;
+use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::ByteSource;
 
 use super::file_pool::FilePool;
 use super::log_flights::{head, with_pictures};
 use super::opening::{flight_folder, open_folder};
 use super::running::slice;
-use super::{Advance, JobEvent, ReadLog, RunningJob, Workshop};
+use super::vehicle::choose_vehicle;
+use super::{Advance, JobEvent, ReadLog, RecordedPlaces, RunningJob, Workshop};
 
 /// Bytes that are read at a time.
 const PIECE: usize = 2 << 20;
@@ -129,17 +133,21 @@ impl RunningJob for ReadingLog {
             }
             return Ok(Advance::More);
         }
-        let log = reading.log.borrow();
+        let mut log = reading.log.borrow_mut();
+        choose_vehicle(workshop.files(&self.key)?.as_ref(), &mut log)?;
+        let tracks = recorded_tracks(&mut log);
         let interpreted = flight_from_log(&log);
         let mut read = ReadLog {
             outline: Outline::of(&log),
             overview: overview(&log, &interpreted.measured()),
             flight: Ok(None),
+            tracks: Vec::new(),
             lost_pictures: None,
         };
         match interpreted.into_flight() {
             Ok(flight) => {
                 read.flight = Ok(flight.frame_on_globe);
+                read.tracks = on_ground(&tracks, flight.frame_on_globe);
                 let pool = workshop.files(&self.key)?;
                 let (open, lost, notes) = with_pictures(&log, flight, pool);
                 read.overview.add_pictures(open.flight.frames.len());
@@ -155,6 +163,23 @@ impl RunningJob for ReadingLog {
     }
 }
 
+/// Tracks in the world `frame` of the flight; none where nobody knows where that lies.
+fn on_ground(tracks: &[RecordedTrack], frame: Option<LocalFrame>) -> Vec<RecordedPlaces> {
+    let Some(frame) = frame else {
+        return Vec::new();
+    };
+    let places = |track: &RecordedTrack| {
+        let points = track.points.iter();
+        RecordedPlaces {
+            name: track.name.clone(),
+            places: points
+                .map(|(_, place)| frame.ground_from_geodetic(place))
+                .collect(),
+        }
+    };
+    tracks.iter().map(places).collect()
+}
+
 impl ReadingLog {
     /// Reads the flight that stands in tables or photos, and the log that they are.
     fn read_folder(
@@ -168,7 +193,8 @@ impl ReadingLog {
             Some(_) => format!("{}: it is no flight log", self.file),
             None => format!("{}: it is not here any more; open it again", self.file),
         })?;
-        let log = folder.log();
+        let mut log = folder.log();
+        let tracks = recorded_tracks(&mut log);
         let beside = log_of_flight(&log, &folder.flight);
         let mut overview = overview(&log, &beside.measured());
         overview.add_pictures(folder.flight.frames.len());
@@ -176,6 +202,7 @@ impl ReadingLog {
             outline: Outline::of(&log),
             overview,
             flight: Ok(folder.flight.frame_on_globe),
+            tracks: on_ground(&tracks, folder.flight.frame_on_globe),
             lost_pictures: None,
         };
         workshop.keep_log(&self.key, &self.file, Rc::new(RefCell::new(log)));

@@ -46,6 +46,7 @@ mod simulated;
 mod suggest;
 mod tables;
 mod train;
+mod vehicle;
 mod wanted_tiles;
 mod workshop;
 
@@ -61,14 +62,15 @@ pub use messages::{
     FieldFrom, FieldOrder, FileContent, FindOrder, FlightSource, Foreseen, FoundPlan, Glance,
     HeightsOrder, HighGround, ImportedFile, Job, JobEvent, JobId, LabelledFrames, LogAnswer,
     LogOrder, LogQuestion, LogSeries, MadeFlight, MapInfo, MapSource, MatchPictures, Opened,
-    PackOrder, PhotoReport, PhotosOrder, PredictionOrder, ReadLog, Reply, Request, SeriesName,
-    Share, SimulationOptions, StudyReport, SuggestOrder, TerrainInfo, TrainOrder, TrainingLeft,
-    TrainingOutcome, TrainingReport, Unplaced, WebMap, WindReport,
+    PackOrder, PhotoReport, PhotosOrder, PredictionOrder, ReadLog, RecordedPlaces, Reply, Request,
+    SeriesName, Share, SimulationOptions, StudyReport, SuggestOrder, TerrainInfo, TrainOrder,
+    TrainingLeft, TrainingOutcome, TrainingReport, Unplaced, WebMap, WindReport,
 };
 pub use prelude::{FirstMap, FirstSeconds, Prelude};
 pub use programs::Program;
 pub use runner::JobRunner;
 pub use simulated::{scenario_route, scenario_wind};
 pub use tables::{COLUMNS_FILE, write_columns};
+pub use vehicle::{VEHICLE_FILE, write_vehicle};
 pub use wanted_tiles::wanted_addresses;
 pub use workshop::{Abilities, Advance, RunningJob, Workshop};

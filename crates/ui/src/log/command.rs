@@ -52,6 +52,8 @@ pub enum LogCommand {
     ShowTab(LogTab),
     /// Save the plotted fields of the selected span, or of the one shown, as comma-separated values.
     SaveTable,
+    /// Fly another of its vehicles, by the number of its system.
+    FlyVehicle(u32),
     /// Go on with reading it, once it was stopped.
     ReadAgain,
 }

@@ -5,9 +5,10 @@ use std::collections::BTreeMap;
 use pilotage_core::flight::interpret::Role;
 use pilotage_core::flight::log::Outline;
 use pilotage_core::flight::overview::Overview;
+use pilotage_core::frames::LocalFrame;
 
 use super::SpanFigures;
-use crate::jobs::{LogSeries, SeriesName};
+use crate::jobs::{LogSeries, RecordedPlaces, SeriesName};
 use crate::views::Pyramid;
 
 /// Fields that a newcomer wants to see, plot by plot: those that are likely, and what takes their place where the
@@ -99,6 +100,8 @@ pub struct OpenLog {
     pub outline: Option<Outline>,
     /// The flight at a glance, once all of it was read.
     pub overview: Option<Overview>,
+    /// Tracks beside that of the flight, and the world frame that they are in.
+    pub tracks: (Vec<RecordedPlaces>, Option<LocalFrame>),
     /// Why it cannot be navigated, if it cannot.
     pub unnavigable: Option<String>,
     /// Fields that have arrived.

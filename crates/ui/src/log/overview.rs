@@ -47,6 +47,7 @@ pub fn overview_panel(
         about.push(outline.vehicle.clone());
     }
     ui.label(RichText::new(about.join(" · ")).color(tokens.muted));
+    vehicles(ui, context, outline, log.is_read());
     if let Some(progress) = progress {
         let percent = 100.0 * progress;
         ui.label(RichText::new(format!("Read so far: {percent:.0} %")).color(tokens.accent));
@@ -77,6 +78,31 @@ pub fn overview_panel(
     modes(ui, context, outline, first);
     messages(ui, context, outline, first);
     parameters(ui, context, outline);
+}
+
+/// The choice of the vehicle that flies, where there are several and all of the log was read.
+fn vehicles(ui: &mut Ui, context: &mut ViewContext<'_>, outline: &Outline, is_read: bool) {
+    let Some(chosen) = outline
+        .chosen_vehicle
+        .filter(|_| is_read && outline.vehicles.len() > 1)
+    else {
+        return;
+    };
+    ui.horizontal(|ui| {
+        ui.label("Vehicle that flies");
+        let name = |system: u32| format!("System {system}");
+        let choice = egui::ComboBox::from_id_salt("vehicle").selected_text(name(chosen));
+        let choice = choice.show_ui(ui, |ui| {
+            for system in &outline.vehicles {
+                let is_chosen = *system == chosen;
+                if ui.selectable_label(is_chosen, name(*system)).clicked() && !is_chosen {
+                    let fly = LogCommand::FlyVehicle(*system);
+                    context.commands.push(Command::Log(fly));
+                }
+            }
+        });
+        choice.response.accessible_name("Vehicle that flies");
+    });
 }
 
 /// Buttons that save the estimated track for maps and globes.

@@ -100,9 +100,10 @@ impl MapView {
 
     /// The legend at the bottom left.
     pub(super) fn legend(&mut self, ui: &mut Ui, rect: Rect, context: &ViewContext<'_>) {
-        let planning = self.planning;
+        let (planning, has_recorded) = (self.planning, self.has_recorded);
         let present = |layer: Layer| match layer {
             Layer::Truth => context.flight.is_some_and(|f| f.truth.is_some()),
+            Layer::Recorded => has_recorded,
             Layer::Ghost => context.ghost.is_some(),
             Layer::Landmarks => !context.mission.landmarks.is_empty(),
             Layer::Route | Layer::Corridor => planning && !context.mission.routes.is_empty(),

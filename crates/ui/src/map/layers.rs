@@ -4,6 +4,7 @@ use egui::{
     Color32, Frame, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 
+use super::recorded::track_colour;
 use crate::shell::icons::Icon;
 use crate::tokens::Tokens;
 
@@ -12,6 +13,8 @@ use crate::tokens::Tokens;
 pub enum Layer {
     /// Where the aircraft really was.
     Truth,
+    /// What the autopilot believed, and where other vehicles of the log were.
+    Recorded,
     /// Where the navigator believed it to be.
     Estimate,
     /// Where dead reckoning alone would believe it to be.
@@ -36,8 +39,9 @@ pub enum Layer {
 
 impl Layer {
     /// Every layer, in the order of the legend.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Truth,
+        Self::Recorded,
         Self::Estimate,
         Self::Unaided,
         Self::Ghost,
@@ -54,6 +58,7 @@ impl Layer {
     pub fn label(self) -> &'static str {
         match self {
             Self::Truth => "True track",
+            Self::Recorded => "Other tracks of the log",
             Self::Estimate => "Estimated track",
             Self::Unaided => "Dead reckoning alone",
             Self::Ghost => "Previous run",
@@ -82,6 +87,10 @@ impl Layer {
         };
         match self {
             Self::Truth => line(left, right, tokens.truth, 2.0),
+            Self::Recorded => {
+                line(left, rect.center(), track_colour(tokens, 0), 1.5);
+                line(rect.center(), right, track_colour(tokens, 1), 1.5);
+            }
             Self::Estimate => {
                 line(left, rect.center(), tokens.corrected, 2.5);
                 painter.extend(Shape::dashed_line(
@@ -99,21 +108,7 @@ impl Layer {
                     painter.circle(at, 2.5, tokens.sigma, Stroke::new(1.0, tokens.outline()));
                 }
             }
-            Self::Ellipses => {
-                for scale in [0.35, 0.65, 0.95] {
-                    let points = (0..24)
-                        .map(|i| {
-                            let a = std::f32::consts::TAU * i as f32 / 24.0;
-                            let half = 0.5 * scale * rect.size();
-                            rect.center() + vec2(half.x * a.cos(), half.y * 0.9 * a.sin())
-                        })
-                        .collect();
-                    painter.add(Shape::closed_line(
-                        points,
-                        Stroke::new(1.0, tokens.corrected),
-                    ));
-                }
-            }
+            Self::Ellipses => ellipses(painter, rect, tokens),
             Self::Footprint => {
                 let inner = Rect::from_center_size(rect.center(), vec2(16.0, 10.0));
                 painter.rect_stroke(
@@ -166,6 +161,23 @@ impl Layer {
                 }
             }
         }
+    }
+}
+
+/// Three ellipses in one another.
+fn ellipses(painter: &Painter, rect: Rect, tokens: &Tokens) {
+    for scale in [0.35, 0.65, 0.95] {
+        let points = (0..24)
+            .map(|i| {
+                let a = std::f32::consts::TAU * i as f32 / 24.0;
+                let half = 0.5 * scale * rect.size();
+                rect.center() + vec2(half.x * a.cos(), half.y * 0.9 * a.sin())
+            })
+            .collect();
+        painter.add(Shape::closed_line(
+            points,
+            Stroke::new(1.0, tokens.corrected),
+        ));
     }
 }
 

@@ -12,6 +12,7 @@ mod layers;
 mod photos;
 mod picking;
 mod readouts;
+mod recorded;
 mod symbols;
 mod thin_track;
 mod tiles;

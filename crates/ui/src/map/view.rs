@@ -14,6 +14,7 @@ use super::layers::{Layer, Layers};
 use super::photos::PhotoTexture;
 use super::picking::{Drag, box_between};
 use super::readouts::paint_readouts;
+use super::recorded::paint_recorded;
 use super::symbols::{
     paint_aircraft, paint_ellipses, paint_footprint, paint_halo_text, paint_lifted_line,
     paint_sigma, paint_tried_footprint, sigma_points,
@@ -85,6 +86,8 @@ pub struct MapView {
     pub plan_tool: PlanTool,
     /// Whether the plan is shown.
     pub(super) planning: bool,
+    /// Whether the log has tracks beside that of the flight.
+    pub(super) has_recorded: bool,
     pub(super) drag: Drag,
     pub(super) name_draft: String,
     estimate: DrawnTrack,
@@ -182,6 +185,7 @@ impl MapView {
         }
         self.steer(step);
         self.planning = extra.plan.is_some();
+        self.has_recorded = extra.log.is_some_and(|log| !log.tracks.0.is_empty());
         let view = self.camera.screen_from_world(rect);
         let tool = &mut self.plan_tool;
         let chosen = extra
@@ -298,6 +302,12 @@ impl MapView {
             self.truth.follow_truth(truth, extra.run_generation, scale);
             let look = style(tokens.truth, 2.0, None);
             self.truth.paint(painter, view, rect, context.time, look);
+        }
+        if let Some(log) = extra
+            .log
+            .filter(|_| shown(Layer::Recorded) && extra.plan.is_none())
+        {
+            paint_recorded(painter, view, log, extra.frame, tokens);
         }
         for kept in extra
             .kept

@@ -10,10 +10,12 @@ mod series;
 mod source;
 #[cfg(test)]
 mod tests;
+mod tracks;
 
 pub use beside_flight::{BesideFlight, log_of_flight};
 pub use flight::{InterpretError, Interpreted, Measured, flight_from_log};
 pub use places::{Navigation, places};
 pub use series::series;
+pub use tracks::{RecordedTrack, recorded_tracks};
 
 pub use super::role::{Role, RoleSeries};

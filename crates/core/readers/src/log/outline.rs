@@ -63,6 +63,10 @@ pub struct Outline {
     pub format: LogFormat,
     /// Kind of vehicle and software, in the log's words, or empty.
     pub vehicle: String,
+    /// Systems that are vehicles, where the log tells several apart, in the order in which they were heard.
+    pub vehicles: Vec<u32>,
+    /// The one of them that flies.
+    pub chosen_vehicle: Option<u32>,
     /// Seconds since 1970 (UTC) at second zero of the log's time base, where the log tells.
     pub utc_at_zero: Option<f64>,
     /// First and last time of any row, seconds.
@@ -91,6 +95,8 @@ impl Outline {
             name: log.name.clone(),
             format: log.format,
             vehicle: log.vehicle.clone(),
+            vehicles: log.vehicles.clone(),
+            chosen_vehicle: log.chosen_vehicle(),
             utc_at_zero: log.utc_at_zero,
             span: log.span(),
             topics,

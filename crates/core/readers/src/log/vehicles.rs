@@ -48,19 +48,26 @@ impl Log {
         Ok(())
     }
 
+    /// Asks something of the log as if the vehicle `system` were the chosen one.
+    pub(crate) fn with_vehicle<T>(&mut self, system: u32, ask: impl FnOnce(&Self) -> T) -> T {
+        let chosen = self.chosen.replace(system);
+        let answer = ask(self);
+        self.chosen = chosen;
+        answer
+    }
+
     /// Says that there are several vehicles, if so.
     pub(super) fn tell_vehicles(&mut self) {
-        let [first, others @ ..] = self.vehicles.as_slice() else {
+        let [first, _, ..] = self.vehicles.as_slice() else {
             return;
         };
-        if !others.is_empty() {
-            let remark = format!(
-                "several vehicles: the flight, its modes, its parameters and its name are those of the first, system {first}; \
-                 also there: {}. `--vehicle` takes another on the terminal",
-                systems(others)
-            );
-            self.report.remark(remark);
-        }
+        let remark = format!(
+            "several vehicles: {}. The flight is that of system {first} unless another is chosen (on the page in the \
+             overview of the log, on the terminal by --vehicle); modes, parameters and the name are known of system \
+             {first} only",
+            systems(&self.vehicles)
+        );
+        self.report.remark(remark);
     }
 }
 

@@ -3,7 +3,7 @@
 use pilotage_core::flight::SpanStatistics;
 use pilotage_core::flight::log::Outline;
 use pilotage_core::flight::overview::Overview;
-use pilotage_core::frames::LocalFrame;
+use pilotage_core::frames::{GroundPoint, LocalFrame};
 use serde::{Deserialize, Serialize};
 
 use super::{SeriesName, whole_bytes};
@@ -47,6 +47,15 @@ pub enum LogAnswer {
     },
 }
 
+/// A track of the log beside that of the flight.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RecordedPlaces {
+    /// Whose it is, for people.
+    pub name: String,
+    /// Its places in the order of time, metres in the world frame of the flight.
+    pub places: Vec<GroundPoint>,
+}
+
 /// What a log came to when all of it was read.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ReadLog {
@@ -57,6 +66,8 @@ pub struct ReadLog {
     /// The world frame on the globe of the flight that it tells of, or why it tells of none. The flight stays
     /// where it is navigated: that of a long log is large.
     pub flight: Result<Option<LocalFrame>, String>,
+    /// Tracks beside that of the flight: the autopilot's own estimate, and those of other vehicles.
+    pub tracks: Vec<RecordedPlaces>,
     /// Why the pictures beside it are not part of that.
     pub lost_pictures: Option<String>,
 }

@@ -49,7 +49,7 @@ pub use find::{FindOrder, Foreseen, FoundPlan, HighGround};
 pub use heights::{HeightsOrder, TerrainInfo};
 pub use imports::ImportedFile;
 pub use job::{Job, JobId};
-pub use log::{LogAnswer, LogOrder, LogQuestion, ReadLog};
+pub use log::{LogAnswer, LogOrder, LogQuestion, ReadLog, RecordedPlaces};
 pub use made_flight::MadeFlight;
 pub use map_info::{MapInfo, Unplaced};
 pub use opened::Opened;

@@ -191,6 +191,7 @@ impl ScriptedHost {
             outline: Outline::of(&log),
             overview: overview(&log, &log_of_flight(&log, &flown).measured()),
             flight: Ok(flown.frame_on_globe),
+            tracks: Vec::new(),
             lost_pictures: None,
         };
         self.events.push((id, JobEvent::LogRead(Box::new(read))));
