@@ -135,8 +135,8 @@ impl RunningJob for ReadingLog {
         }
         let mut log = reading.log.borrow_mut();
         choose_vehicle(workshop.files(&self.key)?.as_ref(), &mut log)?;
-        let tracks = recorded_tracks(&mut log);
         let interpreted = flight_from_log(&log);
+        let tracks = recorded_tracks(&mut log, interpreted.measured().found);
         let mut read = ReadLog {
             outline: Outline::of(&log),
             overview: overview(&log, &interpreted.measured()),
@@ -194,8 +194,8 @@ impl ReadingLog {
             None => format!("{}: it is not here any more; open it again", self.file),
         })?;
         let mut log = folder.log();
-        let tracks = recorded_tracks(&mut log);
         let beside = log_of_flight(&log, &folder.flight);
+        let tracks = recorded_tracks(&mut log, beside.measured().found);
         let mut overview = overview(&log, &beside.measured());
         overview.add_pictures(folder.flight.frames.len());
         let read = ReadLog {

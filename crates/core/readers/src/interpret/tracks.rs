@@ -18,8 +18,9 @@ pub struct RecordedTrack {
 }
 
 /// The autopilot's own estimate of the vehicle that flies, and the tracks of other vehicles by their satellite receivers,
-/// or by their autopilots where these tell no more; without those that have no place.
-pub fn recorded_tracks(log: &mut Log) -> Vec<RecordedTrack> {
+/// or by their autopilots where these tell no more; without those that have no place. `found` are the series of the vehicle
+/// that flies.
+pub fn recorded_tracks(log: &mut Log, found: &[RoleSeries]) -> Vec<RecordedTrack> {
     let mut tracks = Vec::new();
     let mut add = |name: String, points: Vec<(f64, Geodetic)>| {
         let every = points.len().div_ceil(MOST).max(1);
@@ -30,19 +31,19 @@ pub fn recorded_tracks(log: &mut Log) -> Vec<RecordedTrack> {
             });
         }
     };
-    add(
-        "Autopilot".to_owned(),
-        places(&found(log, Navigation::Autopilot), Navigation::Autopilot),
-    );
+    add("Autopilot".to_owned(), places(found, Navigation::Autopilot));
     let own = log.chosen_vehicle();
     for system in log.vehicles.clone() {
         if Some(system) == own {
             continue;
         }
         let track = log.with_vehicle(system, |log| {
-            let by_satellites = places(&found(log, Navigation::Gps), Navigation::Gps);
+            let by_satellites = places(&series_for(log, Navigation::Gps), Navigation::Gps);
             if by_satellites.is_empty() {
-                places(&found(log, Navigation::Autopilot), Navigation::Autopilot)
+                places(
+                    &series_for(log, Navigation::Autopilot),
+                    Navigation::Autopilot,
+                )
             } else {
                 by_satellites
             }
@@ -53,7 +54,7 @@ pub fn recorded_tracks(log: &mut Log) -> Vec<RecordedTrack> {
 }
 
 /// The series that places need.
-fn found(log: &Log, by: Navigation) -> Vec<RoleSeries> {
+fn series_for(log: &Log, by: Navigation) -> Vec<RoleSeries> {
     let roles = match by {
         Navigation::Gps => [Role::Latitude, Role::Longitude, Role::GpsFix],
         Navigation::Autopilot => [
@@ -70,6 +71,7 @@ fn found(log: &Log, by: Navigation) -> Vec<RoleSeries> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::flight::all_series;
     use super::*;
     use crate::log::{FieldKind, FieldLayout, LogFormat, TopicName};
 
@@ -105,11 +107,16 @@ mod tests {
         log
     }
 
+    fn tracks_of(log: &mut Log) -> Vec<RecordedTrack> {
+        let found = all_series(log);
+        recorded_tracks(log, &found)
+    }
+
     #[test]
     fn the_autopilot_and_the_other_vehicles_have_tracks_of_their_own() {
         let mut log = log_of(&[7, 9, 12], 5000);
         let east = |track: &RecordedTrack| track.points[0].1.longitude.to_degrees();
-        let tracks = recorded_tracks(&mut log);
+        let tracks = tracks_of(&mut log);
         let names: Vec<&str> = tracks.iter().map(|track| track.name.as_str()).collect();
         assert_eq!(names, ["Autopilot", "System 9", "System 12"]);
         for (track, expected) in tracks.iter().zip([0.07, 0.09, 0.12]) {
@@ -117,7 +124,7 @@ mod tests {
             assert!(track.points.len() <= MOST && track.points.len() > MOST / 2);
         }
         log.choose_vehicle(9).unwrap();
-        let names: Vec<String> = recorded_tracks(&mut log)
+        let names: Vec<String> = tracks_of(&mut log)
             .into_iter()
             .map(|track| track.name)
             .collect();
@@ -128,6 +135,6 @@ mod tests {
     #[test]
     fn a_log_without_places_has_no_track() {
         let mut log = Log::new("empty.bin", LogFormat::Dataflash);
-        assert_eq!(recorded_tracks(&mut log), []);
+        assert_eq!(tracks_of(&mut log), []);
     }
 }
