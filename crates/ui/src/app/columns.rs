@@ -6,9 +6,10 @@ use serde_json::{Value, json};
 
 use super::App;
 use super::desk::Opening;
+use super::keeping::{provide, put_beside};
 use super::logs::with_origin;
 use crate::dialogs::{ColumnsCommand, ColumnsDraft};
-use crate::host::{Host, OpenedFile};
+use crate::host::Host;
 use crate::jobs::{COLUMNS_FILE, Job, JobEvent, MadeFlight, write_columns};
 
 impl App {
@@ -41,19 +42,10 @@ impl App {
         if draft.job.is_some() || draft.lacks().is_some() {
             return;
         }
-        let maps = OpenedFile {
-            path: COLUMNS_FILE.to_owned(),
-            content: write_columns(&draft.maps()).into(),
-        };
-        draft.files.retain(|file| file.path != COLUMNS_FILE);
-        draft.files.push(maps);
-        let files = draft.files.iter();
-        let files = files.map(|f| (f.path.clone(), f.content.clone())).collect();
+        let maps = write_columns(&draft.maps());
+        put_beside(&mut draft.files, COLUMNS_FILE, maps);
         let key = draft.key.clone();
-        host.start(Job::Provide {
-            key: key.clone(),
-            files,
-        });
+        provide(host, &key, &draft.files);
         draft.failed = None;
         draft.job = Some(host.start(Job::MakeFlight { key }));
     }

@@ -2,6 +2,7 @@
 
 use super::App;
 use super::desk::Opening;
+use super::keeping::provide;
 use super::work::TILES_AT_A_TIME;
 use crate::georeference::{GeoreferenceCommand, Georeferencer, Place};
 use crate::host::{Host, OpenedFile};
@@ -112,11 +113,7 @@ impl App {
         }
         if batch.iter().all(|file| has_ending(&file.path, &PLACES)) {
             let key = format!("opened-{}", self.desk.opened_batches);
-            let files = batch.iter().map(|f| (f.path.clone(), f.content.clone()));
-            host.start(Job::Provide {
-                key: key.clone(),
-                files: files.collect(),
-            });
+            provide(host, &key, batch);
             self.desk.places = Some(host.start(Job::ReadPlaces { key }));
             return true;
         }

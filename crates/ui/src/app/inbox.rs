@@ -6,6 +6,7 @@ use pilotage_core::mission::Mission;
 use super::App;
 use super::columns::sentences;
 use super::desk::Opening;
+use super::keeping::provide;
 use crate::host::{Host, OpenedFile};
 use crate::jobs::{Job, JobEvent, JobId, MapSource, Opened};
 
@@ -43,14 +44,7 @@ impl App {
             }
             [] => return,
         };
-        let files = batch
-            .iter()
-            .map(|f| (f.path.clone(), f.content.clone()))
-            .collect();
-        host.start(Job::Provide {
-            key: key.clone(),
-            files,
-        });
+        provide(host, &key, &batch);
         let id = host.start(Job::Open {
             key: key.clone(),
             near: self.documents.world_origin(),

@@ -20,6 +20,24 @@ fn file_sets<'a>(flight: &'a FlightSource, map: &'a MapSource) -> BTreeSet<&'a s
     flight.into_iter().chain(map.key()).collect()
 }
 
+/// Gives the workers files under a key.
+pub(super) fn provide(host: &mut dyn Host, key: &str, files: &[OpenedFile]) {
+    let files = files.iter();
+    host.start(Job::Provide {
+        key: key.to_owned(),
+        files: files.map(|f| (f.path.clone(), f.content.clone())).collect(),
+    });
+}
+
+/// Puts what people said of files beside them, in place of what they said before.
+pub(super) fn put_beside(files: &mut Vec<OpenedFile>, path: &str, said: Vec<u8>) {
+    files.retain(|file| file.path != path);
+    files.push(OpenedFile {
+        path: path.to_owned(),
+        content: said.into(),
+    });
+}
+
 impl App {
     /// Keeps files that were opened for the next visit, if they are not too many.
     pub(super) fn keep_files(

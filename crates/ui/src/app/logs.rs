@@ -6,11 +6,12 @@ use pilotage_core::frames::{Geodetic, LocalFrame};
 use pilotage_core::mission::Mission;
 
 use super::desk::Opening;
+use super::keeping::{provide, put_beside};
 use super::log_work::{LogAnswers, ReadingLog};
 use super::{App, SideTab};
 use crate::command::Workspace;
 use crate::documents::{Documents, Session, Staged};
-use crate::host::{Host, OpenedFile};
+use crate::host::Host;
 use crate::jobs::{
     FlightSource, Job, JobEvent, JobId, MapSource, ReadLog, SeriesName, VEHICLE_FILE, write_vehicle,
 };
@@ -78,16 +79,8 @@ impl App {
             self.toasts.trouble(host.now(), title, text);
             return;
         };
-        files.retain(|it| it.path != VEHICLE_FILE);
-        files.push(OpenedFile {
-            path: VEHICLE_FILE.to_owned(),
-            content: write_vehicle(system).into(),
-        });
-        let provided = files.iter().map(|it| (it.path.clone(), it.content.clone()));
-        host.start(Job::Provide {
-            key: key.clone(),
-            files: provided.collect(),
-        });
+        put_beside(&mut files, VEHICLE_FILE, write_vehicle(system));
+        provide(host, &key, &files);
         self.keep_files(host, &key, &file, &files);
         let map = self.documents.map_source.clone();
         self.read_log(host, key, file, Some(map), None);
