@@ -13,6 +13,13 @@ use crate::tokens::Tokens;
 /// Pieces that a trajectory is drawn in at most.
 const MOST_PIECES: usize = 2000;
 
+/// Motion that brings places of the world frame `from` into that of `to`; none where either lies nowhere on the globe.
+pub(super) fn carry(to: Option<LocalFrame>, from: Option<LocalFrame>) -> Isometry3<f64> {
+    to.zip(from).map_or_else(Isometry3::identity, |(to, from)| {
+        to.world_from_other_world(&from)
+    })
+}
+
 /// Draws a trajectory into the world `frame`.
 pub(super) fn paint_kept(
     painter: &Painter,
@@ -22,10 +29,7 @@ pub(super) fn paint_kept(
     tokens: &Tokens,
 ) {
     let track = &kept.track;
-    let carry = frame.zip(track.frame);
-    let carry = carry.map_or_else(Isometry3::identity, |(to, from)| {
-        to.world_from_other_world(&from)
-    });
+    let carry = carry(frame, track.frame);
     let step = track.places.len().div_ceil(MOST_PIECES).max(1);
     let line: Vec<Pos2> = (track.places.iter().step_by(step).chain(track.places.last()))
         .map(|p| {

@@ -13,7 +13,7 @@ use crate::tokens::Tokens;
 pub enum Layer {
     /// Where the aircraft really was.
     Truth,
-    /// What the autopilot believed, and where other vehicles of the log were.
+    /// Tracks of the log beside that of the flight: the autopilot's own estimate, and other vehicles.
     Recorded,
     /// Where the navigator believed it to be.
     Estimate,

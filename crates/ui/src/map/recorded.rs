@@ -1,9 +1,11 @@
 //! Tracks of the log beside that of the flight: the autopilot's own estimate, and other vehicles.
 
 use egui::{Align2, Color32, Painter, Pos2, Shape, Stroke, vec2};
-use nalgebra::{Isometry3, Point3};
+use nalgebra::Point3;
 use pilotage_core::frames::{GroundPoint, LocalFrame};
 
+use super::kept_tracks::carry;
+use super::symbols::paint_halo_text;
 use super::transform::ScreenFromWorld;
 use crate::log::OpenLog;
 use crate::tokens::Tokens;
@@ -22,14 +24,10 @@ pub(super) fn paint_recorded(
     tokens: &Tokens,
 ) {
     let (tracks, own) = &log.tracks;
-    let carry = frame.zip(*own).filter(|(to, from)| to != from);
-    let carry: Option<Isometry3<f64>> = carry.map(|(to, from)| to.world_from_other_world(&from));
-    let on_screen = |place: &GroundPoint| match carry {
-        Some(carry) => {
-            let moved = carry * Point3::new(place.north, place.east, 0.0);
-            view.apply(&GroundPoint::new(moved.x, moved.y))
-        }
-        None => view.apply(place),
+    let carry = carry(frame, *own);
+    let on_screen = |place: &GroundPoint| {
+        let moved = carry * Point3::new(place.north, place.east, 0.0);
+        view.apply(&GroundPoint::new(moved.x, moved.y))
     };
     for (number, track) in tracks.iter().enumerate() {
         let colour = track_colour(tokens, number);
@@ -39,9 +37,7 @@ pub(super) fn paint_recorded(
         };
         painter.add(Shape::line(line, Stroke::new(1.5, colour)));
         let at = end + vec2(6.0, -4.0);
-        let galley = painter.layout_no_wrap(track.name.clone(), tokens.small(), colour);
-        let back = Align2::LEFT_BOTTOM.anchor_size(at, galley.size());
-        painter.rect_filled(back.expand(2.0), tokens.radius, tokens.over_map());
-        painter.galley(back.min, galley, colour);
+        let align = Align2::LEFT_BOTTOM;
+        paint_halo_text(painter, at, align, &track.name, tokens.small(), colour);
     }
 }
