@@ -1,4 +1,4 @@
-//! What cargo runs in the place of the compiler where nobody sits at the terminal, so that each crate is compiled, linted
+//! The program that cargo runs in the place of the compiler where nobody sits at the terminal, so that each crate is compiled, linted
 //! and documented in one go: passes of their own would each ask for all dependencies in another form, which takes longer
 //! than they themselves.
 //!
@@ -32,7 +32,7 @@ pub enum Pass {
 }
 
 impl Pass {
-    /// Where what it says of each crate is kept.
+    /// Folder of the texts that it says of each crate.
     fn folder(self) -> PathBuf {
         places::target().join(match self {
             Self::Documentation => "documented",
@@ -40,12 +40,12 @@ impl Pass {
         })
     }
 
-    /// What it said of a crate when that was compiled last; `None` of one that was not.
+    /// Text that it said of a crate when that was compiled last; `None` of one that was not.
     pub fn said(self, name: &str) -> Option<String> {
         fs::read_to_string(self.folder().join(format!("{name}.txt"))).ok()
     }
 
-    /// What it said of all crates that were compiled.
+    /// Texts that it said of all crates that were compiled.
     pub fn all_said(self) -> Result<Vec<String>, Failure> {
         let folder = self.folder();
         let files = fs::read_dir(&folder).map_err(Failure::file(&folder))?;

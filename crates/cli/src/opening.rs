@@ -39,7 +39,7 @@ pub enum Opened {
 pub type Frames = Box<dyn FrameSource>;
 
 impl Opened {
-    /// The same with the vehicle of that system as the one that flies; all but telemetry logs know one vehicle.
+    /// The contents with the vehicle of that system as the one that flies; all but telemetry logs know one vehicle.
     ///
     /// # Errors
     /// In words, where no such system flies in the log.

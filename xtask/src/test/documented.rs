@@ -2,7 +2,7 @@
 
 use crate::{compiler::Pass, failure::Failure, metadata};
 
-/// Whether everything that was compiled of the packages that `are_asked_for` is documented without a word.
+/// Checks that everything that was compiled of the packages that `are_asked_for` is documented without a word.
 pub fn check(are_asked_for: impl Fn(&str) -> bool) -> Result<(), Failure> {
     let mut wrong = Vec::new();
     for package in metadata::packages(false)? {

@@ -57,7 +57,7 @@ fn judge(told: &BTreeSet<String>) -> Result<(), Failure> {
     }
 }
 
-/// What the compiler and the linter say in cargo's messages, each once: a library is built for others and for its own
+/// Texts of the compiler and the linter in cargo's messages, each once: a library is built for others and for its own
 /// tests.
 fn diagnostics(messages: &str) -> BTreeSet<String> {
     let rendered = |line: &str| {

@@ -25,7 +25,7 @@ pub const PACKAGES: [&str; 6] = [
     "pilotage-house",
 ];
 
-/// Those that have their own lines, in the profile of this program.
+/// The packages that have their own lines, in the profile of this program.
 const OWN_LINE: [&str; 7] = [
     "--locked",
     "--profile",

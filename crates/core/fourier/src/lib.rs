@@ -17,7 +17,7 @@ pub struct Transforms {
     pub inverse: Arc<dyn Fft<f32>>,
 }
 
-/// What plans transforms for the machine it runs on.
+/// A planner of transforms for the machine that the program runs on.
 #[cfg(not(target_arch = "wasm32"))]
 fn planner() -> rustfft::FftPlanner<f32> {
     rustfft::FftPlanner::new()

@@ -1,4 +1,4 @@
-//! Which of several vehicles in a telemetry log flies: what people chose, as a file beside the log, so that it is there
+//! The choice of one of several vehicles in a telemetry log, as a file beside the log, so that it is there
 //! again wherever the log is.
 
 use pilotage_core::flight::files::FileSet as _;

@@ -121,7 +121,7 @@ pub struct Follower {
     height: Option<(Belief, f64)>,
     along: Belief,
     across: Belief,
-    /// How the last frame was stored, radians clockwise.
+    /// Stored turn of the frame that was laid last, radians clockwise.
     stored_turn: f64,
 }
 

@@ -6,14 +6,14 @@ use super::MapShape;
 use super::limits::REACH;
 use pilotage_base::frames::{Attitude, GroundPoint, wrap_pi};
 
-/// What is known of the turn of a stored picture against the mount, beyond one that the camera has already.
+/// Knowledge of the turn of a stored picture against the mount, beyond one that the camera has already.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StoredTurn {
     /// There is none.
     None,
     /// Any number of quarter turns, one of which is tried first.
     Quarters {
-        /// That one, radians clockwise.
+        /// The turn that is tried first, radians clockwise.
         first: f64,
     },
 }
@@ -29,7 +29,7 @@ pub enum HeadingPrior {
         heading: f64,
         /// Standard deviation, radians.
         deviation: f64,
-        /// How the picture is stored against the mount.
+        /// Turn of the stored picture against the mount.
         stored: StoredTurn,
     },
 }

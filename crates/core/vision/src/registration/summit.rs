@@ -14,7 +14,7 @@ use super::weighed::frame_template;
 use pilotage_base::frames::wrap_pi;
 use pilotage_raster::raster::{ChannelSearch, Gray, Peak, highest_peak};
 
-/// What is climbed.
+/// A stage of the climb.
 struct Stage {
     texture: Texture,
     /// Ground sample distance against that of the sweep.
@@ -24,7 +24,7 @@ struct Stage {
     share: f64,
 }
 
-/// What the sweep weighed, by edges and contrast: where there are few edges, edges alone lead to another summit nearby.
+/// By edges and contrast, as the sweep weighed: where there are few edges, edges alone lead to another summit nearby.
 const WEIGHED: Stage = Stage {
     texture: Texture::EdgesAndContrast,
     finer: 1.0,
