@@ -1,4 +1,4 @@
-//! The tests that ask other people's programs (`tests/tests/oracle_*.rs`).
+//! The tests that ask other people's programs (`tests/tests/oracles/` and the like).
 
 use std::{
     fs,
@@ -24,7 +24,7 @@ const IS_USABLE: &str = "import sys, venv, ensurepip; sys.exit(sys.version_info 
 pub fn check() -> Result<(), Failure> {
     let python = interpreter()?;
     let python = python.to_string_lossy();
-    let arguments = [&PACKAGES[..], &["--test", "oracle_*"]].concat();
+    let arguments = [&PACKAGES[..], &["--test", "oracle*"]].concat();
     programs::test_aloud(&arguments, &[(INTERPRETER, &python)], SKIPPED)
 }
 

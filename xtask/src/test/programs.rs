@@ -23,7 +23,7 @@ use crate::{
 /// Programs that take longest, which begin before the others and which `--quick` leaves out.
 const LONG: [&str; 4] = ["whole_frames", "across_dates", "hostile_data", "scenarios"];
 /// What takes longest beside them, and begins next: it must not be what everybody waits for at the end.
-const EARLY: [&str; 11] = [
+const EARLY: [&str; 12] = [
     "oracle_frames",
     "pilotage_ui",
     "landmarks_across_dates",
@@ -33,7 +33,8 @@ const EARLY: [&str; 11] = [
     "pilotage_navigator",
     "recorded_flight",
     "pilotage_plan",
-    "golden_cascades",
+    "flights",
+    "golden",
     "train",
 ];
 

@@ -1,0 +1,4 @@
+//! Files that commands write, read by other people's programs.
+
+mod export;
+mod tracks;

@@ -1,0 +1,10 @@
+//! Flights, simulated and recorded, through reading, filter and navigator together.
+
+mod airplane_logs;
+mod brighton_flight;
+mod cut_with_landmarks;
+mod dead_reckoning;
+mod flights_as_logs;
+mod gps_wind;
+mod indoor_hall;
+mod recovery;
