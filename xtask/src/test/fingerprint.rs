@@ -28,6 +28,28 @@ pub fn of(file: &Path) -> Option<String> {
     Some(format!("{} {:016x}", file.display(), hasher.finish()))
 }
 
+/// Tells the files below `folder` from what they were, by their names and contents. `None` if one cannot be read.
+pub fn of_folder(folder: &Path) -> Option<String> {
+    fn hash_all(folder: &Path, hasher: &mut DefaultHasher) -> Option<()> {
+        let entries = fs::read_dir(folder).ok()?;
+        let mut entries: Vec<_> = entries.collect::<Result<_, _>>().ok()?;
+        entries.sort_by_key(fs::DirEntry::file_name);
+        for entry in entries {
+            entry.file_name().hash(hasher);
+            let place = entry.path();
+            if entry.file_type().ok()?.is_dir() {
+                hash_all(&place, hasher)?;
+            } else {
+                fs::read(&place).ok()?.hash(hasher);
+            }
+        }
+        Some(())
+    }
+    let mut hasher = DefaultHasher::new();
+    hash_all(folder, &mut hasher)?;
+    Some(format!("{:016x}", hasher.finish()))
+}
+
 fn is_run_or_read(kind: SectionKind) -> bool {
     matches!(
         kind,

@@ -10,6 +10,7 @@ mod install;
 mod linted;
 mod native;
 mod oracles;
+mod passed;
 mod policy;
 mod programs;
 mod table;

@@ -2,8 +2,6 @@
 //! still has many.
 
 use std::{
-    collections::BTreeMap,
-    fs,
     io::Write as _,
     path::{Path, PathBuf},
     process::{Command, Stdio},
@@ -13,10 +11,9 @@ use std::{
 
 use serde_json::Value;
 
-use super::{fingerprint, linted::native_cargo};
+use super::{linted::native_cargo, passed::Passed};
 use crate::{
     failure::Failure,
-    places,
     process::{CARGO_ADVICE, capture, program, succeed},
 };
 
@@ -38,14 +35,19 @@ const EARLY: [&str; 12] = [
     "train",
 ];
 
+/// Packages that link all others, whose tests `--quick` runs where their own sources changed since they passed: what
+/// changed below them has tests of its own, and the lints compile them against it.
+const SURFACES: [&str; 2] = ["pilotage-ui", "pilotage-cli"];
+
 /// A test program.
 #[derive(Debug, Clone, PartialEq, Eq)]
-struct Program {
+pub struct Program {
     /// Package and target, such as `pilotage-tests/scenarios`.
-    name: String,
-    executable: PathBuf,
+    pub name: String,
+    /// The file that is run.
+    pub executable: PathBuf,
     /// The folder of its package, in which its tests expect to be run.
-    folder: PathBuf,
+    pub folder: PathBuf,
 }
 
 impl Program {
@@ -60,6 +62,11 @@ impl Program {
     fn takes_long(&self) -> bool {
         self.rank() < LONG.len()
     }
+
+    fn is_of_surface(&self) -> bool {
+        let package = self.name.split('/').next();
+        SURFACES.iter().any(|surface| Some(*surface) == package)
+    }
 }
 
 /// Builds the tests of the packages that `arguments` choose and runs them; `environment` is what they are told.
@@ -69,14 +76,20 @@ pub fn test(arguments: &[&str], environment: &[(&str, &str)], quick: bool) -> Re
     let all = programs.len();
     let mut passed = Passed::read();
     if quick {
-        programs.retain(|one| !one.takes_long());
-        let left = all - programs.len();
-        programs.retain(|one| !passed.has(one));
+        let mut left_out = |keep: &dyn Fn(&Program) -> bool| {
+            let before = programs.len();
+            programs.retain(keep);
+            before - programs.len()
+        };
+        let long = left_out(&|one| !one.takes_long());
+        let below = left_out(&|one| !(one.is_of_surface() && passed.has_sources(one)));
+        let same = left_out(&|one| !passed.has(one));
         println!(
-            "{} of {all} test programs; left out: {left} that take long ({}), {} that passed as they are",
+            "{} of {all} test programs; left out: {long} that take long ({}), {below} of {} \
+            whose own sources passed, {same} that passed as they are",
             programs.len(),
             LONG.join(", "),
-            all - left - programs.len()
+            SURFACES.join(" and "),
         );
     }
     let manner = Manner {
@@ -238,38 +251,6 @@ fn run_one(one: &Program, manner: &Manner<'_>) -> (bool, String) {
     (has_passed, told)
 }
 
-/// Which programs passed, by what they were.
-struct Passed {
-    file: PathBuf,
-    prints: BTreeMap<String, String>,
-}
-
-impl Passed {
-    fn read() -> Self {
-        let file = places::target().join("passed-tests.json");
-        let bytes = fs::read(&file).unwrap_or_default();
-        let prints = serde_json::from_slice(&bytes).unwrap_or_default();
-        Self { file, prints }
-    }
-
-    fn write(&self) -> Result<(), Failure> {
-        let text = serde_json::json!(self.prints).to_string();
-        fs::write(&self.file, text).map_err(Failure::file(&self.file))
-    }
-
-    fn has(&self, one: &Program) -> bool {
-        let print = self.prints.get(&one.name);
-        print.is_some() && print == fingerprint::of(&one.executable).as_ref()
-    }
-
-    fn note(&mut self, one: &Program, has_passed: bool) {
-        self.prints.remove(&one.name);
-        if let Some(print) = fingerprint::of(&one.executable).filter(|_| has_passed) {
-            self.prints.insert(one.name.clone(), print);
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -291,31 +272,6 @@ mod tests {
         ] {
             assert_eq!(of_message(&other), None, "{other}");
         }
-    }
-
-    #[test]
-    fn what_fails_has_not_passed_and_what_is_built_anew_has_not_either() {
-        let folder = std::env::temp_dir().join(format!("pilotage-passed-{}", std::process::id()));
-        fs::create_dir_all(&folder).unwrap();
-        let one = Program {
-            name: "a/b".to_owned(),
-            executable: folder.join("b"),
-            folder: folder.clone(),
-        };
-        fs::write(&one.executable, "first").unwrap();
-        let mut passed = Passed {
-            file: folder.join("passed"),
-            prints: BTreeMap::new(),
-        };
-        assert!(!passed.has(&one));
-        passed.note(&one, true);
-        assert!(passed.has(&one));
-        fs::write(&one.executable, "another").unwrap();
-        assert!(!passed.has(&one));
-        passed.note(&one, true);
-        passed.note(&one, false);
-        assert!(!passed.has(&one));
-        fs::remove_dir_all(&folder).unwrap();
     }
 
     #[test]
