@@ -12,6 +12,7 @@ mod native;
 mod oracles;
 mod passed;
 mod policy;
+mod program;
 mod programs;
 mod table;
 

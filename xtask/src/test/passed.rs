@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeMap, fs, path::PathBuf};
 
-use super::{fingerprint, programs::Program};
+use super::{fingerprint, program::Program};
 use crate::{failure::Failure, places};
 
 /// Programs that passed, by what they were.

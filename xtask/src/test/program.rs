@@ -1,0 +1,103 @@
+//! A test program, as cargo tells of it, and what is known of how long it takes.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+/// Programs that take longest, which begin before the others and which `--quick` leaves out.
+pub const LONG: [&str; 4] = ["whole_frames", "across_dates", "hostile_data", "scenarios"];
+/// What takes longest beside them, and begins next: it must not be what everybody waits for at the end.
+const EARLY: [&str; 12] = [
+    "oracle_frames",
+    "pilotage_ui",
+    "landmarks_across_dates",
+    "pilotage_readers",
+    "sequences",
+    "journeys",
+    "pilotage_navigator",
+    "recorded_flight",
+    "pilotage_plan",
+    "flights",
+    "golden",
+    "train",
+];
+
+/// Packages that link all others, whose tests `--quick` runs where their own sources changed since they passed: what
+/// changed below them has tests of its own, and the lints compile them against it.
+pub const SURFACES: [&str; 2] = ["pilotage-ui", "pilotage-cli"];
+
+/// A test program.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Program {
+    /// Package and target, such as `pilotage-tests/scenarios`.
+    pub name: String,
+    /// The file that is run.
+    pub executable: PathBuf,
+    /// The folder of its package, in which its tests expect to be run.
+    pub folder: PathBuf,
+}
+
+impl Program {
+    /// Its place in the order in which they begin.
+    pub fn rank(&self) -> usize {
+        let target = self.name.rsplit('/').next();
+        let mut order = LONG.iter().chain(&EARLY);
+        let place = order.position(|early| Some(*early) == target);
+        place.unwrap_or(LONG.len() + EARLY.len())
+    }
+
+    /// Whether `--quick` leaves it out.
+    pub fn takes_long(&self) -> bool {
+        self.rank() < LONG.len()
+    }
+
+    /// Whether its package is one of those that link all others.
+    pub fn is_of_surface(&self) -> bool {
+        let package = self.name.split('/').next();
+        SURFACES.iter().any(|surface| Some(*surface) == package)
+    }
+}
+
+/// The program that a message of cargo tells of.
+pub fn of_message(line: &str) -> Option<Program> {
+    let message: Value = serde_json::from_str(line).ok()?;
+    let is_test = message["profile"]["test"].as_bool()?;
+    let executable = PathBuf::from(message["executable"].as_str()?);
+    let folder = Path::new(message["manifest_path"].as_str()?).parent()?;
+    let target = message["target"]["name"].as_str()?;
+    // `path+file:///…/crates/ui#pilotage-ui@0.1.0`, or without a name where the folder has it
+    let id = message["package_id"].as_str()?.rsplit('#').next()?;
+    let package = match id.split_once('@') {
+        Some((name, _)) => name.to_owned(),
+        None => folder.file_name()?.to_str()?.to_owned(),
+    };
+    is_test.then(|| Program {
+        name: format!("{package}/{target}"),
+        executable,
+        folder: folder.to_owned(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn programs_are_read_from_what_cargo_says() {
+        let line = r#"{"reason":"compiler-artifact","package_id":"path+file:///r/crates/core/plan#pilotage-plan@0.1.0","manifest_path":"/r/crates/core/plan/Cargo.toml","target":{"name":"scenarios"},"profile":{"test":true},"executable":"/r/target/debug/deps/scenarios-1"}"#;
+        let program = of_message(line).unwrap();
+        assert_eq!(program.name, "pilotage-plan/scenarios");
+        assert_eq!(program.folder, Path::new("/r/crates/core/plan"));
+        assert!(program.takes_long());
+        let unnamed = line.replace("#pilotage-plan@0.1.0", "#0.1.0");
+        assert_eq!(of_message(&unnamed).unwrap().name, "plan/scenarios");
+        for other in [
+            line.replace("\"test\":true", "\"test\":false"),
+            line.replace("\"/r/target/debug/deps/scenarios-1\"", "null"),
+            r#"{"reason":"build-finished","success":true}"#.to_owned(),
+            String::new(),
+        ] {
+            assert_eq!(of_message(&other), None, "{other}");
+        }
+    }
+}
