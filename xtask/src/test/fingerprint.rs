@@ -18,7 +18,12 @@ pub fn of(file: &Path) -> Option<String> {
     match object::File::parse(bytes.as_slice()) {
         Ok(program) => {
             for section in program.sections().filter(|s| is_run_or_read(s.kind())) {
-                section.name_bytes().ok()?.hash(&mut hasher);
+                let name = section.name_bytes().ok()?;
+                // It follows from the code, and the linker fills its gaps with whatever lay there.
+                if name == b".gcc_except_table" {
+                    continue;
+                }
+                name.hash(&mut hasher);
                 section.size().hash(&mut hasher);
                 section.data().ok()?.hash(&mut hasher);
             }

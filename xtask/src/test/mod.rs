@@ -22,6 +22,7 @@ use crate::{
     failure::Failure,
     page::{self, Profile},
     places,
+    process::is_automatic,
 };
 pub use changed::{Reach, reach};
 pub use native::store_first_seconds;
@@ -59,6 +60,10 @@ pub fn run(choice: &Choice) -> Result<ExitCode, Failure> {
     let page_is_reached = choice.reach.as_ref().is_none_or(|reach| reach.page);
     let fetched = (!choice.quick && choice.only.is_none())
         .then(|| fetch(packages.hold("pilotage-tests"), page_is_reached));
+    // Either kind of lint waits for one crate after the other, which leaves cores idle. Where nobody sits at the
+    // terminal they are told by the compiler, which does not.
+    let page_lints = (page_is_reached && choice.only.is_none() && !is_automatic())
+        .then(|| std::thread::spawn(native::page_lints));
     table.check("format", native::format);
     table.check("dependencies: licences, bans, sources", policy::check);
     table.check("house rules", native::house_rules);
@@ -66,7 +71,12 @@ pub fn run(choice: &Choice) -> Result<ExitCode, Failure> {
         table.check("lints, native", || native::lints(&packages));
     }
     if page_is_reached {
-        table.check("lints, page", native::page_lints);
+        table.check("lints, page", || match page_lints {
+            Some(begun) => begun
+                .join()
+                .unwrap_or_else(|cause| std::panic::resume_unwind(cause)),
+            None => native::page_lints(),
+        });
     }
     table.check("tests of the build program", native::build_program);
     if !packages.are_none() {

@@ -12,7 +12,7 @@ use crate::{
     compiler::ensure_component,
     failure::Failure,
     page::{PROGRAMS, Profile, TARGET, without_flags},
-    process::{CARGO_ADVICE, cargo, is_automatic, run},
+    process::{CARGO_ADVICE, capture, cargo, is_automatic, run, succeed},
 };
 
 /// The packages that are tested natively.
@@ -98,7 +98,8 @@ pub fn lints(packages: &Packages) -> Result<(), Failure> {
     )
 }
 
-/// The same for what only the page is built from.
+/// The same for what only the page is built from. It says what it has to say when it is over: at a terminal it is
+/// asked beside the native lints.
 pub fn page_lints() -> Result<(), Failure> {
     ensure_component("clippy", "clippy")?;
     crate::page::ensure_target()?;
@@ -110,7 +111,9 @@ pub fn page_lints() -> Result<(), Failure> {
     clippy.args(PROGRAMS.iter().flat_map(|name| ["-p", name]));
     clippy.args(["--profile", Profile::Quick.name(), "--", "-D", "warnings"]);
     without_flags(&mut clippy);
-    run(&mut clippy, CARGO_ADVICE)
+    let output = capture(&mut clippy, CARGO_ADVICE)?;
+    eprint!("{}", String::from_utf8_lossy(&output.stderr));
+    succeed(&clippy, output.status)
 }
 
 /// The rules of the house (tests/house), in the profile of this program: both need little, and much of it is
