@@ -35,17 +35,26 @@ pub(super) struct Poses {
     pub heights: Vec<f64>,
     /// Headings, radians.
     pub headings: Vec<f64>,
+    /// Radians times logarithm of the height that each stands for.
+    pub cell: f64,
     /// Which turns of the stored picture.
     pub turns: Vec<usize>,
 }
 
 impl Grid {
-    /// The finest.
+    /// The finest that a whole sweep has.
     pub fn full() -> Self {
         Self { across: ACROSS }
     }
 
-    /// Whether it is the finest.
+    /// What doubtful places are looked at with once more.
+    pub fn finest() -> Self {
+        Self {
+            across: 1.5 * ACROSS,
+        }
+    }
+
+    /// Whether a whole sweep has no finer one.
     pub fn is_full(self) -> bool {
         self.across >= ACROSS
     }
@@ -93,24 +102,39 @@ impl Grid {
 }
 
 impl Poses {
-    /// Those between the steps of a coarse grid around a guess.
-    pub fn around(look: &Look<'_>, guess: &Guess, grid: Grid) -> Self {
+    /// Those of a finer grid up to `steps` of a coarse one to each side of a guess.
+    pub fn around(look: &Look<'_>, guess: &Guess, grid: Grid, steps: f64, finer: Grid) -> Self {
         let position = guess.at.pose.position_in_world;
         let height = look.ground_down - position.z;
-        // Half a coarse step to each side, at the fine one's distance.
-        let half = 0.5 * grid.step();
-        let count = (half / Grid::full().step()).ceil().max(1.0) as i32;
-        let between = || (-count..=count).map(move |i| f64::from(i) * half / f64::from(count));
+        let side = steps * grid.step();
+        let count = (side / finer.step()).ceil().max(1.0) as i32;
+        let between = || (-count..=count).map(move |i| f64::from(i) * side / f64::from(count));
         let heading = guess.at.pose.attitude.yaw;
         let extent = look.footprint(&guess.at);
+        let heights: Vec<f64> = between().map(|off| height * off.exp()).collect();
+        let headings: Vec<f64> = between().map(|off| wrap_pi(heading + off)).collect();
         Self {
             center: GroundPoint::new(position.x, position.y),
-            reach: 2.5 * extent.map_or(0.0, |extent| grid.gsd(&extent)),
-            heights: between().map(|off| height * off.exp()).collect(),
-            headings: between().map(|off| wrap_pi(heading + off)).collect(),
+            reach: 5.0 * steps * extent.map_or(0.0, |extent| grid.gsd(&extent)),
+            cell: cell(&headings, &heights, finer),
+            heights,
+            headings,
             turns: vec![guess.turn],
         }
     }
+}
+
+/// Radians times logarithm of the height that one of these poses stands for: as far as they lie from one another.
+pub(super) fn cell(headings: &[f64], heights: &[f64], grid: Grid) -> f64 {
+    let turned = match headings {
+        [a, b, ..] => wrap_pi(b - a).abs(),
+        _ => grid.step(),
+    };
+    let higher = match heights {
+        [a, b, ..] => (b / a).ln().abs(),
+        _ => grid.step(),
+    };
+    turned * higher
 }
 
 /// The pose with this height and heading over a place.

@@ -7,6 +7,9 @@ use pilotage_base::frames::wrap_pi;
 /// Distance, against the height, and turn, radians, within which refinement finds one pose from the other.
 pub(super) const BESIDE: (f64, f64) = (0.15, 0.2);
 
+/// Probability from which a frame is believed as a whole.
+pub(super) const BELIEVED: f64 = 0.95;
+
 /// A pose at which the frame looks like the map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Guess {

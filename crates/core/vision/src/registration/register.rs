@@ -7,7 +7,7 @@ use super::CameraPlace;
 use super::contrast::{Exact, begin, by_contrast, is_promising};
 use super::edges::pieces;
 use super::fit::PoseFit;
-use super::guess::{Guess, are_beside};
+use super::guess::{BELIEVED, Guess, are_beside};
 use super::look::{Look, MapPose};
 use super::patches::PatchMatch;
 use super::prior::PosePrior;
@@ -25,8 +25,6 @@ const FINISHED: usize = 2;
 const LEAST_PROBABLE: f64 = 1e-3;
 /// A frame of other ground is believed by its patches once in ten thousand, as a logarithm (base 10).
 const MOST_FALSE_ALARMS: f64 = -4.0;
-/// Probability from which a frame is believed as a whole.
-const BELIEVED: f64 = 0.95;
 
 /// By what a frame was believed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

@@ -17,7 +17,7 @@ use pilotage_raster::raster::{ChannelSearch, Gray, Peak, highest_peak};
 /// A stage of the climb.
 struct Stage {
     texture: Texture,
-    /// Ground sample distance against that of the sweep.
+    /// Ground sample distance against that of the finest whole sweep.
     finer: f64,
     rounds: usize,
     /// First step against the axis' own; every round halves it.
@@ -34,9 +34,9 @@ const WEIGHED: Stage = Stage {
 /// By edges alone, because shadows and crops move contrast.
 const EDGES: Stage = Stage {
     texture: Texture::Edges,
-    finer: 0.6,
-    rounds: 2,
-    share: 0.125,
+    finer: 0.7,
+    rounds: 3,
+    share: 0.25,
 };
 /// How far the summit may lie from the guess, pixels of the sweep.
 const MARGIN: f64 = 8.0;
@@ -141,8 +141,8 @@ impl<'a> Level<'a> {
         start: &MapPose,
         stage: &Stage,
     ) -> Option<Self> {
-        let (texture, gsd) = (stage.texture, stage.finer * guess.gsd);
         let footprint = look.footprint(start)?;
+        let (texture, gsd) = (stage.texture, stage.finer * Grid::full().gsd(&footprint));
         let across = footprint.width().max(footprint.height());
         // At any heading and height of the first round, which are the farthest.
         let around = footprint.grown(MARGIN * gsd + 0.1 * across);

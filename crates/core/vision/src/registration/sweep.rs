@@ -2,8 +2,8 @@
 //! there is time for, then around the likeliest places at the full fineness. Of the ways in which the picture may be
 //! stored, those after the first are looked at only where the first leaves doubt.
 
-use super::grid::{Grid, Poses};
-use super::guess::Guess;
+use super::grid::{Grid, Poses, cell};
+use super::guess::{BELIEVED, Guess};
 use super::limits::REACH;
 use super::look::Look;
 use super::prior::PosePrior;
@@ -13,6 +13,10 @@ use super::weighed::Weighed;
 const HEIGHTS_AT_ONCE: f64 = 0.3;
 /// Places of a coarse sweep that are looked at finely.
 const LOOKED_AT: usize = 12;
+/// Likeliest places that are looked at once more where there is doubt, and the probability of the likeliest below which
+/// that cannot help.
+const LIKELY: usize = 2;
+const HOPELESS: f64 = 0.2;
 /// Doubt, as a logarithm (base 10), with which no other turn of the picture is looked at; as much of it as they have of
 /// the prior is that it lies in one of them.
 const LITTLE_DOUBT: f64 = -2.0;
@@ -24,11 +28,13 @@ pub fn sweep(looks: &[Look<'_>], prior: &PosePrior, most: usize) -> Vec<Guess> {
         return Vec::new();
     };
     let step = grid.step();
+    let (heights, headings) = (prior.heights(step), prior.heading.candidates(step));
     let mut poses = Poses {
         center: prior.position,
         reach: REACH * prior.position_deviation,
-        heights: prior.heights(step),
-        headings: prior.heading.candidates(step),
+        cell: cell(&headings, &heights, grid),
+        heights,
+        headings,
         turns: (0..looks.len()).collect(),
     };
     let mut swept = Weighed::new(prior, &poses, grid);
@@ -68,7 +74,8 @@ fn look_at_all(
     }
 }
 
-/// The best `most` poses of what was swept; the likeliest of a coarse grid are looked at at the full fineness first.
+/// The best `most` poses of what was swept; the likeliest of a coarse grid are looked at at the full fineness first, and
+/// the likeliest of all once more still more finely where that leaves doubt.
 fn finely(
     swept: &mut Weighed,
     looks: &[Look<'_>],
@@ -76,15 +83,34 @@ fn finely(
     grid: Grid,
     most: usize,
 ) -> Vec<Guess> {
-    if grid.is_full() {
-        return swept.guesses(looks, most);
+    if !grid.is_full() {
+        let coarse = swept.guesses(looks, LOOKED_AT);
+        // Half a step to each side: between them.
+        return again(swept, looks, prior, &coarse, (grid, 0.5, Grid::full())).guesses(looks, most);
     }
-    let coarse = swept.guesses(looks, LOOKED_AT);
-    let full = Grid::full();
-    let mut fine = swept.without(looks, &coarse, full);
-    for guess in &coarse {
-        let around = Poses::around(&looks[guess.turn], guess, grid);
-        fine.look(looks, prior, &around, full);
+    let guesses = swept.guesses(looks, most);
+    let Some(best) = guesses.first() else {
+        return guesses;
+    };
+    if best.probability >= BELIEVED || best.probability < HOPELESS {
+        return guesses;
     }
-    fine.guesses(looks, most)
+    let likely: Vec<Guess> = guesses.iter().take(LIKELY).copied().collect();
+    again(swept, looks, prior, &likely, (grid, 1.0, Grid::finest())).guesses(looks, most)
+}
+
+/// What was swept with some places looked at on a finer grid, up to some steps of the coarse one to each side.
+fn again(
+    swept: &Weighed,
+    looks: &[Look<'_>],
+    prior: &PosePrior,
+    guesses: &[Guess],
+    (grid, steps, finer): (Grid, f64, Grid),
+) -> Weighed {
+    let mut fine = swept.without(looks, guesses, finer);
+    for guess in guesses {
+        let around = Poses::around(&looks[guess.turn], guess, grid, steps, finer);
+        fine.look(looks, prior, &around, finer);
+    }
+    fine
 }

@@ -41,8 +41,6 @@ pub(super) struct Weighed {
     prior_seen: f64,
     /// Sum of the prior over all poses, seen or not.
     prior_all: f64,
-    /// Radians times logarithm of the height that a pose stands for.
-    cell: f64,
     /// Distance, against the height, and turn within which poses are one.
     beside: (f64, f64),
 }
@@ -50,7 +48,6 @@ pub(super) struct Weighed {
 impl Weighed {
     /// Before anything was looked at of `poses`.
     pub fn new(prior: &PosePrior, poses: &Poses, grid: Grid) -> Self {
-        let cell = grid.step() * grid.step();
         let place = std::f64::consts::TAU * prior.position_deviation.powi(2);
         let each = poses.heights.iter().flat_map(|height| {
             poses
@@ -64,8 +61,7 @@ impl Weighed {
             heaviest: f64::NEG_INFINITY,
             weight: 0.0,
             prior_seen: 0.0,
-            prior_all: each.sum::<f64>() * place * cell * poses.turns.len() as f64,
-            cell,
+            prior_all: each.sum::<f64>() * place * poses.cell * poses.turns.len() as f64,
             beside: grid.beside(),
         }
     }
@@ -84,7 +80,6 @@ impl Weighed {
             heavy: Vec::new(),
             heaviest: f64::NEG_INFINITY,
             weight: left.map(|(_, _, weight)| weight).sum::<f64>() + self.prior_seen,
-            cell: grid.step() * grid.step(),
             beside: grid.beside(),
             ..*self
         }
@@ -160,6 +155,7 @@ impl Weighed {
                         corner,
                         gsd,
                         reach,
+                        cell: poses.cell,
                         evidence,
                     };
                     self.weigh(&seen, prior, poses.center);
@@ -172,7 +168,7 @@ impl Weighed {
     fn weigh(&mut self, seen: &Seen<'_>, prior: &PosePrior, center: GroundPoint) {
         let score = &seen.surface.score;
         let of_pose = prior.log_density(seen.height, seen.at.pose.attitude.yaw);
-        let cell = self.cell * seen.gsd * seen.gsd;
+        let cell = seen.cell * seen.gsd * seen.gsd;
         let deviation = prior.position_deviation.max(0.1 * seen.gsd);
         let mut summits = Summits::default();
         for row in 0..score.height() {
@@ -259,6 +255,8 @@ struct Seen<'a> {
     corner: (usize, usize),
     gsd: f64,
     reach: f64,
+    /// Radians times logarithm of the height that it stands for.
+    cell: f64,
     evidence: Evidence,
 }
 
