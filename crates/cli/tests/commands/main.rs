@@ -9,3 +9,4 @@ mod map;
 mod own_map;
 mod plan;
 mod register;
+mod vehicles;

@@ -33,9 +33,12 @@ impl Log {
     /// In words, where no such system flies in the log.
     pub fn choose_vehicle(&mut self, system: u32) -> Result<(), String> {
         if !self.vehicles.contains(&system) {
-            let known = systems(&self.vehicles);
+            let known = match self.vehicles.as_slice() {
+                [] => "the log names none".to_owned(),
+                known => format!("there are {}", systems(known)),
+            };
             return Err(format!(
-                "{}: no vehicle is system {system}; there are {known}",
+                "{}: no vehicle is system {system}; {known}",
                 self.name
             ));
         }
