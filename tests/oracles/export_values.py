@@ -1,7 +1,7 @@
 """Every value that `pilotage export` wrote of a log, beside what the format's other readers read in it.
 
 Question: {"log": path, "format": "ulog", "dataflash", "text", "tlog" or "mcap", "json": what was exported of all topics,
-"tables": {topic: path of its table}}. Answer: {"topics", "rows", "values", "table_values": counts of what was
+"tables": {topic: [path of its table in CSV, and in Parquet]}}. Answer: {"topics", "rows", "values", "table_values": counts of what was
 compared, "differences": the first of them in words}. Numbers are equal to the bit; where the format has a scale (a unit
 with a prefix, a multiplier), to the last digit of a double.
 """
@@ -269,21 +269,37 @@ class Comparison:
         with open(path, newline="", encoding="utf-8") as file:
             head, *rows = csv.reader(file)
         fields = [column.rsplit(" [", 1)[0] if column.endswith("]") and " [" in column else column for column in head]
+
+        def is_same(text, value):
+            if value is None:
+                return text == "" or not math.isfinite(float(text))
+            return type(value)(text) == value
+
+        self.columns(f"the table of {name}", fields, zip(*rows), ours, is_same)
+
+    def parquet(self, name, path, ours):
+        """The same of the table in Parquet, as DuckDB reads it: numbers are numbers there, and what is none is null."""
+        import duckdb
+
+        table = duckdb.read_parquet(path)
+
+        def is_same(stored, value):
+            if value is None:
+                return stored is None or not math.isfinite(stored)
+            # A column with one real number has real numbers; one of 64 bits without a sign may not be JSON's.
+            return isinstance(stored, str) == isinstance(value, str) and stored == value
+
+        rows = table.fetchall()
+        self.columns(f"the Parquet table of {name}", table.columns, zip(*rows), ours, is_same)
+
+    def columns(self, place, fields, columns, ours, is_same):
         if sorted(fields) != sorted(ours):
-            self.say(f"{name}: the table has {fields}")
+            self.say(f"{place} has {fields}")
             return
-        for field, column in zip(fields, zip(*rows)):
-            for row, (text, value) in enumerate(zip(column, ours[field], strict=True)):
-                if value is None:
-                    same = text == "" or not math.isfinite(float(text))
-                elif isinstance(value, str):
-                    same = text == value
-                elif isinstance(value, int):
-                    same = int(text) == value
-                else:
-                    same = float(text) == value
-                if not same:
-                    self.say(f"{name}.{field}, row {row} of the table: {text!r}, not {value!r}")
+        for field, column in zip(fields, columns):
+            for row, (stored, value) in enumerate(zip(column, ours[field], strict=True)):
+                if not is_same(stored, value):
+                    self.say(f"{place}, {field}, row {row}: {stored!r}, not {value!r}")
                     break
                 self.counts["table_values"] += 1
 
@@ -318,6 +334,7 @@ with contextlib.redirect_stdout(sys.stderr):
                 comparison.say(f"{name} is no topic of theirs")
         else:
             comparison.topic(name, exported[name], read[name], form)
-    for name, path in question["tables"].items():
-        comparison.table(name, path, exported[name])
+    for name, (table, parquet) in question["tables"].items():
+        comparison.table(name, table, exported[name])
+        comparison.parquet(name, parquet, exported[name])
 json.dump({**comparison.counts, "differences": comparison.differences}, sys.stdout)

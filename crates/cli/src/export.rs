@@ -4,11 +4,13 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use pilotage_core::exchange::{Format, write_flown};
-use pilotage_core::flight::log::{FieldLayout, Log, Scale, Topic};
+use pilotage_core::flight::log::{Log, Topic};
 use pilotage_core::text::csv_cell;
 
 use crate::Outcome;
+use crate::export_parquet::parquet;
 use crate::export_track::{TrackKind, track};
+use crate::export_value::{Value, value};
 use crate::opening::{Opened, no_flight, open};
 
 /// Arguments of `pilotage export`.
@@ -51,6 +53,8 @@ enum Form {
     Kml,
     /// The same in a zip.
     Kmz,
+    /// Of one topic: a column `time_s`, then one for each field; units stand in the properties of the file.
+    Parquet,
     /// Of a track: a track.
     Gpx,
     /// Of a track: a line, with times and values in `coordinateProperties`.
@@ -62,7 +66,7 @@ impl Form {
     fn of_track(self) -> Option<Format> {
         Some(match self {
             Self::Csv => Format::Csv,
-            Self::Json => return None,
+            Self::Json | Self::Parquet => return None,
             Self::Kml => Format::Kml,
             Self::Kmz => Format::Kmz,
             Self::Gpx => Format::Gpx,
@@ -105,16 +109,17 @@ pub fn run(arguments: &Arguments) -> Outcome {
         Opened::Nothing(told) => return Err(no_flight(path, &told).into()),
     };
     let topics = chosen(&log, &arguments.topic)?;
-    let text = match (form, topics.as_slice()) {
-        (Form::Csv, [topic]) => csv(topic),
-        (Form::Csv, _) => {
+    let bytes = match (form, topics.as_slice()) {
+        (Form::Csv, [topic]) => csv(topic).into_bytes(),
+        (Form::Parquet, [topic]) => parquet(topic)?,
+        (Form::Csv | Form::Parquet, _) => {
             let names = names(&topics);
             return Err(format!("a table has one topic; say which with --topic: {names}").into());
         }
-        (Form::Json, topics) => json(topics)?,
-        _ => return Err("values are written as csv or json; a track by --track".into()),
+        (Form::Json, topics) => json(topics)?.into_bytes(),
+        _ => return Err("values are written as csv, json or parquet; a track by --track".into()),
     };
-    put(arguments.out.as_deref(), text.as_bytes())?;
+    put(arguments.out.as_deref(), &bytes)?;
     for remark in &log.report.remarks {
         eprintln!("note: {remark}");
     }
@@ -156,34 +161,6 @@ fn chosen<'a>(log: &'a Log, wanted: &[String]) -> Result<Vec<&'a Topic>, String>
 fn names(topics: &[&Topic]) -> String {
     let names: Vec<String> = topics.iter().map(|topic| topic.name.to_string()).collect();
     names.join(", ")
-}
-
-/// A value of a row.
-enum Value {
-    Whole(i128),
-    Real(f64),
-    Text(String),
-}
-
-/// The value of a field in its unit; whole numbers that nothing scales keep all their digits, and bytes that are neither
-/// number nor letters are written as hexadecimal digits.
-fn value(field: &FieldLayout, row: &[u8]) -> Option<Value> {
-    let bytes = field.bytes(row)?;
-    if field.scale == Scale::One
-        && let Some(whole) = field.kind.integer(bytes)
-    {
-        return Some(Value::Whole(whole));
-    }
-    let real = field.value(row).map(Value::Real);
-    let text = || field.text(row).map(Value::Text);
-    real.or_else(text)
-        .or_else(|| Some(Value::Text(hex_digits(bytes))))
-}
-
-fn hex_digits(bytes: &[u8]) -> String {
-    let digits = bytes.iter().flat_map(|byte| [byte >> 4, byte & 15]);
-    let letters = digits.filter_map(|digit| char::from_digit(u32::from(digit), 16));
-    letters.collect()
 }
 
 fn csv(topic: &Topic) -> String {

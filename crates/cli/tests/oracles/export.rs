@@ -20,7 +20,7 @@ struct Question<'a> {
     log: &'a Path,
     format: &'a str,
     json: &'a Path,
-    tables: BTreeMap<String, PathBuf>,
+    tables: BTreeMap<String, [PathBuf; 2]>,
 }
 
 #[derive(Deserialize)]
@@ -73,9 +73,13 @@ fn compare(folder: &Scratch, log: &Path, format: &str) -> Option<Answer> {
     export(log, &["--format", "json"], &exported);
     let tables = some_topics(&exported).into_iter().enumerate();
     let tables = tables.map(|(index, topic)| {
-        let path = folder.0.join(format!("{index}.csv"));
-        export(log, &["--topic", &topic], &path);
-        (topic, path)
+        let paths = ["csv", "parquet"].map(|form| {
+            // The name of the file says the form.
+            let path = folder.0.join(format!("{index}.{form}"));
+            export(log, &["--topic", &topic], &path);
+            path
+        });
+        (topic, paths)
     });
     let question = Question {
         log,

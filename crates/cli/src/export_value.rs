@@ -1,0 +1,34 @@
+//! A value of a log as it is exported.
+
+use pilotage_core::flight::log::{FieldLayout, Scale};
+
+/// A value of a row.
+pub enum Value {
+    /// Of an integer that nothing scales.
+    Whole(i128),
+    /// In the unit of its field.
+    Real(f64),
+    /// Letters, or bytes as hexadecimal digits.
+    Text(String),
+}
+
+/// The value of a field in its unit; whole numbers that nothing scales keep all their digits, and bytes that are neither
+/// number nor letters are written as hexadecimal digits.
+pub fn value(field: &FieldLayout, row: &[u8]) -> Option<Value> {
+    let bytes = field.bytes(row)?;
+    if field.scale == Scale::One
+        && let Some(whole) = field.kind.integer(bytes)
+    {
+        return Some(Value::Whole(whole));
+    }
+    let real = field.value(row).map(Value::Real);
+    let text = || field.text(row).map(Value::Text);
+    real.or_else(text)
+        .or_else(|| Some(Value::Text(hex_digits(bytes))))
+}
+
+fn hex_digits(bytes: &[u8]) -> String {
+    let digits = bytes.iter().flat_map(|byte| [byte >> 4, byte & 15]);
+    let letters = digits.filter_map(|digit| char::from_digit(u32::from(digit), 16));
+    letters.collect()
+}
