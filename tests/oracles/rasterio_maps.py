@@ -116,6 +116,21 @@ def kinds_of_bits(layouts, tiles):
         if bands == 4:
             options["alpha"] = "unassociated"
         yield f"tiles-webp-{bands}", "uint8", bands, options
+    for dtype, bands, packing, (layout, cut) in itertools.product(
+        ["uint8", "int8", "uint16", "int16", "uint32", "int32", "float32", "float64"],
+        [1, 3, 4],
+        ["lerc", "lerc_deflate", "lerc_zstd"],
+        layouts.items(),
+    ):
+        options = dict(cut, compress=packing, max_z_error=0)
+        if bands == 4:
+            options["alpha"] = "unassociated"
+        yield f"{layout}-{packing}-{dtype}-{bands}", dtype, bands, options
+    for packing, interleave in itertools.product(["lerc", "lerc_zstd"], ["pixel", "band"]):
+        options = dict(layouts["tiles"], compress=packing, max_z_error=0, interleave=interleave)
+        yield f"tiles-{packing}-holes-{interleave}", "float32", 3, options
+    # Reals are damaged by libtiff, which looks for what is no number before it swaps their bytes back.
+    yield "lerc-big-endian", "int16", 3, dict(layouts["tiles"], compress="lerc", max_z_error=0, ENDIANNESS="BIG")
     for bits, bands, (layout, cut), packing in itertools.product(
         [1, 2, 3, 4, 6, 7, 9, 10, 12, 15], [1, 3], layouts.items(), ["none", "deflate"]
     ):
@@ -171,6 +186,12 @@ def write(directory, name, dtype, bands, options):
         data &= (1 << options["NBITS"]) - 1
     if name == "sparse":
         data[:, 16:48, 0:32] = 0
+    if "lerc" in name and bands == 4 and dtype == "uint8":
+        # LERC has what is transparent as a mask.
+        data[3] = np.where(data[3] > 90, 255, 0)
+    if "holes" in name:
+        data[0, 10:30, 20:50] = np.nan
+        data[:, 40:, 5:9] = np.nan
     if name == "no-data":
         data[:, 10:30, 20:50] = -32768
     path = os.path.join(directory, f"{name}.tif")

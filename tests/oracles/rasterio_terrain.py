@@ -35,6 +35,8 @@ def models(raw):
     unknown = real.copy()
     unknown[70:90, 20:40] = np.nan
     yield "not-a-number", unknown, 32616, utm, dict(tiles)
+    lerc = dict(tiled=True, blockxsize=64, blockysize=48, compress="lerc_zstd", max_z_error=0)
+    yield "lerc-not-a-number", unknown, 32616, utm, lerc
     web = from_origin(-9400000.0, 4350000.0, 40.0, 40.0)
     yield "web-whole", hills(90, 200).astype(np.int16), 3857, web, {}
     # What heights count from: above ellipsoid and geoids, in metres and feet.

@@ -11,10 +11,14 @@ use zune_jpeg::zune_core::bytestream::ZCursor;
 use zune_jpeg::zune_core::colorspace::ColorSpace;
 use zune_jpeg::zune_core::options::DecoderOptions;
 
-use super::{Compression, Layout, Photometric};
+use super::lerc::unlerc;
+use super::{Compression, Layout, LercWrap, Photometric};
 
 /// Largest window of Zstandard that is allowed for, bytes: no tile is larger.
 const WINDOW: u64 = 64 << 20;
+
+/// Bytes that the headers of LERC take at most.
+const LERC_HEADS: usize = 1 << 16;
 
 /// Unpacks `packed` into `expected` bytes; less if it ends early. The error says why not.
 pub(super) fn unpack(
@@ -35,6 +39,16 @@ pub(super) fn unpack(
         Compression::Jpeg => jpeg(layout, packed, (width, rows)),
         Compression::Zstandard => zstandard(&packed, expected),
         Compression::WebP => webp(layout, &packed, (width, rows)),
+        Compression::Lerc(wrap) => {
+            // Bands that cannot be made smaller lie within as they are, behind a header and a mask.
+            let most = expected + expected / 8 + LERC_HEADS;
+            let inner = match wrap {
+                LercWrap::None => packed,
+                LercWrap::Deflate => inflate(&packed, most)?,
+                LercWrap::Zstandard => zstandard(&packed, most)?,
+            };
+            unlerc(layout, &inner, (width, rows))
+        }
     }
 }
 

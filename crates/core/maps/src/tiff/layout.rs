@@ -28,6 +28,19 @@ pub enum Compression {
     Zstandard,
     /// `WebP`.
     WebP,
+    /// LERC, bare or packed once more.
+    Lerc(LercWrap),
+}
+
+/// What LERC's bytes are packed in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LercWrap {
+    /// Nothing.
+    None,
+    /// Deflate.
+    Deflate,
+    /// Zstandard.
+    Zstandard,
 }
 
 /// What the samples of a pixel mean.
@@ -279,6 +292,22 @@ impl Layout {
                 "WebP with other than three or four samples of 8 bits is not read; export it with deflate",
             ));
         }
+        let has_lerc = matches!(
+            self.kind,
+            SampleKind::U8
+                | SampleKind::I8
+                | SampleKind::U16
+                | SampleKind::I16
+                | SampleKind::U32
+                | SampleKind::I32
+                | SampleKind::F32
+                | SampleKind::F64
+        );
+        if matches!(self.compression, Compression::Lerc(_)) && !has_lerc {
+            return Err(directory.blame(&Tag::BitsPerSample.name()).unsupported(
+                "LERC with samples of other than 8, 16 or 32 bits or reals of 64 is not read; export it with deflate",
+            ));
+        }
         let is_index = matches!(
             self.kind,
             SampleKind::Bits(_) | SampleKind::U8 | SampleKind::U16
@@ -374,12 +403,12 @@ fn compression(directory: &Directory) -> Result<Compression, TiffError> {
         32_773 => Compression::PackBits,
         50_000 => Compression::Zstandard,
         50_001 => Compression::WebP,
+        34_887 => Compression::Lerc(lerc_wrap(directory)?),
         other => {
             let name = match other {
                 2..=4 => "CCITT fax, ",
                 6 => "old-style JPEG, ",
                 34_712 | 33_003 | 33_005 => "JPEG 2000, ",
-                34_887 => "LERC, ",
                 34_925 => "LZMA, ",
                 50_002 => "JPEG XL, ",
                 _ => "",
@@ -387,8 +416,23 @@ fn compression(directory: &Directory) -> Result<Compression, TiffError> {
             return Err(directory
                 .blame(&Tag::Compression.name())
                 .unsupported(format!(
-                    "{name}method {other} is not read; export it with deflate, LZW, Zstandard, JPEG, WebP or none"
+                    "{name}method {other} is not read; export it with deflate, LZW, Zstandard, JPEG, WebP, LERC or none"
                 )));
+        }
+    })
+}
+
+fn lerc_wrap(directory: &Directory) -> Result<LercWrap, TiffError> {
+    let parameters = directory.numbers(Tag::LercParameters)?;
+    Ok(match parameters.get(1).copied().unwrap_or(0) {
+        0 => LercWrap::None,
+        1 => LercWrap::Deflate,
+        2 => LercWrap::Zstandard,
+        other => {
+            let name = Tag::LercParameters.name();
+            return Err(directory.blame(&name).unsupported(format!(
+                "LERC within method {other} is not read; export it with deflate"
+            )));
         }
     })
 }

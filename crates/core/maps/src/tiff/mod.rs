@@ -1,8 +1,8 @@
 //! TIFF files read by pieces: directories first, then only the tiles or strips that are wanted.
 //!
 //! After the TIFF 6.0 specification, its supplements and `BigTIFF`. What is known: strips and tiles,
-//! interleaved or by plane, 8 to 64 bits a sample, uncompressed, deflate, LZW, `PackBits` and JPEG,
-//! both predictors, masks. Nothing in a damaged file makes it panic, loop, or ask for more memory
+//! interleaved or by plane, 8 to 64 bits a sample, uncompressed, deflate, LZW, `PackBits`, JPEG, Zstandard,
+//! `WebP` and LERC, both predictors, masks. Nothing in a damaged file makes it panic, loop, or ask for more memory
 //! than the file's own size or [`LARGEST_CHUNK`].
 
 mod decompress;
@@ -10,6 +10,7 @@ mod directory;
 mod error;
 mod file;
 mod layout;
+mod lerc;
 mod samples;
 mod tags;
 #[cfg(test)]
@@ -18,7 +19,7 @@ pub(super) mod tests;
 pub(super) use directory::Directory;
 pub use error::TiffError;
 pub use file::TiffFile;
-pub use layout::{Compression, Layout, Photometric, SampleKind};
+pub use layout::{Compression, Layout, LercWrap, Photometric, SampleKind};
 pub use samples::{Chunk, Samples};
 pub(super) use tags::Tag;
 

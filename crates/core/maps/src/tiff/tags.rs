@@ -86,4 +86,6 @@ tags! {
     GdalMetadata = 42_112,
     /// GDAL: the value of pixels without data, as text.
     GdalNoData = 42_113,
+    /// Version of LERC and what its bytes are packed in.
+    LercParameters = 50_674,
 }

@@ -4,6 +4,7 @@ use std::io::Write;
 use std::sync::Arc;
 
 use flate2::{Compression as Level, write::ZlibEncoder};
+use lerc_writer::{EncodeOptions, RasterView};
 use proptest::prelude::*;
 use weezl::BitOrder;
 
@@ -67,6 +68,22 @@ fn pack(recipe: &Recipe, bytes: &[u8], width: usize, height: usize) -> Vec<u8> {
                 .unwrap();
             out
         }
+        Compression::Lerc(wrap) => {
+            let pixels = bytes.chunks_exact(recipe.samples);
+            let (width, height) = (width as u32, pixels.len() as u32 / width as u32);
+            let raster = RasterView::new(width, height, recipe.samples as u32, bytes).unwrap();
+            let lerc = lerc_writer::encode(raster, None, EncodeOptions::new()).unwrap();
+            let compression = match wrap {
+                LercWrap::None => Compression::None,
+                LercWrap::Deflate => Compression::Deflate,
+                LercWrap::Zstandard => Compression::Zstandard,
+            };
+            let around = Recipe {
+                compression,
+                ..*recipe
+            };
+            pack(&around, &lerc, width as usize, height as usize)
+        }
         Compression::Jpeg => {
             let mut out = Vec::new();
             image::codecs::jpeg::JpegEncoder::new_with_quality(&mut out, 98)
@@ -83,6 +100,20 @@ fn pack(recipe: &Recipe, bytes: &[u8], width: usize, height: usize) -> Vec<u8> {
                 .unwrap();
             out
         }
+    }
+}
+
+/// The number of a compression in the tag.
+fn code(compression: Compression) -> usize {
+    match compression {
+        Compression::None => 1,
+        Compression::Lzw => 5,
+        Compression::Jpeg => 7,
+        Compression::Deflate => 8,
+        Compression::PackBits => 32_773,
+        Compression::Zstandard => 50_000,
+        Compression::WebP => 50_001,
+        Compression::Lerc(_) => 34_887,
     }
 }
 
@@ -126,15 +157,6 @@ pub(crate) fn write(recipe: &Recipe, more: &[(u16, u16, Vec<u8>)]) -> Vec<u8> {
     let long = |v: usize| (4_u16, (v as u32).to_le_bytes().to_vec());
     let short = |v: usize| (3_u16, (v as u16).to_le_bytes().to_vec());
     let longs = |v: &[u32]| (4_u16, v.iter().flat_map(|v| v.to_le_bytes()).collect());
-    let code = match recipe.compression {
-        Compression::None => 1,
-        Compression::Lzw => 5,
-        Compression::Jpeg => 7,
-        Compression::Deflate => 8,
-        Compression::PackBits => 32_773,
-        Compression::Zstandard => 50_000,
-        Compression::WebP => 50_001,
-    };
     let photometric = match (samples, recipe.compression) {
         (1, _) => 1,
         (_, Compression::Jpeg) => 6,
@@ -144,7 +166,7 @@ pub(crate) fn write(recipe: &Recipe, more: &[(u16, u16, Vec<u8>)]) -> Vec<u8> {
         (256, long(width)),
         (257, long(height)),
         (258, short(8)),
-        (259, short(code)),
+        (259, short(code(recipe.compression))),
         (262, short(photometric)),
         (277, short(samples)),
     ];
@@ -154,6 +176,9 @@ pub(crate) fn write(recipe: &Recipe, more: &[(u16, u16, Vec<u8>)]) -> Vec<u8> {
     } else {
         tags.extend([(273, longs(&offsets)), (278, long(chunk))]);
         tags.push((279, longs(&counts)));
+    }
+    if let Compression::Lerc(wrap) = recipe.compression {
+        tags.push((50_674, longs(&[6, wrap as u32])));
     }
     tags.extend(more.iter().map(|(tag, kind, v)| (*tag, (*kind, v.clone()))));
     tags.sort_by_key(|(tag, _)| *tag);
@@ -212,6 +237,9 @@ fn recipes() -> impl Strategy<Value = Recipe> {
         Compression::Jpeg,
         Compression::Zstandard,
         Compression::WebP,
+        Compression::Lerc(LercWrap::None),
+        Compression::Lerc(LercWrap::Deflate),
+        Compression::Lerc(LercWrap::Zstandard),
     ]);
     let shape = (1_usize..70, 1_usize..70, 1_usize..5);
     (
@@ -280,11 +308,11 @@ fn what_is_not_read_is_named_with_what_would_be() {
     let place = (0..bytes.len() - 12)
         .find(|i| bytes[*i..*i + 4] == [0x03, 0x01, 0x03, 0x00])
         .unwrap();
-    bytes[place + 8..place + 10].copy_from_slice(&34_887_u16.to_le_bytes());
+    bytes[place + 8..place + 10].copy_from_slice(&50_002_u16.to_le_bytes());
     let error = open(bytes).err().unwrap().to_string();
     assert!(error.contains("tag Compression (259)"), "{error}");
     assert!(
-        error.contains("LERC") && error.contains("deflate"),
+        error.contains("JPEG XL") && error.contains("deflate"),
         "{error}"
     );
 }
