@@ -1,40 +1,8 @@
 //! `pilotage columns` and what uses its maps, as a user calls them.
 
 use std::fmt::Write as _;
-use std::path::PathBuf;
-use std::process::Command;
 
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new(name: &str) -> Self {
-        let folder = format!("pilotage-columns-{name}-{}", std::process::id());
-        let folder = std::env::temp_dir().join(folder);
-        std::fs::create_dir_all(&folder).expect("the temporary folder can be written");
-        Self(folder)
-    }
-
-    /// What the program says, or why it fails.
-    fn run(&self, arguments: &[&str]) -> Result<String, String> {
-        let output = Command::new(env!("CARGO_BIN_EXE_pilotage"))
-            .current_dir(&self.0)
-            .args(arguments)
-            .output()
-            .expect("the program starts");
-        let words = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-        if output.status.success() {
-            Ok(words(&output.stdout))
-        } else {
-            Err(words(&output.stderr))
-        }
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        std::fs::remove_dir_all(&self.0).ok();
-    }
-}
+use super::folder::Folder;
 
 /// Circles in still air, course in tenths of degrees, speeds in cm/s.
 fn circles() -> String {
@@ -62,7 +30,7 @@ fn circles() -> String {
 
 #[test]
 fn a_map_is_printed_saved_edited_and_used_again() {
-    let folder = Folder::new("map");
+    let folder = Folder::new("columns-map");
     std::fs::write(folder.0.join("a.csv"), circles()).expect("the folder can be written");
     let shown = folder.run(&["columns", "a.csv"]).unwrap();
     assert!(shown.contains("course over ground       ddeg"), "{shown}");
@@ -92,7 +60,7 @@ fn a_map_is_printed_saved_edited_and_used_again() {
 
 #[test]
 fn a_table_is_replayed_without_a_flight_file() {
-    let folder = Folder::new("replay");
+    let folder = Folder::new("columns-replay");
     std::fs::write(folder.0.join("a.csv"), circles()).expect("the folder can be written");
     let said = folder.run(&["replay", "a.csv"]).unwrap();
     assert!(said.contains("without GPS for 60 s"), "{said}");

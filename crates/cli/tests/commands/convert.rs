@@ -1,31 +1,12 @@
 //! `pilotage convert` as a user calls it.
 
-use std::path::PathBuf;
 use std::process::{Command, Output};
 
-struct Folder(PathBuf);
+use super::folder::Folder;
 
 impl Folder {
-    fn new(name: &str) -> Self {
-        let folder = format!("pilotage-convert-{name}-{}", std::process::id());
-        let folder = std::env::temp_dir().join(folder);
-        std::fs::create_dir_all(&folder).expect("the temporary folder can be written");
-        Self(folder)
-    }
-
     fn convert(&self, from: &str, to: &str, more: &[&str]) -> Output {
-        Command::new(env!("CARGO_BIN_EXE_pilotage"))
-            .current_dir(&self.0)
-            .args(["convert", from, to])
-            .args(more)
-            .output()
-            .expect("the program starts")
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        std::fs::remove_dir_all(&self.0).ok();
+        self.call(&[&["convert", from, to], more].concat())
     }
 }
 
@@ -35,7 +16,7 @@ fn words(bytes: &[u8]) -> String {
 
 #[test]
 fn a_route_goes_through_all_formats_and_comes_back() {
-    let folder = Folder::new("chain");
+    let folder = Folder::new("convert-chain");
     let table = "route,lat,lon,alt_amsl_m,speed_m/s\nR,47.4,8.5,500,\nR,47.41,8.51,510,20\n";
     std::fs::write(folder.0.join("a.csv"), table).expect("the folder can be written");
     let chain = [
@@ -59,7 +40,7 @@ fn a_route_goes_through_all_formats_and_comes_back() {
 
 #[test]
 fn notes_go_to_the_error_stream_and_one_of_several_routes_is_chosen() {
-    let folder = Folder::new("choose");
+    let folder = Folder::new("convert-choose");
     let gpx = r#"<gpx><wpt lat="47" lon="8"/><rte><name>A</name><rtept lat="47.4" lon="8.5"/></rte>
         <rte><name>B</name><rtept lat="47.5" lon="8.5"/></rte></gpx>"#;
     std::fs::write(folder.0.join("a.gpx"), gpx).expect("the folder can be written");
@@ -84,7 +65,7 @@ fn notes_go_to_the_error_stream_and_one_of_several_routes_is_chosen() {
 
 #[test]
 fn labels_go_from_one_format_into_the_other_and_are_counted() {
-    let folder = Folder::new("labels");
+    let folder = Folder::new("convert-labels");
     let coco = r#"{"images": [{"id": 1, "file_name": "a.jpg", "width": 100, "height": 80}],
         "annotations": [{"id": 1, "image_id": 1, "category_id": 7, "bbox": [10, 20, 30, 40]}],
         "categories": [{"id": 7, "name": "barn"}]}"#;

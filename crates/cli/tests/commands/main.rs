@@ -4,6 +4,7 @@ mod closed_pipe;
 mod columns;
 mod convert;
 mod detect;
+mod folder;
 mod georef;
 mod map;
 mod own_map;

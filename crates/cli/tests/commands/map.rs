@@ -1,12 +1,13 @@
 //! `pilotage map` as a user calls it.
 
 use std::fmt::Write as _;
-use std::path::PathBuf;
 use std::process::{Command, Output};
 
 use pilotage_core::raster::{Picture, decode_picture, encode_jpeg, encode_png};
 use pilotage_tests::pmtiles::archive_of_one_tile;
 use serde_json::Value;
+
+use super::folder::Folder;
 
 const WORLD_FILE: &str = "0.5\n0\n0\n-0.5\n570000.25\n5189999.75\n";
 const WIDTH: u32 = 40;
@@ -77,31 +78,9 @@ fn tiff_of(pixels: &[u8], tags: Vec<(u16, u16, u32, Vec<u8>)>) -> Vec<u8> {
     file
 }
 
-struct Folder(PathBuf);
-
 impl Folder {
-    fn new(name: &str) -> Self {
-        let folder = format!("pilotage-map-{name}-{}", std::process::id());
-        let folder = std::env::temp_dir().join(folder);
-        std::fs::create_dir_all(&folder).expect("the temporary folder can be written");
-        Self(folder)
-    }
-
-    fn write(&self, name: &str, bytes: impl AsRef<[u8]>) {
-        std::fs::write(self.0.join(name), bytes).expect("the folder can be written");
-    }
-
-    fn run(&self, words: &[&str]) -> Output {
-        Command::new(env!("CARGO_BIN_EXE_pilotage"))
-            .current_dir(&self.0)
-            .arg("map")
-            .args(words)
-            .output()
-            .expect("the program starts")
-    }
-
     fn map(&self, words: &[&str]) -> Output {
-        let done = self.run(words);
+        let done = self.call(&[&["map"], words].concat());
         let said = String::from_utf8_lossy(&done.stderr);
         assert!(done.status.success(), "{said}");
         done
@@ -113,15 +92,9 @@ impl Folder {
     }
 }
 
-impl Drop for Folder {
-    fn drop(&mut self) {
-        std::fs::remove_dir_all(&self.0).ok();
-    }
-}
-
 #[test]
 fn a_geotiff_tells_its_size_its_system_and_its_corners() {
-    let folder = Folder::new("info");
+    let folder = Folder::new("map-info");
     folder.write("area.tif", tiff(true));
     let info = folder.info(&["area.tif"]);
     assert_eq!((&info["width"], &info["height"]), (&40.into(), &30.into()));
@@ -144,7 +117,7 @@ fn a_geotiff_tells_its_size_its_system_and_its_corners() {
 
 #[test]
 fn an_archive_of_tiles_tells_where_it_lies_its_zooms_and_who_made_it() {
-    let folder = Folder::new("archive");
+    let folder = Folder::new("map-archive");
     let tile = encode_png(&Picture::filled(64, 64, [10, 200, 30])).expect("a picture");
     folder.write("area.pmtiles", archive_of_one_tile(&tile));
     let info = folder.info(&["area.pmtiles"]);
@@ -162,7 +135,7 @@ fn an_archive_of_tiles_tells_where_it_lies_its_zooms_and_who_made_it() {
 
 #[test]
 fn a_tile_cut_out_of_a_picture_has_its_pixels() {
-    let folder = Folder::new("tile");
+    let folder = Folder::new("map-tile");
     let picture = Picture::from_fn(WIDTH as usize, HEIGHT as usize, shade);
     folder.write("area.png", encode_png(&picture).expect("a picture"));
     // Metres of no place on the globe: nothing is turned or stretched.
@@ -195,7 +168,7 @@ fn a_tile_cut_out_of_a_picture_has_its_pixels() {
 
 #[test]
 fn every_kind_of_world_file_is_found_beside_its_kind_of_picture() {
-    let folder = Folder::new("world-files");
+    let folder = Folder::new("map-world-files");
     let picture = Picture::from_fn(WIDTH as usize, HEIGHT as usize, shade);
     let jpeg = encode_jpeg(&picture, 90).expect("a picture");
     let png = encode_png(&picture).expect("a picture");
@@ -223,7 +196,7 @@ fn every_kind_of_world_file_is_found_beside_its_kind_of_picture() {
 fn several_pictures_with_a_table_of_their_corners_are_one_map() {
     const DEGREE: f64 = 1e-5;
     let (west, north) = (8.5, 47.4);
-    let folder = Folder::new("several");
+    let folder = Folder::new("map-several");
     let mut table = "mapname,LT_lat_map,LT_lon_map,RB_lat_map,RB_lon_map\n".to_owned();
     for (name, x, width) in [("left.png", 0, 24), ("right.png", 24, 16)] {
         let part = Picture::from_fn(width, HEIGHT as usize, |i, j| shade(x + i, j));
@@ -300,7 +273,7 @@ fn heights() -> Vec<u8> {
 
 #[test]
 fn a_height_that_is_asked_for_is_told_or_its_lack_is_an_error() {
-    let folder = Folder::new("height-at");
+    let folder = Folder::new("map-height-at");
     folder.write("dem.tif", heights());
     folder.write(
         "picture.png",
@@ -322,7 +295,7 @@ fn a_height_that_is_asked_for_is_told_or_its_lack_is_an_error() {
             "picture.png is no elevation model",
         ),
     ] {
-        let output = folder.run(&["info", file, "--height-at", place]);
+        let output = folder.call(&["map", "info", file, "--height-at", place]);
         let told = String::from_utf8_lossy(&output.stderr).into_owned();
         assert!(
             !output.status.success() && output.stdout.is_empty(),

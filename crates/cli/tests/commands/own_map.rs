@@ -1,19 +1,16 @@
 //! `pilotage simulate` over a map of one's own.
 
-use std::path::PathBuf;
-use std::process::{Command, Output};
+use std::process::Output;
 
 use pilotage_core::raster::{Picture, decode_picture, encode_png};
 use serde_json::Value;
 
-/// A folder with a map of 1.2 km by 1.2 km: red in its west, green in its east.
-struct Folder(PathBuf);
+use super::folder::Folder;
 
 impl Folder {
-    fn new(name: &str) -> Self {
-        let folder = format!("pilotage-own-map-{name}-{}", std::process::id());
-        let folder = std::env::temp_dir().join(folder);
-        std::fs::create_dir_all(&folder).expect("the temporary folder can be written");
+    /// One with a map of 1.2 km by 1.2 km: red in its west, green in its east.
+    fn with_map(name: &str) -> Self {
+        let folder = Self::new(&format!("own-map-{name}"));
         let map = Picture::from_fn(600, 600, |x, y| {
             let grain = ((x * 7 + y * 13) % 40) as u8;
             if x < 300 {
@@ -22,29 +19,18 @@ impl Folder {
                 [40, 160 + grain, 40 + grain]
             }
         });
-        let map = encode_png(&map).expect("a picture");
-        std::fs::write(folder.join("map.png"), map).expect("the folder can be written");
+        folder.write("map.png", encode_png(&map).expect("a picture"));
         // Two metres a pixel in UTM zone 32 north.
         let world = "2\n0\n0\n-2\n400001\n5200999\n";
-        std::fs::write(folder.join("map.pgw"), world).expect("the folder can be written");
+        folder.write("map.pgw", world);
         let system = "PROJCS[\"WGS_1984_UTM_Zone_32N\",GEOGCS[\"GCS_WGS_1984\",";
-        std::fs::write(folder.join("map.prj"), system).expect("the folder can be written");
-        Self(folder)
+        folder.write("map.prj", system);
+        folder
     }
 
     fn simulate(&self, words: &[&str]) -> Output {
-        Command::new(env!("CARGO_BIN_EXE_pilotage"))
-            .current_dir(&self.0)
-            .args(["simulate", "--map", "map.png", "--out", "flown"])
-            .args(words)
-            .output()
-            .expect("the program starts")
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        std::fs::remove_dir_all(&self.0).ok();
+        let flown = ["simulate", "--map", "map.png", "--out", "flown"];
+        self.call(&[&flown, words].concat())
     }
 }
 
@@ -53,7 +39,7 @@ const WEST: [&str; 2] = ["46.946033,7.689910", "46.952331,7.689756"];
 
 #[test]
 fn a_route_over_the_west_of_a_map_sees_the_west_of_it() {
-    let folder = Folder::new("west");
+    let folder = Folder::with_map("west");
     let route = WEST.join(";");
     let words = [
         "--route", &route, "--height", "100", "--day", "same", "--wind", "270,3",
@@ -92,7 +78,7 @@ fn look(path: &std::path::Path) -> usize {
 
 #[test]
 fn a_route_beside_the_map_is_refused() {
-    let folder = Folder::new("beside");
+    let folder = Folder::with_map("beside");
     let done = folder.simulate(&["--route", "46.95,7.69;47.2,7.69"]);
     let said = String::from_utf8_lossy(&done.stderr).into_owned();
     assert!(

@@ -1,7 +1,6 @@
 //! `pilotage plan` over a small map, as a user calls it.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::path::Path;
 
 use nalgebra::Matrix3;
 use pilotage_core::camera::CameraModel;
@@ -15,6 +14,8 @@ use pilotage_core::mission::{Mission, Route, WayPoint, place_files, read_mission
 use pilotage_core::navigator::NavigatorSettings;
 use pilotage_core::raster::{Picture, encode_png};
 use serde_json::Value;
+
+use super::folder::Folder;
 
 /// Metres per pixel of the map, and its size in pixels.
 const GSD: f64 = 0.5;
@@ -101,43 +102,16 @@ fn saved(beside: Vec<(String, Vec<u8>)>) -> Vec<u8> {
     write_package(&package).expect("a mission file")
 }
 
-struct Folder(PathBuf);
-
 impl Folder {
-    fn new(name: &str) -> Self {
-        let folder = format!("pilotage-plan-{name}-{}", std::process::id());
-        let folder = std::env::temp_dir().join(folder);
-        std::fs::create_dir_all(&folder).expect("the temporary folder can be written");
-        Self(folder)
-    }
-
-    fn write(&self, name: &str, bytes: impl AsRef<[u8]>) {
-        std::fs::write(self.0.join(name), bytes).expect("the folder can be written");
-    }
-
-    fn run(&self, words: &[&str]) -> Output {
-        Command::new(env!("CARGO_BIN_EXE_pilotage"))
-            .current_dir(&self.0)
-            .args(words)
-            .output()
-            .expect("the program starts")
-    }
-
     /// The summary of a plan.
     fn plan(&self, words: &[&str]) -> Value {
         let mut all = vec!["plan", "--summary", "summary.json"];
         all.extend(words);
-        let done = self.run(&all);
+        let done = self.call(&all);
         let said = String::from_utf8_lossy(&done.stderr);
         assert!(done.status.success(), "{said}");
         let text = std::fs::read(self.0.join("summary.json")).expect("a summary");
         serde_json::from_slice(&text).expect("JSON")
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        std::fs::remove_dir_all(&self.0).ok();
     }
 }
 
@@ -150,7 +124,7 @@ fn is_whole(folder: &Path) -> bool {
 #[test]
 fn a_mission_saved_over_an_opened_map_is_predicted_with_a_probability_for_every_landmark_that_is_on()
  {
-    let folder = Folder::new("predict");
+    let folder = Folder::new("plan-predict");
     let place = Georeference::Projected {
         system: utm(),
         file: place(),
@@ -213,7 +187,7 @@ fn a_mission_saved_over_an_opened_map_is_predicted_with_a_probability_for_every_
 
 #[test]
 fn a_route_is_found_over_a_picture_that_was_put_on_the_ground_and_replaces_the_plan_whole() {
-    let folder = Folder::new("find");
+    let folder = Folder::new("plan-find");
     let (c, f) = (570_000.0, 5_190_000.0);
     let place = Georeference::Projective {
         system: utm(),
@@ -249,13 +223,13 @@ fn a_route_is_found_over_a_picture_that_was_put_on_the_ground_and_replaces_the_p
 
 #[test]
 fn a_file_that_cannot_be_written_leaves_the_old_one_and_nothing_half() {
-    let folder = Folder::new("refused");
+    let folder = Folder::new("plan-refused");
     folder.write("plain.json", write_mission(&mission()));
-    let done = folder.run(&["convert", "plain.json", "no/such/folder/out.kml"]);
+    let done = folder.call(&["convert", "plain.json", "no/such/folder/out.kml"]);
     assert!(!done.status.success());
     assert!(String::from_utf8_lossy(&done.stderr).contains("no/such/folder"));
     // A plain mission without a map says what to do.
-    let done = folder.run(&["plan", "--mission", "plain.json", "--predict"]);
+    let done = folder.call(&["plan", "--mission", "plain.json", "--predict"]);
     assert!(String::from_utf8_lossy(&done.stderr).contains("--map"));
     assert!(is_whole(&folder.0));
 }
