@@ -1,6 +1,7 @@
 //! How the pixels of one image of a TIFF file are cut and stored.
 
-use super::{Directory, LARGEST_CHUNK, MOST_CHUNK_PIXELS, Tag, TiffError};
+use super::compression::compression;
+use super::{Compression, Directory, LARGEST_CHUNK, MOST_CHUNK_PIXELS, Tag, TiffError};
 
 /// Longest side of an image, pixels.
 const LONGEST_SIDE: u64 = 1 << 20;
@@ -10,38 +11,6 @@ const MOST_PIXELS: u64 = 1 << 34;
 const MOST_SAMPLES: u64 = 64;
 /// Uncompressed strips above this are read in parts, bytes.
 const PART_OF_STRIP: u64 = 1 << 18;
-
-/// How the bytes of a tile or strip are packed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Compression {
-    /// Not at all.
-    None,
-    /// LZW.
-    Lzw,
-    /// JPEG with shared tables.
-    Jpeg,
-    /// Deflate, as in zip.
-    Deflate,
-    /// Runs of equal bytes.
-    PackBits,
-    /// Zstandard.
-    Zstandard,
-    /// `WebP`.
-    WebP,
-    /// LERC, bare or packed once more.
-    Lerc(LercWrap),
-}
-
-/// What LERC's bytes are packed in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LercWrap {
-    /// Nothing.
-    None,
-    /// Deflate.
-    Deflate,
-    /// Zstandard.
-    Zstandard,
-}
 
 /// What the samples of a pixel mean.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -392,49 +361,6 @@ impl Layout {
         let own = (self.stored_rows(row) * bytes) as u64;
         (offset.saturating_add(skipped), own)
     }
-}
-
-fn compression(directory: &Directory) -> Result<Compression, TiffError> {
-    Ok(match directory.number(Tag::Compression)?.unwrap_or(1) {
-        1 => Compression::None,
-        5 => Compression::Lzw,
-        7 => Compression::Jpeg,
-        8 | 32_946 => Compression::Deflate,
-        32_773 => Compression::PackBits,
-        50_000 => Compression::Zstandard,
-        50_001 => Compression::WebP,
-        34_887 => Compression::Lerc(lerc_wrap(directory)?),
-        other => {
-            let name = match other {
-                2..=4 => "CCITT fax, ",
-                6 => "old-style JPEG, ",
-                34_712 | 33_003 | 33_005 => "JPEG 2000, ",
-                34_925 => "LZMA, ",
-                50_002 => "JPEG XL, ",
-                _ => "",
-            };
-            return Err(directory
-                .blame(&Tag::Compression.name())
-                .unsupported(format!(
-                    "{name}method {other} is not read; export it with deflate, LZW, Zstandard, JPEG, WebP, LERC or none"
-                )));
-        }
-    })
-}
-
-fn lerc_wrap(directory: &Directory) -> Result<LercWrap, TiffError> {
-    let parameters = directory.numbers(Tag::LercParameters)?;
-    Ok(match parameters.get(1).copied().unwrap_or(0) {
-        0 => LercWrap::None,
-        1 => LercWrap::Deflate,
-        2 => LercWrap::Zstandard,
-        other => {
-            let name = Tag::LercParameters.name();
-            return Err(directory.blame(&name).unsupported(format!(
-                "LERC within method {other} is not read; export it with deflate"
-            )));
-        }
-    })
 }
 
 fn photometric(directory: &Directory, packed: Compression) -> Result<Photometric, TiffError> {

@@ -5,6 +5,7 @@
 //! `WebP` and LERC, both predictors, masks. Nothing in a damaged file makes it panic, loop, or ask for more memory
 //! than the file's own size or [`LARGEST_CHUNK`].
 
+mod compression;
 mod decompress;
 mod directory;
 mod error;
@@ -16,10 +17,11 @@ mod tags;
 #[cfg(test)]
 pub(super) mod tests;
 
+pub use compression::{Compression, LercWrap};
 pub(super) use directory::Directory;
 pub use error::TiffError;
 pub use file::TiffFile;
-pub use layout::{Compression, Layout, LercWrap, Photometric, SampleKind};
+pub use layout::{Layout, Photometric, SampleKind};
 pub use samples::{Chunk, Samples};
 pub(super) use tags::Tag;
 
