@@ -3,8 +3,8 @@
 use super::moment::Moment;
 
 /// Reads a date and time, or a time of day alone (of 1970-01-01): `2016-06-23T16:31:59.5+02:00`, `2016:06:23 16:31:59`,
-/// `2024/05/01 10:00:00`, `01.05.2024 10:00:00`, `5/1/2024 10:00:00 AM`, `10:00:00.250`. Times without a zone are taken
-/// as they are.
+/// `2024/05/01 10:00:00`, `01.05.2024 10:00:00`, `5/1/2024 10:00:00 AM`, `10:00:00.250`, `10:00:00,250`. Times without a
+/// zone are taken as they are.
 ///
 /// Of days and months that stand before the year and could be either, the first is the month where a slash stands between
 /// them or a half of the day is told, else the day. Nothing but the date rests on it.
@@ -43,10 +43,10 @@ fn time_of_day(text: &str) -> Option<((i64, f64), bool)> {
     let (minute, rest) = rest.split_once(':')?;
     let end = rest
         .bytes()
-        .take_while(|b| b.is_ascii_digit() || *b == b'.')
+        .take_while(|b| b.is_ascii_digit() || matches!(b, b'.' | b','))
         .count();
     let (second, zone) = rest.split_at(end);
-    let (second, fraction) = match second.split_once('.') {
+    let (second, fraction) = match second.split_once(['.', ',']) {
         Some((second, fraction)) => (second, format!("0.{fraction}").parse::<f64>().ok()?),
         None => (second, 0.0),
     };
@@ -182,10 +182,9 @@ mod tests {
             date_and_time("2016-02-29 00:00:00.25"),
             Some(Moment::Absolute(1_456_704_000, 0.25))
         );
-        assert_eq!(
-            date_and_time("10:00:00.5"),
-            Some(Moment::Absolute(36_000, 0.5))
-        );
+        for text in ["10:00:00.5", "10:00:00,5"] {
+            assert_eq!(date_and_time(text), Some(Moment::Absolute(36_000, 0.5)));
+        }
         assert_eq!(date_and_time("12:00:01 AM"), Some(Moment::Absolute(1, 0.0)));
     }
 
@@ -219,6 +218,7 @@ mod tests {
             "13:00:00 PM",
             "47.5 8.25",
             "a:bb:cc d",
+            "10:00:00,5,5",
         ] {
             assert_eq!(date_and_time(text), None, "{text}");
         }

@@ -242,6 +242,71 @@ fn a_table_in_utf_16_is_read_by_its_mark() {
 }
 
 #[test]
+fn tables_with_german_french_and_spanish_names_are_flights() {
+    for names in [
+        "Uhrzeit;Breite;Länge;Höhe (m);Geschwindigkeit (km/h);Kurs (°)",
+        "Zeit;Breitengrad;Laengengrad;Hoehe [m];Geschwindigkeit [km/h];Kurs [°]",
+        "Heure;Latitude;Longitude;Altitude (m);Vitesse (km/h);Course (°)",
+        "Hora;Latitud;Longitud;Altitud (m);Velocidad (km/h);Rumbo (°)",
+    ] {
+        // 36 km/h to the north, over midnight.
+        let row = |i: u32| {
+            let seconds = (86_390 + i) % 86_400;
+            let (hour, minute, second) = (seconds / 3600, seconds / 60 % 60, seconds % 60);
+            let latitude = 47.0 + f64::from(i) * 10.0 / 111_170.0;
+            let clock = format!("{hour:02}:{minute:02}:{second:02},000");
+            format!("{clock};{latitude:.7};8,5;{},5;36,0;0,0\n", 400 + i).replace('.', ",")
+        };
+        let table = format!("{names}\n{}", (0..60).map(row).collect::<String>());
+        let files = files(&[("a.csv", &table)]);
+        let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+        let flight = flight_of_tables(&files, &maps).expect(names).flight;
+        let (first, last) = flight.span();
+        assert!((last - first - 59.0).abs() < 1e-6, "{names}");
+        let north = flight.channel(ChannelName::GpsVelocityNorth).expect(names);
+        assert!(
+            north.values.iter().all(|v| (v - 10.0).abs() < 1e-6),
+            "{names}"
+        );
+        let height = flight.channel(ChannelName::GpsHeight).expect(names);
+        assert_eq!(height.values[10], 410.5, "{names}");
+        let origin = flight.frame_on_globe.expect(names).origin;
+        assert!(
+            (origin.longitude.to_degrees() - 8.5).abs() < 1e-9,
+            "{names}"
+        );
+    }
+}
+
+#[test]
+fn milliseconds_since_1970_are_the_time_whatever_they_are_called() {
+    for name in [
+        "unix_ms",
+        "epoch_ms",
+        "posix_ms",
+        "UnixTime",
+        "unix time [ms]",
+    ] {
+        let row = |i: u64| {
+            format!(
+                "{},{:.5},8.5\n",
+                1_714_557_600_000 + 200 * i,
+                47.0 + 1e-5 * i as f64
+            )
+        };
+        let table = format!("{name},lat,lon\n{}", (0..60).map(row).collect::<String>());
+        let files = files(&[("a.csv", &table)]);
+        let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+        let flight = flight_of_tables(&files, &maps).expect(name).flight;
+        let (first, last) = flight.span();
+        assert!(
+            (last - first - 11.8).abs() < 1e-6,
+            "{name}: {first} to {last}"
+        );
+    }
+}
+
+#[test]
 fn tables_of_loggers_are_read_as_they_are() {
     let place = |i: u32| (47.0 + 8e-6 * f64::from(i), 8.0 + 3e-6 * f64::from(i));
     let rows = |head: &str, row: &dyn Fn(u32) -> String| {

@@ -205,6 +205,26 @@ const RULES: &[Rule] = &[
         0.9,
         "wind direction|wind dir|wind from|wind bearing|wind angle|wdir|wind heading|winddir|wind course|wind azimuth|wind to",
     ),
+    rule(Time, 0.9, "unix|epoch|posix"),
+    // German, French and Spanish: who writes decimal commas writes names of their own, too.
+    rule(
+        Time,
+        0.9,
+        "zeit|uhrzeit|zeitstempel|heure|horodatage|hora|tiempo|fecha",
+    ),
+    rule(Latitude, 0.9, "breite|breitengrad|latitud"),
+    rule(
+        Longitude,
+        0.9,
+        "länge|laenge|längengrad|laengengrad|longitud",
+    ),
+    rule(SpeedOverGround, 0.5, "geschwindigkeit|vitesse|velocidad"),
+    rule(Course, 0.8, "kurs|rumbo"),
+    rule(
+        Channel(ChannelName::GpsHeight),
+        0.6,
+        "höhe|hoehe|altitud|altura",
+    ),
 ];
 
 /// Words with which a column is about something else than what was measured.
