@@ -278,7 +278,7 @@ class Comparison:
         self.columns(f"the table of {name}", fields, zip(*rows), ours, is_same)
 
     def parquet(self, name, path, ours):
-        """The same of the table in Parquet, as DuckDB reads it: numbers are numbers there, and what is none is null."""
+        """The table in Parquet, as DuckDB reads it, has them too: numbers are numbers there, and what is none is null."""
         import duckdb
 
         table = duckdb.read_parquet(path)

@@ -51,7 +51,7 @@ enum Form {
     Json,
     /// Of a track: in time, and coloured by --channel.
     Kml,
-    /// The same in a zip.
+    /// KML in a zip.
     Kmz,
     /// Of one topic: a column `time_s`, then one for each field; units stand in the properties of the file.
     Parquet,

@@ -98,8 +98,8 @@ pub fn lints(packages: &Packages) -> Result<(), Failure> {
     )
 }
 
-/// The same for what only the page is built from. It says what it has to say when it is over: at a terminal it is
-/// asked beside the native lints.
+/// No lint has anything to say about what only the page is built from. All of it is told when the check is over: at a
+/// terminal it runs beside the native lints.
 pub fn page_lints() -> Result<(), Failure> {
     ensure_component("clippy", "clippy")?;
     crate::page::ensure_target()?;

@@ -13,7 +13,7 @@ pub struct Passed {
 }
 
 impl Passed {
-    /// Those of the runs before.
+    /// Programs that passed in runs before.
     pub fn read() -> Self {
         let file = places::target().join("passed-tests.json");
         let bytes = fs::read(&file).unwrap_or_default();
@@ -21,7 +21,7 @@ impl Passed {
         Self { file, programs }
     }
 
-    /// Keeps them for later runs.
+    /// Keeps the programs for later runs.
     pub fn write(&self) -> Result<(), Failure> {
         let text = serde_json::json!(self.programs).to_string();
         fs::write(&self.file, text).map_err(Failure::file(&self.file))

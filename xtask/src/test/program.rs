@@ -46,12 +46,12 @@ impl Program {
         place.unwrap_or(LONG.len() + EARLY.len())
     }
 
-    /// Whether `--quick` leaves it out.
+    /// Whether the program takes so long that `--quick` leaves it out.
     pub fn takes_long(&self) -> bool {
         self.rank() < LONG.len()
     }
 
-    /// Whether its package is one of those that link all others.
+    /// Whether the program is of a package that links all others.
     pub fn is_of_surface(&self) -> bool {
         let package = self.name.split('/').next();
         SURFACES.iter().any(|surface| Some(*surface) == package)

@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
-/// A folder of a test's own, which goes with it.
+/// A folder of one test, removed when the test is over.
 pub struct Folder(pub PathBuf);
 
 impl Folder {
-    /// An empty one; `name` tells it from those of other tests.
+    /// An empty folder; `name` tells it from those of other tests.
     pub fn new(name: &str) -> Self {
         let folder = format!("pilotage-{name}-{}", std::process::id());
         let folder = std::env::temp_dir().join(folder);
@@ -15,7 +15,7 @@ impl Folder {
         Self(folder)
     }
 
-    /// Puts a file into it.
+    /// Puts a file into the folder.
     pub fn write(&self, name: &str, bytes: impl AsRef<[u8]>) {
         std::fs::write(self.0.join(name), bytes).expect("the folder can be written");
     }

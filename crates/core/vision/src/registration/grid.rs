@@ -42,19 +42,19 @@ pub(super) struct Poses {
 }
 
 impl Grid {
-    /// The finest that a whole sweep has.
+    /// The grid of the finest whole sweep.
     pub fn full() -> Self {
         Self { across: ACROSS }
     }
 
-    /// What doubtful places are looked at with once more.
+    /// The grid on which doubtful places are looked at once more.
     pub fn finest() -> Self {
         Self {
             across: 1.5 * ACROSS,
         }
     }
 
-    /// Whether a whole sweep has no finer one.
+    /// Whether no whole sweep is finer.
     pub fn is_full(self) -> bool {
         self.across >= ACROSS
     }
@@ -102,7 +102,7 @@ impl Grid {
 }
 
 impl Poses {
-    /// Those of a finer grid up to `steps` of a coarse one to each side of a guess.
+    /// Poses of a finer grid up to `steps` of a coarse one to each side of a guess.
     pub fn around(look: &Look<'_>, guess: &Guess, grid: Grid, steps: f64, finer: Grid) -> Self {
         let position = guess.at.pose.position_in_world;
         let height = look.ground_down - position.z;
