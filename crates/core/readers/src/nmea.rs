@@ -308,6 +308,9 @@ mod tests {
         let flight = &folder.flight;
         let (first, last) = flight.span();
         assert!((last - first - 59.0).abs() < 1e-9, "{first} {last}");
+        // 31 December 2023, 23:59:30.
+        let utc = folder.log().utc_at_zero.unwrap() + first;
+        assert_eq!(utc, 1_704_067_170.0);
         let origin = flight.frame_on_globe.unwrap().origin;
         assert!((origin.latitude.to_degrees() + 33.5).abs() < 1e-9);
         assert!((origin.longitude.to_degrees() + 70.5).abs() < 1e-9);
@@ -338,6 +341,7 @@ mod tests {
         let alone: Vec<String> = fixes.map(|line| format!("12:00:01 {line}")).collect();
         let alone = alone.join("\n");
         let folder = read_nmea("a.nmea", alone.as_bytes()).unwrap().unwrap();
+        assert_eq!(folder.log().utc_at_zero, None);
         let (first, last) = folder.flight.span();
         assert!((last - first - 59.0).abs() < 1e-9, "{first} {last}");
     }

@@ -26,6 +26,18 @@ pub(crate) fn date_and_time(text: &str) -> Option<Moment> {
     Some(Moment::Absolute(day * 86_400 + whole, fraction))
 }
 
+/// Whether a date and time tells its zone: `Z`, `UTC`, `GMT` or hours from Greenwich.
+pub(crate) fn has_zone(text: &str) -> bool {
+    let zone = |time: &str| {
+        let letters = time.trim_end().to_ascii_uppercase();
+        ["Z", "UTC", "GMT"]
+            .iter()
+            .any(|zone| letters.ends_with(zone))
+            || time.contains(['+', '-'])
+    };
+    date_and_time(text).is_some() && text.split_once(':').is_some_and(|(_, time)| zone(time))
+}
+
 fn is_half(text: &str) -> bool {
     text.eq_ignore_ascii_case("am") || text.eq_ignore_ascii_case("pm")
 }
@@ -202,6 +214,26 @@ mod tests {
             "10:00:00",
         ] {
             assert_eq!(both(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_zone_is_told_by_letters_or_by_hours_from_greenwich() {
+        for text in [
+            "2016-06-23T16:31:59Z",
+            "2016-06-23 16:31:59 UTC",
+            "2016-06-23T16:31:59.5+02:00",
+            "2016-06-23T16:31:59-0330",
+        ] {
+            assert!(has_zone(text), "{text}");
+        }
+        for text in [
+            "2016-06-23T16:31:59",
+            "2016:06:23 16:31:59",
+            "5/1/2024 10:00:00 PM",
+            "Z",
+        ] {
+            assert!(!has_zone(text), "{text}");
         }
     }
 

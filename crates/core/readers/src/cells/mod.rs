@@ -8,7 +8,7 @@ pub(crate) mod spellings;
 pub(crate) mod time;
 mod units;
 
-pub(crate) use date::{date_and_time, days_since_1970, readings};
+pub(crate) use date::{date_and_time, days_since_1970, has_zone, readings};
 pub(crate) use moment::Moment;
 pub(crate) use sample::Sample;
 pub use shape::{Separator, TableShape};

@@ -16,6 +16,11 @@ const STEP: (f64, f64) = (2e-4, 30.0);
 /// Seconds since 1970 of flights: from 1990 to 2040.
 const EPOCH: std::ops::Range<f64> = 6.3e8..2.3e9;
 
+/// Whether a flight may have been so many seconds after the beginning of 1970.
+pub(crate) fn is_since_1970(seconds: f64) -> bool {
+    EPOCH.contains(&seconds)
+}
+
 /// Time between rows of a usual log, seconds.
 const USUAL_STEP: f64 = 0.05;
 
@@ -54,7 +59,7 @@ pub(crate) fn unit_of_time(
     let step = (last - first) / rows.max(2.0);
     // Seconds since 1970 have ten digits today; rows of a flight are as far apart as in any other count.
     let epoch = SECONDS.iter().find(|(_, seconds)| {
-        EPOCH.contains(&(first * seconds)) && (1e-6..STEP.1).contains(&(step * seconds))
+        is_since_1970(first * seconds) && (1e-6..STEP.1).contains(&(step * seconds))
     });
     if let Some((unit, _)) = epoch {
         return Some((

@@ -307,6 +307,42 @@ fn milliseconds_since_1970_are_the_time_whatever_they_are_called() {
 }
 
 #[test]
+fn the_date_of_a_table_is_known_where_its_zone_is() {
+    const NOON: f64 = 1_714_564_800.0;
+    let day = "2024-05-01";
+    let cases: [(&str, &dyn Fn(usize) -> String, Option<f64>); 7] = [
+        ("time", &|i| format!("{day}T12:00:{i:02}Z"), Some(NOON)),
+        ("time", &|i| format!("{day} 14:00:{i:02}+02:00"), Some(NOON)),
+        (
+            "datetime(utc)",
+            &|i| format!("{day} 12:00:{i:02}"),
+            Some(NOON),
+        ),
+        ("time", &|i| format!("{day} 12:00:{i:02}"), None),
+        (
+            "unix_ms",
+            &|i| format!("{}", 1_714_564_800_000 + 1000 * i),
+            Some(NOON),
+        ),
+        ("gps_time", &|i| format!("{}", 1_398_600_000 + i), None),
+        ("time [s]", &|i| format!("{i}"), None),
+    ];
+    for (name, time, expected) in cases {
+        let row = |i: usize| format!("{},{:.6},8.0,{i}\n", time(i), 47.0 + 1e-5 * i as f64);
+        let table = format!(
+            "{name},lat,lon,heading\n{}",
+            (0..50).map(row).collect::<String>()
+        );
+        let files = files(&[("a.csv", &table)]);
+        let maps = [guess_table("a.csv", table.as_bytes()).unwrap()];
+        let folder = flight_of_tables(&files, &maps).expect(name);
+        let (first, _) = folder.flight.span();
+        let found = folder.log().utc_at_zero.map(|utc| utc + first);
+        assert_eq!(found, expected, "{name}, {}", time(0));
+    }
+}
+
+#[test]
 fn tables_of_loggers_are_read_as_they_are() {
     let place = |i: u32| (47.0 + 8e-6 * f64::from(i), 8.0 + 3e-6 * f64::from(i));
     let rows = |head: &str, row: &dyn Fn(u32) -> String| {

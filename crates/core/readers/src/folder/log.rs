@@ -28,6 +28,7 @@ impl Tables {
     /// A topic for each table that has times, called as its file, and the series of the flight that they became.
     pub fn log(&self, flight: &Flight) -> Log {
         let mut log = Log::new(&flight.name, LogFormat::Tables);
+        log.utc_at_zero = self.utc_at_zero();
         let names = self.topic_names();
         for (file, table) in &self.by_file {
             let Some(times) = self.times(file, table, flight) else {

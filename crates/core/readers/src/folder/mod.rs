@@ -16,6 +16,7 @@ mod table;
 #[cfg(test)]
 mod tests;
 mod time_unit;
+mod utc;
 mod write;
 
 pub(super) use clock::TimeFormat;
