@@ -308,9 +308,10 @@ fn milliseconds_since_1970_are_the_time_whatever_they_are_called() {
 
 #[test]
 fn the_date_of_a_table_is_known_where_its_zone_is() {
+    type Case<'a> = (&'a str, &'a dyn Fn(usize) -> String, Option<f64>);
     const NOON: f64 = 1_714_564_800.0;
     let day = "2024-05-01";
-    let cases: [(&str, &dyn Fn(usize) -> String, Option<f64>); 7] = [
+    let cases: [Case<'_>; 7] = [
         ("time", &|i| format!("{day}T12:00:{i:02}Z"), Some(NOON)),
         ("time", &|i| format!("{day} 14:00:{i:02}+02:00"), Some(NOON)),
         (
