@@ -28,8 +28,6 @@ pub struct Guess {
     pub log_doubt: f64,
     /// What correlations of the frame mean at this height.
     pub evidence: Evidence,
-    /// Ground sample distance at which the frame was compared, metres.
-    pub gsd: f64,
 }
 
 /// Whether two poses over ground at `ground_down` are so near that refinement finds each from the other.

@@ -207,7 +207,6 @@ impl Weighed {
             probability: 0.0,
             log_doubt: 0.0,
             evidence: seen.evidence,
-            gsd: seen.gsd,
         };
         self.summits.extend(summits.found.iter().map(of_summit));
     }
