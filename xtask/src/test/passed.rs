@@ -8,8 +8,8 @@ use crate::{failure::Failure, places};
 /// Programs that passed, by what they were.
 pub struct Passed {
     file: PathBuf,
-    /// The code and data of each when it passed, and the sources of its package then.
-    programs: BTreeMap<String, (String, String)>,
+    /// The code and data of each when it passed, and the sources of its package then where they are asked for.
+    programs: BTreeMap<String, (String, Option<String>)>,
 }
 
 impl Passed {
@@ -33,21 +33,29 @@ impl Passed {
         print.is_some() && print == fingerprint::of(&one.executable).as_ref()
     }
 
-    /// Whether `one` passed with the sources that its package has, whatever it links.
+    /// Whether `one`, of a package that links all others, passed with the sources that its package has, whatever it
+    /// links.
     pub fn has_sources(&self, one: &Program) -> bool {
-        let print = self.programs.get(&one.name).map(|(_, sources)| sources);
-        print.is_some() && print == fingerprint::of_folder(&one.folder).as_ref()
+        let print = self.programs.get(&one.name);
+        let print = print.and_then(|(_, sources)| sources.as_ref());
+        print.is_some() && print == sources(one).as_ref()
     }
 
     /// Notes how `one` ended.
     pub fn note(&mut self, one: &Program, has_passed: bool) {
         self.programs.remove(&one.name);
         let program = fingerprint::of(&one.executable).filter(|_| has_passed);
-        let sources = fingerprint::of_folder(&one.folder);
-        if let (Some(program), Some(sources)) = (program, sources) {
-            self.programs.insert(one.name.clone(), (program, sources));
+        if let Some(program) = program {
+            let print = (program, sources(one));
+            self.programs.insert(one.name.clone(), print);
         }
     }
+}
+
+/// The sources of the package of `one`, if it links all others: nobody asks for those of other packages.
+fn sources(one: &Program) -> Option<String> {
+    one.is_of_surface()
+        .then(|| fingerprint::of_folder(&one.folder))?
 }
 
 #[cfg(test)]
@@ -59,9 +67,13 @@ mod tests {
         let folder = std::env::temp_dir().join(format!("pilotage-passed-{}", std::process::id()));
         fs::create_dir_all(&folder).unwrap();
         let one = Program {
-            name: "a/b".to_owned(),
+            name: "pilotage-ui/b".to_owned(),
             executable: folder.join("b"),
             folder: folder.join("sources"),
+        };
+        let below = Program {
+            name: "a/b".to_owned(),
+            ..one.clone()
         };
         let sources = folder.join("sources");
         fs::create_dir_all(sources.join("deep")).unwrap();
@@ -77,6 +89,8 @@ mod tests {
         fs::write(&one.executable, "another").unwrap();
         assert!(!passed.has(&one));
         assert!(passed.has_sources(&one), "what it links changed alone");
+        passed.note(&below, true);
+        assert!(passed.has(&below) && !passed.has_sources(&below));
         fs::write(sources.join("deep/lib.rs"), "fn main() { panic!() }").unwrap();
         assert!(!passed.has_sources(&one));
         passed.note(&one, true);

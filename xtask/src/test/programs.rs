@@ -31,7 +31,7 @@ pub fn test(arguments: &[&str], environment: &[(&str, &str)], quick: bool) -> Re
             before - programs.len()
         };
         let long = left_out(&|one| !one.takes_long());
-        let below = left_out(&|one| !(one.is_of_surface() && passed.has_sources(one)));
+        let below = left_out(&|one| !passed.has_sources(one));
         let same = left_out(&|one| !passed.has(one));
         println!(
             "{} of {all} test programs; left out: {long} that take long ({}), {below} of {} \
