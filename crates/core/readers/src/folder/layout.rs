@@ -38,6 +38,18 @@ pub(crate) struct FlightFile {
     pub truth: Option<TruthFile>,
 }
 
+impl FlightFile {
+    /// The file of each channel and its times.
+    pub fn times_of_channels(&self) -> impl Iterator<Item = (&String, &TimeColumn)> {
+        self.channels.iter().map(|map| (&map.file, &map.time))
+    }
+
+    /// The file of the frames and their times.
+    pub fn times_of_frames(&self) -> impl Iterator<Item = (&String, &TimeColumn)> {
+        self.frames.iter().map(|map| (&map.file, &map.time))
+    }
+}
+
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct StartFile {

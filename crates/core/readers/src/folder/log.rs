@@ -74,11 +74,10 @@ impl Tables {
     /// When the rows of a table were measured: by its own times, or by those of the frames that it names.
     fn times(&self, file: &str, table: &Table, flight: &Flight) -> Option<Vec<Option<f64>>> {
         let layout = &self.layout;
-        let frames = layout.frames.iter().map(|map| (&map.file, &map.time));
         let states = layout.truth.iter().flat_map(|truth| &truth.states);
         let states = states.map(|map| (&map.file, &map.time));
-        let channels = layout.channels.iter().map(|map| (&map.file, &map.time));
-        let mut all = frames.chain(channels).chain(states);
+        let frames = layout.times_of_frames();
+        let mut all = frames.chain(layout.times_of_channels()).chain(states);
         if let Some((_, map)) = all.find(|(of, _)| *of == file) {
             let times = table.times(map, self.time_origin).ok()?;
             return Some(times.into_iter().map(Some).collect());

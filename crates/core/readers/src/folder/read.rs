@@ -222,9 +222,7 @@ fn time_origin(
             )),
         };
     }
-    let frames = layout.frames.iter().map(|f| (&f.file, &f.time));
-    let channels = layout.channels.iter().map(|c| (&c.file, &c.time));
-    for (file, time) in frames.chain(channels) {
+    for (file, time) in layout.times_of_frames().chain(layout.times_of_channels()) {
         if time.format.is_absolute() {
             let table = folder.table(file, FLIGHT_FILE)?;
             if let Some(Moment::Absolute(whole, fraction)) = table.moments(time)?.first() {

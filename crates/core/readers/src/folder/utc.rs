@@ -8,14 +8,13 @@ impl Tables {
     /// Coordinated universal time at second 0, seconds since 1970: of times that have a date with a zone, or are counted
     /// since 1970. A date without a zone may be that of any.
     pub(super) fn utc_at_zero(&self) -> Option<f64> {
-        let frames = self.layout.frames.iter().map(|map| (&map.file, &map.time));
-        let channels = self.layout.channels.iter();
-        let channels = channels.map(|map| (&map.file, &map.time));
+        let channels = self.layout.times_of_channels();
         channels
-            .chain(frames)
+            .chain(self.layout.times_of_frames())
             .find_map(|(file, time)| self.utc_by(file, time))
     }
 
+    /// The time at second 0 as one column of times tells it.
     fn utc_by(&self, file: &str, time: &TimeColumn) -> Option<f64> {
         let table = self.by_file.get(file)?;
         let says = |words: &[&str]| {
