@@ -31,7 +31,7 @@ fn circles() -> String {
 #[test]
 fn a_map_is_printed_saved_edited_and_used_again() {
     let folder = Folder::new("columns-map");
-    std::fs::write(folder.0.join("a.csv"), circles()).expect("the folder can be written");
+    folder.write("a.csv", circles());
     let shown = folder.run(&["columns", "a.csv"]).unwrap();
     assert!(shown.contains("course over ground       ddeg"), "{shown}");
     assert!(shown.contains("question: No unit is stated"), "{shown}");
@@ -61,7 +61,7 @@ fn a_map_is_printed_saved_edited_and_used_again() {
 #[test]
 fn a_table_is_replayed_without_a_flight_file() {
     let folder = Folder::new("columns-replay");
-    std::fs::write(folder.0.join("a.csv"), circles()).expect("the folder can be written");
+    folder.write("a.csv", circles());
     let said = folder.run(&["replay", "a.csv"]).unwrap();
     assert!(said.contains("without GPS for 60 s"), "{said}");
     assert!(said.contains("Airspeed and wind"), "{said}");

@@ -18,7 +18,7 @@ fn words(bytes: &[u8]) -> String {
 fn a_route_goes_through_all_formats_and_comes_back() {
     let folder = Folder::new("convert-chain");
     let table = "route,lat,lon,alt_amsl_m,speed_m/s\nR,47.4,8.5,500,\nR,47.41,8.51,510,20\n";
-    std::fs::write(folder.0.join("a.csv"), table).expect("the folder can be written");
+    folder.write("a.csv", table);
     let chain = [
         "a.csv",
         "b.plan",
@@ -43,7 +43,7 @@ fn notes_go_to_the_error_stream_and_one_of_several_routes_is_chosen() {
     let folder = Folder::new("convert-choose");
     let gpx = r#"<gpx><wpt lat="47" lon="8"/><rte><name>A</name><rtept lat="47.4" lon="8.5"/></rte>
         <rte><name>B</name><rtept lat="47.5" lon="8.5"/></rte></gpx>"#;
-    std::fs::write(folder.0.join("a.gpx"), gpx).expect("the folder can be written");
+    folder.write("a.gpx", gpx);
     let output = folder.convert("a.gpx", "b.plan", &[]);
     assert!(!output.status.success());
     assert!(words(&output.stderr).contains("choose by --route one of: A, B"));
@@ -69,7 +69,7 @@ fn labels_go_from_one_format_into_the_other_and_are_counted() {
     let coco = r#"{"images": [{"id": 1, "file_name": "a.jpg", "width": 100, "height": 80}],
         "annotations": [{"id": 1, "image_id": 1, "category_id": 7, "bbox": [10, 20, 30, 40]}],
         "categories": [{"id": 7, "name": "barn"}]}"#;
-    std::fs::write(folder.0.join("a.json"), coco).expect("the folder can be written");
+    folder.write("a.json", coco);
     for pair in [["a.json", "b.zip"], ["b.zip", "c.json"]] {
         let output = folder.convert(pair[0], pair[1], &[]);
         assert!(output.status.success(), "{}", words(&output.stderr));

@@ -6,6 +6,8 @@ use std::process::{Command, Output};
 use pilotage_tests::data::shared;
 use serde_json::Value;
 
+use super::folder::Folder;
+
 fn detect(cascade: &Path, image: &Path, more: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_pilotage"))
         .arg("detect")
@@ -114,14 +116,16 @@ fn what_cannot_be_read_or_done_is_named() {
     assert!(sizes.contains("such as 24x24"), "{sizes}");
     let both = ["--merge", "2", "--soft"];
     assert!(error(&detect(nothing, Path::new("a.png"), &both)).contains("cannot be used with"));
-    let folder = std::env::temp_dir().join(format!("pilotage-detect-{}", std::process::id()));
-    std::fs::create_dir_all(&folder).unwrap();
-    let xml = folder.join("broken.xml");
-    std::fs::write(&xml, "<opencv_storage><cascade></cascade></opencv_storage>").unwrap();
-    let broken = error(&detect(&xml, Path::new("a.png"), &[]));
+    let folder = Folder::new("detect");
+    let xml = "<opencv_storage><cascade></cascade></opencv_storage>";
+    folder.write("broken.xml", xml);
+    let broken = error(&detect(
+        &folder.0.join("broken.xml"),
+        Path::new("a.png"),
+        &[],
+    ));
     assert!(
         broken.contains("broken.xml") && broken.contains("cascade"),
         "{broken}"
     );
-    std::fs::remove_dir_all(&folder).ok();
 }

@@ -29,7 +29,7 @@ impl Folder {
             .expect("the program starts")
     }
 
-    /// What the program says, or why it fails.
+    /// The words of the program, or those with which it fails.
     pub fn run(&self, words: &[&str]) -> Result<String, String> {
         let output = self.call(words);
         let words = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();

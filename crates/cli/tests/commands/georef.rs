@@ -1,9 +1,10 @@
 //! A picture put on the ground from the command line.
 
-use std::path::Path;
-use std::process::Command;
+use std::process::Output;
 
 use pilotage_core::raster::{Picture, encode_png};
+
+use super::folder::Folder;
 
 /// Six points of a picture with half-metre pixels in UTM zone 15 north, one of them 3 m off.
 const POINTS: &str = "#CRS: EPSG:32615
@@ -16,22 +17,17 @@ mapX,mapY,sourceX,sourceY,enable,dX,dY,residual
 570030,5189983,60,-40,0,0,0,0
 ";
 
-fn georef(folder: &Path, more: &[&str]) -> std::process::Output {
-    Command::new(env!("CARGO_BIN_EXE_pilotage"))
-        .current_dir(folder)
-        .args(["map", "georef", "area.png", "--points", "area.points"])
-        .args(more)
-        .output()
-        .expect("the program starts")
+fn georef(folder: &Folder, more: &[&str]) -> Output {
+    let points = ["map", "georef", "area.png", "--points", "area.points"];
+    folder.call(&[&points, more].concat())
 }
 
 #[test]
 fn points_make_a_world_file_that_puts_the_picture_where_they_are() {
-    let folder = std::env::temp_dir().join(format!("pilotage-georef-{}", std::process::id()));
-    std::fs::create_dir_all(&folder).unwrap();
+    let folder = Folder::new("georef");
     let picture = Picture::from_fn(200, 100, |x, y| [x as u8, y as u8, 90]);
-    std::fs::write(folder.join("area.png"), encode_png(&picture).unwrap()).unwrap();
-    std::fs::write(folder.join("area.points"), POINTS).unwrap();
+    folder.write("area.png", encode_png(&picture).unwrap());
+    folder.write("area.points", POINTS);
 
     let made = georef(&folder, &["--kind", "affine", "--out", "area.pgw"]);
     assert!(
@@ -52,7 +48,7 @@ fn points_make_a_world_file_that_puts_the_picture_where_they_are() {
     );
     assert!((off["residual_px"].as_f64().unwrap() - 6.0).abs() < 1e-6);
 
-    let world: Vec<f64> = std::fs::read_to_string(folder.join("area.pgw"))
+    let world: Vec<f64> = std::fs::read_to_string(folder.0.join("area.pgw"))
         .unwrap()
         .lines()
         .map(|line| line.parse().unwrap())
@@ -61,11 +57,7 @@ fn points_make_a_world_file_that_puts_the_picture_where_they_are() {
     for (found, wanted) in world.iter().zip(wanted) {
         assert!((found - wanted).abs() < 1e-6, "{world:?}");
     }
-    let info = Command::new(env!("CARGO_BIN_EXE_pilotage"))
-        .current_dir(&folder)
-        .args(["map", "info", "area.png"])
-        .output()
-        .unwrap();
+    let info = folder.call(&["map", "info", "area.png"]);
     let info: serde_json::Value = serde_json::from_slice(&info.stdout).unwrap();
     for corner in 0..4 {
         for axis in 0..2 {
@@ -77,5 +69,4 @@ fn points_make_a_world_file_that_puts_the_picture_where_they_are() {
     let refused = georef(&folder, &["--kind", "projective", "--out", "b.pgw"]);
     let why = String::from_utf8_lossy(&refused.stderr).into_owned();
     assert!(!refused.status.success() && why.contains("affine"), "{why}");
-    std::fs::remove_dir_all(&folder).unwrap();
 }

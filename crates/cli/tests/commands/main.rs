@@ -1,4 +1,4 @@
-//! One file for each command of the terminal, or for what all of them keep.
+//! Commands of the terminal as a user calls them, each in a file.
 
 mod closed_pipe;
 mod columns;

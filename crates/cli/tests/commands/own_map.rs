@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::folder::Folder;
 
 impl Folder {
-    /// One with a map of 1.2 km by 1.2 km: red in its west, green in its east.
+    /// A folder with a map of 1.2 km by 1.2 km: red in its west, green in its east.
     fn with_map(name: &str) -> Self {
         let folder = Self::new(&format!("own-map-{name}"));
         let map = Picture::from_fn(600, 600, |x, y| {
