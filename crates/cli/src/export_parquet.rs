@@ -115,7 +115,7 @@ fn put<T: DataType>(
 /// The table as the bytes of a file.
 ///
 /// # Errors
-/// In words, where two fields have one name.
+/// In words, where the format has no such table.
 pub fn parquet(topic: &Topic) -> Result<Vec<u8>, String> {
     write(topic).map_err(|cause| format!("{}: {cause}", topic.name))
 }

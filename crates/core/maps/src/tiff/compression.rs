@@ -1,8 +1,8 @@
-//! How the bytes of tiles and strips are packed.
+//! Packings of tiles and strips.
 
 use super::{Directory, Tag, TiffError};
 
-/// How the bytes of a tile or strip are packed.
+/// Packing of the bytes of a tile or strip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Compression {
     /// Not at all.
@@ -34,7 +34,7 @@ pub enum LercWrap {
     Zstandard,
 }
 
-/// How tiles and strips are packed, as the directory says.
+/// The packing of tiles and strips that the directory states; those that are not read are refused by name.
 pub(super) fn compression(directory: &Directory) -> Result<Compression, TiffError> {
     Ok(match directory.number(Tag::Compression)?.unwrap_or(1) {
         1 => Compression::None,

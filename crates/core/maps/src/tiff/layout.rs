@@ -261,16 +261,9 @@ impl Layout {
                 "WebP with other than three or four samples of 8 bits is not read; export it with deflate",
             ));
         }
-        let has_lerc = matches!(
+        let has_lerc = !matches!(
             self.kind,
-            SampleKind::U8
-                | SampleKind::I8
-                | SampleKind::U16
-                | SampleKind::I16
-                | SampleKind::U32
-                | SampleKind::I32
-                | SampleKind::F32
-                | SampleKind::F64
+            SampleKind::Bits(_) | SampleKind::U64 | SampleKind::I64 | SampleKind::F16
         );
         if matches!(self.compression, Compression::Lerc(_)) && !has_lerc {
             return Err(directory.blame(&Tag::BitsPerSample.name()).unsupported(
