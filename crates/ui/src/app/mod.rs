@@ -50,7 +50,7 @@ use crate::log::{FieldList, LogPlots, LogTab, OwnPresets};
 use crate::map::MapView;
 use crate::plan::Planner;
 use crate::shell::keys::ShortcutListener;
-use crate::shell::{LandmarkList, Palette, Toasts, apply_theme};
+use crate::shell::{LandmarkList, Palette, Toasts, apply_theme, keep_slow_clicks};
 use crate::timeline::{Playback, Timeline};
 use crate::tokens::Tokens;
 use crate::views::{CameraView, DetectorView, InspectorView, MatchView, PlotsView, Tour};
@@ -172,6 +172,7 @@ pub struct App {
 impl App {
     /// Draws one frame and does what was asked.
     pub fn ui(&mut self, ui: &mut egui::Ui, host: &mut dyn Host) {
+        keep_slow_clicks(ui.ctx());
         let now = host.now();
         if !self.started {
             self.started = true;

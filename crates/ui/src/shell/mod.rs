@@ -2,6 +2,7 @@
 
 pub mod catalog;
 mod catalog_log;
+mod clicks;
 mod entry;
 mod fonts;
 mod help;
@@ -14,6 +15,7 @@ mod toasts;
 mod top_bar;
 mod widgets;
 
+pub use clicks::keep_slow_clicks;
 pub use fonts::fonts;
 pub use help::help_sheet;
 pub(crate) use landmark_list::keyboard as landmark_keyboard;
