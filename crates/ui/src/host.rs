@@ -2,7 +2,6 @@
 
 use std::collections::BTreeSet;
 
-use crate::dialogs::Download;
 use crate::jobs::{FileContent, Job, JobEvent, JobId};
 
 /// A file that the user chose or dropped.
@@ -12,6 +11,19 @@ pub struct OpenedFile {
     pub path: String,
     /// Its bytes, or where to read them.
     pub content: FileContent,
+}
+
+/// State of a download of tiles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Download {
+    /// Tiles that are there, or could not be had.
+    pub done: u64,
+    /// Tiles in all.
+    pub all: u64,
+    /// Tiles that could not be had.
+    pub failed: u64,
+    /// Whether it came to its end.
+    pub over: bool,
 }
 
 /// The shell's services.

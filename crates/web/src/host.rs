@@ -6,8 +6,7 @@ use std::rc::Rc;
 
 use js_sys::Uint8Array;
 use pilotage_core::navigator::{StepReport, StepTiming};
-use pilotage_ui::dialogs::Download;
-use pilotage_ui::host::{Host, OpenedFile};
+use pilotage_ui::host::{Download, Host, OpenedFile};
 use pilotage_ui::jobs::{
     Crew, FileContent, FirstSeconds, Job, JobEvent, JobId, Prelude, Reply, wanted_addresses,
 };

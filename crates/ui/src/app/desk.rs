@@ -7,9 +7,9 @@ use pilotage_core::frames::GroundRect;
 
 use super::log_work::LogWork;
 use super::storage::Keeping;
-use crate::dialogs::Download;
 use crate::documents::link::Link;
 use crate::documents::{Session, Staged};
+use crate::host::Download;
 use crate::host::OpenedFile;
 use crate::jobs::{FlightSource, JobId, MapSource};
 use crate::map::TileKey;

@@ -11,4 +11,4 @@ mod web_map;
 pub use columns::{ColumnsCommand, ColumnsDialog, ColumnsDraft, DraftTable};
 pub use settings::settings_sheet;
 pub use simulate::SimulateDialog;
-pub use web_map::{Download, WebMapCommand, WebMapDialog, WebMapScene};
+pub use web_map::{WebMapCommand, WebMapDialog, WebMapScene};

@@ -5,6 +5,7 @@ use pilotage_core::frames::{Geodetic, GroundRect};
 use pilotage_core::imagery::web_tiles::TileTemplate;
 
 use crate::command::Command;
+use crate::host::Download;
 use crate::jobs::WebMap;
 use crate::shell::{caption, muted, text_button, title};
 use crate::tokens::Tokens;
@@ -27,19 +28,6 @@ pub enum WebMapCommand {
     Download(GroundRect, (u8, u8)),
     /// Stop that.
     StopDownload,
-}
-
-/// How far a download is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Download {
-    /// Tiles that are there, or could not be had.
-    pub done: u64,
-    /// Tiles in all.
-    pub all: u64,
-    /// Tiles that could not be had.
-    pub failed: u64,
-    /// Whether it came to its end.
-    pub over: bool,
 }
 
 /// What the dialog is told about what is open.

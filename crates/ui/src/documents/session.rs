@@ -34,15 +34,10 @@ pub struct Session {
 impl Session {
     /// The built-in demo.
     pub fn demo() -> Self {
+        let demo = SimulationOptions::demo();
         Self {
-            flight: FlightSource::Simulated(SimulationOptions {
-                scenario: "distinct-400ft-wind".into(),
-                seed: 1,
-                other_day: true,
-                wind: None,
-                height: None,
-            }),
-            map: MapSource::Scenery,
+            map: demo.map(),
+            flight: FlightSource::Simulated(demo),
             mission: None,
             bookmarks: Vec::new(),
             log: None,

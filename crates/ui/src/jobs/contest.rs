@@ -128,10 +128,9 @@ impl RunningJob for Contest {
 
 #[cfg(test)]
 mod tests {
-    use super::super::InlineHost;
+    use super::super::InlineWorkers;
     use super::super::{FlightSource, Job, MapSource, SimulationOptions};
     use super::*;
-    use crate::host::Host;
     use pilotage_core::simulate::Scenario;
 
     #[test]
@@ -151,7 +150,7 @@ mod tests {
             map: MapSource::Scenery,
             mission,
         };
-        let mut host = InlineHost::new();
+        let mut host = InlineWorkers::new();
         host.start(Job::Contest(Box::new(order)));
         let mut judged = None;
         while host.busy() && judged.is_none() {

@@ -22,7 +22,7 @@ fn fly(scenario: &str) -> Job {
 }
 
 /// Events until `enough` of them have come or the jobs are done.
-fn until(host: &mut InlineHost, enough: impl Fn(&[JobEvent]) -> bool) -> Vec<JobEvent> {
+fn until(host: &mut InlineWorkers, enough: impl Fn(&[JobEvent]) -> bool) -> Vec<JobEvent> {
     let mut seen = Vec::new();
     while host.busy() && !enough(&seen) {
         seen.extend(host.events().into_iter().map(|(_, event)| event));
@@ -40,7 +40,7 @@ fn steps(events: &[JobEvent]) -> usize {
 
 #[test]
 fn a_flight_tells_its_head_first_and_then_streams_steps_and_pictures() {
-    let mut host = InlineHost::new();
+    let mut host = InlineWorkers::new();
     let id = host.start(fly("distinct-400ft-wind"));
     let seen = until(&mut host, |seen| steps(seen) > 25);
     let kinds: Vec<_> = seen
@@ -67,7 +67,7 @@ fn a_flight_tells_its_head_first_and_then_streams_steps_and_pictures() {
 
 #[test]
 fn a_mission_that_was_given_is_not_told_again() {
-    let mut host = InlineHost::new();
+    let mut host = InlineWorkers::new();
     let Job::Fly { flight, map, .. } = fly("distinct-400ft-calm") else {
         panic!("a flight");
     };
@@ -83,7 +83,7 @@ fn a_mission_that_was_given_is_not_told_again() {
 
 #[test]
 fn a_tile_asked_for_during_a_flight_comes_before_the_flight_goes_on() {
-    let mut host = InlineHost::new();
+    let mut host = InlineWorkers::new();
     host.start(fly("distinct-400ft-calm"));
     until(&mut host, |seen| steps(seen) > 0);
     let window = Window::covering(
@@ -104,7 +104,7 @@ fn a_tile_asked_for_during_a_flight_comes_before_the_flight_goes_on() {
 
 #[test]
 fn an_unknown_scenario_is_refused_with_the_names_of_those_there_are() {
-    let mut host = InlineHost::new();
+    let mut host = InlineWorkers::new();
     host.start(fly("distinct-to-the-moon"));
     let seen = until(&mut host, |_| false);
     let Some(JobEvent::Failed(text)) = seen.last() else {
@@ -114,7 +114,7 @@ fn an_unknown_scenario_is_refused_with_the_names_of_those_there_are() {
 }
 
 /// What is said of a job until it is over.
-fn run(host: &mut InlineHost, job: Job) -> Vec<JobEvent> {
+fn run(host: &mut InlineWorkers, job: Job) -> Vec<JobEvent> {
     host.start(job);
     host.finish_jobs();
     host.events().into_iter().map(|(_, event)| event).collect()
@@ -134,7 +134,7 @@ fn measure(shares: usize) -> crate::jobs::Assessment {
         navigator: mission.navigator,
         ground_down: 0.0,
     });
-    let mut host = InlineHost::new();
+    let mut host = InlineWorkers::new();
     let mut views = Vec::new();
     let last = if shares == 1 {
         Job::Assess(order)
@@ -186,7 +186,7 @@ fn propose(shares: usize) -> Vec<pilotage_core::plan::Suggestion> {
         taken: Vec::new(),
         count: 4,
     });
-    let mut host = InlineHost::new();
+    let mut host = InlineWorkers::new();
     let last = if shares == 1 {
         Job::Suggest(order)
     } else {

@@ -5,8 +5,7 @@ use std::fmt::Write as _;
 use pilotage_core::flight::interpret::Role;
 use pilotage_core::flight::log::TopicName;
 
-use super::super::{InlineHost, Job, JobEvent, MapSource, SeriesName};
-use crate::host::Host as _;
+use super::super::{InlineWorkers, Job, JobEvent, MapSource, SeriesName};
 
 /// A flight eastward at 20 m/s as a text log, its airspeed with one digit too many now and then.
 fn eastward() -> Vec<u8> {
@@ -27,7 +26,7 @@ fn eastward() -> Vec<u8> {
     log.into_bytes()
 }
 
-fn events(host: &mut InlineHost) -> Vec<JobEvent> {
+fn events(host: &mut InlineWorkers) -> Vec<JobEvent> {
     let mut seen = Vec::new();
     while host.busy() {
         seen.extend(host.events().into_iter().map(|(_, event)| event));
@@ -36,15 +35,15 @@ fn events(host: &mut InlineHost) -> Vec<JobEvent> {
     seen
 }
 
-fn host_with(name: &str, bytes: Vec<u8>) -> InlineHost {
-    let mut host = InlineHost::new();
+fn host_with(name: &str, bytes: Vec<u8>) -> InlineWorkers {
+    let mut host = InlineWorkers::new();
     let files = vec![(name.to_owned(), bytes.into())];
     let key = "drop".to_owned();
     host.start(Job::Provide { key, files });
     host
 }
 
-fn read(host: &mut InlineHost, file: &str) -> Vec<JobEvent> {
+fn read(host: &mut InlineWorkers, file: &str) -> Vec<JobEvent> {
     host.start(Job::ReadLog {
         key: "drop".to_owned(),
         file: file.to_owned(),

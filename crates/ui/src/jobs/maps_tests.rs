@@ -93,14 +93,14 @@ impl ByteSource for Disk {
 }
 
 /// What comes of a job.
-fn all(host: &mut InlineHost, job: Job) -> Vec<JobEvent> {
+fn all(host: &mut InlineWorkers, job: Job) -> Vec<JobEvent> {
     let id = host.start(job);
     host.finish_jobs();
     let events = host.events().into_iter().filter(|(of, _)| *of == id);
     events.map(|(_, event)| event).collect()
 }
 
-fn open(host: &mut InlineHost, files: &[(&str, FileContent)]) -> Result<Opened, String> {
+fn open(host: &mut InlineWorkers, files: &[(&str, FileContent)]) -> Result<Opened, String> {
     let files = files.iter().map(|(n, c)| ((*n).to_owned(), c.clone()));
     let key = "drop".to_owned();
     host.start(Job::Provide {
@@ -133,7 +133,7 @@ fn placed(origin: Geodetic) -> MapSource {
 }
 
 /// The tile over `bounds` of 300 pixels, and whether it is whole.
-fn look(host: &mut InlineHost, origin: Geodetic, bounds: &GroundRect) -> (Vec<[u8; 4]>, bool) {
+fn look(host: &mut InlineWorkers, origin: Geodetic, bounds: &GroundRect) -> (Vec<[u8; 4]>, bool) {
     let window = Window::covering(bounds, bounds.width() / 300.0);
     let map = placed(origin);
     let events = all(host, Job::Tile { map, window });
@@ -150,7 +150,7 @@ fn a_large_map_opens_without_being_read_and_wide_views_fill_while_it_is_made_rea
         ((x / 8 + y / 8) % 200 + 20) as i16
     });
     let disk = Arc::new(Disk(bytes, AtomicU64::new(0)));
-    let mut host = InlineHost::new();
+    let mut host = InlineWorkers::new();
     let lent = host.lend(1, disk.clone());
     let opened = open(&mut host, &[("maps/area.tif", lent)]).unwrap();
     let read = disk.1.load(Ordering::Relaxed);
@@ -184,7 +184,7 @@ fn a_large_map_opens_without_being_read_and_wide_views_fill_while_it_is_made_rea
 #[test]
 fn a_map_that_is_cut_off_says_so_and_shows_what_is_there() {
     let mut bytes = geo_tiff(400, 300, false, |x, _| (x % 200 + 20) as i16);
-    let mut host = InlineHost::new();
+    let mut host = InlineWorkers::new();
     let cut = bytes[..60_000].to_vec();
     let why = open(&mut host, &[("cut.tif", cut.into())]).unwrap_err();
     assert!(why.contains("cut.tif"), "{why}");
@@ -218,7 +218,7 @@ fn a_map_that_is_cut_off_says_so_and_shows_what_is_there() {
 
 #[test]
 fn heights_come_from_an_elevation_model_beside_the_map() {
-    let mut host = InlineHost::new();
+    let mut host = InlineWorkers::new();
     let map = geo_tiff(400, 300, false, |x, _| (x % 200 + 20) as i16);
     let heights = geo_tiff(60, 50, true, |x, _| 180 + x as i16);
     let files = [("area.tif", map.into()), ("heights.tif", heights.into())];

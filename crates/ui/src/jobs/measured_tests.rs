@@ -8,10 +8,9 @@ use pilotage_core::flight::interpret::Role;
 use pilotage_core::flight::log::{LogFormat, TopicName};
 
 use super::super::{
-    COLUMNS_FILE, FlightSource, InlineHost, Job, JobEvent, LogAnswer, LogOrder, LogQuestion,
+    COLUMNS_FILE, FlightSource, InlineWorkers, Job, JobEvent, LogAnswer, LogOrder, LogQuestion,
     LogSeries, MapSource, ReadLog, SeriesName, write_columns,
 };
-use crate::host::Host as _;
 
 const KEY: &str = "drop";
 
@@ -37,7 +36,7 @@ fn attitude() -> String {
     table
 }
 
-fn events(host: &mut InlineHost) -> Vec<JobEvent> {
+fn events(host: &mut InlineWorkers) -> Vec<JobEvent> {
     let mut seen = Vec::new();
     while host.busy() {
         seen.extend(host.events().into_iter().map(|(_, event)| event));
@@ -47,7 +46,7 @@ fn events(host: &mut InlineHost) -> Vec<JobEvent> {
 }
 
 /// A host that was given tables with what their columns are guessed to mean.
-fn host() -> InlineHost {
+fn host() -> InlineWorkers {
     let files = [("x/gps.csv", gps()), ("x/att.csv", attitude())];
     let named = files.map(|(name, text)| (name.to_owned(), text.into_bytes()));
     let set = MemoryFiles(named.clone().into());
@@ -59,13 +58,13 @@ fn host() -> InlineHost {
     let maps = (COLUMNS_FILE.to_owned(), write_columns(&maps));
     let files = named.into_iter().chain([maps]);
     let files = files.map(|(name, bytes)| (name, bytes.into())).collect();
-    let mut host = InlineHost::new();
+    let mut host = InlineWorkers::new();
     let key = KEY.to_owned();
     host.start(Job::Provide { key, files });
     host
 }
 
-fn read(host: &mut InlineHost) -> ReadLog {
+fn read(host: &mut InlineWorkers) -> ReadLog {
     let (key, file) = (KEY.to_owned(), "x".to_owned());
     host.start(Job::ReadLog { key, file });
     let seen = events(host);
@@ -76,7 +75,7 @@ fn read(host: &mut InlineHost) -> ReadLog {
     read.unwrap_or_else(|| panic!("{seen:?}"))
 }
 
-fn series(host: &mut InlineHost, series: SeriesName) -> LogSeries {
+fn series(host: &mut InlineWorkers, series: SeriesName) -> LogSeries {
     let (key, file) = (KEY.to_owned(), "x".to_owned());
     host.start(Job::LogSeries { key, file, series });
     let found = events(host).into_iter().find_map(|event| match event {
@@ -175,7 +174,7 @@ fn the_flight_of_tables_that_were_read_is_flown() {
 
 #[test]
 fn files_that_are_gone_are_said_to_be_gone() {
-    let mut host = InlineHost::new();
+    let mut host = InlineWorkers::new();
     let (key, files) = (KEY.to_owned(), Vec::new());
     host.start(Job::Provide { key, files });
     let (key, file) = (KEY.to_owned(), "east.log".to_owned());

@@ -53,18 +53,19 @@ mod workshop;
 pub use crew::{Crew, WorkerPort};
 pub use fetched_tiles::WEB_TILES;
 pub use file_pool::has_ending;
-pub use inline::InlineHost;
+pub use inline::InlineWorkers;
 pub use lent::{LentFiles, OpenAddress};
 pub use messages::{
-    AidedResult, AlignOrder, Assessment, AssessmentOrder, BESIDE, Beside, BriefOrder,
+    AidedResult, AlignOrder, Assessment, AssessmentOrder, BESIDE, Basis, Beside, BriefOrder,
     BriefPictures, COARSE, ContestOrder, Cut, CutOrder, CutReport, DetectorSearch, Distinctness,
     DrapeOrder, EncodedPicture, EvaluationOrder, EvaluationReport, ExplainedBy, ExportOrder,
     FieldFrom, FieldOrder, FileContent, FindOrder, FlightSource, Foreseen, FoundPlan, Glance,
-    HeightsOrder, HighGround, ImportedFile, Job, JobEvent, JobId, LabelledFrames, LogAnswer,
-    LogOrder, LogQuestion, LogSeries, MadeFlight, MapInfo, MapSource, MatchPictures, Opened,
-    PackOrder, PhotoReport, PhotosOrder, PredictionOrder, ReadLog, RecordedPlaces, Reply, Request,
-    SeriesName, Share, SimulationOptions, StudyReport, SuggestOrder, TerrainInfo, TrainOrder,
-    TrainingLeft, TrainingOutcome, TrainingReport, Unplaced, WebMap, WindReport,
+    HeightsOrder, HighGround, ImportedFile, Job, JobEvent, JobId, KeptMeasurement, LabelledFrames,
+    LogAnswer, LogOrder, LogQuestion, LogSeries, MadeFlight, MapInfo, MapSource, MatchPictures,
+    Measured, Opened, PackOrder, PhotoReport, PhotosOrder, PredictionOrder, ReadLog,
+    RecordedPlaces, Reply, Request, SeriesName, Share, SimulationOptions, StudyReport,
+    SuggestOrder, TerrainInfo, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport, Unplaced,
+    WebMap, WindReport,
 };
 pub use prelude::{FirstMap, FirstSeconds, Prelude};
 pub use programs::Program;

@@ -16,7 +16,7 @@ use pilotage_core::imagery::terrain::{Dem, Terrain as _, holds_heights};
 use pilotage_core::imagery::tiff::TiffFile;
 use pilotage_core::mission::package::{PACKAGE_HEAD, read_head};
 use pilotage_core::mission::{MapError, MapOptions, Mission, OpenMap, open_map_with, read_mission};
-use pilotage_core::navigator::Run;
+use pilotage_core::navigator::{Run, decode_run};
 use pilotage_core::text::capitalised;
 
 use super::file_pool::{FilePool, has_ending};
@@ -26,7 +26,6 @@ use super::log_flights::{flight_of_log, head, log_among};
 use super::tables::{COLUMNS_FILE, flight_of_maps, tables_among};
 use super::workshop::{MAP_MEMORY, describe};
 use super::{BESIDE, MapInfo, Opened, TerrainInfo, Unplaced};
-use crate::documents::decode_run;
 
 /// Endings of picture files.
 const PICTURES: [&str; 3] = ["jpg", "jpeg", "png"];

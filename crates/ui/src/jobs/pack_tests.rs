@@ -12,7 +12,6 @@ use pilotage_core::mission::{Mission, open_map};
 use pilotage_core::raster::{Picture, encode_png};
 
 use super::*;
-use crate::documents::Documents;
 use crate::jobs::Beside;
 use crate::jobs::{Abilities, FileContent, WebMap};
 
@@ -44,10 +43,7 @@ fn packed(files: &[(&str, FileContent)], map: MapSource) -> (Vec<u8>, Option<Str
         .collect();
     workshop.provide("drop".to_owned(), &files);
     let order = PackOrder {
-        mission: Mission {
-            origin: origin(),
-            ..Documents::empty_mission()
-        },
+        mission: Mission::new("New mission", origin()),
         beside: Beside::default(),
         map,
     };

@@ -13,8 +13,7 @@ use pilotage_core::raster::{Picture, decode_picture, encode_jpeg};
 use serde_json::Value;
 
 use super::*;
-use crate::documents::Session;
-use crate::jobs::{Abilities, Advance, Reply, Request, Workshop};
+use crate::jobs::{Abilities, Advance, FlightSource, Reply, Request, SimulationOptions, Workshop};
 
 /// Seconds of the flight that are stored beyond its first match.
 const BEYOND: f64 = 0.5;
@@ -38,13 +37,14 @@ fn shipped(name: &str) -> PathBuf {
 
 /// The jobs of a first visit.
 fn first_jobs() -> [Job; 2] {
-    let demo = Session::demo();
+    let demo = SimulationOptions::demo();
+    let map = demo.map();
     let fly = Job::Fly {
-        flight: demo.flight,
-        map: demo.map.clone(),
+        flight: FlightSource::Simulated(demo),
+        map: map.clone(),
         mission: None,
     };
-    [Job::DescribeMap(demo.map), fly]
+    [Job::DescribeMap(map), fly]
 }
 
 /// What of the events of those jobs is stored.
@@ -83,14 +83,14 @@ fn of_events(events: impl IntoIterator<Item = JobEvent>) -> FirstSeconds {
     pictures.retain(|index, _| Some(*index) <= last);
     let start = steps[0].after.position();
     let center = GroundPoint::new(start.north.round(), start.east.round());
-    let demo = Session::demo();
+    let demo = SimulationOptions::demo();
     FirstSeconds {
         map: FirstMap {
-            source: demo.map,
+            source: demo.map(),
             info: map_info.expect("a map"),
             ground: GroundRect::centered(center, 2.0 * REACH, 2.0 * REACH),
         },
-        source: demo.flight,
+        source: FlightSource::Simulated(demo),
         flight: flight.expect("a flight"),
         mission: mission.expect("a mission"),
         run: run.expect("a run"),
@@ -332,7 +332,7 @@ fn a_flight_a_picture_or_a_map_that_comes_out_otherwise_is_told() {
     for event in &told[2..] {
         assert_eq!(prelude.hear(7, event.clone()), std::slice::from_ref(event));
     }
-    let map = Session::demo().map;
+    let map = SimulationOptions::demo().map();
     let known = prelude.begin(9, &Job::DescribeMap(map));
     assert_eq!(prelude.hear(9, known[0].clone()), []);
     let JobEvent::MapInfo(mut info) = known[0].clone() else {

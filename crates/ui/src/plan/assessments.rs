@@ -6,11 +6,12 @@ use nalgebra::{Matrix4, Vector4};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::plan::{DetectionStatistics, Envelope, ExpectedDetection};
 
-use super::kept::{Basis, KeptMeasurement, MEASURED_KEY, decode, encode, use_what_is_true};
-use super::measured::Measured;
+use super::kept::{MEASURED_KEY, basis_of, decode, encode, use_what_is_true};
 use crate::documents::Documents;
 use crate::host::Host;
-use crate::jobs::{Assessment, AssessmentOrder, Job, JobEvent, JobId, MapSource};
+use crate::jobs::{
+    Assessment, AssessmentOrder, Basis, Job, JobEvent, JobId, KeptMeasurement, MapSource, Measured,
+};
 
 /// Probability that is assumed of a landmark to be recognised on the day of the flight.
 pub const ASSUMED_RECOGNISED: f64 = 0.9;
@@ -222,7 +223,7 @@ impl Assessments {
     /// What measurements on `order` depend on is noted; of others nothing stays.
     fn note_basis(&mut self, documents: &Documents, order: &AssessmentOrder) {
         let id = order.landmark.id;
-        let basis = Basis::of(documents, order);
+        let basis = basis_of(documents, order);
         let before = self.bases.remove(&id);
         let is_like = |basis: &Basis| before.as_ref().is_some_and(|b| b.is_like(basis));
         if !basis.as_ref().is_some_and(is_like) {

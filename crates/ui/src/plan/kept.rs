@@ -4,159 +4,30 @@
 //! look, and on this program. Kept beside each is all of that, and what differs from the state of things is
 //! not used.
 
-use pilotage_core::camera::CameraModel;
-use pilotage_core::landmark::{Landmark, TemplateSettings};
-use pilotage_core::navigator::SensorNoise;
-use pilotage_core::plan::Envelope;
-use serde::{Deserialize, Serialize};
-use serde_json::Value;
+use pilotage_core::landmark::Landmark;
 
 use super::flown;
-use super::measured::Measured;
 use crate::documents::Documents;
-use crate::jobs::{AssessmentOrder, MapSource};
+use crate::jobs::{AssessmentOrder, Basis, KeptMeasurement};
 
 /// Key in the browser's storage.
 pub const MEASURED_KEY: &str = "measured landmarks";
 /// First byte of what is stored: the form of the bytes.
 const FORM: u8 = 1;
-/// How landmarks are measured: raised whenever detector, camera simulator or rehearsal change so that
-/// what was measured before is no longer true.
-const METHOD: u32 = 2;
-/// Lengths that differ by less are equal, metres: a mission file keeps places as angles.
-const SAME_PLACE: f64 = 2e-3;
-/// The same for the corners of a map, whose frame may be laid through another origin.
-const SAME_MAP: f64 = 0.5;
-
-/// What a measurement depends on beside the landmark and the height.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Basis {
-    method: u32,
-    program: String,
-    /// Name of the map without folders, or the address of its tiles.
-    map: String,
-    /// Metres per pixel.
-    gsd: f64,
-    /// South, west, north and east edge of the map, metres.
-    edges: [f64; 4],
-    camera: CameraModel,
-    sensors: SensorNoise,
-    detector: TemplateSettings,
+/// Basis of measurements on `order` over the open map; `None` while the map is not known.
+pub fn basis_of(documents: &Documents, order: &AssessmentOrder) -> Option<Basis> {
+    let (map, navigator) = (documents.map.as_ref()?, &order.navigator);
+    let source = &documents.map_source;
+    let (sensors, detector) = (navigator.sensors, navigator.detector);
+    Some(Basis::new(map, source, &order.camera, sensors, detector))
 }
 
-impl Basis {
-    /// What measurements on that order, of the map that is open, will depend on; `None` while the map is
-    /// not known.
-    pub fn of(documents: &Documents, order: &AssessmentOrder) -> Option<Self> {
-        let navigator = &order.navigator;
-        Self::with(
-            documents,
-            &order.camera,
-            navigator.sensors,
-            navigator.detector,
-        )
-    }
-
-    /// What measurements would depend on now.
-    fn now(documents: &Documents) -> Option<Self> {
-        let navigator = &documents.mission.navigator;
-        let camera = flown::camera(documents);
-        Self::with(documents, &camera, navigator.sensors, navigator.detector)
-    }
-
-    fn with(
-        documents: &Documents,
-        camera: &CameraModel,
-        sensors: SensorNoise,
-        detector: TemplateSettings,
-    ) -> Option<Self> {
-        let map = documents.map.as_ref()?;
-        let name = match &documents.map_source {
-            MapSource::Web(web) => web.template.address.as_str(),
-            _ => map.name.rsplit(['/', '\\']).next().unwrap_or_default(),
-        };
-        let b = map.bounds;
-        Some(Self {
-            method: METHOD,
-            program: env!("CARGO_PKG_VERSION").to_owned(),
-            map: name.to_owned(),
-            gsd: map.native_gsd,
-            edges: [b.south, b.west, b.north, b.east],
-            camera: camera.clone(),
-            sensors,
-            detector,
-        })
-    }
-
-    /// Whether both are the same but for what is lost when numbers are written down.
-    pub fn is_like(&self, other: &Self) -> bool {
-        let same_map = self
-            .edges
-            .iter()
-            .zip(other.edges)
-            .all(|(a, b)| (a - b).abs() < SAME_MAP);
-        let rest = |basis: &Self| {
-            serde_json::to_value(Self {
-                edges: [0.0; 4],
-                ..basis.clone()
-            })
-            .unwrap_or_default()
-        };
-        same_map && alike(&rest(self), &rest(other))
-    }
-}
-
-/// Whether two values are equal, numbers to a millionth.
-fn alike(a: &Value, b: &Value) -> bool {
-    match (a, b) {
-        (Value::Number(a), Value::Number(b)) => match (a.as_f64(), b.as_f64()) {
-            (Some(a), Some(b)) => (a - b).abs() <= 1e-6 * a.abs().max(b.abs()),
-            _ => a == b,
-        },
-        (Value::Array(a), Value::Array(b)) => {
-            a.len() == b.len() && a.iter().zip(b).all(|(a, b)| alike(a, b))
-        }
-        (Value::Object(a), Value::Object(b)) => {
-            let found = |(name, value)| b.get(name).is_some_and(|other| alike(value, other));
-            a.len() == b.len() && a.iter().all(found)
-        }
-        _ => a == b,
-    }
-}
-
-/// What was measured of one landmark.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct KeptMeasurement {
-    /// What it depends on.
-    pub basis: Basis,
-    /// The landmark as it was measured.
-    pub landmark: Landmark,
-    /// How well it is found.
-    pub measured: Option<Measured>,
-    /// The height that was planned with, metres, and from where it is found.
-    pub envelope: Option<(f64, Envelope)>,
-}
-
-impl KeptMeasurement {
-    /// Whether it is of `landmark`, as that is now.
-    pub fn is_of(&self, landmark: &Landmark) -> bool {
-        let numbers = |l: &Landmark| {
-            let b = l.bounds;
-            [
-                b.south,
-                b.west,
-                b.north,
-                b.east,
-                l.reference.north,
-                l.reference.east,
-                l.height,
-            ]
-        };
-        let (ours, theirs) = (numbers(&self.landmark), numbers(landmark));
-        self.landmark.id == landmark.id
-            && self.landmark.detector_in_use() == landmark.detector_in_use()
-            && (ours.iter().zip(theirs)).all(|(a, b)| (a - b).abs() < SAME_PLACE)
-    }
+/// Basis of measurements that would be made now; `None` while the map is not known.
+fn basis_now(documents: &Documents) -> Option<Basis> {
+    let (map, navigator) = (documents.map.as_ref()?, &documents.mission.navigator);
+    let (source, camera) = (&documents.map_source, flown::camera(documents));
+    let (sensors, detector) = (navigator.sensors, navigator.detector);
+    Some(Basis::new(map, source, &camera, sensors, detector))
 }
 
 /// As bytes for the storage.
@@ -177,7 +48,7 @@ pub fn use_what_is_true(
     documents: &Documents,
     mut use_it: impl FnMut(KeptMeasurement, &Landmark),
 ) {
-    let Some(now) = Basis::now(documents) else {
+    let Some(now) = basis_now(documents) else {
         return;
     };
     let landmarks = &documents.mission.landmarks;
@@ -192,14 +63,15 @@ pub fn use_what_is_true(
 
 #[cfg(test)]
 mod tests {
+    use pilotage_core::camera::CameraModel;
     use pilotage_core::frames::{GroundPoint, GroundRect};
     use pilotage_core::landmark::DetectorChoice;
-    use pilotage_core::plan::{Breakdown, DetectionStatistics, Tally};
+    use pilotage_core::plan::{Breakdown, DetectionStatistics, Envelope, Tally};
 
     use super::super::assessments::assumed;
     use super::*;
     use crate::documents::Session;
-    use crate::jobs::{Assessment, Beside, MapInfo};
+    use crate::jobs::{Assessment, Beside, MapInfo, Measured};
 
     fn documents() -> Documents {
         let mut documents = Documents::new(&Session::demo());
@@ -219,7 +91,7 @@ mod tests {
     fn kept(documents: &Documents) -> KeptMeasurement {
         let landmark = documents.mission.landmarks[0].clone();
         KeptMeasurement {
-            basis: Basis::now(documents).unwrap(),
+            basis: basis_now(documents).unwrap(),
             measured: Some(Measured {
                 last: Assessment {
                     landmark: landmark.clone(),

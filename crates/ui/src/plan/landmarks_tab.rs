@@ -6,7 +6,6 @@ use pilotage_core::landmark::Landmark;
 use super::PlanCommand;
 use super::assessments::{ASSUMED_PER_FRAME, ASSUMED_RECOGNISED};
 use super::button::button;
-use super::measured::Measured;
 use super::planner::Planner;
 use super::purpose::Purpose;
 use super::tallies;
@@ -14,6 +13,7 @@ use super::train_command::TrainCommand;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
+use crate::jobs::Measured;
 use crate::shell::{
     Examined, LandmarkList, caption, chip, icon_button, icons::Icon, muted, text_button,
 };

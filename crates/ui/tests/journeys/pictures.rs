@@ -6,9 +6,9 @@ use egui::{Key, Modifiers, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use pilotage_ui::app::App;
-use pilotage_ui::jobs::InlineHost;
 
 use super::support::canvas::{Textures, folder};
+use super::support::inline::InlineHost;
 
 struct Page {
     app: Option<App>,
@@ -25,7 +25,7 @@ impl Scene {
     fn new(size: Vec2) -> Self {
         let page = Page {
             app: None,
-            host: InlineHost::new(),
+            host: InlineHost::default(),
         };
         let textures = Textures::default();
         let harness = Harness::builder()

@@ -2,8 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::SimulationOptions;
-use crate::plan::KeptMeasurement;
+use super::{KeptMeasurement, SimulationOptions};
 
 /// What is open beside a mission, as its file states it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

@@ -23,6 +23,17 @@ pub struct SimulationOptions {
 }
 
 impl SimulationOptions {
+    /// The built-in demo.
+    pub fn demo() -> Self {
+        Self {
+            scenario: "distinct-400ft-wind".into(),
+            seed: 1,
+            other_day: true,
+            wind: None,
+            height: None,
+        }
+    }
+
     /// Whether it is the flight in the hall.
     pub fn is_indoors(&self) -> bool {
         self.scenario == IndoorHall::NAME

@@ -5,6 +5,7 @@ pub mod canvas;
 pub mod flight;
 pub mod harness;
 pub mod host;
+pub mod inline;
 pub mod laid;
 
 pub use harness::{Rig, rig, rig_on};
