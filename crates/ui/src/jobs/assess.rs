@@ -1,4 +1,4 @@
-//! How well a landmark is found on other days, a view after the other.
+//! Rehearsal of a landmark on other days, a view after the other.
 
 use std::sync::Arc;
 
@@ -37,7 +37,7 @@ impl AssessmentOrder {
     }
 }
 
-/// What views come to, all of them in the order of their looks.
+/// Assessment of a landmark by all its views, which are in the order of their looks.
 pub fn sum_up(order: &AssessmentOrder, views: &[View]) -> Result<Assessment, String> {
     let expected = Rehearsal::expected(views).ok_or("there was nothing to look at")?;
     let glance = |view: &View| Glance {

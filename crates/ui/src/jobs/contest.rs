@@ -25,7 +25,7 @@ pub struct Contest {
     tallies: Vec<Tally>,
 }
 
-/// What all contenders share.
+/// Flight and map that all contenders share.
 struct Ground {
     open: Rc<RefCell<OpenFlight>>,
     flight: Arc<Flight>,

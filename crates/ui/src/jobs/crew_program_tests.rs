@@ -1,4 +1,4 @@
-//! Which program the crew opens for what, and who waits for whom.
+//! The program that the crew opens for a job, and jobs that wait for each other.
 
 use super::*;
 use crate::jobs::Program;

@@ -1,4 +1,4 @@
-//! What the crew does with its workers, with lines that only take notes.
+//! The crew and its workers, tested with lines that only take notes.
 
 use std::cell::RefCell;
 use std::rc::Rc;

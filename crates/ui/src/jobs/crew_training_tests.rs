@@ -1,4 +1,4 @@
-//! Where trainings go on, and what becomes of one whose worker dies.
+//! The workers on which trainings go on, and the restart of a training whose worker dies.
 
 use super::*;
 

@@ -1,4 +1,4 @@
-//! How distinct a box of the map is, with a sentence for people.
+//! Distinctness of a box of the map, with a sentence for people.
 
 use pilotage_core::frames::GroundRect;
 use pilotage_core::imagery::Imagery;

@@ -27,7 +27,7 @@ const TOLD_EVERY: usize = 50;
 const FEW_REPLICATES: usize = 100;
 
 impl EvaluationReport {
-    /// What is told of `looks` for the detector whose own threshold is `least_score`.
+    /// Report on `looks` for the detector whose own threshold is `least_score`.
     ///
     /// # Errors
     /// If they tell nothing, in words.
@@ -63,7 +63,8 @@ fn percent(share: f64) -> String {
     format!("{:.1}", 100.0 * share)
 }
 
-/// What happens at the threshold that the navigator uses, in all looks and in real frames alone.
+/// Rates of detection and of false alarms at the threshold that the navigator uses, in words: over all looks,
+/// and over real frames alone.
 fn in_use(looks: &[EvaluatedLook], least_score: f64) -> Vec<String> {
     let rate = |rate: &Rate| {
         let (low, high) = (percent(rate.low), percent(rate.high));

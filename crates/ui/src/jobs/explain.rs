@@ -13,7 +13,7 @@ use super::{
     DetectorSearch, ExplainedBy, FlightSource, Job, JobEvent, MapSource, MatchPictures, Workshop,
 };
 
-/// What a job that explains a match tells.
+/// Answer to a job that explains a match: its pictures, or the search of the trained detector.
 pub fn explained(workshop: &mut Workshop, job: &Job) -> Result<JobEvent, String> {
     let Job::ExplainMatch {
         by,
@@ -39,7 +39,7 @@ pub fn explained(workshop: &mut Workshop, job: &Job) -> Result<JobEvent, String>
     })
 }
 
-/// Which step is looked at again, and for which landmark.
+/// Step that is looked at again, and its landmark.
 struct PastLook<'a> {
     flight: &'a FlightSource,
     map: &'a MapSource,
@@ -49,7 +49,7 @@ struct PastLook<'a> {
 }
 
 impl PastLook<'_> {
-    /// What `look` says of the step's picture.
+    /// Runs `look` on the step's picture and returns its answer, or in words why there is none.
     fn again<R>(
         &self,
         workshop: &mut Workshop,
@@ -94,7 +94,7 @@ impl PastLook<'_> {
         })
     }
 
-    /// What the landmark's trained detector saw and did.
+    /// Search of the landmark's trained detector in the step's picture.
     fn detector_search(&self, workshop: &mut Workshop) -> DetectorSearch {
         let settings = &self.mission.navigator;
         let found = self.again(workshop, |flight, map, marked, picture| {

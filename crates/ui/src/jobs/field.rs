@@ -1,4 +1,4 @@
-//! Where a fix would be had, as a job: the field streams in while it is computed.
+//! Field of the probability of a fix, as a job: the field streams in while it is computed.
 
 use pilotage_core::plan::{FieldBuilder, FixSource, Localizability, OfferedField};
 

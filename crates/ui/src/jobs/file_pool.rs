@@ -15,7 +15,7 @@ const LARGEST_WHOLE: u64 = 1 << 30;
 /// Files of one drop.
 pub struct FilePool {
     plain: BTreeMap<String, Arc<dyn ByteSource>>,
-    /// What zips and MATLAB files hold.
+    /// Files inside zips and MATLAB files.
     inner: Vec<Box<dyn FileSet>>,
 }
 

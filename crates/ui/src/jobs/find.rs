@@ -23,8 +23,8 @@ const MOST_CELLS: f64 = 700.0;
 const WORLDS: usize = 32;
 
 impl Foreseen {
-    /// What was to be least: the standard deviation (longer axis) at the worst place or in the mean,
-    /// metres.
+    /// Uncertainty that was to be least: the standard deviation (longer axis) at the worst place or in the
+    /// mean, metres.
     fn uncertainty(&self, aim: Aim) -> f64 {
         let sigmas = self.prediction.samples.iter();
         let sigmas = sigmas.map(|s| s.corridor.sigma_major);

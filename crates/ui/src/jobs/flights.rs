@@ -9,7 +9,7 @@ use pilotage_core::raster::{Picture, decode_picture};
 
 /// A flight with everything needed to navigate it.
 pub struct OpenFlight {
-    /// What was measured.
+    /// Measured flight.
     pub flight: Arc<Flight>,
     /// The mission that comes with it, if any.
     pub mission: Option<Mission>,

@@ -113,14 +113,14 @@ fn an_unknown_scenario_is_refused_with_the_names_of_those_there_are() {
     assert!(text.contains("distinct-to-the-moon") && text.contains("distinct-400ft-calm"));
 }
 
-/// What is said of a job until it is over.
+/// Runs a job to its end and returns its events.
 fn run(host: &mut InlineWorkers, job: Job) -> Vec<JobEvent> {
     host.start(job);
     host.finish_jobs();
     host.events().into_iter().map(|(_, event)| event).collect()
 }
 
-/// What a measurement of a landmark says, as one job or in two shares.
+/// Assessment of a landmark, measured as one job or in two shares.
 fn measure(shares: usize) -> crate::jobs::Assessment {
     use crate::jobs::{AssessmentOrder, Share};
     use pilotage_core::simulate::Scenario;
@@ -163,7 +163,7 @@ fn a_measurement_in_two_shares_says_the_very_same() {
     assert_eq!(measure(2), measure(1));
 }
 
-/// What is proposed for a short leg, as one job or in two shares.
+/// Landmarks proposed for a short leg, as one job or in two shares.
 fn propose(shares: usize) -> Vec<pilotage_core::plan::Suggestion> {
     use crate::jobs::{Share, SuggestOrder};
     use pilotage_core::frames::GroundPoint;

@@ -10,12 +10,12 @@ use super::FileContent;
 /// Opens the file at an address; the error says in words why it cannot be had.
 pub type OpenAddress = Box<dyn Fn(&str) -> Result<Arc<dyn ByteSource>, String>>;
 
-/// What lies outside and is read by pieces.
+/// Files outside the program that are read by pieces.
 #[derive(Default)]
 pub struct LentFiles {
     /// The files that a shell lends, by number.
     pub files: BTreeMap<u32, Arc<dyn ByteSource>>,
-    /// How files of the web are opened, where there is a way.
+    /// Opener of files of the web, where there is a way.
     pub web: Option<OpenAddress>,
 }
 

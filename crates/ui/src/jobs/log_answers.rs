@@ -1,4 +1,4 @@
-//! What is asked of a log beside its series: figures and tables of a span of time, from every sample.
+//! Answers about a log beside its series: figures and tables of a span of time, from every sample.
 
 use std::rc::Rc;
 

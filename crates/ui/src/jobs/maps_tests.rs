@@ -92,7 +92,7 @@ impl ByteSource for Disk {
     }
 }
 
-/// What comes of a job.
+/// Events of a job until its end.
 fn all(host: &mut InlineWorkers, job: Job) -> Vec<JobEvent> {
     let id = host.start(job);
     host.finish_jobs();

@@ -1,4 +1,4 @@
-//! What dropped files are: a flight, a map, a mission, a run.
+//! Recognition of dropped files: a flight, a map, a mission, a run.
 
 use std::sync::Arc;
 
@@ -342,7 +342,7 @@ fn unknown(pool: &FilePool) -> String {
     )
 }
 
-/// What is known of an elevation model in its own frame.
+/// Description of an elevation model in its own frame.
 fn describe_terrain(dem: &Dem) -> TerrainInfo {
     TerrainInfo {
         name: dem.name().to_owned(),

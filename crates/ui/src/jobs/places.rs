@@ -1,4 +1,4 @@
-//! Where jobs are done: who has which role, which program they need, and the files that they name.
+//! Places of jobs: the role of each worker, the program that a job needs, and the files that it names.
 
 use super::{FlightSource, Job, MapSource, Program};
 

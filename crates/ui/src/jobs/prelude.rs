@@ -38,7 +38,7 @@ impl FirstMap {
 pub struct FirstSeconds {
     /// The map, first in the file: the view needs no more of it.
     pub map: FirstMap,
-    /// Where the flight is from.
+    /// Source of the flight.
     pub source: FlightSource,
     /// The flight.
     pub flight: Box<Flight>,
@@ -73,7 +73,7 @@ impl FirstSeconds {
         Some(JobEvent::FramePicture { index, encoded })
     }
 
-    /// What begins the run.
+    /// Events that begin the run.
     fn heads(&self) -> [JobEvent; 3] {
         [
             JobEvent::Flight(self.flight.clone()),
@@ -105,7 +105,7 @@ impl Prelude {
         }
     }
 
-    /// What is told at once of a job that begins.
+    /// Events that are told at once of a job that begins.
     pub fn begin(&mut self, id: JobId, job: &Job) -> Vec<JobEvent> {
         let Some(stored) = &self.stored else {
             return Vec::new();
@@ -136,7 +136,7 @@ impl Prelude {
         (self.compared, self.different)
     }
 
-    /// What of a worker's word is to be passed on.
+    /// Takes an event that a worker sent; returns the events to be passed on.
     pub fn hear(&mut self, id: JobId, event: JobEvent) -> Vec<JobEvent> {
         let Some(stored) = &self.stored else {
             return vec![event];

@@ -47,7 +47,7 @@ fn first_jobs() -> [Job; 2] {
     [Job::DescribeMap(map), fly]
 }
 
-/// What of the events of those jobs is stored.
+/// First seconds to be stored, out of the events of those jobs.
 fn of_events(events: impl IntoIterator<Item = JobEvent>) -> FirstSeconds {
     let (mut map_info, mut flight, mut mission, mut run) = (None, None, None, None);
     let (mut steps, mut pictures) = (Vec::new(), BTreeMap::new());
@@ -99,7 +99,7 @@ fn of_events(events: impl IntoIterator<Item = JobEvent>) -> FirstSeconds {
     }
 }
 
-/// What this program computes, and the picture of the ground.
+/// First seconds as this program computes them, and the picture of the ground.
 fn computed() -> (FirstSeconds, Picture) {
     let mut workshop = Workshop::new(Abilities::FLYING);
     let mut events = Vec::new();
@@ -132,7 +132,8 @@ fn computed() -> (FirstSeconds, Picture) {
     (first, pixels.map(|[r, g, b, _]| [r, g, b]))
 }
 
-/// What the page in a folder computes, asked without a browser: to the last digit what its workers say.
+/// First seconds as the page in a folder computes them, asked without a browser: to the last digit the values
+/// of its workers.
 fn computed_by_page(page: &OsStr) -> FirstSeconds {
     let script = concat!(
         env!("CARGO_MANIFEST_DIR"),
@@ -168,7 +169,8 @@ fn computed_by_page(page: &OsStr) -> FirstSeconds {
     }))
 }
 
-/// Where two things differ, if they do by more than the last digits of a number may between machines.
+/// First place where two values differ by more than the last digits of a number may between machines, if
+/// there is one.
 fn difference(one: &Value, other: &Value, place: &str) -> Option<String> {
     use Value::{Array, Number, Object};
     match (one, other) {

@@ -1,4 +1,4 @@
-//! What a large map needs before wide views of it are quick, made ahead a piece after the other.
+//! Preparation of a large map, made ahead a piece after the other: wide views of it are quick afterwards.
 
 use std::sync::Arc;
 

@@ -46,7 +46,7 @@ impl JobRunner {
         }
     }
 
-    /// What the jobs share.
+    /// Store that the jobs share.
     pub fn workshop_mut(&mut self) -> &mut Workshop {
         &mut self.workshop
     }

@@ -12,12 +12,12 @@ pub const SHARES: usize = 2;
 /// The shares of a job, under the number of the whole.
 pub struct SharedJob {
     whole: Whole,
-    /// How far each of the jobs is that are not over.
+    /// Progress of each of the jobs that are not over.
     parts: BTreeMap<JobId, f32>,
     is_summing: bool,
 }
 
-/// What is shared, and what is known so far.
+/// Job that is shared, and its results so far.
 enum Whole {
     /// A landmark that is measured, and the views of it, each with the number of its look.
     Measurement(Box<AssessmentOrder>, Vec<(usize, View)>),
@@ -25,7 +25,7 @@ enum Whole {
     Proposal(Box<SuggestOrder>, BTreeMap<usize, Vec<Candidate>>),
 }
 
-/// What follows for the whole from what one of the jobs said.
+/// Consequence for the whole of an event of one of the jobs.
 #[derive(Debug, PartialEq)]
 pub enum Follows {
     /// Say this of the whole.

@@ -34,7 +34,7 @@ impl Suggest {
     }
 }
 
-/// What is proposed of the places that passed in all shares.
+/// Landmarks chosen among the places that passed in all shares.
 pub fn choose(
     workshop: &mut Workshop,
     order: SuggestOrder,
@@ -44,7 +44,7 @@ pub fn choose(
     Ok(question(workshop, order)?.chosen_of(found, count))
 }
 
-/// What is asked, still without other days.
+/// Question of the proposal, still without other days.
 fn question(workshop: &mut Workshop, order: SuggestOrder) -> Result<ProposalQuestion, String> {
     Ok(ProposalQuestion {
         map: workshop.cached_map(&order.map)?,

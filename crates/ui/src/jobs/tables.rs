@@ -16,7 +16,7 @@ pub const COLUMNS_FILE: &str = "columns.json";
 /// Endings of tables.
 const TABLES: [&str; 3] = ["csv", "tsv", "txt"];
 
-/// What people said of the columns, as the file [`COLUMNS_FILE`] has it.
+/// Encodes the meanings that people gave to the columns, as the file [`COLUMNS_FILE`] has them.
 pub fn write_columns(maps: &[ColumnMap]) -> Vec<u8> {
     serde_json::to_vec_pretty(maps).unwrap_or_default()
 }

@@ -19,7 +19,7 @@ const TOLD_EVERY: f64 = 400.0;
 /// A detector being trained.
 pub struct Train {
     order: TrainOrder,
-    /// What was read of the labelled frames, and of how many labels.
+    /// Photos of the labelled frames read so far, and the number of labels read.
     labelled: Vec<Photo>,
     read: usize,
     training: Option<DetectorTraining>,

@@ -1,4 +1,4 @@
-//! Which tiles of the web a job needs.
+//! Tiles of the web that a job needs.
 //!
 //! The page fetches (and its browser keeps) tiles; a worker gets them before the job that reads them.
 
@@ -9,7 +9,7 @@ use super::{FieldFrom, Job, MapSource, WebMap};
 
 /// Most tiles that are fetched for one job.
 const MOST_PER_JOB: usize = 512;
-/// How far around a landmark pixels are needed to look for it, metres.
+/// Margin around a landmark within which pixels are needed to look for it, metres.
 const AROUND_LANDMARK: f64 = 80.0;
 
 impl WebMap {
@@ -29,7 +29,7 @@ impl WebMap {
     }
 }
 
-/// What a job reads of its map.
+/// Parts of its map that a job reads.
 enum Reads {
     /// These pictures of it.
     Windows(Vec<Window>),

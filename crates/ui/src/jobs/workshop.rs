@@ -1,5 +1,5 @@
-//! What the jobs of one worker share: files, opened maps, flights, rendered frames; and what a job is that works
-//! with them.
+//! The store that the jobs of one worker share (files, opened maps, flights, rendered frames), and the trait
+//! of a job that works with it.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -46,7 +46,7 @@ struct KeptMap {
     told: usize,
 }
 
-/// Whether a job has more to do.
+/// State of a job after a slice: more to do, or done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Advance {
     /// Call again.
@@ -73,7 +73,7 @@ pub trait RunningJob {
 /// A map that was opened, or why not, in words.
 pub type OpenedMap = Result<Arc<dyn Imagery>, String>;
 
-/// What a worker can do: how it begins jobs, and what it opens for them.
+/// Abilities of a worker: functions that begin jobs, and those that open maps and flights for them.
 #[derive(Clone, Copy)]
 pub struct Abilities {
     /// Makes a job ready to advance; one that it cannot do fails with its first step.
@@ -259,7 +259,7 @@ impl Workshop {
         Ok(map)
     }
 
-    /// What could not be read of a map since the last call, in words.
+    /// Problems in reading a map that came up since the last call, in words.
     pub fn new_problems(&mut self, source: &MapSource) -> Vec<String> {
         let Some(kept) = self.maps.iter_mut().find(|kept| kept.source == *source) else {
             return Vec::new();
@@ -270,7 +270,7 @@ impl Workshop {
         new
     }
 
-    /// How a map looks on `count` other days, laid out once and kept where it was looked at.
+    /// Looks of a map on `count` other days, laid out once and kept where it was looked at.
     pub fn other_days(&mut self, source: &MapSource, count: usize) -> Result<Days, String> {
         let key = cache_key(source);
         if let Some((of, days)) = &self.days
@@ -309,7 +309,7 @@ impl Workshop {
         Ok(Proposal::days(self.others(source)?.as_ref(), seed))
     }
 
-    /// How a map looks on other days.
+    /// Source of a map's looks on other days.
     pub(super) fn others(&mut self, source: &MapSource) -> Result<Box<dyn OtherDays>, String> {
         Ok(match source {
             MapSource::Scenery => Box::new(SceneryDays {
@@ -343,7 +343,7 @@ impl Workshop {
     }
 }
 
-/// What is known of a map.
+/// Description of a map.
 pub fn describe(map: &dyn Imagery) -> MapInfo {
     MapInfo {
         name: map.name().to_owned(),

@@ -8,6 +8,6 @@ use serde::{Deserialize, Serialize};
 pub struct AlignOrder {
     /// The frames that were laid on the map, and the log around them.
     pub evidence: CameraEvidence,
-    /// What is believed before.
+    /// Prior of the camera's alignment: standard deviations about zero.
     pub believed: CameraPrior,
 }

@@ -1,4 +1,4 @@
-//! How well a landmark is found: what to measure, and what came of it.
+//! Assessment of a landmark by rehearsal: the order and the result.
 
 use pilotage_core::camera::CameraModel;
 use pilotage_core::landmark::Landmark;
@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::MapSource;
 
-/// Which landmark to measure, and how it will be looked for.
+/// Landmark to be measured, and the circumstances under which it will be looked for.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AssessmentOrder {
     /// The map.
@@ -19,20 +19,20 @@ pub struct AssessmentOrder {
     pub camera: CameraModel,
     /// Height of the camera above ground, metres.
     pub height: f64,
-    /// How it will be navigated.
+    /// Settings of the navigator of the planned flight.
     pub navigator: NavigatorSettings,
     /// Down coordinate of the ground plane, metres.
     pub ground_down: f64,
 }
 
-/// One look at a landmark.
+/// Single look at a landmark.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Glance {
     /// Heading of the camera, radians.
     pub heading: f64,
     /// Distance from the middle of the picture, pixels.
     pub off_centre: f64,
-    /// Which of the days it was on.
+    /// Index of the day of the look.
     pub day: usize,
     /// Whether it was accepted and right.
     pub found: bool,
@@ -40,20 +40,20 @@ pub struct Glance {
     pub wrong: bool,
 }
 
-/// How well a landmark is found.
+/// Assessment of a landmark: its detection probability and the views behind it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Assessment {
     /// The landmark as it was measured.
     pub landmark: Landmark,
     /// Height above ground, metres.
     pub height: f64,
-    /// What is to be expected.
+    /// Expected detection of the landmark.
     pub expected: ExpectedDetection,
     /// Share of the views in which a wrong place was accepted.
     pub false_matches: f64,
     /// Every view.
     pub views: Vec<Glance>,
-    /// What they depend on.
+    /// Views counted by heading, attitude error and day.
     pub breakdown: Breakdown,
 }
 
@@ -61,9 +61,9 @@ pub struct Assessment {
 /// ground of one day each.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Share {
-    /// Which of them, from 0.
+    /// Index of this share, from 0.
     pub part: usize,
-    /// How many there are.
+    /// Number of shares.
     pub of: usize,
 }
 
@@ -76,7 +76,7 @@ impl Share {
         look % Rehearsal::DAYS % self.of == self.part
     }
 
-    /// How many looks there are in it.
+    /// Number of looks in the share.
     pub(in crate::jobs) fn count(&self) -> usize {
         (0..Rehearsal::VIEWS).filter(|look| self.has(*look)).count()
     }

@@ -1,10 +1,10 @@
-//! What is open beside a mission, as the mission file states it.
+//! Simulation, bookmarks and measurements open beside a mission, as the mission file states them.
 
 use serde::{Deserialize, Serialize};
 
 use super::{KeptMeasurement, SimulationOptions};
 
-/// What is open beside a mission, as its file states it.
+/// Simulation, bookmarks and measurements open beside a mission, as its file states them.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Beside {
@@ -12,7 +12,7 @@ pub struct Beside {
     pub simulation: Option<SimulationOptions>,
     /// Bookmarks, seconds in the flight's time base.
     pub bookmarks: Vec<f64>,
-    /// What was measured of the mission's landmarks, for as long as it is true.
+    /// Measurements of the mission's landmarks, for as long as they are true.
     pub measured: Vec<KeptMeasurement>,
 }
 

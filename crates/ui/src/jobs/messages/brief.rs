@@ -1,4 +1,4 @@
-//! Which pictures a mission brief wants, and the pictures.
+//! Pictures of a mission brief: the order and the result.
 
 use pilotage_core::frames::GroundRect;
 use pilotage_core::imagery::Window;
@@ -10,7 +10,7 @@ use super::{MapSource, whole_bytes};
 const MAP: f64 = 1500.0;
 const THUMBNAIL: f64 = 160.0;
 
-/// Which pictures are wanted.
+/// Pictures wanted for a mission brief.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BriefOrder {
     /// The map.
@@ -47,6 +47,6 @@ pub struct EncodedPicture(#[serde(with = "whole_bytes")] pub Vec<u8>);
 pub struct BriefPictures {
     /// The map.
     pub map: EncodedPicture,
-    /// One for each box, in order.
+    /// Thumbnail of each box, in order.
     pub thumbnails: Vec<EncodedPicture>,
 }

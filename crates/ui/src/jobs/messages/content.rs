@@ -1,4 +1,4 @@
-//! What a file holds that goes from the page to its workers.
+//! Content of a file on its way from the page to its workers.
 
 use std::sync::Arc;
 
@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::whole_bytes;
 
-/// What a file holds, or where a worker reads it.
+/// Content of a file, or the place where a worker reads it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum FileContent {
     /// Its bytes.

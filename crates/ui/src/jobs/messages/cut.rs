@@ -5,10 +5,10 @@ use serde::{Deserialize, Serialize};
 
 use super::FlightSource;
 
-/// What to cut.
+/// GPS outage to be simulated: stretches of the flight without satellite navigation.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Cut {
-    /// One stretch, seconds in the flight's time base.
+    /// Single stretch from begin to end, seconds in the flight's time base.
     Stretch(f64, f64),
     /// Stretches of so many seconds, all along the time in the air.
     AllAlong(f64),
@@ -19,16 +19,16 @@ pub enum Cut {
 pub struct CutOrder {
     /// The flight.
     pub flight: FlightSource,
-    /// What to cut.
+    /// GPS outage to be simulated.
     pub cut: Cut,
     /// Positions that the run found in the pictures, and what to call them.
     pub seen: Option<(String, Vec<PositionFix>)>,
 }
 
-/// One way to navigate through the cut.
+/// Result of one way to navigate through the cut.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AidedResult {
-    /// What it is called.
+    /// Name of the way to navigate.
     pub label: String,
     /// Error and doubt against the time since the cut.
     pub growth: Vec<Growth>,
@@ -36,14 +36,14 @@ pub struct AidedResult {
     pub places: Vec<[f64; 3]>,
 }
 
-/// What came of a cut.
+/// Result of a cut.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CutReport {
     /// The stretch, seconds in the flight's time base.
     pub span: (f64, f64),
     /// Each way to navigate.
     pub results: Vec<AidedResult>,
-    /// What the program noticed, in sentences.
+    /// Remarks of the program, in sentences.
     pub remarks: Vec<String>,
     /// The wind, if it can be told.
     pub winds: Option<WindReport>,
@@ -64,10 +64,10 @@ pub struct WindReport {
     pub from_autopilot: Option<f64>,
 }
 
-/// What came of cuts all along a flight.
+/// Results of cuts all along a flight.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StudyReport {
-    /// How long each was, seconds.
+    /// Length of each cut, seconds.
     pub length: f64,
     /// Each way to navigate.
     pub studies: Vec<CutStudy>,

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{AssessmentOrder, FlightSource};
 
-/// Which detector to judge, and by which real frames.
+/// Detector to be judged, and the real frames to judge it by.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EvaluationOrder {
     /// The landmark with its detector, and the flights for which it is judged.
@@ -18,7 +18,7 @@ pub struct EvaluationOrder {
     pub days: usize,
 }
 
-/// What came of an evaluation, ready to be shown and saved.
+/// Result of an evaluation, ready to be shown and saved.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EvaluationReport {
     /// The landmark.
@@ -27,7 +27,7 @@ pub struct EvaluationReport {
     pub name: String,
     /// The figures that matter most.
     pub figures: Vec<String>,
-    /// What they rest on.
+    /// Basis of the figures: numbers of pictures and days, and the meaning of bands and brackets.
     pub basis: String,
     /// The plots, each with itself as SVG.
     pub plots: Vec<(Plot, String)>,

@@ -1,4 +1,4 @@
-//! What a worker says of a job.
+//! Events by which a worker reports on a job.
 
 use pilotage_core::alignment::CameraToLog;
 use pilotage_core::flight::Flight;
@@ -20,14 +20,14 @@ use super::{
     ReadLog, StudyReport, TrainingOutcome, TrainingReport, whole_bytes,
 };
 
-/// What a worker says of a job.
+/// Event by which a worker reports on a job.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum JobEvent {
-    /// How far it is, 0 to 1, and what it is doing.
+    /// Progress, 0 to 1, and the present activity in words.
     Progress(f32, String),
     /// The flight.
     Flight(Box<Flight>),
-    /// What a log holds, as far as it has been read.
+    /// Outline of a log, as far as it has been read.
     LogOutline(Box<Outline>),
     /// A log that was read.
     LogRead(Box<ReadLog>),
@@ -37,13 +37,13 @@ pub enum JobEvent {
     LogSeries(Box<LogSeries>),
     /// Something that was asked of a log.
     LogAnswer(Box<LogAnswer>),
-    /// What came of a cut.
+    /// Result of a cut.
     CutMade(Box<CutReport>),
-    /// What came of cuts all along a flight.
+    /// Results of cuts all along a flight.
     CutsStudied(Box<StudyReport>),
     /// A camera in time and place beside its log.
     CameraAligned(Box<CameraToLog>),
-    /// Where a photo lies, or why it was not laid.
+    /// Place of a photo, or why it was not laid.
     PhotoLaid(Box<PhotoReport>),
     /// A laid photo on the map in its own colours.
     PhotoDraped(Box<Draped>),
@@ -73,11 +73,11 @@ pub enum JobEvent {
         #[serde(with = "whole_bytes")]
         pixels: Vec<u8>,
     },
-    /// What is known of a map.
+    /// Description of a map.
     MapInfo(MapInfo),
     /// Pixels of a map.
     Tile {
-        /// Which part.
+        /// Part of the map.
         window: Window,
         /// Its pixels.
         pixels: Raster<Rgba>,
@@ -90,28 +90,28 @@ pub enum JobEvent {
     Heights(Box<HeightGrid>),
     /// Something people should know of the job's files, though it goes on.
     Remark(String),
-    /// How distinct a box is.
+    /// Distinctness of a box of the map.
     Distinctness(Box<Distinctness>),
     /// Pictures that explain a match.
     Match(Box<MatchPictures>),
-    /// How well a trained detector does, as far as it is known.
+    /// Evaluation of a trained detector, as far as it is known.
     Evaluation(Box<EvaluationReport>),
-    /// What a trained detector saw and did.
+    /// Search of a trained detector in a past step.
     Detector(Box<DetectorSearch>),
     /// The uncertainty along a planned route.
     Prediction {
         /// The prediction.
         prediction: Box<Prediction>,
-        /// How long the worker computed, milliseconds.
+        /// Computing time of the worker, milliseconds.
         computed: f64,
     },
     /// A share of the views of a landmark, each with the number of its look.
     Views(Vec<(usize, View)>),
-    /// How well a landmark is found.
+    /// Assessment of a landmark.
     Assessment(Box<Assessment>),
     /// From which heights and with which tilts a landmark is found, as far as it is known.
     Envelope(Box<Envelope>),
-    /// Where the training of a detector stands.
+    /// Progress of the training of a detector.
     Training(Box<TrainingReport>),
     /// A detector is trained.
     Trained(Box<TrainingOutcome>),
@@ -119,7 +119,7 @@ pub enum JobEvent {
     Candidates(usize, Vec<Candidate>),
     /// Landmarks that are proposed, the one that gains most first.
     Suggestions(Vec<Suggestion>),
-    /// Where a fix would be had, as far as it is known.
+    /// Field of the probability of a fix, as far as it is known.
     Field(Box<Localizability>),
     /// A route that was found, beside the shortest.
     FoundPlan(Box<FoundPlan>),
@@ -130,7 +130,7 @@ pub enum JobEvent {
         /// The zip.
         #[serde(with = "whole_bytes")]
         bytes: Vec<u8>,
-        /// What of its map is not in it and where to have it, in words.
+        /// Part of the mission's map that is not in the file and where to have it, in words.
         lacks: Option<String>,
     },
     /// A file of another program.
@@ -138,10 +138,10 @@ pub enum JobEvent {
         /// The file.
         #[serde(with = "whole_bytes")]
         bytes: Vec<u8>,
-        /// What was assumed or left out, in sentences.
+        /// Assumptions and omissions, in sentences.
         notes: Vec<String>,
     },
-    /// What provided files are.
+    /// Contents of provided files.
     Opened(Box<Opened>),
     /// Done.
     Finished,

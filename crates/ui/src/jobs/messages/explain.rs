@@ -1,11 +1,11 @@
-//! What explains places and matches: by the map, the picture and the detector.
+//! Explanations of places and matches: by the map, the picture and the detector.
 
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::landmark::CascadeEvidence;
 use pilotage_core::raster::Gray;
 use serde::{Deserialize, Serialize};
 
-/// How distinct a box of the map is.
+/// Distinctness of a box of the map.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Distinctness {
     /// The box.
@@ -14,7 +14,7 @@ pub struct Distinctness {
     pub surface: Gray,
     /// Ground that the surface covers.
     pub surface_rect: GroundRect,
-    /// How far around it look-alikes were looked for, metres.
+    /// Distance around the box within which look-alikes were looked for, metres.
     pub radius: f64,
     /// Centre of the strongest look-alike, and its score.
     pub look_alike: Option<(GroundPoint, f64)>,
@@ -22,7 +22,7 @@ pub struct Distinctness {
     pub contrast: f64,
     /// Whether the detector would refuse the patch as flat.
     pub flat: bool,
-    /// One sentence for people.
+    /// Verdict for people, a sentence.
     pub verdict: String,
 }
 
@@ -56,13 +56,13 @@ pub enum ExplainedBy {
     Cascade,
 }
 
-/// What a trained detector saw and did in a past step.
+/// Search of a trained detector in a past step.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct DetectorSearch {
     /// Time of the step, seconds in the flight's time base.
     pub time: f64,
     /// The landmark.
     pub landmark: u32,
-    /// What it saw and did, or why that cannot be told.
+    /// Evidence of the search, or why that cannot be told.
     pub found: Result<CascadeEvidence, String>,
 }

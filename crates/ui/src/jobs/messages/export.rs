@@ -7,7 +7,7 @@ use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{FrameLabels, NoFlyZone, Route};
 use serde::{Deserialize, Serialize};
 
-/// What is written, and how.
+/// Content of the file, and its format.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum ExportOrder {
     /// Routes and landmarks.
@@ -34,7 +34,7 @@ pub enum ExportOrder {
     Labels {
         /// The format.
         format: LabelFormat,
-        /// What was said of each picture.
+        /// Labels of each picture.
         frames: Vec<FrameLabels>,
         /// The landmarks, whose names are written.
         landmarks: Vec<Landmark>,

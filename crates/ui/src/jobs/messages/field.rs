@@ -1,4 +1,4 @@
-//! Where a fix would be had: which field to compute.
+//! Order of a field of the probability of a fix.
 
 use pilotage_core::frames::GroundRect;
 use pilotage_core::plan::{FieldView, FixSource};
@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::MapSource;
 
-/// What gives fixes.
+/// Sources of fixes.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum FieldFrom {
     /// Landmarks, and what is expected of them.
@@ -18,15 +18,15 @@ pub enum FieldFrom {
     },
 }
 
-/// Which field to compute.
+/// Field of the probability of a fix to be computed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FieldOrder {
     /// The map.
     pub map: MapSource,
     /// The ground to be covered.
     pub region: GroundRect,
-    /// How it is looked at.
+    /// Camera's view of the ground, and its uncertainty.
     pub view: FieldView,
-    /// What gives fixes.
+    /// Sources of fixes.
     pub from: FieldFrom,
 }

@@ -7,16 +7,16 @@ use serde::{Deserialize, Serialize};
 
 use super::{FieldOrder, PredictionOrder};
 
-/// Which route to find.
+/// Route to be found.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FindOrder {
-    /// Where it begins.
+    /// Start of the route.
     pub from: GroundPoint,
-    /// Where it ends.
+    /// End of the route.
     pub to: GroundPoint,
     /// The ground and how it is looked at.
     pub field: FieldOrder,
-    /// How it is flown and navigated; the way-points are found.
+    /// Settings of flight and navigation; the way-points are found.
     pub flight: PredictionOrder,
     /// Areas to fly around.
     pub no_fly: Vec<NoFlyArea>,
@@ -24,13 +24,13 @@ pub struct FindOrder {
     pub clearance: f64,
     /// Ground that is flown around because it is too high.
     pub high_ground: Option<HighGround>,
-    /// How the aircraft turns.
+    /// Turns of the aircraft between legs.
     pub turns: Turns,
     /// Greatest cost over that of the shortest route.
     pub budget: f64,
-    /// What the cost is.
+    /// Measure of the cost: time or length.
     pub budget_of: BudgetOf,
-    /// What is to be least.
+    /// Uncertainty that is to be least: the worst or the mean.
     pub aim: Aim,
 }
 
@@ -39,7 +39,7 @@ pub struct FindOrder {
 pub struct HighGround {
     /// The height of the ground; where it is not known, it is none.
     pub heights: HeightGrid,
-    /// What is above that is too high, metres above the datum of the heights.
+    /// Greatest height of ground that may be flown over, metres above the datum of the heights.
     pub highest: f64,
 }
 

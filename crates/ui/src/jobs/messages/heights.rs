@@ -1,10 +1,10 @@
-//! Which heights are wanted, and what is known of an elevation model.
+//! Heights of an area, and the description of an elevation model.
 
 use pilotage_core::frames::{Geodetic, GroundRect};
 use pilotage_core::imagery::terrain::HeightDatum;
 use serde::{Deserialize, Serialize};
 
-/// Which heights are wanted.
+/// Heights wanted of an area.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeightsOrder {
     /// Key of the files with the elevation model.
@@ -15,12 +15,12 @@ pub struct HeightsOrder {
     pub area: GroundRect,
 }
 
-/// What is known of an elevation model.
+/// Description of an elevation model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TerrainInfo {
     /// Name for people.
     pub name: String,
-    /// What its heights count from.
+    /// Datum of its heights.
     pub datum: HeightDatum,
     /// Metres between its posts.
     pub spacing: f64,

@@ -1,10 +1,10 @@
-//! What files of other programs brought.
+//! Routes, landmarks and areas out of files of other programs.
 
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{NoFlyZone, Route};
 use serde::{Deserialize, Serialize};
 
-/// What a file of another program brought, placed in the mission's world.
+/// Content of a file of another program, placed in the mission's world.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ImportedFile {
     /// Name of the file.
@@ -17,6 +17,6 @@ pub struct ImportedFile {
     pub landmarks: Vec<Landmark>,
     /// Areas that it says must not be flown over: its own, and exclusion fences.
     pub no_fly: Vec<NoFlyZone>,
-    /// What was assumed, kept aside or left out, in sentences.
+    /// Assumptions, and things kept aside or left out, in sentences.
     pub notes: Vec<String>,
 }

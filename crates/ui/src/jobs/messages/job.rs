@@ -64,7 +64,7 @@ pub enum Job {
         key: String,
         /// Name of the log among them.
         file: String,
-        /// Which series.
+        /// Name of the series.
         series: SeriesName,
     },
     /// Figures or a table of series of a log that was read: events `LogAnswer`.
@@ -104,16 +104,16 @@ pub enum Job {
     Tile {
         /// The map.
         map: MapSource,
-        /// Which part at which scale.
+        /// Part of the map, and its scale.
         window: Window,
     },
-    /// How distinct a box of the map is: event `Distinctness`.
+    /// Measure the distinctness of a box of the map: event `Distinctness`.
     Distinctness {
         /// The map.
         map: MapSource,
         /// The box.
         bounds: GroundRect,
-        /// How far around it to look for look-alikes, metres.
+        /// Distance around the box within which to look for look-alikes, metres.
         radius: f64,
     },
     /// Pictures that explain a match: event `Match`, or `Detector` of one by a trained detector.
@@ -131,7 +131,7 @@ pub enum Job {
         /// The landmark.
         landmark: u32,
     },
-    /// How well a trained detector does where it was not trained: events `Evaluation`, each knowing more.
+    /// Evaluate a trained detector where it was not trained: events `Evaluation`, each knowing more.
     Evaluate(Box<EvaluationOrder>),
     /// The pixels of a camera picture: event `Picture`.
     DecodePicture {
@@ -141,11 +141,11 @@ pub enum Job {
     },
     /// The uncertainty along a planned route: event `Prediction`.
     Predict(Box<PredictionOrder>),
-    /// How well a landmark is found on other days: event `Assessment`.
+    /// Assess a landmark on other days: event `Assessment`.
     Assess(Box<AssessmentOrder>),
     /// A share of that: event `Views`.
     AssessShare(Box<AssessmentOrder>, Share),
-    /// What all its views come to: event `Assessment`.
+    /// Sum up all views of a landmark: event `Assessment`.
     SumUp(Box<AssessmentOrder>, Vec<View>),
     /// From which heights and with which tilts a landmark is found: events `Envelope`, each knowing more.
     Envelope(Box<AssessmentOrder>),
@@ -155,9 +155,9 @@ pub enum Job {
     Suggest(Box<SuggestOrder>),
     /// A share of the places rehearsed for that: event `Candidates`.
     SuggestShare(Box<SuggestOrder>, Share),
-    /// What is proposed of all that passed: event `Suggestions`.
+    /// Choose the landmarks to propose among all places that passed: event `Suggestions`.
     Propose(Box<SuggestOrder>, Vec<Candidate>),
-    /// Where a fix would be had: events `Field`, each knowing more.
+    /// Compute the field of the probability of a fix: events `Field`, each knowing more.
     Field(Box<FieldOrder>),
     /// A route over ground where fixes are had: event `FoundPlan`.
     Find(Box<FindOrder>),

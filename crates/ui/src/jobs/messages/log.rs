@@ -1,4 +1,4 @@
-//! What is asked of a log, and what it came to.
+//! Questions about a log, and their answers.
 
 use pilotage_core::flight::SpanStatistics;
 use pilotage_core::flight::log::Outline;
@@ -19,11 +19,11 @@ pub struct LogOrder {
     pub series: Vec<(SeriesName, String)>,
     /// From when to when, seconds in the log's time base, both included.
     pub span: (f64, f64),
-    /// What.
+    /// Question about the series.
     pub question: LogQuestion,
 }
 
-/// What to find out.
+/// Question about series of a log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum LogQuestion {
     /// Figures of each series: answers `Statistics`, one by one.
@@ -32,7 +32,7 @@ pub enum LogQuestion {
     Table,
 }
 
-/// What was found out.
+/// Answer to a question about a log.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum LogAnswer {
     /// Figures of a series: none if it has no number in the span, or why there is no such series.
@@ -56,10 +56,10 @@ pub struct RecordedPlaces {
     pub places: Vec<GroundPoint>,
 }
 
-/// What a log came to when all of it was read.
+/// Content of a log when all of it was read.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ReadLog {
-    /// What it holds.
+    /// Outline of the log.
     pub outline: Outline,
     /// The flight at a glance.
     pub overview: Overview,

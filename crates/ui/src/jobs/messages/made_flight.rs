@@ -8,6 +8,6 @@ use serde::{Deserialize, Serialize};
 pub struct MadeFlight {
     /// The flight.
     pub flight: Flight,
-    /// What was left out or assumed, in words.
+    /// Omissions and assumptions, in words.
     pub notes: Vec<String>,
 }

@@ -1,4 +1,4 @@
-//! What is known of a map.
+//! Description of a map.
 
 use pilotage_core::frames::{Geodetic, GroundRect};
 use serde::{Deserialize, Serialize};
@@ -12,7 +12,7 @@ pub struct Unplaced {
     pub points: Option<(String, String)>,
 }
 
-/// What is known of a map.
+/// Description of a map.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MapInfo {
     /// Name for people.

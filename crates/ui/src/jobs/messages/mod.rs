@@ -1,5 +1,5 @@
-//! What page and workers say to each other: jobs, what is asked for with each, and what is told of them. Both ends are
-//! this program, encoded with postcard.
+//! Messages between page and workers: jobs, the orders that come with them, and the events that report on
+//! them. Both ends are this program, encoded with postcard.
 
 mod align;
 mod assess;

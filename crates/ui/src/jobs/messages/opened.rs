@@ -1,4 +1,4 @@
-//! What provided files turned out to be.
+//! Contents of provided files.
 
 use pilotage_core::exchange::labels::FoundLabels;
 use pilotage_core::flight::Flight;
@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Beside, ImportedFile, MapInfo, TerrainInfo, Unplaced};
 
-/// What provided files turned out to be.
+/// Contents of provided files.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Opened {
     /// Key of the files.
@@ -36,8 +36,8 @@ pub struct Opened {
     pub tables: Vec<GuessedTable>,
     /// Labels of pictures, to be added to the mission.
     pub labels: Option<FoundLabels>,
-    /// What was open beside the mission when it was saved.
+    /// Simulation, bookmarks and measurements that were open beside the mission when it was saved.
     pub beside: Option<Beside>,
-    /// What was skipped, in words.
+    /// Remarks on skipped things, in words.
     pub remarks: Vec<String>,
 }

@@ -19,18 +19,18 @@ pub struct PhotosOrder {
     pub origin: Option<Geodetic>,
     /// Ground over which a photo is searched of which no place is known.
     pub ground: GroundRect,
-    /// What is known and how far around it is searched.
+    /// Prior of the pose, and the range around it that is searched.
     pub search: PhotoSearch,
 }
 
-/// What came of a photo.
+/// Result of laying a photo.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PhotoReport {
     /// Its number in the order.
     pub number: usize,
-    /// Where it lies, or why it was not laid.
+    /// Place of the photo, or why it was not laid.
     pub answer: PhotoAnswer,
-    /// How long it was looked for, without reading it, milliseconds.
+    /// Time of the search, without reading the photo, milliseconds.
     pub computed: f64,
 }
 
@@ -41,8 +41,8 @@ pub struct DrapeOrder {
     pub key: String,
     /// Its name.
     pub name: String,
-    /// What it was laid with.
+    /// Search with which the photo was laid.
     pub search: PhotoSearch,
-    /// Where it lies.
+    /// Place of the photo.
     pub laid: LaidPhoto,
 }

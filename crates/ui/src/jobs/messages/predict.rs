@@ -8,14 +8,14 @@ use pilotage_core::plan::DetectionStatistics;
 use pilotage_core::simulate::{Target, Wind};
 use serde::{Deserialize, Serialize};
 
-/// What to predict.
+/// Planned flight whose uncertainty is to be predicted.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PredictionOrder {
     /// Way-points over the ground.
     pub way_points: Vec<GroundPoint>,
     /// Height above ground, metres.
     pub height: f64,
-    /// How each way-point is flown over; none where all are flown over alike.
+    /// Height and airspeed at each way-point; empty where all are flown over alike.
     pub targets: Vec<Target>,
     /// Airspeed, m/s; the aircraft's cruise if `None`.
     pub airspeed: Option<f64>,
@@ -27,7 +27,7 @@ pub struct PredictionOrder {
     pub camera: CameraModel,
     /// Down coordinate of the ground plane, metres.
     pub ground_down: f64,
-    /// How it will be navigated.
+    /// Settings of the navigator of the planned flight.
     pub navigator: NavigatorSettings,
     /// The landmarks that are switched on, and what is expected of them.
     pub landmarks: Vec<(Landmark, DetectionStatistics)>,

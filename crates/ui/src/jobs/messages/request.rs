@@ -1,4 +1,4 @@
-//! What page and worker say to each other, beside jobs and events.
+//! Messages between page and worker, beside jobs and events.
 
 use serde::{Deserialize, Serialize};
 

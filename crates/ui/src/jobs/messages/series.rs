@@ -10,7 +10,7 @@ use super::whole_bytes;
 /// Bytes of a sample in a message: its time and its value.
 const SAMPLE: usize = 12;
 
-/// Which series of a log.
+/// Name of a series of a log.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct SeriesName {
     /// The topic.
@@ -56,11 +56,12 @@ impl SeriesName {
 /// Samples of a field, in order of time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LogSeries {
-    /// Which field.
+    /// Name of the series.
     pub name: SeriesName,
     /// Unit as the log states it, or empty.
     pub unit: String,
-    /// What every value is told against: values of small changes around a large number keep their digits.
+    /// Base that is subtracted from every value: values of small changes around a large number keep their
+    /// digits.
     pub base: f64,
     /// Number of the first of these samples.
     pub first: usize,

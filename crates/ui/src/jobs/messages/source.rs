@@ -1,4 +1,4 @@
-//! Where maps and flights come from.
+//! Sources of maps and flights.
 
 use pilotage_core::frames::Geodetic;
 use pilotage_core::imagery::Georeference;
@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::WebMap;
 
-/// What the user may change about a built-in scenario.
+/// Options of a built-in scenario that the user may change.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SimulationOptions {
     /// Scenario name.
@@ -49,7 +49,7 @@ impl SimulationOptions {
     }
 }
 
-/// Where a map comes from.
+/// Source of a map.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum MapSource {
     /// The generated scenery that the built-in scenarios use as their map.
@@ -71,7 +71,7 @@ pub enum MapSource {
         name: String,
         /// Origin of the world frame; its own if `None`.
         origin: Option<Geodetic>,
-        /// Where its pixels lie.
+        /// Georeference of the picture's pixels.
         place: Georeference,
     },
     /// Tiles of the web.
@@ -115,7 +115,7 @@ impl MapSource {
     }
 }
 
-/// Where a flight comes from.
+/// Source of a flight.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum FlightSource {
     /// A simulated flight.

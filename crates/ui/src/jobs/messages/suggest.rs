@@ -1,4 +1,4 @@
-//! What landmarks are to be proposed for.
+//! Order of landmarks to be proposed.
 
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::navigator::NavigatorSettings;
@@ -7,12 +7,12 @@ use serde::{Deserialize, Serialize};
 
 use super::MapSource;
 
-/// What landmarks are proposed for.
+/// Flight and map for which landmarks are proposed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SuggestOrder {
     /// The map.
     pub map: MapSource,
-    /// How the ground is looked at, and how uncertain the position is then.
+    /// Camera's view of the ground, and the uncertainty of the position then.
     pub view: FieldView,
     /// Way-points; without any the flight may go anywhere over the map.
     pub way_points: Vec<GroundPoint>,
@@ -20,10 +20,10 @@ pub struct SuggestOrder {
     pub speed: f64,
     /// Down coordinate of the ground plane, metres.
     pub ground_down: f64,
-    /// How it will be navigated.
+    /// Settings of the navigator of the planned flight.
     pub navigator: NavigatorSettings,
     /// Boxes of landmarks that are there already.
     pub taken: Vec<GroundRect>,
-    /// How many to propose at most.
+    /// Greatest number of landmarks to propose.
     pub count: usize,
 }

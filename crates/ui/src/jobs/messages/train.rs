@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{FlightSource, MapSource, whole_bytes};
 
-/// Which detector to train, and for which flights.
+/// Detector to be trained, and the flights for which it is trained.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TrainOrder {
     /// The map.
@@ -25,11 +25,11 @@ pub struct TrainOrder {
     pub sensors: SensorNoise,
     /// Down coordinate of the ground plane, metres.
     pub ground_down: f64,
-    /// How much it is shown.
+    /// Training plan: the amount that the detector is shown.
     pub plan: TrainingPlan,
     /// Frames of a flight in which people showed the landmark, to learn from as well.
     pub labelled: Option<LabelledFrames>,
-    /// Where the same training was left.
+    /// State in which the same training was left.
     pub left: Option<TrainingLeft>,
 }
 
@@ -42,41 +42,41 @@ pub struct LabelledFrames {
     pub labels: Vec<FrameLabels>,
 }
 
-/// Where a training can go on after its worker is gone.
+/// State from which a training can go on after its worker is gone.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TrainingLeft {
     /// Its stages that are whole, as the worker wrote them.
     #[serde(with = "whole_bytes")]
     pub progress: Vec<u8>,
-    /// How they went.
+    /// Reports on these stages.
     pub stages: Vec<StageReport>,
     /// Work in it, seconds.
     pub seconds: f64,
 }
 
-/// Where a training stands.
+/// Progress of a training.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TrainingReport {
-    /// How much is done, about: 0 to 1.
+    /// Share of the work that is done, about: 0 to 1.
     pub fraction: f32,
-    /// What is being done.
+    /// Phase of the training.
     pub phase: TrainingPhase,
-    /// How the whole stages went.
+    /// Reports on the whole stages.
     pub stages: Vec<StageReport>,
     /// The stage that grows.
     pub growing: Option<StageRow>,
     /// Work so far, seconds.
     pub seconds: f64,
-    /// Where it could go on, once another stage is whole.
+    /// State from which the training could go on, once another stage is whole.
     pub left: Option<TrainingLeft>,
 }
 
-/// What came of a training.
+/// Result of a training.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TrainingOutcome {
     /// The detector, as [`Landmark::trained_text`] says it.
     pub detector: String,
-    /// How its stages went.
+    /// Reports on its stages.
     pub stages: Vec<StageReport>,
     /// Held-out photos of the landmark, and those in which it is found.
     pub judged: usize,

@@ -5,13 +5,13 @@ use pilotage_core::imagery::Window;
 use pilotage_core::imagery::web_tiles::{TileNumber, TileTemplate, tiles_for};
 use serde::{Deserialize, Serialize};
 
-/// How far the map reaches from the origin, metres: beyond, the plane leaves the globe.
+/// Reach of the map from the origin, metres: beyond, the plane leaves the globe.
 const REACH: f64 = 100_000.0;
 
 /// A map of the web in a world frame.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct WebMap {
-    /// Where its tiles come from.
+    /// Source of the tiles.
     pub template: TileTemplate,
     /// Origin of the world frame.
     pub origin: Geodetic,

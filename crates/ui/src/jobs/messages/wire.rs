@@ -17,7 +17,7 @@ impl Request {
         to_stdvec(self)
     }
 
-    /// What [`Self::to_bytes`] wrote.
+    /// Decodes a request that [`Self::to_bytes`] wrote.
     ///
     /// # Errors
     /// If the bytes are not those of a request.
@@ -37,8 +37,8 @@ impl Reply {
         to_stdvec(self).unwrap_or_else(failed)
     }
 
-    /// What [`Self::to_bytes`] wrote; an event that cannot be read becomes the failure of its job, so that nobody waits
-    /// for it in vain. `None` if not even its job can be read.
+    /// Decodes a reply that [`Self::to_bytes`] wrote; an event that cannot be read becomes the failure of its
+    /// job, so that nobody waits for it in vain. `None` if not even its job can be read.
     #[must_use]
     pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
         match from_bytes(bytes) {

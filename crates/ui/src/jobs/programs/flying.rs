@@ -1,5 +1,5 @@
-//! What the small program does: simulated flights over the generated ground and in the hall, their
-//! maps, pictures and questions about them.
+//! Jobs of the small program: simulated flights over the generated ground and in the hall, their maps,
+//! pictures and questions about them.
 
 use std::sync::Arc;
 

@@ -62,7 +62,7 @@ mod tests {
     use super::super::{Advance, FlightSource, JobEvent, MapSource, SimulationOptions, Workshop};
     use super::*;
 
-    /// What `job` says in the small program until it is over, or why it failed.
+    /// Events of `job` in the small program until it is over, or why it failed.
     fn said(job: Job) -> Result<Vec<JobEvent>, String> {
         let mut workshop = Workshop::new(Abilities::FLYING);
         let mut running = workshop.start(job);

@@ -1,4 +1,4 @@
-//! What the whole program does beyond the small one.
+//! Jobs of the whole program beyond those of the small one.
 
 use std::sync::Arc;
 
