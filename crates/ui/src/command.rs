@@ -1,4 +1,4 @@
-//! What people can ask for: one enum feeds menu, palette, shortcuts and the help sheet.
+//! Commands that people can give: one enum feeds menu, palette, shortcuts and the help sheet.
 
 use pilotage_core::exchange::Format;
 use pilotage_core::frames::GroundRect;

@@ -1,4 +1,4 @@
-//! What a view is given to draw one frame.
+//! Context that a view is given to draw one frame.
 
 use pilotage_core::flight::Flight;
 use pilotage_core::mission::Mission;
@@ -9,10 +9,10 @@ use crate::jobs::MatchPictures;
 use crate::tokens::Tokens;
 use crate::units::Units;
 
-/// What a view drew last.
+/// Times that a view drew last.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drawn {
-    /// Where the time cursor stood, seconds in the flight's time base.
+    /// Time of the cursor, seconds in the flight's time base.
     pub cursor: f64,
     /// Time of what was shown for it: of the step, or of the picture, seconds.
     pub content: f64,
@@ -21,11 +21,11 @@ pub struct Drawn {
 /// Everything a view may query, and where it sends its commands. Views keep only their own zoom,
 /// scroll and textures; documents are never copied into them.
 pub struct ViewContext<'a> {
-    /// What people author.
+    /// Mission that people author.
     pub mission: &'a Mission,
-    /// What was measured.
+    /// Measured flight.
     pub flight: Option<&'a Flight>,
-    /// What the navigator concluded so far.
+    /// Run of the navigator so far.
     pub run: Option<&'a Run>,
     /// The run before the last change, for comparison.
     pub ghost: Option<&'a Run>,
@@ -46,7 +46,7 @@ pub struct ViewContext<'a> {
     pub tokens: &'a Tokens,
     /// The user's units.
     pub units: Units,
-    /// Where commands go.
+    /// Commands that the view sends.
     pub commands: &'a mut Vec<Command>,
 }
 

@@ -1,4 +1,4 @@
-//! What the shell (the page, or a test) gives the app.
+//! Services that the shell (the page, or a test) gives the app.
 
 use std::collections::BTreeSet;
 
@@ -80,7 +80,7 @@ pub trait Host {
     /// Fetches tiles into the browser's cache; those that are there are passed over.
     fn download(&mut self, _addresses: Vec<String>) {}
 
-    /// How far that is, if it was ever begun.
+    /// Progress of the download, if it was ever begun.
     fn download_state(&mut self) -> Option<Download> {
         None
     }

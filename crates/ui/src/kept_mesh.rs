@@ -30,11 +30,11 @@ pub struct Part {
 pub struct PlacedMesh {
     /// Triangles in one colour per corner, around an origin of their own, points.
     pub mesh: Arc<Mesh>,
-    /// Where on the screen the origin lies.
+    /// Place of the origin on the screen.
     pub origin: Pos2,
-    /// How far the mesh is turned to the left on the screen, radians.
+    /// Angle by which the mesh is turned to the left on the screen, radians.
     pub turned: f32,
-    /// What of it is drawn.
+    /// Parts of the mesh that are drawn.
     pub parts: Vec<Part>,
 }
 
@@ -112,7 +112,7 @@ impl PlacedMesh {
 
 /// A host that keeps meshes on its graphics card.
 pub trait MeshKeeper: Send + Sync {
-    /// What the host's painter calls to draw the mesh, in a viewport that is the whole screen.
+    /// Callback by which the host's painter draws the mesh, in a viewport that is the whole screen.
     fn callback(&self, placed: PlacedMesh) -> Arc<dyn Any + Send + Sync>;
 }
 

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Which units people read.
+/// Units that people read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Units {
     /// Metres, metres per second.

@@ -1,4 +1,4 @@
-//! One line of advice over the map.
+//! Line of advice over the map.
 
 use egui::{Frame, Margin, Stroke, Ui, vec2};
 
@@ -7,7 +7,7 @@ use crate::documents::{Documents, ViewState};
 use crate::shell::{icon_button, icons::Icon};
 use crate::tokens::Tokens;
 
-/// One line on what is seen and what to try first; what it covers.
+/// Draws a line on what is seen and what to try first; returns the part of the screen that it covers.
 pub(super) fn advice(
     ui: &mut Ui,
     rect: egui::Rect,

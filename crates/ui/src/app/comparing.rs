@@ -15,7 +15,7 @@ fn utc_at_zero(documents: &Documents) -> Option<f64> {
     documents.log.as_ref()?.outline.as_ref()?.utc_at_zero
 }
 
-/// What the view of trajectories is given.
+/// Scene of the view of trajectories.
 pub(super) fn compare_scene(documents: &Documents) -> CompareScene<'_> {
     CompareScene {
         shelf: &documents.shelf,

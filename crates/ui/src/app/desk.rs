@@ -28,11 +28,11 @@ pub struct FlyJob {
     pub flight: FlightSource,
     /// The map.
     pub map: MapSource,
-    /// What arrived before the run began.
+    /// Flight and mission that arrived before the run began.
     pub staged: Staged,
-    /// How far it is, 0 to 1.
+    /// Progress of the job, 0 to 1.
     pub progress: f32,
-    /// What it is doing.
+    /// Present activity of the job, in words.
     pub words: String,
     /// The part of it that is shown.
     pub shown: Shown,
@@ -61,9 +61,9 @@ impl FlyJob {
 pub struct Opening {
     /// Key under which the workers have them.
     pub key: String,
-    /// What people call them.
+    /// Name of the files for people.
     pub name: String,
-    /// What is going on, in words.
+    /// Present activity, in words.
     pub words: String,
     /// The files themselves, to be kept if they are of use.
     pub files: Vec<OpenedFile>,
@@ -74,7 +74,7 @@ pub struct Opening {
 pub struct Exporting {
     /// The job.
     pub id: JobId,
-    /// What is in it, for people.
+    /// Content of the file, for people.
     pub what: &'static str,
     /// Name of its format.
     pub format: &'static str,
@@ -123,7 +123,7 @@ pub struct Desk {
     pub picture_files: Option<(String, Vec<OpenedFile>)>,
     /// Named places being read.
     pub places: Option<JobId>,
-    /// How far a download of tiles is.
+    /// Progress of a download of tiles.
     pub download: Option<Download>,
     /// Whether it was begun here and is not over.
     pub downloading: bool,
@@ -158,9 +158,9 @@ pub struct Desk {
     /// The brief whose pictures are being made: job, the ground of its map, its landmarks, and how
     /// many more there are.
     pub brief: Option<(JobId, GroundRect, Vec<BriefLandmark>, usize)>,
-    /// What to look at once the flight of a link is there.
+    /// View of a link, to be shown once its flight is there.
     pub link: Option<Link>,
-    /// What was open before a link was followed.
+    /// Session that was open before a link was followed.
     pub before_link: Option<Session>,
     /// The mission file being made, and its name.
     pub packing: Option<(JobId, String)>,
@@ -177,7 +177,7 @@ impl Desk {
         self.opened_batches = self.opened_batches.max(number.unwrap_or(0));
     }
 
-    /// How far what is being computed is, and in words.
+    /// Progress of the computation under way, 0 to 1, and its words.
     pub fn progress(&self) -> Option<(f32, &str)> {
         let fly = self.fly.as_ref().map(|f| (f.progress, f.words.as_str()));
         let opening = || {

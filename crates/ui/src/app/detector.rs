@@ -1,4 +1,4 @@
-//! What trained detectors saw and did: asked for, taken, shown.
+//! Searches of trained detectors: asked for, taken, shown.
 
 use serde_json::{Value, json};
 
@@ -72,7 +72,7 @@ impl App {
         }
     }
 
-    /// What the view of trained detectors shows, for journeys.
+    /// State of the view of trained detectors, for journeys.
     pub(super) fn detector_json(&self) -> Value {
         let view = &self.views.detector;
         let (passed, stages) = view.passed();

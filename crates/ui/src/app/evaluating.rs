@@ -1,4 +1,4 @@
-//! How well trained detectors do: asked for, taken, shown, saved.
+//! Evaluations of trained detectors: asked for, taken, shown, saved.
 
 use egui::{Frame, Id, Modal};
 

@@ -11,20 +11,20 @@ pub(super) struct Evaluating {
     pub landmark: Option<u32>,
     pub job: Option<(JobId, f32, String)>,
     pub report: Option<EvaluationReport>,
-    /// What was trained when it was judged.
+    /// Text of the trained detector that was judged.
     pub of: Option<String>,
     pub trouble: Option<String>,
     pub view: EvaluationView,
 }
 
 impl Evaluating {
-    /// Whether the dialog is open, and whether its report is whole.
+    /// State of the dialog: whether it is open, and whether its report is whole.
     pub fn state(&self) -> (bool, bool) {
         let is_whole = self.report.as_ref().is_some_and(|r| !r.is_partial);
         (self.is_open, is_whole)
     }
 
-    /// How far the judging is, and in words.
+    /// Progress of the judging, 0 to 1, and its words.
     pub fn progress(&self) -> Option<(f32, &str)> {
         let (_, part, words) = self.job.as_ref()?;
         Some((*part, words.as_str()))

@@ -130,7 +130,8 @@ impl App {
             .note(host.now(), "The flight cannot be navigated", text);
     }
 
-    /// What was staged is open now: it takes the place of another flight with its log and bookmarks, over its own map.
+    /// Puts the flight that was staged in the place of another flight with its log and bookmarks, over its
+    /// own map.
     fn take_place(&mut self, host: &mut dyn Host, flight: FlightSource, map: MapSource) {
         self.views.camera.clear();
         if self.documents.flight_source != flight {

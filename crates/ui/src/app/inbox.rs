@@ -1,4 +1,4 @@
-//! What the workers and the user's files bring.
+//! Events of the workers and files of the user.
 
 use pilotage_core::flight::Flight;
 use pilotage_core::mission::Mission;

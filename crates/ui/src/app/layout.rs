@@ -1,4 +1,4 @@
-//! Where everything stands: top bar, map, side column, plots, timeline; reflowed for narrow windows.
+//! Layout of the window: top bar, map, side column, plots, timeline; reflowed for narrow windows.
 
 use std::sync::Arc;
 
@@ -32,7 +32,7 @@ const BAR_HEIGHT: f32 = 48.0;
 const PLOTS_HEIGHT: f32 = 164.0;
 const STRIP_HEIGHT: f32 = 216.0;
 
-/// What the views are drawn from: everything but the views themselves.
+/// Everything that the views are drawn from, but the views themselves.
 struct Scene<'a> {
     documents: &'a Documents,
     tokens: &'a Tokens,
@@ -45,7 +45,7 @@ struct Scene<'a> {
     examined_in_vain: Option<&'a (u32, String)>,
     /// The ground that the frame at the cursor would show with the camera that is tried.
     tried_footprint: Option<Vec<GroundPoint>>,
-    /// How far the reading of a log is, 0 to 1, if one is being read.
+    /// Progress of the reading of a log, 0 to 1, if one is being read.
     reading: Option<f32>,
 }
 
@@ -512,7 +512,8 @@ fn tabbed(
     }
 }
 
-/// What takes the whole column: the camera put in time and place beside the log, or photos on the map.
+/// Draws the sheet that takes the whole column: the camera put in time and place beside the log, or photos on
+/// the map.
 fn sheet(ui: &mut Ui, scene: &Scene<'_>, views: &mut Views, commands: &mut Vec<Command>) {
     let documents = scene.documents;
     if *scene.side_tab == SideTab::Photos {

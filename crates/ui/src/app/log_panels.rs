@@ -1,4 +1,4 @@
-//! Where the log stands in the window: its column at the right, its plots below the map.
+//! Panels of the log in the window: its column at the right, its plots below the map.
 
 use egui::Ui;
 

@@ -1,4 +1,4 @@
-//! What is asked of the workers about logs, as far as it has come.
+//! Requests to the workers about logs, as far as they have come.
 
 use std::collections::HashMap;
 
@@ -14,9 +14,9 @@ pub(super) struct ReadingLog {
     /// Key of its files, and its name among them.
     pub key: String,
     pub file: String,
-    /// How far it is, 0 to 1.
+    /// Progress of the reading, 0 to 1.
     pub progress: f32,
-    /// What it is doing.
+    /// Present activity of the reading, in words.
     pub words: String,
     /// The map to fly over, where that is known already.
     pub map: Option<MapSource>,
@@ -28,7 +28,7 @@ pub(super) struct ReadingLog {
     pub is_shown: bool,
 }
 
-/// What is asked of the workers about logs.
+/// Requests to the workers about logs.
 #[derive(Debug, Default)]
 pub(super) struct LogWork {
     /// The log being read.
@@ -37,9 +37,9 @@ pub(super) struct LogWork {
     pub fetching: HashMap<JobId, SeriesName>,
     /// Whether the worker that had the log is gone.
     pub lost: bool,
-    /// What else is asked about the log.
+    /// Other requests about the log: figures and tables.
     pub answers: LogAnswers,
-    /// How often the log that is open was read again for that.
+    /// Number of times that the open log was read again for these requests.
     pub rereads: u8,
 }
 
@@ -51,7 +51,7 @@ impl LogWork {
     }
 }
 
-/// What figures were asked for last.
+/// Fields and span of the figures that were asked for last.
 #[derive(Debug, PartialEq)]
 pub(super) struct Asked {
     pub fields: Vec<SeriesName>,
@@ -67,7 +67,7 @@ pub(super) struct Table {
     pub progress: f32,
 }
 
-/// What is asked about a log beside its series.
+/// Requests about a log beside its series.
 #[derive(Debug, Default)]
 pub(super) struct LogAnswers {
     pub asked: Option<Asked>,
@@ -82,7 +82,7 @@ impl LogAnswers {
             || self.table.as_ref().is_some_and(|table| table.id == id)
     }
 
-    /// How far a table is, and in words.
+    /// Progress of a table, 0 to 1, and its words.
     pub fn table_progress(&self) -> Option<(f32, &str)> {
         let table = self.table.as_ref()?;
         Some((table.progress, "Writing the table"))

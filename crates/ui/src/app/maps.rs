@@ -10,9 +10,9 @@ use crate::jobs::{
 use crate::plan::planner::plan_ground;
 use pilotage_core::frames::GroundRect;
 
-/// How often tiles that are not whole are asked for again while the map is made ready, milliseconds.
+/// Interval at which tiles that are not whole are asked for again while the map is made ready, milliseconds.
 const REFRESH: f64 = 900.0;
-/// How far around what is of interest heights are taken, metres.
+/// Margin around the ground of interest in which heights are taken, metres.
 const HEIGHTS_AROUND: f64 = 2_000.0;
 /// Farthest from each other that ground of interest may lie, metres; of a larger map only the plan
 /// gets heights.
@@ -253,8 +253,8 @@ impl App {
         }
     }
 
-    /// Where nothing is flown, the map keeps to the mission's world: after an undo, or a mission that
-    /// was opened, that may be another one.
+    /// Keeps the map to the mission's world where nothing is flown: after an undo, or a mission that was
+    /// opened, that may be another one.
     pub(super) fn follow_world(&mut self, host: &mut dyn Host) {
         let documents = &self.documents;
         let Some(origin) = documents.map_source.origin() else {

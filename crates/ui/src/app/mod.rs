@@ -57,14 +57,14 @@ use crate::views::{CameraView, DetectorView, InspectorView, MatchView, PlotsView
 
 use desk::Desk;
 
-/// What the column at the right shows below the camera picture.
+/// Content of the column at the right below the camera picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SideTab {
-    /// How a landmark was matched.
+    /// Match of a landmark.
     Match,
-    /// What a trained detector saw and did.
+    /// Search of a trained detector.
     Detector,
-    /// What the filter did.
+    /// Work of the filter.
     Filter,
     /// The list of landmarks.
     Landmarks,
@@ -109,7 +109,7 @@ impl SideTab {
     }
 }
 
-/// Which dialogs are open.
+/// Open state of the dialogs.
 #[derive(Debug, Default)]
 struct Dialogs {
     palette: Palette,
@@ -160,7 +160,7 @@ pub struct App {
     evaluating: evaluation::Evaluating,
     commands: Vec<Command>,
     started: bool,
-    /// What was stored at an earlier visit and could not be read.
+    /// Document that was stored at an earlier visit and could not be read.
     aside: Option<aside::Aside>,
     last_now: Option<f64>,
     stored_session: Vec<u8>,

@@ -16,7 +16,7 @@ use crate::photos::{PhotosCommand, Sought};
 const LARGEST_SEARCHED: f64 = 1_500.0;
 /// Share of its outline that is shown around a photo.
 const AROUND: f64 = 0.2;
-/// How far from the map a flight of photos may begin that is laid on it, metres.
+/// Largest distance from the map at which a flight of photos that is laid on it may begin, metres.
 const BESIDE: f64 = 100.0;
 
 impl App {

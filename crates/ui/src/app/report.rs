@@ -26,7 +26,7 @@ fn drawn_json(drawn: Option<Drawn>) -> Value {
 }
 
 impl App {
-    /// What is on screen, as JSON. Places on screen are in points; times in seconds; boxes in metres.
+    /// State of the screen, as JSON. Places on screen are in points; times in seconds; boxes in metres.
     pub fn state_json(&self) -> String {
         let mut all = self.documents_json();
         for part in [self.run_json(), self.view_json(), self.plan_json()] {
@@ -374,7 +374,7 @@ impl App {
         })
     }
 
-    /// What is on screen, in a sentence or three.
+    /// Summary of the screen, in a sentence or three.
     pub fn summary_text(&self) -> String {
         let documents = &self.documents;
         let workspace = self.view.workspace.label();

@@ -14,7 +14,7 @@ use crate::shell::{Toasts, apply_theme, fonts};
 use crate::timeline::Playback;
 use crate::tokens::Tokens;
 
-/// How long a change waits before it is stored, milliseconds.
+/// Delay between a change and its storing, milliseconds.
 const STORE_AFTER: f64 = 600.0;
 
 impl App {

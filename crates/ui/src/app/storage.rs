@@ -1,4 +1,4 @@
-//! What is in the browser's storage of opened files, and what is still to be done there.
+//! Opened files in the browser's storage, and the work still to be done there.
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
@@ -9,13 +9,13 @@ use crate::jobs::FileContent;
 /// Bytes stored in one frame, after which the rest waits for the next.
 const PER_FRAME: usize = 2 << 20;
 
-/// How long to wait before a refused document is stored again, milliseconds.
+/// Delay before a refused document is stored again, milliseconds.
 pub(super) const TRY_AGAIN_AFTER: f64 = 8_000.0;
 
-/// How often files that were refused are stored again.
+/// Number of times that files that were refused are stored again.
 const MOST_RETRIES: u8 = 2;
 
-/// One thing to do with the storage.
+/// Single thing to do with the storage.
 #[derive(Debug)]
 enum Deed {
     Store(String, FileContent),
@@ -26,13 +26,13 @@ enum Deed {
 #[derive(Debug)]
 struct Set {
     files: Vec<OpenedFile>,
-    /// How many files it has in the storage.
+    /// Number of files of the set in the storage.
     count: usize,
-    /// How often it was stored again.
+    /// Number of times that the set was stored again.
     retries: u8,
 }
 
-/// What is in the storage of opened files, and what is still to be done there.
+/// Opened files in the storage, and the work still to be done there.
 #[derive(Debug, Default)]
 pub struct Keeping {
     waiting: VecDeque<Deed>,

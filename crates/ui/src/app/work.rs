@@ -1,4 +1,4 @@
-//! What is asked of the workers, and when.
+//! Jobs asked of the workers, and the times at which they are asked for.
 
 use std::sync::Arc;
 
@@ -12,9 +12,9 @@ use crate::documents::{Session, Staged};
 use crate::host::Host;
 use crate::jobs::{Distinctness, ExplainedBy, FlightSource, Job, MapSource};
 
-/// How long changes may follow each other before the run is computed again, milliseconds.
+/// Delay after the last of several changes before the run is computed again, milliseconds.
 const FLY_AGAIN_AFTER: f64 = 350.0;
-/// How long a landmark must rest before it is examined, milliseconds.
+/// Time for which a landmark must rest before it is examined, milliseconds.
 const EXAMINE_AFTER: f64 = 120.0;
 /// Change of the distance within which look-alikes count that is worth another look, metres.
 const OTHER_RADIUS: f64 = 0.5;
@@ -224,7 +224,8 @@ impl App {
         self.desk.distinctness = Some((job, id));
     }
 
-    /// How far around a landmark the detector will look for it: that far look-alikes count, metres.
+    /// Distance around a landmark within which the detector will look for it: that far look-alikes count,
+    /// metres.
     fn look_alike_radius(&self, bounds: &GroundRect) -> f64 {
         let planner = &self.views.planner;
         let height = planner.flown_height(&self.documents);
@@ -349,7 +350,7 @@ impl App {
         self.desk.explain = Some((host.start(job), time, landmark));
     }
 
-    /// What is asked about a landmark in a past step that has a picture.
+    /// Job that explains a landmark in a past step that has a picture.
     pub(super) fn explanation(&self, by: ExplainedBy, time: f64, landmark: u32) -> Option<Job> {
         let step = self.documents.run.as_ref()?.step_at(time)?;
         step.frame.as_ref()?;

@@ -1,4 +1,4 @@
-//! How far the pictures are from the log, against time.
+//! Residuals of the pictures against the log over time.
 
 use egui::{Color32, Pos2, Sense, Stroke, Ui, vec2};
 use pilotage_core::alignment::{FrameResidual, ResidualSummary};
@@ -15,7 +15,7 @@ const HEIGHT: f32 = 120.0;
 /// Share of the residuals that the axis holds; wild ones stand at its edge.
 const HELD: f64 = 0.95;
 
-/// What of the residuals is drawn.
+/// Component of the residuals that is drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Shown {
     /// Along the track and across it.

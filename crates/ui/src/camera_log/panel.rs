@@ -12,13 +12,13 @@ use crate::context::ViewContext;
 use crate::shell::{at_work, caption, muted, text_button, title};
 use crate::views::{parts, table};
 
-/// What the sheet is drawn from.
+/// Scene of the sheet.
 pub struct CameraLogScene<'a> {
-    /// What is known.
+    /// Camera beside its log.
     pub work: &'a CameraLog,
     /// Whether there is a map.
     pub has_map: bool,
-    /// What the flight that is being flown does, in words.
+    /// Progress of the flight that is being flown, in words.
     pub flying: Option<&'a str>,
 }
 
@@ -108,7 +108,7 @@ impl CameraLogView {
         }
     }
 
-    /// What the numbers would do.
+    /// Draws the preview of the numbers: residuals of pictures minus log.
     fn preview(&mut self, ui: &mut Ui, context: &mut ViewContext<'_>, preview: &Preview) {
         let tokens = context.tokens;
         caption(ui, tokens, "Pictures minus log");
@@ -141,7 +141,7 @@ impl CameraLogView {
     }
 }
 
-/// What is missing, and what can be done about it.
+/// Draws what is missing, and buttons for what can be done about it.
 fn lacking(
     ui: &mut Ui,
     context: &mut ViewContext<'_>,

@@ -1,4 +1,4 @@
-//! What is known of a camera beside its log, and what the hand makes of it.
+//! Camera beside its log: the estimate, and the adjustment by hand.
 
 use pilotage_core::alignment::{
     CameraAdjustment, CameraEvidence, CameraPrior, CameraToLog, FrameResidual, ResidualSummary,
@@ -50,21 +50,21 @@ pub struct Preview {
     pub summaries: [Option<ResidualSummary>; 3],
 }
 
-/// What a preview was computed from.
+/// Key of a preview: everything that it was computed from.
 type PreviewKey = (u64, CameraAdjustment, Option<FoundCamera>);
 
 /// A camera beside its log, until another flight is opened.
 #[derive(Clone, Debug)]
 pub struct CameraLog {
-    /// What the flight was flown with.
+    /// Adjustment of the camera with which the flight was flown.
     pub flown: CameraAdjustment,
     /// The latest estimate.
     pub found: Option<FoundCamera>,
-    /// How the hand has it, if it moved.
+    /// Adjustment by hand, if it was moved.
     pub by_hand: Option<CameraAdjustment>,
     /// Standard deviation of the camera's clock before anything is known, seconds.
     pub clock: f64,
-    /// What is being computed: share done, and words.
+    /// Computation under way: share done, and words.
     pub at_work: Option<(f32, String)>,
     /// Why the last estimate failed.
     pub trouble: Option<String>,
@@ -88,7 +88,7 @@ impl Default for CameraLog {
     }
 }
 
-/// What of a flight cannot be done without, apart from its run.
+/// Missing part of a flight that cannot be done without, apart from its run.
 fn lacks(flight: Option<&Flight>) -> Option<Missing> {
     let Some(flight) = flight else {
         return Some(Missing::Flight);
@@ -104,7 +104,7 @@ fn lacks(flight: Option<&Flight>) -> Option<Missing> {
 }
 
 impl CameraLog {
-    /// What is missing for an estimate.
+    /// Missing part without which there is no estimate.
     pub fn missing(
         &self,
         flight: Option<&Flight>,
@@ -135,12 +135,12 @@ impl CameraLog {
         self.evidence.as_ref().map(|(_, evidence)| evidence)
     }
 
-    /// What was computed last for the hand.
+    /// Preview that was computed last for the adjustment by hand.
     pub fn preview(&self) -> Option<&Preview> {
         self.preview.as_ref().map(|(_, preview)| preview)
     }
 
-    /// How the hand has it; before it moves, what the mission changes (`applied`).
+    /// Adjustment by hand; before it is moved, the adjustment of the mission (`applied`).
     pub fn change(&self, applied: Option<&CameraAdjustment>) -> CameraAdjustment {
         (self.by_hand.or(applied.copied())).unwrap_or_else(|| CameraAdjustment::none(self.middle()))
     }
@@ -161,7 +161,8 @@ impl CameraLog {
         self.by_hand = Some(change);
     }
 
-    /// What the latest estimate says of the flight as it is flown now, whatever of it was applied since.
+    /// Remainder of the latest estimate for the flight as it is flown now, however much of the estimate was
+    /// applied since.
     pub fn left(&self) -> Option<CameraToLog> {
         let of = |found: &FoundCamera| found.told.with(&found.change.beyond(&self.flown));
         self.found.as_ref().map(of)

@@ -9,12 +9,12 @@ use crate::context::ViewContext;
 use crate::shell::{at_work, text_button};
 use crate::views::{parts, table};
 
-/// What is known of it.
+/// State of the contest of all estimators.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Contest {
     /// Who flies and how far, while somebody does.
     pub at_work: Option<String>,
-    /// What came of it.
+    /// Comparison of the estimators.
     pub found: Option<Comparison>,
     /// Why nothing did, if so.
     pub trouble: Option<String>,
@@ -73,7 +73,7 @@ impl Contest {
     }
 }
 
-/// What a line is about.
+/// Name of a line: the estimator, and whether it was smoothed.
 fn name(row: &ComparisonRow) -> String {
     let smoothed = if row.smoothed { ", smoothed" } else { "" };
     format!("{}{smoothed}", row.contender.estimator.key().to_uppercase())

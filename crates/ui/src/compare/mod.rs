@@ -11,18 +11,18 @@ pub use panel::CompareView;
 pub use results::{CompareScene, open_tracks};
 pub use shelf::{KeptTrack, Shelf};
 
-/// Which trajectory.
+/// Identity of a trajectory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum TrackId {
-    /// Where the flight that is open really was.
+    /// True trajectory of the flight that is open.
     Truth,
-    /// Where its run believes it to be.
+    /// Trajectory that the navigator estimated in the run.
     Run,
-    /// Where dead reckoning alone believes it to be.
+    /// Trajectory by dead reckoning alone.
     Unaided,
     /// The run before the last change.
     Ghost,
-    /// One that was kept, by its number.
+    /// Trajectory that was kept, by its number.
     Kept(u32),
 }
 

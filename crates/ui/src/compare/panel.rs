@@ -70,7 +70,7 @@ fn choice<T: Copy + PartialEq>(
 }
 
 impl CompareView {
-    /// What is compared, for reports: name, root mean square and greatest error (metres) of each.
+    /// Results of the comparison, for reports: name, root mean square and greatest error (metres) of each.
     pub fn found(&self) -> impl Iterator<Item = (&str, Option<(f64, f64)>)> {
         self.results.rows.iter().map(|row| {
             let found = row.comparison.as_ref().and_then(|c| c.as_ref().ok());

@@ -21,7 +21,7 @@ pub(super) struct Row {
     pub comparison: Option<Result<Comparison, NotComparable>>,
 }
 
-/// What the comparisons depend on.
+/// Key of the comparisons: everything that they depend on.
 #[derive(Clone, Debug, PartialEq)]
 struct Key {
     settings: ComparisonSettings,
@@ -39,7 +39,7 @@ pub(super) struct Results {
     pub rows: Vec<Row>,
 }
 
-/// What is open, apart from what every view is given.
+/// Trajectories that are open, apart from what every view is given.
 pub struct CompareScene<'a> {
     /// Trajectories that were kept.
     pub shelf: &'a Shelf,

@@ -1,4 +1,4 @@
-//! How the error grows after satellite navigation is gone.
+//! Growth of the error during a GPS outage.
 
 use egui::{Color32, Shape, Stroke, Ui};
 

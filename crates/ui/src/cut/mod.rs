@@ -24,7 +24,7 @@ pub enum CutCommand {
     Clear,
 }
 
-/// What came of cuts, until another flight is opened.
+/// Results of cuts, until another flight is opened.
 #[derive(Clone, Debug, Default)]
 pub struct Cuts {
     /// The cut that is shown.
@@ -33,6 +33,6 @@ pub struct Cuts {
     pub study: Option<StudyReport>,
     /// Why there is none.
     pub trouble: Option<String>,
-    /// What is being computed, in words.
+    /// Computation under way, in words.
     pub at_work: Option<String>,
 }

@@ -19,9 +19,9 @@ const TOLD: [f64; 2] = [10.0, 30.0];
 /// Time between two reports of an error, and a little more, seconds.
 const REPORTS: f64 = 0.3;
 
-/// What the view is drawn from.
+/// Scene of the view of cuts.
 pub struct CutScene<'a> {
-    /// What came of cuts.
+    /// Results of cuts.
     pub cuts: &'a Cuts,
     /// The selected stretch of time, seconds in the flight's time base.
     pub selected: Option<(f64, f64)>,

@@ -21,7 +21,7 @@ const LIST: f32 = 216.0;
 /// Narrowest window in which that list stands beside the columns, points.
 const BESIDE: f32 = 1000.0;
 
-/// What people ask for in the dialog.
+/// Commands of the dialog.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ColumnsCommand {
     /// Make a flight of the tables and open it.
@@ -33,7 +33,7 @@ pub enum ColumnsCommand {
 /// A table that is asked about.
 #[derive(Clone, Debug)]
 pub struct DraftTable {
-    /// What its columns mean, as corrected so far.
+    /// Meaning of its columns, as corrected so far.
     pub guess: GuessedTable,
     /// Whether the flight is made of it.
     pub is_used: bool,
@@ -44,7 +44,7 @@ pub struct DraftTable {
 pub struct ColumnsDraft {
     /// Key under which the workers have the files.
     pub key: String,
-    /// What people call them.
+    /// Name of the drop for people.
     pub name: String,
     /// The files themselves.
     pub files: Vec<OpenedFile>,
@@ -141,12 +141,12 @@ impl ColumnsDialog {
         self.draft.is_some()
     }
 
-    /// What it is about.
+    /// Draft that the dialog is about.
     pub fn draft(&self) -> Option<&ColumnsDraft> {
         self.draft.as_ref()
     }
 
-    /// What it is about, to be changed.
+    /// Draft that the dialog is about, to be changed.
     pub fn draft_mut(&mut self) -> Option<&mut ColumnsDraft> {
         self.draft.as_mut()
     }
@@ -303,7 +303,7 @@ fn columns(ui: &mut Ui, tokens: &Tokens, units: Units, draft: &mut ColumnsDraft,
     }
 }
 
-/// What is lacking, and the buttons; whether the dialog is to be left.
+/// Draws what is lacking, and the buttons; whether the dialog is to be left.
 fn foot(ui: &mut Ui, tokens: &Tokens, draft: &ColumnsDraft, commands: &mut Vec<Command>) -> bool {
     let lacks = draft.lacks();
     let is_making = draft.job.is_some();

@@ -160,7 +160,7 @@ fn unit_label(unit: &str) -> &str {
     }
 }
 
-/// What the smallest and the largest value come to with that meaning and unit.
+/// Smallest and largest value of the column, read with that meaning and unit, in words.
 fn reads_as(column: &MappedColumn, range: Option<(f64, f64)>, units: Units) -> String {
     let Some((low, high)) = range else {
         return String::new();
@@ -213,7 +213,7 @@ fn figure(value: f64) -> String {
     format!("{value:.decimals$}")
 }
 
-/// How sure the guess is, and its reason.
+/// Confidence of the guess in a word, and its reason.
 fn why(tokens: &Tokens, column: &MappedColumn) -> RichText {
     let reason = column.reason.as_str();
     if column.role == ColumnRole::Nothing || reason.starts_with("you ") {

@@ -1,4 +1,4 @@
-//! What landmarks are recognised by, in the sheet of filter settings.
+//! Settings by which landmarks are recognised, in the sheet of filter settings.
 
 use egui::Ui;
 use pilotage_core::landmark::{TemplateFeatures, TemplateSettings};
@@ -8,7 +8,7 @@ use crate::shell::caption;
 use crate::tokens::Tokens;
 use crate::units::Units;
 
-/// How far off a map of another date is taken to be at first, metres per axis.
+/// Standard deviation first assumed of a map of another date, metres per axis.
 const USUAL_MAP_DEVIATION: f64 = 3.0;
 
 /// Draws the rows.

@@ -5,7 +5,7 @@ use egui::{Response, Slider, SliderClamping, Ui};
 use crate::shell::muted;
 use crate::tokens::Tokens;
 
-/// One line on what the row above means.
+/// Draws a line on what the row above means.
 pub(super) fn meaning(ui: &mut Ui, tokens: &Tokens, text: &str) {
     ui.label(muted(tokens, text));
     ui.add_space(4.0);

@@ -123,7 +123,8 @@ fn whole_frames(ui: &mut Ui, tokens: &Tokens, settings: &mut NavigatorSettings, 
     );
 }
 
-/// How far around what is believed pictures are searched, and how far the map may be off.
+/// Draws the limits of the search of pictures around the assumed position, heading and height, and the
+/// accuracy of the map.
 fn search_limits(ui: &mut Ui, tokens: &Tokens, assumed: &mut FollowSettings, units: Units) {
     let (length, length_unit) = units.length();
     let mut is_limited = assumed.farthest.is_some();

@@ -10,7 +10,7 @@ use crate::shell::{caption, icons::Icon, muted, text_button, title};
 use crate::tokens::Tokens;
 use crate::units::Units;
 
-/// What is being set up.
+/// Dialog that sets up a simulated flight.
 #[derive(Clone, Debug)]
 #[expect(
     clippy::struct_excessive_bools,

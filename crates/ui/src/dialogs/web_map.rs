@@ -15,7 +15,7 @@ const MOST_TILES: u64 = 20_000;
 /// Bytes of a usual tile, for an estimate.
 const USUAL_TILE: f64 = 22_000.0;
 
-/// What is asked of the app.
+/// Commands of the dialog.
 #[derive(Clone, Debug, PartialEq)]
 pub enum WebMapCommand {
     /// Show or hide the dialog.
@@ -30,7 +30,7 @@ pub enum WebMapCommand {
     StopDownload,
 }
 
-/// What the dialog is told about what is open.
+/// Scene of the dialog: the open map and the ground in sight.
 pub struct WebMapScene<'a> {
     /// Origin of the world frame.
     pub origin: Option<Geodetic>,
@@ -44,7 +44,7 @@ pub struct WebMapScene<'a> {
     pub download: Option<Download>,
 }
 
-/// What is typed.
+/// Dialog with the typed address, zooms and place.
 #[derive(Clone, Debug)]
 pub struct WebMapDialog {
     open: bool,

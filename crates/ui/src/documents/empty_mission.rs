@@ -1,4 +1,4 @@
-//! Where people begin.
+//! Mission with which people begin.
 
 use pilotage_core::frames::Geodetic;
 use pilotage_core::mission::Mission;

@@ -1,4 +1,4 @@
-//! What a run and its pictures say of the flight, beside what its log says.
+//! Findings of a run and its pictures about the flight, beside those of its log.
 
 use pilotage_core::alignment::camera_findings;
 use pilotage_core::flight::overview::Finding;
@@ -14,7 +14,8 @@ impl Documents {
         }
     }
 
-    /// What the pictures say of the camera as it is flown, and what the navigator doubted in the run that is shown.
+    /// Findings of the pictures about the camera as it is flown, and doubts of the navigator in the run that
+    /// is shown.
     pub fn noticed(&self) -> Vec<Finding> {
         let left = self.camera_log.left();
         let mut all = left.map_or_else(Vec::new, |left| camera_findings(&left));

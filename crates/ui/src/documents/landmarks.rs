@@ -8,26 +8,26 @@ use super::Documents;
 /// Sides of the box that a landmark gets of which only a point is marked, metres.
 pub const POINT_SIDE: f64 = 20.0;
 
-/// What is changed about landmarks.
+/// Change of landmarks.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LandmarkChange {
-    /// What kind of thing they are; empty for none.
+    /// Category of the landmarks; empty for none.
     Category(String),
-    /// What else is to be known of them.
+    /// Notes about the landmarks.
     Notes(String),
     /// Height of the reference point above the ground, metres.
     Height(f64),
     /// The direction in which they lie, radians clockwise from north.
     Orientation(Option<f64>),
-    /// Where the reference point lies.
+    /// Place of the reference point.
     Reference(GroundPoint),
     /// Their outline.
     Outline(Vec<GroundPoint>),
-    /// Whether the navigator looks for them.
+    /// Enabled state: whether the navigator looks for them.
     Enabled(bool),
     /// By which detector it looks for them.
     Detector(DetectorChoice),
-    /// What was trained for one of them, as [`Landmark::trained_text`] says it.
+    /// Detector trained for a landmark, as [`Landmark::trained_text`] says it.
     Trained(String),
 }
 

@@ -1,4 +1,4 @@
-//! What a link carries: the built-in demo's state and how it is looked at, as the address' fragment.
+//! Content of a link: the built-in demo's state and the view of it, as the address' fragment.
 
 use std::fmt::Write as _;
 
@@ -13,7 +13,7 @@ pub const LINK_KEY: &str = "link";
 /// Key under which the storage keeps what was open before a link was followed.
 pub const BEFORE_LINK_KEY: &str = "session before the link";
 
-/// What a link shows.
+/// View that a link shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Link {
     /// The flight.
@@ -60,7 +60,7 @@ impl Link {
         text
     }
 
-    /// What a fragment says; `None` if it is none of ours or makes no sense.
+    /// Decodes a fragment; `None` if it is none of ours or makes no sense.
     pub fn decode(fragment: &str) -> Option<Self> {
         let part = |name: &str| {
             let mut parts = fragment.split('&').filter_map(|part| part.split_once('='));

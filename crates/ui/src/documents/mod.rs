@@ -1,4 +1,4 @@
-//! What is open: the mission, the flight, the run, its ghost, the pictures.
+//! Documents that are open: the mission, the flight, the run, its ghost, the pictures.
 
 mod add;
 mod brought;

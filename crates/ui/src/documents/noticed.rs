@@ -1,9 +1,9 @@
-//! What was noticed in a run.
+//! Findings in a run.
 
 use pilotage_core::flight::overview::Finding;
 use pilotage_core::navigator::Run;
 
-/// What was noticed in a run.
+/// Findings in a run.
 #[derive(Clone, Debug, Default)]
 pub struct Noticed {
     /// The generation of the run.
@@ -25,7 +25,7 @@ impl Noticed {
         };
     }
 
-    /// What was noticed in the run of that generation; nothing while it was not looked over.
+    /// Findings in the run of that generation; empty while it was not looked over.
     pub fn of(&self, generation: u64) -> &[Finding] {
         if self.is_of(generation) {
             &self.findings

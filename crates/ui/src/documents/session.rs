@@ -1,4 +1,4 @@
-//! What is remembered between visits.
+//! Documents and view that are remembered between visits.
 
 use pilotage_core::mission::Mission;
 use serde::{Deserialize, Serialize};
@@ -45,7 +45,7 @@ impl Session {
     }
 }
 
-/// How the user likes to see things.
+/// View preferences of the user.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 #[expect(
@@ -77,7 +77,7 @@ pub struct ViewState {
     pub looping: bool,
     /// Map layers that are switched off, by name.
     pub hidden_layers: Vec<String>,
-    /// What is accepted and assumed while planning.
+    /// Preferences of planning.
     pub plan: PlanPreferences,
 }
 

@@ -19,7 +19,7 @@ use crate::jobs::{DetectorSearch, Distinctness, FlightSource, MapInfo, MapSource
 use crate::log::OpenLog;
 use crate::photos::Photos;
 
-/// What a new flight brings before its run begins; swapped in at once, so that a flight that fails
+/// Documents that a new flight brings before its run begins; swapped in at once, so that a flight that fails
 /// early leaves everything as it was.
 #[derive(Debug, Default)]
 pub struct Staged {
@@ -27,7 +27,7 @@ pub struct Staged {
     pub flight: Option<Flight>,
     /// The mission.
     pub mission: Option<Mission>,
-    /// What of its camera and the times of its pictures it is flown with.
+    /// Adjustment of its camera and of the times of its pictures with which it is flown.
     pub camera_to_log: Option<CameraAdjustment>,
     /// Whether what was edited meanwhile is added to it.
     pub keeps_edits: bool,
@@ -36,15 +36,15 @@ pub struct Staged {
 /// Everything that is open.
 #[derive(Debug)]
 pub struct Documents {
-    /// What people author.
+    /// Mission that people author.
     pub mission: Mission,
     /// Whether the mission differs from the scenario's own.
     pub mission_edited: bool,
     /// Its undo steps.
     pub history: History,
-    /// What was measured.
+    /// Measured flight.
     pub flight: Option<Flight>,
-    /// What the navigator concluded so far.
+    /// Run of the navigator so far.
     pub run: Option<Run>,
     /// Whether the run is complete.
     pub run_complete: bool,
@@ -56,31 +56,31 @@ pub struct Documents {
     pub ghost_generation: u64,
     /// Encoded camera pictures by frame index.
     pub pictures: HashMap<usize, Arc<[u8]>>,
-    /// Where the flight came from.
+    /// Source of the flight.
     pub flight_source: FlightSource,
-    /// Where the map comes from.
+    /// Source of the map.
     pub map_source: MapSource,
-    /// What is known of the map.
+    /// Description of the map.
     pub map: Option<MapInfo>,
     /// The height of the ground.
     pub terrain: Ground,
-    /// How distinct landmarks are, by id; true only while the box is the same.
+    /// Distinctness of landmarks, by id; true only while the box is the same.
     pub distinctness: HashMap<u32, Distinctness>,
     /// The pictures of the match asked for last.
     pub match_pictures: Option<MatchPictures>,
-    /// What the trained detector asked for last saw and did.
+    /// Search of the trained detector asked for last.
     pub detector_search: Option<DetectorSearch>,
     /// The log that the flight was read from.
     pub log: Option<OpenLog>,
     /// Every estimator on the flight that is open.
     pub contest: Contest,
-    /// What came of cuts of satellite navigation.
+    /// Results of cuts of satellite navigation.
     pub cuts: Cuts,
     /// The camera beside its log.
     pub camera_log: CameraLog,
     /// Photos laid on the map.
     pub photos: Photos,
-    /// What was noticed in the run.
+    /// Findings in the run.
     pub noticed: Noticed,
     /// Trajectories that were kept to be compared.
     pub shelf: Shelf,
@@ -128,7 +128,7 @@ impl Documents {
         }
     }
 
-    /// What is worth remembering until the next visit.
+    /// Session to be remembered until the next visit.
     pub fn session(&self) -> Session {
         Session {
             flight: self.flight_source.clone(),
@@ -240,7 +240,7 @@ impl Documents {
         }
     }
 
-    /// What was staged is looked at without a run: a flight that cannot be navigated, or none.
+    /// Opens staged documents without a run: a flight that cannot be navigated, or none.
     pub fn look_at(&mut self, staged: Staged) {
         self.forget_flight();
         self.take_staged(staged);

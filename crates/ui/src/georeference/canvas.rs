@@ -1,14 +1,14 @@
-//! How the picture beside the map is looked at.
+//! View of the picture beside the map.
 
 use egui::Rect;
 
 use crate::jobs::MapInfo;
 use crate::map::{MapCamera, TileCache};
 
-/// How the picture is looked at.
+/// View of the picture.
 #[derive(Default)]
 pub struct PictureCanvas {
-    /// Where and how near.
+    /// Middle and scale of the view.
     pub camera: MapCamera,
     /// Its pixels.
     pub tiles: TileCache,
@@ -24,7 +24,7 @@ impl PictureCanvas {
         self.info = Some(info);
     }
 
-    /// Where it was drawn last.
+    /// Part of the screen on which the picture was drawn last.
     pub fn rect(&self) -> Option<Rect> {
         self.rect
     }

@@ -23,7 +23,7 @@ pub fn parse(text: &str, system: Option<ReferenceSystem>) -> Result<Typed, Strin
     }
 }
 
-/// What was typed.
+/// Coordinates that were typed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Typed {
     /// A place on the globe.

@@ -5,7 +5,7 @@ use egui::{Align2, Painter, Pos2, Stroke, pos2, vec2};
 use crate::map::paint_halo_text;
 use crate::tokens::Tokens;
 
-/// How near a point has to be to be taken, points.
+/// Largest distance of a point from the pointer at which it is taken, points.
 const REACH: f32 = 12.0;
 
 /// Length on screen that the largest residual is drawn with at most, points.

@@ -10,7 +10,7 @@ mod state;
 
 pub use state::{Georeferencer, Place};
 
-/// What the georeferencer asks the app to do.
+/// Commands of the georeferencer to the app.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GeoreferenceCommand {
     /// Show the picture as the map, where the fit puts it.

@@ -13,18 +13,18 @@ use crate::jobs::{MapInfo, MapSource};
 /// A place with a name, of which a file told.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Place {
-    /// What people call it.
+    /// Name for people.
     pub name: String,
-    /// Where it is.
+    /// Place on the globe.
     pub at: Geodetic,
 }
 
 /// A point on its way: what is known of it so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pending {
-    /// Where it is in the picture.
+    /// Place in the picture, pixels.
     pub pixel: Option<Point2<f64>>,
-    /// Where it is on the ground, in the plane.
+    /// Place on the ground, in the plane.
     pub place: Option<Point2<f64>>,
 }
 
@@ -39,7 +39,7 @@ pub struct Georeferencer {
     pub name: String,
     /// Its size, pixels, once known.
     pub size: Option<(f64, f64)>,
-    /// How the picture is looked at.
+    /// View of the picture.
     pub canvas: PictureCanvas,
     /// The world frame that the map is shown in.
     pub frame: Option<LocalFrame>,
@@ -47,15 +47,15 @@ pub struct Georeferencer {
     pub system: Option<ReferenceSystem>,
     /// The points.
     pub points: Vec<ControlPoint>,
-    /// What may be done to the picture.
+    /// Kind of transform that is fitted to the picture.
     pub kind: TransformKind,
     /// The point being picked.
     pub pending: Pending,
     /// The point under the pointer, or chosen in the table.
     pub chosen: Option<usize>,
-    /// What is typed as coordinates.
+    /// Typed coordinates.
     pub typed: String,
-    /// What is wrong with it.
+    /// Error in the typed coordinates, in words.
     pub typed_wrong: Option<String>,
     /// Places of a file that can be chosen.
     pub places: Vec<Place>,

@@ -12,7 +12,7 @@ use crate::command::Command;
 use crate::context::ViewContext;
 use crate::views::{CameraView, parts};
 
-/// How near a handle has to be to be taken, points.
+/// Largest distance of a handle from the pointer at which it is taken, points.
 const REACH: f32 = 9.0;
 /// Furthest that the wheel goes in, in doublings.
 const MOST_NEARNESS: f32 = 4.0;
@@ -333,7 +333,7 @@ fn handles(rect: Rect) -> [Pos2; 8] {
     ]
 }
 
-/// Which edges of a box follow a pointer that goes down at `at`; `None` if none do.
+/// Edges of a box that follow a pointer that goes down at `at`; `None` if none do.
 fn grip(rect: Rect, at: Pos2) -> Option<[[bool; 2]; 2]> {
     if !rect.expand(REACH).contains(at) {
         return None;
@@ -349,7 +349,7 @@ fn grip(rect: Rect, at: Pos2) -> Option<[[bool; 2]; 2]> {
     Some([low, high])
 }
 
-/// One line of what is said of the picture, for those who do not see it.
+/// Description of the picture's labels in a line, for those who do not see it.
 fn described(context: &ViewContext<'_>, name: &str) -> String {
     let labels = context.mission.labels_of(name);
     let boxes: Vec<String> = labels

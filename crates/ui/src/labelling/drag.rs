@@ -7,9 +7,9 @@ pub(super) struct Drag {
     pub landmark: u32,
     /// The box when the drag began; corners of a new one are where the pointer went down.
     pub from: [[f64; 2]; 2],
-    /// Where the pointer went down, pixels.
+    /// Place at which the pointer went down, pixels.
     pub at: [f64; 2],
-    /// Which edges follow the pointer: of the first corner and of the second, by axis.
+    /// Edges that follow the pointer: of the first corner and of the second, by axis.
     pub edges: [[bool; 2]; 2],
     /// Whether the label is hard to see, which a drag does not change.
     pub difficult: bool,

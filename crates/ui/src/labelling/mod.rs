@@ -66,12 +66,12 @@ pub struct Labeller {
     asked: Option<(usize, u32)>,
     /// Frame and proposal that were drawn last.
     proposal: Option<(usize, LabelBox)>,
-    /// Where the picture was drawn last, and its size in pixels.
+    /// Part of the screen on which the picture was drawn last, and its size in pixels.
     drawn: Option<(Rect, (u32, u32))>,
 }
 
 impl Labeller {
-    /// Where the whole picture was drawn last, on the screen.
+    /// Part of the screen on which the whole picture was drawn last.
     pub fn picture_rect(&self) -> Option<Rect> {
         self.drawn.map(|(rect, _)| rect)
     }

@@ -1,4 +1,4 @@
-//! Where a landmark must be in a picture, by the pose from which that was taken.
+//! Expected box of a landmark in a picture, by the pose from which the picture was taken.
 
 use nalgebra::Point3;
 use pilotage_core::flight::FrameTruth;

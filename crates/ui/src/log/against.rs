@@ -19,17 +19,17 @@ use crate::views::{TimeAxis, parts};
 const MOST_DRAWN: usize = 20_000;
 /// Points looked at to find the one under the pointer, before its neighbours are.
 const LOOKED_AT: usize = 20_000;
-/// How near a pointer must be to a point, points of the screen.
+/// Largest distance of a pointer from a point that it picks, points of the screen.
 const REACH: f32 = 16.0;
 
-/// What a plot against a field has drawn.
+/// Drawn points of a plot against a field.
 #[derive(Default)]
 pub(super) struct AgainstPlot {
     cloud: Cloud,
     drawn: Still<(CloudKey, bool)>,
 }
 
-/// What a plot against a field is drawn from.
+/// Scene of a plot against a field.
 pub(super) struct AgainstScene<'a> {
     pub panel: &'a PanelScene<'a>,
     pub fields: &'a [SeriesName],
@@ -58,7 +58,7 @@ impl<'a> AgainstScene<'a> {
     }
 }
 
-/// Where the points lie: above the labels of the axis below.
+/// Axes of the points: above the labels of the axis below.
 pub(super) fn axes(
     outer: Rect,
     tokens: &Tokens,

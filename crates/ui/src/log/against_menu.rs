@@ -1,4 +1,5 @@
-//! What a panel is plotted against: time, or another field, chosen from a list that is searched.
+//! Menu of the quantity that a panel is plotted against: time, or another field, chosen from a list that is
+//! searched.
 
 use egui::{Popup, PopupCloseBehavior, RichText, ScrollArea, TextEdit, Ui};
 

@@ -1,4 +1,4 @@
-//! What stands in the panels of a plot, and arrangements that make sense for every log.
+//! Contents of the panels of a plot, and arrangements that make sense for every log.
 
 use pilotage_core::flight::interpret::Role;
 use serde::{Deserialize, Serialize};
@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::OpenLog;
 use crate::jobs::SeriesName;
 
-/// What one panel shows.
+/// Content of a panel.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct PanelContent {
@@ -37,7 +37,7 @@ pub enum Preset {
     SpeedsAndWind,
     /// Every height.
     Height,
-    /// Where satellite navigation saw it, how fast, how well.
+    /// Satellite navigation: place, velocity, fix and satellites.
     Navigation,
     /// Specific forces and turn rates.
     Vibration,

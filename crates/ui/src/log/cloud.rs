@@ -15,7 +15,7 @@ const FIRST_LOOK: usize = 1 << 16;
 /// Most cells between two joined points that are set one by one; beyond, the plot is crossed anyway.
 const LONGEST: i64 = 4096;
 
-/// What a cloud depends on.
+/// Key of a cloud: everything that it depends on.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct CloudKey {
     pub revision: u64,
@@ -25,7 +25,7 @@ pub(super) struct CloudKey {
     pub joined: bool,
 }
 
-/// Which points come next: all of them in order, or scattered ones in rounds, each twice as dense.
+/// Order of the points: all of them in order, or scattered ones in rounds, each twice as dense.
 #[derive(Clone, Debug, Default)]
 struct Walk {
     range: Range<usize>,

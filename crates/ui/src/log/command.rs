@@ -1,4 +1,4 @@
-//! What can be asked of a log.
+//! Commands about a log.
 
 use super::arrangement::Preset;
 use super::presets::PresetCommand;
@@ -58,7 +58,7 @@ pub enum LogCommand {
     ReadAgain,
 }
 
-/// What the column at the right shows of a log.
+/// Tab of a log in the column at the right.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum LogTab {
     /// The log at a glance.

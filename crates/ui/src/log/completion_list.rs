@@ -10,15 +10,15 @@ use crate::tokens::Tokens;
 /// Height of a row, in units of the spacing.
 const ROW: f32 = 2.5;
 
-/// What keys do to the list.
+/// Effect of keys on the list.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Choice {
     /// Nothing.
     #[default]
     Stay,
-    /// One up.
+    /// Move up by a name.
     Up,
-    /// One down.
+    /// Move down by a name.
     Down,
     /// None of them is meant.
     Close,
@@ -115,7 +115,7 @@ impl CompletionList {
     }
 }
 
-/// One name; whether it was clicked.
+/// Draws the row of a name; whether it was clicked.
 fn row(ui: &mut Ui, tokens: &Tokens, candidate: &Candidate, is_chosen: bool) -> bool {
     let size = vec2(ui.available_width(), ROW * tokens.space);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());

@@ -13,7 +13,7 @@ use super::completion_list::{Choice, CompletionList};
 use super::names::{Named, names};
 use crate::tokens::Tokens;
 
-/// What came of a frame of typing.
+/// Result of a frame of typing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Written {
     /// An expression to be plotted alone.
@@ -114,7 +114,7 @@ impl ExpressionField {
         })
     }
 
-    /// What Enter does: the expression is checked and handed on.
+    /// Checks the expression on Enter and hands it on.
     fn entered(&mut self, keys: Keys, log: &OpenLog) -> Option<Written> {
         if !keys.enter && !keys.beside {
             return None;
@@ -150,7 +150,7 @@ impl ExpressionField {
         self.list.close();
     }
 
-    /// What stands in the field changed: names that may be meant, and what is wrong.
+    /// Examines changed text of the field: names that may be meant, and what is wrong.
     fn examine(&mut self, log: &OpenLog, cursor: usize) {
         let names = names(log);
         let named = names.iter().map(|n| (n.name.as_str(), n.unit.as_str()));
@@ -168,7 +168,7 @@ impl ExpressionField {
         self.error = checked.err();
     }
 
-    /// What is wrong, unless it is about what is still being written.
+    /// Error in the expression, unless it is about what is still being written.
     fn told(&self) -> Option<&ExpressionError> {
         let error = self.error.as_ref()?;
         let is_unfinished = error.place.end >= self.text.trim_end().len()

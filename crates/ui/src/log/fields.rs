@@ -166,7 +166,7 @@ fn count(outline: &Outline) -> usize {
     outline.topics.iter().map(of).sum()
 }
 
-/// What was measured, whatever the log calls it.
+/// Draws the measured quantities, whatever the log calls them.
 fn roles(
     ui: &mut Ui,
     context: &mut ViewContext<'_>,
@@ -218,7 +218,8 @@ fn topic_section(
         });
 }
 
-/// One field: a click plots it or takes it away, a button beside it gives it a panel of its own.
+/// Draws the row of a field: a click plots it or takes it away, a button beside it gives it a panel of its
+/// own.
 fn row(
     ui: &mut Ui,
     context: &mut ViewContext<'_>,

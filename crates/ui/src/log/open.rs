@@ -29,13 +29,14 @@ pub struct PlottedSeries {
     pub unit: String,
     /// Seconds in the log's time base, not going back.
     pub times: Vec<f64>,
-    /// What every value is told against: values of small changes around a large number keep their digits.
+    /// Base that is subtracted from every value: values of small changes around a large number keep their
+    /// digits.
     pub base: f64,
     /// Why the log has no such field, if it has none.
     pub lacks: Option<String>,
     /// Samples that there will be.
     total: usize,
-    /// What takes its place once it is as long: the same field after more of the log was read.
+    /// Replacement of the series once it is as long: the same field after more of the log was read.
     coming: Option<Box<Self>>,
     values: Pyramid,
 }
@@ -96,7 +97,7 @@ pub struct OpenLog {
     pub key: String,
     /// Its name among them.
     pub file: String,
-    /// What it holds, as far as it was read.
+    /// Outline of the log, as far as it was read.
     pub outline: Option<Outline>,
     /// The flight at a glance, once all of it was read.
     pub overview: Option<Overview>,
@@ -106,7 +107,7 @@ pub struct OpenLog {
     pub unnavigable: Option<String>,
     /// Fields that have arrived.
     pub series: BTreeMap<SeriesName, PlottedSeries>,
-    /// How much of the log was read when a field was looked for last: the count of outlines.
+    /// Amount of the log that was read when a field was looked for last: the count of outlines.
     looked_for: BTreeMap<SeriesName, u64>,
     /// Counts outlines.
     outlines: u64,
@@ -159,7 +160,7 @@ impl OpenLog {
         self.outline.as_ref()?.span
     }
 
-    /// What [`Self::first_fields`] may be, before it is known what was measured.
+    /// Fields that [`Self::first_fields`] may return, before it is known what was measured.
     pub fn likely_fields() -> Vec<Vec<SeriesName>> {
         let of = |roles: &[Role]| roles.iter().copied().map(SeriesName::role).collect();
         FIRST_FIELDS

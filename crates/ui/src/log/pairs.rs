@@ -11,7 +11,7 @@ pub(super) struct Pairs<'a> {
     pub y: &'a PlottedSeries,
 }
 
-/// Where in `x` the last pair was found: the next is mostly near.
+/// Index in `x` at which the last pair was found: the next is mostly near.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Place(usize);
 

@@ -1,4 +1,5 @@
-//! One panel: fields over time or against another field, their values at the cursor, the modes behind them.
+//! Panel of a plot: fields over time or against another field, their values at the cursor, the modes behind
+//! them.
 
 use egui::{Align2, Painter, Rect, Response, Sense, Shape, Stroke, Ui, vec2};
 
@@ -16,7 +17,7 @@ use crate::tokens::Tokens;
 use crate::views::chart::Axes;
 use crate::views::{curve_line, parts};
 
-/// What the curves of a panel depend on.
+/// Key of the curves of a panel: everything that they depend on.
 #[derive(Clone, Debug, PartialEq)]
 struct CurvesKey {
     revision: u64,
@@ -33,7 +34,7 @@ pub(super) struct LogPanel {
     menu: AgainstMenu,
 }
 
-/// What a pointer over a panel does.
+/// Response of a panel to the pointer over it.
 pub(super) struct PanelResponse {
     /// Of the area with the curves.
     pub response: Response,

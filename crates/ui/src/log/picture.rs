@@ -16,7 +16,7 @@ use crate::views::{TimeAxis, curve_points};
 /// Letters that a name takes of a line, in sizes of the text: as wide as they are on average.
 const LETTER: f32 = 0.6;
 
-/// What is to be drawn.
+/// Scene to be drawn.
 pub(super) struct Picture<'a> {
     pub log: &'a OpenLog,
     pub tokens: &'a Tokens,

@@ -46,7 +46,7 @@ impl LogPlots {
         self.active = 0;
     }
 
-    /// What stands in the panels.
+    /// Contents of the panels.
     pub fn arrangement(&self) -> Vec<PanelContent> {
         let contents = self.panels.iter().map(|panel| panel.content.clone());
         contents.collect()

@@ -17,7 +17,7 @@ pub struct OwnPreset {
     pub panels: Vec<PanelContent>,
 }
 
-/// What can be done to saved arrangements.
+/// Commands about saved arrangements.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum PresetCommand {
     /// Save the plots as they are under a name; one of that name is replaced.
@@ -44,7 +44,7 @@ pub struct OwnPresets {
     presets: Vec<OwnPreset>,
     /// Expressions that were plotted, the last one first.
     pub expressions: Vec<String>,
-    /// What there was before the last change.
+    /// Arrangements before the last change.
     #[serde(skip)]
     before: Option<Vec<OwnPreset>>,
 }

@@ -1,4 +1,4 @@
-//! What a panel is drawn from, and what panels over time and against a field share.
+//! Scene that a panel is drawn from, and parts that panels over time and against a field share.
 
 use egui::{Color32, Response};
 
@@ -11,7 +11,7 @@ use crate::views::{Curve, TimeAxis};
 /// Share of its height that a panel leaves free above and below its curves.
 pub(super) const MARGIN: f64 = 0.06;
 
-/// What a panel is drawn from.
+/// Scene that a panel is drawn from.
 pub(super) struct PanelScene<'a> {
     pub log: &'a OpenLog,
     pub number: usize,
@@ -46,7 +46,7 @@ pub(crate) fn colour(tokens: &Tokens, index: usize) -> Color32 {
     colours[index % colours.len()]
 }
 
-/// Where curves lie in a panel, and their times; the values are not known yet.
+/// Axes of the curves in a panel, with their times; the values are not known yet.
 pub(super) fn axes(response: &Response, tokens: &Tokens, span: (f64, f64)) -> Axes {
     Axes {
         rect: TimeAxis::curves_rect(response.rect, tokens),

@@ -19,7 +19,7 @@ const MOST_COLUMNS: usize = 3;
 struct Row {
     name: &'static str,
     of: fn(&SpanStatistics) -> Option<f64>,
-    /// What follows the unit of the field.
+    /// Suffix behind the unit of the field.
     unit: &'static str,
 }
 
@@ -102,7 +102,7 @@ pub fn statistics_panel(
         });
 }
 
-/// Which span it is, and what can be done with it.
+/// Draws which span it is, and what can be done with it.
 fn heading(ui: &mut Ui, context: &mut ViewContext<'_>, log: &OpenLog, span: (f64, f64)) {
     let tokens = context.tokens;
     let first = log.span().map_or(0.0, |span| span.0);

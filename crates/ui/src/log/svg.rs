@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use egui::{Color32, Pos2, Rect, Stroke};
 
-/// Where a text stands beside its place.
+/// Position of a text relative to its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Anchor {
     /// To the right of it.
@@ -120,7 +120,7 @@ impl Svg {
         );
     }
 
-    /// What `draw` draws, as far as it lies in `rect`.
+    /// Adds the drawing of `draw`, as far as it lies in `rect`.
     pub fn clipped(&mut self, rect: Rect, draw: impl FnOnce(&mut Self)) {
         self.clips += 1;
         let id = self.clips;

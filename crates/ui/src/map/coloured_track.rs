@@ -18,7 +18,7 @@ const SCALE: egui::Vec2 = vec2(160.0, 10.0);
 
 /// The field by which the track is coloured.
 pub(crate) struct ColouredTrack<'a> {
-    /// Which field.
+    /// Name of the field.
     pub name: &'a SeriesName,
     /// Its values.
     pub series: &'a PlottedSeries,

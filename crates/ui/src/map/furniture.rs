@@ -65,7 +65,7 @@ pub fn paint_scale_bar(
     );
 }
 
-/// Where the pointer is, in words.
+/// Coordinates of the pointer, in words.
 pub fn coordinates_text(p: &GroundPoint, frame: Option<&LocalFrame>, units: Units) -> String {
     let (factor, unit) = units.length();
     let side = |v: f64, positive: char, negative: char| {

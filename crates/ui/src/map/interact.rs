@@ -1,4 +1,4 @@
-//! What the pointer and the keyboard do to the map.
+//! Pointer and keyboard on the map.
 
 use egui::{CursorIcon, Key, PointerButton, Rect, Response, Ui};
 

@@ -10,7 +10,7 @@ use super::symbols::{paint_halo_text, paint_lifted_line};
 use super::transform::{ScreenFromWorld, topmost};
 use crate::tokens::Tokens;
 
-/// What became of a landmark in the frame at the time cursor.
+/// State of a landmark in the frame at the time cursor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Seen {
     /// Not looked for.
@@ -23,7 +23,7 @@ pub enum Seen {
     Off,
 }
 
-/// What became of `landmark` in the frame of `step`.
+/// State of `landmark` in the frame of `step`, and its score.
 pub fn seen(landmark: &Landmark, step: Option<&StepReport>) -> (Seen, Option<f64>) {
     if !landmark.enabled {
         return (Seen::Off, None);
@@ -38,7 +38,7 @@ pub fn seen(landmark: &Landmark, step: Option<&StepReport>) -> (Seen, Option<f64
     }
 }
 
-/// How landmarks are to be drawn.
+/// Scene of the landmarks to be drawn.
 pub struct LandmarkScene<'a> {
     /// All landmarks of the mission.
     pub landmarks: &'a [Landmark],
@@ -50,9 +50,9 @@ pub struct LandmarkScene<'a> {
     pub hovered: Option<u32>,
     /// Whether names are drawn.
     pub names: bool,
-    /// What names must not cover, and where they would not be seen.
+    /// Parts of the screen that names must not cover, and in which they would not be seen.
     pub covered: &'a [Rect],
-    /// Whether lines are drawn, and from where.
+    /// Start of the lines on the screen; `None` if no lines are drawn.
     pub lines_from: Option<Pos2>,
 }
 
@@ -112,7 +112,7 @@ pub fn paint_landmarks(
 struct Label {
     /// The smaller the sooner it gets a place; 0 always gets one.
     rank: u8,
-    /// Where the landmark is drawn.
+    /// Part of the screen on which the landmark is drawn.
     around: Rect,
     /// Its topmost corner.
     top: Pos2,
@@ -263,7 +263,7 @@ fn paint_labels(
     }
 }
 
-/// Where a name may stand, the best place first: above, below, at either side.
+/// Places for a name, the best first: above, below, at either side.
 fn places(label: &Label) -> [(Pos2, Align2); 4] {
     let around = label.around;
     [

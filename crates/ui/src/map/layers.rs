@@ -1,4 +1,4 @@
-//! What the map can show, and the legend that switches it.
+//! Layers that the map can show, and the legend that switches them.
 
 use egui::{
     Color32, Frame, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
@@ -11,13 +11,13 @@ use crate::tokens::Tokens;
 /// A layer of the map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Layer {
-    /// Where the aircraft really was.
+    /// True track of the aircraft.
     Truth,
     /// Tracks of the log beside that of the flight: the autopilot's own estimate, and other vehicles.
     Recorded,
-    /// Where the navigator believed it to be.
+    /// Estimated track of the navigator.
     Estimate,
-    /// Where dead reckoning alone would believe it to be.
+    /// Track by dead reckoning alone.
     Unaided,
     /// The previous run.
     Ghost,
@@ -25,7 +25,7 @@ pub enum Layer {
     Sigma,
     /// The 1-2-3 σ ellipses.
     Ellipses,
-    /// What the camera sees.
+    /// Footprint of the camera on the ground.
     Footprint,
     /// Landmarks.
     Landmarks,
@@ -181,7 +181,7 @@ fn ellipses(painter: &Painter, rect: Rect, tokens: &Tokens) {
     }
 }
 
-/// Which layers are on, and whether the legend is open.
+/// Layers that are on, and the state of the legend.
 #[derive(Clone, Debug, Default)]
 pub struct Layers {
     hidden: Vec<Layer>,

@@ -12,7 +12,7 @@ pub const HIT_RADIUS: f32 = 12.0;
 /// Smallest side of a landmark's box, metres.
 pub const SMALLEST: f64 = 3.0;
 
-/// What the pointer is doing.
+/// Drag of the pointer.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Drag {
     /// Nothing.
@@ -28,7 +28,7 @@ pub enum Drag {
         id: u32,
         /// Its box when the drag began.
         bounds: GroundRect,
-        /// Where it was taken.
+        /// Place at which the landmark was taken.
         grip: GroundPoint,
     },
     /// Resizing a landmark.
@@ -37,7 +37,7 @@ pub enum Drag {
         id: u32,
         /// Its box when the drag began.
         bounds: GroundRect,
-        /// Which handle, from the north-west clockwise.
+        /// Index of the handle, from the north-west clockwise.
         handle: usize,
     },
 }

@@ -8,7 +8,7 @@ use crate::context::ViewContext;
 use crate::documents::Ground;
 use crate::tokens::Tokens;
 
-/// One number: its name, value and unit.
+/// Single number: its name, value and unit.
 struct Readout {
     name: &'static str,
     value: String,

@@ -9,7 +9,7 @@ use pilotage_core::navigator::Run;
 pub struct TrackPoint {
     /// Seconds in the flight's time base.
     pub time: f64,
-    /// Where.
+    /// Place of the point.
     pub place: GroundPoint,
     /// Whether a landmark corrected the estimate in the latest camera frame.
     pub corrected: bool,
@@ -221,7 +221,7 @@ impl ThinTrack {
 /// Some points of a track in a row, the first one of the next group included.
 #[derive(Clone, Copy, Debug)]
 pub struct Group<'a> {
-    /// Which of the track's groups.
+    /// Index of the group in the track.
     pub index: usize,
     points: &'a [TrackPoint],
     /// The latest point of the track, in its last group.
@@ -234,8 +234,8 @@ impl Group<'_> {
         &self.points[0]
     }
 
-    /// Whether all of it is past or all of it is future, and which; `None` while it still grows or
-    /// `now` lies within.
+    /// Side of `now` on which all of the group lies: true for the past, false for the future; `None` while it
+    /// still grows or `now` lies within.
     pub fn side(&self, now: f64) -> Option<bool> {
         let complete = self.last.is_none();
         let (first, end) = (self.points.first()?, self.points.last()?);

@@ -16,7 +16,7 @@ use crate::jobs::MapInfo;
 const SIDE: usize = 256;
 /// Textures kept.
 const CAPACITY: usize = 320;
-/// How many levels up a stand-in is looked for.
+/// Number of levels up in which a stand-in is looked for.
 const ANCESTORS: i32 = 6;
 
 /// A tile: its level (ground sample distance 2^level metres) and its place in the level's grid.

@@ -18,7 +18,7 @@ use crate::still::triangles;
 /// each of them would cost ten corners in every frame.
 const NEAR: f64 = 120.0;
 
-/// How a track is drawn.
+/// Style in which a track is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrackStyle {
     /// Colour where corrected.
@@ -49,10 +49,10 @@ impl TrackStyle {
     }
 }
 
-/// How strongly what is still to come is drawn.
+/// Opacity of the part of a track that is still to come.
 const FUTURE: f32 = 0.42;
 
-/// What the triangles of a track depend on.
+/// Key of the triangles of a track: everything that they depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Look {
     version: (u64, i32),

@@ -1,4 +1,4 @@
-//! Where a point of the ground lies on the screen.
+//! Transform between points of the ground and places on the screen.
 
 use egui::{Pos2, Rect, Vec2, pos2, vec2};
 use pilotage_core::frames::{GroundPoint, GroundRect};
@@ -77,7 +77,7 @@ impl ScreenFromWorld {
     }
 }
 
-/// How the user looks at the map.
+/// View of the map: middle, scale and direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MapCamera {
     /// Ground point in the middle.

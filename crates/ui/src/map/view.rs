@@ -31,15 +31,15 @@ use crate::log::OpenLog;
 use crate::photos::Photos;
 use crate::plan::{FindPick, PlanTool, Planner, paint_hint};
 
-/// What the map needs beside what every view is given.
+/// Data that the map needs beside what every view is given.
 pub struct MapExtra<'a> {
-    /// What is known of the map.
+    /// Description of the map.
     pub map: Option<&'a MapInfo>,
-    /// Which run this is; another number is another run.
+    /// Generation of the run; another number is another run.
     pub run_generation: u64,
-    /// Which run the ghost is.
+    /// Generation of the ghost.
     pub ghost_generation: u64,
-    /// How distinct the selected landmark is.
+    /// Distinctness of the selected landmark.
     pub distinctness: Option<&'a Distinctness>,
     /// The plan, if that is what people work on.
     pub plan: Option<&'a Planner>,
@@ -68,11 +68,11 @@ pub struct MapExtra<'a> {
     reason = "each is a switch of its own on screen"
 )]
 pub struct MapView {
-    /// How the user looks at the map.
+    /// View of the map: middle, scale and direction.
     pub camera: MapCamera,
     /// The map's pixels.
     pub tiles: TileCache,
-    /// Which layers are on.
+    /// Layers that are on.
     pub layers: Layers,
     /// Whether the flight's direction is kept at the top.
     pub track_up: bool,
@@ -82,7 +82,7 @@ pub struct MapView {
     pub picking: bool,
     /// The landmark that is being named in place.
     pub naming: Option<u32>,
-    /// What the pointer does to routes.
+    /// Tool of the pointer on routes.
     pub plan_tool: PlanTool,
     /// Whether the plan is shown.
     pub(super) planning: bool,
@@ -102,7 +102,7 @@ pub struct MapView {
     fitted: Option<(GroundPoint, f64)>,
     rect: Option<Rect>,
     drawn: Option<Drawn>,
-    /// What panels cover of the map: names of landmarks keep away from it.
+    /// Parts of the map that panels cover: names of landmarks keep away from them.
     covered: Vec<Rect>,
     covering: Vec<Rect>,
 }
@@ -142,7 +142,7 @@ impl MapView {
         Some(ColouredTrack { name, series })
     }
 
-    /// What was drawn last: the aircraft of which step.
+    /// Step whose aircraft was drawn last.
     pub fn drawn(&self) -> Option<Drawn> {
         self.drawn
     }
@@ -152,7 +152,7 @@ impl MapView {
         self.covering.push(rect);
     }
 
-    /// Where the map was drawn last.
+    /// Part of the screen on which the map was drawn last.
     pub fn rect(&self) -> Option<Rect> {
         self.rect
     }

@@ -1,4 +1,4 @@
-//! What is known of photos on the map.
+//! State of photos on the map.
 
 use pilotage_core::flight::photo::{LaidPhoto, PhotoSearch};
 use pilotage_core::frames::{Geodetic, GroundRect};
@@ -6,7 +6,7 @@ use pilotage_core::registration::Draped;
 
 use crate::jobs::{DrapeOrder, MapSource, PhotoReport, PhotosOrder};
 
-/// How the chosen photo lies over the map.
+/// Appearance of the chosen photo over the map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shown {
     /// In every other square of a chequerboard: roads and roofs run on where it lies right.
@@ -35,19 +35,19 @@ pub struct Sought {
 /// Photos on the map, until others are opened.
 #[derive(Debug)]
 pub struct Photos {
-    /// Which, on which map.
+    /// Photos to be laid, and their map.
     pub sought: Option<Sought>,
-    /// How they are to be looked for.
+    /// Search by which they are to be laid.
     pub search: PhotoSearch,
-    /// How they were looked for last.
+    /// Search by which they were laid last.
     pub searched: Option<PhotoSearch>,
-    /// What came of each.
+    /// Result of each photo.
     pub reports: Vec<Option<PhotoReport>>,
     /// The one that is looked at.
     pub chosen: Option<usize>,
-    /// How it lies over the map.
+    /// Appearance of the chosen photo over the map.
     pub shown: Shown,
-    /// What is being computed: share done, and words.
+    /// Computation under way: share done, and words.
     pub at_work: Option<(f32, String)>,
     /// Why it came to nothing.
     pub trouble: Option<String>,
@@ -111,7 +111,7 @@ impl Photos {
         }
     }
 
-    /// Where photo `number` lies.
+    /// Place of photo `number`, if it was laid.
     pub fn laid(&self, number: usize) -> Option<&LaidPhoto> {
         let report = self.reports.get(number)?.as_ref()?;
         report.answer.laid.as_ref().ok()
@@ -137,7 +137,7 @@ impl Photos {
         name.rsplit('/').next().unwrap_or(name)
     }
 
-    /// What is to be asked to show the chosen one on the map, unless that is known already or it is not shown.
+    /// Order that shows the chosen photo on the map, unless that is known already or it is not shown.
     pub fn drape_order(&self) -> Option<DrapeOrder> {
         let number = self.chosen?;
         let is_known = self.draped.as_ref().is_some_and(|(of, _)| *of == number);

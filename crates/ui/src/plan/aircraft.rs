@@ -1,4 +1,4 @@
-//! What the user states of the aircraft: its bank limit, its power and what it has on board.
+//! Aircraft as the user states it: its bank limit, its power and the energy on board.
 
 use egui::{DragValue, Ui};
 use pilotage_core::frames::GroundPoint;

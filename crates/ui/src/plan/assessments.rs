@@ -1,4 +1,4 @@
-//! How well landmarks are found: measured where that was done, assumed elsewhere.
+//! Detection statistics of landmarks: measured where that was done, assumed elsewhere.
 
 use std::collections::{HashMap, VecDeque};
 
@@ -18,7 +18,7 @@ pub const ASSUMED_RECOGNISED: f64 = 0.9;
 /// Probability that is assumed of it to be accepted in a frame, if it can be recognised.
 pub const ASSUMED_PER_FRAME: f64 = 0.8;
 
-/// What is assumed of a landmark that was not measured.
+/// Expected detection that is assumed of a landmark that was not measured.
 pub fn assumed() -> ExpectedDetection {
     let spread = Vector4::new(0.15, 0.15, 0.005, 0.005);
     ExpectedDetection {
@@ -40,15 +40,15 @@ pub struct Assessments {
     failed: HashMap<u32, (Landmark, String)>,
     waiting: VecDeque<AssessmentOrder>,
     asked: Option<(JobId, u32)>,
-    /// How far the one under way is, 0 to 1, and in words.
+    /// Progress of the measurement under way, 0 to 1, and its words.
     progress: (f32, String),
-    /// How far the looks from other heights are, 0 to 1.
+    /// Progress of the looks from other heights, 0 to 1.
     pub survey_progress: f32,
-    /// How many were asked for in one go.
+    /// Number of measurements that were asked for in one go.
     batch: usize,
     /// The map that all of it is about.
     map: Option<MapSource>,
-    /// What the measurements of a landmark depend on.
+    /// Basis of the measurements of a landmark.
     bases: HashMap<u32, Basis>,
     /// Measurements of an earlier visit or out of a mission file that are not true of what is open.
     recalled: Vec<KeptMeasurement>,
@@ -65,7 +65,7 @@ fn same(a: &Landmark, b: &Landmark) -> bool {
 }
 
 impl Assessments {
-    /// What was measured of a landmark, while its box is still the same.
+    /// Measurement of a landmark, while its box is still the same.
     pub fn of(&self, landmark: &Landmark) -> Option<&Measured> {
         let known = self.measured.get(&landmark.id);
         known.filter(|m| same(&m.last.landmark, landmark))
@@ -97,7 +97,7 @@ impl Assessments {
         self.wants_envelope = order;
     }
 
-    /// What is expected of a landmark: measured, or assumed.
+    /// Expected detections of a landmark: measured, or assumed.
     pub fn expected(&self, landmark: &Landmark) -> DetectionStatistics {
         self.of(landmark).map_or_else(
             || DetectionStatistics::everywhere(assumed()),
@@ -111,13 +111,13 @@ impl Assessments {
         Some((landmark, self.progress.0, self.progress.1.as_str()))
     }
 
-    /// How many of how many are done, while several are measured.
+    /// Numbers of landmarks that are done and of all, while several are measured.
     pub fn batch(&self) -> Option<(usize, usize)> {
         let left = self.waiting.len() + usize::from(self.asked.is_some());
         (left > 0).then(|| (self.batch.saturating_sub(left), self.batch))
     }
 
-    /// How many landmarks were measured and still are as they were.
+    /// Number of landmarks that were measured and still are as they were.
     pub fn count(&self, landmarks: &[Landmark]) -> usize {
         landmarks.iter().filter(|l| self.of(l).is_some()).count()
     }
@@ -170,7 +170,7 @@ impl Assessments {
         self.recalled = kept;
     }
 
-    /// What is known of these landmarks, to be kept.
+    /// Measurements of these landmarks, to be kept.
     pub fn to_keep(&self, landmarks: &[Landmark]) -> Vec<KeptMeasurement> {
         let known = landmarks.iter().filter_map(|landmark| {
             Some(KeptMeasurement {
@@ -220,7 +220,7 @@ impl Assessments {
         self.changed = true;
     }
 
-    /// What measurements on `order` depend on is noted; of others nothing stays.
+    /// Notes the basis of measurements on `order`; of measurements on another basis nothing stays.
     fn note_basis(&mut self, documents: &Documents, order: &AssessmentOrder) {
         let id = order.landmark.id;
         let basis = basis_of(documents, order);

@@ -24,7 +24,7 @@ const MOST_ROWS: usize = 12;
 /// Width of the drawing over the map, in its own units.
 const WIDTH: f64 = 1000.0;
 
-/// How the page looks.
+/// Style sheet of the page.
 pub const STYLE: &str = include_str!("../../style/brief.css");
 
 /// A landmark of the brief.
@@ -32,11 +32,11 @@ pub const STYLE: &str = include_str!("../../style/brief.css");
 pub struct BriefLandmark {
     /// The landmark.
     pub landmark: Landmark,
-    /// How often it is found, in words.
+    /// Detection probability, in words.
     pub found: String,
 }
 
-/// What a brief is made of.
+/// Content of a brief.
 pub struct BriefScene<'a> {
     /// Name of the mission.
     pub mission: &'a str,
@@ -46,7 +46,7 @@ pub struct BriefScene<'a> {
     pub legs: &'a [Leg],
     /// Energy left at each way-point, watt hours.
     pub left: Option<Vec<f64>>,
-    /// What is predicted along it.
+    /// Prediction along the route.
     pub prediction: Option<&'a Prediction>,
     /// The limit of the standard deviation, metres.
     pub limit: f64,
@@ -54,7 +54,7 @@ pub struct BriefScene<'a> {
     pub assumptions: Vec<String>,
     /// Landmarks in the order of the pictures.
     pub landmarks: &'a [BriefLandmark],
-    /// How many more there are.
+    /// Number of landmarks beyond these.
     pub more_landmarks: usize,
     /// Whom to thank for the map.
     pub attribution: &'a str,

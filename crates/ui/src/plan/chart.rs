@@ -20,7 +20,7 @@ const LANE: f32 = 15.0;
 /// Most lanes of landmarks.
 const MOST_LANES: usize = 5;
 
-/// What the chart shows.
+/// Content of the chart.
 pub struct ChartScene<'a> {
     /// The prediction.
     pub prediction: &'a Prediction,
@@ -28,7 +28,7 @@ pub struct ChartScene<'a> {
     pub landmarks: &'a [&'a Landmark],
     /// The limit, metres.
     pub limit: f64,
-    /// What is being computed, or how fine it is.
+    /// Computation under way, or fineness of the prediction, in words.
     pub state: &'a str,
     /// The look.
     pub tokens: &'a Tokens,
@@ -43,7 +43,7 @@ pub struct Chart {
 }
 
 impl Chart {
-    /// Where curves were drawn last.
+    /// Part of the screen on which curves were drawn last.
     pub fn rect(&self) -> Option<Rect> {
         self.rect
     }

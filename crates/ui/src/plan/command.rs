@@ -1,4 +1,4 @@
-//! What people can ask for while they plan.
+//! Commands of planning.
 
 use pilotage_core::frames::{Altitude, GroundPoint};
 use pilotage_core::mission::WayPointAction;
@@ -41,16 +41,16 @@ pub enum PlanCommand {
     InsertWayPoint {
         /// The way-point before it.
         behind: usize,
-        /// Where.
+        /// Place of the new way-point.
         at: GroundPoint,
         /// Whether it is one step of its own.
         finished: bool,
     },
     /// Move a way-point; `finished` is false while the drag goes on.
     MoveWayPoint {
-        /// Which.
+        /// Index of the way-point.
         index: usize,
-        /// Where to.
+        /// New place of the way-point.
         to: GroundPoint,
         /// Whether the drag is over (one undo step).
         finished: bool,
@@ -59,7 +59,7 @@ pub enum PlanCommand {
     DeleteWayPoint(Option<usize>),
     /// Give a way-point, or all of them, another altitude; `finished` as for a drag.
     SetAltitude {
-        /// Which; all if `None`.
+        /// Index of the way-point; all if `None`.
         index: Option<usize>,
         /// The altitude.
         altitude: Altitude,
@@ -68,7 +68,7 @@ pub enum PlanCommand {
     },
     /// Airspeed of the leg that leads to a way-point, m/s; the aircraft's cruise if `None`.
     SetSpeed {
-        /// Which.
+        /// Index of the way-point.
         index: usize,
         /// The speed.
         speed: Option<f64>,
@@ -87,11 +87,11 @@ pub enum PlanCommand {
     RenameRoute(String),
     /// The standard deviation that is accepted, metres.
     SetLimit(f64),
-    /// What is done at a way-point; `finished` as for a drag.
+    /// Action at a way-point; `finished` as for a drag.
     SetAction {
-        /// Which.
+        /// Index of the way-point.
         index: usize,
-        /// What.
+        /// New action.
         action: WayPointAction,
         /// Whether the drag is over.
         finished: bool,
@@ -107,7 +107,7 @@ pub enum PlanCommand {
     CorridorAlong,
     /// Let the selected route be no pattern any more.
     ReleasePattern,
-    /// What the user states of the aircraft.
+    /// Properties of the aircraft that the user states.
     SetAircraft {
         /// Bank limit, radians.
         bank: f64,
@@ -149,7 +149,7 @@ pub enum PlanCommand {
     EditArea {
         /// Its number.
         index: usize,
-        /// What.
+        /// Change of the area.
         change: AreaChange,
         /// Whether the drag is over.
         finished: bool,
@@ -160,9 +160,9 @@ pub enum PlanCommand {
     ShowTab(PlanTab),
     /// Change landmarks; `finished` as for a drag.
     EditLandmarks {
-        /// Which.
+        /// Ids of the landmarks.
         ids: Vec<u32>,
-        /// What.
+        /// Change of the landmarks.
         change: LandmarkChange,
         /// Whether the drag is over.
         finished: bool,
@@ -173,7 +173,7 @@ pub enum PlanCommand {
     MarkLandmarks(Vec<u32>),
     /// Begin to mark something on the map by clicks, or stop.
     Mark(Purpose),
-    /// One more corner of what is being marked.
+    /// Add a corner to the outline that is being marked.
     AddCorner(GroundPoint),
     /// Take the last corner back.
     RemoveCorner,

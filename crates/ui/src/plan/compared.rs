@@ -3,12 +3,12 @@
 use super::words::Outlook;
 use crate::jobs::Foreseen;
 
-/// One route of the comparison in numbers.
+/// Figures of a route in the comparison.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Compared {
     /// Length over the way-points, metres.
     pub length: f64,
-    /// How long it takes with its turns, seconds.
+    /// Duration with its turns, seconds.
     pub time: f64,
     /// Largest predicted standard deviation, metres.
     pub worst: f64,
@@ -17,7 +17,7 @@ pub struct Compared {
 }
 
 impl Compared {
-    /// What a route comes to; `None` without a prediction.
+    /// Figures of a route; `None` without a prediction.
     pub fn of(foreseen: &Foreseen) -> Option<Self> {
         let samples = &foreseen.prediction.samples;
         let outlook = Outlook::of(&foreseen.prediction)?;

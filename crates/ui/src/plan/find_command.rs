@@ -1,4 +1,4 @@
-//! What is looked for when a route is found, and what can be asked of the search.
+//! Preferences of the search for a route, and the commands of the search.
 
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::plan::{Aim, BudgetOf};
@@ -6,17 +6,17 @@ use serde::{Deserialize, Serialize};
 
 use super::heat_command::HeatOf;
 
-/// What is looked for; remembered between visits.
+/// Preferences of the search for a route; remembered between visits.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct FindPreferences {
     /// Greatest cost over that of the shortest route.
     pub budget: f64,
-    /// What the cost is.
+    /// Measure of the cost: time or length.
     pub budget_of: BudgetOf,
-    /// What is to be least.
+    /// Uncertainty that is to be least: the worst or the mean.
     pub aim: Aim,
-    /// What it shall lead over.
+    /// Sources of fixes that the route shall lead over.
     pub over: HeatOf,
     /// Distance that is kept from no-fly areas, metres.
     pub clearance: f64,
@@ -37,21 +37,21 @@ impl Default for FindPreferences {
     }
 }
 
-/// What the next click on the map says.
+/// Meaning of the next click on the map.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum FindPick {
     /// Nothing.
     #[default]
     Nothing,
-    /// Where the route begins.
+    /// Start of the route.
     From,
-    /// Where it ends.
+    /// End of the route.
     To,
     /// The next corner of a no-fly area.
     Area,
 }
 
-/// What people can ask of the search.
+/// Commands of the search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FindCommand {
     /// Choose both ends on the map, one after the other.

@@ -1,4 +1,4 @@
-//! Which route to find, and what becomes of it.
+//! Order of the search for a route, and the use of its result.
 
 use pilotage_core::frames::units::GRAVITY;
 use pilotage_core::frames::{Altitude, AltitudeFrame, AltitudeReference, GroundPoint, GroundRect};
@@ -16,7 +16,7 @@ use crate::documents::Documents;
 use crate::jobs::{FindOrder, Foreseen, HighGround, PredictionOrder};
 
 impl Planner {
-    /// Which route to find; `None` while an end or the map is missing.
+    /// Order of the search for a route; `None` while an end or the map is missing.
     pub fn find_order(&self, documents: &Documents) -> Option<FindOrder> {
         let mission = &documents.mission;
         let (from, to) = (self.finder.from?, self.finder.to?);

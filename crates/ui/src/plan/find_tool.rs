@@ -190,7 +190,7 @@ fn hatch(painter: &Painter, corners: &[Pos2], color: Color32) {
     }
 }
 
-/// What to click next, in words; `None` while nothing is chosen.
+/// Words on what to click next; `None` while nothing is chosen.
 pub fn hint(pick: FindPick, corners: usize) -> Option<&'static str> {
     match pick {
         FindPick::Nothing => None,

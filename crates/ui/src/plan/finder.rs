@@ -9,15 +9,15 @@ use crate::jobs::{FindOrder, FoundPlan, Job, JobEvent, JobId};
 /// The search.
 #[derive(Debug, Default)]
 pub struct Finder {
-    /// Where the route begins.
+    /// Start of the route.
     pub from: Option<GroundPoint>,
-    /// Where it ends.
+    /// End of the route.
     pub to: Option<GroundPoint>,
-    /// What the next click says.
+    /// Meaning of the next click.
     pub pick: FindPick,
     /// Corners of the no-fly area that is being drawn.
     pub corners: Vec<GroundPoint>,
-    /// What was found.
+    /// Routes that were found.
     pub found: Option<Box<FoundPlan>>,
     /// Why nothing was found.
     pub trouble: Option<String>,
@@ -28,7 +28,7 @@ pub struct Finder {
 }
 
 impl Finder {
-    /// How far the search is, 0 to 1, and in words.
+    /// Progress of the search, 0 to 1, and its words.
     pub fn under_way(&self) -> Option<(f32, &str)> {
         self.asked?;
         Some((self.progress.0, self.progress.1.as_str()))

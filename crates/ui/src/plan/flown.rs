@@ -12,8 +12,9 @@ use crate::jobs::{FlightSource, scenario_wind};
 /// Height of a first way-point where no flight says another, metres above ground.
 const USUAL_HEIGHT: f64 = 120.0;
 
-/// Where the ground lets the height change otherwise than evenly, a leg is predicted in pieces: from so
-/// many metres off on, and none shorter than that many, so that turns have room before they begin.
+/// Limits of the pieces in which a leg is predicted where the ground lets the height change otherwise than
+/// evenly: from so many metres off on, and none shorter than that many, so that turns have room before they
+/// begin.
 const UNEVEN: f64 = 4.0;
 const SHORTEST_PIECE: f64 = 200.0;
 /// Places at which a piece is looked at.
@@ -72,8 +73,8 @@ pub fn height(route: &Route, documents: &Documents) -> f64 {
     mean.unwrap_or(USUAL_HEIGHT).max(1.0)
 }
 
-/// Where a route is flown and how: its way-points with their heights above ground, metres, and
-/// airspeeds, and between them places from which on the ground lets the height change otherwise.
+/// Flown places of a route: its way-points with their heights above ground, metres, and airspeeds, and
+/// between them places from which on the ground lets the height change otherwise.
 pub fn flown_over(route: &Route, documents: &Documents) -> (Vec<GroundPoint>, Vec<Target>) {
     let relief = documents.relief();
     let ground = |p: &GroundPoint| relief.at(p);

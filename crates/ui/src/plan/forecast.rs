@@ -7,7 +7,7 @@ use crate::jobs::{COARSE, Job, JobEvent, JobId, PredictionOrder};
 
 /// Worlds of the fine one.
 pub const FINE: usize = 100;
-/// How long a plan must rest before it is predicted finely, milliseconds.
+/// Time for which a plan must rest before it is predicted finely, milliseconds.
 const REST: f64 = 250.0;
 
 /// A prediction under way.
@@ -23,13 +23,13 @@ struct Asked {
 pub struct Shown {
     /// The prediction, marked by the user's limit.
     pub prediction: Prediction,
-    /// What it is of.
+    /// Order of the prediction.
     pub order: PredictionOrder,
-    /// How long it took until it was here, milliseconds.
+    /// Time until the prediction was here, milliseconds.
     pub took: f64,
 }
 
-/// What is predicted, and what is being predicted.
+/// Prediction that is shown, and the prediction under way.
 #[derive(Debug, Default)]
 pub struct Forecast {
     shown: Option<Shown>,
@@ -39,7 +39,7 @@ pub struct Forecast {
     /// The plan as it was last, and since when, milliseconds.
     plan: Option<(PredictionOrder, f64)>,
     limit: f64,
-    /// How long the last coarse one took, and how long it was computed, milliseconds.
+    /// Time until the last coarse prediction was here, and its computing time, milliseconds.
     coarse: Option<(f64, f64)>,
 }
 
@@ -60,8 +60,7 @@ impl Forecast {
         self.shown.as_ref().is_some_and(fine)
     }
 
-    /// How long the last coarse prediction took until it was here, and how long a worker computed it,
-    /// milliseconds.
+    /// Time until the last coarse prediction was here, and its computing time in the worker, milliseconds.
     pub fn coarse_took(&self) -> Option<(f64, f64)> {
         self.coarse
     }

@@ -320,7 +320,7 @@ fn wishes(ui: &mut Ui, planner: &Planner, documents: &Documents, context: &mut V
     }
 }
 
-/// How a search keeps clear of the ground, in words.
+/// Words on how a search keeps clear of the ground.
 fn clearance_words(planner: &Planner, documents: &Documents, units: Units) -> String {
     let altitude = planner.found_altitude(documents);
     let flown = altitude_words(&altitude, units);

@@ -9,7 +9,7 @@ use crate::views::color_map::viridis;
 
 /// A place where a fix is less likely than this is blind.
 pub const BLIND: f64 = 0.2;
-/// How long the plan must rest before the heat map is computed anew, milliseconds.
+/// Time for which the plan must rest before the heat map is computed anew, milliseconds.
 const REST: f64 = 300.0;
 
 /// A heat map under way.
@@ -26,12 +26,13 @@ pub struct Heat {
     asked: Option<Asked>,
     progress: (f32, String),
     trouble: Option<String>,
-    /// What was asked for last, and since when, milliseconds.
+    /// Field that was asked for last, and since when, milliseconds.
     wanted: Option<(FieldOrder, f64)>,
     complete: bool,
     stopped: bool,
     texture: Option<TextureHandle>,
-    /// How the texture was made, and whether it is of the field as it is now.
+    /// Style in which the texture was painted: true if only blind areas are marked; `None` if it is not of
+    /// the field as it is now.
     painted: Option<bool>,
 }
 
@@ -41,12 +42,12 @@ impl Heat {
         self.field.as_ref().map(|(_, field)| field)
     }
 
-    /// What it is of.
+    /// Order of the field that is known.
     pub fn order(&self) -> Option<&FieldOrder> {
         self.field.as_ref().map(|(order, _)| order)
     }
 
-    /// How far the work is, 0 to 1, and in words.
+    /// Progress of the work, 0 to 1, and its words.
     pub fn under_way(&self) -> Option<(f32, &str)> {
         self.asked.as_ref()?;
         Some((self.progress.0, self.progress.1.as_str()))
@@ -168,7 +169,7 @@ impl Heat {
     }
 }
 
-/// What marks a blind place.
+/// Colour of a blind place.
 pub fn blind_color() -> Color32 {
     Color32::from_rgb(214, 60, 90)
 }

@@ -1,8 +1,8 @@
-//! What gives fixes, how the heat map is shown, and what can be asked of it.
+//! Sources of fixes, and preferences and commands of the heat map.
 
 use serde::{Deserialize, Serialize};
 
-/// What gives fixes.
+/// Sources of fixes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum HeatOf {
     /// The landmarks that are switched on.
@@ -12,7 +12,7 @@ pub enum HeatOf {
     Map,
 }
 
-/// How the heat map is shown; remembered between visits.
+/// Preferences of the heat map; remembered between visits.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct HeatPreferences {
@@ -20,11 +20,11 @@ pub struct HeatPreferences {
     pub shown: bool,
     /// Whether only blind areas are marked.
     pub blind: bool,
-    /// How much of the map it covers, 0 to 1.
+    /// Opacity over the map, 0 to 1.
     pub opacity: f32,
     /// Standard deviation of the position that is assumed, metres.
     pub position: f64,
-    /// What gives fixes.
+    /// Sources of fixes.
     pub of: HeatOf,
 }
 
@@ -40,7 +40,7 @@ impl Default for HeatPreferences {
     }
 }
 
-/// What people can ask of the heat map.
+/// Commands of the heat map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HeatCommand {
     /// Show or hide it.

@@ -1,4 +1,4 @@
-//! What the heat map is to show of the plan.
+//! Field that the heat map is to show of the plan.
 
 use pilotage_core::plan::{FieldView, FixSource, Localizability, PlannedLandmark};
 use serde_json::{Value, json};
@@ -46,7 +46,7 @@ impl Planner {
         })
     }
 
-    /// How the ground is looked at from a height above it, metres, and how uncertain the position is then.
+    /// Camera's view of the ground from a height above it, metres, and the uncertainty of the position then.
     pub fn field_view(&self, documents: &Documents, height: f64) -> FieldView {
         let sensors = &documents.mission.navigator.sensors;
         FieldView {
@@ -65,7 +65,7 @@ impl Planner {
         )
     }
 
-    /// What the heat map is to show; `None` while it is hidden.
+    /// Field that the heat map is to show; `None` while it is hidden.
     pub fn heat_order(&self, documents: &Documents) -> Option<FieldOrder> {
         let heat = &self.preferences.heat;
         if heat.shown {

@@ -1,4 +1,4 @@
-//! What people note of landmarks: category, notes, reference point, height, direction.
+//! Editor of the properties of landmarks: category, notes, reference point, height, direction.
 
 use std::collections::BTreeSet;
 

@@ -15,7 +15,7 @@ use crate::shell::{
 };
 use crate::tokens::Tokens;
 
-/// What the table is sorted by.
+/// Column that the table is sorted by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Column {
     #[default]
@@ -26,7 +26,7 @@ enum Column {
     Found,
 }
 
-/// How the table is sorted.
+/// Sorting, filter and marks of the table.
 #[derive(Debug, Default)]
 pub struct LandmarkTable {
     by: Column,
@@ -35,7 +35,7 @@ pub struct LandmarkTable {
     filter: String,
     /// The landmarks that are marked.
     marked: BTreeSet<u32>,
-    /// Where a range begins.
+    /// Landmark at which a range begins.
     anchor: Option<u32>,
 }
 
@@ -46,7 +46,7 @@ const CATEGORY: f32 = 92.0;
 /// Between a cell's right edge and its text, points.
 const PADDING: f32 = 8.0;
 
-/// Where the columns of a row end; that of categories is there if any landmark has one.
+/// Ends of the columns of a row; that of categories is there if any landmark has one.
 #[derive(Clone, Copy)]
 struct Columns {
     left: f32,
@@ -397,7 +397,7 @@ fn row(
     .inner
 }
 
-/// How often a landmark is found, in words, and how they are written.
+/// Detection probability of a landmark in words, with their font and colour.
 fn found_words(
     landmark: &Landmark,
     assessments: &Assessments,

@@ -128,7 +128,7 @@ fn draw_menu(ui: &mut Ui, planner: &Planner, context: &mut ViewContext<'_>) {
     });
 }
 
-/// What can be done with the selected landmark.
+/// Draws the actions on the selected landmark.
 fn actions(ui: &mut Ui, planner: &Planner, landmark: &Landmark, context: &mut ViewContext<'_>) {
     ui.horizontal_wrapped(|ui| {
         let label = if planner.assessments.of(landmark).is_some() {
@@ -144,7 +144,7 @@ fn actions(ui: &mut Ui, planner: &Planner, landmark: &Landmark, context: &mut Vi
     });
 }
 
-/// How well the selected landmark is found.
+/// Draws the detection statistics of the selected landmark.
 fn card(ui: &mut Ui, planner: &Planner, landmark: &Landmark, context: &mut ViewContext<'_>) {
     let tokens = context.tokens;
     caption(ui, tokens, "How well it is found");

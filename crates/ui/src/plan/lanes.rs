@@ -1,4 +1,4 @@
-//! Where along the route which landmark is likely to be found, packed into few lanes.
+//! Stretches of the route on which a landmark is likely to be found, packed into few lanes.
 
 use pilotage_core::plan::PredictionSample;
 
@@ -7,7 +7,7 @@ const SEEN: f64 = 0.02;
 /// A landmark may be out of view for as many samples without a blip of its own.
 const GAP: usize = 6;
 
-/// One landmark in view.
+/// Stretch with a landmark in view.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Blip {
     /// Index of the landmark in the prediction.

@@ -11,7 +11,7 @@ use crate::tokens::Tokens;
 /// Places being marked.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Marking {
-    /// What for.
+    /// Purpose of the marked places.
     pub purpose: Purpose,
     /// The places so far.
     pub corners: Vec<GroundPoint>,

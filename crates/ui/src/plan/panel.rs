@@ -106,7 +106,7 @@ impl Planner {
         self.hovered = self.chart.show(ui, &scene);
     }
 
-    /// Which of the two charts is shown, at the right above it.
+    /// Draws the choice between the two charts, at the right above them.
     fn strip_tabs(&self, ui: &mut Ui, context: &mut ViewContext<'_>) {
         let tokens = context.tokens;
         let area = ui.available_rect_before_wrap();
@@ -162,7 +162,7 @@ impl Planner {
     }
 }
 
-/// What the route and the landmarks can be saved as for other programs.
+/// Draws the menu of the formats in which the route and the landmarks can be saved for other programs.
 fn export_menu(ui: &mut Ui, context: &mut ViewContext<'_>) {
     let button = icon_button(ui, context.tokens, Icon::Save, "Export");
     egui::Popup::menu(&button).show(|ui| {

@@ -1,4 +1,4 @@
-//! What a route is made of, to be changed.
+//! Card of the pattern of a route, to be changed.
 
 use egui::{DragValue, Ui};
 use pilotage_core::mission::Route;

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 /// Property of a route with the pattern that it is made of.
 const PROPERTY: &str = "pattern";
 
-/// What a pattern covers.
+/// Kind of ground that a pattern covers.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Cover {
@@ -22,10 +22,10 @@ pub enum Cover {
     },
 }
 
-/// What a route is made of.
+/// Pattern of a route.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Pattern {
-    /// What it covers.
+    /// Kind of ground that it covers.
     pub cover: Cover,
     /// Longitude and latitude of the corners or of the line, degrees.
     pub places: Vec<[f64; 2]>,
@@ -37,7 +37,7 @@ pub struct Pattern {
     pub course_deg: Option<f64>,
 }
 
-/// What the passes are made for.
+/// Circumstances for which the passes are made.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Circumstances {
     /// The world frame.
@@ -79,7 +79,7 @@ impl Pattern {
         route.properties.remove(PROPERTY);
     }
 
-    /// How its passes lie beside each other.
+    /// Spacing of its passes beside each other.
     pub(super) fn passes(&self, c: &Circumstances) -> Passes {
         let (across, _) = picture_on_ground(&c.camera, c.height);
         Passes {

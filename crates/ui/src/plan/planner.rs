@@ -1,4 +1,4 @@
-//! What the Plan workspace remembers beside the documents.
+//! State of the Plan workspace beside the documents.
 
 use pilotage_core::frames::{Altitude, GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::mission::turn::turn_radius;
@@ -29,7 +29,7 @@ use super::trainings::Trainings;
 use crate::documents::Documents;
 use crate::jobs::PredictionOrder;
 
-/// What the user accepts and assumes; remembered between visits.
+/// Preferences and assumptions of the user; remembered between visits.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct PlanPreferences {
@@ -37,13 +37,13 @@ pub struct PlanPreferences {
     pub limit: f64,
     /// The wind to plan with; the flight's if `None`.
     pub wind: Option<Wind>,
-    /// How the heat map is shown.
+    /// Preferences of the heat map.
     pub heat: HeatPreferences,
-    /// What is looked for when a route is found.
+    /// Preferences of the search for a route.
     pub find: FindPreferences,
-    /// How many landmarks are proposed.
+    /// Number of landmarks that are proposed.
     pub suggest: usize,
-    /// How many photos a detector learns from.
+    /// Number of photos that a detector learns from.
     pub photos: usize,
     /// Bank limit, radians.
     pub bank: f64,
@@ -81,25 +81,25 @@ pub struct Planner {
     pub way_point: Option<usize>,
     /// Whether clicks on the map add way-points.
     pub drawing: bool,
-    /// What is being marked on the map by clicks.
+    /// Marking of places on the map by clicks.
     pub marking: Option<Marking>,
     /// The open tab.
     pub tab: PlanTab,
-    /// What the user accepts and assumes.
+    /// Preferences and assumptions of the user.
     pub preferences: PlanPreferences,
     /// Distance along the flown path under the pointer in the chart, metres.
     pub hovered: Option<f64>,
     /// The prediction.
     pub forecast: Forecast,
-    /// What would mend its worst stretch.
+    /// Remedies of the worst stretch of the route.
     pub remedies: Remedies,
-    /// How well landmarks are found.
+    /// Detection statistics of landmarks.
     pub assessments: Assessments,
     /// Detectors that are trained.
     pub trainings: Trainings,
     /// Landmarks that are proposed.
     pub suggestions: Suggestions,
-    /// Where fixes would be had.
+    /// Heat map of the probability of a fix.
     pub heat: Heat,
     /// The search for a route.
     pub finder: Finder,
@@ -107,7 +107,7 @@ pub struct Planner {
     pub(super) chart: Chart,
     /// The table of landmarks.
     pub(super) table: LandmarkTable,
-    /// What is being typed of landmarks.
+    /// Editor of landmarks, with the text being typed.
     pub(super) editor: LandmarkEditor,
     /// The name being typed for the selected route.
     pub(super) name_draft: Option<(u32, String)>,
@@ -132,7 +132,7 @@ impl Planner {
         self.way_point = self.way_point.filter(|i| *i < count);
     }
 
-    /// Where the chart's curves were drawn last.
+    /// Part of the screen on which the chart's curves were drawn last.
     pub fn chart_rect(&self) -> Option<egui::Rect> {
         self.chart.rect()
     }
@@ -164,7 +164,7 @@ impl Planner {
             .unwrap_or_else(|| flight_wind(documents))
     }
 
-    /// What to predict for the selected route; `None` while it is none that can be flown.
+    /// Order of the prediction of the selected route; `None` while it is none that can be flown.
     pub fn order(&self, documents: &Documents) -> Option<PredictionOrder> {
         let mission = &documents.mission;
         let route = self.selected(mission)?;
@@ -194,7 +194,7 @@ impl Planner {
     }
 }
 
-/// What the passes of a pattern over `places` are made for, if they are flown at `altitude`.
+/// Circumstances of the passes of a pattern over `places`, if they are flown at `altitude`.
 pub fn circumstances(
     planner: &Planner,
     documents: &Documents,
@@ -209,7 +209,7 @@ pub fn circumstances(
     }
 }
 
-/// What the passes of a pattern are made for, if a route is made of it.
+/// Circumstances of the passes of a pattern, if a route is made of it.
 pub fn made_for(planner: &Planner, documents: &Documents, route: Option<&Route>) -> Circumstances {
     let way_points = route.map_or(&[][..], |r| &r.way_points);
     let first = way_points.first().map(|w| w.altitude);

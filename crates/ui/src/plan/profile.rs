@@ -22,7 +22,7 @@ const SAMPLES: usize = 240;
 /// Heights at one place of a route.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
-    /// Where it is.
+    /// Place on the ground.
     pub place: GroundPoint,
     /// Distance along the route, metres.
     pub distance: f64,
@@ -39,7 +39,7 @@ impl Sample {
     }
 }
 
-/// What the chart shows.
+/// Content of the chart.
 pub struct ProfileScene<'a> {
     /// The route.
     pub route: &'a Route,
@@ -47,9 +47,9 @@ pub struct ProfileScene<'a> {
     pub ground: &'a dyn Fn(&GroundPoint) -> f64,
     /// Height of the place of take-off, metres above mean sea level.
     pub take_off: f64,
-    /// Where the heights of the ground come from, in words.
+    /// Source of the heights of the ground, in words.
     pub source: &'a str,
-    /// What they count from.
+    /// Datum of the heights, in words.
     pub frame: &'a str,
     /// The selected way-point.
     pub chosen: Option<usize>,
@@ -223,7 +223,7 @@ pub fn show(ui: &mut Ui, scene: &ProfileScene<'_>) -> Option<f64> {
     Some(under.distance)
 }
 
-/// What lies below a line, down to `bottom`.
+/// Mesh of the area below a line, down to `bottom`.
 fn earth(line: impl Iterator<Item = Pos2>, bottom: f32, color: Color32) -> Mesh {
     let mut mesh = Mesh::default();
     for (first, top) in line.enumerate() {

@@ -1,6 +1,6 @@
-//! What places that are marked on the map are for.
+//! Purpose of places that are marked on the map.
 
-/// What the marked places are for.
+/// Purpose of the marked places.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
     /// The outline of a new landmark.
@@ -19,7 +19,7 @@ impl Purpose {
         matches!(self, Self::Point | Self::Reference)
     }
 
-    /// What to do, in words on the map.
+    /// Advice on what to do, in words on the map.
     pub(super) fn advice(self, corners: usize) -> &'static str {
         match (self, corners) {
             (Self::Point, _) => "Click on the landmark",

@@ -59,7 +59,7 @@ impl Relief<'_> {
         first.map_or(self.level, |w| self.at(&w.position))
     }
 
-    /// What altitudes of a route count from at a place.
+    /// Reference heights of a route's altitudes at a place.
     pub fn reference(&self, route: &Route, place: &GroundPoint) -> AltitudeReference {
         AltitudeReference {
             take_off: self.take_off(route),
@@ -81,7 +81,7 @@ impl Relief<'_> {
         self.terrain.heights().is_none()
     }
 
-    /// What its heights count from, to stand behind a number with its unit.
+    /// Datum of its heights, to stand behind a number with its unit.
     pub fn frame(&self) -> &'static str {
         (self.terrain.heights()).map_or("AMSL", |grid| grid.datum().frame())
     }
@@ -93,7 +93,7 @@ impl Relief<'_> {
         places.iter().filter(unknown).count() as f64 / places.len().max(1) as f64
     }
 
-    /// Where the heights come from, in words.
+    /// Source of the heights, in words.
     pub fn words(&self, route: &Route, units: Units) -> String {
         let (factor, unit) = units.length();
         let level = format!("level at {:.0} {unit} AMSL", self.level * factor);
@@ -113,7 +113,7 @@ impl Relief<'_> {
         words
     }
 
-    /// What the ground has to do with what is predicted along a route, in sentences.
+    /// Assumptions about the ground behind a prediction along a route, in sentences.
     pub fn assumptions(&self, route: &Route, units: Units) -> Vec<String> {
         let mut list = vec![format!("Ground: {}.", self.words(route, units))];
         let frames = |f: AltitudeFrame| route.way_points.iter().any(|w| w.altitude.frame == f);

@@ -1,4 +1,4 @@
-//! What would mend the worst stretch of a route: a landmark, more height, another line; by its figures.
+//! Remedies of the worst stretch of a route: a landmark, more height, another line; by their figures.
 
 use pilotage_core::frames::{GroundPoint, GroundRect};
 use pilotage_core::landmark::Landmark;
@@ -16,7 +16,7 @@ use crate::units::Units;
 
 /// Worlds of each comparison: the same ones for each, so that few tell.
 const WORLDS: usize = 16;
-/// How much higher is tried.
+/// Factor on the height that is tried.
 const HIGHER: f64 = 1.25;
 /// Share of the uncertainty that must go for a remedy to be called one.
 const HELPS: f64 = 0.9;
@@ -36,7 +36,7 @@ pub struct Remedies {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Worst {
     stretch: Stretch,
-    /// Where it begins: a fix there is of most use.
+    /// Begin of the stretch: a fix there is of most use.
     pub(super) begin: GroundPoint,
     pub(super) end: GroundPoint,
 }
@@ -125,14 +125,14 @@ impl Remedies {
         true
     }
 
-    /// What the stretch would come to with the landmark (1) or higher (2), metres.
+    /// Largest standard deviation on the stretch with the landmark (1) or higher (2), metres.
     fn would_be(&self, which: usize) -> Option<f64> {
         let share = self.sigmas.get(which)? / self.sigmas.first()?;
         let sigma = share * self.worst?.stretch.sigma;
         sigma.is_finite().then_some(sigma)
     }
 
-    /// What mends it, in sentences; none where nothing is to be mended.
+    /// Remedies in sentences; none where nothing is to be mended.
     pub fn sentences(&self, units: Units) -> Vec<String> {
         let Some((worst, (order, _))) = self.worst.zip(self.of.as_ref()) else {
             return Vec::new();
@@ -165,7 +165,7 @@ impl Remedies {
         list
     }
 
-    /// What it comes to, for journeys: the place, and the figures as planned, with a landmark, higher.
+    /// Result for journeys: the place, and the figures as planned, with a landmark, higher.
     pub fn json(&self) -> serde_json::Value {
         let place = self.worst.map(|w| [w.begin.north, w.begin.east]);
         serde_json::json!({"place": place, "sigmas": self.sigmas})

@@ -1,4 +1,4 @@
-//! What would mend the worst stretch of a route, in sentences and on the map.
+//! Remedies of the worst stretch of a route, in sentences and on the map.
 
 use egui::{Align2, Painter, Stroke, Ui};
 

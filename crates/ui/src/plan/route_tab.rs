@@ -259,7 +259,7 @@ fn prediction(
     }
 }
 
-/// What the prediction assumes, in words.
+/// Assumptions of the prediction, in words.
 pub fn assumptions(
     planner: &Planner,
     documents: &Documents,

@@ -6,10 +6,10 @@ use pilotage_core::mission::{Mission, Route, WayPoint};
 use super::patterns::Pattern;
 use crate::documents::Documents;
 
-/// Whether an edit is whole, or part of a drag that goes on.
+/// Extent of an edit: whole, or part of a drag that goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
-    /// One undo step of its own.
+    /// Edit that is an undo step of its own.
     Whole,
     /// Part of a drag.
     Drag,

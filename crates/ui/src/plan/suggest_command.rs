@@ -1,9 +1,9 @@
-//! What people can ask of proposed landmarks.
+//! Commands about proposed landmarks.
 
-/// What people can ask of proposals.
+/// Commands about proposed landmarks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SuggestCommand {
-    /// How many to propose.
+    /// Number of landmarks to propose.
     Count(usize),
     /// Look for them.
     Start,

@@ -6,10 +6,10 @@ use pilotage_core::plan::Suggestion;
 use crate::host::Host;
 use crate::jobs::{Job, JobEvent, JobId, MapSource, SuggestOrder};
 
-/// What is proposed.
+/// Proposed landmarks.
 #[derive(Debug, Default)]
 pub struct Suggestions {
-    /// What was asked for, and what came of it.
+    /// Order and its proposals.
     pub(super) found: Option<(SuggestOrder, Vec<Suggestion>)>,
     pub(super) trouble: Option<String>,
     pub(super) asked: Option<(JobId, SuggestOrder)>,

@@ -21,7 +21,7 @@ use crate::shell::{caption, icon_button, icons::Icon, muted};
 use crate::tokens::Tokens;
 
 impl Planner {
-    /// What landmarks are to be proposed for; `None` while the map is missing.
+    /// Order of landmarks to be proposed; `None` while the map is missing.
     pub fn suggest_order(&self, documents: &Documents) -> Option<SuggestOrder> {
         documents.map.as_ref()?;
         let mission = &documents.mission;
@@ -205,7 +205,7 @@ impl Planner {
         }
     }
 
-    /// What is proposed, for journeys.
+    /// Proposed landmarks as JSON, for journeys.
     pub fn suggestions_json(&self, landmarks: &[Landmark]) -> Value {
         let suggestions = &self.suggestions;
         let of = |s: &Suggestion| {

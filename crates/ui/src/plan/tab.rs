@@ -1,6 +1,6 @@
 //! Parts of the column at the right while planning.
 
-/// What the column at the right shows.
+/// Tab of the column at the right.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PlanTab {
     /// Routes, legs and prediction.
@@ -8,6 +8,6 @@ pub enum PlanTab {
     Route,
     /// Landmarks and how well they are found.
     Landmarks,
-    /// Where fixes would be had, no-fly areas, and finding a route.
+    /// Heat map of the probability of a fix, no-fly areas, and finding a route.
     Ground,
 }

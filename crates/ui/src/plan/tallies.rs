@@ -1,4 +1,5 @@
-//! How often a landmark was found, in cells: over heights and tilts, by heading, attitude error, day.
+//! Share of the views in which a landmark was found, in cells: over heights and tilts, by heading, attitude
+//! error, day.
 
 use egui::{Align2, Color32, Painter, Rect, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo};
 use egui::{pos2, vec2};
@@ -128,7 +129,7 @@ pub fn envelope(ui: &mut Ui, envelope: &Envelope, height: f64, context: &ViewCon
     ui.label(muted(tokens, words));
 }
 
-/// What the cells mean.
+/// Draws the legend of the cells.
 pub fn legend(ui: &mut Ui, tokens: &Tokens) {
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 18.0), Sense::hover());
     let painter = ui.painter_at(rect);

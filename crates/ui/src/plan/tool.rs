@@ -1,4 +1,4 @@
-//! What the pointer does to routes on the map.
+//! Pointer on routes of the map.
 
 use egui::{CursorIcon, Key, PointerButton, Pos2, Response, Ui};
 use pilotage_core::frames::GroundPoint;
@@ -19,7 +19,7 @@ const HIT_RADIUS: f32 = 14.0;
 /// Shortest leg on screen that has a handle in its middle, points.
 const SHORTEST_WITH_HANDLE: f32 = 56.0;
 
-/// What is under the pointer.
+/// Thing under the pointer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Hit {
     /// A way-point of the selected route.
@@ -43,9 +43,9 @@ pub struct PlanTool {
     corner: Option<(u32, usize)>,
     /// The no-fly area and the corner of it that is being dragged.
     area: Option<(usize, usize)>,
-    /// What the pointer is over.
+    /// Thing that the pointer is over.
     pub(super) hovered: Option<Hit>,
-    /// Where the pointer is, while something is drawn.
+    /// Place of the pointer, while something is drawn.
     pub(super) pointer: Option<GroundPoint>,
 }
 

@@ -1,6 +1,6 @@
-//! What people can ask of trainings.
+//! Commands about trainings.
 
-/// What people can ask of trainings.
+/// Commands about trainings.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TrainCommand {
     /// Train detectors for these landmarks.
@@ -9,7 +9,7 @@ pub enum TrainCommand {
     Selected,
     /// For every landmark that is switched on and has none yet; for all of them if none is left.
     All,
-    /// How many photos each learns from.
+    /// Number of photos that each learns from.
     Photos(usize),
     /// Let the training of a landmark, or every one, keep its place.
     Pause(Option<u32>),

@@ -1,4 +1,4 @@
-//! What is to be trained for landmarks, and from which pictures.
+//! Orders of trainings for landmarks, and the labelled frames for them.
 
 use pilotage_core::frames::GroundPoint;
 use pilotage_core::landmark::Landmark;
@@ -22,7 +22,7 @@ fn look_alike(landmark: &Landmark, documents: &Documents) -> Vec<GroundPoint> {
         .collect()
 }
 
-/// What people said of frames about a landmark.
+/// Labels of frames that tell of a landmark.
 pub(super) fn labels_of<'a>(
     landmark: &'a Landmark,
     mission: &'a Mission,
@@ -42,7 +42,7 @@ fn labelled(landmark: &Landmark, documents: &Documents) -> Option<LabelledFrames
 }
 
 impl Planner {
-    /// What is to be trained for landmarks.
+    /// Orders of trainings for landmarks.
     pub fn train_orders(&self, ids: &[u32], documents: &Documents) -> Vec<TrainOrder> {
         let mission = &documents.mission;
         let height = self.flown_height(documents);

@@ -149,7 +149,7 @@ impl Planner {
     }
 }
 
-/// How many labelled frames will be learned from as well, if any.
+/// Draws the number of labelled frames that will be learned from as well, if any.
 fn labelled_words(ui: &mut Ui, landmarks: &[&Landmark], context: &ViewContext<'_>) {
     let frames = landmarks.iter();
     let text = match frames.map(|l| labels_of(l, context.mission).count()).sum() {
@@ -188,7 +188,7 @@ fn choices(
     });
 }
 
-/// What the choice comes to.
+/// Draws the state of the trained detectors, in words.
 fn words(
     ui: &mut Ui,
     landmarks: &[&Landmark],
@@ -221,7 +221,7 @@ fn words(
     }
 }
 
-/// How well a trained detector does on photos that it did not learn from.
+/// Results of a trained detector on photos that it did not learn from, in words.
 fn outcome_words(outcome: &TrainingOutcome, context: &ViewContext<'_>) -> String {
     let (factor, unit) = context.units.length();
     let [north, east] = outcome.sigmas.map(|s| s * factor);
@@ -239,7 +239,7 @@ fn outcome_words(outcome: &TrainingOutcome, context: &ViewContext<'_>) -> String
     )
 }
 
-/// What a training does now, in words.
+/// Present activity of a training, in words.
 fn phase_words(training: &Training) -> String {
     let stage = training.stages().len() + 1;
     match (training.state(), &training.report) {
@@ -256,7 +256,7 @@ fn phase_words(training: &Training) -> String {
     }
 }
 
-/// One training: whose it is, what it does, how long it worked, how far it is.
+/// Draws the row of a training: its landmark, its activity, the time that it worked, its progress.
 fn row(ui: &mut Ui, training: &Training, context: &mut ViewContext<'_>) {
     let tokens = context.tokens;
     let landmark = &training.order.landmark;

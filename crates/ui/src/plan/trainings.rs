@@ -19,7 +19,7 @@ const AT_A_TIME: usize = 2;
 /// Most trainings that are kept, the latest.
 const MOST_KEPT: usize = 40;
 
-/// Where a training stands.
+/// State of a training.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TrainingState {
     /// For a worker.
@@ -37,18 +37,18 @@ pub enum TrainingState {
 /// The training of one landmark.
 #[derive(Debug)]
 pub struct Training {
-    /// What was asked for, and where it can go on.
+    /// Order of the training, and the state from which it can go on.
     pub order: TrainOrder,
     /// Whether it shall be worked on.
     wanted: bool,
     job: Option<JobId>,
     /// Whether the job keeps its place without working.
     is_held: bool,
-    /// What was said last.
+    /// Last report of the worker.
     pub report: Option<TrainingReport>,
-    /// What is done before the first report.
+    /// Activity before the first report, in words.
     pub words: String,
-    /// What came of it.
+    /// Result of the training.
     pub outcome: Option<TrainingOutcome>,
     /// Why nothing came of it.
     pub trouble: Option<String>,
@@ -68,7 +68,7 @@ impl Training {
         }
     }
 
-    /// Where it stands.
+    /// State of the training.
     pub fn state(&self) -> TrainingState {
         match (&self.outcome, &self.trouble) {
             (Some(_), _) => TrainingState::Done,
@@ -83,7 +83,7 @@ impl Training {
         matches!(self.state(), TrainingState::Done | TrainingState::Failed)
     }
 
-    /// How the whole stages went.
+    /// Reports on the whole stages.
     pub fn stages(&self) -> &[pilotage_core::training::StageReport] {
         let left = || self.order.left.as_ref().map(|l| l.stages.as_slice());
         let told = self.report.as_ref().map(|r| r.stages.as_slice());
@@ -106,7 +106,7 @@ impl Training {
     }
 }
 
-/// What is kept of a training between visits.
+/// Record of a training that is kept between visits.
 #[derive(Debug, Serialize, Deserialize)]
 struct Kept {
     /// The version of the program, which alone goes on to the same detector.
@@ -133,7 +133,7 @@ impl Trainings {
         self.list.iter().find(|t| t.is_of(landmark))
     }
 
-    /// What came of the training that made the detector which a landmark has.
+    /// Result of the training that made the detector which a landmark has.
     pub fn outcome(&self, landmark: &Landmark) -> Option<&TrainingOutcome> {
         let outcome = self.of(landmark)?.outcome.as_ref()?;
         (landmark.trained_text() == Some(&outcome.detector)).then_some(outcome)
@@ -207,7 +207,7 @@ impl Trainings {
         left.map(|t| t.order.landmark.name.as_str()).collect()
     }
 
-    /// What is to be kept.
+    /// Encodes the trainings that are to be kept.
     fn encode(&self) -> Vec<u8> {
         let kept = self.list.iter().filter(|t| t.trouble.is_none());
         let kept: Vec<Kept> = kept
@@ -341,7 +341,7 @@ fn is_here(t: &Training, documents: &Documents) -> bool {
     t.order.map == documents.map_source && landmark.is_some_and(|l| t.is_of(l))
 }
 
-/// Where a training that was left stands, in words.
+/// State of a training that was left, in words.
 pub fn left_words(left: Option<&TrainingLeft>) -> String {
     match left {
         Some(left) => format!("Paused at stage {}", left.stages.len() + 1),

@@ -21,7 +21,7 @@ use crate::units::Units;
 
 const ROW: f32 = 38.0;
 
-/// What the table says of the legs.
+/// Figures of the legs in the table.
 pub struct Sums<'a> {
     /// The ground that it lies over.
     pub relief: Relief<'a>,
@@ -179,13 +179,13 @@ fn row(
     }
 }
 
-/// What is left on board behind the leg to a way-point, where that is stated.
+/// Energy that is left on board behind the leg to a way-point, in words, where it is stated.
 fn energy_words(sums: &Sums<'_>, index: usize) -> Option<String> {
     let left = sums.left.as_ref()?.get(index).filter(|_| index > 0)?;
     Some(format!("{left:.0} Wh left"))
 }
 
-/// What is done at a way-point, where that is more than flying by.
+/// Action at a way-point in words, where it is more than flying by.
 pub fn action_words(action: &WayPointAction) -> Option<String> {
     match action {
         WayPointAction::FlyBy => None,
@@ -339,7 +339,7 @@ fn selected(
     context.commands.extend(say.into_iter().map(Command::Plan));
 }
 
-/// What is done at the way-point.
+/// Draws the choice of the action at the way-point; returns the command that changes it.
 fn action(
     ui: &mut Ui,
     now: WayPointAction,

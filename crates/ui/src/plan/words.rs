@@ -6,14 +6,14 @@ use pilotage_core::plan::Prediction;
 
 use crate::units::Units;
 
-/// What a prediction comes to.
+/// Figures of a prediction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outlook {
     /// Largest standard deviation of the longer axis, metres.
     pub sigma: f64,
     /// Distance along the path at which that is, metres.
     pub distance: f64,
-    /// Where that is.
+    /// Place of the largest standard deviation.
     pub place: GroundPoint,
     /// Largest half width of the 95 % corridor, metres.
     pub across: f64,
@@ -30,7 +30,7 @@ pub struct Outlook {
 }
 
 impl Outlook {
-    /// What `prediction` comes to; `None` without a sample.
+    /// Figures of `prediction`; `None` without a sample.
     pub fn of(prediction: &Prediction) -> Option<Self> {
         let samples = &prediction.samples;
         let worst = samples
@@ -109,7 +109,7 @@ pub fn long(units: Units, longest: f64) -> (f64, &'static str) {
     }
 }
 
-/// Where a place lies, by the landmark nearest to it.
+/// Position of a place relative to the landmark nearest to it, in words.
 fn nearest(landmarks: &[Landmark], place: &GroundPoint, units: Units) -> String {
     let away = |l: &Landmark| l.reference.distance(place);
     let near = landmarks.iter().min_by(|a, b| away(a).total_cmp(&away(b)));

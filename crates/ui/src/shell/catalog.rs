@@ -1,5 +1,5 @@
-//! What is known of every command: its words, its group and its keys. Menu, palette, shortcuts and
-//! the help sheet all read this one table.
+//! Catalogue of all commands: their words, groups and keys. Menu, palette, shortcuts and the help sheet all
+//! read this one table.
 
 use egui::{Key, KeyboardShortcut, Modifiers};
 use pilotage_core::exchange::Format;

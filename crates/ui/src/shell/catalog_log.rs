@@ -1,4 +1,4 @@
-//! What is known of the commands about the open log.
+//! Catalogue of the commands about the open log.
 
 use egui::Key;
 

@@ -4,7 +4,7 @@ use egui::{Key, KeyboardShortcut, Modifiers};
 
 use crate::command::Command;
 
-/// Where a command stands in the help sheet and the palette.
+/// Group of a command in the help sheet and the palette.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
     /// Time and playback.
@@ -41,16 +41,16 @@ impl Group {
     }
 }
 
-/// One row of the table.
+/// Row of the table.
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// What it does, in words.
+    /// Label of the command, in words.
     pub label: &'static str,
     /// Its group.
     pub group: Group,
     /// Its keys, the first shown first.
     pub shortcuts: Vec<KeyboardShortcut>,
-    /// What is sent.
+    /// Command that is sent.
     pub command: Command,
 }
 

@@ -1,8 +1,8 @@
-//! One set of icons, drawn with strokes on a grid of 16 × 16.
+//! Icons of one set, drawn with strokes on a grid of 16 × 16.
 
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, pos2};
 
-/// What an icon shows.
+/// Subject of an icon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Icon {
     /// The aircraft of the wordmark.
@@ -11,9 +11,9 @@ pub enum Icon {
     Play,
     /// Pause.
     Pause,
-    /// One frame back.
+    /// Step back by a frame.
     StepBack,
-    /// One frame on.
+    /// Step on by a frame.
     StepForward,
     /// Repeat.
     Loop,

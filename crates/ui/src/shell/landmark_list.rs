@@ -14,10 +14,10 @@ use crate::context::ViewContext;
 use crate::jobs::Distinctness;
 use crate::map::heat_image;
 
-/// What is known of the selected landmark's distinctness.
+/// Distinctness of the selected landmark, as far as it is known.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Examined<'a> {
-    /// How distinct it is, once compared with the map around it.
+    /// Distinctness of the landmark, once compared with the map around it.
     pub found: Option<&'a Distinctness>,
     /// Why it could not be compared.
     pub trouble: Option<&'a str>,
@@ -252,7 +252,8 @@ pub(crate) fn keyboard(
     });
 }
 
-/// How distinct the selected landmark is: a verdict, the surface around it, the strongest look-alike.
+/// Draws the distinctness of the selected landmark: a verdict, the surface around it, the strongest
+/// look-alike.
 fn distinctness_card(
     ui: &mut Ui,
     context: &ViewContext<'_>,

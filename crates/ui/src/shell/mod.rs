@@ -1,4 +1,4 @@
-//! What surrounds the views: look, top bar, palette, help, notices.
+//! Surroundings of the views: look, top bar, palette, help, notices.
 
 pub mod catalog;
 mod catalog_log;

@@ -16,8 +16,8 @@ pub struct Palette {
     chosen: usize,
 }
 
-/// How well `query` fits `text`: its letters in order, better when together and at word starts;
-/// `None` if they do not occur.
+/// Score of the match between `query` and `text`: its letters in order, better when together and at word
+/// starts; `None` if they do not occur.
 pub fn fuzzy_score(query: &str, text: &str) -> Option<i32> {
     let text: Vec<char> = text.to_lowercase().chars().collect();
     let mut score = 0;

@@ -9,9 +9,9 @@ use crate::tokens::Tokens;
 /// A notice.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Toast {
-    /// What happened, in a few words.
+    /// Event in a few words.
     pub title: String,
-    /// Where, why, and what to do.
+    /// Place and cause of the event, and what to do.
     pub text: String,
     /// Whether something went wrong (it then stays until dismissed).
     pub trouble: bool,
@@ -51,7 +51,7 @@ impl Toasts {
         });
     }
 
-    /// What is on screen.
+    /// Notices on screen.
     pub fn list(&self) -> &[Toast] {
         &self.list
     }

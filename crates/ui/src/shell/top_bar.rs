@@ -9,13 +9,13 @@ use crate::dialogs::WebMapCommand;
 use crate::tokens::Tokens;
 use crate::units::Units;
 
-/// What the bar shows.
+/// Content of the bar.
 pub struct TopBar<'a> {
     /// The open workspace.
     pub workspace: Workspace,
     /// The document's title.
     pub title: &'a str,
-    /// What is being computed: how far (0 to 1) and in words.
+    /// Computation under way: progress (0 to 1) and words.
     pub progress: Option<(f32, &'a str)>,
     /// The user's units.
     pub units: Units,

@@ -48,7 +48,7 @@ pub fn icon_toggle(ui: &mut Ui, tokens: &Tokens, icon: Icon, label: &str, on: bo
     response.on_hover_text(label)
 }
 
-/// What is being done, and a button that stops it; whether that was pressed.
+/// Draws the work under way, and a button that stops it; whether that was pressed.
 pub fn at_work(ui: &mut Ui, tokens: &Tokens, words: &str) -> bool {
     let row = ui.horizontal(|ui| {
         ui.add(egui::Spinner::new().size(14.0));

@@ -2,7 +2,7 @@
 
 use pilotage_core::navigator::{Outcome, Run};
 
-/// What happened within one pixel of time.
+/// Events within one pixel of time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Bin {
     /// Landmarks accepted.
@@ -53,7 +53,7 @@ impl Bins {
         self.used = run.steps.len();
     }
 
-    /// One bin per pixel.
+    /// Bins, each of a pixel.
     pub fn bins(&self) -> &[Bin] {
         &self.columns
     }

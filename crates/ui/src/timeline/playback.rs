@@ -1,4 +1,4 @@
-//! How the time cursor moves, and the span of time that is selected.
+//! Motion of the time cursor, and the span of time that is selected.
 
 use super::Span;
 
@@ -12,7 +12,7 @@ pub struct Playback {
     pub time: f64,
     /// Whether it moves by itself.
     pub playing: bool,
-    /// How fast, times real time.
+    /// Speed, times real time.
     pub speed: f64,
     /// Whether it starts over at the end.
     pub looping: bool,

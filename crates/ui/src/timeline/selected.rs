@@ -8,7 +8,7 @@ use crate::tokens::Tokens;
 /// First and last second of a span in the flight's time base.
 pub type Span = (f64, f64);
 
-/// How near to an edge a pointer takes hold of it, points.
+/// Largest distance from an edge at which a pointer takes hold of it, points.
 const REACH: f32 = 5.0;
 
 /// Time along a screen axis: from seconds to screen x and back.
@@ -19,10 +19,10 @@ pub(crate) trait TimeOnScreen {
     fn time_of(&self, x: f32) -> f64;
 }
 
-/// What a pointer does to the selected span: with Shift it draws a new one, at an edge it moves that edge.
+/// Drag of the selected span: with Shift a pointer draws a new one, at an edge it moves that edge.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct SpanPointer {
-    /// Where the drag began, and the end of the span that stays where it is.
+    /// Widget in which the drag began, and the end of the span that stays where it is.
     drag: Option<(Id, f64)>,
 }
 
@@ -96,7 +96,7 @@ pub(crate) fn paint_span(
     painter.vline(right, rect.y_range(), edge);
 }
 
-/// What lies over the selected span.
+/// Colour of the veil over the selected span.
 fn veil(tokens: &Tokens) -> Color32 {
     tokens.accent.gamma_multiply(0.12)
 }

@@ -14,15 +14,15 @@ use crate::shell::{icon_button, icon_toggle};
 use crate::still::Still;
 use crate::tokens::Tokens;
 
-/// What the strip needs beside what every view is given.
+/// Data that the strip needs beside what every view is given.
 pub struct TimelineExtra<'a> {
-    /// How the cursor moves.
+    /// State of playback.
     pub playback: &'a Playback,
     /// First and last time of the flight.
     pub span: Option<(f64, f64)>,
     /// Whether the run is complete.
     pub complete: bool,
-    /// Which run this is.
+    /// Generation of the run.
     pub generation: u64,
     /// Bookmarks, seconds.
     pub bookmarks: &'a [f64],
@@ -56,12 +56,12 @@ pub fn speed_text(speed: f64) -> String {
 const CHOICES: [f64; 8] = [0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 20.0];
 
 impl Timeline {
-    /// What was drawn last.
+    /// Times that were drawn last.
     pub fn drawn(&self) -> Option<Drawn> {
         self.drawn
     }
 
-    /// Where time was drawn last.
+    /// Part of the screen on which time was drawn last.
     pub fn track(&self) -> Option<Rect> {
         self.track
     }

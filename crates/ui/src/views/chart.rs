@@ -8,7 +8,7 @@ use crate::tokens::Tokens;
 /// A chart's area and the values at its edges.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Axes {
-    /// Where curves are drawn.
+    /// Part of the screen on which curves are drawn.
     pub rect: Rect,
     /// Values at the left and right edge.
     pub x: (f64, f64),

@@ -4,11 +4,11 @@ use egui::{Align2, Color32, FontId, Rect, Response, RichText, Sense, Ui, Vec2, v
 
 use crate::tokens::Tokens;
 
-/// One number for people: what it is, how much, in what unit.
+/// Number for people: its name, value and unit.
 pub(crate) struct Reading {
-    /// What it is.
+    /// Name of the quantity.
     pub label: String,
-    /// How much.
+    /// Value as text.
     pub value: String,
     /// Standard deviation, in the same unit, if there is one.
     pub deviation: Option<String>,
@@ -237,7 +237,7 @@ pub(crate) fn tag(
     taken.push(rect);
 }
 
-/// What lies behind text on a picture.
+/// Colour behind text on a picture.
 pub(crate) fn shade(tokens: &Tokens) -> Color32 {
     tokens.background.gamma_multiply(0.8)
 }
@@ -294,7 +294,7 @@ pub(crate) fn arrow(painter: &egui::Painter, at: egui::Pos2, folded: bool, color
     ));
 }
 
-/// What surrounds light marks on a picture, dark in either theme.
+/// Colour around light marks on a picture, dark in either theme.
 pub(crate) fn rim(tokens: &Tokens) -> Color32 {
     let dark = if tokens.dark {
         tokens.background

@@ -24,10 +24,10 @@ use crate::units::Units;
 
 /// The encoded picture of a frame.
 type FramePicture = dyn Fn(usize) -> Option<Arc<[u8]>>;
-/// What explains the match of a landmark in a step.
+/// Function that explains the match of a landmark in a step.
 type Evidence = dyn Fn(&StepReport, u32) -> Option<MatchPictures>;
 
-/// What the views are drawn over.
+/// Documents that the views are drawn over.
 struct Scene {
     mission: Mission,
     flight: Flight,

@@ -2,7 +2,7 @@
 
 use pilotage_core::navigator::{Run, StepReport};
 
-/// How many steps ahead the next look-out is searched.
+/// Number of steps ahead in which the next look-out is searched.
 const AHEAD: usize = 4_000;
 
 /// Remembers what was found for the last cursor, so that a long run is not searched in every frame.

@@ -12,7 +12,7 @@ use crate::tokens::Tokens;
 /// Shortest stretch of time that can be shown, seconds.
 pub(crate) const LEAST_SPAN: f64 = 0.5;
 
-/// How much of the time plots show, and where the pointer is.
+/// Span of time that plots show, and time under the pointer.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct TimeAxis {
     /// Time shown, if not all of it.
@@ -109,7 +109,7 @@ impl TimeAxis {
         axes.draw_x(&ui.painter_at(outer), tokens, "time, s");
     }
 
-    /// Where the curves go in a plot: right of the y axis' labels.
+    /// Part of a plot for the curves: right of the y axis' labels.
     pub fn curves_rect(outer: Rect, tokens: &Tokens) -> Rect {
         let left = 3.4 * tokens.text_sizes[0];
         Rect::from_min_max(

@@ -42,7 +42,7 @@ fn estimated() -> Rig {
     rig
 }
 
-/// What the last flight was asked to change.
+/// Camera adjustment that the last flight was asked to fly with.
 fn flown_with(rig: &mut Rig) -> Option<CameraAdjustment> {
     let flown = rig.host().last_flight().cloned();
     let Some((_, Job::Fly { mission, .. })) = flown else {
@@ -132,7 +132,7 @@ fn what_is_applied_moves_the_pictures_in_time_and_can_be_taken_back() {
     assert!((number(&rig, "/camera_log/frame_times/0") - before).abs() < 1e-9);
 }
 
-/// What the overview says of the camera's clock.
+/// Finding of the overview about the camera's clock.
 fn said_of_the_clock(rig: &mut Rig) -> String {
     let findings = rig.state()["log"]["findings"].clone();
     let findings = findings.as_array().cloned().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! What people do, one action per file, driven by role and label on a scripted host.
+//! Actions of people, one per file, driven by role and label on a scripted host.
 
 mod support;
 

@@ -107,7 +107,7 @@ fn a_map_in_the_world_that_is_open_leaves_flight_and_mission_alone() {
     assert_eq!(after["title"], before["title"]);
 }
 
-/// What is asked when a file of no use is dropped: it names the world that is open.
+/// Job that is asked for when a file of no use is dropped: it names the world that is open.
 fn opened_near(rig: &mut Rig) -> Option<Job> {
     rig.host().opened.push(vec![OpenedFile {
         path: "x".into(),

@@ -72,7 +72,7 @@ impl Scene {
         self.work(3, 20.0);
     }
 
-    /// What the app holds.
+    /// State of the app.
     fn state(&self) -> serde_json::Value {
         let app = self.harness.state().app.as_ref().expect("drawn");
         serde_json::from_str(&app.state_json()).expect("the app writes JSON")

@@ -5,7 +5,7 @@ use egui_kittest::kittest::Queryable as _;
 
 use super::support::{Rig, rig};
 
-/// What is selected, as shares of the flight.
+/// Selected span, as shares of the flight.
 fn selected(rig: &Rig) -> Option<(f64, f64)> {
     let state = rig.state();
     let span = [0, 1].map(|i| state["span"][i].as_f64().expect("a span"));

@@ -1,4 +1,4 @@
-//! Where north is in the picture, and how the aircraft was banked, in a corner.
+//! Direction of north in the picture, and bank of the aircraft, in a corner.
 
 use egui::{Align2, Painter, Rect, Stroke, Vec2, pos2, vec2};
 use pilotage_core::camera::CameraModel;

@@ -18,7 +18,7 @@ use placement::Placement;
 
 /// Furthest that the wheel goes in.
 const MOST_ZOOM: f32 = 12.0;
-/// How far from a mark a click still selects it, points.
+/// Largest distance from a mark at which a click still selects it, points.
 const REACH: f32 = 18.0;
 
 /// Shows the camera picture and explains what was looked for and found in it.
@@ -42,7 +42,7 @@ impl Default for CameraView {
 }
 
 impl CameraView {
-    /// What was drawn last.
+    /// Times that were drawn last.
     pub fn drawn(&self) -> Option<Drawn> {
         self.drawn
     }
@@ -84,7 +84,7 @@ impl CameraView {
         Some((self.cache.texture()?, shown))
     }
 
-    /// What is wrong with the picture at the cursor, in words.
+    /// Error of the picture at the cursor, in words.
     pub fn trouble(&self) -> Option<&str> {
         self.cache.trouble()
     }
@@ -238,7 +238,7 @@ fn nearest(
         .map(|(_, landmark)| landmark)
 }
 
-/// One line of what the picture shows, for those who do not see it.
+/// Description of the picture in a line, for those who do not see it.
 fn describe(report: Option<(&Run, &FrameReport)>, name: &str) -> String {
     let Some((run, report)) = report else {
         return format!("Camera picture {name}");

@@ -1,4 +1,4 @@
-//! What the navigator expected and found, drawn over the camera picture.
+//! Expectations and detections of the navigator, drawn over the camera picture.
 
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, vec2};
 use pilotage_core::navigator::{CandidateReport, FrameReport, Outcome, Run};

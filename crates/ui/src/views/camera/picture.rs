@@ -27,7 +27,7 @@ impl Encoded {
 #[derive(Default)]
 pub(super) struct PictureCache {
     shown: Option<(Encoded, TextureHandle)>,
-    /// What is to be shown and is not decoded.
+    /// Picture that is to be shown and is not decoded.
     wanted: Option<Encoded>,
     /// Pictures that cannot be read, and why.
     refused: VecDeque<(Encoded, String)>,
@@ -147,7 +147,7 @@ impl PictureCache {
         self.shown.as_ref().map(|(_, texture)| texture.id())
     }
 
-    /// What is wrong with the picture, in words.
+    /// Error of the picture, in words.
     pub fn trouble(&self) -> Option<&str> {
         let wanted = self.wanted.as_ref()?;
         let mut refused = self.refused.iter();

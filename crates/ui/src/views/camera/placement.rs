@@ -13,7 +13,7 @@ pub(super) struct Placement {
 }
 
 impl Placement {
-    /// Where a pixel is drawn.
+    /// Place of a pixel on the screen.
     pub fn at(&self, pixel: &Point2<f64>) -> Pos2 {
         self.rect.min + self.scale * vec2(pixel.x as f32, pixel.y as f32)
     }

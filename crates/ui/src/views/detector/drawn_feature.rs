@@ -9,7 +9,7 @@ use crate::tokens::Tokens;
 /// Blocks of an LBP feature in the order of the bits of its code, the highest first.
 const AROUND: [usize; 8] = [0, 1, 2, 5, 8, 7, 6, 3];
 
-/// Where a window lies on the screen.
+/// Place of a window on the screen.
 #[derive(Clone, Copy)]
 pub(super) struct WindowPlan {
     /// Its upper left corner.
@@ -128,7 +128,7 @@ impl WindowPlan {
     }
 }
 
-/// What counts up, and what counts down.
+/// Colours of areas that count up, and of those that count down.
 const UP: Color32 = Color32::from_rgb(240, 180, 41);
 const DOWN: Color32 = Color32::from_rgb(86, 156, 255);
 

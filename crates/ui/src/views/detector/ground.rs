@@ -11,7 +11,7 @@ use crate::tokens::Tokens;
 const LEFT: f32 = 26.0;
 const BELOW: f32 = 17.0;
 
-/// Where the searched ground lies on the screen.
+/// Place of the searched ground on the screen.
 pub(super) struct GroundPlan<'a> {
     evidence: &'a CascadeEvidence,
     axes: Axes,
@@ -44,7 +44,7 @@ impl<'a> GroundPlan<'a> {
         }
     }
 
-    /// How much room the ground takes with its numbers, as large as it fits into `room`.
+    /// Size that the ground takes with its numbers, as large as it fits into `room`.
     pub fn size_within(evidence: &CascadeEvidence, room: Vec2) -> Vec2 {
         let ground = &evidence.ground;
         let aspect = ground.width().max(1) as f32 / ground.height().max(1) as f32;
@@ -54,12 +54,12 @@ impl<'a> GroundPlan<'a> {
         vec2(height * aspect, height) + around
     }
 
-    /// Where the picture is.
+    /// Part of the screen with the picture.
     pub fn rect(&self) -> Rect {
         self.axes.rect
     }
 
-    /// Where the middles of the windows are, of the outermost with half a pixel more.
+    /// Part of the screen with the middles of the windows, of the outermost with half a pixel more.
     pub fn windows(&self) -> Rect {
         let (width, height) = self.evidence.size;
         let first = (0.5 * width as f64 - 0.5, 0.5 * height as f64 - 0.5);

@@ -1,5 +1,5 @@
-//! What a trained detector saw and did: windows as stages reject them, features over the patch, score
-//! over the ground, edges of the patch.
+//! Search of a trained detector: windows as stages reject them, features over the patch, score over the
+//! ground, edges of the patch.
 
 mod command;
 mod drawn_feature;
@@ -278,7 +278,7 @@ impl DetectorView {
     }
 }
 
-/// What to do where a landmark has no detector.
+/// Advice on a landmark that has no detector.
 const UNTRAINED: &str = "Train one: in Plan, select the landmark and train a detector for it, or open a \
      mission that “pilotage train” wrote. Then fly again.";
 
@@ -300,7 +300,7 @@ fn is_trained(context: &ViewContext<'_>, landmark: u32) -> bool {
     landmark.is_some_and(pilotage_core::landmark::Landmark::is_trained)
 }
 
-/// One chip for each landmark of the frame.
+/// Draws a chip for each landmark of the frame.
 fn selector(
     ui: &mut Ui,
     context: &mut ViewContext<'_>,

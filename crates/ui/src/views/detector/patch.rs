@@ -16,7 +16,7 @@ use crate::tokens::Tokens;
 /// Most height of a patch, points.
 const TALLEST: f32 = 240.0;
 
-/// Which patch and which feature are looked at.
+/// Patch and feature that are looked at.
 #[derive(Debug, Default)]
 pub(super) struct PatchState {
     /// The map's patch, not the picture's.
@@ -114,7 +114,7 @@ impl PatchState {
         );
     }
 
-    /// Which patch, and which feature.
+    /// Draws the choices of the patch and the feature.
     fn choices(&mut self, ui: &mut Ui, tokens: &Tokens, evidence: &CascadeEvidence, count: usize) {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = 0.5 * tokens.space;
@@ -179,7 +179,7 @@ fn paint_edges(painter: &Painter, tokens: &Tokens, hog: &HogPicture, corner: Pos
     }
 }
 
-/// What the strokes mean.
+/// Meaning of the strokes, in words.
 fn strokes(hog: &HogPicture) -> String {
     format!(
         "Strokes lie along the edges of each cell; the longest stands for {:.0} grey levels.",

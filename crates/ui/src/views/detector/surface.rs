@@ -13,7 +13,7 @@ const HEIGHT: f32 = 220.0;
 /// Width of the colour scale with its numbers, points.
 const SCALE: f32 = 76.0;
 const BAR: f32 = 10.0;
-/// What scores mean.
+/// Meaning of scores, in words.
 const MEANING: &str = "From 0 on, a window passed every stage by so much; below, one less for each stage \
      that it did not reach.";
 
@@ -80,7 +80,7 @@ pub(super) fn show(ui: &mut Ui, tokens: &Tokens, evidence: &CascadeEvidence, sco
     }
 }
 
-/// How far north and east of where it is expected a place lies, metres.
+/// Offset of a place north and east of where it is expected, metres.
 fn offset(evidence: &CascadeEvidence, mark: &MarkedPlace) -> [f64; 2] {
     [
         mark.ground.north - evidence.expected.north,

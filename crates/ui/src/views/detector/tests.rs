@@ -42,7 +42,7 @@ impl Imagery for Blocks {
     }
 }
 
-/// What the stages of a made-up detector look at.
+/// Kind of features that the stages of a made-up detector look at.
 #[derive(Clone, Copy)]
 enum Look {
     Edges,
@@ -124,7 +124,7 @@ impl State {
         }
     }
 
-    /// What the core says of the search that the view wants.
+    /// Search of the core that the view wants.
     fn looked(&self, (time, landmark): (f64, u32)) -> DetectorSearch {
         let fixture = &self.fixture;
         let step = fixture.run.step_at(time).unwrap();

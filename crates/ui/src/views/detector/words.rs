@@ -1,4 +1,4 @@
-//! What a search teaches, in words.
+//! Explanations of a search, in words.
 
 use pilotage_core::landmark::cascade::Kind;
 use pilotage_core::landmark::{CascadeEvidence, PatchLook};
@@ -28,7 +28,7 @@ pub(super) fn percent(part: usize, whole: usize) -> String {
     }
 }
 
-/// What is counted where a tree has one feature or several.
+/// Unit that is counted where a tree has one feature or several.
 fn asked(evidence: &CascadeEvidence) -> &'static str {
     let one = |stage: &pilotage_core::landmark::StageLook| stage.features.len() == stage.votes;
     if evidence.stages.iter().all(one) {
@@ -48,7 +48,7 @@ pub(super) fn lesson(evidence: &CascadeEvidence) -> String {
     )
 }
 
-/// What is left after so many stages.
+/// Number of windows that are left after so many stages, in words.
 pub(super) fn left(evidence: &CascadeEvidence, passed: usize) -> String {
     let (left, all) = (evidence.left_after(passed), evidence.windows);
     if passed == 0 {
@@ -63,7 +63,7 @@ pub(super) fn left(evidence: &CascadeEvidence, passed: usize) -> String {
     )
 }
 
-/// What a stage says of a patch: its votes beside what it needs.
+/// Verdict of a stage on a patch: its votes beside those it needs.
 pub(super) fn verdict(evidence: &CascadeEvidence, stage: usize, patch: &PatchLook) -> String {
     let (Some(look), Some(answers)) = (evidence.stages.get(stage), patch.answers.get(stage)) else {
         return String::new();
@@ -92,7 +92,7 @@ pub(super) fn verdict(evidence: &CascadeEvidence, stage: usize, patch: &PatchLoo
     )
 }
 
-/// What a feature of a stage asks, and what this patch answers.
+/// Question of a feature of a stage, and the answer of this patch.
 pub(super) fn feature(
     evidence: &CascadeEvidence,
     stage: usize,

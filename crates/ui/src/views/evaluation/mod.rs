@@ -1,4 +1,4 @@
-//! How well a detector does where it was not trained: curves, circumstances, probabilities.
+//! Evaluation of a detector where it was not trained: curves, circumstances, probabilities.
 
 mod plot;
 #[cfg(test)]
@@ -24,9 +24,9 @@ pub struct EvaluationFile {
     pub text: String,
 }
 
-/// What the view shows.
+/// Content of the view.
 pub struct EvaluationScene<'a> {
-    /// What came of it; `None` before.
+    /// Report on the evaluation; `None` before.
     pub report: Option<&'a EvaluationReport>,
     /// The look.
     pub tokens: &'a Tokens,
@@ -113,7 +113,7 @@ impl EvaluationView {
         file
     }
 
-    /// One place: the choice of its plot and the plot.
+    /// Draws a place of the grid: the choice of its plot and the plot.
     fn place(
         &mut self,
         ui: &mut Ui,

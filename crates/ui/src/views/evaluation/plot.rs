@@ -16,7 +16,7 @@ const LINE: f32 = 16.0;
 /// From how far a point under the pointer is read, points.
 const NEAR: f32 = 40.0;
 
-/// Where a plot's values lie on the screen.
+/// Frame that maps a plot's values to places on the screen.
 struct Frame<'a> {
     plot: &'a Plot,
     rect: Rect,
@@ -112,7 +112,7 @@ pub(super) fn paint(ui: &mut Ui, plot: &Plot, tokens: &Tokens) {
     }
 }
 
-/// What is under the pointer, in words.
+/// Values of the point under the pointer, in words.
 fn reading(plot: &Plot, point: &PlotPoint) -> String {
     let x = format!("{:.4}", point.x);
     let x = x.trim_end_matches('0').trim_end_matches('.');

@@ -8,7 +8,7 @@ use super::super::picking;
 use crate::command::Command;
 use crate::context::ViewContext;
 
-/// One row per landmark: name, score, second-best score, NIS, verdict. A click selects.
+/// Draws a row per landmark: name, score, second-best score, NIS, verdict. A click selects.
 pub(super) fn show(ui: &mut Ui, context: &mut ViewContext<'_>, run: &Run, frame: &FrameReport) {
     let tokens = context.tokens;
     if frame.candidates.is_empty() {
@@ -37,7 +37,7 @@ pub(super) fn show(ui: &mut Ui, context: &mut ViewContext<'_>, run: &Run, frame:
     }
 }
 
-/// Where each of four columns ends (the first: begins), from the left.
+/// Ends of the four columns (of the first: its begin), from the left.
 fn columns(width: f32, text: f32) -> [(f32, bool); 4] {
     let right = width - 0.5 * text;
     [

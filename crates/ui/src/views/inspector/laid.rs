@@ -8,7 +8,7 @@ use super::super::parts::{self, Reading, figures};
 use super::matrix;
 use crate::context::ViewContext;
 
-/// Where it lies and how sure that is, or why it was not believed.
+/// Draws the place of the picture and its probability and uncertainty, or why it was not believed.
 pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, laid: &LaidReport) {
     let tokens = context.tokens;
     if let Some(cause) = &laid.refusal {
@@ -83,7 +83,7 @@ pub(super) fn show(ui: &mut Ui, context: &ViewContext<'_>, laid: &LaidReport) {
     }
 }
 
-/// What its place corrected: innovation with σ and gain.
+/// Draws the correction by the place of the picture: innovation with σ and gain.
 pub(super) fn correction(ui: &mut Ui, context: &ViewContext<'_>, run: &Run, joint: &JointReport) {
     const AXES: [&str; 2] = ["north", "east"];
     let tokens = context.tokens;

@@ -24,7 +24,7 @@ pub struct InspectorView {
 }
 
 impl InspectorView {
-    /// What was drawn last.
+    /// Times that were drawn last.
     pub fn drawn(&self) -> Option<Drawn> {
         self.drawn
     }
@@ -60,7 +60,8 @@ impl InspectorView {
             });
     }
 
-    /// Which of two steps is shown: with the last picture, or that at the cursor itself.
+    /// Draws the choice between two steps: that with the last picture, or that at the cursor itself; returns
+    /// the index of the chosen one.
     fn choose(
         &mut self,
         ui: &mut Ui,
@@ -267,7 +268,7 @@ fn correction(
     }
 }
 
-/// What is measured of a landmark, in order: name, unit on screen, factor from SI.
+/// Measured quantities of a landmark, in order: name, unit on screen, factor from SI.
 const MEASURED: [(&str, &str, f64); 4] = [
     ("right", "px", 1.0),
     ("down", "px", 1.0),

@@ -1,4 +1,4 @@
-//! One sentence in words on what a step did.
+//! Sentence in words on what a step did.
 
 use std::fmt::Write;
 
@@ -15,7 +15,7 @@ use super::super::plots::DEAD_RECKONING_AFTER;
 use super::super::{ellipse, picking};
 use crate::units::Units;
 
-/// What step `index` of the run did, for people.
+/// Summary of step `index` of the run, for people.
 pub(crate) fn sentence(run: &Run, index: usize, flight: Option<&Flight>, units: Units) -> String {
     let doubts = run.steps.get(index).map_or_else(String::new, disbelieved);
     capitalised(&format!(
@@ -24,7 +24,7 @@ pub(crate) fn sentence(run: &Run, index: usize, flight: Option<&Flight>, units: 
     ))
 }
 
-/// One sentence per instrument that is not believed, each after a space.
+/// Sentences on the instruments that are not believed, each after a space.
 fn disbelieved(step: &StepReport) -> String {
     let sentence = |doubt: &Doubt| {
         let what = match (doubt.why, doubt.instrument) {
@@ -75,7 +75,7 @@ fn what_happened(run: &Run, index: usize, flight: Option<&Flight>, units: Units)
     dead_reckoning(run, index, step, units)
 }
 
-/// Where a whole picture was laid, and what that did to the estimate.
+/// Place of a whole picture, and its correction of the estimate, in words.
 fn whole_picture(
     step: &StepReport,
     frame: &FrameReport,
@@ -200,7 +200,7 @@ fn capitalised(text: &str) -> String {
         .collect()
 }
 
-/// One sentence per refused landmark, the first three.
+/// Sentences on the refused landmarks, of the first three.
 fn refusals(run: &Run, frame: &FrameReport) -> String {
     let refused: Vec<String> = frame
         .candidates
@@ -222,7 +222,7 @@ fn refusals(run: &Run, frame: &FrameReport) -> String {
     text
 }
 
-/// How long without a landmark, and how fast the uncertainty grows meanwhile.
+/// Time without a landmark, and growth of the uncertainty meanwhile, in words.
 fn dead_reckoning(run: &Run, index: usize, step: &StepReport, units: Units) -> String {
     let (factor, unit) = units.length();
     let last = picking::last_correction(run, index);
@@ -289,7 +289,7 @@ fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len().max(1) as f64
 }
 
-/// One of the eight winds towards which a (north, east) vector points.
+/// Name of the compass point, of eight, towards which a (north, east) vector points.
 fn compass(vector: &Vector2<f64>) -> &'static str {
     const WINDS: [&str; 8] = [
         "north",

@@ -9,7 +9,7 @@ use super::super::{ellipse, parts};
 use crate::tokens::Tokens;
 use crate::units::Units;
 
-/// Which moments are drawn.
+/// Moments that are drawn.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stages {
     shown: [bool; 4],

@@ -30,7 +30,7 @@ impl MatchView {
         self.wanted
     }
 
-    /// What was drawn last.
+    /// Times that were drawn last.
     pub fn drawn(&self) -> Option<Drawn> {
         self.drawn
     }
@@ -176,7 +176,7 @@ fn nothing_to_show(candidate: &CandidateReport) -> Option<&'static str> {
     }
 }
 
-/// One chip per landmark of the frame.
+/// Draws a chip per landmark of the frame.
 fn selector(
     ui: &mut Ui,
     context: &mut ViewContext<'_>,

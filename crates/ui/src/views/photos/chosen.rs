@@ -47,7 +47,7 @@ pub(super) fn chosen(ui: &mut Ui, context: &mut ViewContext<'_>, scene: &PhotosS
     }
 }
 
-/// How it lies over the map.
+/// Draws the choice of the photo's appearance over the map.
 fn display(ui: &mut Ui, context: &mut ViewContext<'_>, shown: Shown) {
     let tokens = context.tokens;
     ui.horizontal(|ui| {

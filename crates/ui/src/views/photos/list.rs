@@ -1,4 +1,4 @@
-//! What came of each photo, a row each.
+//! Results of the photos, a row each.
 
 use egui::{Align2, Color32, Label, RichText, Role, Sense, Stroke, StrokeKind, Ui, WidgetInfo};
 use egui::{pos2, vec2};
@@ -46,7 +46,7 @@ pub(super) fn list(ui: &mut Ui, context: &mut ViewContext<'_>, photos: &Photos) 
     }
 }
 
-/// What a row says: its four numbers.
+/// Numbers of a row: four of them.
 fn cells(report: Option<&PhotoReport>, units: Units) -> [String; 4] {
     let (length, _) = units.length();
     let none = || "–".to_owned();
@@ -130,7 +130,7 @@ fn row(ui: &mut Ui, context: &mut ViewContext<'_>, photos: &Photos, number: usiz
     }
 }
 
-/// Whether it was laid, as a sign and a colour.
+/// Draws a coloured sign that tells whether the photo was laid.
 fn mark(ui: &mut Ui, tokens: &Tokens, report: Option<&PhotoReport>) {
     let (rect, _) = ui.allocate_exact_size(vec2(12.0, 12.0), Sense::hover());
     let painter = ui.painter();

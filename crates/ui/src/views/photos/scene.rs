@@ -6,7 +6,7 @@ use crate::photos::{Photos, PhotosCommand};
 
 /// Data that the sheet is drawn from.
 pub struct PhotosScene<'a> {
-    /// What is known.
+    /// Photos on the map.
     pub photos: &'a Photos,
     /// World frame of the map, if it has a place on the globe.
     pub frame: Option<pilotage_core::frames::LocalFrame>,

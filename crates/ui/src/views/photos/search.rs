@@ -1,4 +1,4 @@
-//! How photos are looked for: what is known, and how far around it.
+//! Search of photos: the prior of their pose, and the range around it.
 
 use egui::{DragValue, Ui};
 use pilotage_core::flight::photo::PhotoSearch;

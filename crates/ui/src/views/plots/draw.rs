@@ -45,7 +45,7 @@ impl Curve<'_> {
         Some((a.min(b), a.max(b)))
     }
 
-    /// What is to be drawn from left to right; `None` where the curve breaks.
+    /// Places to be drawn from left to right; `None` where the curve breaks.
     pub fn places(&self, axes: &Axes) -> Vec<Option<Place>> {
         let visible = self.visible(axes);
         let columns = axes.rect.width().ceil().max(1.0) as usize;

@@ -20,11 +20,11 @@ use series::RunSeries;
 
 /// Least height of an open panel's curves, points.
 const LEAST_HEIGHT: f32 = 64.0;
-/// Where a panel has at least this width, another stands beside it, points.
+/// Least width of a panel at which another stands beside it, points.
 const LEAST_WIDTH: f32 = 300.0;
 /// The same where there is no room for another row.
 const NARROW_WIDTH: f32 = 230.0;
-/// One panel's own state.
+/// State of a panel.
 #[derive(Clone, Copy, Debug)]
 struct PanelState {
     kind: PanelKind,
@@ -33,7 +33,7 @@ struct PanelState {
     choice: usize,
 }
 
-/// What the curves of a panel depend on.
+/// Key of the curves of a panel: everything that they depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct CurvesKey {
     revisions: [u64; 2],
@@ -49,7 +49,7 @@ pub struct PlotsView {
     time_axis: TimeAxis,
     series: RunSeries,
     ghost: RunSeries,
-    /// What each panel shows, drawn.
+    /// Drawn curves of each panel.
     curves: Vec<Still<CurvesKey>>,
     drawn: Option<Drawn>,
 }
@@ -81,7 +81,7 @@ fn has_data(kind: PanelKind, context: &ViewContext<'_>) -> bool {
 }
 
 impl PlotsView {
-    /// What was drawn last.
+    /// Times that were drawn last.
     pub fn drawn(&self) -> Option<Drawn> {
         self.drawn
     }
@@ -198,7 +198,7 @@ impl PlotsView {
         hover
     }
 
-    /// Which panels are shown, and how much time.
+    /// Draws the choices of the panels that are shown, and of the span of time.
     fn chooser(&mut self, ui: &mut Ui, context: &ViewContext<'_>, whole: (f64, f64)) {
         let tokens = context.tokens;
         ui.horizontal_wrapped(|ui| {
@@ -219,7 +219,7 @@ impl PlotsView {
         });
     }
 
-    /// One panel; returns the time under the pointer.
+    /// Draws a panel; returns the time under the pointer.
     fn panel(
         &mut self,
         ui: &mut Ui,
@@ -371,8 +371,8 @@ fn fold(ui: &mut Ui, tokens: &Tokens, title: &str, folded: &mut bool) {
     }
 }
 
-/// How many panels stand side by side: as many as are comfortably wide, or where the height is
-/// too small for the rows that this gives, as many as are wide enough at all.
+/// Number of panels side by side: as many as are comfortably wide, or where the height is too small for the
+/// rows that this gives, as many as are wide enough at all.
 fn columns(size: egui::Vec2, panels: usize, tokens: &Tokens) -> usize {
     let most = panels.max(1);
     let comfortable = ((size.x / LEAST_WIDTH) as usize).clamp(1, most);

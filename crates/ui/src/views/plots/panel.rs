@@ -9,14 +9,14 @@ use super::series::{FrameColumn, InnovationColumn, RunSeries, StepColumn, Table}
 use crate::tokens::Tokens;
 use crate::units::Units;
 
-/// What a panel shows.
+/// Kind of a panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PanelKind {
     /// Estimate minus truth along one axis with ±3σ.
     PositionError,
     /// Distance from the truth, of the estimate and of dead reckoning alone.
     Distance,
-    /// One component of the wind beside the truth with ±σ.
+    /// Component of the wind beside the truth with ±σ.
     Wind,
     /// NIS of the corrections with its bounds.
     Nis,
@@ -54,7 +54,7 @@ impl PanelKind {
         }
     }
 
-    /// Which choice is made at first.
+    /// Index of the choice that is made at first.
     pub fn first_choice(self) -> usize {
         usize::from(self == Self::Nis)
     }
@@ -74,7 +74,7 @@ impl PanelKind {
         matches!(self, Self::Distance | Self::Nis) && choice == 1
     }
 
-    /// What the panel shows in the units on screen.
+    /// Layers of the panel in the units on screen.
     pub fn layers<'a>(
         self,
         choice: usize,
@@ -217,7 +217,7 @@ impl PanelKind {
     }
 }
 
-/// How a layer is drawn.
+/// Style in which a layer is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Style {
     Line,
@@ -227,7 +227,7 @@ pub(crate) enum Style {
     Crosses,
 }
 
-/// One curve or band of a panel, with its name in the legend.
+/// Curve or band of a panel, with its name in the legend.
 pub(crate) struct Layer<'a> {
     pub name: &'static str,
     pub curve: Curve<'a>,

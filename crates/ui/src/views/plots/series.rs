@@ -1,4 +1,4 @@
-//! What the plots show, taken from a run step by step as it streams in.
+//! Series of the plots, taken from a run step by step as it streams in.
 
 use std::collections::HashMap;
 
@@ -77,13 +77,13 @@ impl Table {
         }
     }
 
-    /// One column.
+    /// Column `index` of the table.
     pub fn column(&self, index: usize) -> &Pyramid {
         &self.columns[index]
     }
 }
 
-/// What tells whether a run is still the one that was taken over.
+/// Fingerprint that tells whether a run is still the one that was taken over.
 #[derive(Clone, Debug, PartialEq)]
 struct Fingerprint {
     time: f64,

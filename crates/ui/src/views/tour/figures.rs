@@ -515,7 +515,8 @@ fn bearing(painter: &Painter, rect: Rect, tokens: &Tokens, alpha: f64) {
     );
 }
 
-/// How often each NIS occurred, beside the chi-square density with two degrees of freedom.
+/// Draws the histogram of the NIS, beside the chi-square density with the degrees of freedom of a single
+/// landmark.
 fn histogram(painter: &Painter, rect: Rect, tokens: &Tokens, run: &Run) {
     const BINS: usize = 24;
     let freedom = degrees_of_freedom(run) as f64;
@@ -561,7 +562,7 @@ fn histogram(painter: &Painter, rect: Rect, tokens: &Tokens, run: &Run) {
     caption(painter, tokens, at, Align2::RIGHT_TOP, text, tokens.muted);
 }
 
-/// How often each landmark was used and refused.
+/// Draws the numbers of uses and refusals of each landmark.
 fn landmarks(painter: &Painter, rect: Rect, tokens: &Tokens, run: &Run) {
     let mut rows: Vec<(u32, usize, usize)> = Vec::new();
     for candidate in run

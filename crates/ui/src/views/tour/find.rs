@@ -1,4 +1,4 @@
-//! Where in a run each stop's telling moment lies, and what is to be said of it.
+//! Telling moment of each stop in a run, and the words on it.
 
 use pilotage_core::flight::Flight;
 use pilotage_core::navigator::{CandidateReport, Outcome, Run, StepReport};
@@ -199,7 +199,7 @@ fn wind(run: &Run, flight: Option<&Flight>, units: Units) -> Option<Moment> {
     Some(Moment::new(run, index, text).from(first.time))
 }
 
-/// How many steps the wind has to stay learned.
+/// Number of steps for which the wind has to stay learned.
 const LASTING: usize = 100;
 
 /// The first step at which `value` is below one of [`LEARNED`] of `start` and stays there a while.

@@ -25,7 +25,7 @@ pub struct Tour {
     found: Option<(usize, Option<Moment>)>,
     /// The slider of the stop on α.
     alpha: f64,
-    /// How many changes of the settings made here can be taken back.
+    /// Number of changes of the settings made here that can be taken back.
     edited: usize,
     /// Number of the screen's frame in which the tour was drawn last.
     drawn: u64,

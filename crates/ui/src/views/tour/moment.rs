@@ -9,11 +9,11 @@ pub(crate) struct Moment {
     pub index: usize,
     /// Its time, seconds.
     pub time: f64,
-    /// Where the stretch of time begins that the stop is about, seconds.
+    /// Begin of the stretch of time that the stop is about, seconds.
     pub from: f64,
     /// The landmark it is about.
     pub landmark: Option<u32>,
-    /// What is to be seen, with the numbers of this run.
+    /// Words on what is to be seen, with the numbers of this run.
     pub text: String,
 }
 

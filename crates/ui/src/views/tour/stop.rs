@@ -5,7 +5,7 @@ use pilotage_core::navigator::NavigatorSettings;
 use super::moment::Moment;
 use crate::command::Command;
 
-/// One stop of the tour.
+/// Stop of the tour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Stop {
     FirstLandmark,
@@ -62,7 +62,7 @@ impl Stop {
         }
     }
 
-    /// What to try here; `alpha` is what the slider of that stop says.
+    /// Trial for people at this stop; `alpha` is what the slider of that stop says.
     pub fn trial(
         self,
         moment: Option<&Moment>,

@@ -9,7 +9,7 @@ const BEARING_SIGMA: f64 = 0.42;
 /// Weight of the centre for Gaussians, eq 12.
 const BETA: f64 = 2.0;
 
-/// What the transform makes of the example.
+/// Result of the transform for the example.
 pub(crate) struct Transformed {
     /// The sigma points after the curve, centre first.
     pub points: Vec<Vector2<f64>>,

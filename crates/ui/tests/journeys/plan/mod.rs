@@ -1,4 +1,4 @@
-//! What people do while they plan.
+//! Actions of people while they plan.
 
 mod assess;
 mod brief;
@@ -33,7 +33,7 @@ pub fn planning() -> Rig {
     rig
 }
 
-/// Where a place on the ground lies on the screen.
+/// Place on the screen of a place on the ground, metres north and east.
 pub fn screen(rig: &Rig, north: f64, east: f64) -> Pos2 {
     let state = rig.state();
     let map = &state["map"];
@@ -64,7 +64,7 @@ pub fn set(rig: &mut Rig, name: &str, value: f64) {
     rig.settle();
 }
 
-/// How many things are called like that, by the beginning of the name.
+/// Number of things that are called like that, by the beginning of the name.
 pub fn count(rig: &Rig, beginning: &str) -> usize {
     let named = |n: &egui_kittest::kittest::AccessKitNode<'_>| {
         [n.label(), n.value()]

@@ -1,4 +1,4 @@
-//! What can be set and read of routes in the column.
+//! Settings and figures of routes in the column.
 
 use egui::Key;
 use egui_kittest::kittest::Queryable as _;

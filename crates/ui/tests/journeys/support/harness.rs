@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use super::host::ScriptedHost;
 
-/// What the harness leaves free around the app, both sides together.
+/// Margin that the harness leaves free around the app, both sides together.
 pub const MARGIN: Vec2 = Vec2::splat(16.0);
 
 /// The app and its host.

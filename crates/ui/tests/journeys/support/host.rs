@@ -41,13 +41,13 @@ pub struct ScriptedHost {
     pub events: Vec<(JobId, JobEvent)>,
     /// Files to hand over.
     pub opened: Vec<Vec<OpenedFile>>,
-    /// What was stored.
+    /// Data that was stored, by key.
     pub stored: HashMap<String, Vec<u8>>,
     /// Files offered to the user.
     pub saved: Vec<(String, Vec<u8>)>,
     /// Pictures offered to the user: name, drawing, and size in pixels.
     pub pictures: Vec<(String, String, [u32; 2])>,
-    /// How often the file dialog was asked for.
+    /// Number of times that the file dialog was asked for.
     pub file_dialogs: usize,
     /// The fragment of the last link that was copied.
     pub link: String,
@@ -59,13 +59,13 @@ pub struct ScriptedHost {
     pub interrupted: Vec<String>,
     /// Workers to report as lost.
     pub lost: usize,
-    /// Whether pictures are laid on the map.
+    /// Laying of pictures on the map.
     pub laying: Laying,
     /// Leave flights without an answer.
     pub silent_flights: bool,
-    /// What is said of opened files.
+    /// Error that is told of opened files.
     pub opening_fails: Option<String>,
-    /// What opened files turn out to be.
+    /// Contents of opened files.
     pub opens: Option<Opened>,
     /// Look at opened files as a worker does.
     pub really_open: bool,
@@ -91,7 +91,7 @@ fn is_real(job: &Job) -> bool {
     )
 }
 
-/// What is said of a match that is to be explained: something only of a trained detector's.
+/// Events of a match that is to be explained: the search only of a trained detector.
 fn explained(job: &Job) -> Vec<JobEvent> {
     let mut events = vec![JobEvent::Finished];
     if let Job::ExplainMatch {
@@ -183,7 +183,7 @@ impl ScriptedHost {
         files.is_some_and(|files| files.iter().all(|(_, content)| is_one_byte(content)))
     }
 
-    /// What is read of files that stand for others: a log of which nothing is known.
+    /// Invents the content of files that stand for others: a log of which nothing is known.
     fn invent_log(&mut self, id: JobId, file: &str) {
         let log = Log::new(file, LogFormat::Tables);
         let flown = flight();

@@ -8,13 +8,13 @@ use pilotage_core::registration::{LaidBy, MapShape};
 
 use super::flight::flight;
 
-/// Whether pictures of the invented flight, stamped too early, are laid on the map.
+/// Occasion on which pictures of the invented flight, stamped too early, are laid on the map.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Laying {
     /// They are not, and the flight is the usual one.
     #[default]
     Never,
-    /// Where the mission asks for whole frames.
+    /// Only if the mission asks for whole frames.
     IfAsked,
     /// In any case.
     Always,
