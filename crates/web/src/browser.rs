@@ -1,4 +1,4 @@
-//! What this crate uses of the browser beside `web-sys`.
+//! Functions of the browser that this crate uses beside `web-sys`.
 
 use js_sys::Uint8Array;
 use wasm_bindgen::prelude::*;
@@ -52,7 +52,7 @@ extern "C" {
     #[wasm_bindgen(method, js_name = downloadTiles)]
     pub fn download_tiles(this: &Shell, addresses: js_sys::Array);
 
-    /// How far that is: done, all, failed, over; empty if it was never begun.
+    /// Progress of the download: done, all, failed, over; empty if it was never begun.
     #[wasm_bindgen(method, js_name = downloadState)]
     pub fn download_state(this: &Shell) -> Vec<f64>;
 

@@ -5,7 +5,7 @@ use pilotage_ui::jobs::FileContent;
 use wasm_bindgen::JsCast;
 use wasm_bindgen_futures::JsFuture;
 
-/// What came of fetching.
+/// Result of fetching tiles.
 pub struct Fetched {
     /// Addresses and bytes of the tiles that came.
     pub tiles: Vec<(String, FileContent)>,

@@ -1,4 +1,4 @@
-//! How long the app itself took for the last frames.
+//! Time that the app itself took for the last frames.
 
 use std::collections::VecDeque;
 

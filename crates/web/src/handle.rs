@@ -18,7 +18,7 @@ use crate::graphics::Graphics;
 use crate::host::{PageHost, Remembered};
 use crate::lent::{Blob, lend};
 
-/// What `www/main.js` drives, and `window.app` for tests.
+/// Handle of the app that `www/main.js` drives, and `window.app` for tests.
 #[wasm_bindgen]
 #[derive(Clone)]
 pub struct WebHandle {
@@ -125,7 +125,7 @@ impl WebHandle {
         }
     }
 
-    /// What the app died of, if it did.
+    /// Message of the panic that the app died of, if it did.
     pub fn panic_message(&self) -> Option<String> {
         self.runner.panic_summary().map(|p| p.message())
     }
@@ -171,7 +171,7 @@ impl WebHandle {
         }
     }
 
-    /// How the stored first seconds compare with what the workers compute, as JSON.
+    /// Comparison of the stored first seconds with those that the workers compute, as JSON.
     pub fn first_seconds(&self) -> String {
         match &*self.running.borrow() {
             Some((_, host)) => host.first_seconds_json(),

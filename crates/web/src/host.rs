@@ -21,7 +21,7 @@ use crate::port::{BrowserPort, Inbox, Notice};
 /// Longest time spent in one frame on reading what workers said, milliseconds.
 const READING: f64 = 3.0;
 
-/// What the browser remembered of an earlier visit, by key.
+/// Documents and files that the browser remembered of an earlier visit, by key.
 #[derive(Default)]
 pub struct Remembered {
     /// Documents.
@@ -40,7 +40,7 @@ struct Inner {
     shell: Shell,
     crew: Crew<BrowserPort>,
     prelude: Prelude,
-    /// What the prelude told of jobs that began.
+    /// Events that the prelude told of jobs that began.
     told_first: Vec<(JobId, JobEvent)>,
     inbox: Inbox,
     remembered: Remembered,
@@ -49,7 +49,7 @@ struct Inner {
     timings: Vec<StepTiming>,
     /// Jobs that wait for tiles of the web.
     fetching: HashSet<JobId>,
-    /// What was told of tiles that cannot be had.
+    /// Problem last told of tiles that cannot be had, in words.
     told: Option<String>,
 }
 
@@ -170,7 +170,8 @@ impl PageHost {
     }
 }
 
-/// What is stored for the first seconds is not what this program computes, which is a fault of the build.
+/// Tells that the stored first seconds differ from those that this program computes, which is a fault of the
+/// build.
 fn tell_of_difference(id: JobId) {
     let text = format!("the stored first seconds differ from what job {id} computes");
     web_sys::console::error_1(&text.into());

@@ -1,4 +1,4 @@
-//! What the page posts to a worker; `crates/worker` takes it apart.
+//! Messages of the page to a worker; `crates/worker` takes them apart.
 
 use js_sys::{Array, Object, Reflect, Uint8Array};
 use pilotage_ui::jobs::{FileContent, Job, Request};

@@ -11,7 +11,7 @@ use web_sys::{ErrorEvent, MessageEvent, Worker, WorkerOptions, WorkerType};
 use crate::browser::{request_lock, send_program};
 use crate::message::encode;
 
-/// What came from the worker on a seat.
+/// Notice that came from the worker on a seat.
 pub enum Notice {
     /// An encoded reply.
     Said(usize, Vec<u8>),

@@ -17,8 +17,8 @@ extern "C" {
     fn now() -> f64;
 }
 
-/// What `www/worker.js` drives: it passes messages in, calls [`WorkerHandle::turn`] as long as
-/// that says there is more, and posts what comes out.
+/// Handle of a worker that `www/worker.js` drives: it passes messages in, calls [`WorkerHandle::turn`] as
+/// long as that says there is more, and posts what comes out.
 #[wasm_bindgen]
 pub struct WorkerHandle {
     runner: JobRunner,
