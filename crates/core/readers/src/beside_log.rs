@@ -30,7 +30,7 @@ pub enum BesideLogError {
         file: String,
         /// The line, from one.
         line: u64,
-        /// What is wrong.
+        /// Error of the line, in words.
         cause: String,
     },
 }

@@ -1,11 +1,11 @@
 //! Files that are no flight here, named for what they are by their content, and what to do with them.
 
-/// What a file is that is not read.
+/// Kind of a file that is not read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Foreign {
-    /// What it is, with its article: `an encrypted log of PX4`.
+    /// Name of the kind, with its article: `an encrypted log of PX4`.
     pub what: &'static str,
-    /// What to do, as a sentence without its stop.
+    /// Advice to people, as a sentence without its stop.
     pub advice: &'static str,
 }
 
@@ -238,8 +238,8 @@ const WEB: Foreign = Foreign {
     advice: "what was downloaded is a page about the file, not the file: download it again",
 };
 
-/// What the file is that begins with `head` ([`HEAD`](crate::log::HEAD) bytes of it are enough) and has `length` bytes;
-/// `None` where nothing tells. Its name is not asked.
+/// Kind of the file that begins with `head` ([`HEAD`](crate::log::HEAD) bytes of it are enough) and has `length`
+/// bytes; `None` where nothing tells. Its name is not asked.
 pub fn foreign(head: &[u8], length: u64) -> Option<Foreign> {
     if length == 0 {
         return Some(Foreign {

@@ -98,7 +98,7 @@ pub fn read_nmea(name: &str, bytes: &[u8]) -> Result<Option<FlightFolder>, Folde
     flight_of_table(name, table_of(&sentences.epochs), findings)
 }
 
-/// One line for each moment; by date and time where the day is told, else by seconds.
+/// Table with a line for each moment; by date and time where the day is told, else by seconds.
 fn table_of(epochs: &[Epoch]) -> String {
     let first_day = epochs.iter().find_map(|epoch| epoch.day);
     let mut day = first_day.unwrap_or(0);

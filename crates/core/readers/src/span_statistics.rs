@@ -1,11 +1,11 @@
-//! What a series does within a span of time, in a few numbers.
+//! Statistics of a series within a span of time.
 
 use serde::{Deserialize, Serialize};
 
 use super::expression::Samples;
 
-/// What a series does within a span of time. Values have the unit of the series; what is no number (NaN or
-/// infinite) is not counted.
+/// Statistics of a series within a span of time. Values have the unit of the series; what is no number (NaN
+/// or infinite) is not counted.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SpanStatistics {
     /// Number of values.

@@ -9,7 +9,7 @@ use crate::folder::{FlightFolder, FolderError, decoded};
 use crate::text_tables::{first_flight, flight_of_table, table};
 use pilotage_base::files::FileSet;
 
-/// What is taken of a subtitle, by the names that firmware has given it, and the column that it becomes.
+/// Columns of the table, each with the names that firmware has given to its value in subtitles.
 const VALUES: [(&str, &[&str]); 7] = [
     ("latitude [deg]", &["latitude"]),
     ("longitude [deg]", &["longitude", "longtitude"]),
@@ -72,7 +72,7 @@ fn of_film(name: &str, bytes: &[u8]) -> Result<Option<(FlightFolder, f64)>, Fold
     Ok(folder.map(|folder| (folder, begins)))
 }
 
-/// One line of a table for each subtitle with a place, the time of the first, and what people should know of it.
+/// Table with a line for each subtitle with a place, the time of the first, and what people should know of it.
 fn table_of(text: &str) -> Option<(String, f64, Vec<String>)> {
     let mut rows: Vec<(f64, [Option<f64>; 7])> = Vec::new();
     let (mut cues, mut time, mut words) = (0, None, String::new());

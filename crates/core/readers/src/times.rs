@@ -1,6 +1,6 @@
-//! Which times of a series can be believed: the one place that judges them, for every reader.
+//! Credibility of the times of a series: the one place that judges them, for every reader.
 
-/// What one time of a series is to the others.
+/// Verdict on one time of a series beside the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Verdict {
     /// It stands where it belongs: sound times never go back.
@@ -11,7 +11,7 @@ pub(crate) enum Verdict {
     Wrong,
 }
 
-/// How many usual steps, and how many seconds, a time may lie beyond those around it.
+/// Largest distance of a time from those around it: in usual steps, and in seconds.
 const FAR_STEPS: f64 = 100.0;
 const FAR: f64 = 1.0;
 /// Of few times, which have no usual step, one has to lie further off.

@@ -1,4 +1,4 @@
-//! What is looked at of a column.
+//! Sample of a column: its name, its unit, and its cells as numbers or texts.
 
 /// A column: its name, its unit, and some of its cells in their order.
 #[derive(Clone, Debug, Default, PartialEq)]

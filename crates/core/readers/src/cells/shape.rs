@@ -1,4 +1,4 @@
-//! How a table is written: what separates its cells, where its rows begin.
+//! Shape of a table: separator of its cells, first line of its rows.
 
 use std::borrow::Cow;
 
@@ -16,7 +16,7 @@ const LONGEST_TALK: usize = 100;
 /// Letters that lines begin with which are remarks.
 const REMARKS: [char; 3] = ['#', '%', '!'];
 
-/// What separates the cells of a row.
+/// Separator between the cells of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Separator {
@@ -95,10 +95,10 @@ fn next_cell(line: &str, separator: char) -> (Cow<'_, str>, Option<&str>) {
     (Cow::Owned(cell.trim().to_owned()), None)
 }
 
-/// How a table is written.
+/// Shape of a table as text.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct TableShape {
-    /// What separates cells.
+    /// Separator between cells.
     pub separator: Separator,
     /// Lines before the first that belongs to the table.
     pub skipped_lines: usize,
@@ -111,8 +111,8 @@ pub struct TableShape {
 }
 
 impl TableShape {
-    /// How the table that begins so is written; `None` if it is none: fewer than two columns or two rows, or no column
-    /// of numbers.
+    /// Shape of the table that begins so; `None` if it is none: fewer than two columns or two rows, or no column of
+    /// numbers.
     ///
     /// The last line is left out, as it may be cut off.
     pub fn of(text: &str) -> Option<Self> {
@@ -213,12 +213,12 @@ fn has_decimal_comma(cell: &str) -> bool {
         .is_some_and(|(a, b)| digits(a) && digits(b))
 }
 
-/// What a cell is, as far as one can see.
+/// Tells whether a cell may be a value: empty, a number, or a date and time.
 fn is_value(cell: &str) -> bool {
     cell.is_empty() || number(cell, true).is_some() || date_and_time(cell).is_some()
 }
 
-/// How a table would look with a separator.
+/// Shape that a table would have with a separator.
 struct Trial {
     separator: Separator,
     /// Cells of most rows.

@@ -1,4 +1,4 @@
-//! Which column is the time, and in what unit.
+//! Unit of a column that may be the time.
 
 use super::date::date_and_time;
 use super::sample::Sample;

@@ -3,7 +3,7 @@
 use pilotage_base::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
 use pilotage_flight::Quantity;
 
-/// What a column measures.
+/// Physical dimension of the values of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Dimension {
     Length,

@@ -1,4 +1,5 @@
-//! Which body the attitude is of: a table may have the angles of an aircraft beside those of the gimbal of its camera.
+//! Choice of the body that the attitude is of: a table may have the angles of an aircraft beside those of the gimbal
+//! of its camera.
 
 use pilotage_flight::ChannelName;
 

@@ -393,8 +393,8 @@ fn leave_out_strays(folder: &mut FlightFolder, notes: &mut Vec<String>) {
     ));
 }
 
-/// Where no table tells the height above ground, that above where the flight began stands for it: by air pressure
-/// where it was measured, else by the receiver. Says so.
+/// Makes the height above ground, where no table has it, of the height above the start of the flight: by air pressure
+/// where it was measured, else by the receiver. Returns a sentence that says so.
 fn height_above_start(folder: &mut FlightFolder) -> Option<String> {
     let flight = &mut folder.flight;
     if flight.channel(ChannelName::HeightAboveGround).is_some() {
@@ -416,7 +416,7 @@ fn height_above_start(folder: &mut FlightFolder) -> Option<String> {
     ))
 }
 
-/// Which tables tell of another time than all others.
+/// Tables whose times lie apart from those of all others, in sentences.
 fn apart(folder: &FlightFolder, maps: &[ColumnMap], layout: &FlightFile) -> Vec<String> {
     let span_of = |file: &str| {
         let of_file = |map: &&ChannelFile| map.file == file;

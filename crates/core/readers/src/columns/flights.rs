@@ -1,4 +1,4 @@
-//! Which of several flights tables are of, by their names.
+//! Flights told apart by the names of their tables.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,7 +7,7 @@ const SEAMS: [char; 4] = ['_', '-', '/', ' '];
 /// Share of the fewer tables of two flights that both have.
 const ALIKE: f64 = 0.5;
 
-/// What the names of the tables of each flight begin with; empty if all may be of one.
+/// Beginnings of the names of the tables of each flight; empty if all may be of one.
 ///
 /// Two flights have tables of the same names but for what they begin with (`one_att`, `one_air`, `two_att`, `two_air`);
 /// what tables of one flight have before the last seam may differ in any way (`vehicle_attitude`, `sensor_gps`).

@@ -32,7 +32,7 @@ const FILLERS: [&str; 22] = [
     "mavros",
 ];
 
-/// What three columns along axes measure.
+/// Quantity that three columns along axes (or four of a quaternion) measure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Acceleration,
@@ -157,7 +157,7 @@ const WORDS: [(Kind, &[&str]); 8] = [
 ];
 
 impl Kind {
-    /// What the columns along the first, second and third axis are, and the sign of their values, before anything is
+    /// Roles of the columns along the first, second and third axis, and the sign of their values, before anything is
     /// known of the axes: forward, right, down, or north, east, down.
     pub fn roles(self) -> [Option<(ColumnRole, f64)>; 3] {
         use ChannelName as Name;
@@ -188,7 +188,7 @@ impl Kind {
         }
     }
 
-    /// What words say; the kind whose words stand last.
+    /// Kind that words name; of several the kind whose words stand last.
     fn of(words: &[String], count: usize) -> Option<Self> {
         let found = |(kind, names): &(Self, &[&str])| {
             if (*kind == Quaternion) != (count == 4)
@@ -222,7 +222,7 @@ impl Kind {
 /// Columns along the axes of one thing.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Group {
-    /// What they measure, as far as names tell.
+    /// Quantity that the columns measure, as far as names tell.
     pub kind: Option<Kind>,
     /// Three columns, or four of a quaternion in the order of their names.
     pub columns: Vec<usize>,
@@ -251,7 +251,7 @@ pub(super) fn context(file: &str) -> Vec<String> {
     words
 }
 
-/// What names have in common, and the axes' letters with their columns.
+/// Words that names have in common, and the axes' letters with their columns.
 type Stem = (Vec<String>, Vec<(char, usize)>);
 
 /// The groups among columns of those names, of which `is_numeric` says that they hold numbers.

@@ -1,4 +1,4 @@
-//! What the columns of a table mean, guessed.
+//! Meanings of the columns of a table, guessed.
 
 use super::bodies::of_one_body;
 use super::groups::{Group, Kind, context, groups, quaternion_roles, telling};
@@ -23,7 +23,7 @@ const NUMBERS: [&str; 10] = [
     "id", "index", "idx", "no", "number", "seq", "sequence", "row", "sample", "frame",
 ];
 
-/// What the columns of a table mean; `None` if it is no table with numbers.
+/// Guesses the meanings of the columns of a table; `None` if it is no table with numbers.
 ///
 /// Names and values are looked at first, at the table's beginning and at some places all over it; then units and axes
 /// are judged together by what columns must have to do with each other.
@@ -42,8 +42,8 @@ pub fn guess_table(file: &str, bytes: &[u8]) -> Option<ColumnMap> {
     Some(map)
 }
 
-/// Which columns may come to mean something: those that do, those at `times` that may be the time, and groups of which
-/// nobody knows yet what they are.
+/// Marks the columns that may come to mean something: those that do, those at `times` that may be the time, and
+/// groups of unknown quantity.
 pub(super) fn wanted(map: &ColumnMap, groups: &[Group], times: &[usize]) -> Vec<bool> {
     let unknown = groups.iter().filter(|group| group.kind.is_none());
     let unknown: Vec<usize> = unknown.flat_map(|group| group.columns.clone()).collect();
@@ -55,17 +55,17 @@ pub(super) fn wanted(map: &ColumnMap, groups: &[Group], times: &[usize]) -> Vec<
     columns.map(is_wanted).collect()
 }
 
-/// What names and values say of a table, with samples of all columns.
+/// Meanings of a table's columns by names and values, with samples of all columns.
 pub(super) struct Guess {
     pub map: ColumnMap,
     pub samples: Vec<Sample>,
-    /// Which share of the table's rows are in the samples, about.
+    /// Share of the table's rows that are in the samples, about.
     pub share: f64,
     pub hints: Vec<Hint>,
     pub groups: Vec<Group>,
 }
 
-/// What names and values say of the columns of a table; `None` if it is none.
+/// Guesses the meanings of the columns of a table by names and values; `None` if it is no table.
 pub(super) fn guess_with_samples(file: &str, bytes: &[u8]) -> Option<Guess> {
     let (shape, samples, share) = sampled(bytes)?;
     let (columns, hints, groups, told) = guess_columns(file, &samples, share);
@@ -89,7 +89,7 @@ pub(super) fn guess_with_samples(file: &str, bytes: &[u8]) -> Option<Guess> {
     })
 }
 
-/// What to ask where all dates could be read with day and month the other way round.
+/// Question to ask where all dates could be read with day and month the other way round.
 fn day_or_month(samples: &[Sample], columns: &[MappedColumn]) -> Option<String> {
     let time = columns
         .iter()
@@ -109,11 +109,11 @@ fn day_or_month(samples: &[Sample], columns: &[MappedColumn]) -> Option<String> 
 /// A column that may be the time.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct TimeGuess {
-    /// Which column.
+    /// Index of the column.
     pub column: usize,
     /// Its unit.
     pub unit: &'static str,
-    /// How surely, 0 to 1.
+    /// Confidence, 0 to 1.
     pub confidence: f64,
     /// Why, in words.
     pub reason: String,
@@ -179,8 +179,8 @@ fn ends_in_time(name: &str) -> bool {
     name.ends_with("time") || name.ends_with("timestamp")
 }
 
-/// What columns mean of which these are samples, `share` of all rows, what their names say for sure, which belong
-/// together, and what one would not expect of them, in sentences.
+/// Meanings of the columns of which these are samples, `share` of all rows; also hints that their names give for
+/// sure, groups of columns that belong together, and sentences about the unexpected.
 fn guess_columns(
     file: &str,
     samples: &[Sample],
@@ -244,7 +244,7 @@ fn guess_columns(
     (columns, hints, groups, told)
 }
 
-/// What the name of a column may mean; that of its file, where it says nothing itself.
+/// Meanings that the name of a column may have; those of its file's name, where it says nothing itself.
 fn by_name(file: &str, parts: &Parts) -> Vec<NameGuess> {
     let told = telling(parts.plain_words());
     let context = context(file);

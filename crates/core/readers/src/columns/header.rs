@@ -8,7 +8,7 @@ use crate::cells::spellings::{SPELLINGS, TIMES, find_in, unit_in};
 pub(super) struct Parts {
     /// Its words in small letters, without what stands in brackets.
     pub words: Vec<String>,
-    /// What stands in brackets, or in the line of units, in small letters.
+    /// Text in brackets, or in the line of units, in small letters.
     pub unit: String,
 }
 
@@ -77,7 +77,7 @@ fn words(name: &str) -> Vec<String> {
 }
 
 impl Parts {
-    /// What the name has besides the letter or number of an axis, and that: `GyrX` is `gyr` and `x`,
+    /// Words of the name besides the letter or number of an axis, and that letter: `GyrX` is `gyr` and `x`,
     /// `gyro_rad[0]` is `gyro` and `0`, `q1` is `q` and `1`.
     pub fn component(&self) -> Option<(Vec<String>, char)> {
         let is_axis =
@@ -106,7 +106,7 @@ impl Parts {
         Some((stem_words, letter))
     }
 
-    /// Whether the name itself says its unit, and how many of its last words that takes.
+    /// Unit that the name itself states, and the number of its last words that state it.
     fn suffix(&self, find: impl Fn(&str) -> Option<&'static str>) -> Option<(&'static str, usize)> {
         (1..=2).rev().find_map(|count| {
             let start = self

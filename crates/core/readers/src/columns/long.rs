@@ -9,7 +9,7 @@ use crate::cells::date_and_time;
 const MOST_NAMES: usize = 300;
 const REPEATED: usize = 2;
 
-/// What to do about a table whose rows hold one value each, with its name beside it; `None` of any other.
+/// Advice about a table whose rows hold one value each, with its name beside it; `None` of any other.
 pub(super) fn told(samples: &[Sample], columns: &[MappedColumn]) -> Option<String> {
     let is_name = |sample: &&Sample| {
         let distinct: BTreeSet<&String> = sample.texts.iter().collect();

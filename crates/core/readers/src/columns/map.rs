@@ -1,11 +1,11 @@
-//! What the columns of a table mean.
+//! Meanings of the columns of a table.
 
 use serde::{Deserialize, Serialize};
 
 use super::TableShape;
 use pilotage_flight::{ChannelName, Quantity};
 
-/// What a column means.
+/// Meaning of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ColumnRole {
@@ -21,7 +21,7 @@ pub enum ColumnRole {
     SpeedOverGround,
     /// Direction of the way over ground, clockwise from true north.
     Course,
-    /// What is added to the time, where seconds and parts of them stand in two columns.
+    /// Part that is added to the time, where seconds and parts of them stand in two columns.
     TimeRest,
     /// Latitude and longitude in one cell.
     Place,
@@ -149,7 +149,7 @@ impl ColumnRole {
         }
     }
 
-    /// What it measures; `None` for times and for nothing.
+    /// Quantity that the role measures; `None` for times and for nothing.
     pub fn quantity(self) -> Option<Quantity> {
         match self {
             Self::Nothing
@@ -179,8 +179,8 @@ impl ColumnRole {
         }
     }
 
-    /// What a value in `unit` is multiplied by to be in SI and radians; `None` for what has no quantity, and for
-    /// units that are none of its own.
+    /// Factor from a value in `unit` to SI and radians; `None` for a role without quantity, and for units that are
+    /// none of its own.
     pub fn factor(self, unit: &str) -> Option<f64> {
         let dimension = crate::cells::Dimension::of(self.quantity()?);
         dimension.factor(Some(unit)).ok()
@@ -190,50 +190,50 @@ impl ColumnRole {
 /// Another meaning that a column may have.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Alternative {
-    /// What it may mean.
+    /// Role that the column may have.
     pub role: ColumnRole,
     /// The unit that it would have then.
     pub unit: String,
-    /// How likely that is, 0 to 1.
+    /// Likelihood of that role, 0 to 1.
     pub confidence: f64,
 }
 
-/// What one column means: (cell · scale + offset) in `unit`.
+/// Meaning of one column: (cell · scale + offset) in `unit`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MappedColumn {
     /// Name as the table has it, `#1` for the first of a table without names.
     pub name: String,
-    /// What it means.
+    /// Role of the column.
     pub role: ColumnRole,
     /// Unit of its values, one of [`ColumnRole::units`]; empty where there is none.
     pub unit: String,
-    /// What cells are multiplied by before they are in that unit; -1 turns a sign.
+    /// Factor from cells to that unit, before the offset; -1 turns a sign.
     pub scale: f64,
-    /// What is added then.
+    /// Offset added after scaling, in that unit.
     pub offset: f64,
-    /// How likely this is right, 0 to 1. What people chose is 1.
+    /// Likelihood that this is right, 0 to 1. A choice by people is 1.
     pub confidence: f64,
     /// Why it was guessed, in words.
     pub reason: String,
-    /// What else it may be, the likeliest first.
+    /// Other roles that the column may have, the likeliest first.
     pub alternatives: Vec<Alternative>,
 }
 
-/// What the columns of a table mean, to be corrected by people.
+/// Meanings of the columns of a table, to be corrected by people.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ColumnMap {
     /// Name of the table's file.
     pub file: String,
-    /// How the table is written.
+    /// Shape of the table as text.
     pub shape: TableShape,
     /// Its columns in their order.
     pub columns: Vec<MappedColumn>,
     /// Rows a second where no column is the time; then rows are that far apart.
     pub rows_per_second: Option<f64>,
-    /// What was found out about the columns together that one would not expect, in sentences.
+    /// Unexpected findings about the columns together, in sentences.
     #[serde(default)]
     pub findings: Vec<String>,
-    /// What nothing in the table tells and a person can, in questions.
+    /// Questions to people about all that nothing in the table tells.
     #[serde(default)]
     pub questions: Vec<String>,
 }

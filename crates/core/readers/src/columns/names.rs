@@ -1,4 +1,4 @@
-//! What names of columns say.
+//! Meanings of the names of columns.
 
 use std::collections::HashMap;
 use std::sync::LazyLock;
@@ -271,13 +271,13 @@ const OTHERWISE: [&str; 40] = [
     "delta",
 ];
 
-/// What a name may mean.
+/// Meaning that a name may have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct NameGuess {
     pub role: ColumnRole,
     /// -1 where values count the other way.
     pub sign: f64,
-    /// How surely, 0 to 1.
+    /// Confidence, 0 to 1.
     pub confidence: f64,
 }
 

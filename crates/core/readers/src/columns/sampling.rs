@@ -11,7 +11,7 @@ use pilotage_base::text::of_utf_16;
 /// Bytes of the beginning that are looked at for the shape, and of each of the places that are looked at for values.
 const HEAD: usize = 1 << 16;
 const PIECE: usize = 1 << 12;
-/// How many such places there are.
+/// Number of such places.
 const PLACES: usize = 64;
 /// Samples of all columns, each with a name of its own, how the table is written, and which share of all rows the samples
 /// are, about; `None` if it is no table.

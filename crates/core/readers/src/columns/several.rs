@@ -1,4 +1,5 @@
-//! What only several columns together say, or several numbers in one: places in a cell, parts of a time, hemispheres.
+//! Meanings that only several columns together have, or several numbers in one: places in a cell, parts of a time,
+//! hemispheres.
 
 use super::ColumnRole::{Latitude, Longitude};
 use super::header::parts;

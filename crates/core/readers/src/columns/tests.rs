@@ -10,7 +10,7 @@ use pilotage_flight::ChannelName;
 use super::studies::either;
 use ColumnRole::{Channel, Course, Latitude, Longitude, Nothing, SpeedOverGround, Time};
 
-/// What a column of a table was guessed to be, and in which unit.
+/// Role and unit that were guessed for a column of a table.
 pub(super) fn guessed(map: &ColumnMap, column: &str) -> (ColumnRole, String) {
     let column = map.columns.iter().find(|c| c.name == column);
     let column = column.unwrap_or_else(|| panic!("no such column in {}", map.file));

@@ -18,9 +18,9 @@ use pilotage_flight::ChannelName;
 const SHOWN: usize = 4;
 /// Units of times that are counted, and their seconds.
 const SECONDS: [(&str, f64); 4] = [("s", 1.0), ("ms", 1e-3), ("us", 1e-6), ("ns", 1e-9)];
-/// How surely a column is the time in a table that is one of a flight.
+/// Confidence from which on a column is the time in a table that is one of a flight.
 const SURE_TIME: f64 = 0.4;
-/// What the receiver's own table has over others in what satellites tell.
+/// Preference of the receiver's own table over others for channels of satellite navigation.
 const RECEIVER: f64 = 0.3;
 /// Confidences nearer to each other than this are equal.
 const EQUAL: f64 = 0.05;
@@ -28,7 +28,7 @@ const EQUAL: f64 = 0.05;
 /// A table whose columns were guessed, with what is shown beside the guess.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct GuessedTable {
-    /// What its columns mean.
+    /// Meanings of its columns.
     pub map: ColumnMap,
     /// Its first rows.
     pub preview: Preview,
@@ -65,7 +65,8 @@ fn seconds(unit: &str) -> Option<f64> {
     found.map(|(_, seconds)| *seconds)
 }
 
-/// What the columns of the tables `names` mean that were written together; what is no table is left out.
+/// Guesses the meanings of the columns of the tables `names`, which were written together; files that are no
+/// table are left out.
 ///
 /// Tables of several flights, as the beginnings of their names tell, are told apart; those of the flight with most of
 /// them are proposed.
@@ -258,7 +259,7 @@ fn channels(map: &ColumnMap) -> Vec<(ChannelName, Vec<usize>)> {
     channels
 }
 
-/// How much a table is to be preferred for a channel.
+/// Preference of a table for a channel; greater is better.
 fn preference(table: &GuessedTable, name: ChannelName, columns: &[usize]) -> f64 {
     let columns = columns.iter().map(|index| &table.map.columns[*index]);
     let confidence = columns.map(|column| column.confidence).fold(1.0, f64::min);
@@ -338,7 +339,7 @@ fn short(file: &str) -> &str {
     file.rsplit('/').next().unwrap_or(file)
 }
 
-/// What tables are called together: what their names begin with, else the folder that they lie in, else the name of
+/// Name of tables together: the common beginning of their names, else the folder that they lie in, else the name of
 /// the first without its ending.
 pub(super) fn common_name(maps: &[ColumnMap]) -> String {
     let Some(first) = maps.first() else {

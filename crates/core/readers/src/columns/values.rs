@@ -1,4 +1,4 @@
-//! What the values of a column say of its unit.
+//! Unit of a column by its values.
 
 use super::{ColumnRole, Sample};
 use pilotage_flight::Quantity;

@@ -1,4 +1,4 @@
-//! What a half-written name may become.
+//! Completions of a half-written name.
 
 use std::ops::Range;
 
@@ -11,25 +11,25 @@ const MOST: usize = 12;
 /// A name that may be meant.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Candidate {
-    /// What takes the place of the half-written name.
+    /// Text that takes the place of the half-written name.
     pub text: String,
-    /// What it is: the unit of a series, what a function gives.
+    /// Unit of a series, or description of a function's result.
     pub about: String,
 }
 
-/// What may be meant, and where it goes.
+/// Candidates for a half-written name, and the place that they go to.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Completion {
     /// Bytes that a candidate takes the place of.
     pub place: Range<usize>,
-    /// What may be meant, the likeliest first.
+    /// Names that may be meant, the likeliest first.
     pub candidates: Vec<Candidate>,
     /// Whether what stands there is a name already: to be left alone unless another one is chosen.
     pub is_whole: bool,
 }
 
-/// What the name at byte `cursor` of `text` may become, of series (`names`: name and unit) and functions;
-/// nothing where no name stands.
+/// Completes the name at byte `cursor` of `text`, by series (`names`: name and unit) and functions; empty
+/// where no name stands.
 pub fn complete<'a>(
     text: &str,
     cursor: usize,
@@ -98,7 +98,7 @@ fn half_name(text: &str, cursor: usize) -> Option<(Range<usize>, String)> {
     Some((start..end, partial.to_owned()))
 }
 
-/// How well a name fits what was written, 0 best; `None` if it does not.
+/// Rank of a name for the letters that were written, 0 best; `None` if it does not fit.
 fn rank(name: &str, partial: &str) -> Option<u8> {
     if name.starts_with(partial) {
         return Some(0);

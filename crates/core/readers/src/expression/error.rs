@@ -1,16 +1,16 @@
-//! What is wrong with an expression, and where.
+//! Errors of an expression, with their places.
 
 use std::fmt;
 use std::ops::Range;
 
-/// What is wrong.
+/// Kind of error in an expression.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Trouble {
     /// Something else should stand here.
     Expected {
-        /// What should.
+        /// Description of the text that should stand here.
         expected: &'static str,
-        /// What does; empty at the end.
+        /// Text that stands here; empty at the end.
         found: String,
     },
     /// A sign that means nothing.
@@ -35,12 +35,12 @@ pub enum Trouble {
     Arguments {
         /// Its name.
         function: &'static str,
-        /// What it wants, in words.
+        /// Number and kind of arguments that the function takes, in words.
         wanted: &'static str,
-        /// How many it was given.
+        /// Number of arguments that it was given.
         given: usize,
     },
-    /// What should be the same for all times depends on a series.
+    /// Argument that depends on a series, where it should be the same for all times.
     NotConstant,
     /// A length of time that is not above zero.
     NotPositive,
@@ -52,12 +52,12 @@ pub enum Trouble {
     TooLong,
 }
 
-/// What is wrong with an expression, and where.
+/// Error of an expression, with its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExpressionError {
     /// Bytes of the text that are meant; empty at its end where something is missing.
     pub place: Range<usize>,
-    /// What is wrong.
+    /// Kind of error.
     pub trouble: Trouble,
 }
 

@@ -30,7 +30,7 @@ pub enum Function {
     Shift,
 }
 
-/// What is known of a function.
+/// Description of a function.
 #[derive(Clone, Copy, Debug)]
 pub struct FunctionInfo {
     /// The function.
@@ -39,7 +39,7 @@ pub struct FunctionInfo {
     pub name: &'static str,
     /// Its arguments, as people write them.
     pub arguments: &'static str,
-    /// What it gives, in words.
+    /// Result of the function, in words.
     pub about: &'static str,
 }
 
@@ -110,7 +110,7 @@ impl Function {
         found.map(|info| info.function)
     }
 
-    /// What is known of it.
+    /// Description of the function.
     pub fn info(self) -> &'static FunctionInfo {
         let found = FUNCTIONS.iter().find(|info| info.function == self);
         found.unwrap_or(&FUNCTIONS[0])

@@ -76,7 +76,8 @@ pub(super) fn smooth(times: &[f64], values: &[f64], seconds: f64, period: Option
     times.iter().enumerate().map(of).collect()
 }
 
-/// What to add to each value so that none is more than half a turn from the one before; empty without a period.
+/// Offsets to add to each value so that none is more than half a turn from the one before; empty without a
+/// period.
 fn turns(values: &[f64], period: Option<f64>) -> Vec<f64> {
     let Some(period) = period else {
         return Vec::new();

@@ -12,10 +12,10 @@ use super::{Expression, ExpressionError, FUNCTIONS, Function, Trouble};
 const DEEPEST: usize = 64;
 /// Words that nobody writes; each may be one part within the other.
 const LONGEST: usize = 1000;
-/// How tightly a sign binds: more than a product, less than a power.
+/// Binding power of a sign: more than a product, less than a power.
 const SIGN: u8 = 7;
 
-/// What an operand is called where one is missing.
+/// Name of a missing operand in an error.
 const OPERAND: &str = "a name, a number or `(`";
 
 impl Expression {

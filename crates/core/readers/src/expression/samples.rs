@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 pub struct Samples {
     /// Seconds in the log's time base, not going back; growing, where expressions are to be made of them.
     pub times: Vec<f64>,
-    /// One per time; NaN where a value is missing.
+    /// Values, one per time; NaN where a value is missing.
     pub values: Vec<f64>,
     /// Unit of the values, or empty.
     pub unit: String,
@@ -71,7 +71,7 @@ impl Samples {
     }
 }
 
-/// Where the series of an expression come from.
+/// Source of the series of an expression.
 pub trait SeriesSource {
     /// The series of that name.
     fn samples(&self, name: &str) -> Option<Samples>;

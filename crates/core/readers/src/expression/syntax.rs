@@ -22,7 +22,7 @@ impl Expression {
         names
     }
 
-    /// Whether all of its series are among `names`.
+    /// Checks that all series of the expression are among `names`.
     ///
     /// # Errors
     /// The first that is not, and the most similar name that is there.

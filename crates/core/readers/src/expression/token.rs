@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::{ExpressionError, Function, Trouble};
 
-/// What a word is.
+/// Part of an expression's text.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Token {
     /// A number.

@@ -6,7 +6,7 @@ use crate::cells::Moment;
 use crate::cells::number;
 use crate::cells::{date_and_time, shortened};
 
-/// How a time column is written.
+/// Format of a time column.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum TimeFormat {
     /// Seconds in the flight's time base.

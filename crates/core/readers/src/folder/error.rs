@@ -1,4 +1,4 @@
-//! What can be wrong with a flight folder.
+//! Errors of a flight folder.
 
 /// Why a flight folder cannot be read, with the file and the place in it.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -19,7 +19,7 @@ pub enum FolderError {
     Ambiguous {
         /// Name as it is referred to.
         file: String,
-        /// One that could be meant.
+        /// File that could be meant.
         first: String,
         /// Another.
         second: String,
@@ -33,7 +33,7 @@ pub enum FolderError {
         line: usize,
         /// Column, counted from one.
         column: usize,
-        /// What is wrong.
+        /// Error of the file, in words.
         cause: String,
     },
     /// A table does not have a column that the column map names.
@@ -55,7 +55,7 @@ pub enum FolderError {
         line: u64,
         /// Name of the column.
         column: String,
-        /// What is wrong.
+        /// Error of the cell, in words.
         cause: String,
     },
     /// A file as a whole cannot be understood.
@@ -63,7 +63,7 @@ pub enum FolderError {
     File {
         /// File.
         file: String,
-        /// What is wrong.
+        /// Error of the file, in words.
         cause: String,
     },
     /// A statement of flight.json contradicts itself or another.
@@ -73,13 +73,13 @@ pub enum FolderError {
         file: String,
         /// Member.
         place: String,
-        /// What is wrong and what to do.
+        /// Error of the statement, and its remedy.
         cause: String,
     },
 }
 
 impl FolderError {
-    /// What the JSON reader says, with the place in front instead of at the end.
+    /// Error of the JSON reader, with the place in front instead of at the end.
     pub(super) fn json(file: &str, error: &serde_json::Error) -> Self {
         let text = error.to_string();
         let cause = text

@@ -67,7 +67,7 @@ pub(crate) struct StartFile {
     pub standard_deviation_m: f64,
 }
 
-/// How a column of times is read.
+/// Reading of a column of times.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct TimeColumn {
@@ -79,7 +79,7 @@ pub(crate) struct TimeColumn {
     pub offset_s: f64,
 }
 
-/// How a column of values is read: (cell · scale + offset) in `unit`.
+/// Reading of a column of values: (cell · scale + offset) in `unit`.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ValueColumn {
@@ -208,7 +208,7 @@ pub(crate) struct MapPixelColumns {
     pub pixel_centres: PixelCentres,
 }
 
-/// Where the centre of the top-left pixel lies.
+/// Coordinates of the centre of the top-left pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum PixelCentres {

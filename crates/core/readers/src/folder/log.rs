@@ -10,13 +10,13 @@ use crate::interpret::{Role, RoleSeries};
 use crate::log::{Cells, Column, Log, LogFormat};
 use pilotage_flight::{Channel, ChannelName, Flight};
 
-/// What a column is called that is held by a gimbal.
+/// Word in the name of a column of a gimbal's angle.
 const GIMBAL: &str = "gimbal";
 
 /// The tables of a flight, and what is said of their columns.
 #[derive(Clone)]
 pub(crate) struct Tables {
-    /// What is said of them.
+    /// Statements about the columns.
     pub layout: FlightFile,
     /// By the names that the layout has for them.
     pub by_file: BTreeMap<String, Arc<Table>>,
@@ -53,7 +53,7 @@ impl Tables {
         log
     }
 
-    /// What the topic of each file is called: the file without folder and ending, where no other is called so.
+    /// Name of the topic of each file: the file without folder and ending, where no other is called so.
     fn topic_names(&self) -> BTreeMap<String, String> {
         let stem = |file: &str| -> String {
             let name = file.rsplit('/').next().unwrap_or(file);
@@ -127,7 +127,7 @@ impl Tables {
             .unwrap_or_default()
     }
 
-    /// What the columns of a channel are in navigation: as the flight has them.
+    /// Roles of the columns of a channel in navigation, with values as the flight has them.
     fn given(&self, map: &ChannelFile, topic: &str, flight: &Flight) -> Vec<RoleSeries> {
         let named = |columns: &[&ValueColumn]| {
             let names: Vec<&str> = columns.iter().map(|c| c.column.as_str()).collect();

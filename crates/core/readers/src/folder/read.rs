@@ -29,28 +29,27 @@ use pilotage_flight::{
 };
 use pilotage_raster::camera::CameraModel;
 
-/// What a flight folder gave.
+/// Flight read from a folder.
 pub struct FlightFolder {
     /// The flight.
     pub flight: Flight,
     /// Its pictures, decoded when they are asked for.
     pub frames: FolderFrames,
-    /// What was skipped, in words.
+    /// Notes about all that was skipped, in words.
     pub notes: Vec<String>,
     pub(crate) told: Told,
 }
 
-/// What a flight was read from.
+/// Source that a flight was read from.
 pub(crate) enum Told {
     /// Tables, and what is said of their columns.
     Tables(Box<Tables>),
-    /// What stands as a log already.
+    /// Source that is a log already.
     Log(Box<Log>),
 }
 
 impl FlightFolder {
-    /// What the flight was read from, as a log: every column, used or not, and what the series of the flight are in
-    /// it.
+    /// Source of the flight as a log: every column, used or not, and the roles of the flight's series in it.
     pub fn log(&self) -> Log {
         let mut log = match &self.told {
             Told::Tables(tables) => tables.log(&self.flight),
@@ -203,7 +202,7 @@ fn read_with(
     })
 }
 
-/// What stands for the camera of a flight without pictures.
+/// Camera of a flight without pictures.
 fn no_camera() -> CameraModel {
     CameraModel::pinhole(640, 480, 60.0_f64.to_radians())
 }

@@ -205,7 +205,7 @@ impl Table {
             })
     }
 
-    /// What is wrong with a cell.
+    /// Error of a cell.
     pub(super) fn cell_error(
         &self,
         row: usize,

@@ -28,7 +28,7 @@ pub enum WriteError {
     File {
         /// File.
         file: String,
-        /// What went wrong.
+        /// Error in words.
         cause: String,
     },
     /// A picture cannot be had.

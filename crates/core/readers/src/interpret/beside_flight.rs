@@ -7,7 +7,7 @@ use super::{InterpretError, Measured, RoleSeries};
 use crate::log::Log;
 use pilotage_flight::{ChannelName, Flight, TruthState};
 
-/// What was measured in a flight that was not made of its log.
+/// Series and track measured in a flight that was not made of its log.
 #[derive(Clone, Debug)]
 pub struct BesideFlight {
     found: Vec<RoleSeries>,
@@ -16,7 +16,7 @@ pub struct BesideFlight {
 }
 
 impl BesideFlight {
-    /// What was measured.
+    /// Series and track measured in the flight.
     pub fn measured(&self) -> Measured<'_> {
         Measured {
             found: &self.found,
@@ -26,8 +26,8 @@ impl BesideFlight {
     }
 }
 
-/// What the series of `log` mean, of which `flight` was made otherwise: of tables by what people said of their columns,
-/// or of photos.
+/// Roles of the series of `log`, of which `flight` was made otherwise: of tables by what people said of their
+/// columns, or of photos.
 ///
 /// The track is that of the satellite receiver where it has one, else the truth of the flight.
 pub fn log_of_flight(log: &Log, flight: &Flight) -> BesideFlight {
@@ -47,7 +47,7 @@ pub fn log_of_flight(log: &Log, flight: &Flight) -> BesideFlight {
     }
 }
 
-/// Where the receiver was, with heights above its first; no attitude and no wind.
+/// Track of the receiver, with heights above its first; no attitude and no wind.
 fn track(flight: &Flight) -> Vec<TruthState> {
     let channel = |name| flight.channel(name);
     let pair = channel(ChannelName::GpsNorth).zip(channel(ChannelName::GpsEast));

@@ -11,7 +11,7 @@ use pilotage_raster::camera::CameraModel;
 /// Standard deviation per axis of a position by satellite navigation at the start, metres.
 const GPS_DEVIATION: f64 = 5.0;
 
-/// What was measured in a flight, by what it means.
+/// Series and track measured in a flight, by role.
 #[derive(Clone, Copy, Debug)]
 pub struct Measured<'a> {
     /// Every role that was found.
@@ -22,19 +22,19 @@ pub struct Measured<'a> {
     pub trouble: Option<&'a InterpretError>,
 }
 
-/// What the series of a log mean, and where it flew.
+/// Roles of the series of a log, and the track of its flight.
 #[derive(Clone, Debug)]
 pub struct Interpreted {
     /// Every role that was found.
     pub found: Vec<RoleSeries>,
     /// The flight without its measured series, or why nobody knows where it was.
     bare: Result<Flight, InterpretError>,
-    /// What keeps it from being navigated, if it is known where it was.
+    /// Error that keeps the flight from being navigated, if its track is known.
     trouble: Option<InterpretError>,
 }
 
 impl Interpreted {
-    /// What was measured.
+    /// Series and track measured in the flight.
     pub fn measured(&self) -> Measured<'_> {
         let truth = self.bare.as_ref().ok().and_then(|f| f.truth.as_ref());
         Measured {

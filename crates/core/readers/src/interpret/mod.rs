@@ -1,4 +1,4 @@
-//! What the series of a log mean: which is heading, which airspeed, and the flight that they tell of.
+//! Roles of the series of a log: which is heading, which airspeed, and the flight that they tell of.
 
 mod beside_flight;
 mod flight;

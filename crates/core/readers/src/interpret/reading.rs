@@ -4,7 +4,7 @@ use super::Role;
 
 pub(super) const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// How a value is made of the fields of a row.
+/// Way to make a value of the fields of a row.
 ///
 /// Those of ROS have the world's axes east, north, up and the body's forward, left, up (REP 103, REP 105).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,7 +39,7 @@ pub struct Source {
     /// Name of the topic, whichever instance comes first; or the [kind](crate::log::Topic::kind) of its
     /// rows, and after an `@` what has to stand in its name.
     pub topic: &'static str,
-    /// How a row is read.
+    /// Reading of a row.
     pub reading: Reading,
 }
 

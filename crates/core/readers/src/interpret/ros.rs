@@ -1,4 +1,4 @@
-//! Where messages of ROS and of Foxglove keep the roles.
+//! Fields of messages of ROS and of Foxglove that hold the roles.
 
 use super::Role;
 use super::reading::{DEGREE, Reading, Source, field, of};

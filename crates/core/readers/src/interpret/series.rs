@@ -28,7 +28,7 @@ impl<'a> Scaled<'a> {
     }
 }
 
-/// What turns a row into a value, and the name of what it reads.
+/// Function from a row to a value, and the name of the fields that it reads.
 type Reader<'a> = (Box<dyn Fn(&[u8]) -> Option<f64> + 'a>, String);
 
 fn reader<'a>(log: &Log, source: &Source, topic: &'a Topic) -> Option<Reader<'a>> {

@@ -1,4 +1,4 @@
-//! Where formats keep the roles: tables to be read, one line a place.
+//! Fields of each format that hold the roles: tables to be read, one line a place.
 
 use super::Role;
 use super::reading::{DEGREE, Reading, Source, field, of};

@@ -5,7 +5,7 @@ use super::{FieldKind, FieldLayout, Log, TopicName};
 /// Longest text of a cell that is kept, bytes.
 const LONGEST: usize = 255;
 
-/// What stands in a column, row by row.
+/// Cells of a column, row by row.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cells {
     /// Numbers; NaN where there is none.
@@ -26,7 +26,7 @@ pub struct Column {
 }
 
 impl Column {
-    /// What it is in a row, from byte `offset` on.
+    /// Layout of the column's field in a row, from byte `offset` on.
     fn layout(&self, offset: usize) -> FieldLayout {
         let kind = match &self.cells {
             Cells::Numbers(_) => FieldKind::F64,

@@ -19,7 +19,7 @@ pub(super) const MOST_ELEMENTS: usize = 64;
 /// out most of their fields take far less room than their rows.
 const ROOM: u64 = 1 << 16;
 const ROOM_PER_BYTE: u64 = 32;
-/// How often all that memory may be moved because topics become wider.
+/// Most times that all that memory may be moved because topics become wider.
 const MOVES: u64 = 16;
 
 /// Memory for the rows of all topics.
@@ -46,7 +46,7 @@ impl Room {
         self.whole().saturating_sub(self.rows)
     }
 
-    /// How wide the rows of a topic may become.
+    /// Greatest width that the rows of a topic may have, bytes.
     fn widest(&self, topic: &Topic) -> usize {
         let length = topic.len() as u64;
         let old = topic.rows.width() as u64;
@@ -92,7 +92,7 @@ impl fmt::Display for Path<'_> {
     }
 }
 
-/// Where the values of a field, or of all fields of a part of a message, go.
+/// Place for the values of a field, or of all fields of a part of a message.
 #[derive(Debug, Default)]
 pub(super) enum Place {
     /// Nothing came for it yet.
@@ -116,11 +116,11 @@ pub(super) struct Table {
     units: Units,
     fields: Vec<FieldLayout>,
     row: Vec<u8>,
-    /// What a row has where nothing is said.
+    /// Row of a message that says nothing.
     blank: Vec<u8>,
     /// Bytes of all fields together.
     width: usize,
-    /// How many they may be.
+    /// Most bytes of all fields together.
     widest: usize,
     /// Whether fields were made that do not lie side by side yet.
     is_wider: bool,

@@ -1,15 +1,15 @@
-//! Where a field lies in a row, and what its bytes are.
+//! Layout of a field: its place in a row, and the kind of its bytes.
 
 use serde::{Deserialize, Serialize};
 
 use super::Scale;
 
-/// What the bytes of one field are. All numbers have their lowest byte first.
+/// Kind of the bytes of one field. All numbers have their lowest byte first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum FieldKind {
-    /// One byte, signed.
+    /// Single byte, signed.
     I8,
-    /// One byte.
+    /// Single byte.
     U8,
     /// Two bytes, signed.
     I16,
@@ -29,7 +29,7 @@ pub enum FieldKind {
     F32,
     /// IEEE double precision.
     F64,
-    /// One byte: zero, or true.
+    /// Single byte: zero, or true.
     Bool,
     /// Letters up to the first zero byte, at most so many bytes.
     Text(u16),
@@ -115,9 +115,9 @@ pub struct FieldLayout {
     pub name: String,
     /// Unit of the values after [`scale`](Self::scale), as the file says it (`m/s`, `deg`), or empty.
     pub unit: String,
-    /// What makes a value of the stored number.
+    /// Scale from the stored number to a value.
     pub scale: Scale,
-    /// What the stored bytes are.
+    /// Kind of the stored bytes.
     pub kind: FieldKind,
     /// First byte in a row.
     pub offset: usize,

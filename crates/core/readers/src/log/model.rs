@@ -33,9 +33,9 @@ pub struct DefaultValue {
 /// Something that the log says of itself: a version, a serial number, what was printed at start.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Fact {
-    /// What it is, in the log's words.
+    /// Name of the fact, in the log's words.
     pub name: String,
-    /// What is said.
+    /// Text of the fact.
     pub text: String,
 }
 
@@ -66,7 +66,7 @@ pub struct ModeChange {
 pub struct Log {
     /// Name of the file.
     pub name: String,
-    /// Which format it was read from.
+    /// Format that it was read from.
     pub format: LogFormat,
     /// Seconds since 1970 (UTC) at second zero of the log's time base, where the log tells.
     pub utc_at_zero: Option<f64>,
@@ -77,7 +77,7 @@ pub struct Log {
     pub vehicle: String,
     /// Systems that fly, where the log tells several apart, in the order in which they were heard.
     pub vehicles: Vec<u32>,
-    /// Which of them people chose.
+    /// System that people chose among them.
     pub(super) chosen: Option<u32>,
     /// Every kind of row, in the order in which they were first met.
     pub topics: Vec<Topic>,
@@ -87,13 +87,13 @@ pub struct Log {
     pub parameters: Vec<Parameter>,
     /// Default values of parameters, where the log has them.
     pub defaults: Vec<DefaultValue>,
-    /// What the log says of itself, in the order of the file; long texts come in several pieces.
+    /// Facts that the log states of itself, in the order of the file; long texts come in several pieces.
     pub facts: Vec<Fact>,
     /// Words of the autopilot.
     pub messages: Vec<LogMessage>,
     /// Changes of mode.
     pub modes: Vec<ModeChange>,
-    /// What was read and what was skipped.
+    /// Report of the bytes read and skipped.
     pub report: ReadReport,
     index: HashMap<TopicName, usize>,
 }

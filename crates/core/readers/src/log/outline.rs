@@ -1,4 +1,4 @@
-//! What a log holds, without its rows.
+//! Contents of a log, without its rows.
 
 use serde::{Deserialize, Serialize};
 
@@ -54,12 +54,12 @@ impl TopicOutline {
     }
 }
 
-/// What a log holds, without its rows.
+/// Contents of a log, without its rows.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Outline {
     /// Name of the file.
     pub name: String,
-    /// Which format it was read from.
+    /// Format that it was read from.
     pub format: LogFormat,
     /// Kind of vehicle and software, in the log's words, or empty.
     pub vehicle: String,
@@ -79,7 +79,7 @@ pub struct Outline {
     pub messages: Vec<LogMessage>,
     /// Changes of mode.
     pub modes: Vec<ModeChange>,
-    /// What was read and what was skipped.
+    /// Report of the bytes read and skipped.
     pub report: ReadReport,
 }
 

@@ -1,4 +1,4 @@
-//! What a reader could not use.
+//! Report of all that a reader could not use.
 
 use serde::{Deserialize, Serialize};
 
@@ -12,7 +12,7 @@ const REMARKS: usize = 100;
 pub struct Skipped {
     /// First byte in the file.
     pub offset: u64,
-    /// How many.
+    /// Number of bytes.
     pub bytes: u64,
     /// Why, in words.
     pub cause: String,
@@ -23,11 +23,11 @@ pub struct Skipped {
 pub struct Gap {
     /// Seconds in the log's time base at which it was noted.
     pub time: f64,
-    /// How long it was, seconds.
+    /// Duration, seconds.
     pub duration: f64,
 }
 
-/// What was read and what was not.
+/// Bytes and messages that were read, and those that were not.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ReadReport {
     /// Bytes looked at.
@@ -51,7 +51,8 @@ pub struct ReadReport {
     pub gap_count: u64,
     /// All of them together, seconds.
     pub gap_duration: f64,
-    /// What else people should know, in words: a file cut off, times that go back. A hundred at the most.
+    /// Remarks that people should know beside those, in words: a file cut off, times that go back. A hundred
+    /// at the most.
     pub remarks: Vec<String>,
     /// The last place that was skipped, remembered or not.
     last: Option<Skipped>,

@@ -1,8 +1,8 @@
-//! How a stored number becomes a value.
+//! Scale from a stored number to a value.
 
 use serde::{Deserialize, Serialize};
 
-/// What makes a value of a stored number.
+/// Scale from a stored number to a value.
 ///
 /// Hundredths are divided by a hundred instead of multiplied by 0.01, which no computer has exactly: so
 /// 1234 becomes the very number that 12.34 is read as.
@@ -40,7 +40,7 @@ impl Scale {
         }
     }
 
-    /// What a stored number is multiplied by, as nearly as it can be told.
+    /// Factor from a stored number to its value, as nearly as it can be told.
     pub fn factor(self) -> f64 {
         match self {
             Self::One => 1.0,

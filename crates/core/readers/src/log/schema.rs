@@ -1,6 +1,6 @@
 //! Names of schemas.
 
-/// What a schema is called whichever ROS or encoding it came by: `sensor_msgs/Imu` for `sensor_msgs/msg/Imu`,
+/// Plain name of a schema, whichever ROS or encoding it came by: `sensor_msgs/Imu` for `sensor_msgs/msg/Imu`,
 /// `foxglove/LocationFix` for `foxglove.LocationFix` and `foxglove_msgs/msg/LocationFix`, and PX4's messages as in
 /// its own logs, `vehicle_attitude` for `px4_msgs/msg/VehicleAttitude`.
 pub(super) fn plain(schema: &str) -> String {
@@ -17,7 +17,7 @@ pub(super) fn plain(schema: &str) -> String {
     }
 }
 
-/// What a message of PX4 is called in its own logs; `None` for those of others.
+/// Name of a message of PX4 in its own logs; `None` for those of others.
 pub(super) fn px4_topic(schema: &str) -> Option<String> {
     let name = schema.strip_prefix("px4_msgs/")?;
     let name = name.strip_prefix("msg/").unwrap_or(name);

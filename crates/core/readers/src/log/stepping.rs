@@ -5,7 +5,7 @@ use super::{Log, LogReader};
 /// Bytes that are put beside those that wait at one time: what a reader copies stays small.
 const PIECE: usize = 1 << 16;
 
-/// What came of looking at the bytes that are there.
+/// Result of looking at the bytes that are there.
 pub(super) enum Step {
     /// They tell nothing until more have come.
     Wait,

@@ -1,4 +1,4 @@
-//! What the tests of all readers share: reading a file in pieces, and damaging one.
+//! Helpers of the tests of all readers: reading a file in pieces, and damaging one.
 
 use proptest::{collection::vec, prelude::*, sample::Index};
 

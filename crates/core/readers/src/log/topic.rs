@@ -6,12 +6,12 @@ use serde::{Deserialize, Serialize};
 
 use super::{FieldLayout, Rows, schema};
 
-/// What a topic is called: `GPS`, or `GPS` of the second receiver.
+/// Name of a topic: `GPS`, or `GPS` of the second receiver.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct TopicName {
     /// Name of the kind of row.
     pub name: String,
-    /// Which of several sensors or senders, where the log tells them apart.
+    /// Number of the sensor or sender among several, where the log tells them apart.
     pub instance: Option<u32>,
 }
 
@@ -37,7 +37,7 @@ impl fmt::Display for TopicName {
 /// Rows of one kind in the order of the file, with their times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Topic {
-    /// What it is called.
+    /// Name of the topic.
     pub name: TopicName,
     /// Name of the kind of message that its rows are, where the log tells that beside the topic's own name
     /// (`sensor_msgs/msg/Imu`), or empty.

@@ -168,7 +168,7 @@ fn move_near<'a>(times: impl Iterator<Item = &'a mut f64>, (first, last): (f64, 
     }
 }
 
-/// What was left out, in words.
+/// Sentence about the rows that were left out.
 fn words(left_out: &[(String, usize, f64)]) -> String {
     let total: usize = left_out.iter().map(|(_, count, _)| count).sum();
     let topics = left_out.iter().take(NAMED);

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use super::value::Value;
 
-/// What the variable with the names of a matrix' columns is called, behind the name of the matrix.
+/// Endings of the variable that has the names of a matrix' columns, behind the name of the matrix.
 const LABELS: [&str; 6] = [
     "_label", "_labels", "_names", "_columns", "_header", "_fields",
 ];

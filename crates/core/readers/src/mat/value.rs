@@ -7,7 +7,7 @@ const DEEPEST: usize = 8;
 /// Type of an element that is an array.
 const MATRIX: u32 = 14;
 
-/// What a variable is.
+/// Value of a variable.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
     /// Numbers, column by column, and how many rows and columns there are.

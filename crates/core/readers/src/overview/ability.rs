@@ -1,4 +1,4 @@
-//! What can be done with a flight, and what cannot and why.
+//! Uses of a flight: those that are possible, and those that are not and why.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,13 +7,13 @@ use super::AirDataFit;
 
 const TRACK: &str = "Show the track on the map";
 const LANDMARKS: &str = "Find landmarks";
-/// What the camera is put in time and place by; people open it by this name.
+/// Title of the use that puts the camera in time and place; people open it by this name.
 const CAMERA: &str = "Camera to log: lag of the pictures, mount and focal length";
 
 /// Something that can or cannot be done with a flight.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Ability {
-    /// What it is, in a few words.
+    /// Title of the use, in a few words.
     pub what: String,
     /// Why it cannot be done, or `None` if it can.
     pub lacks: Option<String>,
@@ -81,7 +81,7 @@ pub fn rests_on_pictures(ability: &Ability) -> bool {
     [LANDMARKS, CAMERA].contains(&ability.what.as_str())
 }
 
-/// What can be done with so many pictures of a flight, whose place on the globe is known or is not.
+/// Uses of so many pictures of a flight, whose place on the globe is known or is not.
 pub fn of_pictures(count: usize, is_placed: bool) -> Vec<Ability> {
     let none = "Drop the camera frames of the flight and a map beside it.";
     let no_pictures = (count == 0).then(|| none.to_owned());

@@ -1,4 +1,4 @@
-//! What airspeed, heading and the track over ground say of each other.
+//! Agreement of airspeed, heading and the track over ground.
 
 use nalgebra::{Matrix3, Vector2, Vector3};
 use serde::{Deserialize, Serialize};
@@ -15,8 +15,8 @@ const LEAST_TURN: f64 = 1.5;
 /// Scales beyond which it is no scale any more that is wrong.
 const PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.5..=2.0;
 
-/// One wind and one scale of the airspeed for the whole flight, by least squares:
-/// ground velocity = scale · airspeed · cos(pitch) · (cos heading, sin heading) + wind.
+/// Least-squares fit of one wind and one scale of the airspeed for the whole flight: ground velocity = scale
+/// · airspeed · cos(pitch) · (cos heading, sin heading) + wind.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AirDataFit {
     /// True airspeed over measured airspeed.
@@ -30,7 +30,7 @@ pub struct AirDataFit {
 }
 
 impl AirDataFit {
-    /// What looks wrong about it.
+    /// Findings that look wrong about the fit.
     pub fn findings(&self) -> Vec<Finding> {
         if !PLAUSIBLE.contains(&self.scale) {
             return vec![Finding {

@@ -1,4 +1,4 @@
-//! One note for one cause: sensors that fail together, told together.
+//! Findings by cause: sensors that fail together, told together.
 
 use super::sensor::{Gap, Sensor, often};
 use super::{Finding, Severity};
@@ -7,8 +7,8 @@ use crate::interpret::Role;
 /// Seconds by which the ends of two stretches with one cause may lie apart.
 const NEAR: f64 = 2.0;
 
-/// What looks wrong about sensors, those with one cause together. On the ground nothing is stuck: `airborne` is when it
-/// flew.
+/// Findings that look wrong about sensors, those with one cause together. On the ground nothing is stuck: `airborne`
+/// are the times in flight.
 pub fn findings(sensors: &[Sensor], airborne: &[(f64, f64)]) -> Vec<Finding> {
     let is_aloft = |(from, to): (f64, f64)| airborne.iter().any(|(a, b)| from < *b && to > *a);
     let is_dead = |sensor: &&Sensor| sensor.is_dead && sensor.samples > 1 && measures(sensor.role);
@@ -70,7 +70,7 @@ fn groups<'a>(
     groups
 }
 
-/// What a group is called: the role of one, or how many there are.
+/// Name of a group: the role of its first sensor, with the number of the others, if any.
 fn called(group: &[&Sensor]) -> String {
     match group {
         [one] => one.role.label().to_owned(),

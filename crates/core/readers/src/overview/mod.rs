@@ -37,13 +37,13 @@ pub struct Overview {
     pub heights: Option<(f64, f64)>,
     /// Greatest speed over ground, m/s, where known.
     pub greatest_speed: Option<f64>,
-    /// What measured, by role.
+    /// Sensors of the flight, by role.
     pub sensors: Vec<Sensor>,
-    /// What airspeed, heading and the track say of each other, where all three are known.
+    /// Fit of airspeed, heading and the track, where all three are known.
     pub air_data: Option<AirDataFit>,
-    /// What looks wrong, the worst first.
+    /// Findings that look wrong, the worst first.
     pub findings: Vec<Finding>,
-    /// What can be done with it, and what cannot and why.
+    /// Uses of the flight: those that are possible, and those that are not and why.
     pub abilities: Vec<Ability>,
 }
 

@@ -1,10 +1,10 @@
-//! What the reading of the file found.
+//! Findings of the reading of the file.
 
 use super::super::interpret::RoleSeries;
 use super::super::log::Log;
 use super::{Finding, Severity};
 
-/// What the reading of the file found.
+/// Findings of the reading of the file.
 pub fn of_reading(log: &Log, found: &[RoleSeries]) -> Vec<Finding> {
     let mut findings = Vec::new();
     let report = &log.report;

@@ -1,4 +1,4 @@
-//! What measured, how often, and with which gaps.
+//! Sensors of a flight, their rates, and their gaps.
 
 use serde::{Deserialize, Serialize};
 
@@ -20,7 +20,7 @@ pub struct Gap {
     pub to: f64,
 }
 
-/// What measured a role.
+/// Sensor of a role.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sensor {
     /// The role.

@@ -12,10 +12,10 @@ const PAUSE: f64 = 5.0;
 const TAKE_OFF: f64 = 28.0;
 const DOWN: [f64; 2] = [18.0, 11.0];
 
-/// What a value says of flying, if anything.
+/// Function from a value to whether it says flying, if it says anything.
 type Says = fn(f64) -> Option<bool>;
 
-/// Where logs say whether they fly: topic, field, and what a value there says.
+/// Fields in which logs say whether they fly: topic, field, and the meaning of a value there.
 const STATES: [(&str, &str, Says); 4] = [
     ("EV", "Id", by_event),
     ("vehicle_land_detected", "landed", |landed| {

@@ -18,7 +18,7 @@ fn series(role: Role, times: Vec<f64>, values: Vec<f64>) -> RoleSeries {
     }
 }
 
-/// What is told of sensors in a flight of an hour.
+/// Findings about sensors in a flight of an hour.
 fn told(found: &[&RoleSeries]) -> Vec<Finding> {
     let sensors: Vec<Sensor> = found.iter().map(|series| Sensor::of(series)).collect();
     causes::findings(&sensors, &[(0.0, 3600.0)])

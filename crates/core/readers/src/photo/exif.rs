@@ -38,7 +38,7 @@ pub(super) const DIRECTION_REF: u16 = 0x10;
 pub(super) const DIRECTION: u16 = 0x11;
 pub(super) const GPS_DATE: u16 = 0x1d;
 
-/// One tag: its number, the type of its values, and their bytes.
+/// Entry of one tag: its number, the type of its values, and their bytes.
 #[derive(Clone, Copy, Debug)]
 struct Entry<'a> {
     tag: u16,

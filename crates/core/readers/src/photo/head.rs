@@ -1,6 +1,6 @@
 //! The segments of a JPEG file before its picture.
 
-/// What the head of a JPEG file holds.
+/// Contents of the head of a JPEG file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Head<'a> {
     /// The TIFF within that EXIF is.
@@ -14,7 +14,7 @@ pub(super) struct Head<'a> {
 const EXIF: &[u8] = b"Exif\0\0";
 const XMP: &[u8] = b"http://ns.adobe.com/xap/1.0/\0";
 
-/// Where the head of the file that `bytes` begin is known to lie.
+/// Head of the file that `bytes` begin, as far as it is there.
 pub(super) enum Found<'a> {
     /// It is all there.
     Whole(Head<'a>),

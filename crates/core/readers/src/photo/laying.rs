@@ -1,4 +1,4 @@
-//! One photo laid on a map by itself.
+//! Laying a single photo on a map.
 
 use nalgebra::{Matrix2, Matrix6};
 use serde::{Deserialize, Serialize};
@@ -20,25 +20,25 @@ pub struct PhotoLook {
     pub picture: Picture,
     /// Its camera, which looks straight down when the body is level.
     pub camera: CameraModel,
-    /// What is known of its pose.
+    /// Prior of its pose.
     pub prior: PosePrior,
-    /// What was assumed, and from where, in words.
+    /// Assumptions, and their sources, in words.
     pub assumed: Vec<String>,
     luminance: Pyramid,
 }
 
-/// What came of a photo.
+/// Result of laying a photo on a map.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PhotoAnswer {
-    /// What was assumed, and from where, in words.
+    /// Assumptions, and their sources, in words.
     pub assumed: Vec<String>,
     /// Probability of the likeliest place by the whole frame alone, 0 to 1.
     pub probability: f64,
-    /// Where it lies, or why it was not laid, in words.
+    /// Place of the photo on the map, or why it was not laid, in words.
     pub laid: Result<LaidPhoto, String>,
 }
 
-/// Where a photo was laid; places are metres north and east in the map's world.
+/// Photo laid on a map; places are metres north and east in the map's world.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LaidPhoto {
     /// Pose over the map, by which the picture is drawn on it.

@@ -8,7 +8,7 @@ use crate::log::{Cells, Column, Log, LogFormat};
 use pilotage_base::frames::Attitude;
 use pilotage_flight::{Channel, ChannelName};
 
-/// What the topic of the photos is called.
+/// Name of the topic of the photos.
 const TOPIC: &str = "photos";
 /// Fields that become roles, beside others.
 const LATITUDE: &str = "latitude";
@@ -75,7 +75,8 @@ fn numbers() -> Vec<Told> {
     all
 }
 
-/// One topic, a row for each photo, with what any of them tells; and the series that `channels` have of it.
+/// Log of one topic, a row for each photo, with every value that any of them tells; and the series that
+/// `channels` have of it.
 pub(super) fn log(name: &str, photos: &[Timed], channels: &[Channel]) -> Log {
     let mut log = Log::new(name, LogFormat::Photos);
     let names = photos.iter().map(|p| p.photo.name.clone()).collect();
@@ -108,7 +109,7 @@ pub(super) fn log(name: &str, photos: &[Timed], channels: &[Channel]) -> Log {
     log
 }
 
-/// What the numbers are in navigation: places as they are told, the rest as the flight has it.
+/// Roles of the numbers in navigation: places as they are told, the rest as the flight has it.
 fn given(photos: &[Timed], channels: &[Channel]) -> Vec<RoleSeries> {
     let source = |field: &str| format!("{TOPIC}.{field}");
     let place = |role, field, part: fn(&PhotoPlace) -> f64| {

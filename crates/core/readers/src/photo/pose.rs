@@ -1,11 +1,12 @@
-//! What one photo tells of where its camera was and how it was turned.
+//! Pose of the camera as a single photo tells it: height and attitude.
 
 use std::f64::consts::FRAC_PI_2;
 
 use super::read::Photo;
 use pilotage_base::frames::{Attitude, wrap_pi};
 
-/// How a camera that looks down was turned; zero roll and pitch look straight down with the picture's top ahead.
+/// Attitude and height of a camera that looks down; zero roll and pitch look straight down with the picture's top
+/// ahead.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PhotoPose {
     /// Heading, radians clockwise from north, where anything tells it.
@@ -28,8 +29,8 @@ pub(super) fn looking_down(gimbal: Attitude) -> Attitude {
     }
 }
 
-/// What a photo tells of its pose: by the gimbal, else by the aircraft's heading with the camera straight down,
-/// else by the direction in EXIF.
+/// Pose that a photo tells: by the gimbal, else by the aircraft's heading with the camera straight down, else
+/// by the direction in EXIF.
 pub fn photo_pose(photo: &Photo) -> PhotoPose {
     let pose = |heading, roll, pitch, told_by| PhotoPose {
         heading,

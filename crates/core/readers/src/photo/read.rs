@@ -1,4 +1,4 @@
-//! One photo.
+//! Reading of one photo.
 
 use super::exif::{self, Directory, Exif};
 use super::head::{Found, head};
@@ -14,7 +14,7 @@ const LONGEST_HEAD: u64 = 1 << 24;
 /// Longest TIFF that is read: its tags may stand at its end.
 const LONGEST_TIFF: u64 = 1 << 28;
 
-/// Where a photo was taken.
+/// Place at which a photo was taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PhotoPlace {
     /// Radians, north positive.
@@ -25,7 +25,7 @@ pub struct PhotoPlace {
     pub altitude: Option<f64>,
 }
 
-/// What a photo says of itself.
+/// Metadata of a photo.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Photo {
     /// Name of its file.
@@ -42,7 +42,7 @@ pub struct Photo {
     pub taken: Option<(i64, f64)>,
     /// Whether that clock says how far it is from UTC, and that is heeded.
     pub is_utc: bool,
-    /// Where it was taken.
+    /// Place at which it was taken.
     pub place: Option<PhotoPlace>,
     /// Height above take-off, metres.
     pub height_above_take_off: Option<f64>,
@@ -63,8 +63,8 @@ pub struct Photo {
     pub pixel_pitch: Option<f64>,
     /// Focal length as calibrated by the maker, pixels of the stored picture.
     pub calibrated_focal: Option<f64>,
-    /// How the stored picture is to be turned for people, as EXIF counts it: 1 not at all, 3 half round, 6 a quarter
-    /// clockwise, 8 a quarter the other way, the even ones between also mirrored.
+    /// Turn of the stored picture for people, as EXIF counts it: 1 not at all, 3 half round, 6 a quarter clockwise, 8
+    /// a quarter the other way, the even ones between also mirrored.
     pub orientation: u8,
     /// The program that saved it again after it was taken, where one did: it may have turned the picture.
     pub saved_again_by: Option<String>,
@@ -133,7 +133,7 @@ pub fn read_photo(source: &dyn ByteSource) -> Result<Photo, PhotoError> {
     }
 }
 
-/// What a TIFF says of itself: its tags are those that a JPEG has in its EXIF.
+/// Metadata of a TIFF: its tags are those that a JPEG has in its EXIF.
 fn of_tiff(file: String, bytes: &[u8]) -> Result<Photo, PhotoError> {
     let exif = Exif::read(bytes);
     let side = |tag| exif.image.whole(tag).filter(|side| *side > 0);
@@ -299,7 +299,8 @@ const ALTITUDES: [&str; 3] = [
     "exif:GPSAltitude",
 ];
 
-/// Where XMP says that a photo was taken, radians: as its maker writes it, or as Adobe does (`47,30.125N`).
+/// Latitude and longitude at which a photo was taken by XMP, radians: as its maker writes it, or as Adobe
+/// does (`47,30.125N`).
 fn place_of_xmp(xmp: &Xmp) -> Option<(f64, f64)> {
     let maker = [
         // Written so by older firmware.

@@ -1,4 +1,4 @@
-//! How a photo is looked for on a map: what it tells, what is known better, and how far around that is searched.
+//! Search for a photo on a map: what it tells, what is known better, and how far around that is searched.
 
 use serde::{Deserialize, Serialize};
 
@@ -11,19 +11,19 @@ use pilotage_vision::registration::{
     HeadingPrior, MapShape, PosePrior, StoredTurn, deviation_within, log_deviation_within,
 };
 
-/// Where nothing tells the height: metres, and the share by which it may be exceeded.
+/// Height that is assumed where nothing tells it: metres, and the share by which it may be exceeded.
 const USUAL_HEIGHT: (f64, f64) = (100.0, 1.5);
 /// Standard deviation of roll and pitch, and of the slope of the ground, radians.
 const TILT: f64 = 0.052;
 /// Standard deviation of how the map is stretched.
 const STRETCH: f64 = 0.02;
 
-/// How a photo is looked for on a map.
+/// Settings of the search for a photo on a map.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PhotoSearch {
     /// Place below the camera (its height does not count); what the photo says if `None`.
     pub at: Option<Geodetic>,
-    /// How far from there it is searched to each side, metres.
+    /// Range of the search to each side of the place, metres.
     pub within: f64,
     /// Height above the ground, metres; what the photo says if `None`.
     pub height: Option<f64>,
@@ -31,9 +31,9 @@ pub struct PhotoSearch {
     pub height_within: f64,
     /// Heading of the picture's top, radians clockwise from north; what the photo says if `None`.
     pub heading: Option<f64>,
-    /// How far from there headings are searched to each side, radians; π is all around.
+    /// Range of the search to each side of the heading, radians; π is all around.
     pub heading_within: f64,
-    /// How far the camera looks ahead of straight down, radians; what the photo says if `None`.
+    /// Angle between the camera's axis and straight down, ahead, radians; what the photo says if `None`.
     pub ahead: Option<f64>,
     /// Focal length, pixels of the stored picture; what the photo says if `None`.
     pub focal: Option<f64>,
@@ -69,8 +69,8 @@ impl PhotoSearch {
         CameraModel::pinhole(photo.width, photo.height, across)
     }
 
-    /// What is known of the pose of a photo before it is looked at, over a map that lies in `world` on the globe; what
-    /// was assumed goes to `assumed`, in words. A photo of which no place is known is searched all over `ground`.
+    /// Prior of the pose of a photo before it is looked at, over a map that lies in `world` on the globe; what was
+    /// assumed goes to `assumed`, in words. A photo of which no place is known is searched all over `ground`.
     pub fn prior(
         &self,
         photo: &Photo,

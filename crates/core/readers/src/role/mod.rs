@@ -1,4 +1,4 @@
-//! What a series of a log means for navigation.
+//! Roles of the series of a log in navigation.
 
 mod series;
 

@@ -1,4 +1,4 @@
-//! What was measured of a role.
+//! Series measured of a role.
 
 use super::Role;
 use crate::times::{Verdict, judge};

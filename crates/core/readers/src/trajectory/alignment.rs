@@ -1,9 +1,9 @@
-//! One trajectory laid over another.
+//! Alignment of one trajectory with another.
 
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
 use serde::{Deserialize, Serialize};
 
-/// How a trajectory is laid over the reference before it is compared.
+/// Kind of alignment of a trajectory with the reference before it is compared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Alignment {
     /// Not at all: both are in one world.
@@ -38,14 +38,14 @@ impl Similarity {
         }
     }
 
-    /// Where a place goes.
+    /// Applies the similarity to a place.
     pub fn apply(&self, place: &Point3<f64>) -> Point3<f64> {
         Point3::from(self.scale * (self.rotation * place.coords) + self.shift)
     }
 }
 
-/// What lays the first of each pair over the second; `None` where the places do not tell: without a pair,
-/// or for a rotation with all of them in one place.
+/// Similarity that lays the first of each pair over the second; `None` where the places do not tell: without
+/// a pair, or for a rotation with all of them in one place.
 pub fn align(pairs: &[(Point3<f64>, Point3<f64>)], how: Alignment) -> Option<Similarity> {
     let (first, second) = pairs.first()?;
     match how {

@@ -7,7 +7,7 @@ use super::{
     Alignment, Delta, ErrorStatistics, Track, absolute_errors, associate, relative_errors,
 };
 
-/// What the times of two trajectories have to do with each other.
+/// Relation between the times of two trajectories.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Clock {
     /// Both run by one clock: by UTC where both know it, else their times are alike.
@@ -17,12 +17,12 @@ pub enum Clock {
     TakeOff,
 }
 
-/// How trajectories are compared.
+/// Settings of the comparison of trajectories.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ComparisonSettings {
     /// The clock.
     pub clock: Clock,
-    /// How one is laid over the other for the absolute error.
+    /// Alignment of one with the other for the absolute error.
     pub alignment: Alignment,
     /// Between which places relative errors are taken.
     pub delta: Delta,
@@ -41,7 +41,7 @@ impl Default for ComparisonSettings {
     }
 }
 
-/// One trajectory against the reference.
+/// Comparison of one trajectory with the reference.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Comparison {
     /// Seconds that were added to its times.

@@ -27,8 +27,8 @@ pub struct Pair {
     pub reference: Point3<f64>,
 }
 
-/// Where something was at `time`, interpolated between places that are at most `longest_gap` seconds apart;
-/// `None` before, after and in longer gaps. In order of time.
+/// Place at `time`, interpolated between places that are at most `longest_gap` seconds apart; `None` before,
+/// after and in longer gaps. In order of time.
 pub fn place_at(places: &[TimedPlace], time: f64, longest_gap: f64) -> Option<Point3<f64>> {
     let after = places.partition_point(|p| p.time <= time);
     let before = places.get(after.checked_sub(1)?)?;

@@ -1,4 +1,4 @@
-//! How far one trajectory is from another, as evo (Grupp 2017) defines it.
+//! Distance of one trajectory from another, as evo (Grupp 2017) defines it.
 
 mod alignment;
 mod comparison;

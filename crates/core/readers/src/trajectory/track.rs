@@ -12,10 +12,10 @@ use pilotage_flight::Flight;
 /// Shortest time over which a speed is taken from places, seconds: shorter ones show their noise.
 const SPEED_OVER: f64 = 1.0;
 
-/// Where something was over time.
+/// Places over time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Track {
-    /// What people call it.
+    /// Name for people.
     pub name: String,
     /// The world frame on the globe, where known.
     pub frame: Option<LocalFrame>,
@@ -28,7 +28,7 @@ pub struct Track {
 }
 
 impl Track {
-    /// What really happened in a flight, where that is known.
+    /// True track of a flight, where that is known.
     pub fn of_truth(flight: &Flight) -> Option<Self> {
         let truth = flight.truth.as_ref().filter(|t| !t.states.is_empty())?;
         let places = truth.states.iter().map(|state| TimedPlace {

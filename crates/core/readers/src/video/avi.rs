@@ -7,7 +7,7 @@ const FRAME: usize = 8;
 /// Longest chunk that is believed, bytes, but for those that hold others.
 const LONGEST: u32 = 64 << 20;
 
-/// What begins here.
+/// Chunk at the beginning of some bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Chunk {
     /// More bytes are needed to tell.
@@ -24,7 +24,7 @@ pub(super) enum Chunk {
     Broken(usize),
 }
 
-/// What is known of the file so far.
+/// State of reading a file.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Avi {
     /// The stream whose pictures came first.

@@ -1,6 +1,6 @@
-//! Where a JPEG ends.
+//! End of a JPEG.
 
-/// What is known of where a picture ends.
+/// End of a picture, as far as it is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum End {
     /// Behind so many bytes.

@@ -65,7 +65,7 @@ impl MotionJpeg {
         Ok(Self { source, index })
     }
 
-    /// What the video holds.
+    /// Index of the video's pictures.
     pub fn index(&self) -> &VideoIndex {
         &self.index
     }

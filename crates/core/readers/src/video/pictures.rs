@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use pilotage_flight::{Flight, Frame};
 use pilotage_raster::camera::CameraModel;
 
-/// How the clock of a video goes beside that of a flight: flight time = `offset` + `rate` · video time.
+/// Relation between the clock of a video and that of a flight: flight time = `offset` + `rate` · video time.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct VideoClock {
     /// When the video begins, seconds in the flight's time base.

@@ -8,10 +8,10 @@ use crate::log::ReadReport;
 const LONGEST: usize = 64 << 20;
 /// Bytes that are put beside those that wait at one time.
 const PIECE: usize = 1 << 16;
-/// What every JPEG begins with: its mark and that of its first segment.
+/// First bytes of every JPEG: its mark and that of its first segment.
 const BEGINNING: [u8; 3] = [0xff, 0xd8, 0xff];
 
-/// Where a picture lies in its file.
+/// Place of a picture in its file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PlacedPicture {
     /// Number of the picture in the video, counted from zero; numbers of pictures that are missing are left out.
@@ -22,7 +22,7 @@ pub struct PlacedPicture {
     pub length: usize,
 }
 
-/// What a video holds.
+/// Pictures of a video.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct VideoIndex {
     /// Its pictures in order.
@@ -31,7 +31,7 @@ pub struct VideoIndex {
     pub rate: Option<f64>,
     /// Width and height of the first picture, pixels.
     pub size: Option<(usize, usize)>,
-    /// What was read and what was skipped.
+    /// Report of the bytes read and skipped.
     pub report: ReadReport,
 }
 
@@ -90,13 +90,13 @@ impl MotionJpegReader {
         }
     }
 
-    /// What the file holds, which is over.
+    /// Index of the file's pictures, after its end.
     pub fn finish(mut self) -> VideoIndex {
         self.walk(true);
         self.index
     }
 
-    /// What was found so far.
+    /// Index of the pictures found so far.
     pub fn so_far(&self) -> &VideoIndex {
         &self.index
     }

@@ -6,7 +6,7 @@ const GRAVITY: f64 = 9.806_65;
 const RATE: f64 = 10.0;
 const SECONDS: f64 = 200.0;
 
-/// What flew.
+/// Kind of aircraft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Craft {
     Airplane,

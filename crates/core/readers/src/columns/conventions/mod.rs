@@ -1,4 +1,5 @@
-//! One flight, written in many units and axes: each has to be read as the same values, or with a question.
+//! Tests with a single flight, written in many units and axes: each has to be read as the same values, or
+//! with a question.
 
 mod flown;
 mod written;
@@ -13,7 +14,7 @@ use super::{ColumnMap, flight_of_tables, guess_tables};
 use flown::{Craft, Moment, moments};
 use written::{Choices, table};
 
-/// What became of a table.
+/// Result of reading a table.
 #[derive(Debug, PartialEq)]
 enum Verdict {
     Right,
@@ -78,7 +79,7 @@ fn verdict(text: &str, flown: &[Moment], choices: &Choices) -> Verdict {
     }
 }
 
-/// How many of the tables are read right, asked about and wrong, with the wrong ones in words.
+/// Numbers of the tables that are read right, asked about and wrong, with the wrong ones in words.
 fn count(craft: Craft, all: &[Choices]) -> (usize, usize, Vec<String>) {
     let flown = moments(craft);
     let (mut right, mut asked, mut wrong) = (0, 0, Vec::new());

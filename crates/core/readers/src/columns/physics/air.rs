@@ -42,7 +42,7 @@ pub(super) fn judge(board: &mut Board, known: &Known) {
 /// The wind that a fit of airspeed and heading, or of airspeed alone, makes of the velocity over ground.
 struct Fit {
     wind: Vector2<f64>,
-    /// What the airspeed's numbers are multiplied by.
+    /// Factor from the airspeed's numbers to m/s.
     factor: f64,
 }
 
@@ -276,7 +276,7 @@ fn polar(board: &mut Board, known: &Known, wind: Option<Vector2<f64>>, speed: Id
     }
 }
 
-/// Where nothing else tells, a wind is in the unit of the speeds beside it.
+/// Takes for a wind whose unit nothing else tells the unit of the speeds beside it.
 fn as_beside(board: &mut Board, ids: &[Id]) {
     let unit = unit_beside(board, ids[0]);
     for id in ids {

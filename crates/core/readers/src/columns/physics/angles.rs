@@ -170,7 +170,7 @@ pub(super) fn agreement(reference: &[f64], cells: &[f64]) -> Option<(f64, f64)> 
     Some((cosine, sine.atan2(cosine)))
 }
 
-/// How much directions differ from their mean: 0 of a straight way, 1 of one in all directions.
+/// Spread of directions around their mean, 0 to 1: 0 of a straight way, 1 of one in all directions.
 pub(super) fn spread(directions: &[f64]) -> f64 {
     let finite: Vec<f64> = directions
         .iter()

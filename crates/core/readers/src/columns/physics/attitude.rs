@@ -106,8 +106,8 @@ fn heading(board: &mut Board, known: &mut Known, id: Id) {
     }
 }
 
-/// Where the aircraft does not fly where it looks: heading and the sign of pitch by the way that it leans. Returns
-/// whether that tells.
+/// Settles heading and the sign of pitch by the lean in turns, for an aircraft that does not fly where it looks.
+/// Returns whether that tells.
 fn by_lean(board: &mut Board, known: &mut Known, id: Id) -> bool {
     let channel = |board: &Board, name| board.find_in(id.0, ColumnRole::Channel(name));
     let tilt = channel(board, ChannelName::Roll).zip(channel(board, ChannelName::Pitch));
@@ -214,7 +214,8 @@ fn by_reach(board: &mut Board, id: Id) {
     }
 }
 
-/// Where the aircraft does not fly where it looks: the sense of the heading by gyros, theirs by gravity.
+/// Settles the sense of the heading by gyros, and theirs by gravity, for an aircraft that does not fly where
+/// it looks.
 fn by_gyro(board: &mut Board, known: &mut Known, id: Id) {
     let Some(gyro) = board.find(ColumnRole::Channel(ChannelName::YawRate)) else {
         return;

@@ -1,4 +1,4 @@
-//! Which signed order of three columns agrees with a reference along three axes, and by which factor.
+//! Agreement of signed orders of three columns with a reference along three axes, and the factor of each.
 
 use super::grid::quantile;
 
@@ -29,13 +29,13 @@ pub(super) const BODY: [Axes; 3] = [
     axes("right, forward, up", [1, 0, 2], [1.0, 1.0, -1.0]),
 ];
 
-/// How well axes agree with a reference.
+/// Agreement of axes with a reference.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Fit {
     pub axes: Axes,
     /// Mean of the correlations along the axes that tell something, -1 to 1.
     pub score: f64,
-    /// What values are multiplied by to be the reference.
+    /// Factor from values to the reference.
     pub factor: f64,
 }
 
@@ -84,8 +84,8 @@ fn energy(values: &[f64]) -> f64 {
     squares.iter().sum::<f64>() / squares.len().max(1) as f64
 }
 
-/// How all of `candidates` agree, the best first; of equals the likelier. Axes along which the reference is NaN or
-/// hardly anything tell nothing.
+/// Agreement of all `candidates` with the reference, the best first; of equals the likelier. Axes along which the
+/// reference is NaN or hardly anything tell nothing.
 pub(super) fn fits(
     candidates: &[Axes],
     reference: &[Vec<f64>; 3],

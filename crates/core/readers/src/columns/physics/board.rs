@@ -9,7 +9,7 @@ use crate::columns::{ColumnMap, ColumnRole, MappedColumn};
 /// A column: which table, which of its columns.
 pub(super) type Id = (usize, usize);
 
-/// What the unit of a column is by.
+/// Basis of the unit of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Basis {
     /// The table states it.
@@ -145,7 +145,7 @@ impl<'a, 'b> Board<'a, 'b> {
         self.raw(id).map(|value| (value * scale + offset) * factor)
     }
 
-    /// What columns of a role measure.
+    /// Physical dimension of the column's role; `None` where the role has no quantity.
     pub fn dimension(&self, id: Id) -> Option<Dimension> {
         self.column(id).role.quantity().map(Dimension::of)
     }

@@ -12,9 +12,9 @@ use crate::columns::{BodyAxis, ColumnRole};
 
 /// Mean correlation along the axes from which on they are the body's.
 const ALIKE: f64 = 0.8;
-/// How much better they agree so than along north and east.
+/// Least lead of the mean correlation along the body's axes over that along north and east.
 const BETTER: f64 = 0.1;
-/// What the columns were taken for by their names.
+/// Channels that the columns were taken for by their names.
 const NAMES: [ChannelName; 3] = [
     ChannelName::GpsVelocityNorth,
     ChannelName::GpsVelocityEast,

@@ -269,7 +269,8 @@ fn gyros_beside(board: &mut Board, ids: [Id; 3], is_up: bool) {
     }
 }
 
-/// What accelerometers along forward, right and down would read per cell, by attitude and the change of velocity, m/s².
+/// Readings of accelerometers along forward, right and down, per cell, as attitude and change of velocity give them,
+/// m/s².
 fn felt(known: &Known) -> [Vec<f64>; 3] {
     let count = known.grid.count;
     let change = |values: &[f64], index: usize| {

@@ -4,7 +4,8 @@ use super::axes::Fit;
 use super::board::Id;
 use super::grid::{Grid, quantile};
 
-/// What the columns are held against, once it is known; values per cell of the grid, NaN where there is none.
+/// References that the columns are compared with, once they are known; values per cell of the grid, NaN where
+/// there is none.
 pub(super) struct Known {
     pub grid: Grid,
     /// Velocity over ground, m/s north, east, down.
@@ -26,7 +27,7 @@ pub(super) struct Known {
 /// Velocities that have the amount of the track's, but hardly its direction.
 pub(super) struct Turned {
     pub ids: Vec<Id>,
-    /// How they agree along north and east at best.
+    /// Best agreement along north and east.
     pub earth: Fit,
 }
 

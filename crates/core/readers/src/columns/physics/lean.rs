@@ -3,7 +3,7 @@
 use super::Known;
 use super::axes::{centred, compare};
 
-/// What is left of values once the part is taken away that goes with `other`.
+/// Values less the part of them that is proportional to `other`.
 fn without(values: &[f64], other: &[f64]) -> Vec<f64> {
     let pairs = || {
         values

@@ -253,7 +253,8 @@ pub(super) fn airspeed(board: &mut Board, known: &Known) {
     }
 }
 
-/// What velocity = factor · airspeed · heading + wind leaves of the velocity where the aircraft flies, and the factor.
+/// Residual sum of squares of velocity = factor · airspeed · heading + wind where the aircraft flies, m²/s², and the
+/// factor.
 fn unexplained(known: &Known, raw: &[f64], airspeed: &dyn Fn(f64) -> f64) -> Option<(f64, f64)> {
     let [north, east, _] = &known.velocity;
     let mut rows = Vec::new();

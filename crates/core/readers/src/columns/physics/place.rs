@@ -19,7 +19,7 @@ const UNITS: [(&str, f64); 5] = [
     ("deg1e6", 0.4),
     ("deg1e5", 0.2),
 ];
-/// How likely another unit of time is than that which values alone said.
+/// Likelihood of another unit of time than that which values alone said.
 const OTHER_TIME: f64 = 0.2;
 
 /// Likelihood that no reading in another unit of time reaches: four times [`OTHER_TIME`].
@@ -33,7 +33,7 @@ const FASTEST: f64 = 400.0;
 /// Cells over which a velocity that jumps is averaged.
 const SMOOTHED: usize = 7;
 
-/// How places on the globe may be read.
+/// Reading of places on the globe that may be right.
 struct Reading {
     unit: &'static str,
     time_unit: Option<&'static str>,
@@ -257,7 +257,7 @@ fn track(latitude: &Series, longitude: &Series, factor: f64) -> Option<[Series; 
     Some([Series::new(&times, north), Series::new(&times, east)])
 }
 
-/// How far the ratio of the columns' speed and the track's is off a unit, as a logarithm; `None` without either.
+/// Distance of the ratio of the columns' speed and the track's from a unit, as a logarithm; `None` without either.
 fn against_speed(board: &Board, grid: &Grid, velocity: &[Vec<f64>; 2]) -> Option<f64> {
     let speed = norms(velocity);
     let told = board

@@ -96,7 +96,7 @@ pub(super) fn judge(board: &mut Board, known: &mut Known) {
 struct Way {
     order: [Id; 4],
     is_ros: bool,
-    /// How level it flies, by how much it looks where it flies, and how much it leans as it turns, each up to 1.
+    /// Sum of the level attitude, the agreement of heading and course, and the lean in turns, each up to 1.
     score: f64,
 }
 

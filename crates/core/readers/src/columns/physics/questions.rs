@@ -1,4 +1,4 @@
-//! What nothing in the tables tells, asked of people: one question for all units that had to be assumed.
+//! Questions to people about all that nothing in the tables tells: one for all units that had to be assumed.
 
 use pilotage_flight::{ChannelName, Quantity};
 

@@ -1,4 +1,4 @@
-//! What tells the axes of ROS from others.
+//! Evidence that tells the axes of ROS from others.
 
 /// Mean cosine between heading and course from which on an aircraft is one that flies where it looks.
 pub(super) const AHEAD: f64 = 0.7;

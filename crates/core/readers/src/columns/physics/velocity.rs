@@ -195,7 +195,7 @@ fn course(board: &mut Board, known: &mut Known, id: Id) {
     }
 }
 
-/// Where there is no position, the velocity that columns tell is what all else is held against.
+/// Takes the velocity that columns tell as the reference for all else, where there is no position.
 fn without_track(board: &Board, known: &mut Known) {
     let values = |role| -> Option<Series> { board.find(role).map(|id| board.values(id)) };
     let channel = |name| values(ColumnRole::Channel(name));
@@ -218,7 +218,7 @@ fn without_track(board: &Board, known: &mut Known) {
     }
 }
 
-/// Which way a velocity along an axis called z goes, by a height: 1 down, -1 up.
+/// Sense of a velocity along an axis called z, by a height: 1 down, -1 up.
 pub(super) fn sign_by_height(rate_of_height: &[f64], vertical: &[f64]) -> Option<f64> {
     let (correlation, ..) = compare(rate_of_height, vertical)?;
     (correlation.abs() > 0.5).then(|| -correlation.signum())

@@ -27,7 +27,7 @@ pub struct DataflashReader {
     skipping: Option<&'static str>,
 }
 
-/// What to do next.
+/// Next step of the reader.
 enum Step {
     /// Wait for more bytes.
     Wait,
@@ -37,7 +37,7 @@ enum Step {
     Skip(usize, &'static str),
 }
 
-/// Whether a message stands at a place.
+/// Answer to whether a message stands at a place.
 #[derive(PartialEq)]
 enum Found {
     Yes,
@@ -128,7 +128,7 @@ impl DataflashReader {
         }
     }
 
-    /// Whether the message is there as a whole and followed by another one, or by the end of the file.
+    /// Tells whether the message is there as a whole and followed by another one, or by the end of the file.
     #[inline]
     fn ends_before_another(rest: &[u8], length: usize, is_last: bool) -> Found {
         let is = |yes| if yes { Found::Yes } else { Found::No };

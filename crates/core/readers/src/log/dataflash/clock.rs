@@ -11,7 +11,7 @@ const DATES: usize = 1000;
 /// Most rows between two fixes whose times are found later.
 const WAITING: usize = 1 << 16;
 
-/// Where a message has its time.
+/// Time field of a message.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stamp {
     kind: FieldKind,
@@ -61,7 +61,7 @@ pub fn is_receiver(name: &str) -> bool {
     name == "GPS" || name == "GPS2"
 }
 
-/// What the times of a log are counted by.
+/// Origin of the times of a log.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Base {
     /// Nothing told the time so far.
@@ -80,7 +80,7 @@ pub struct Clock {
     now: f64,
     /// Whether a receiver with a full fix told the date.
     is_dated: bool,
-    /// What full fixes say second zero is, seconds since 1970; the first thousand.
+    /// Times of second zero by full fixes, seconds since 1970; the first thousand.
     dates: Vec<f64>,
     /// Rows since the last fix, by place of the topic and number, where only fixes tell the time.
     waiting: Vec<(usize, usize)>,
@@ -113,7 +113,7 @@ impl Clock {
         self.now
     }
 
-    /// What was read before the first time belongs to it.
+    /// Starts the clock at the first time, and gives that time to all that was read before.
     fn start(&mut self, time: f64, log: &mut Log) {
         self.base = Base::Start;
         self.now = time;
@@ -188,7 +188,7 @@ impl Clock {
         }
     }
 
-    /// Where messages have no time of their own, those between two fixes are spread evenly between them.
+    /// Spreads messages without a time of their own evenly over the time between two fixes.
     fn satellites(&mut self, milliseconds: f64, log: &mut Log) {
         match self.base {
             Base::Start => {}

@@ -1,4 +1,4 @@
-//! What the rows of a log mean to the log: announcements, units, parameters, words, times.
+//! Effects of rows on the log as a whole: announcements, units, parameters, words, times.
 
 use super::super::{Log, Topic};
 use super::clock::{Clock, is_receiver};
@@ -43,7 +43,7 @@ impl Meaning {
     }
 }
 
-/// How kinds of message become known.
+/// Way by which kinds of message become known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Announced {
     /// By the rows that announce them.

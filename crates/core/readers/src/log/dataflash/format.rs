@@ -30,7 +30,7 @@ pub struct Format {
 pub struct Column {
     /// Its name.
     pub name: String,
-    /// What its letter says.
+    /// Meaning of its letter.
     pub letter: Letter,
     /// First byte after the header.
     pub offset: usize,
@@ -129,7 +129,7 @@ impl Format {
         (columns, offset)
     }
 
-    /// What is odd about the announcement, in words; `None` if fields and length agree.
+    /// Oddity of the announcement, in words; `None` if fields and length agree.
     pub fn oddity(&self) -> Option<String> {
         let (columns, used) = self.fields();
         let name = &self.name;

@@ -5,10 +5,10 @@ use super::super::{FieldKind, Scale};
 /// Elements of the only letter that is an array.
 const ARRAY: usize = 32;
 
-/// What a letter says of a field.
+/// Type of a field by its letter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Letter {
-    /// What an element is.
+    /// Kind of an element.
     pub kind: FieldKind,
     /// The scale that the letter implies; then a multiplier of the log says nothing new.
     pub scale: Scale,

@@ -19,7 +19,7 @@ const SHORT: &str = "a line has too few values";
 /// Reads `ArduPilot`'s dataflash logs that are text.
 pub struct DataflashTextReader {
     contents: Contents,
-    /// What stands in the lines that begin with a name.
+    /// Fields of the lines that begin with a name.
     lines: HashMap<String, Line>,
     /// The beginning of a line whose end has not come.
     begun: Vec<u8>,
@@ -27,13 +27,13 @@ pub struct DataflashTextReader {
     is_overlong: bool,
     /// Place in the file of the first byte that is not accounted for.
     offset: u64,
-    /// What separates values: a comma and a space, or only a comma.
+    /// Separator of values: a comma and a space, or only a comma.
     separator: &'static str,
     /// Bytes of the message that is being put together.
     body: Vec<u8>,
 }
 
-/// What stands in the lines of a kind of message.
+/// Fields in the lines of a kind of message.
 #[derive(Clone, Debug)]
 struct Line {
     number: u8,

@@ -1,4 +1,4 @@
-//! Where the rows of a kind of message go.
+//! Topics that the rows of a kind of message go to.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ const INSTANCES: usize = 256;
 /// Most layouts under one name.
 const LAYOUTS: usize = 64;
 
-/// Which kind of message says the units of a topic: the last that began to put rows there.
+/// Kind of message that states the units of each topic: the last that began to put rows there.
 #[derive(Clone, Debug, Default)]
 pub struct Owners {
     /// Number of the kind, by place of the topic.
@@ -42,7 +42,7 @@ impl Owners {
 pub struct Kind {
     /// As it was announced.
     pub format: Format,
-    /// Where its time is.
+    /// Field of its time.
     pub stamp: Option<Stamp>,
     /// Letters of its units.
     labels: Labels,

@@ -1,9 +1,9 @@
-//! What the autopilot said: its messages, its vehicle, its modes, its parameters.
+//! Words of the autopilot: its messages, its vehicle, its modes, its parameters.
 
 use super::super::{Log, LogMessage, ModeChange, Parameter};
 use super::modes::Vehicle;
 
-/// What stands in a log beside numbers, as far as it was read.
+/// Words of a log beside its numbers, as far as it was read.
 #[derive(Clone, Debug, Default)]
 pub struct Words {
     vehicle: Option<Vehicle>,

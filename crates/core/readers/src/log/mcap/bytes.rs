@@ -1,6 +1,6 @@
 //! Numbers and texts one after another, lowest byte first.
 
-/// What has not been read yet of some bytes.
+/// Unread rest of some bytes.
 #[derive(Clone, Copy)]
 pub(super) struct Cursor<'a> {
     rest: &'a [u8],

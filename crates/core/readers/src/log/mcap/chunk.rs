@@ -9,11 +9,11 @@ use super::zstandard;
 
 /// Longest name of a way of packing, in bytes.
 const LONGEST_NAME: u32 = 64;
-/// What a chunk may be unpacked to, whatever it says: so many bytes, and so many for each packed one.
+/// Most bytes that a chunk may be unpacked to, whatever it says: so many, and so many for each packed one.
 const UNPACKED: u64 = 16 << 20;
 const UNPACKED_PER_BYTE: u64 = 256;
 
-/// How records of a chunk are packed.
+/// Compression of the records of a chunk.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Packing {
     Not,
@@ -22,7 +22,7 @@ pub(super) enum Packing {
     Unknown(String),
 }
 
-/// What a chunk says of itself before its records.
+/// Header of a chunk, before its records.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Head {
     pub packing: Packing,
@@ -100,7 +100,7 @@ pub(super) fn unpack<'a>(head: &Head, packed: &'a [u8]) -> (Cow<'a, [u8]>, Optio
     (Cow::Owned(unpacked), trouble)
 }
 
-/// What LZ4 was made of, at most one byte more than `most`, and whether that is all of it.
+/// Unpacks LZ4: at most one byte more than `most`, and whether that is all of it.
 fn lz4(packed: &[u8], most: u64) -> (Vec<u8>, bool) {
     let mut unpacked = Vec::new();
     let decoder = lz4_flex::frame::FrameDecoder::new(packed);

@@ -29,13 +29,13 @@ struct Waiting {
     data: Vec<u8>,
 }
 
-/// What was described so far, and what the messages say.
+/// Schemas and channels described so far, and the messages read by them.
 #[derive(Default)]
 pub(super) struct Contents {
     schemas: HashMap<u16, Arc<Schema>>,
     channels: HashMap<u16, Channel>,
     topics: Vec<MessageTopic>,
-    /// Which of the topics the messages of a channel go to.
+    /// Index of the topic that the messages of a channel go to.
     places: HashMap<u16, usize>,
     waiting: HashMap<u16, Vec<Waiting>>,
     waiting_bytes: usize,
@@ -156,7 +156,7 @@ impl Contents {
         Ok(())
     }
 
-    /// Which of the topics the messages of a channel go to; `None` while they cannot be read.
+    /// Index of the topic that the messages of a channel go to; `None` while they cannot be read.
     fn place(&mut self, number: u16, log: &mut Log) -> Option<usize> {
         if let Some(place) = self.places.get(&number) {
             return Some(*place);

@@ -9,14 +9,14 @@ use super::words::Meaning;
 use crate::log::growing::{Part, Path, Place, Room, Table};
 use crate::log::{FieldKind, Log, TopicName};
 
-/// Where messages of one name, encoding and schema go.
+/// Topic of messages of one name, encoding and schema.
 pub(super) struct MessageTopic {
     name: String,
     encoding: String,
     schema: Option<Arc<Schema>>,
     decoder: Decoder,
     table: Table,
-    /// Where the time of publishing goes.
+    /// Place that the time of publishing goes to.
     published: Place,
     meaning: Meaning,
     /// Messages that could not be read, and why the first of them could not.

@@ -36,7 +36,7 @@ pub(super) struct Message<'a> {
     pub data: &'a [u8],
 }
 
-/// What a record says.
+/// Contents of a record.
 #[derive(Debug, PartialEq)]
 pub(super) enum Record<'a> {
     Header {
@@ -109,7 +109,7 @@ pub(super) fn may_begin(bytes: &[u8]) -> Option<bool> {
     Some(length >= shortest && (length <= LONGEST || is_taken_by_pieces && length < 1 << 48))
 }
 
-/// What a record of that kind with these contents says. The error says why it is none.
+/// Parses a record of that kind with these contents. The error says why it is none.
 pub(super) fn parse(kind: u8, contents: &[u8]) -> Result<Record<'_>, &'static str> {
     let mut bytes = Cursor::new(contents);
     let record = match kind {

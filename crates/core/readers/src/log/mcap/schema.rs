@@ -1,6 +1,6 @@
-//! How messages are described.
+//! Descriptions of messages.
 
-/// What the messages of a channel look like.
+/// Description of the messages of a channel.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Schema {
     pub name: String,

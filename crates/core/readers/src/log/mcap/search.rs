@@ -13,8 +13,8 @@ use super::record::{
 /// long, as it may have to be done at every byte.
 const LONGEST: usize = 1 << 12;
 
-/// How many of `bytes` come before the next record that is no accident, and whether there is one. Where more
-/// bytes are needed to tell, the count ends there; where `over`, no more will come.
+/// Number of `bytes` before the next record that is no accident, and whether there is one. Where more bytes
+/// are needed to tell, the count ends there; where `over`, no more will come.
 pub(super) fn next_sure(contents: &Contents, bytes: &[u8], over: bool) -> (usize, bool) {
     next(bytes, over, |rest| is_sure(contents, rest, over))
 }

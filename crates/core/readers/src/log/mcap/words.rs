@@ -3,7 +3,7 @@
 use crate::log::schema::plain;
 use crate::log::{Log, LogMessage, ModeChange, Topic, px4_modes};
 
-/// What messages of a schema tell beside their rows.
+/// Meaning of a schema's messages beside their rows.
 pub(super) enum Meaning {
     Nothing,
     /// Words, in a field of that name, with what makes an urgency as syslog counts it of the field `level`.

@@ -7,7 +7,7 @@ use ruzstd::decoding::{BlockDecodingStrategy, FrameDecoder};
 /// Largest window that is allowed for, bytes: nobody who writes logs asks for more.
 const WINDOW: u64 = 16 << 20;
 
-/// What a frame was made of, at most a block more than `most` bytes, and whether that is all of it.
+/// Unpacks a frame: at most a block more than `most` bytes, and whether that is all of it.
 pub(super) fn unpack(packed: &[u8], most: u64) -> (Vec<u8>, bool) {
     match decode(packed, most) {
         Ok(unpacked) => (unpacked, true),

@@ -1,4 +1,4 @@
-//! What the messages of `MAVLink` are made of.
+//! Definitions of the messages of `MAVLink`.
 
 use std::collections::HashMap;
 
@@ -18,7 +18,7 @@ pub(super) struct Definition {
     pub name: &'static str,
     /// Fields in the order of the definition; they lie in another order in the row.
     pub fields: Vec<FieldLayout>,
-    /// What the checksum of each message of this kind begins to count from, after its bytes: whoever has
+    /// Seed of the checksum of each message of this kind, counted after the message's bytes: a reader with
     /// another definition comes to another checksum.
     pub seed: u8,
 }

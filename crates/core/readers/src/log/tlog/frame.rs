@@ -1,4 +1,4 @@
-//! One message with the time at which it came.
+//! Frame of one message with the time at which it came.
 
 use super::checksum::Checksum;
 use super::dialect::Dialect;
@@ -24,9 +24,9 @@ pub(super) struct Frame<'a> {
     pub component: u8,
     /// Number of its kind.
     pub number: u32,
-    /// What it says; zeros at the end may be left out.
+    /// Payload; zeros at the end may be left out.
     pub payload: &'a [u8],
-    /// What the checksum counts, and the checksum.
+    /// Bytes that the checksum counts, and the checksum.
     counted: &'a [u8],
     checksum: [u8; 2],
     /// Bytes with time and signature.

@@ -6,7 +6,7 @@ use super::row::{Row, Sender};
 use super::vehicle::Heartbeats;
 use super::words::Words;
 
-/// What messages have told beside their rows.
+/// State of the messages that say more than their row: heartbeats, parameters, words.
 #[derive(Default)]
 pub(super) struct Meaning {
     heartbeats: Heartbeats,

@@ -15,7 +15,7 @@ const MOST_TOPICS: usize = 10_000;
 const DAY: u64 = 86_400 * 1_000_000;
 /// The year 2000 in microseconds since 1970: a clock that is behind it was never set.
 const YEAR_2000: u64 = 946_684_800 * 1_000_000;
-/// What the system is multiplied by to make room for a component, and what stands for system 0 then, which
+/// Factor of the system that makes room for a component, and the number that stands for system 0 then, which
 /// would leave none.
 const COMPONENTS: u32 = 1000;
 const SYSTEM_0: u32 = 256;

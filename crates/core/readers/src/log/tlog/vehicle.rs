@@ -14,7 +14,7 @@ const GROUND_STATION: u8 = 6;
 /// Systems from here on are ground stations by custom, whatever they say of themselves.
 const STATIONS: u8 = 250;
 
-/// What the heartbeats of the first vehicle told.
+/// Vehicle as its heartbeats describe it; of several vehicles the first.
 #[derive(Default)]
 pub(super) struct Heartbeats {
     /// System and component of the vehicle.

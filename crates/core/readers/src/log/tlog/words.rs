@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::super::{Log, LogMessage};
 use super::row::{Row, Sender};
 
-/// What stands for pieces that never came.
+/// Text in place of pieces that never came.
 const MISSING: &str = " … ";
 
 /// A text of which more pieces may come.

@@ -14,11 +14,11 @@ const MOST_FIELDS: usize = 4096;
 /// Longest row, in bytes: its frame tells its length, with two bytes of number, in sixteen bits.
 const LONGEST_ROW: usize = u16::MAX as usize - 2;
 
-/// What a field is made of.
+/// Type of a field.
 pub(super) enum DataType<'a> {
-    /// One number or letter.
+    /// Type with one number or letter per element.
     Plain(FieldKind),
-    /// What another definition says.
+    /// Type that another definition describes.
     Nested(&'a str),
 }
 
@@ -93,7 +93,7 @@ pub(super) struct Definitions {
     lengths: HashMap<String, usize>,
 }
 
-/// How long a row may be.
+/// Length of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct RowLength {
     /// Bytes without the padding at the end, which is not written.
@@ -116,8 +116,8 @@ impl Definitions {
         self.by_name.contains_key(name)
     }
 
-    /// How long rows of that name are; `None` if a definition is missing, contains itself or is longer
-    /// than a message can be.
+    /// Length of rows of that name; `None` if a definition is missing, contains itself or is longer than a
+    /// message can be.
     pub fn row_length(&mut self, name: &str) -> Option<RowLength> {
         let longest = self.length(name, 0)?;
         let fields = &self.by_name.get(name)?.fields;

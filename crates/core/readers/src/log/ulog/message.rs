@@ -6,12 +6,12 @@ use super::{definition::Definition, value::Keyed};
 pub(super) const FRAME: usize = 3;
 /// Longest message of an unknown kind that may follow, in bytes; pyulog draws the line there, too.
 const LONGEST_UNKNOWN: usize = 10_000;
-/// What a sync message holds.
+/// Bytes of a sync message.
 const SYNC: [u8; 8] = [0x2f, 0x73, 0x13, 0x20, 0x25, 0x0c, 0xbb, 0x12];
 
 /// A message as it stands in the file.
 pub(super) enum Message<'a> {
-    /// Which deviations from the plain format the file has, and where data were appended.
+    /// Deviations of the file from the plain format, and the places at which data were appended.
     Flags { unknown: bool, appended: [u64; 3] },
     /// Definition of a kind of row or of a part of one.
     Definition(Definition),

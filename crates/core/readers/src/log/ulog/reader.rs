@@ -33,7 +33,7 @@ pub(super) struct Ulog {
     software: Software,
 }
 
-/// What the log says of what flew.
+/// Software and hardware of the vehicle, as the log states them.
 #[derive(Default)]
 struct Software {
     system: String,

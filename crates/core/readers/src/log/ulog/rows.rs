@@ -12,10 +12,10 @@ const MOST_FIELDS: usize = 1 << 20;
 const YEAR_2000: f64 = 946_684_800e6;
 /// Times further apart do not follow one another, seconds.
 const DAY: f64 = 86_400.0;
-/// What a receiver with a position in space says of its fix.
+/// Type of fix from which on a receiver has a position in space.
 const FIX_IN_SPACE: f64 = 3.0;
 
-/// What rows with one number are.
+/// Subscription of rows with one number.
 struct Subscription {
     name: TopicName,
     length: Option<RowLength>,
@@ -28,7 +28,7 @@ enum Opened {
     At(Box<Place>),
 }
 
-/// Where rows go, and which of their fields tell more than a row.
+/// Topic of rows, and their fields that tell more than a row.
 struct Place {
     topic: usize,
     timestamp: Option<FieldLayout>,
@@ -37,7 +37,7 @@ struct Place {
     fix: Option<FieldLayout>,
 }
 
-/// What is announced, and what the rows so far have told.
+/// Subscriptions that were announced, and the state that the rows so far have told.
 #[derive(Default)]
 pub(super) struct Subscriptions {
     by_number: HashMap<u16, Subscription>,
@@ -48,7 +48,7 @@ pub(super) struct Subscriptions {
     last: Option<f64>,
 }
 
-/// Whether a row fits what was announced.
+/// Agreement of a row with its announcement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Fit {
     /// It does.
@@ -87,7 +87,7 @@ impl Subscriptions {
         self.by_number.clear();
     }
 
-    /// Whether a row of `length` bytes with that number is what was announced.
+    /// Tells whether a row of `length` bytes with that number is as announced.
     pub fn fit(&self, number: u16, length: usize) -> Fit {
         let subscription = self.by_number.get(&number);
         let Some(expected) = subscription.and_then(|subscription| subscription.length) else {

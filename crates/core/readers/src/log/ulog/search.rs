@@ -6,9 +6,8 @@ use super::header::{HEADER, MAGIC};
 use super::message::{FRAME, frame, parse};
 use super::rows::{Fit, Subscriptions};
 
-/// How many of `bytes` come before the next message that holds together so well that it is no
-/// accident, and whether there is one. Where more bytes are needed to tell, the count ends there; where
-/// `over`, no more will come.
+/// Number of `bytes` before the next message that holds together so well that it is no accident, and whether
+/// there is one. Where more bytes are needed to tell, the count ends there; where `over`, no more will come.
 pub(super) fn next_sure(
     definitions: &Definitions,
     subscriptions: &Subscriptions,

@@ -9,14 +9,14 @@ const DEEPEST: usize = 24;
 /// Most members of all types of a definition together.
 const MOST_MEMBERS: usize = 1 << 14;
 
-/// Which ROS.
+/// Version of ROS.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Version {
     First,
     Second,
 }
 
-/// What a member is made of.
+/// Type of a member.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Element {
     Number(FieldKind),
@@ -25,7 +25,7 @@ pub(super) enum Element {
     Type(usize),
 }
 
-/// How many of them.
+/// Number of elements of a member.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Count {
     One,
@@ -56,7 +56,7 @@ impl Member {
     }
 }
 
-/// What ROS 2 writes for a type without members, as its interface language allows none such.
+/// Member that ROS 2 writes for a type without members, as its interface language allows none such.
 const FILLER: Member = Member {
     name: String::new(),
     element: Element::Number(FieldKind::U8),
@@ -230,7 +230,7 @@ impl Reading<'_> {
     }
 }
 
-/// What a built-in type is.
+/// Element of a built-in type; `None` for other types.
 fn element(kind: &str, version: Version) -> Option<Element> {
     Some(Element::Number(match kind {
         "bool" => FieldKind::Bool,

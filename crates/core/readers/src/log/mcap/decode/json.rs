@@ -8,8 +8,8 @@ use crate::log::growing::{MOST_ELEMENTS, Part, Path, Place, Table};
 /// Largest whole number up to which every one is a double, too.
 const WHOLE: u64 = 1 << 53;
 
-/// What a value may be that is no object. The names cannot be those of members: a control character begins
-/// them.
+/// Names of the places of values that are no object. The names cannot be those of members: a control
+/// character begins them.
 const NUMBER: &str = "\u{1}number";
 const NATURAL: &str = "\u{1}natural";
 const WHOLE_NUMBER: &str = "\u{1}whole";

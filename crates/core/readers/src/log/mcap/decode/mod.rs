@@ -15,7 +15,7 @@ use crate::log::growing::{Part, Path, Place, Table};
 /// Puts what a message says into the row of a table.
 pub(super) struct Decoder {
     form: Form,
-    /// Where the message goes.
+    /// Place that the message goes to.
     root: Place,
 }
 

@@ -12,7 +12,7 @@ const DEEPEST: usize = 16;
 /// Most fields of all types of a schema together.
 const MOST_FIELDS: usize = 1 << 14;
 
-/// How the number of a field is written.
+/// Encoding of the number of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Writing {
     /// Seven bits a byte.

@@ -4,7 +4,7 @@
 const DEEPEST: usize = 16;
 const CUT: &str = "a field is cut off";
 
-/// What a field holds.
+/// Value of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Value<'a> {
     Varint(u64),

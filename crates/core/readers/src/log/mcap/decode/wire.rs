@@ -1,6 +1,6 @@
 //! Values of ROS messages one after another.
 
-/// How the bytes of a message lie.
+/// Layout of the bytes of a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Form {
     /// Whether numbers have their lowest byte first.
@@ -34,7 +34,7 @@ impl Form {
     }
 }
 
-/// What is left of a message.
+/// Unread rest of a message.
 pub(super) struct Wire<'a> {
     bytes: &'a [u8],
     place: usize,
@@ -77,7 +77,7 @@ impl<'a> Wire<'a> {
         Some(bytes)
     }
 
-    /// How many of something follow.
+    /// Number of elements that follow.
     pub fn count(&mut self) -> Option<usize> {
         usize::try_from(u32::from_le_bytes(self.number()?)).ok()
     }

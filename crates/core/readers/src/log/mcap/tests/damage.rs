@@ -1,4 +1,4 @@
-//! What is left of a damaged file.
+//! Tests of reading damaged files.
 
 use proptest::prelude::*;
 

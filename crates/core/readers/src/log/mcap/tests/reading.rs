@@ -1,4 +1,4 @@
-//! What is read of sound files.
+//! Tests of reading sound files.
 
 use super::super::super::testing::{self, essence};
 use super::super::super::{Log, ReadReport, TopicName};

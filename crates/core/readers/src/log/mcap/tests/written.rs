@@ -46,7 +46,7 @@ pub(super) fn message(channel: u16, time: u64, data: &[u8]) -> Vec<u8> {
     record(5, &[&channel.to_le_bytes(), &[0; 4], &time, &time, data])
 }
 
-/// How a chunk is packed.
+/// Compression of a chunk.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Packing {
     Not,
@@ -106,7 +106,7 @@ impl Written {
     }
 }
 
-/// What the messages of [`messages`] are, as their schema and their channel.
+/// Schema and channel of the messages of [`messages`].
 pub(super) fn description() -> Vec<u8> {
     let text = b"float64 angle\nfloat32[] rates\nstring name\nuint8[2] flags\n";
     let schema = schema(3, "my_msgs/msg/Turn", "ros2msg", text);

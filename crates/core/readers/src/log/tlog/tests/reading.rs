@@ -1,4 +1,4 @@
-//! What a sound file tells.
+//! Tests of reading sound files.
 
 use super::super::super::{
     Log, LogFormat, LogMessage, ModeChange, Topic, TopicName, recognise, testing,
