@@ -29,7 +29,7 @@ pub enum MapError {
     Georeference {
         /// Name of the side file.
         file: String,
-        /// What is wrong with it.
+        /// Error of the side file.
         cause: GeoreferenceError,
     },
     /// The picture cannot be read.
@@ -37,7 +37,7 @@ pub enum MapError {
     Picture {
         /// Name of the picture.
         file: String,
-        /// What is wrong with it.
+        /// Error of the picture.
         cause: CodecError,
     },
     /// The file beside the picture names a reference system that is not known.
@@ -75,7 +75,7 @@ pub enum MapError {
     Corners {
         /// Name of the table.
         file: String,
-        /// What is wrong with it.
+        /// Error of the table.
         cause: CornersError,
     },
     /// A KML or KMZ that lays no picture on the ground.

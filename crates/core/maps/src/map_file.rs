@@ -41,7 +41,8 @@ impl OpenMap {
         }
     }
 
-    /// Where the pixels lie; tiles and several pictures have many sizes of pixels and no one place.
+    /// Placement of the pixels; `None` for tiles and several pictures, which have many sizes of pixels and no
+    /// one place.
     pub fn placement(&self) -> Option<&Placement> {
         match self {
             Self::Picture(picture) => Some(picture.placement()),

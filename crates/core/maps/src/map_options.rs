@@ -1,4 +1,4 @@
-//! What is known about a map beside its files.
+//! Options of a map: all that is known about it beside its files.
 
 use crate::MapMemory;
 use pilotage_base::frames::{Geodetic, LocalFrame, ReferenceSystem};
@@ -7,19 +7,19 @@ use pilotage_base::georeference::Georeference;
 /// Endings of a `GeoTIFF`.
 const GEO_TIFF: [&str; 2] = [".tif", ".tiff"];
 
-/// What is known about a map beside its files.
+/// Options of a map: all that is known about it beside its files.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MapOptions {
     /// The world frame to put it into; its own, around its own middle, if there is none.
     pub frame: Option<LocalFrame>,
-    /// Where there is no `frame`: a world frame to put the map into if the map's middle lies within
-    /// that many metres of its origin.
+    /// World frame to put the map into where there is no `frame`, if the map's middle lies within that many
+    /// metres of its origin.
     pub near: Option<(LocalFrame, f64)>,
     /// The reference system of its coordinates, before whatever its files say.
     pub system: Option<ReferenceSystem>,
-    /// Where its pixels lie, in place of whatever its files say.
+    /// Place of its pixels, instead of whatever its files say.
     pub place: Option<Georeference>,
-    /// How much memory it may keep.
+    /// Limits of the memory that it may keep.
     pub memory: MapMemory,
 }
 

@@ -7,7 +7,7 @@ use pilotage_base::files::FileSet;
 use pilotage_base::frames::{LocalFrame, ReferenceSystem};
 use pilotage_base::georeference::Georeference;
 
-/// What is put in place of a picture's ending to name the file that says where it lies.
+/// Endings that take the place of a picture's own to name the file that says where the picture lies.
 const SIDE_FILES: [&str; 11] = [
     ".jgw",
     ".jpgw",
@@ -22,7 +22,7 @@ const SIDE_FILES: [&str; 11] = [
     ".json",
 ];
 
-/// Where the file beside a picture puts it, with that file's name.
+/// Georeference of a picture by the file beside it, with that file's name.
 pub(crate) fn place_beside(
     files: &dyn FileSet,
     picture: &str,

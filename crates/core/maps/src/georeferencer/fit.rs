@@ -42,7 +42,7 @@ pub enum FitError {
     },
 }
 
-/// How far a point is from where the fit puts it.
+/// Residual of a control point: its distance from the place where the fit puts it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Residual {
     /// From the point's place to where the fit puts its pixel, units of the plane: east, north.
@@ -58,12 +58,12 @@ pub struct Residual {
 /// A transform from pixels to the plane, with its errors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
-    /// What was fitted.
+    /// Kind of the transform that was fitted.
     pub kind: TransformKind,
     /// (x, y, 1) up to a factor = matrix · (column, row, 1); the factor is positive on the seen side
     /// of the horizon.
     pub plane_from_pixel: Matrix3<f64>,
-    /// One for every control point, in their order.
+    /// Residuals of all control points, in their order.
     pub residuals: Vec<Residual>,
     /// Root mean square of the residuals of the points that are on, units of the plane.
     pub rms_in_plane: f64,
@@ -176,7 +176,7 @@ impl Fit {
         })
     }
 
-    /// Where the fit puts the picture, if its plane is that of `system`.
+    /// Georeference of the picture by the fit, if its plane is that of `system`.
     pub fn georeference(&self, system: ReferenceSystem) -> Georeference {
         match self.world_file() {
             Some(file) => Georeference::Projected { system, file },

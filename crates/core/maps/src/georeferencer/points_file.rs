@@ -26,7 +26,7 @@ pub enum PointsFileError {
     System {
         /// Line, counted from one.
         line: usize,
-        /// What the file names.
+        /// Reference system that the file names.
         name: String,
     },
     /// Two lines name different reference systems.
@@ -44,7 +44,7 @@ pub enum PointsFileError {
     Line {
         /// Line, counted from one.
         line: usize,
-        /// What is wrong.
+        /// Error of the line, in words.
         cause: String,
     },
 }

@@ -1,11 +1,11 @@
-//! What GDAL writes about a band beside its samples: scale, offset and unit.
+//! GDAL's metadata of a band beside its samples: scale, offset and unit.
 //!
 //! `<GDALMetadata><Item name="SCALE" sample="0" role="scale">0.1</Item>…</GDALMetadata>`, after the
 //! description of GDAL's `GTiff` driver.
 
 use super::super::tiff::{Directory, Tag, TiffError};
 
-/// What the samples of a band mean: value = scale · sample + offset, in the unit.
+/// Meaning of the samples of a band: value = scale · sample + offset, in the unit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BandMetadata {
     /// Value per unit of the samples, 1 where the file does not say it.
@@ -17,8 +17,8 @@ pub struct BandMetadata {
 }
 
 impl BandMetadata {
-    /// What the metadata of GDAL in `directory` say of the band with that index, counted from zero; an
-    /// error if scale or offset are no numbers or the scale makes all values the same.
+    /// Reads the metadata of GDAL in `directory` of the band with that index, counted from zero; an error if
+    /// scale or offset are no numbers or the scale makes all values the same.
     pub fn of(directory: &Directory, band: usize) -> Result<Self, TiffError> {
         let mut found = Self {
             scale: 1.0,

@@ -6,7 +6,7 @@ use pilotage_raster::raster::{Raster, Rgba};
 /// Tiles from which the brightest value of 16-bit pictures is taken.
 const TILES_TO_LOOK_AT: usize = 24;
 
-/// How samples become colours.
+/// Mapping from samples to colours.
 #[derive(Clone, Debug)]
 pub struct Colours {
     /// Samples for red, green and blue.
@@ -23,7 +23,7 @@ pub struct Colours {
 }
 
 impl Colours {
-    /// How to show the picture of `file`; an error if it is none.
+    /// Mapping to show the picture of `file`; an error if it is none.
     pub fn of(file: &TiffFile) -> Result<Self, TiffError> {
         let layout = &file.levels()[0];
         let kind = layout.kind;

@@ -29,7 +29,7 @@ const GEOGRAPHIC_3D: u64 = 4979;
 /// A system that is described, not named.
 const USER_DEFINED: u64 = 32_767;
 
-/// What the keys say.
+/// Contents of the geographic keys of a `GeoTIFF`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct GeoKeys {
     /// The reference system; without any keys there is none.

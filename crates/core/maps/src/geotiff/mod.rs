@@ -31,7 +31,7 @@ use pilotage_raster::raster::{Raster, Rgba};
 /// Most pixels that are held at once to draw a window; larger windows are drawn in parts.
 const MOST_PIXELS: f64 = 8e6;
 
-/// How much memory a map may keep.
+/// Limits of the memory that a map may keep.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MapMemory {
     /// Bytes of unpacked tiles.
@@ -76,7 +76,7 @@ pub enum GeoTiffError {
     Georeference {
         /// Name of the file.
         file: String,
-        /// What is wrong.
+        /// Error of the georeference.
         cause: GeoreferenceError,
     },
 }
@@ -86,9 +86,9 @@ pub enum GeoTiffError {
 pub struct GeoTiffFile {
     /// The pixels.
     pub tiff: TiffFile,
-    /// Where they lie.
+    /// Place of the pixels on the ground.
     pub georeference: Georeference,
-    /// What the keys say.
+    /// Contents of the keys.
     pub keys: GeoKeys,
 }
 
@@ -154,7 +154,7 @@ impl GeoTiffFile {
         self.georeference.origin(width, height)
     }
 
-    /// Where the pixels lie in the world frame `frame`.
+    /// Placement of the pixels in the world frame `frame`.
     pub fn placement(&self, frame: &LocalFrame) -> Result<Placement, GeoTiffError> {
         let (width, height) = self.size();
         Placement::on_globe(self.georeference, *frame, width, height).map_err(|cause| {
@@ -184,7 +184,7 @@ impl GeoTiff {
         })
     }
 
-    /// Where the pixels lie.
+    /// Placement of the pixels.
     pub fn placement(&self) -> &Placement {
         &self.placement
     }

@@ -1,4 +1,4 @@
-//! Where the pixels of a `GeoTIFF` lie, in the coordinates of its reference system.
+//! Placement of the pixels of a `GeoTIFF`, in the coordinates of its reference system.
 
 use super::super::tiff::{Directory, Tag, TiffError};
 use pilotage_base::georeference::WorldFile;

@@ -36,7 +36,7 @@ const FILLERS: [&str; 12] = [
     "meters",
     "point",
 ];
-/// How far four corners may be from a parallelogram, as a share of its diagonal, to count as one.
+/// Largest distance of four corners from a parallelogram, as a share of its diagonal, to count as one.
 const PARALLEL: f64 = 1e-6;
 
 /// A picture and its corners (x, y) from the top left one clockwise: degrees of longitude and latitude, or coordinates
@@ -47,13 +47,13 @@ pub(crate) struct CorneredPicture {
     pub file: String,
     /// Line of the table, counted from one.
     pub line: usize,
-    /// What the coordinates mean.
+    /// Reference system of the coordinates.
     pub system: ReferenceSystem,
     /// Top left, top right, bottom right, bottom left.
     pub corners: [[f64; 2]; 4],
 }
 
-/// What a column holds of the corners that it is about.
+/// Meaning of a column: the corners and the coordinate that it holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Meaning {
     /// Whether it is y: latitude, northing.
@@ -64,11 +64,11 @@ struct Meaning {
     left: Option<bool>,
 }
 
-/// Whether a corner is at the top, and at the left; from the top left one clockwise.
+/// Corners from the top left one clockwise: whether each is at the top, and whether it is at the left.
 const CORNERS: [(bool, bool); 4] = [(true, true), (true, false), (false, false), (false, true)];
 
 impl Meaning {
-    /// What the name of a column says.
+    /// Meaning of a column by its name.
     fn of(name: &str) -> Option<Self> {
         let mut is_y = None;
         let (mut top, mut left) = (None, None);
@@ -283,7 +283,7 @@ fn is_upright(corners: &[[f64; 2]; 4]) -> bool {
 }
 
 impl CorneredPicture {
-    /// Where its pixels lie, with so many of them; `None` if its corners do not span an area.
+    /// Georeference of its pixels, with so many of them; `None` if its corners do not span an area.
     pub(crate) fn georeference(&self, width: usize, height: usize) -> Option<Georeference> {
         let (w, h) = (width as f64, height as f64);
         let [a, b, c, d] = self.corners;

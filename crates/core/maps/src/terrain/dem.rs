@@ -74,7 +74,7 @@ impl Dem {
         })
     }
 
-    /// Where the posts stand: in the middle of pixels.
+    /// Placement of the posts, which stand in the middle of pixels.
     pub fn placement(&self) -> &Placement {
         &self.placement
     }

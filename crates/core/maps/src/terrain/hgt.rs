@@ -58,7 +58,7 @@ impl Hgt {
         self.side
     }
 
-    /// Where the posts stand.
+    /// Georeference of the posts.
     pub fn georeference(&self) -> Georeference {
         let step = 1.0 / (self.side - 1) as f64;
         Georeference::Projected {

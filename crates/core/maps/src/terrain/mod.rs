@@ -48,7 +48,7 @@ fn between_posts(
     Some(sum / weights)
 }
 
-/// What heights count from.
+/// Datum that heights count from.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum HeightDatum {
     /// Mean sea level, by the geoid or levelling that is named.
@@ -130,7 +130,7 @@ pub trait Terrain: Send + Sync {
     /// A short name for people.
     fn name(&self) -> &str;
 
-    /// What heights count from.
+    /// Datum that heights count from.
     fn datum(&self) -> &HeightDatum;
 
     /// Height of the ground in metres above the [`datum`](Self::datum); `None` where it is not known.
@@ -142,7 +142,7 @@ pub trait Terrain: Send + Sync {
 pub struct FlatGround {
     /// Metres above the datum.
     pub height: f64,
-    /// What they count from.
+    /// Datum that the height counts from.
     pub datum: HeightDatum,
 }
 

@@ -31,7 +31,7 @@ pub enum TerrainError {
     Hgt {
         /// Name of the file.
         file: String,
-        /// What is wrong.
+        /// Error of the file, in words.
         cause: String,
     },
 }

@@ -70,7 +70,7 @@ impl TiffPosts {
         self.file.name()
     }
 
-    /// What was chosen where the file leaves a choice, in sentences.
+    /// Notes on choices where the file leaves a choice, in sentences.
     pub fn notes(&self) -> Vec<String> {
         let layout = &self.file.levels()[0];
         match layout.samples - usize::from(layout.alpha.is_some()) {

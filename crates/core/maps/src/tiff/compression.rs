@@ -23,7 +23,7 @@ pub enum Compression {
     Lerc(LercWrap),
 }
 
-/// What LERC's bytes are packed in.
+/// Compression around LERC's bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LercWrap {
     /// Nothing.

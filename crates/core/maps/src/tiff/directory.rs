@@ -23,7 +23,7 @@ pub(super) struct Reader<'a> {
     block: (u64, Vec<u8>),
 }
 
-/// One tag: its kind, and where its values are.
+/// Entry of one tag: its kind, and its values.
 #[derive(Clone, Debug)]
 struct Entry {
     kind: u16,

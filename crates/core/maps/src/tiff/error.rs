@@ -1,4 +1,4 @@
-//! What can be wrong with a TIFF file.
+//! Errors of a TIFF file.
 
 /// Why a TIFF file, or a part of it, cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -14,9 +14,9 @@ pub enum TiffError {
     Read {
         /// Name of the file.
         file: String,
-        /// What was being read.
+        /// Part that was being read.
         place: String,
-        /// What went wrong.
+        /// Error in words.
         cause: String,
     },
     /// The file contradicts itself or ends too early.
@@ -26,7 +26,7 @@ pub enum TiffError {
         file: String,
         /// Tag, tile or byte.
         place: String,
-        /// What is wrong there.
+        /// Error at that place, in words.
         cause: String,
     },
     /// The file is sound, but of a kind that is not read.
@@ -36,7 +36,7 @@ pub enum TiffError {
         file: String,
         /// Tag, tile or byte.
         place: String,
-        /// What it is, and what would be read instead.
+        /// Kind of the file, and kinds that would be read instead.
         cause: String,
     },
 }

@@ -1,4 +1,4 @@
-//! How the pixels of one image of a TIFF file are cut and stored.
+//! Layout of the pixels of one image of a TIFF file: how they are cut and stored.
 
 use super::compression::compression;
 use super::{Compression, Directory, LARGEST_CHUNK, MOST_CHUNK_PIXELS, Tag, TiffError};
@@ -12,7 +12,7 @@ const MOST_SAMPLES: u64 = 64;
 /// Uncompressed strips above this are read in parts, bytes.
 const PART_OF_STRIP: u64 = 1 << 18;
 
-/// What the samples of a pixel mean.
+/// Meaning of the samples of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Photometric {
     /// Grey, white at zero.
@@ -29,7 +29,7 @@ pub enum Photometric {
     Mask,
 }
 
-/// What the bits of a sample are.
+/// Type of a sample by its bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SampleKind {
     /// Whole numbers of other than whole bytes: 1 to 15 bits, packed from the most significant on, and
@@ -80,13 +80,13 @@ pub struct Layout {
     pub samples: usize,
     /// Whether every sample has tiles of its own.
     pub is_planar: bool,
-    /// What a sample is.
+    /// Type of a sample.
     pub kind: SampleKind,
-    /// How tiles are packed.
+    /// Compression of tiles.
     pub compression: Compression,
     /// 1: samples as they are, 2: differences to the left, 3: the same for the bytes of reals.
     pub predictor: u64,
-    /// What the samples mean.
+    /// Meaning of the samples.
     pub photometric: Photometric,
     /// Index of the sample that is transparency, and whether colours are multiplied by it.
     pub alpha: Option<(usize, bool)>,

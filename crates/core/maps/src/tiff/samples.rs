@@ -62,7 +62,7 @@ impl Samples {
         self.len() == 0
     }
 
-    /// One sample as a real number, whole numbers beyond 2⁵³ rounded; panics outside.
+    /// Value of a sample as a real number, whole numbers beyond 2⁵³ rounded; panics outside.
     pub fn real(&self, index: usize) -> f64 {
         match self {
             Self::U8(v) => f64::from(v[index]),

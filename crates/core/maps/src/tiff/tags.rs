@@ -28,7 +28,7 @@ macro_rules! tags {
 }
 
 tags! {
-    /// Whether the image is an overview or a mask of another.
+    /// Role of the image beside another: an overview or a mask.
     NewSubfileType = 254,
     /// Pixels from left to right.
     ImageWidth = 256,
@@ -36,9 +36,9 @@ tags! {
     ImageLength = 257,
     /// Bits of every sample.
     BitsPerSample = 258,
-    /// How the pixels are packed.
+    /// Compression of the pixels.
     Compression = 259,
-    /// What the samples mean.
+    /// Meaning of the samples.
     PhotometricInterpretation = 262,
     /// Order of bits in a byte.
     FillOrder = 266,
@@ -50,9 +50,9 @@ tags! {
     RowsPerStrip = 278,
     /// Bytes of the strips.
     StripByteCounts = 279,
-    /// Whether the samples of a pixel lie together.
+    /// Order of the samples of a pixel: together, or apart.
     PlanarConfiguration = 284,
-    /// Whether pixels are stored as differences.
+    /// Storage of pixels as differences.
     Predictor = 317,
     /// Colours of a palette.
     ColorMap = 320,
@@ -64,9 +64,9 @@ tags! {
     TileOffsets = 324,
     /// Bytes of the tiles.
     TileByteCounts = 325,
-    /// What the samples beyond the colours are.
+    /// Meaning of the samples beyond the colours.
     ExtraSamples = 338,
-    /// Whether samples are whole, signed or real.
+    /// Format of the samples: whole, signed or real.
     SampleFormat = 339,
     /// Quantization and Huffman tables that all JPEG tiles share.
     JPEGTables = 347,

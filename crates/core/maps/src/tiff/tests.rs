@@ -11,7 +11,7 @@ use weezl::BitOrder;
 use super::*;
 use pilotage_base::bytes::MemoryBytes;
 
-/// What to write.
+/// Settings of a TIFF file to write.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Recipe {
     pub width: usize,

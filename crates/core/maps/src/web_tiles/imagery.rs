@@ -12,7 +12,7 @@ use pilotage_raster::raster::{Raster, Rgba};
 /// Most tiles that are put together for a window.
 const MOST_TILES: u64 = 1024;
 
-/// Where tiles come from: an archive, or a store that a downloader fills.
+/// Source of tiles: an archive, or a store that a downloader fills.
 pub trait TileStore: Send + Sync {
     /// Name for people.
     fn name(&self) -> &str;

@@ -1,11 +1,11 @@
-//! What an archive of tiles says about itself, and texts of web pages as plain ones.
+//! Metadata of an archive of tiles, and texts of web pages as plain ones.
 
 use serde::Deserialize;
 
 /// Most letters of a text that are kept.
 const LONGEST: usize = 400;
 
-/// What an archive says about itself.
+/// Metadata of an archive.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct ArchiveMetadata {
     /// Name of the map.

@@ -42,7 +42,7 @@ impl TileNumber {
         2.0 * HALF_WORLD / f64::from(1_u32 << zoom.min(DEEPEST))
     }
 
-    /// Where the pixels of the rectangle of tiles that begins with this one lie, for tiles of `side`
+    /// Georeference of the pixels of the rectangle of tiles that begins with this one, for tiles of `side`
     /// pixels.
     pub fn georeference(&self, side: usize) -> Georeference {
         let metres = Self::side(self.zoom);

@@ -53,7 +53,7 @@ pub enum PmTilesError {
         file: String,
         /// Header, directory or tile.
         place: String,
-        /// What is wrong there.
+        /// Error at that place, in words.
         cause: String,
     },
     /// The archive is sound, but of a kind that is not read.
@@ -61,7 +61,7 @@ pub enum PmTilesError {
     Unsupported {
         /// Name of the file.
         file: String,
-        /// What it is, and what would be read instead.
+        /// Kind of the archive, and kinds that would be read instead.
         cause: String,
     },
 }
@@ -170,7 +170,7 @@ impl PmTiles {
         self.format
     }
 
-    /// What the archive says about itself.
+    /// Metadata of the archive.
     pub fn metadata(&self) -> &ArchiveMetadata {
         &self.metadata
     }

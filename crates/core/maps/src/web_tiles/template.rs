@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::TileNumber;
 use super::number::DEEPEST;
 
-/// Where the tiles of a map come from, and whom to thank for them.
+/// Source of the tiles of a map, and the attribution to its makers.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct TileTemplate {
     /// Name for people.
@@ -13,7 +13,7 @@ pub struct TileTemplate {
     /// Address with `{z}`, `{x}` and `{y}` (or `{-y}`, counted from the south; or `{q}`, a quadkey), and
     /// optionally `{s}` or `{a-c}` for one of several servers.
     pub address: String,
-    /// What has to be shown wherever the map is.
+    /// Attribution that has to be shown wherever the map is.
     pub attribution: String,
     /// Coarsest zoom that the server has.
     pub least_zoom: u8,
@@ -23,7 +23,7 @@ pub struct TileTemplate {
     pub side: usize,
 }
 
-/// What is wrong with a template.
+/// Error of a template.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum TemplateError {
     /// Not every tile has an address of its own.
