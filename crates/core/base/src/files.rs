@@ -26,7 +26,7 @@ pub trait FileSet: Send + Sync {
     }
 }
 
-/// Where files are written.
+/// Destination of files that are written.
 pub trait FileSink {
     /// Writes a file; the error says what went wrong, in words.
     fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), String>;

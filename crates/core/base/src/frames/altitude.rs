@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What an altitude counts from.
+/// Reference that an altitude counts from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum AltitudeFrame {
     /// Above mean sea level.
@@ -18,11 +18,11 @@ pub enum AltitudeFrame {
 pub struct Altitude {
     /// Metres.
     pub metres: f64,
-    /// What they count from.
+    /// Reference that the metres count from.
     pub frame: AltitudeFrame,
 }
 
-/// What it takes to turn one altitude into another at a place: heights above mean sea level, metres.
+/// Reference heights that turn one altitude into another at a place: heights above mean sea level, metres.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct AltitudeReference {
     /// Height of the place of take-off, metres above mean sea level.

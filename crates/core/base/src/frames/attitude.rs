@@ -40,7 +40,7 @@ impl Attitude {
     }
 }
 
-/// Where the vehicle is and how it is turned.
+/// Position and attitude of the vehicle.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Pose {
     /// Position in world NED, metres (down is negative above the origin's level).

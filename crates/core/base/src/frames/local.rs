@@ -46,7 +46,7 @@ impl Geodetic {
 /// The local tangent plane (NED) at an origin on WGS 84.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LocalFrame {
-    /// Where north, east and down are zero.
+    /// Point at which north, east and down are zero.
     pub origin: Geodetic,
 }
 
@@ -72,7 +72,7 @@ impl LocalFrame {
         ))
     }
 
-    /// What carries positions of the frame `other` (NED, metres) into this one: both are turned and moved
+    /// Transform of positions of the frame `other` (NED, metres) into this one: both are turned and moved
     /// against each other on the globe.
     pub fn world_from_other_world(&self, other: &Self) -> Isometry3<f64> {
         let own_from_ecef = self.ecef_from_ned().inverse();

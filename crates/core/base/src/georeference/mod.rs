@@ -1,4 +1,4 @@
-//! Where the pixels of a picture lie on the ground: world files and fitted similarities.
+//! Georeferences of pictures, which place their pixels on the ground: world files and fitted similarities.
 
 mod affine;
 #[cfg(test)]
@@ -22,7 +22,7 @@ pub enum GeoreferenceError {
     WorldFile {
         /// Line, counted from one.
         line: usize,
-        /// What is wrong.
+        /// Error of the line, in words.
         cause: String,
     },
     /// The JSON does not have the expected members.
@@ -32,7 +32,7 @@ pub enum GeoreferenceError {
         line: usize,
         /// Column, counted from one.
         column: usize,
-        /// What is wrong.
+        /// Error of the JSON, in words.
         cause: String,
     },
     /// The pixels do not span an area.
@@ -49,14 +49,14 @@ pub enum GeoreferenceError {
 /// those of a projected reference system, metres.
 const WORLD_REACH: f64 = 60_000.0;
 
-/// What a picture's side file says, before a world frame is chosen.
+/// Georeference as a picture's side file states it, before a world frame is chosen.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Georeference {
     /// East and north in metres of the world frame itself, per pixel with centres at integers.
     Metres(WorldFile),
     /// Coordinates of a reference system, per pixel with centres at integers.
     Projected {
-        /// What the coordinates mean.
+        /// Reference system of the coordinates.
         system: ReferenceSystem,
         /// Coordinates of the pixels.
         file: WorldFile,
@@ -65,7 +65,7 @@ pub enum Georeference {
     Similarity(Similarity),
     /// Coordinates of a reference system through perspective, as of a plane that was seen askew.
     Projective {
-        /// What the coordinates mean.
+        /// Reference system of the coordinates.
         system: ReferenceSystem,
         /// (x, y, 1) up to a factor from (column, row, 1), pixel centres at half integers; the factor
         /// is positive on the seen side of the horizon.
