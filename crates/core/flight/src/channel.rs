@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What a channel measures; its values are in the SI unit of this.
+/// Physical quantity of a channel; its values are in the SI unit of this.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Quantity {
     /// Metres.
@@ -52,7 +52,7 @@ macro_rules! channels {
                 }
             }
 
-            /// What it measures.
+            /// Physical quantity of the channel.
             pub fn quantity(self) -> Quantity {
                 match self {
                     $(Self::$variant => Quantity::$quantity,)+
@@ -95,11 +95,11 @@ channels! {
     PitchRate = "pitch_rate", AngularRate;
     /// Turn rate about the down axis, rad/s, nose going right positive.
     YawRate = "yaw_rate", AngularRate;
-    /// What an accelerometer along the forward axis reads, m/s²: acceleration without gravity.
+    /// Reading of an accelerometer along the forward axis, m/s²: acceleration without gravity.
     AccelerationForward = "acceleration_forward", Acceleration;
-    /// What an accelerometer along the right axis reads, m/s².
+    /// Reading of an accelerometer along the right axis, m/s².
     AccelerationRight = "acceleration_right", Acceleration;
-    /// What an accelerometer along the down axis reads, m/s²; -9.8 in level flight.
+    /// Reading of an accelerometer along the down axis, m/s²; -9.8 in level flight.
     AccelerationDown = "acceleration_down", Acceleration;
     /// Height by air pressure, metres above whatever the barometer was set to.
     BarometricHeight = "barometric_height", Length;
@@ -135,7 +135,7 @@ impl ChannelName {
 /// A series of samples of one quantity in time order.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Channel {
-    /// Which quantity.
+    /// Name of the quantity.
     pub name: ChannelName,
     /// Seconds in the flight's time base, not decreasing.
     pub times: Vec<f64>,

@@ -27,12 +27,12 @@ pub enum FrameError {
     Unreadable {
         /// Name of the frame.
         name: String,
-        /// What is wrong, and where.
+        /// Error of the picture, and its place, in words.
         cause: String,
     },
 }
 
-/// Where the pictures of a flight come from: files, a zip, or the aerial camera simulator.
+/// Source of the pictures of a flight: files, a zip, or the aerial camera simulator.
 pub trait FrameSource {
     /// The picture of frame `index` of the flight.
     fn picture(&mut self, index: usize) -> Result<Picture, FrameError>;

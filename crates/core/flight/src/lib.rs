@@ -1,4 +1,4 @@
-//! What was measured in a flight: channels, frames, the truth where it is known, and what looks wrong.
+//! Measurements of a flight: channels, frames, the truth where it is known, and findings that look wrong.
 //!
 //! The same types whether a flight was recorded or simulated; nothing here reads a file.
 

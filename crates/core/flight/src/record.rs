@@ -17,10 +17,10 @@ pub struct StartFix {
     pub standard_deviation: f64,
 }
 
-/// What was measured; read-only for everybody above.
+/// Measurements of a flight; read-only for everybody above.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Flight {
-    /// What people call it.
+    /// Name for people.
     pub name: String,
     /// The world frame on the globe, where known.
     pub frame_on_globe: Option<LocalFrame>,
@@ -32,9 +32,9 @@ pub struct Flight {
     pub channels: Vec<Channel>,
     /// Frames in time order.
     pub frames: Vec<Frame>,
-    /// Where navigation begins.
+    /// Fix at which navigation begins.
     pub start: StartFix,
-    /// What really happened, where known.
+    /// True states of the flight, where known.
     pub truth: Option<Truth>,
 }
 

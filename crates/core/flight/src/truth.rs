@@ -1,4 +1,4 @@
-//! What really happened, where it is known.
+//! True states of a flight, where they are known.
 
 use nalgebra::{Point3, Vector2};
 use serde::{Deserialize, Serialize};
@@ -42,7 +42,7 @@ impl FrameTruth {
 pub struct Truth {
     /// In time order.
     pub states: Vec<TruthState>,
-    /// One per frame of the flight, or empty.
+    /// Truth of each frame of the flight, in their order, or empty.
     pub frames: Vec<FrameTruth>,
 }
 
