@@ -1,4 +1,4 @@
-//! What a real lens does to the picture of an ideal one.
+//! Distortion by a real lens of the picture of an ideal one.
 
 use nalgebra::{Matrix2, Point2};
 use serde::{Deserialize, Serialize};
@@ -32,8 +32,8 @@ impl Distortion {
         *self == Self::default()
     }
 
-    /// Where the lens puts the point that an ideal one would put at `ideal` (units of the focal
-    /// length from the principal point).
+    /// Point at which the lens puts the one that an ideal lens would put at `ideal` (both in units of the
+    /// focal length from the principal point).
     pub fn distort(&self, ideal: &Point2<f64>) -> Point2<f64> {
         let (x, y) = (ideal.x, ideal.y);
         let s = x * x + y * y;
@@ -83,7 +83,7 @@ impl Distortion {
         growth(end) > 0.0 && turning.into_iter().all(positive_until)
     }
 
-    /// Where an ideal lens would put the point that this one puts at `distorted`; the inverse of
+    /// Point at which an ideal lens would put the one that this lens puts at `distorted`; the inverse of
     /// [`Self::distort`] by Newton's method with halved steps.
     ///
     /// Where the lens reaches no such point, the answer is near the last one it reaches.

@@ -1,4 +1,4 @@
-//! How the pixel of a point moves with the pose.
+//! Derivatives of the pixel of a point by the pose.
 
 use nalgebra::{Matrix2, Matrix2x3, Matrix3, Point3};
 

@@ -1,4 +1,4 @@
-//! How points of the world come to lie in the picture, and back.
+//! Projection of points of the world into the picture, and back.
 
 mod distortion;
 mod footprint;

@@ -9,7 +9,7 @@ use pilotage_base::frames::{GroundPoint, Pose};
 /// A point nearer to the lens plane than this, metres, is behind the lens.
 const NEAREST: f64 = 1e-9;
 
-/// How a direction becomes a pixel before distortion.
+/// Projection of a direction to a pixel before distortion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub enum Lens {
     /// A pinhole; the working model.
@@ -27,7 +27,7 @@ pub enum Lens {
     Angular,
 }
 
-/// How the camera sits in the body: zero looks straight down with the picture's top forward.
+/// Attitude of the camera in the body: zero looks straight down with the picture's top forward.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Mount {
     /// Roll of the camera about the body's forward axis, radians.
@@ -190,8 +190,8 @@ impl CameraModel {
         pose.position_in_world + self.centre_along_axis() * axis
     }
 
-    /// Where the ray through `pixel` meets the horizontal plane `ground_down` metres below the
-    /// world's origin level, or `None` if it does not point down.
+    /// Ground point at which the ray through `pixel` meets the horizontal plane `ground_down` metres below
+    /// the world's origin level, or `None` if it does not point down.
     pub fn ground_at(
         &self,
         pose: &Pose,

@@ -12,7 +12,7 @@ use pilotage_base::frames::GroundRect;
 pub const TILE_SIDE: usize = 128;
 const TILE: i64 = TILE_SIDE as i64;
 
-/// Where a tile lies: scale level, row from the north, column from the west.
+/// Place of a tile: scale level, row from the north, column from the west.
 type Place = (i32, i64, i64);
 
 /// Imagery whose tiles at power-of-two multiples of the native scale are remembered, least recently

@@ -126,7 +126,7 @@ impl GeoreferencedPicture {
         })
     }
 
-    /// Where the pixels lie.
+    /// Placement of the pixels.
     pub fn placement(&self) -> &Placement {
         &self.placement
     }

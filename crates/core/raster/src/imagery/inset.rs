@@ -1,4 +1,4 @@
-//! One imagery inside a rectangle, another around it.
+//! Imagery made of two: one inside a rectangle, another around it.
 
 use std::sync::Arc;
 
@@ -6,8 +6,8 @@ use super::{Imagery, Window};
 use crate::raster::{Raster, Rgba};
 use pilotage_base::frames::GroundRect;
 
-/// One imagery inside a rectangle, another around it: for ground that takes long to draw and of which
-/// only a part matters.
+/// Imagery made of two, one inside a rectangle and another around it: for ground that takes long to draw and
+/// of which only a part matters.
 pub struct InsetImagery {
     inner: Arc<dyn Imagery>,
     rect: GroundRect,

@@ -1,4 +1,4 @@
-//! What was expensive to make, kept while memory allows.
+//! Cache of values that were expensive to make, kept while memory allows.
 
 use std::collections::HashMap;
 use std::hash::Hash;

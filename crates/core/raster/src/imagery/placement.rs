@@ -1,4 +1,4 @@
-//! Where the pixels of a picture lie on the ground, there and back.
+//! Placement of the pixels of a picture on the ground, there and back.
 
 use nalgebra::{Matrix2, Point2, Vector2};
 

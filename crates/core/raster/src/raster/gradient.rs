@@ -1,4 +1,4 @@
-//! Where brightness changes, and which way.
+//! Gradient of brightness: its amount and its direction.
 
 use super::Gray;
 

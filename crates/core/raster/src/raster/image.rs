@@ -78,12 +78,12 @@ impl<T: Copy> Raster<T> {
         &mut self.pixels
     }
 
-    /// One row.
+    /// Pixels of a row.
     pub fn row(&self, row: usize) -> &[T] {
         &self.pixels[row * self.width..][..self.width]
     }
 
-    /// One row.
+    /// Pixels of a row, to be changed.
     pub fn row_mut(&mut self, row: usize) -> &mut [T] {
         &mut self.pixels[row * self.width..][..self.width]
     }

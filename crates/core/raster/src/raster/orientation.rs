@@ -24,7 +24,7 @@ pub struct OrientationField {
     /// Strength of edges whose gradient points to k π / [`DIRECTIONS`], from right towards down, without sign;
     /// zero where nothing is covered.
     pub channels: Vec<Gray>,
-    /// One where the field is known, else zero.
+    /// Cover that is one where the field is known, else zero.
     pub covered: Gray,
 }
 

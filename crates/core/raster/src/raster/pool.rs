@@ -13,7 +13,7 @@ const KEPT: usize = 24;
 /// Longer buffers go back to the system.
 const LONGEST: usize = 1 << 21;
 
-/// What buffers are made of.
+/// Type of the elements of buffers.
 pub(super) trait Element: Copy + Default + 'static {
     /// The buffers at rest.
     fn pool() -> &'static Mutex<Vec<Vec<Self>>>;

@@ -38,7 +38,8 @@ pub struct ChannelTemplate {
     energy: Vec<f32>,
 }
 
-/// Where a template lies how well: value (c, r) belongs to the template with its top-left corner there.
+/// Correlation of a template at every place: value (c, r) belongs to the template with its top-left corner
+/// there.
 #[derive(Clone, Debug)]
 pub struct ChannelSurface {
     /// Correlation, -1 to 1; zero where too little is known.

@@ -1,4 +1,4 @@
-//! Which engine is faster for which size.
+//! Costs of the engines, which tell the faster one for each size.
 //!
 //! The constants are nanoseconds measured on one core of a 2023 server (AVX2) and, for
 //! WebAssembly, in Chromium on the same machine; only their ratio matters, and being 30 % wrong

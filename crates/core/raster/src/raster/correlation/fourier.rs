@@ -31,7 +31,7 @@ pub(super) struct Spectrum {
     bins: Buffer<Complex32>,
 }
 
-/// What transforming signals of one length takes.
+/// Transforms for signals of one length.
 struct Plan {
     /// Of half as many complex samples.
     transforms: Transforms,

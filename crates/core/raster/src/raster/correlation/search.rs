@@ -1,4 +1,4 @@
-//! Where it is looked for.
+//! Picture that templates are looked for in.
 
 use std::sync::OnceLock;
 

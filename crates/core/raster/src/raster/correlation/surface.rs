@@ -1,4 +1,4 @@
-//! What a correlation is before it is normalised.
+//! Correlation before it is normalised.
 
 use crate::raster::pool::Buffer;
 

@@ -1,4 +1,4 @@
-//! What is looked for.
+//! Template that is looked for in a picture.
 
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -22,7 +22,7 @@ pub struct Template {
     pub(super) zero_mean: Kernel,
     /// Root of the sum of squares of `zero_mean`.
     pub(super) norm: f64,
-    /// One where the template counts; `None` if it counts everywhere.
+    /// Mask that is one where the template counts; `None` if it counts everywhere.
     pub(super) mask: Option<Kernel>,
     /// Pixels that count.
     pub(super) count: f64,

@@ -16,7 +16,7 @@ pub(in crate::raster) struct Twist {
     pub sin: Vec<f32>,
 }
 
-/// What turns a plain correlation into a coefficient.
+/// Factors that turn a plain correlation into a coefficient.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::raster) struct Scale {
     /// 1 / pixels in a window.

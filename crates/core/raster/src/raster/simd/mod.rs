@@ -27,7 +27,7 @@ pub(super) use x86::{
 
 use super::pool::Buffer;
 
-/// Which twin to run.
+/// Choice of the twin to run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Instructions {
     /// The fastest that this machine has.

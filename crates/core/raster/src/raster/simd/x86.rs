@@ -122,7 +122,7 @@ fn sweep_row<const R: usize>(level: Level, job: &Job<'_>, out: &mut [f32], y: us
 macro_rules! block {
     ($block:ident, $sweep:ident, $features:literal, $vector:ty, $lanes:literal,
      $zero:ident, $load:ident, $broadcast:ident, $multiply_add:ident, $store:ident) => {
-        /// One output block; answers the number of columns done.
+        /// Computes a single output block; answers the number of columns done.
         #[target_feature(enable = $features)]
         unsafe fn $block<const R: usize, const K: usize>(
             job: &Job<'_>,
