@@ -85,7 +85,7 @@ impl<const N: usize> Cloud<N> {
         self.weights.iter().zip(fits).map(weigh)
     }
 
-    /// What [`Self::effective_count`] would be after [`Self::weigh`].
+    /// Value that [`Self::effective_count`] would have after [`Self::weigh`].
     pub(super) fn effective_count_after(&self, fits: &[f64], share: f64) -> f64 {
         let (mut sum, mut squares) = (0.0, 0.0);
         for weight in self.weighed(fits, share) {
@@ -134,7 +134,7 @@ fn uniform(random: &mut impl Rng) -> f64 {
     StandardUniform.sample(random)
 }
 
-/// What every state of a cloud sees.
+/// Measurements that the states of a cloud see.
 pub(super) struct Seen<M: Dim>
 where
     DefaultAllocator: Allocator<M>,

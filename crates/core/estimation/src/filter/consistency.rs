@@ -1,4 +1,4 @@
-//! Whether a filter is as good as it says: statistics of NIS and NEES.
+//! Consistency of a filter with its own covariance: statistics of NIS and NEES.
 
 use serde::{Deserialize, Serialize};
 
@@ -16,7 +16,7 @@ pub struct Consistency {
     sum_of_dof: f64,
 }
 
-/// What the samples say.
+/// Statistics of the samples.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ConsistencySummary {
     /// Number of samples.

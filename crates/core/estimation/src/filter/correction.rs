@@ -7,7 +7,7 @@ use super::root::{WideRoot, solve_lower, solve_upper};
 use super::ukf::{Ukf, finite};
 use super::{FilterError, Gaussian, PredictedMeasurement};
 
-/// What a correction did, for those who want to see it.
+/// Record of a correction, for those who want to see it.
 #[derive(Clone, Debug)]
 pub struct Correction<const N: usize, M: Dim>
 where

@@ -1,4 +1,4 @@
-//! What can go wrong in a filter step.
+//! Errors of a filter step.
 
 /// Why a filter refused a step. The filter is left as it was before the call.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -16,7 +16,7 @@ pub enum FilterError {
     /// A covariance is not symmetric.
     #[error("{matrix} is not symmetric at row {row}, column {column}: give a symmetric covariance")]
     NotSymmetric {
-        /// Which matrix.
+        /// Name of the matrix.
         matrix: &'static str,
         /// Row of the first offending element, from 0.
         row: usize,
@@ -29,7 +29,7 @@ pub enum FilterError {
          check the noise of that component"
     )]
     NotPositive {
-        /// Which matrix.
+        /// Name of the matrix.
         matrix: &'static str,
         /// Component at which the factorisation stopped, from 0.
         component: usize,
@@ -39,7 +39,7 @@ pub enum FilterError {
     /// A number that must be finite is not.
     #[error("{place} is not finite: check the inputs of this step")]
     NotFinite {
-        /// Where the number was found.
+        /// Place of the number.
         place: &'static str,
     },
     /// The measurement model has no answer for a sigma point (for example behind the lens).
@@ -53,7 +53,7 @@ pub enum FilterError {
     /// Two things that belong together differ in size.
     #[error("{what} has {found} components where {expected} were expected")]
     Size {
-        /// Which matrix or vector.
+        /// Name of the matrix or vector.
         what: &'static str,
         /// The size it should have.
         expected: usize,

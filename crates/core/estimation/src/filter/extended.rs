@@ -62,8 +62,8 @@ impl<const N: usize> Ekf<N> {
         self.0.predict_along(moved, transition, process_noise)
     }
 
-    /// What is expected of a measurement: `mean` by the measurement model at the present mean, its
-    /// Jacobian there (m × N), and the `noise` R (m × m).
+    /// Predicts a measurement: `mean` by the measurement model at the present mean, its Jacobian there (m ×
+    /// N), and the `noise` R (m × m).
     pub fn predict_measurement<M: Dim>(
         &self,
         mean: OVector<f64, M>,

@@ -1,4 +1,4 @@
-//! How much larger a belief's covariance must have been for an innovation that it did not expect.
+//! Fading factor on a belief's covariance for an innovation that it did not expect.
 
 use nalgebra::{DMatrix, DVector};
 

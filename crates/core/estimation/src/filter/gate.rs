@@ -1,4 +1,4 @@
-//! Whether a measurement is to be believed.
+//! Gate that decides whether a measurement is to be believed.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! What the filter expects to measure.
+//! Measurement that the filter expects.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DefaultAllocator, Dim, OMatrix, OVector, SMatrix, SVector};
@@ -114,7 +114,8 @@ where
 }
 
 impl<const N: usize> Ukf<N> {
-    /// What `measurement_model` should give, with noise of covariance `noise`, without using it yet.
+    /// Predicts the measurement that `measurement_model` should give, with noise of covariance `noise`,
+    /// without using it yet.
     ///
     /// DeAngelo 2016, eqs 16-19. The model returns `None` where it has no answer.
     #[inline]

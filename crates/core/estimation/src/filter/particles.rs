@@ -41,7 +41,7 @@ impl Default for ParticleSettings {
     }
 }
 
-/// What the filter expects of a measurement, from all its particles.
+/// Measurement that the filter expects, from all its particles.
 #[derive(Clone, Debug)]
 pub struct ExpectedMeasurement<const N: usize, M: Dim>
 where
@@ -212,8 +212,9 @@ impl<const N: usize> ParticleFilter<N> {
         })
     }
 
-    /// What `model` should give, with noise of covariance `noise`; `difference(a, b)` is a - b, but for
-    /// components that are angles. Particles for which the model has no answer count for nothing.
+    /// Predicts the measurement that `model` should give, with noise of covariance `noise`;
+    /// `difference(a, b)` is a - b, but for components that are angles. Particles for which the model has no
+    /// answer count for nothing.
     pub fn predict_measurement<M: Dim>(
         &self,
         model: impl Fn(&SVector<f64, N>) -> Option<OVector<f64, M>>,

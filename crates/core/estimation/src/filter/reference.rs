@@ -13,7 +13,7 @@ const FOCAL_LENGTH: f64 = 554.0;
 /// Principal point, pixels.
 const PRINCIPAL_POINT: [f64; 2] = [320.0, 240.0];
 
-/// One step of the reference flight: what goes into the filter.
+/// Step of the reference flight: all that goes into the filter at a time.
 #[derive(Clone, Copy, Debug)]
 pub struct ReferenceStep {
     /// Velocity through the air, m/s north and east.
@@ -22,7 +22,7 @@ pub struct ReferenceStep {
     pub camera_from_world: Matrix3<f64>,
     /// The landmark, metres north, east, down.
     pub landmark: Vector3<f64>,
-    /// Where the camera saw it, pixels.
+    /// Pixel at which the camera saw it.
     pub pixel: Vector2<f64>,
 }
 

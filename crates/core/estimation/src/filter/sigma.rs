@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::FilterError;
 use super::root::WideRoot;
 
-/// Which sigma points go through the measurement model.
+/// Choice of the sigma points that go through the measurement model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Redraw {
     /// Drawn anew from the predicted mean and covariance, which contain the process noise.
@@ -25,7 +25,7 @@ pub struct UnscentedSettings {
     pub alpha: f64,
     /// Weight β of the centre in the covariance; 2 suits Gaussians. DeAngelo 2016, eq. 12.
     pub beta: f64,
-    /// Which sigma points go through the measurement model.
+    /// Choice of the sigma points that go through the measurement model.
     pub redraw: Redraw,
 }
 
@@ -162,14 +162,14 @@ impl<const N: usize> SigmaPoints<N> {
             .chain(self.minus.column_iter().map(nalgebra::Matrix::into_owned))
     }
 
-    /// How many points there are.
+    /// Number of points.
     pub const fn count() -> usize {
         2 * N + 1
     }
 }
 
-/// How transformed sigma points lie around their weighted mean, as columns that are squared and
-/// added with weight +1.
+/// Spread of transformed sigma points around their weighted mean, as columns that are squared and added with
+/// weight +1.
 ///
 /// Let δᵢ be the outer points seen from the transformed centre, w their weight, W = 2Nw,
 /// d = w Σ δᵢ the mean seen from the centre. Table 3's covariance, with its negative centre weight,

@@ -5,12 +5,13 @@ use nalgebra::SMatrix;
 use super::root::{semidefinite_root, solve_semidefinite, solve_semidefinite_transposed};
 use super::{FilterError, Gaussian, Prediction, Weights};
 
-/// What the smoother must know of one prediction: two beliefs and how they hang together.
+/// Link between two times for the smoother, made of one prediction: two beliefs and the covariance between
+/// them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SmootherLink<const N: usize> {
-    /// What the filter believed at the beginning of the step, with all that was measured until then.
+    /// Belief of the filter at the beginning of the step, with all that was measured until then.
     pub before: Gaussian<N>,
-    /// What it predicted for the end, before anything was measured there.
+    /// Belief that it predicted for the end, before anything was measured there.
     pub after: Gaussian<N>,
     /// Covariance between the state at the beginning (rows) and at the end (columns), N × N.
     pub cross_covariance: SMatrix<f64, N, N>,

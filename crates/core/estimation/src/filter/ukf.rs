@@ -7,7 +7,7 @@ use super::root::{semidefinite_root, square};
 use super::sigma::Spread;
 use super::{FilterError, Gaussian, Redraw, SigmaPoints, UnscentedSettings, Weights};
 
-/// What a prediction did, for those who want to see it.
+/// Record of a prediction, for those who want to see it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Prediction<const N: usize> {
     /// Belief before the prediction.

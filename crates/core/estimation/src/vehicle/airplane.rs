@@ -1,11 +1,11 @@
-//! What the airplane models share: motion through the air and its noise.
+//! Motion through the air and its noise, shared by the airplane models.
 
 use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
 use super::ControlInput;
 
-/// How far the instruments of an airplane are trusted to tell its motion through the air.
+/// Trust in the instruments of an airplane to tell its motion through the air.
 ///
 /// Densities are standard deviations piled up in one second (see the noise formulas): position
 /// variance grows with their square times time, independent of the filter's steps.

@@ -54,7 +54,7 @@ pub struct AirplaneScaled {
     pub wind_noise_density: f64,
     /// Standard deviation of the unknown wind at the start, m/s on each axis.
     pub start_wind_deviation: f64,
-    /// What moves the airplane besides its airspeed and the steady wind, and is remembered for a while.
+    /// Motion of the air besides the steady wind, which is remembered for a while.
     pub gusts: Gusts,
     /// The same while no airspeed is measured: how the airspeed strays from the assumed one comes on top.
     pub gusts_without_airspeed: Gusts,
@@ -79,7 +79,7 @@ impl Default for AirplaneScaled {
     }
 }
 
-/// Where the components stand in the state.
+/// Indices of components in the state.
 const SCALE: usize = 6;
 const HEADING_BIAS: usize = 7;
 

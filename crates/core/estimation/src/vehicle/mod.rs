@@ -1,4 +1,4 @@
-//! How vehicles move: process models for the filter, listed in one registry.
+//! Process models of vehicles for the filter, listed in one registry.
 
 mod airplane;
 mod airplane_full;

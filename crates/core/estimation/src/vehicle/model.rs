@@ -1,4 +1,4 @@
-//! What a vehicle is to the filter.
+//! Interface of a vehicle to the filter.
 
 use nalgebra::{DVector, SMatrix, SVector, Vector2};
 use serde::{Deserialize, Serialize};
@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::filter::{Gaussian, partial_jacobian};
 use pilotage_base::frames::{Attitude, GroundPoint};
 
-/// What the vehicle's own instruments say at a moment; DeAngelo 2016, eqs 26 and 50, and the attitude.
+/// Readings of the vehicle's own instruments at a moment; DeAngelo 2016, eqs 26 and 50, and the attitude.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct ControlInput {
@@ -48,7 +48,7 @@ impl ControlInput {
     }
 }
 
-/// How a vehicle moves: a process model over `N` state components.
+/// Motion of a vehicle: a process model over `N` state components.
 ///
 /// Components 0 and 1 are always the position, metres north and east of the world's origin.
 pub trait VehicleModel<const N: usize> {

@@ -65,7 +65,7 @@ fn earth_from_body(heading: f64) -> Matrix2<f64> {
     Matrix2::new(cos, -sin, sin, cos)
 }
 
-/// What becomes of motion against drag in a time.
+/// Motion against drag over a time, per unit of velocity and acceleration.
 struct Glide {
     /// Share of a velocity that is left.
     persistence: f64,

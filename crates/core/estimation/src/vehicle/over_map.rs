@@ -10,7 +10,7 @@ use pilotage_base::frames::GroundPoint;
 /// Name of the first of the map's two components; the second follows.
 pub const MAP_ERROR_NORTH: &str = "map error north";
 
-/// How far off a map is.
+/// Error of a map.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MapError {
     /// Standard deviation of the map's own place per axis, metres.
@@ -54,7 +54,7 @@ impl<const M: usize> OverMap<M> {
         SVector::from_fn(|i, _| state[i])
     }
 
-    /// What becomes of the map's error while the vehicle moves from `state`.
+    /// Change of the map's error while the vehicle moves from `state`.
     fn change(&self, state: &SVector<f64, M>, input: &ControlInput, dt: f64) -> GaussMarkov {
         let moved = self.vehicle.propagate(state, input, dt);
         let way = Vector2::new(moved[0] - state[0], moved[1] - state[1]).norm();

@@ -15,7 +15,7 @@ use super::{
 /// The filter's size is fixed at compile time, and this is the door from [`VehicleSettings`], which
 /// is known only at run time, to code that is generic over it.
 pub trait VehicleVisitor {
-    /// What it makes of the model.
+    /// Result that it makes of the model.
     type Output;
 
     /// Works with the model.
@@ -49,7 +49,7 @@ macro_rules! registry {
                 match self { $(Self::$variant(_) => $label,)+ }
             }
 
-            /// What it assumes, in a sentence.
+            /// Description of the model's assumptions, in a sentence.
             pub fn description(&self) -> &'static str {
                 match self { $(Self::$variant(_) => $kept,)+ }
             }

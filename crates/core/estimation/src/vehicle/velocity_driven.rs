@@ -39,7 +39,7 @@ impl Default for VelocityDriven {
 }
 
 impl VelocityDriven {
-    /// How far a bias is felt: not at all while nothing is measured.
+    /// Factor on the effect of a bias: 0 while no velocity is measured, else 1.
     fn felt(input: &ControlInput) -> f64 {
         f64::from(u8::from(input.ground_velocity.is_some()))
     }

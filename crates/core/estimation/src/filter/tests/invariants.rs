@@ -1,4 +1,4 @@
-//! What must hold for every filter, and what a filter refuses.
+//! Invariants of every filter, and inputs that a filter refuses.
 
 use approx::assert_relative_eq;
 use nalgebra::{DMatrix, DVector, Matrix1, Matrix2, Matrix3, Vector1, Vector2, Vector3};
