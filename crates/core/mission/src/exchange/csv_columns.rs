@@ -1,9 +1,9 @@
-//! What the columns of a table mean, guessed from their names.
+//! Meanings of the columns of a table, guessed from their names.
 
 use pilotage_base::frames::AltitudeFrame;
 use pilotage_base::frames::units::{METRES_PER_FOOT, MPS_PER_KNOT};
 
-/// What a column holds.
+/// Meaning of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
     Latitude,
@@ -91,7 +91,7 @@ const NAMES: [(Role, &[&str]); 19] = [
 ];
 
 impl Role {
-    /// What it is called, for people.
+    /// Name of the role, for people.
     pub(super) fn name(self) -> &'static str {
         NAMES
             .iter()
@@ -152,7 +152,7 @@ impl Unit {
         found.map(|(unit, _)| *unit)
     }
 
-    /// What a number is multiplied with to be in SI, or in degrees.
+    /// Factor from a number in the unit to SI, or to degrees.
     pub(super) fn factor(self) -> f64 {
         match self {
             Self::Degree | Self::Metre | Self::MetrePerSecond => 1.0,
@@ -170,15 +170,15 @@ impl Unit {
 pub(super) struct Column {
     /// Its name as it stands.
     pub name: String,
-    /// What it holds; `None` if we do not know.
+    /// Meaning of the column; `None` if it is not known.
     pub role: Option<Role>,
     /// Unit that its name states.
     pub unit: Option<Unit>,
-    /// What altitudes count from, where its name states that.
+    /// Reference of altitudes, where its name states that.
     pub frame: Option<AltitudeFrame>,
 }
 
-/// What the columns of those names hold, or in words what is wrong with one.
+/// Meanings of the columns of those names, or in words the error of one.
 pub(super) fn columns(names: &[String]) -> Result<Vec<Column>, String> {
     let mut taken = Vec::new();
     names

@@ -1,6 +1,6 @@
-//! What we know of a route or landmark, inside another format: the properties of its GeoJSON
-//! feature as JSON text. Names and places come from the format itself, so that what other programs
-//! change in the file is heeded.
+//! Properties of a route or landmark that we know, inside another format: the properties of its GeoJSON
+//! feature as JSON text. Names and places come from the format itself, so that what other programs change in
+//! the file is heeded.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use crate::mission::{NoFlyZone, Route, no_fly_feature, read_features, write_feat
 use pilotage_base::frames::LocalFrame;
 use pilotage_vision::landmark::Landmark;
 
-/// What a feature says: the properties that are ours, and unknown ones that are plain text.
+/// Contents of a feature: the properties that are ours, and unknown ones that are plain text.
 pub(super) struct Embedded {
     /// Our properties, as a JSON object.
     pub own: String,
@@ -20,12 +20,12 @@ pub(super) struct Embedded {
     pub texts: BTreeMap<String, String>,
 }
 
-/// What is embedded for a route.
+/// Embeds a route.
 pub(super) fn of_route(route: &Route, frame: &LocalFrame) -> Embedded {
     split(&write_features(std::slice::from_ref(route), &[], frame))
 }
 
-/// What is embedded for a route where plain text has no place of its own.
+/// Properties to embed for a route where plain text has no place of its own.
 pub(super) fn of_route_whole(route: &Route, frame: &LocalFrame) -> String {
     let features = write_features(std::slice::from_ref(route), &[], frame);
     let feature = features.first().map_or("{}", String::as_str);
@@ -33,7 +33,7 @@ pub(super) fn of_route_whole(route: &Route, frame: &LocalFrame) -> String {
     feature["properties"].to_string()
 }
 
-/// What is embedded for a landmark.
+/// Embeds a landmark.
 pub(super) fn of_landmark(landmark: &Landmark, frame: &LocalFrame) -> Embedded {
     split(&write_features(&[], std::slice::from_ref(landmark), frame))
 }
@@ -111,7 +111,7 @@ pub(super) fn read(own: &str, places: &[LonLat], holes: &[Vec<LonLat>]) -> Optio
     Some((item, is_changed))
 }
 
-/// What was embedded.
+/// Item that was embedded.
 pub(super) enum Item {
     /// A route.
     Route(FoundRoute),

@@ -1,4 +1,4 @@
-//! What can be wrong with a file of routes or landmarks.
+//! Errors of a file of routes or landmarks.
 
 use crate::mission::MissionError;
 
@@ -22,7 +22,7 @@ pub enum ExchangeError {
         line: usize,
         /// Column, counted from one.
         column: usize,
-        /// What is wrong, and for a nested file which member or element.
+        /// Error in words, and for a nested file the member or element that has it.
         cause: String,
     },
     /// Something is wrong with the file as a whole.
@@ -30,17 +30,17 @@ pub enum ExchangeError {
     File {
         /// Name of the file.
         file: String,
-        /// What is wrong, and what to do.
+        /// Error in words, and its remedy.
         cause: String,
     },
-    /// What is to be written has no place in the format.
+    /// Contents that have no place in the format.
     #[error("{format} cannot hold {what}; {advice}")]
     CannotHold {
         /// Name of the format.
         format: &'static str,
-        /// What it cannot hold.
+        /// Contents that it cannot hold.
         what: String,
-        /// What to do instead.
+        /// Advice about another way.
         advice: &'static str,
     },
 }

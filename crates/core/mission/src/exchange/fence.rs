@@ -22,12 +22,12 @@ const SAME_DEGREES: f64 = 1e-7;
 /// Corners of the polygon around a circle.
 const CIRCLE_CORNERS: usize = 48;
 
-/// What the fences of a file are.
+/// Fences of a file.
 #[derive(Default)]
 pub(super) struct Fences {
     /// Those that keep aircraft out.
     pub no_fly: Vec<FoundNoFly>,
-    /// What else there is, in sentences for people.
+    /// Notes on all other fences, in sentences for people.
     pub notes: Vec<String>,
 }
 

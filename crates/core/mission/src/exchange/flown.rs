@@ -90,7 +90,8 @@ fn gpx(track: &FlownTrack) -> String {
     text
 }
 
-/// One line; times and values stand in `coordinateProperties`, one each per place, as converters of GPX and KML write them.
+/// GeoJSON of a single line; times and values stand in `coordinateProperties`, one each per place, as converters of
+/// GPX and KML write them.
 fn geojson(track: &FlownTrack) -> String {
     let number = |value: Option<f64>| finite(value).map_or(Value::Null, Value::from);
     let times = track.points.iter().map(|point| match track.utc(point) {

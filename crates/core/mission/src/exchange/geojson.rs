@@ -124,7 +124,7 @@ fn system(file: &str, whole: &Value) -> Result<Option<String>, ExchangeError> {
     }
 }
 
-/// What was met in features that are not ours.
+/// Numbers of the features that are not ours, by kind.
 #[derive(Default)]
 struct Others {
     points: usize,

@@ -1,4 +1,4 @@
-//! One command of a mission as `MAVLink` numbers it, whatever file it stands in.
+//! Commands of a mission as `MAVLink` numbers them, whatever file they stand in.
 
 use std::fmt::Write;
 
@@ -123,7 +123,7 @@ impl Item {
         Some(Altitude::new(self.parameters[6].unwrap_or(0.0), frame))
     }
 
-    /// What is done at the place of the command; `None` if it leads to no place.
+    /// Action at the place of the command; `None` if it leads to no place.
     pub(super) fn action(&self) -> Option<WayPointAction> {
         Some(match self.command {
             WAY_POINT | LOITER_UNLIMITED | LOITER_TIME | LOITER_TO_ALTITUDE | SPLINE_WAY_POINT => {
@@ -173,7 +173,7 @@ pub(super) fn command_name(command: u16) -> String {
         )
 }
 
-/// How often each name occurs, for notes: `2 × DELAY, survey`.
+/// Count of each name, for notes: `2 × DELAY, survey`.
 pub(super) fn counted(names: &[String]) -> String {
     let mut text = String::new();
     for (i, name) in names.iter().enumerate() {

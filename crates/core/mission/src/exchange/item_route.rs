@@ -29,8 +29,8 @@ pub(super) const OWN: &str = "mavlink";
 pub(super) const GROUND_SPEED: &str = "mavlink_ground_speed";
 /// Property of a route: latitude, longitude and height of its home.
 pub(super) const HOME: &str = "home";
-/// What stands among kept commands for the change of speed in files of earlier versions; now its own
-/// command stands there, in an object of one member of that name.
+/// Placeholder among kept commands for the change of speed in files of earlier versions; now its own command
+/// stands there, in an object of one member of that name.
 pub(super) const SPEED_PLACE: &str = "\"speed\"";
 pub(super) const SPEED_MEMBER: &str = "speed";
 /// Property of a way-point: its command states no place, because the place is that of home.
@@ -38,17 +38,17 @@ pub(super) const AT_HOME: &str = "mavlink_at_home";
 /// Prefix of properties that are unknown members of a plan's command.
 pub(super) const MEMBER: &str = "plan:";
 
-/// One step of a mission as a file states it.
+/// Step of a mission as a file states it.
 pub(super) enum Step {
     /// A command.
     Command {
-        /// What it is.
+        /// Command as `MAVLink` numbers it.
         item: Item,
         /// Its altitude where the file states it by other means than its parameters.
         altitude: Option<Altitude>,
         /// Members that we do not know, as JSON text.
         members: BTreeMap<String, String>,
-        /// How `QGroundControl` writes it.
+        /// Command as `QGroundControl` writes it.
         text: String,
     },
     /// Something that stands for several commands, such as a survey: its name, its text and they.
@@ -66,7 +66,7 @@ pub(super) struct Own {
     pub is_continued: bool,
 }
 
-/// What follows a way-point and is none.
+/// Command that follows a way-point and is none.
 enum Between {
     Kept(String),
     Speed(Item, String),
@@ -220,7 +220,7 @@ impl Reader {
         self.route.way_points.push((place, way_point));
     }
 
-    /// Where the command leads; a take-off that states no place is at home, if that is known.
+    /// Place that the command leads to; a take-off that states no place is at home, if that is known.
     fn place(item: &Item, home: Option<Home>) -> Option<LonLat> {
         item.action()?;
         if states_no_place(item) {

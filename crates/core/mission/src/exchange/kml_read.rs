@@ -70,7 +70,7 @@ struct Reader<'a> {
     counts: BTreeMap<String, usize>,
 }
 
-/// What a placemark says beside its geometry.
+/// Texts of a placemark beside its geometry.
 #[derive(Default, Clone)]
 struct Said {
     name: Option<String>,

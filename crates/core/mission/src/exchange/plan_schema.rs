@@ -1,10 +1,10 @@
-//! What `QGroundControl` documents of its plan files, as checks of what we write.
+//! Plan files as `QGroundControl` documents them, as checks of what we write.
 //!
 //! <https://docs.qgroundcontrol.com/master/en/qgc-dev-guide/file_formats/plan.html>
 
 use serde_json::Value;
 
-/// What a member has to be.
+/// Type that a member has to have.
 #[derive(Clone, Copy, Debug)]
 enum Kind {
     Number,
@@ -84,7 +84,7 @@ fn is_position(value: &Value) -> bool {
         if latitude.abs() <= 90.0 && longitude.abs() <= 540.0)
 }
 
-/// Whether `text` is a plan as the documentation has it; otherwise what is not.
+/// Checks that `text` is a plan as the documentation has it; the error says what is not.
 pub(super) fn check(text: &str) -> Result<(), String> {
     let plan: Value = serde_json::from_str(text).map_err(|e| e.to_string())?;
     has(&plan, "plan", &PLAN)?;

@@ -1,4 +1,4 @@
-//! One entry for all formats that are read.
+//! Reading of files in all formats that are known.
 
 use super::{
     ExchangeError, Format, csv_read, geojson, gpx, kml_read, old_mission, plan, waypoints, wpml,
@@ -13,7 +13,7 @@ use pilotage_vision::landmark::Landmark;
 /// than a thousandth, metres.
 const FAR: f64 = 300_000.0;
 
-/// What a file brought.
+/// Contents of a file that was read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Imported {
     /// The format it was in.
@@ -26,7 +26,7 @@ pub struct Imported {
     pub landmarks: Vec<Landmark>,
     /// Areas that must not be flown over: those of our own files, and fences that keep aircraft out.
     pub no_fly: Vec<NoFlyZone>,
-    /// What was assumed, kept aside or left out, in sentences for people.
+    /// Notes on all that was assumed, kept aside or left out, in sentences for people.
     pub notes: Vec<String>,
 }
 

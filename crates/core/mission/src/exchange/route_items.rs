@@ -18,13 +18,13 @@ use pilotage_base::frames::LocalFrame;
 /// Farthest from home that a way-point counts as left there, metres: what rounding may do to it.
 const STILL_AT_HOME: f64 = 0.01;
 
-/// One step of a route to be written.
+/// Step of a route to be written.
 pub(super) enum Written<'a> {
     /// A way-point: the command and where its altitude and unknown members stand.
     WayPoint(Item, &'a WayPoint),
     /// A change of speed, and the number by which the file that it comes from names it.
     Speed(Item, Option<usize>),
-    /// What was kept, as `QGroundControl` writes it.
+    /// Kept command, as `QGroundControl` writes it.
     Kept(&'a RawValue),
 }
 

@@ -30,7 +30,7 @@ struct Line {
     item: Item,
 }
 
-/// What a file says beside its commands.
+/// Contents of a file beside its commands.
 #[derive(Serialize, Deserialize)]
 struct Own {
     version: String,

@@ -1,4 +1,4 @@
-//! One entry for all formats that are written.
+//! Writing of files in all formats that are known.
 
 use super::{
     ExchangeError, Format, Places, csv_write, fence, geojson, gpx, kml_write, litchi, plan,
@@ -13,11 +13,11 @@ use pilotage_vision::landmark::Landmark;
 pub struct Written {
     /// Its contents.
     pub bytes: Vec<u8>,
-    /// What was assumed or left out, in sentences for people.
+    /// Notes on all that was assumed or left out, in sentences for people.
     pub notes: Vec<String>,
 }
 
-/// One route, placed in the world `frame`, in any format.
+/// Writes a single route, placed in the world `frame`, in any format.
 pub fn write_route(
     format: Format,
     route: &Route,

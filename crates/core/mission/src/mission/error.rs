@@ -1,4 +1,4 @@
-//! What can be wrong with a mission file.
+//! Errors of a mission file.
 
 /// Why a mission file cannot be read, with the place in it; the caller knows the file's name.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -13,7 +13,7 @@ pub enum MissionError {
         line: usize,
         /// Column, counted from one.
         column: usize,
-        /// What is wrong.
+        /// Error of the JSON, in words.
         cause: String,
     },
     /// It is JSON but no `FeatureCollection` of GeoJSON.

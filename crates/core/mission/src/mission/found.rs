@@ -12,7 +12,7 @@ pub(crate) type LonLat = (f64, f64);
 /// Sides of the box that a place gets of which only a point is known, metres.
 pub(crate) const POINT_BOX: f64 = 20.0;
 
-/// What a file says of the extent of a landmark.
+/// Extent of a landmark as a file states it.
 pub(crate) enum Extent {
     /// The landmark is the box around these corners.
     Corners(Vec<LonLat>),
@@ -40,7 +40,7 @@ impl Extent {
 
 /// A landmark of a file.
 pub(crate) struct FoundLandmark {
-    /// Where it lies.
+    /// Extent on the globe.
     pub extent: Extent,
     /// Rings inside of the corners that are not part of it.
     pub holes: Vec<Vec<LonLat>>,
@@ -48,13 +48,13 @@ pub(crate) struct FoundLandmark {
     pub reference: Option<LonLat>,
     /// Its identity in the file.
     pub id: Option<u32>,
-    /// What people call it.
+    /// Name for people.
     pub name: Option<String>,
     /// Height of the reference above the ground, metres.
     pub height: f64,
     /// Whether the navigator looks for it.
     pub enabled: bool,
-    /// What we do not know, as JSON text.
+    /// Unknown properties, as JSON text.
     pub properties: BTreeMap<String, String>,
 }
 
@@ -79,23 +79,23 @@ impl FoundLandmark {
 pub(crate) struct FoundRoute {
     /// Its identity in the file.
     pub id: Option<u32>,
-    /// What people call it.
+    /// Name for people.
     pub name: Option<String>,
     /// Places of the way-points, and the way-points, which do not know theirs yet.
     pub way_points: Vec<(LonLat, WayPoint)>,
-    /// What we do not know, as JSON text.
+    /// Unknown properties, as JSON text.
     pub properties: BTreeMap<String, String>,
 }
 
 /// An area of a file that must not be flown over.
 pub(crate) struct FoundNoFly {
-    /// What people call it.
+    /// Name for people.
     pub name: Option<String>,
     /// Its corners.
     pub corners: Vec<LonLat>,
     /// Rings inside of it that are not part of it.
     pub holes: Vec<Vec<LonLat>>,
-    /// What we do not know, as JSON text.
+    /// Unknown properties, as JSON text.
     pub properties: BTreeMap<String, String>,
 }
 

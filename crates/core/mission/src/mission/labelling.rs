@@ -1,9 +1,9 @@
-//! What is said of a mission's pictures: asked, added, taken away.
+//! Labels of a mission's pictures: asked, added, taken away.
 
 use super::{FrameLabels, LabelBox, Mission};
 
 impl Mission {
-    /// What was said of a picture.
+    /// Labels of a picture.
     pub fn labels_of(&self, frame: &str) -> Option<&FrameLabels> {
         self.labels.iter().find(|l| l.frame == frame)
     }

@@ -9,7 +9,7 @@ const STEPS: f64 = 256.0;
 /// Least side of a box, pixels.
 const LEAST_SIDE: f64 = 2.0;
 
-/// Where a landmark is in one picture.
+/// Box of a landmark in one picture.
 ///
 /// Pixels with x right and y down, origin at the outer corner of the top left pixel; fractions count.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -28,7 +28,7 @@ pub struct LabelBox {
     /// Whether the picture ends before the landmark does.
     #[serde(default)]
     pub truncated: bool,
-    /// What its file said beside that, by name, as it stood there.
+    /// Other properties in the label's file, by name, as they stood there.
     #[serde(default)]
     pub properties: BTreeMap<String, String>,
 }
@@ -72,7 +72,7 @@ impl LabelBox {
     }
 }
 
-/// What people said of one picture. A landmark has one place in the world, so at most one box.
+/// Labels that people gave one picture. A landmark has one place in the world, so at most one box.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FrameLabels {
     /// File name of the picture, as the flight has it.
@@ -85,7 +85,7 @@ pub struct FrameLabels {
     /// Ids of landmarks that are certainly not in the picture: views for a trainer to learn from.
     #[serde(default)]
     pub absent: Vec<u32>,
-    /// What its file said beside that, by name, as it stood there.
+    /// Other properties in the picture's file, by name, as they stood there.
     #[serde(default)]
     pub properties: BTreeMap<String, String>,
 }

@@ -1,4 +1,5 @@
-//! What people author: landmarks, routes, camera, aircraft, filter settings. A value; edits make a new one.
+//! Mission that people author: landmarks, routes, camera, aircraft, filter settings. A value; edits make a
+//! new one.
 //!
 //! The file of a mission is GeoJSON; docs/formats.md defines it.
 

@@ -9,7 +9,7 @@ use pilotage_base::frames::GroundPoint;
 /// An area that must not be flown over.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct NoFlyZone {
-    /// What people call it.
+    /// Name for people.
     pub name: String,
     /// Its corners, at least three, in either order; the last is not the first again.
     pub corners: Vec<GroundPoint>,

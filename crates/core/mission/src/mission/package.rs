@@ -44,7 +44,7 @@ pub enum PackageError {
     Inside {
         /// Its name in the zip.
         file: &'static str,
-        /// What is wrong with it.
+        /// Error of the file.
         cause: MissionError,
     },
     /// The head is not what it should be.

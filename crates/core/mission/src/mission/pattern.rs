@@ -8,12 +8,12 @@ use pilotage_raster::camera::CameraModel;
 /// Farthest that a mitred corner of a corridor's pass may lie, times the offset of the pass.
 const MITRE_LIMIT: f64 = 3.0;
 
-/// How passes lie beside each other.
+/// Arrangement of passes beside each other.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Passes {
     /// Greatest distance between neighbouring passes, metres.
     pub spacing: f64,
-    /// How far each pass goes on beyond the area at either end, metres: room for the turn.
+    /// Length by which each pass goes on beyond the area at either end, metres: room for the turn.
     pub run_out: f64,
     /// Least distance between passes that are flown one after the other, metres: twice the radius of
     /// a turn, so that the turn back fits. Passes in between are flown later.
@@ -119,7 +119,7 @@ fn extent(values: impl IntoIterator<Item = f64>) -> Option<(f64, f64)> {
     extent
 }
 
-/// How many strips cover `width` if none is wider than `spacing`.
+/// Number of strips that cover `width` if none is wider than `spacing`.
 fn strips(width: f64, spacing: f64) -> usize {
     // A hair less, so that rounding does not add a strip.
     let count = (width / spacing.max(0.1) - 1e-9).ceil();

@@ -64,7 +64,7 @@ pub fn read_mission(bytes: &[u8]) -> Result<Mission, MissionError> {
     Ok(mission)
 }
 
-/// What the features of a collection are, still on the globe.
+/// Features of a collection by kind, still on the globe.
 pub(crate) struct FoundFeatures<'a> {
     /// Landmarks in the order of the file.
     pub landmarks: Vec<FoundLandmark>,

@@ -10,7 +10,7 @@ use super::way_point_file::{USUAL_ALTITUDE, kept, read_way_point};
 use super::{FEATURE_MEMBER, MissionError, NO_FLY_MARK, ROUTE_MARK, WayPoint};
 use pilotage_base::frames::GroundPoint;
 
-/// What a feature is to us.
+/// Kind of a feature, with its contents.
 pub(super) enum Feature {
     Landmark(FoundLandmark),
     Route(FoundRoute),
@@ -26,8 +26,7 @@ struct Geometry<'a> {
     coordinates: Option<&'a RawValue>,
 }
 
-/// What the feature `piece` is: a landmark if it is a polygon, whoever wrote it; a route if it says
-/// so itself.
+/// Reads the feature `piece`: a landmark if it is a polygon, whoever wrote it; a route if it says so itself.
 pub(super) fn feature<'a>(text: &Text<'a>, piece: &'a RawValue) -> Result<Feature, MissionError> {
     let mut members = text.members(piece.get())?;
     let Some(geometry) = members.get("geometry").copied() else {

@@ -16,7 +16,7 @@ use pilotage_vision::landmark::Landmark;
 /// stays where its origin is, whatever the ground is said to be.
 const GROUND: &str = "ground_height_m";
 
-/// Which map the mission was made on.
+/// Map that the mission was made on.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum MapReference {
     /// A built-in scenario's generated scenery, by the scenario's name.
@@ -25,10 +25,10 @@ pub enum MapReference {
     Picture(String),
 }
 
-/// What is to be flown over and how it is to be navigated.
+/// Mission: places to be flown over, and the settings to navigate by.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Mission {
-    /// What people call it.
+    /// Name for people.
     pub name: String,
     /// Origin of the world frame on the globe.
     pub origin: Geodetic,
@@ -41,15 +41,15 @@ pub struct Mission {
     /// Areas that must not be flown over.
     #[serde(default)]
     pub no_fly: Vec<NoFlyZone>,
-    /// What people marked in the pictures of flights, in the order of the pictures' names.
+    /// Labels that people gave the pictures of flights, in the order of the pictures' names.
     #[serde(default)]
     pub labels: Vec<FrameLabels>,
     /// Camera, where the mission states one (otherwise the flight's).
     pub camera: Option<CameraModel>,
-    /// What is changed of that camera and of the times of its pictures, so that they go with the flight's log.
+    /// Adjustment of that camera and of the times of its pictures, so that they go with the flight's log.
     #[serde(default)]
     pub camera_to_log: Option<CameraAdjustment>,
-    /// How to navigate.
+    /// Settings of the navigator.
     pub navigator: NavigatorSettings,
     /// Members of the file that we do not know, by name, as JSON text.
     pub properties: BTreeMap<String, String>,

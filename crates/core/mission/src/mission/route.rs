@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use pilotage_base::frames::{Altitude, GroundPoint};
 
-/// What is done at a way-point.
+/// Action at a way-point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub enum WayPointAction {
     /// The turn begins before it and ends on the next leg.
@@ -16,7 +16,7 @@ pub enum WayPointAction {
     Loiter {
         /// Radius of the circle, metres; negative for circles to the left.
         radius: f64,
-        /// How many circles.
+        /// Number of circles.
         turns: f64,
     },
     /// The route begins with a take-off here.
@@ -28,13 +28,13 @@ pub enum WayPointAction {
 /// A place that a route leads over.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct WayPoint {
-    /// Where it lies in the world.
+    /// Place in the world.
     pub position: GroundPoint,
-    /// How high it is flown over, and what that counts from.
+    /// Altitude at which it is flown over, and the reference that this counts from.
     pub altitude: Altitude,
     /// Airspeed on the leg that leads to it, m/s; the aircraft's cruise where it has none.
     pub speed: Option<f64>,
-    /// What is done there.
+    /// Action at the way-point.
     pub action: WayPointAction,
     /// Properties that a file brought and we do not know, by name, as JSON text.
     pub properties: BTreeMap<String, String>,
@@ -58,7 +58,7 @@ impl WayPoint {
 pub struct Route {
     /// Identity within a mission; never used twice.
     pub id: u32,
-    /// What people call it.
+    /// Name for people.
     pub name: String,
     /// Its way-points, first to last.
     pub way_points: Vec<WayPoint>,

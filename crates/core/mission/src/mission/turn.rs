@@ -12,11 +12,11 @@ pub struct Turn {
     pub middle: GroundPoint,
     /// Its radius, metres.
     pub radius: f64,
-    /// Where it begins.
+    /// Point at which it begins.
     pub begin: GroundPoint,
     /// Change of course, radians, positive to the right.
     pub angle: f64,
-    /// How far before the way-point it begins, and behind it ends, metres.
+    /// Distance before the way-point at which it begins, and behind it at which it ends, metres.
     pub lead: f64,
 }
 
@@ -71,8 +71,8 @@ impl Turn {
     }
 }
 
-/// Which legs of a line are too short for the turns at their ends with this radius, by the way-point
-/// that they lead to.
+/// Legs of a line that are too short for the turns at their ends with this radius, by the way-point that they
+/// lead to.
 pub fn too_short(places: &[GroundPoint], radius: f64) -> Vec<usize> {
     let lead = |i: usize| {
         if i == 0 || i + 1 >= places.len() {

@@ -1,4 +1,4 @@
-//! What a file says of one way-point beside its place, as a JSON object.
+//! Properties of one way-point beside its place in a file, as a JSON object.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -21,7 +21,7 @@ pub(crate) fn frame_word(frame: AltitudeFrame) -> &'static str {
     }
 }
 
-/// What an altitude counts from, by its word in a file.
+/// Reference that an altitude counts from, by its word in a file.
 pub(crate) fn frame_of_word(word: &str) -> Option<AltitudeFrame> {
     AltitudeFrame::ALL
         .into_iter()
@@ -38,7 +38,7 @@ pub(crate) fn action_word(action: &WayPointAction) -> &'static str {
     }
 }
 
-/// What is done at a way-point, by its word in a file and the circle that goes with loitering.
+/// Action at a way-point, by its word in a file and the circle that goes with loitering.
 pub(crate) fn action_of_word(word: &str, radius: f64, turns: f64) -> Option<WayPointAction> {
     [
         WayPointAction::FlyBy,

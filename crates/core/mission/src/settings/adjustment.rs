@@ -1,4 +1,4 @@
-//! What is changed of a camera so that it goes with its log.
+//! Adjustment of a camera so that it goes with its log.
 
 use serde::{Deserialize, Serialize};
 
@@ -91,7 +91,7 @@ impl CameraAdjustment {
         }
     }
 
-    /// What is left to be changed after `done`: `done.then(&self.beyond(&done))` does what this one does.
+    /// Adjustment that is left after `done`: `done.then(&self.beyond(&done))` does what this one does.
     #[must_use]
     pub fn beyond(&self, done: &Self) -> Self {
         let middle = done.time(self.middle);
@@ -106,7 +106,7 @@ impl CameraAdjustment {
         }
     }
 
-    /// What is added to the focal length, percent of it.
+    /// Change of the focal length, percent of it.
     pub fn focal_percent(&self) -> f64 {
         100.0 * self.log_focal.exp_m1()
     }

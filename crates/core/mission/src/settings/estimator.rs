@@ -1,4 +1,4 @@
-//! Which estimator the navigator uses, and what people can set about it.
+//! Choice of the estimator that the navigator uses, and its settings for people.
 
 use serde::{Deserialize, Serialize};
 
@@ -44,7 +44,7 @@ impl EstimatorChoice {
         }
     }
 
-    /// What it does, in a sentence.
+    /// Description of the estimator, in a sentence.
     pub fn description(self) -> &'static str {
         match self {
             Self::Unscented => "Sends sigma points through the models and believes in a Gaussian.",
@@ -62,7 +62,7 @@ impl EstimatorChoice {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct EstimatorSettings {
-    /// Which one.
+    /// Kind of estimator.
     pub choice: EstimatorChoice,
     /// Settings of the particle filter; the others have theirs in the navigator's settings.
     pub particles: ParticleSettings,

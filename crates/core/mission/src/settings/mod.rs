@@ -1,4 +1,4 @@
-//! What people can set: about the navigator, its estimator, and the camera beside its log.
+//! Settings for people: of the navigator, its estimator, and the camera beside its log.
 
 mod adjustment;
 mod estimator;

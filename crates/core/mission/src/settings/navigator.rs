@@ -1,4 +1,4 @@
-//! What people can set about the navigator.
+//! Settings of the navigator for people.
 
 use nalgebra::{Matrix4, Vector4};
 use serde::{Deserialize, Serialize};
@@ -8,7 +8,7 @@ use pilotage_estimation::vehicle::{Multirotor, VelocityDriven};
 use pilotage_vision::landmark::TemplateSettings;
 use pilotage_vision::registration::FollowSettings;
 
-/// Which process model the filter uses.
+/// Choice of the process model of the filter.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum VehicleChoice {
     /// Position and wind, driven by airspeed and heading (DeAngelo 2016, eqs 25-30).
@@ -163,7 +163,7 @@ impl SensorNoise {
     }
 }
 
-/// How to navigate.
+/// Settings of the navigator.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct NavigatorSettings {
     /// Process model.
@@ -192,7 +192,7 @@ pub struct NavigatorSettings {
     /// faster are taken together. Zero makes a step of each.
     #[serde(default)]
     pub shortest_step: f64,
-    /// Which filter works on the process model; files that say nothing mean the unscented one.
+    /// Choice of the filter that works on the process model; files that say nothing mean the unscented one.
     #[serde(default)]
     pub estimator: EstimatorSettings,
     /// Lay whole frames on the map, with what is assumed of them; `None` looks for landmarks alone.

@@ -14,7 +14,7 @@ pub struct FoundLabels {
     pub frames: Vec<FrameLabels>,
     /// Names of landmarks that are not in a picture, by picture and the id there.
     pub(super) names: BTreeMap<u32, String>,
-    /// What was assumed, kept aside or left out, in sentences for people.
+    /// Notes on all that was assumed, kept aside or left out, in sentences for people.
     pub notes: Vec<String>,
 }
 

@@ -24,9 +24,9 @@ pub use found::FoundLabels;
 /// A format of labels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum LabelFormat {
-    /// One XML file for each picture, zipped.
+    /// Pascal VOC: an XML file for each picture, zipped.
     Voc,
-    /// One JSON file for all.
+    /// COCO: a JSON file for all.
     Coco,
 }
 

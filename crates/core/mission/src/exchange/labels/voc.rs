@@ -12,9 +12,9 @@ use crate::mission::FrameLabels;
 const OWN: &str = "pilotage";
 /// Prefix of properties that are elements, as they stand.
 const ELEMENT: &str = "voc:";
-/// What is read of a picture; other elements are kept.
+/// Elements that are read of a picture; others are kept.
 const OF_PICTURE: [&str; 4] = ["filename", "size", "object", OWN];
-/// What is read of an object.
+/// Elements that are read of an object.
 const OF_OBJECT: [&str; 5] = ["name", "bndbox", "difficult", "truncated", OWN];
 
 /// Reads the annotation of one picture.

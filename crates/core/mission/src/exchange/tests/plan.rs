@@ -248,8 +248,8 @@ fn what_is_wrong_in_a_way_point_file_is_told_with_line_and_column() {
     assert!(error("QGC WPL 110\n1 2 3\n").contains("there are 3 fields, not 12"));
 }
 
-/// What `QGroundControl`'s guide shows of a plan: fences of both kinds, rally points, a survey with its
-/// transects, put together.
+/// Plan after `QGroundControl`'s guide: fences of both kinds, rally points, a survey with its transects, put
+/// together.
 const DOCUMENTED: &str = r#"{
     "fileType": "Plan", "version": 1, "groundStation": "QGroundControl",
     "geoFence": { "version": 2,

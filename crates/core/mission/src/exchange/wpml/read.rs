@@ -23,7 +23,7 @@ const SAME_DEGREES: f64 = 1e-6;
 /// More than the geoid is from the ellipsoid anywhere, metres.
 const FARTHEST_GEOID: f64 = 110.0;
 
-/// One of the two files.
+/// Part of the format: the flown waylines or the template.
 struct Part {
     name: String,
     text: String,
