@@ -30,14 +30,14 @@ pub mod imagery {
     pub use pilotage_raster::imagery::*;
 }
 
-/// What was measured in a flight, and the files of other programs that say it.
+/// Measurements of a flight, and the files of other programs that hold them.
 pub mod flight {
     pub use pilotage_base::files;
     pub use pilotage_flight::*;
     pub use pilotage_readers::*;
 }
 
-/// What people author, and the map that it lies on.
+/// Missions that people author, and the map that they lie on.
 pub mod mission {
     pub use pilotage_maps::{
         CornersError, MapError, MapOptions, Mosaic, OpenMap, open_map, open_map_with,
@@ -60,7 +60,7 @@ pub mod alignment {
     pub use pilotage_navigator::alignment::*;
 }
 
-/// What can be known of a flight before take-off.
+/// Forecasts of a flight before take-off.
 pub mod plan {
     pub use pilotage_plan::*;
     pub use pilotage_simulate::other_days::*;
