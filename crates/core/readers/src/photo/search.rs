@@ -33,7 +33,7 @@ pub struct PhotoSearch {
     pub heading: Option<f64>,
     /// Range of the search to each side of the heading, radians; π is all around.
     pub heading_within: f64,
-    /// Angle between the camera's axis and straight down, ahead, radians; what the photo says if `None`.
+    /// Angle by which the camera looks ahead of straight down, radians; what the photo says if `None`.
     pub ahead: Option<f64>,
     /// Focal length, pixels of the stored picture; what the photo says if `None`.
     pub focal: Option<f64>,
