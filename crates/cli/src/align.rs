@@ -12,7 +12,7 @@ use crate::Outcome;
 use crate::files::{Directory, MAP_CACHE, open_map};
 use crate::replay::{by_whole_frames, navigate};
 
-/// What to put beside what.
+/// Arguments of `pilotage align`: a flight and the map beside it.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Flight folder, or its flight.json.
@@ -35,7 +35,7 @@ pub struct Arguments {
     out: Option<PathBuf>,
 }
 
-/// What a round found.
+/// Results of a round.
 #[derive(Serialize)]
 struct Round {
     camera_to_log: CameraToLog,

@@ -12,7 +12,7 @@ use pilotage_core::raster::{Gray, Template};
 
 use crate::Outcome;
 
-/// How to time.
+/// Arguments of `pilotage bench`.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Python with OpenCV and FilterPy; without it only our own times are printed.
@@ -27,7 +27,7 @@ pub struct Arguments {
     /// This program built for `wasm32-wasip1`, to time the cascades in WebAssembly as well.
     #[arg(long, requires = "cascades")]
     wasm: Option<PathBuf>,
-    /// What runs it.
+    /// Program that runs the WebAssembly.
     #[arg(long, default_value = "node")]
     node: String,
 }

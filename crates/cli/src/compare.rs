@@ -20,7 +20,7 @@ use crate::mission_file::OpenMission;
 use crate::replay::navigate;
 use crate::scenario::{Day, scenario, seed_range};
 
-/// What to compare.
+/// Arguments of `pilotage compare`.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A built-in scenario, or a flight folder (then with --mission and --map).
@@ -99,7 +99,7 @@ fn contenders(arguments: &Arguments, usual: VehicleChoice) -> Result<Vec<Contend
     Ok(Contender::all(&estimators, &vehicles))
 }
 
-/// What all contenders share: how they see.
+/// Mission and map that all contenders share, by which they see.
 struct Sight<'a> {
     arguments: &'a Arguments,
     mission: Mission,

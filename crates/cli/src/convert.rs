@@ -8,7 +8,7 @@ use pilotage_core::mission::Route;
 
 use crate::Outcome;
 
-/// What to convert into what.
+/// Arguments of `pilotage convert`.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// File with routes or landmarks: .plan, .mission, .waypoints, .kml, .kmz (also DJI's WPML), .geojson, .gpx or

@@ -15,7 +15,7 @@ use crate::Outcome;
 /// Share of a window's margin that better ones must leave it to be told with --soft.
 const LEFT: f64 = 0.3;
 
-/// What to look for, and where.
+/// Arguments of `pilotage detect`.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// The cascade: OpenCV's XML, old or new, also as MATLAB writes it, or the compact form.
@@ -45,7 +45,7 @@ pub struct Arguments {
     json: bool,
 }
 
-/// What was found in a picture.
+/// Detections in a picture.
 #[derive(Serialize)]
 struct Answer {
     image: String,
@@ -59,7 +59,7 @@ struct Answer {
     detections: Vec<Detection>,
 }
 
-/// What the cascade is.
+/// Description of the cascade.
 #[derive(Clone, Serialize)]
 struct About {
     file: String,
@@ -69,7 +69,7 @@ struct About {
     features: usize,
 }
 
-/// One rectangle, pixels from the upper left corner.
+/// Rectangle of a detection, pixels from the upper left corner.
 #[derive(Serialize)]
 struct Detection {
     x: i32,

@@ -16,7 +16,7 @@ use crate::Outcome;
 use crate::files::{Directory, write_whole};
 use crate::plan::{Ground, Source};
 
-/// What to evaluate.
+/// Arguments of `pilotage evaluate`.
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -51,7 +51,7 @@ pub struct Arguments {
     json: Option<PathBuf>,
 }
 
-/// What was found of one landmark.
+/// Evaluation of one landmark.
 #[derive(Serialize)]
 struct Evaluated {
     landmark: String,

@@ -14,7 +14,7 @@ use serde::Serialize;
 use crate::Outcome;
 use crate::files::Directory;
 
-/// Which picture, by which points.
+/// Arguments of `pilotage map georef`: the picture, and the points.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// JPEG, PNG or TIFF.
@@ -22,7 +22,7 @@ pub struct Arguments {
     /// Control points as the QGIS georeferencer writes them.
     #[arg(long)]
     points: PathBuf,
-    /// What the picture may undergo.
+    /// Kind of transform from the picture to the ground.
     #[arg(long, value_enum, default_value_t = Kind::Affine)]
     kind: Kind,
     /// World file to write; a .prj is written beside it.
@@ -46,7 +46,7 @@ enum Kind {
     Projective,
 }
 
-/// What came of it.
+/// Summary of the fit.
 #[derive(Serialize)]
 struct Summary {
     picture: String,

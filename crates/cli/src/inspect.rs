@@ -9,7 +9,7 @@ use pilotage_core::flight::log::HEAD;
 use crate::opening::{Opened, open};
 use crate::{Outcome, inspect_log};
 
-/// What to look at.
+/// Arguments of `pilotage inspect`.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// A flight log, a flight folder, tables of a flight, photos, labels of pictures, a mission, or a saved run.

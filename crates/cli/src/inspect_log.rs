@@ -1,4 +1,4 @@
-//! What a flight log holds, in words.
+//! Contents of a flight log, in words.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -40,7 +40,7 @@ pub fn describe_folder(folder: &FlightFolder) {
     judged(&seen);
 }
 
-/// What the log is, and what measured.
+/// Prints the kind of the log, and the sensors that measured.
 fn measured(log: &Log, seen: &Overview) {
     println!(
         "{} \"{}\": {:.1} s, {} topics, {} messages {}",
@@ -90,7 +90,7 @@ fn measured(log: &Log, seen: &Overview) {
     }
 }
 
-/// What looks wrong, and what can be done with it.
+/// Prints the findings that look wrong, and the uses of the log.
 fn judged(seen: &Overview) {
     for finding in &seen.findings {
         let word = match finding.severity {

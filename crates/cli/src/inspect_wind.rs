@@ -44,7 +44,7 @@ pub fn describe(flight: &Flight) {
     }
 }
 
-/// How far the filter is from another wind, in words.
+/// Difference of the filter's wind from another one, in words.
 fn apart(rms: Option<f64>) -> String {
     rms.map_or_else(String::new, |rms| {
         format!(

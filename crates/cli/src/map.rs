@@ -22,7 +22,7 @@ use crate::numbers::numbers;
 /// Most pixels of a picture that is written.
 const MOST_PIXELS: usize = 100_000_000;
 
-/// What to do with a map.
+/// Arguments of `pilotage map`.
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(subcommand)]
@@ -46,7 +46,7 @@ enum Job {
         /// PNG to write.
         #[arg(long)]
         out: PathBuf,
-        /// Which part: column and row of its first pixel in the map, and its width and height in the
+        /// Part of the map: column and row of its first pixel in the map, and its width and height in the
         /// map's pixels. The whole map if absent.
         #[arg(
             long,
@@ -73,7 +73,7 @@ struct MapArguments {
     system: Option<String>,
 }
 
-/// What is told about a map.
+/// Description of a map.
 #[derive(Serialize)]
 struct Info {
     file: String,
@@ -101,7 +101,7 @@ struct Info {
     heights: Option<Heights>,
 }
 
-/// What an archive of tiles tells.
+/// Description of an archive of tiles.
 #[derive(Serialize)]
 struct Tiles {
     /// Coarsest and deepest.
@@ -109,7 +109,7 @@ struct Tiles {
     attribution: Option<String>,
 }
 
-/// How the pixels of a `GeoTIFF` are stored.
+/// Storage of the pixels of a `GeoTIFF`.
 #[derive(Serialize)]
 struct Pixels {
     samples: usize,
@@ -121,7 +121,7 @@ struct Pixels {
     no_data: Option<f64>,
 }
 
-/// What an elevation model tells.
+/// Description of an elevation model.
 #[derive(Serialize)]
 struct Heights {
     #[serde(rename = "heights_above")]

@@ -323,8 +323,8 @@ fn open_tables(
     Ok(Some(flight_of_tables(files, &maps)?))
 }
 
-/// What people said of the columns of tables: in the file `columns`, or in one called [`COLUMNS_FILE`] beside them.
-/// A map of one table is taken for the only table, whatever that is called.
+/// Column maps of tables that people wrote: in the file `columns`, or in one called [`COLUMNS_FILE`] beside them. A
+/// map of one table is taken for the only table, whatever that is called.
 ///
 /// # Errors
 /// A file that is not there or no column map, or maps of tables that are not there.

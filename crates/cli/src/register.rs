@@ -21,7 +21,7 @@ use crate::photo_picture::decode_photo;
 /// Pixels across the picture of `--overlay`.
 const ACROSS: usize = 1200;
 
-/// What to lay on what.
+/// Arguments of `pilotage register`: photos, and the map to lay them on.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Map with its georeference in it or beside it.
@@ -32,22 +32,23 @@ pub struct Arguments {
     /// Place below the camera, degrees; what the photo says if absent, and the whole map if it says nothing.
     #[arg(long, value_name = "LAT,LON", allow_hyphen_values = true)]
     at: Option<String>,
-    /// How far from there it is searched to each side, metres.
+    /// Range of the search to each side of the place, metres.
     #[arg(long, value_name = "METRES", default_value_t = 40.0)]
     within: f64,
     /// Height above the ground, metres; what the photo says if absent.
     #[arg(long, value_name = "METRES")]
     height: Option<f64>,
-    /// How far from it heights are searched, percent.
+    /// Range of the search around the height, percent.
     #[arg(long, value_name = "PERCENT", default_value_t = 20.0)]
     height_within: f64,
     /// Heading of the picture's top, degrees from north; what the photo says if absent.
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
     heading: Option<f64>,
-    /// How far from it headings are searched, degrees; 180 is all around. Compasses of small drones are 30 off.
+    /// Range of the search to each side of the heading, degrees; 180 is all around. Compasses of small drones
+    /// are 30 off.
     #[arg(long, value_name = "DEGREES", default_value_t = 40.0)]
     heading_within: f64,
-    /// How far the camera looks ahead of straight down, degrees; what the photo says if absent.
+    /// Angle by which the camera looks ahead of straight down, degrees; what the photo says if absent.
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
     ahead: Option<f64>,
     /// Focal length in pixels of the picture; what the photo says if absent.
@@ -65,12 +66,12 @@ pub struct Arguments {
     json: bool,
 }
 
-/// What came of a photo.
+/// Result of a photo.
 #[derive(Serialize)]
 struct Answer {
     photo: String,
     seconds: f64,
-    /// What was assumed, and from where.
+    /// Assumptions, and their sources.
     assumed: Vec<String>,
     #[serde(flatten)]
     laid: Option<Laid>,
@@ -81,7 +82,7 @@ struct Answer {
     probability: f64,
 }
 
-/// Where a photo was laid.
+/// Place at which a photo was laid.
 #[derive(Serialize)]
 struct Laid {
     /// Ground in the middle of the picture, degrees.

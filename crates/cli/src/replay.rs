@@ -25,10 +25,10 @@ use crate::replay_frames::{print_frames, print_refusals};
 use crate::scenario::{Day, scenario, seed_range};
 use crate::statistics::{Quantiles, error_over_bound, print, table};
 
-/// What to replay.
+/// Arguments of `pilotage replay`.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// What was flown: a flight folder, a log, tables, or a folder of photos. Without --map it is navigated by its
+    /// Flight to replay: a flight folder, a log, tables, or a folder of photos. Without --map it is navigated by its
     /// instruments alone, through GPS outages all along.
     #[arg(conflicts_with_all = ["scenario", "flight"])]
     path: Option<PathBuf>,
@@ -169,7 +169,7 @@ pub fn navigate(
     Ok(run)
 }
 
-/// What many runs of one scenario share.
+/// Map and mission that many runs of one scenario share.
 struct Ground {
     map: Arc<dyn Imagery>,
     seen: Arc<CachedImagery>,

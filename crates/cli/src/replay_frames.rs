@@ -81,7 +81,7 @@ fn candidate_line(flight: &Flight, run: &Run, frame: usize, candidate: &Candidat
     )
 }
 
-/// What frames and landmarks were refused of, counted.
+/// Prints the refusals of frames and landmarks, counted by reason.
 pub fn print_refusals(summary: &Summary) {
     let frames: usize = summary.frames_refused.values().sum();
     if frames + summary.frames_laid > 0 {
@@ -105,7 +105,7 @@ pub fn print_refusals(summary: &Summary) {
     }
 }
 
-/// One line a reason, the most frequent first.
+/// Prints a line for each reason, the most frequent first.
 fn print_counts(counts: &BTreeMap<String, usize>, words: impl Fn(&str) -> &'static str) {
     let mut counts: Vec<(&String, &usize)> = counts.iter().filter(|(_, n)| **n > 0).collect();
     counts.sort_by_key(|(_, count)| std::cmp::Reverse(**count));

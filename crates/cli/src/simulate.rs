@@ -14,7 +14,7 @@ use crate::Outcome;
 use crate::files::Directory;
 use crate::scenario::{Day, scenario};
 
-/// What to fly.
+/// Arguments of `pilotage simulate`.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Name of a scenario (see `pilotage scenarios`).

@@ -19,7 +19,7 @@ use crate::Outcome;
 use crate::files::{Directory, write_whole};
 use crate::plan::{Ground, Source};
 
-/// What to train.
+/// Arguments of `pilotage train`.
 #[derive(clap::Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -27,7 +27,7 @@ pub struct Arguments {
     /// Only the landmarks with these names; all that are switched on if none is named.
     #[arg(long)]
     landmark: Vec<String>,
-    /// What the cascades look at: hog, lbp, haar or tilted-haar.
+    /// Features of the cascades: hog, lbp, haar or tilted-haar.
     #[arg(long, default_value = "hog")]
     features: String,
     /// Photos that each learns from.
@@ -66,7 +66,7 @@ pub struct Arguments {
     summary: Option<PathBuf>,
 }
 
-/// How the training of one landmark went.
+/// Report of the training of one landmark.
 #[derive(Serialize)]
 struct Row {
     landmark: String,
@@ -190,7 +190,7 @@ fn labelled(
     Ok(landmarks.iter().map(photos).collect::<Result<_, _>>()?)
 }
 
-/// One after the other on every core.
+/// Trains one landmark after the other on every core.
 fn train_all(
     ground: &Ground,
     landmarks: &[Landmark],

@@ -145,7 +145,7 @@ fn brighton_beach_is_navigated_by_ten_boxes_that_the_planner_proposes() {
     }
 }
 
-/// What stands behind "KEY: " in lines of counts under a headline.
+/// Counts by key, of lines "COUNT  KEY: …" under a headline.
 fn counted(text: &str, headline: &str) -> std::collections::BTreeMap<String, u64> {
     let lines = text.lines().skip_while(|line| !line.starts_with(headline));
     let counts = lines.skip(1).map_while(|line| {

@@ -13,7 +13,7 @@ use crate::Outcome;
 
 /// Runs of which the best counts.
 const RUNS: usize = 7;
-/// What stands where nothing was timed.
+/// Text where nothing was timed.
 const NONE: &str = "–";
 
 const SCRIPT: &str = r"

@@ -1,4 +1,4 @@
-//! What a plan is made of: the arguments of the command.
+//! Arguments of `pilotage plan`, of which a plan is made.
 
 use std::path::PathBuf;
 
@@ -7,7 +7,7 @@ use pilotage_core::plan::Proposal;
 
 use super::source::Source;
 
-/// What to plan.
+/// Arguments of `pilotage plan`.
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -46,7 +46,7 @@ pub struct Arguments {
     /// compare how often they are found with what was said.
     #[arg(long, requires = "scenario", value_name = "PASSES")]
     pub calibrate: Option<usize>,
-    /// Where to draw the reliability diagram, SVG.
+    /// File for the reliability diagram, SVG.
     #[arg(long, requires = "calibrate")]
     pub diagram: Option<PathBuf>,
     /// Measure from which heights and with which tilts each landmark is found.
@@ -67,7 +67,7 @@ pub struct Arguments {
     pub summary: Option<PathBuf>,
 }
 
-/// What the route shall lead over.
+/// Places that the route shall lead over.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Over {
     /// The landmarks of the mission.
@@ -77,7 +77,7 @@ pub enum Over {
     Map,
 }
 
-/// What the budget is about.
+/// Cost that the budget is about.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Of {
     /// The time in the wind.
@@ -87,7 +87,7 @@ pub enum Of {
     Length,
 }
 
-/// What is to be least.
+/// Uncertainty that is to be least.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Least {
     /// The worst uncertainty on the way.
@@ -97,7 +97,7 @@ pub enum Least {
     Mean,
 }
 
-/// How to find a route.
+/// Arguments to find a route.
 #[derive(Args)]
 pub struct FindArguments {
     /// Find a route between two places, metres north and east, over ground where a fix will be had; it
@@ -107,13 +107,13 @@ pub struct FindArguments {
     /// Greatest cost of the found route over that of the shortest.
     #[arg(long, default_value_t = 1.3)]
     pub budget: f64,
-    /// What the cost is.
+    /// Kind of cost that the budget is about.
     #[arg(long, default_value = "time")]
     pub budget_of: Of,
-    /// What is to be least.
+    /// Uncertainty that is to be least.
     #[arg(long, default_value = "worst")]
     pub least: Least,
-    /// What the route shall lead over.
+    /// Places that the route shall lead over.
     #[arg(long, default_value = "landmarks")]
     pub over: Over,
     /// Distance that is kept from the no-fly areas of the mission, metres.

@@ -62,7 +62,7 @@ pub fn calibrate(
     (reliability, all)
 }
 
-/// What is said of a place.
+/// Detection that is expected of a place.
 ///
 /// Each is rehearsed on days of its own: with the same ones for all, their luck would be that of every bin.
 fn said(ground: &Ground, place: &Landmark, seed: u64) -> Option<ExpectedDetection> {
@@ -74,7 +74,7 @@ fn said(ground: &Ground, place: &Landmark, seed: u64) -> Option<ExpectedDetectio
     assessor.expected()
 }
 
-/// One pass over a place on a day.
+/// Pass over a place on a day.
 fn pass(
     ground: &Ground,
     place: &Landmark,

@@ -26,7 +26,7 @@ const MOST_CELLS: f64 = 700.0;
 /// Worlds of each prediction.
 const WORLDS: usize = 32;
 
-/// What one of the two routes comes to.
+/// Figures of one of the two routes.
 #[derive(Clone, Debug, Serialize)]
 pub struct Compared {
     name: &'static str,
@@ -191,7 +191,7 @@ fn predict(
     request.predict()
 }
 
-/// How the aircraft turns with the wind behind it.
+/// Turns of the aircraft with the wind behind it.
 fn turns(plan: &FlightPlan) -> Turns {
     let guidance = GuidanceSettings::default();
     let speed = plan.airframe.cruise + plan.wind.norm();
@@ -201,8 +201,8 @@ fn turns(plan: &FlightPlan) -> Turns {
     }
 }
 
-/// Where the ground of the elevation model is too high for the height of the flight, which counts from
-/// the ground at its origin.
+/// Ground of the elevation model that is too high for the height of the flight, which counts from the ground
+/// at its origin.
 fn high_ground(
     wanted: &FindArguments,
     ground: &Ground,

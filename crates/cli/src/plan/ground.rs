@@ -1,4 +1,4 @@
-//! What is planned over: a map, a mission on it, an aircraft.
+//! Ground of a plan: a map, a mission on it, an aircraft.
 
 use std::sync::Arc;
 
@@ -26,7 +26,7 @@ pub struct Ground {
 }
 
 impl Ground {
-    /// What the arguments of a plan name.
+    /// Opens the ground that the arguments of a plan name.
     pub fn of(arguments: &Arguments) -> Result<Self, Box<dyn std::error::Error>> {
         let mut ground = Self::at(&arguments.source)?;
         if let Some(plan) = ground
@@ -45,7 +45,7 @@ impl Ground {
         Ok(ground)
     }
 
-    /// What a source names.
+    /// Opens the ground that a source names.
     pub fn at(arguments: &Source) -> Result<Self, Box<dyn std::error::Error>> {
         if let Some(name) = &arguments.scenario {
             let scenario = Scenario::named(name).ok_or_else(|| {
@@ -119,7 +119,7 @@ impl Ground {
     }
 }
 
-/// How each way-point is flown over, above level ground: as the route states, or all at `--height`.
+/// Height above level ground and airspeed at each way-point; heights as the route states, or all at `--height`.
 fn targets(route: &Route, mission: &Mission, arguments: &Source) -> Vec<Target> {
     let level = mission.level_ground();
     let height = |w: &WayPoint| {

@@ -1,4 +1,4 @@
-//! How well landmarks are found over the map of a plan.
+//! Detection of landmarks over the map of a plan.
 
 use std::sync::Arc;
 
@@ -9,7 +9,7 @@ use pilotage_core::plan::{
 use super::arguments::Arguments;
 use super::ground::Ground;
 
-/// How landmarks are looked for on the plan.
+/// Circumstances in which landmarks are looked for on the plan.
 pub fn circumstances(ground: &Ground) -> Circumstances {
     let settings = &ground.mission.navigator;
     Circumstances {

@@ -25,7 +25,7 @@ pub use source::Source;
 use crate::Outcome;
 use crate::files::write_whole;
 
-/// One sample of the summary.
+/// Sample of the summary.
 #[derive(Serialize)]
 struct Sample {
     distance_m: f64,

@@ -1,8 +1,8 @@
-//! Where the map, the mission on it and the camera come from.
+//! Source of the map, the mission on it and the camera.
 
 use std::path::PathBuf;
 
-/// Where the map, the mission on it and the camera come from.
+/// Source of the map, the mission on it and the camera.
 #[derive(clap::Args)]
 pub struct Source {
     /// A built-in scenario: its map, aircraft, camera and route.

@@ -77,7 +77,7 @@ pub fn verify(
     Ok(Verification::of(&all))
 }
 
-/// What a flight sees: pictures of a day, or nothing but what is stated of its landmarks.
+/// Sight of a flight: pictures of a day, or nothing but what is stated of its landmarks.
 enum Seen<'a> {
     Day(Arc<CachedImagery>),
     AsStated(&'a [PlannedLandmark]),
