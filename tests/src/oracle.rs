@@ -17,7 +17,7 @@ use crate::data::repository;
 /// Environment variable with the path of the Python interpreter that has the oracles installed.
 pub const INTERPRETER: &str = "PILOTAGE_PYTHON";
 
-/// What a test prints when it had no interpreter; the full test run refuses this line.
+/// Line that a test prints when it had no interpreter; the full test run refuses this line.
 pub const SKIPPED: &str = "skipped: no oracle interpreter";
 
 /// Answer of `tests/oracles/<script>` to `question`, or `None` (after saying so) when no

@@ -39,7 +39,7 @@ const APART: (f64, f64) = (7000.0, 9500.0);
 /// Least share of the straight line that is flown without a fix in one go.
 const BLIND: f64 = 0.4;
 
-/// What the flights see.
+/// Sight of the flights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Seen {
     /// Pictures of the county on another day, and the very detector.
@@ -48,7 +48,7 @@ pub enum Seen {
     AsStated,
 }
 
-/// What one route came to.
+/// Results of one route.
 #[derive(Clone, Debug, Default)]
 pub struct Flown {
     /// The route.
@@ -57,7 +57,7 @@ pub struct Flown {
     pub predicted_worst: f64,
     /// Its mean along the route, metres.
     pub predicted_mean: f64,
-    /// How long the plan takes in calm air with its turns, seconds.
+    /// Duration of the plan in calm air with its turns, seconds.
     pub time: f64,
     /// Largest error of each flight, metres.
     pub largest: Vec<f64>,
@@ -94,7 +94,7 @@ pub struct Case {
     pub villages: usize,
 }
 
-/// What is expected of each of the ten kinds of landmarks, measured in the village of the demo.
+/// Detection that is expected of each of the ten kinds of landmarks, measured in the village of the demo.
 pub fn expectations() -> Result<Vec<(String, ExpectedDetection)>, String> {
     let scenario = Scenario::named(SCENARIO).ok_or("the scenario is gone")?;
     let mission = scenario.mission();
@@ -125,7 +125,7 @@ pub fn expectations() -> Result<Vec<(String, ExpectedDetection)>, String> {
         .collect()
 }
 
-/// How the aircraft of the scenarios turns, with the wind behind it.
+/// Turns of the aircraft of the scenarios, with the wind behind it.
 fn turns(scenario: &Scenario, wind: f64) -> Turns {
     let guidance = GuidanceSettings::default();
     let speed = scenario.plan(&Overrides::default()).airframe.cruise + wind;

@@ -19,7 +19,7 @@ fn x8() -> Option<Flight> {
     Some(folder.flight)
 }
 
-/// What cuts of 30 s through the flight came to.
+/// Results of cuts of 30 s through the flight.
 struct Outcome {
     median: f64,
     covered: f64,

@@ -26,9 +26,9 @@ fn quantile(values: &[f64], share: f64) -> f64 {
     sorted[((sorted.len() - 1) as f64 * share).round() as usize]
 }
 
-/// What the middle of each picture shows is told alike by two programs that share nothing but the pictures: by
-/// patches and a camera's pose here, by features and a homography there. The columns of the data, similarities
-/// through a third as many features, are further from either than the two from each other.
+/// The ground in the middle of each picture is told alike by two programs that share nothing but the
+/// pictures: by patches and a camera's pose here, by features and a homography there. The columns of the
+/// data, similarities through a third as many features, are further from either than the two from each other.
 #[test]
 fn the_middles_of_frames_lie_where_homographies_of_opencv_have_them() {
     let Some(mut site) = caliterra_unaided() else {

@@ -19,7 +19,7 @@ use rand_chacha::ChaCha8Rng;
 
 use readers::{Reader, all_readers};
 
-/// One in so many executions is read in pieces, too.
+/// Number of executions of which one is read in pieces, too.
 const IN_PIECES: u64 = 8;
 /// Longest file that is read, bytes: damage may repeat much.
 const LONGEST: usize = 1 << 16;
@@ -46,7 +46,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     fuzz(reader, first, executions)
 }
 
-/// What the executions came to.
+/// Totals of the executions.
 #[derive(Default)]
 struct Tally {
     bytes: u64,

@@ -28,7 +28,7 @@ pub struct Reader {
     pub name: String,
     /// Small files to begin with.
     pub samples: Box<dyn Fn() -> Vec<Sample>>,
-    /// What reads them.
+    /// Function that reads the files.
     pub execute: Execute,
 }
 

@@ -24,7 +24,7 @@ type Kind = (
     u8,
 );
 
-/// What a plane writes, at the rates of a log of everything.
+/// Kinds of messages that a plane writes, at the rates of a log of everything.
 const KINDS: [Kind; 14] = [
     (
         10,

@@ -12,7 +12,7 @@ const TILE: usize = 256;
 /// Side of a pixel, metres.
 const GSD: f64 = 0.3;
 
-/// One level of the map: rows that wait for a whole row of tiles, and the tiles that are written.
+/// Level of the map: rows that wait for a whole row of tiles, and the tiles that are written.
 struct Level {
     width: usize,
     height: usize,

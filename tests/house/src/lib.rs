@@ -22,7 +22,7 @@ pub struct Violation {
     pub file: String,
     /// Line, counted from one; 0 where the rule is about the whole file.
     pub line: usize,
-    /// What is wrong and what to do about it.
+    /// Complaint: the rule that is broken, and its remedy.
     pub complaint: String,
 }
 

@@ -1,4 +1,4 @@
-//! What the manifests of the crates may depend on.
+//! Dependencies that the manifests of the crates may have.
 
 use toml::{Table, Value};
 

@@ -35,7 +35,7 @@ struct Module {
     named: Vec<NamedPath>,
 }
 
-/// One file using what another one defines.
+/// Use by one file of a name that another one defines.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Arrow {
     /// Module of the file that uses.
@@ -73,8 +73,8 @@ impl Modules {
         found
     }
 
-    /// Which file uses what of which other one, each once. Re-exports use nothing: what they name is followed to
-    /// where it is defined, for whoever asks for it.
+    /// Uses of names of other files, each once. Re-exports use nothing: a name that they bring is followed to where
+    /// it is defined, for whoever asks for it.
     pub fn arrows(&self) -> BTreeSet<Arrow> {
         let mut arrows = BTreeSet::new();
         for (path, module) in &self.modules {
@@ -154,7 +154,7 @@ impl Modules {
         }
     }
 
-    /// Where a path begins: the module it is counted from and the parts that are left; nothing where it leaves the
+    /// Beginning of a path: the module it is counted from and the parts that are left; nothing where it leaves the
     /// crate or names something of the module's own.
     fn start<'a>(
         &self,

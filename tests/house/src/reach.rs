@@ -1,9 +1,9 @@
-//! What a crate must not reach: `core` no screen, clock, file or thread; `ui` no browser.
+//! Names that a crate must not reach: `core` no screen, clock, file or thread; `ui` no browser.
 
 use crate::{Violation, sources::Source, tokens::named_paths};
 
-/// What `core` must not name outside its tests. Time, files and threads come in as values from
-/// the caller, so that the same flight gives the same run on every platform.
+/// Paths that `core` must not name outside its tests. Time, files and threads come in as values from the
+/// caller, so that the same flight gives the same run on every platform.
 pub const FORBIDDEN_IN_CORE: [&[&str]; 26] = [
     &["std", "time", "Instant"],
     &["std", "time", "SystemTime"],
@@ -33,7 +33,7 @@ pub const FORBIDDEN_IN_CORE: [&[&str]; 26] = [
     &["rand", "rng"],
 ];
 
-/// What `ui` must not name: it runs natively under test, without page or window.
+/// Paths that `ui` must not name: it runs natively under test, without page or window.
 pub const FORBIDDEN_IN_UI: [&[&str]; 10] = [
     &["eframe"],
     &["web_sys"],

@@ -15,7 +15,7 @@ pub struct NamedPath {
     pub line: usize,
     /// Whether it stands under `#[cfg(test)]`.
     pub in_test: bool,
-    /// Where a `use` brings it in: how.
+    /// Manner in which a `use` brings it in, where one does.
     pub import: Option<Import>,
 }
 

@@ -1,4 +1,4 @@
-//! What must hold of every reader, whatever it reads.
+//! Checks that must hold of every reader, whatever it reads.
 
 use pilotage_core::flight::log::{FormatInfo, Log};
 

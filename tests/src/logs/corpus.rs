@@ -1,4 +1,4 @@
-//! What a format's reader is tried on: small logs, real and made.
+//! Corpus that a format's reader is tried on: small logs, real and made.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -18,7 +18,7 @@ const PIECE: usize = 1500;
 pub struct Sample {
     /// The file.
     pub bytes: Vec<u8>,
-    /// Where messages begin, as parts of its length.
+    /// Places at which messages begin, as parts of its length.
     pub seams: Vec<f64>,
 }
 
@@ -124,8 +124,8 @@ fn messages(log: &[u8]) -> Vec<&[u8]> {
         .collect()
 }
 
-/// What is left of a log if few kinds of message stay, and of each a few: which ones, says the seed. The
-/// announcements of kinds that went stay away, too.
+/// Rest of a log if few kinds of message stay, and of each a few, chosen by the seed. The announcements of
+/// kinds that went stay away, too.
 fn thinned(log: &[u8], seed: u64) -> Vec<u8> {
     let kept = thin(&messages(log), seed, |message| {
         let byte = |at: usize| message.get(at).copied().unwrap_or_default();

@@ -3,7 +3,7 @@
 use rand::RngExt;
 use rand_chacha::ChaCha8Rng;
 
-/// One thing that goes wrong with a file. Places are parts of the file's length, so that they fit any.
+/// Damage to a file. Places are parts of the file's length, so that they fit any.
 #[derive(Clone, Debug)]
 pub enum Damage {
     /// A bit is turned over.
@@ -14,9 +14,9 @@ pub enum Damage {
     Insert(f64, Vec<u8>),
     /// The file ends here.
     Truncate(f64),
-    /// What is between is lost.
+    /// Bytes in between are lost.
     Lose(f64, f64),
-    /// What is between stands there twice, the second time at the third place.
+    /// Bytes between the first two places stand there twice, the second time at the third place.
     Repeat(f64, f64, f64),
     /// The file goes on as another one does from its second place on.
     Splice(f64, f64),

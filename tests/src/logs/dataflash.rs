@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use pilotage_core::flight::log::FieldKind;
 
-/// How a log is written.
+/// Form of a log.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
     /// Messages of bytes.
@@ -52,7 +52,7 @@ const LABELS: u8 = 203;
 /// Writes a log.
 #[derive(Clone, Debug)]
 pub struct DataflashWriter {
-    /// What was written and not taken.
+    /// Bytes that were written and not taken.
     pub bytes: Vec<u8>,
     form: Form,
     /// Name and letters of the kinds of message.

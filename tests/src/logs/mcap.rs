@@ -2,7 +2,7 @@
 
 use std::io::Write as _;
 
-/// How chunks are packed.
+/// Compression of chunks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Packing {
     /// There are none: messages stand by themselves.
@@ -113,7 +113,7 @@ fn schemas() -> Vec<u8> {
     .concat()
 }
 
-/// What message `index` of a channel says.
+/// Contents of message `index` of a channel.
 fn contents(channel: u16, index: u64) -> Vec<u8> {
     let byte = index as u8;
     let float = (index as f64 * 0.75).to_le_bytes();

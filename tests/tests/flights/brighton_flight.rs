@@ -62,7 +62,7 @@ fn eighteen_frames_are_read_with_their_times_headings_and_heights() {
     assert_eq!(turned.count(), 6);
 }
 
-/// What people drop is the author's folder; the pictures lie in a folder inside it.
+/// People drop the author's folder; the pictures lie in a folder inside it.
 #[test]
 fn the_folder_as_it_is_gives_nearly_the_same_flight() {
     let (Some(folder), Some(data)) = (flight(), shared("brighton_beach")) else {

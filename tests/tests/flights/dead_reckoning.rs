@@ -12,7 +12,7 @@ use pilotage_core::instruments::{
 };
 use pilotage_tests::recorded;
 
-/// How often the plain filter flies while its noise is looked for.
+/// Number of flights of the plain filter while its noise is looked for.
 const TUNING: usize = 60;
 
 fn flight(name: &str) -> Option<Flight> {

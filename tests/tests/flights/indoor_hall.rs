@@ -111,7 +111,7 @@ fn figures(flight: &Flight, run: &Run) -> Figures {
     }
 }
 
-/// What navigating one flight on one model gave.
+/// Result of navigating one flight on one model.
 struct Outcome {
     seed: u64,
     model: VehicleChoice,
@@ -152,7 +152,7 @@ fn study(hall: &IndoorHall) -> Vec<Outcome> {
     })
 }
 
-/// How far the wind of a step is from the draught, m/s, and the same in standard deviations.
+/// Distance of the wind of a step from the draught, m/s, and the same in standard deviations.
 fn wind_error(hall: &IndoorHall, step: &StepReport) -> (f64, f64) {
     let estimate = Vector2::new(step.after.mean[2], step.after.mean[3]);
     let covariance: Matrix2<f64> = step.after.covariance.fixed_view::<2, 2>(2, 2).into_owned();

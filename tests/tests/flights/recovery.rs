@@ -12,7 +12,7 @@ use pilotage_core::plan::{
 };
 use pilotage_core::simulate::{Overrides, Scenario};
 
-/// Which of the detections are wrong.
+/// Choice of the detections that are wrong.
 enum Wrong {
     Never,
     /// Those in the first frame with any.

@@ -130,7 +130,7 @@ fn every_file_comes_back_from_what_is_written_of_it() {
     println!("{read} bytes of XML in {written} bytes");
 }
 
-/// One file of every kind, the smallest ones.
+/// Smallest file of every kind.
 const SMALL: [&str; 3] = [
     "lbpcascades/lbpcascade_frontalface.xml",
     "haarcascades/haarcascade_licence_plate_rus_16stages.xml",
@@ -173,7 +173,7 @@ fn mutated(bytes: &[u8], random: &mut ChaCha8Rng) -> Vec<u8> {
     bytes
 }
 
-/// What came of reading a file, and how a complaint about it has to begin.
+/// Result of reading a file, and the beginning that a complaint about it has to have.
 type Read = (Result<Cascade, CascadeError>, String);
 
 /// Reads two thousand files that `broken` makes of the small ones, from name, text and number, and runs

@@ -1,4 +1,4 @@
-//! What this program computes and reads beside other people's programs: one file for each thing that is compared.
+//! Results of this program beside those of other people's programs: one file for each thing that is compared.
 //!
 //! One test program, since each links all of the crates.
 

@@ -49,7 +49,7 @@ fn furthest(archive: &PmTiles, tile: &TileNumber, theirs: &[u8]) -> u8 {
     differences.max().unwrap()
 }
 
-/// Whether the archive lies where it is told to and names its makers.
+/// Checks that the archive lies where it is told to and names its makers.
 fn compare_head(answer: &Archive, archive: &PmTiles) {
     let (low, high) = archive.corners();
     let ours = [low.latitude, low.longitude, high.latitude, high.longitude];

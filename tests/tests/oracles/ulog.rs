@@ -95,7 +95,8 @@ fn kind_of(name: &str) -> FieldKind {
 /// Rows of one topic that may be left out at most.
 const FEW: usize = 3;
 
-/// Which rows of a topic we keep. Those left out are few, far from the log in time, and told with the topic's name.
+/// Marks the rows of a topic that we keep. Those left out are few, far from the log in time, and told with the
+/// topic's name.
 fn kept(log: &Log, topic: &Topic, expected: &ReadTopic) -> Vec<bool> {
     let (_, _, hex) = expected
         .fields
