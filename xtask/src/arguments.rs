@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use crate::failure::Failure;
 
-/// What is left of the command line.
+/// Rest of the command line.
 #[derive(Debug)]
 pub struct Arguments {
     rest: Vec<String>,

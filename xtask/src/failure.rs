@@ -1,4 +1,4 @@
-//! What can go wrong while building, serving and testing.
+//! Failures while building, serving and testing.
 
 use std::{io, path::PathBuf};
 
@@ -13,7 +13,7 @@ pub enum Failure {
     File {
         /// The file or folder.
         path: PathBuf,
-        /// What the system says.
+        /// Error of the system.
         source: io::Error,
     },
     /// A folder that was to be emptied holds something else than a built page.
@@ -24,9 +24,9 @@ pub enum Failure {
     Start {
         /// The command line.
         command: String,
-        /// What the system says.
+        /// Error of the system.
         source: io::Error,
-        /// What to do about it.
+        /// Advice to people.
         advice: String,
     },
     /// A program ended with a failure; its own words are above.
@@ -34,7 +34,7 @@ pub enum Failure {
     Command {
         /// The command line.
         command: String,
-        /// How it ended.
+        /// Status with which it ended.
         status: std::process::ExitStatus,
     },
     /// The module could not be given its glue for the browser.
@@ -42,7 +42,7 @@ pub enum Failure {
     Bindings {
         /// The module as the compiler wrote it.
         module: PathBuf,
-        /// What wasm-bindgen says.
+        /// Reason that wasm-bindgen gives.
         reason: String,
     },
     /// The server could not take its port.
@@ -50,15 +50,15 @@ pub enum Failure {
     Port {
         /// The port asked for.
         port: u16,
-        /// What the system says.
+        /// Reason that the system gives.
         reason: String,
     },
     /// A program needed for a check is missing.
     #[error("{program} is missing: {advice}")]
     Missing {
-        /// What is missing.
+        /// Name of the missing program.
         program: &'static str,
-        /// How to get it.
+        /// Advice on how to get it.
         advice: String,
     },
     /// A file of the repository does not hold what it should.
@@ -66,7 +66,7 @@ pub enum Failure {
     Content {
         /// The file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// Reason in words.
         reason: String,
     },
     /// A check found something.

@@ -1,4 +1,4 @@
-//! Where things lie.
+//! Places of files and folders.
 
 use std::path::{Path, PathBuf};
 
@@ -16,12 +16,12 @@ pub fn target() -> PathBuf {
     }
 }
 
-/// Where the page is put together unless another folder is named.
+/// Folder in which the page is put together unless another one is named.
 pub fn dist() -> PathBuf {
     root().join("dist")
 }
 
-/// Where the browser's journeys find the page.
+/// Folder in which the browser's journeys find the page.
 pub fn page_under_test() -> PathBuf {
     target().join("page")
 }

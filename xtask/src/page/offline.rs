@@ -1,4 +1,4 @@
-//! What the page needs to know about itself to work without a network.
+//! Data about the page that it needs to work without a network.
 //!
 //! The service worker `sw.js` keeps every file of one build. It is told which ones, relative to
 //! itself, so that the page works under any path: `__BUILD_ID__` becomes a name for the content of

@@ -13,7 +13,7 @@ pub fn module_name(package: &str) -> String {
     package.replace('-', "_")
 }
 
-/// How a page is built.
+/// Profile that a page is built with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Profile {
     /// Quick to link, for working on it and for the browser's journeys.

@@ -1,4 +1,4 @@
-//! What a program weighs by crate, from its code and the names in it.
+//! Weight of a program by crate, from its code and the names in it.
 
 use std::{collections::BTreeMap, fs, path::Path};
 

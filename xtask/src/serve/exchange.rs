@@ -1,5 +1,5 @@
-//! One request and its answer, over HTTP/1.1. The connection ends with the answer: on one machine a
-//! new one costs nothing.
+//! Exchange of one request and its answer, over HTTP/1.1. The connection ends with the answer: on one machine
+//! a new one costs nothing.
 
 use std::{
     fs::File,
@@ -13,7 +13,7 @@ use super::files::{file_meant, media_type, stored_form};
 
 /// Longest request line with its headers, in bytes.
 const LONGEST_HEAD: u64 = 32 * 1024;
-/// How long a browser may keep a connection open without asking for anything.
+/// Longest time that a browser may keep a connection open without asking for anything.
 const PATIENCE: Duration = Duration::from_mins(1);
 
 /// Answers the request on `connection` with a file of `dist` or with a refusal.
@@ -51,7 +51,7 @@ fn read_head(connection: &TcpStream) -> io::Result<String> {
     Ok(head)
 }
 
-/// What matters of a request.
+/// Parts of a request that matter.
 #[derive(Debug, PartialEq, Eq)]
 struct Request<'a> {
     method: &'a str,

@@ -1,4 +1,4 @@
-//! Which file an address means, and in which form it is sent.
+//! File that an address means, and the form in which it is sent.
 
 use std::path::{Path, PathBuf};
 

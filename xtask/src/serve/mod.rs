@@ -20,7 +20,7 @@ use crate::{
     places, progress,
 };
 
-/// What `cargo xtask serve` was asked for.
+/// Options of `cargo xtask serve`.
 #[derive(Debug)]
 pub struct Options {
     port: u16,

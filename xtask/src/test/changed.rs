@@ -1,4 +1,4 @@
-//! What a change can reach: the packages that it touches, those that stand on them, and the page.
+//! Reach of a change: the packages that it touches, those that stand on them, and the page.
 
 use std::collections::BTreeSet;
 
@@ -22,7 +22,7 @@ const PAGE: [&str; 5] = [
     "pilotage-worker-whole",
 ];
 
-/// What is worth checking after a change.
+/// Packages, page and journeys that are worth checking after a change.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Reach {
     /// Packages that are changed or stand on changed ones, sorted.

@@ -28,7 +28,7 @@ pub use changed::{Reach, reach};
 pub use native::store_first_seconds;
 use table::Table;
 
-/// Which checks are run, and on what.
+/// Choice of the checks that are run, and of the packages that they are run on.
 #[derive(Debug)]
 pub struct Choice {
     /// Without documentation, oracles and browser.

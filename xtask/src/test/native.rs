@@ -66,7 +66,7 @@ impl Packages {
         reached.is_none_or(|reached| reached.iter().any(|other| other == name))
     }
 
-    /// What cargo is told, and `all` where nothing is left out.
+    /// Arguments for cargo, and `all` where nothing is left out.
     fn arguments<'a>(&'a self, all: &'a [&'a str]) -> Vec<&'a str> {
         let Some(reached) = &self.reached else {
             return all.to_vec();

@@ -13,7 +13,7 @@ use crate::{
     process::{on_path, program, run, succeeds},
 };
 
-/// What an oracle test prints when it had no interpreter (`tests/src/oracle.rs`).
+/// Line that an oracle test prints when it had no interpreter (`tests/src/oracle.rs`).
 const SKIPPED: &str = "skipped: no oracle interpreter";
 /// The variable that names the interpreter.
 const INTERPRETER: &str = "PILOTAGE_PYTHON";

@@ -6,7 +6,8 @@ use serde_json::Value;
 
 /// Programs that take longest, which begin before the others and which `--quick` leaves out.
 pub const LONG: [&str; 4] = ["whole_frames", "across_dates", "hostile_data", "scenarios"];
-/// What takes longest beside them, and begins next: it must not be what everybody waits for at the end.
+/// Programs that take longest beside them, and begin next: none of them must be what everybody waits for at
+/// the end.
 const EARLY: [&str; 12] = [
     "oracle_frames",
     "pilotage_ui",

@@ -4,7 +4,7 @@ use std::{process::ExitCode, time::Instant};
 
 use crate::{failure::Failure, progress};
 
-/// One line per check.
+/// Table with a line per check.
 #[derive(Debug, Default)]
 pub struct Table {
     lines: Vec<Line>,

@@ -1,4 +1,4 @@
-//! What the project may depend on: licences, banned crates, sources, as `deny.toml` states them.
+//! Policy on the project's dependencies: licences, banned crates, sources, as `deny.toml` states them.
 //!
 //! `cargo deny` reads the same file and is used where it is installed. Building it takes longer
 //! than all our own code, so elsewhere the same three questions are answered here, from

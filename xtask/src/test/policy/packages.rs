@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::{failure::Failure, metadata};
 
-/// What the rules ask about a package.
+/// Data about a package that the rules ask for.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Package {
     /// Its name.
@@ -15,7 +15,7 @@ pub struct Package {
     pub version: String,
     /// Its licence expression, if it states one.
     pub license: Option<String>,
-    /// Where it comes from; `None` for packages of this repository.
+    /// Source that it comes from; `None` for packages of this repository.
     pub source: Option<String>,
     /// Libraries that a package of this repository asks for in any version.
     pub any_version: Vec<String>,

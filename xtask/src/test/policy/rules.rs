@@ -49,7 +49,7 @@ impl Rules {
         })
     }
 
-    /// What is wrong with `package`, in words.
+    /// Complaints about `package`, in words.
     pub fn complaints(&self, package: &Package) -> Vec<String> {
         let problems = [self.licence_problem(package), self.source_problem(package)];
         let wildcards = package
