@@ -40,7 +40,7 @@ pub enum Trouble {
         /// Number of arguments that it was given.
         given: usize,
     },
-    /// Argument that depends on a series, where it should be the same for all times.
+    /// Length of time that depends on a series or on the time, or is not finite.
     NotConstant,
     /// A length of time that is not above zero.
     NotPositive,

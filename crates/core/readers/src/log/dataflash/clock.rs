@@ -61,7 +61,7 @@ pub fn is_receiver(name: &str) -> bool {
     name == "GPS" || name == "GPS2"
 }
 
-/// Origin of the times of a log.
+/// Clock by which the times of a log are counted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Base {
     /// Nothing told the time so far.
