@@ -25,7 +25,7 @@ pub struct Estimated {
     pub is_told: bool,
 }
 
-/// What is believed before the flight is looked at: standard deviations about zero.
+/// Prior of the camera's unknowns before the flight is looked at: standard deviations about zero.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CameraPrior {
     /// Time offset, seconds; three of them to each side are searched.
@@ -72,7 +72,7 @@ pub struct CameraToLog {
     pub yaw: Estimated,
     /// Natural logarithm of the factor on the focal length.
     pub log_focal: Estimated,
-    /// What satellite navigation is off the map (north, east), metres: to add to its places.
+    /// Correction of satellite navigation to the map (north, east), metres: to add to its places.
     pub bias: [Estimated; 2],
     /// Frames that were held against the log.
     pub frames: usize,
@@ -89,7 +89,7 @@ pub enum AlignmentError {
         "{found} frames of the flight were laid on the map during the log; at least {FEWEST} are needed"
     )]
     TooFewFrames {
-        /// How many do.
+        /// Number of frames that were laid on the map during the log.
         found: usize,
     },
     /// Nothing to hold the frames against.
@@ -252,8 +252,8 @@ fn told(best: &Solution, prior: &Unknowns, middle: f64, before: f64) -> CameraTo
 }
 
 impl CameraToLog {
-    /// What is to be changed of the camera. What the flight does not tell stays near what was believed, since
-    /// the estimate does.
+    /// Change to make to the camera. What the flight does not tell stays near the prior, since the estimate
+    /// does.
     pub fn adjustment(&self) -> CameraAdjustment {
         CameraAdjustment {
             offset: self.offset.value,

@@ -70,8 +70,8 @@ fn flight() -> Flight {
     }
 }
 
-/// What pictures show if the frames' clock, the mount and the lens are off by `truth`, with noise in their
-/// last digits; every tenth is laid somewhere else.
+/// Frames as the pictures show them if the frames' clock, the mount and the lens are off by `truth`, with
+/// noise in their last digits; every tenth is laid somewhere else.
 fn shown(flight: &Flight, truth: &Unknowns, noise: f64) -> Vec<Laid> {
     let log = Log::new(flight, &[]).unwrap();
     let mut camera = flight.camera.clone();

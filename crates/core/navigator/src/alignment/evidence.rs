@@ -9,7 +9,7 @@ use pilotage_base::frames::{GroundPoint, Pose};
 use pilotage_flight::{ChannelName, Flight};
 use pilotage_mission::settings::CameraAdjustment;
 
-/// What is read of the log.
+/// Channels that are read of the log.
 const READ: [ChannelName; 6] = [
     ChannelName::GpsNorth,
     ChannelName::GpsEast,
@@ -31,7 +31,7 @@ pub struct CameraEvidence {
     frames: Vec<Laid>,
 }
 
-/// What a laid frame says beyond what the log lets expect of it.
+/// Residual of a laid frame: its deviation from what the log lets expect.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameResidual {
     /// Index of the frame.
@@ -66,7 +66,7 @@ pub struct ResidualSummary {
 }
 
 impl CameraEvidence {
-    /// What `run` found in the pictures of `flight`, which has to be the flight as the run knew it.
+    /// Evidence that `run` found in the pictures of `flight`, which has to be the flight as the run knew it.
     pub fn of(flight: &Flight, run: &Run) -> Self {
         Self::from_frames(flight, laid_frames(flight, run))
     }
@@ -99,9 +99,9 @@ impl CameraEvidence {
         times.sum::<f64>() / self.frames.len().max(1) as f64
     }
 
-    /// How far each laid frame is from the log were the camera changed by `change` and satellite navigation off
-    /// the map by `bias` (north, east; metres). Frames that fall outside the log are left out; nothing without
-    /// satellite navigation.
+    /// Residuals of the laid frames against the log, were the camera changed by `change` and satellite
+    /// navigation off the map by `bias` (north, east; metres). Frames that fall outside the log are left out;
+    /// nothing without satellite navigation.
     pub fn residuals(&self, change: &CameraAdjustment, bias: [f64; 2]) -> Vec<FrameResidual> {
         let Some(log) = Log::new(&self.flight, &self.frames) else {
             return Vec::new();

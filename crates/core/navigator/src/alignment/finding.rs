@@ -1,4 +1,4 @@
-//! What a camera beside its log comes to, in words.
+//! Findings on a camera beside its log, in words.
 
 use super::{CameraToLog, Estimated};
 use pilotage_flight::{Finding, Severity};
@@ -23,7 +23,7 @@ fn warning(title: String, text: String) -> Finding {
     finding(Severity::Warning, title, text)
 }
 
-/// What is told of the camera, in words: the lag between pictures and log first, also where there is none, then
+/// Findings on the camera, in words: the lag between pictures and log first, also where there is none, then
 /// whatever differs from what the flight states by more than three standard deviations. Nothing of what the
 /// flight does not tell.
 pub fn camera_findings(told: &CameraToLog) -> Vec<Finding> {

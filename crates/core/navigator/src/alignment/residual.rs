@@ -1,4 +1,4 @@
-//! What each laid frame says against the log.
+//! Residuals of laid frames against the log.
 
 use nalgebra::{Point2, Point3, SVector};
 use serde::{Deserialize, Serialize};
@@ -51,7 +51,7 @@ pub fn laid_frames(flight: &Flight, run: &Run) -> Vec<Laid> {
     frames.collect()
 }
 
-/// What the frames are held against.
+/// Log against which the frames are held.
 pub struct Log<'a> {
     pub flight: &'a Flight,
     /// Time about which the clock's drift counts, seconds.
@@ -85,7 +85,7 @@ impl<'a> Log<'a> {
         camera_time + unknowns[0] + unknowns[1] * (camera_time - self.middle)
     }
 
-    /// What `frame` says beyond what the log lets expect; what cannot be said is missing.
+    /// Residual of `frame` against what the log lets expect; numbers that cannot be told are missing.
     pub fn residual(&self, frame: &Laid, unknowns: &Unknowns) -> Option<[Option<f64>; SAID]> {
         let flight = self.flight;
         let time = self.time(frame.time, unknowns);

@@ -55,8 +55,8 @@ fn deviations(residuals: &[[Option<f64>; SAID]]) -> [f64; SAID] {
     std::array::from_fn(|i| all[i].max(LEAST[i]))
 }
 
-/// How alike the errors of neighbouring frames are, for each number: the factor by which that many frames say
-/// less than as many independent ones, (1 + r) / (1 - r) for the correlation r from one to the next.
+/// Redundancy of neighbouring frames, for each number: the factor by which that many frames say less than as
+/// many independent ones, (1 + r) / (1 - r) for the correlation r of the errors from one to the next.
 fn redundancy(residuals: &[[Option<f64>; SAID]]) -> [f64; SAID] {
     let of = |numbers: &[usize]| -> f64 {
         let (mut product, mut square) = (0.0, 0.0);
@@ -178,7 +178,7 @@ pub fn solve(
     })
 }
 
-/// How a frame's numbers change with the unknowns.
+/// Jacobian of a frame's numbers by the unknowns, from central differences.
 fn slopes(
     log: &Log<'_>,
     frame: &Laid,

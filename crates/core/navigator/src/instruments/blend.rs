@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::fit::AirFit;
 use super::series::Series;
 
-/// What is added to a heading, and what that grows by.
+/// Angle that is added to a heading, and its drift.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 struct Turn {
     /// Radians at `reference`.
@@ -31,8 +31,9 @@ impl Turn {
     }
 }
 
-/// How the logged heading and that of the gyros become one: each turned to where the track wants it. Their errors have
-/// different causes, so that the mean has less of them than the worse of the two, and which that is nobody knows.
+/// Blend of the logged heading and the gyros' heading: each turned to where the track wants it. Their errors
+/// have different causes, so that the mean has less of them than the worse of the two, and which that is
+/// nobody knows.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Blend {
     logged: Turn,

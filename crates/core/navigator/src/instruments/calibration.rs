@@ -1,4 +1,4 @@
-//! What the instruments' delays are and which heading to believe, by the flight so far.
+//! Delays of the instruments and choice of the heading to believe, by the flight so far.
 
 use nalgebra::{Rotation2, Vector2};
 use serde::{Deserialize, Serialize};
@@ -29,7 +29,7 @@ const SLIP_LENGTH: f64 = 30.0;
 /// The same of what the side force reads too much, m/s²: three degrees of roll.
 const SIDE_FORCE: f64 = 0.5;
 
-/// Where the heading comes from.
+/// Source of the heading.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum HeadingSource {
     /// The heading that was logged.
@@ -49,7 +49,7 @@ pub struct Delays {
     pub gps: f64,
 }
 
-/// How delays and fit are found.
+/// Settings of the search for delays and of the fit.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct CalibrationSettings {
@@ -61,7 +61,7 @@ pub struct CalibrationSettings {
     pub delay_deviation: f64,
     /// Time for which the error of a velocity is remembered where delays are told by what is new, seconds.
     pub error_memory: f64,
-    /// What is believed of scale, heading and wind, for the logged heading.
+    /// Prior of scale, heading and wind, for the logged heading.
     pub logged: FitPrior,
     /// The same for the gyros' heading.
     pub gyros: FitPrior,
@@ -99,24 +99,24 @@ impl Default for CalibrationSettings {
     }
 }
 
-/// What is known of the instruments at a time, by nothing later than that.
+/// Calibration of the instruments at a time, by nothing later than that.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Calibration {
     /// Time up to which it looked, seconds.
     pub as_of: f64,
     /// The heading it is for.
     pub heading: HeadingSource,
-    /// How both headings become one, where it is for their mean.
+    /// Blend of both headings, where the calibration is for their mean.
     pub blend: Option<Blend>,
     /// Delays.
     pub delays: Delays,
     /// Wind, scale, offset and drift; `None` before there are enough samples.
     pub fit: Option<AirFit>,
-    /// What the track wants that cannot be, if it does.
+    /// Result of the fit that cannot be and was refused, if there is one.
     pub refused: Option<FitRefusal>,
     /// True airspeed to assume while none is measured, m/s.
     pub cruise: f64,
-    /// How the airspeed strays from that, standard deviation in m/s.
+    /// Standard deviation of the airspeed about `cruise`, m/s.
     pub cruise_deviation: f64,
 }
 
@@ -128,7 +128,7 @@ impl Calibration {
         }))
     }
 
-    /// What there is to say of it.
+    /// Findings on the calibration.
     pub fn findings(&self) -> Vec<Finding> {
         let mut findings = Vec::new();
         let finding = |severity, title: String, text: String| Finding {
@@ -174,8 +174,8 @@ impl Calibration {
         findings
     }
 
-    /// What there is to say of the logged heading, if this is a calibration of it and the track wants it turned;
-    /// `is_used` says whether navigation goes by it.
+    /// Finding on the logged heading, if this is a calibration of it and the track wants it turned; `is_used`
+    /// says whether navigation goes by it.
     pub fn compass_finding(&self, is_used: bool) -> Option<Finding> {
         let fit = self.fit.filter(|_| self.heading == HeadingSource::Logged)?;
         let offset = fit.heading_offset;
@@ -247,7 +247,7 @@ pub(super) fn calibrate(
     }
 }
 
-/// What is fitted to what in the stretch `span` (seconds) of a flight.
+/// Fit problem of the stretch `span` (seconds) of a flight.
 pub(super) fn problem<'a>(
     readings: &'a Readings,
     nose: &'a Series<Vector2<f64>>,

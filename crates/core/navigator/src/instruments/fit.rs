@@ -12,7 +12,7 @@ use super::track_noise::{Left, TrackNoise, means, means_over};
 pub(super) const UNKNOWNS: usize = 7;
 /// Those of them that are no wind.
 pub(super) const NO_WIND: [usize; 5] = [0, 1, 4, 5, 6];
-/// Where length and offset of the sideslip stand among the unknowns.
+/// Indices of length and offset of the sideslip among the unknowns.
 const SLIP_LENGTH: usize = 5;
 pub(super) const SLIP_OFFSET: usize = 6;
 /// Mean square of how the nose strays from which on it turned: what wagging adds to it, some degrees, is a hundredth of
@@ -34,7 +34,8 @@ const SECOND: f64 = 1.0;
 /// Share of a moment's variance below which it counts as nothing, so that moments that say the same can be weighed.
 const NOTHING: f64 = 1e-9;
 
-/// One wind, one scale of the airspeed, one offset and drift of the heading, one readiness to slip sideways.
+/// Fit of one wind, one scale of the airspeed, one offset and drift of the heading, and one readiness to slip
+/// sideways.
 ///
 /// The velocity over ground is v = a u + b u⊥ + d (t - t₀) u⊥ + s + w + e with the air velocity u = V cos θ (cos ψ, sin ψ)
 /// as read, x⊥ the same turned to the right by 90° and s the slip by the side force (`slip.rs`); linear in a, b, d, w and
@@ -83,7 +84,7 @@ pub struct AirFit {
     pub still_wind_deviation: f64,
     /// Standard deviation per axis of what is left of the velocity, m/s.
     pub residual: f64,
-    /// What moves the aircraft besides, likeliest by what is left of the velocity.
+    /// Noise that moves the aircraft besides, likeliest by what is left of the velocity.
     pub noise: TrackNoise,
     /// The same in the mean over all that may be: what a prediction has to reckon with.
     pub expected_noise: TrackNoise,
@@ -96,7 +97,7 @@ pub struct AirFit {
     pub outliers: usize,
 }
 
-/// What a round takes from the one before.
+/// Guess that a round takes from the round before.
 #[derive(Clone, Copy)]
 pub(super) struct Guess {
     /// Angle added to the heading at the end, radians, and its rate, rad/s.
@@ -303,7 +304,7 @@ impl FitProblem<'_> {
         means_over(SECOND, left)
     }
 
-    /// What is new in each velocity, against an error that remembers itself.
+    /// Innovation in each velocity, against an error that remembers itself.
     fn new_in<'a>(
         &self,
         rows: &'a [Row],
@@ -335,7 +336,7 @@ impl FitProblem<'_> {
         ]
     }
 
-    /// One solution about a guess.
+    /// Solves the equations once, about a guess.
     pub(super) fn round(&self, rows: &[Row], guess: &Guess) -> Option<Solved> {
         let reference = rows.last()?.time;
         let mean = rows.iter().map(|row| row.airspeed).sum::<f64>() / rows.len() as f64;
@@ -430,7 +431,7 @@ impl FitProblem<'_> {
 }
 
 impl Solved {
-    /// What it says, as far as it does.
+    /// Fit that the solution states, as far as it does.
     fn fit(&self) -> AirFit {
         let unknowns = &self.unknowns;
         let scale = self.scale();

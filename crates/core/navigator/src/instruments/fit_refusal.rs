@@ -17,7 +17,7 @@ const FASTEST_WIND: f64 = 60.0;
 /// Standard deviations by which a length may fall short of zero.
 const SHORT: f64 = 2.0;
 
-/// What a fit said and cannot be.
+/// Result of a fit that cannot be.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum FitRefusal {
     /// An airspeed scale; 1 is taken in its place.
@@ -29,7 +29,7 @@ pub enum FitRefusal {
 }
 
 impl FitRefusal {
-    /// What cannot be of a fit at a mean airspeed of `airspeed` m/s.
+    /// Result that cannot be of a fit at a mean airspeed of `airspeed` m/s, if there is one.
     pub(super) fn of(fit: &AirFit, airspeed: f64) -> Option<Self> {
         let (length, offset) = (fit.slip_length, fit.slip_offset);
         let is_backwards = length < -SHORT * fit.slip_deviation;
@@ -45,7 +45,7 @@ impl FitRefusal {
         }
     }
 
-    /// What is believed beforehand by somebody who refuses this; `None` if nothing is left.
+    /// Prior that holds fixed what is refused; `None` if nothing is left of the fit.
     pub(super) fn believed(&self, prior: FitPrior) -> Option<FitPrior> {
         /// A deviation that lets nothing move.
         const FIXED: f64 = 1e-6;

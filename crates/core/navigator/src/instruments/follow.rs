@@ -15,13 +15,13 @@ use pilotage_estimation::filter::FilterError;
 pub struct PositionFix {
     /// When the vehicle was there, seconds in the flight's time base.
     pub time: f64,
-    /// Where it was.
+    /// Position of the vehicle.
     pub position: GroundPoint,
     /// Covariance (north, east), m².
     pub covariance: Matrix2<f64>,
 }
 
-/// What a filter meets on its way.
+/// Event that a filter meets on its way.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Event {
     Position(Vector2<f64>),

@@ -24,7 +24,7 @@ const LATE: f64 = 0.2;
 #[derive(Clone, Copy, Debug)]
 pub struct Wander(pub f64, pub f64);
 
-/// What is flown, in what, and how it is measured.
+/// Flight to generate: what is flown, in what, and how it is measured.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan {
     /// Duration, seconds.

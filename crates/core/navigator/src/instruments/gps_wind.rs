@@ -19,11 +19,11 @@ const INTEGRATION_STEP: f64 = 0.1;
 /// Longest pause between positions over which the filter goes on, seconds.
 const LONGEST_PAUSE: f64 = 5.0;
 
-/// How the wind is found from satellite navigation.
+/// Settings by which the wind is found from satellite navigation.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct GpsWindSettings {
-    /// How the airplane moves, with its process noise.
+    /// Motion model of the airplane, with its process noise.
     pub vehicle: AirplaneWind,
     /// Standard deviation of a position by satellite navigation per axis, metres.
     pub position_deviation: f64,
@@ -141,7 +141,7 @@ fn started(place: Vector2<f64>, settings: &GpsWindSettings) -> Result<Ukf<4>, Fi
     Ukf::new(prior, UnscentedSettings::default())
 }
 
-/// What drives the prediction between two times, in equal short steps; `None` over a pause of the
+/// Control inputs of the prediction between two times, in equal short steps; `None` over a pause of the
 /// instruments.
 fn inputs(readings: &Readings, begin: f64, end: f64) -> Option<Vec<ControlInput>> {
     let count = ((end - begin) / INTEGRATION_STEP).ceil().max(1.0);

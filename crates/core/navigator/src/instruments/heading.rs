@@ -17,7 +17,8 @@ const NOTED: f64 = 0.1;
 /// Standard deviation from which on it warns, radians: across 0.2 of the airspeed.
 const WARNED: f64 = 0.2;
 
-/// How the logged heading strays from the one that the gyros integrate to, a constant and a steady drift apart.
+/// Difference between the logged heading and the one that the gyros integrate to, a constant and a steady
+/// drift apart.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HeadingCheck {
     /// Standard deviation of the difference, radians.
@@ -78,8 +79,8 @@ impl HeadingCheck {
         })
     }
 
-    /// What there is to say of it; `residuals` are what the best wind leaves of the velocity with the logged and
-    /// with the gyros' heading, m/s, and `taken` says which of them is used.
+    /// Finding on the difference of the headings; `residuals` are what the best wind leaves of the velocity
+    /// with the logged and with the gyros' heading, m/s, and `taken` says which of them is used.
     pub fn finding(&self, residuals: Option<(f64, f64)>, taken: HeadingSource) -> Option<Finding> {
         if self.deviation < NOTED {
             return None;

@@ -1,4 +1,4 @@
-//! Whether the gyros' heading explains a flight better than the logged one does.
+//! Choice between the gyros' heading and the logged one, by which of them explains a flight better.
 
 use super::calibration::HeadingSource;
 use super::track_noise::{Left, TrackNoise};

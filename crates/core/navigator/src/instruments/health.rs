@@ -51,7 +51,7 @@ pub fn gaps<T: Sample>(series: &Series<T>, airborne: &[(f64, f64)]) -> Vec<(f64,
     gaps
 }
 
-/// What there is to say of stretches in which an instrument is not used: one note, however many they are.
+/// Finding on stretches in which an instrument is not used: one note, however many they are.
 pub fn stuck_findings(what: &str, spans: &[(f64, f64)]) -> Vec<Finding> {
     let longest = spans
         .iter()
@@ -74,7 +74,7 @@ pub fn stuck_findings(what: &str, spans: &[(f64, f64)]) -> Vec<Finding> {
     }]
 }
 
-/// What there is to say of pauses.
+/// Finding on pauses: the longest of them, with their number.
 pub fn gap_findings(what: &str, spans: &[(f64, f64)]) -> Vec<Finding> {
     let longest = spans
         .iter()

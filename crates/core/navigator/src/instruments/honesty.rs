@@ -12,7 +12,7 @@ fn outage_seeds() -> u64 {
     asked.and_then(|n| n.parse().ok()).unwrap_or(OUTAGES)
 }
 
-/// What fits said of the flights of a plan.
+/// Results of the fits of a plan's flights.
 struct Fits {
     /// Airspeed scales less the true one, in numbers and in stated deviations.
     scales: Vec<(f64, f64)>,
@@ -91,7 +91,7 @@ fn interval(share: f64, count: f64) -> (f64, f64) {
     (middle - half, middle + half)
 }
 
-/// Whether the 95 % ellipse holds at least `least` of the ends.
+/// Asserts that the 95 % ellipse holds at least the share `least` of the ends.
 fn hold(what: &str, plan: &Plan, least: f64) {
     let cuts = outages(plan);
     let inside = cuts.iter().filter(|cut| cut.squared() <= 5.991).count();

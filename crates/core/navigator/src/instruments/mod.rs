@@ -1,4 +1,4 @@
-//! What the instruments of a real flight read, and where it is by them when satellite navigation fails.
+//! Readings of the instruments of a real flight, and its position by them when satellite navigation fails.
 //!
 //! A flight becomes [`Instruments`]: readings cleaned of what cannot be, with what was refused in words. From the
 //! flight up to a cut, and from nothing later, [`Instruments::calibrate`] finds how late airspeed and satellite

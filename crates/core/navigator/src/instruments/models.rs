@@ -1,4 +1,4 @@
-//! What dead reckoning asks of a process model beyond what every vehicle promises.
+//! Requirements of dead reckoning on a process model beyond what every vehicle promises.
 
 use super::fit::AirFit;
 use super::outlook::Outlook;
@@ -49,7 +49,7 @@ pub trait Airplane<const N: usize>: VehicleModel<N> + Clone {
     }
 }
 
-/// Where wind, gust, the airspeed's scale and the heading's bias stand in the state of [`AirplaneScaled`].
+/// Indices of wind, gust, the airspeed's scale and the heading's bias in the state of [`AirplaneScaled`].
 const WIND: usize = 2;
 const GUST: usize = 4;
 const SCALE: usize = 6;

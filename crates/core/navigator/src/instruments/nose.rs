@@ -1,4 +1,4 @@
-//! Where the nose pointed: by the logged heading, or by the gyros.
+//! Direction of the nose: by the logged heading, or by the gyros.
 
 use nalgebra::{Rotation2, Rotation3, Unit, Vector2, Vector3};
 
@@ -55,7 +55,7 @@ pub fn gyro_nose(readings: &Readings, from: f64) -> Series<Vector2<f64>> {
     nose
 }
 
-/// What is missing counts as level and as north.
+/// Attitude as logged; what is missing counts as level and as north.
 fn logged_attitude(readings: &Readings, time: f64) -> Attitude {
     Attitude {
         roll: readings.roll.at(time).unwrap_or(0.0),

@@ -1,4 +1,5 @@
-//! What is known of wind, airspeed and heading at the beginning of an outage, with what their errors have in common.
+//! Uncertainty of wind, airspeed and heading at the beginning of an outage, with what their errors have in
+//! common.
 
 use nalgebra::{SMatrix, Vector2};
 
@@ -14,7 +15,7 @@ const ALL: usize = 2 + OTHERS;
 /// Components of an outlook: wind north and east, airspeed scale, bias of the heading.
 const KNOWN: usize = 4;
 
-/// How well things are known when satellite navigation is lost.
+/// Uncertainty of wind, airspeed, heading and gusts when satellite navigation is lost.
 ///
 /// The filter's wind is a weighted sum of what the fit leaves of each velocity, v - X θ. It errs by a sum over the same
 /// errors e that the fit has erred by, and by what the fit's error adds: with the filter's weights k and the fit's gain G
@@ -102,7 +103,7 @@ struct Errors<'a> {
     moments: &'a [(f64, Design)],
     /// The gain of the unknowns that are no wind.
     others_by: SMatrix<f64, OTHERS, UNKNOWNS>,
-    /// What their priors leave of their covariance.
+    /// Part of the covariance of those unknowns that comes from their priors.
     of_priors: SMatrix<f64, OTHERS, OTHERS>,
 }
 

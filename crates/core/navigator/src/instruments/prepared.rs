@@ -73,13 +73,13 @@ const GUST: f64 = 1.0;
 /// A flight whose readings are cleaned, with a stretch in the air that is to be navigated.
 #[derive(Clone, Debug)]
 pub struct Instruments {
-    /// What the instruments read, without what cannot be believed.
+    /// Readings of the instruments, without what cannot be believed.
     pub readings: Readings,
     /// All stretches in the air, seconds.
     pub airborne: Vec<(f64, f64)>,
     /// The one that is navigated, seconds.
     pub stretch: (f64, f64),
-    /// What was noticed and refused.
+    /// Findings on what was noticed and refused.
     pub findings: Vec<Finding>,
     /// The airspeed as it moves the airplane.
     calm: Series,
@@ -137,7 +137,7 @@ impl Instruments {
         }
     }
 
-    /// What a filter is driven by under a calibration.
+    /// Inputs that drive a filter under a calibration.
     pub(super) fn inputs<'a>(&'a self, calibration: &'a Calibration) -> AirInputs<'a> {
         AirInputs {
             airspeed: &self.calm,
@@ -147,7 +147,7 @@ impl Instruments {
         }
     }
 
-    /// What is known at `until` (seconds, of satellite navigation) under a calibration of before.
+    /// Outlook at `until` (seconds, of satellite navigation) under a calibration of before.
     pub(super) fn outlook(
         &self,
         calibration: &Calibration,
@@ -188,7 +188,7 @@ impl Instruments {
         )
     }
 
-    /// What is known of the instruments at `as_of` seconds, by nothing later than that.
+    /// Calibration of the instruments at `as_of` seconds, by nothing later than that.
     pub fn calibrate(
         &self,
         as_of: f64,
@@ -249,8 +249,8 @@ impl Instruments {
         }
     }
 
-    /// What the flight up to `as_of` says of its instruments, in words: heading against gyros, airspeed scale,
-    /// compass, delays.
+    /// Remarks on the instruments by the flight up to `as_of`, in words: heading against gyros, airspeed
+    /// scale, compass, delays.
     pub fn remarks(
         &self,
         as_of: f64,

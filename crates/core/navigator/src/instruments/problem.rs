@@ -1,4 +1,4 @@
-//! What is fitted to what, and what is believed beforehand.
+//! Data and priors of a fit.
 
 use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::series::Series;
 use super::slip::SideForce;
 
-/// What is believed of the unknowns before any measurement, standard deviations.
+/// Prior of the unknowns before any measurement, standard deviations.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FitPrior {
     /// Airspeed scale about 1.
@@ -23,7 +23,7 @@ pub struct FitPrior {
     pub slip_offset: f64,
 }
 
-/// What is fitted to what.
+/// Data and prior of a fit.
 pub(super) struct FitProblem<'a> {
     /// Velocities over ground, m/s.
     pub(super) velocities: &'a Series<Vector2<f64>>,

@@ -1,4 +1,4 @@
-//! What the instruments of a flight read, cleaned of what cannot be.
+//! Readings of a flight's instruments, cleaned of what cannot be.
 
 use nalgebra::Vector2;
 
@@ -34,7 +34,7 @@ pub struct Readings {
     pub autopilot_wind: Series<Vector2<f64>>,
     /// Whether positions and velocities are the truth of a simulated flight, which comes without delay.
     pub are_true: bool,
-    /// What was turned away, and why.
+    /// Findings on what was turned away, and why.
     pub findings: Vec<Finding>,
 }
 
@@ -83,8 +83,8 @@ impl Readings {
         readings
     }
 
-    /// Where there is no satellite navigation but the truth is known, as in a simulated flight, lets the truth
-    /// stand in for it, five times a second.
+    /// Lets the truth stand in for satellite navigation, five times a second, where there is none but the
+    /// truth is known, as in a simulated flight.
     fn stand_in(&mut self, flight: &Flight) {
         let Some(truth) = flight.truth.as_ref().filter(|_| self.positions.is_empty()) else {
             return;
@@ -206,7 +206,7 @@ impl LeftOut {
     }
 }
 
-/// One note of all channels of which samples were left out.
+/// Note of all channels of which samples were left out.
 fn left_out_findings(all: &[LeftOut]) -> Vec<Finding> {
     let share = |l: &LeftOut| (l.no_number + l.out_of_order) as f64 / l.samples.max(1) as f64;
     let severity = if all.iter().any(|l| share(l) > 0.01) {

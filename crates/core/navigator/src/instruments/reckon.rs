@@ -23,7 +23,7 @@ const CALIBRATION_GROWTH: f64 = 1.15;
 /// A way to navigate through a cut.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Way {
-    /// What people call it.
+    /// Name of the way, as shown to people.
     pub label: String,
     /// The filter.
     pub method: Method,
@@ -94,16 +94,16 @@ impl Way {
     }
 }
 
-/// What came of a cut.
+/// Result of reckoning through a cut.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Reckoning {
     /// The cut, seconds in the flight's time base.
     pub cut: (f64, f64),
     /// The stretch in the air that holds it, seconds.
     pub stretch: (f64, f64),
-    /// One per way, in their order.
+    /// Tracks, one for each way, in the order of the ways.
     pub tracks: Vec<Track>,
-    /// What was noticed about the instruments up to the cut, and what was refused of them.
+    /// Findings on the instruments up to the cut, and on what was refused of them.
     pub findings: Vec<Finding>,
 }
 
@@ -247,7 +247,7 @@ fn grid(begin: f64, end: f64) -> impl Iterator<Item = f64> {
     (0..=count).map(move |i| begin + i as f64 / POINTS)
 }
 
-/// What is known at `as_of` on a way.
+/// Calibration at `as_of` for a way.
 pub(super) fn calibration(
     instruments: &Instruments,
     as_of: f64,

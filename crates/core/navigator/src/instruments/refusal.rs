@@ -7,7 +7,7 @@ use pilotage_flight::{Finding, Severity};
 /// Longest pause between two refusals of one stretch, seconds.
 const LONGEST_PAUSE: f64 = 2.0;
 
-/// What was refused.
+/// Kind of measurement that was refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Source {
     /// A position by satellite navigation.
@@ -31,11 +31,11 @@ impl Source {
 /// A stretch in which measurements of one kind were refused.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Refusal {
-    /// What was refused.
+    /// Kind of the refused measurements.
     pub source: Source,
     /// First and last refusal, seconds.
     pub span: (f64, f64),
-    /// How many.
+    /// Number of refused measurements.
     pub count: usize,
     /// Largest distance from where it was expected, m or m/s.
     pub largest: f64,
@@ -70,7 +70,8 @@ impl Refusal {
     }
 }
 
-/// One finding of each source, however many stretches it was refused in: they have one cause. Told is the worst.
+/// Findings, one for each source, however many stretches it was refused in: they have one cause. Told is the
+/// worst.
 pub(super) fn findings(all: &[Refusal]) -> Vec<Finding> {
     let sources = [Source::Position, Source::Velocity, Source::Fix];
     let of_source = |source| {

@@ -12,7 +12,7 @@ const AVERAGED: [f64; 5] = [-0.1, -0.05, 0.0, 0.05, 0.1];
 /// Time after which a nose wags otherwise, seconds: airplanes of some metres yaw faster, and turn slower.
 const BESIDE: f64 = 2.0;
 
-/// One velocity with what the air data say of it.
+/// Velocity with what the air data say of it.
 #[derive(Clone, Copy)]
 pub(super) struct Row {
     /// When it was true, seconds.

@@ -12,7 +12,7 @@ pub struct Series<T = f64> {
     values: Vec<T>,
 }
 
-/// What a series may hold: numbers, and vectors in the plane.
+/// Values that a series may hold: numbers, and vectors in the plane.
 pub trait Sample: Copy {
     /// The value at `fraction` of the way from `self` to `other`.
     #[must_use]

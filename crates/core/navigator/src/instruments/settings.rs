@@ -1,11 +1,11 @@
-//! How to reckon.
+//! Settings of dead reckoning.
 
 use serde::{Deserialize, Serialize};
 
 use super::calibration::CalibrationSettings;
 use pilotage_estimation::vehicle::{AirData, AirDataErrors, AirplaneScaled, AirplaneWind, Gusts};
 
-/// Which heading to navigate by.
+/// Choice of the heading to navigate by.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum HeadingChoice {
     /// The one with which the track over ground fits best so far.
@@ -17,7 +17,7 @@ pub enum HeadingChoice {
     Gyros,
 }
 
-/// Which filter navigates.
+/// Choice of the filter that navigates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Method {
     /// Eight states, delays, pitch: [`AirplaneScaled`].
@@ -27,7 +27,7 @@ pub enum Method {
     Plain,
 }
 
-/// How to reckon; numbers are standard deviations in SI.
+/// Settings of dead reckoning; numbers are standard deviations in SI.
 ///
 /// The full filter takes the noise of wind and gusts, and its beliefs about airspeed and heading, from the flight up to
 /// the outage ([`super::TrackNoise`], [`super::AirFit`]). What stands below is for flights that do not say it yet, and

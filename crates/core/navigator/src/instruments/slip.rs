@@ -29,7 +29,7 @@ pub(super) struct SideForce {
     wing: Series<Vector2<f64>>,
 }
 
-/// How fast the airplane slips through the air, by what it depends on; horizontal, north and east.
+/// Velocity of the sideslip, by what it depends on; horizontal, north and east.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Slip {
     /// For each metre of L, 1/s.
@@ -39,8 +39,8 @@ pub(super) struct Slip {
 }
 
 impl SideForce {
-    /// What was read in the stretches in the air (seconds): a hand or a catapult pushes harder than the air. Where
-    /// roll and pitch are missing the airplane counts as level.
+    /// Side force as read in the stretches in the air (seconds): a hand or a catapult pushes harder than the
+    /// air. Where roll and pitch are missing the airplane counts as level.
     pub(super) fn of(readings: &Readings, airborne: &[(f64, f64)]) -> Self {
         let (mut in_the_air, mut wing) = (Series::new(), Series::new());
         for (time, force) in readings.side_force.iter() {
@@ -125,7 +125,7 @@ mod tests {
         problem.solve(0.0, 0.0, None).expect("a fit")
     }
 
-    /// How far off the wind is, m/s.
+    /// Error of the wind, m/s.
     fn wind_error(fit: &AirFit) -> f64 {
         (fit.wind - Vector2::from(WIND)).norm()
     }

@@ -15,7 +15,7 @@ use super::walker::Trust;
 use pilotage_base::statistics::chi_square_quantile;
 use pilotage_estimation::filter::FilterError;
 
-/// Which cuts.
+/// Plan of the cuts.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CutPlan {
     /// Length of each, seconds.
@@ -36,7 +36,7 @@ impl Default for CutPlan {
     }
 }
 
-/// How one cut ended.
+/// Outcome of a cut.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CutOutcome {
     /// Beginning, seconds: stamp of the last position that may have been used.
@@ -60,10 +60,10 @@ impl CutOutcome {
     }
 }
 
-/// How all of them ended, for one way to navigate.
+/// Outcomes of all cuts, for one way to navigate.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CutStudy {
-    /// What people call the way.
+    /// Name of the way, as shown to people.
     pub label: String,
     /// In order of time.
     pub cuts: Vec<CutOutcome>,
@@ -157,7 +157,7 @@ impl Part<'_> {
             .collect()
     }
 
-    /// What is known where a cut begins; `None` for a filter that is told its noise.
+    /// Outlook at the beginning of a cut; `None` for a filter that is told its noise.
     fn outlook(&self, from: f64) -> Option<Outlook> {
         let learns = self.trust.learns;
         let found = || {

@@ -1,4 +1,4 @@
-//! What was believed along the way.
+//! Beliefs along the way.
 
 use nalgebra::{Matrix2, Vector2};
 use serde::{Deserialize, Serialize};
@@ -10,7 +10,7 @@ use pilotage_base::statistics::chi_square_quantile;
 use pilotage_estimation::filter::Gaussian;
 use pilotage_estimation::vehicle::VehicleModel;
 
-/// What was believed at one time.
+/// Belief at one time.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TrackPoint {
     /// Seconds in the flight's time base, of the attitude.
@@ -77,7 +77,8 @@ impl TrackPoint {
         (largest * chi_square_quantile(0.95, 2.0)).sqrt()
     }
 
-    /// Whether that ellipse holds the position by satellite navigation; `None` where that is unknown.
+    /// True if that ellipse holds the position by satellite navigation; `None` where that position is
+    /// unknown.
     pub fn holds_truth(&self) -> Option<bool> {
         let error = self.error?;
         let inverse = self.covariance.try_inverse()?;
@@ -85,20 +86,20 @@ impl TrackPoint {
     }
 }
 
-/// What one way to navigate believed along the way.
+/// Beliefs of one way to navigate, along its track.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Track {
-    /// What people call the way.
+    /// Name of the way, as shown to people.
     pub label: String,
     /// In order of time.
     pub points: Vec<TrackPoint>,
     /// Measurements that it refused, in words.
     pub findings: Vec<pilotage_flight::Finding>,
-    /// What was known of the instruments at the cut (or at the end).
+    /// Calibration of the instruments at the cut (or at the end).
     pub calibration: Calibration,
 }
 
-/// How far off a way to navigate is a while after the cut.
+/// Error of a way to navigate, a while after the cut.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Growth {
     /// Seconds since the cut.

@@ -1,4 +1,4 @@
-//! What moves an aircraft besides its airspeed and a steady wind, by what a fit leaves of its velocity.
+//! Noise that moves an aircraft besides its airspeed and a steady wind, by what a fit leaves of its velocity.
 
 use nalgebra::{SMatrix, SVector, Vector2};
 use serde::{Deserialize, Serialize};
@@ -8,7 +8,7 @@ use super::tuning::likeliest;
 /// Length of the means that the noise is found from, seconds: what is shorter moves nobody far, is more of how receivers
 /// smooth and airspeeds shake than of the air, and would say by its number what the slow changes are like.
 const MEAN: f64 = 4.0;
-/// How often the likelihood is asked for.
+/// Evaluations of the likelihood in the search for the likeliest noise.
 const EVALUATIONS: usize = 70;
 /// Least and greatest walk of a wind, m/s/√s: one that hardly changes, and one that is another in a minute. Steps of the
 /// integral over them.
@@ -18,7 +18,7 @@ const STEPS: usize = 12;
 const GUSTS: [f64; 6] = [0.6, 0.8, 1.0, 1.3, 1.7, 2.2];
 const MEMORIES: [f64; 6] = [0.4, 0.65, 1.0, 1.6, 2.5, 4.0];
 
-/// What moves an aircraft besides its airspeed and a steady wind; per axis.
+/// Noise that moves an aircraft besides its airspeed and a steady wind; per axis.
 ///
 /// The velocity that a fit leaves is w(t) + g(t) + n(t): a wind that walks, gusts that remember themselves with
 /// covariance σ² exp(-|Δt| / τ), and noise that is new each time.
@@ -34,7 +34,7 @@ pub struct TrackNoise {
     pub walk: f64,
 }
 
-/// What is expected before a flight says it: medians, and standard deviations of the logarithms.
+/// Prior of the noise before a flight tells it: medians, and standard deviations of the logarithms.
 ///
 /// Gusts between those of calm air and of strong turbulence (MIL-F-8785C: 0.5 to 3 m/s near the ground), remembered
 /// for as long as an aircraft takes to fly through tens to hundreds of metres; a wind that changes by 0.1 m/s
@@ -55,7 +55,7 @@ impl Default for TrackNoise {
     }
 }
 
-/// What a fit leaves in a while, with how it depends on the unknowns of the fit.
+/// Residual velocity of a fit over a while, with its dependence on the unknowns of the fit.
 #[derive(Clone, Copy)]
 pub(super) struct Left<const K: usize> {
     /// Middle of the while, seconds.
@@ -115,7 +115,7 @@ pub(super) struct Weights {
     pub(super) gust_variance: f64,
 }
 
-/// One step of it.
+/// Step of the separation.
 struct Step {
     persistence: f64,
     gains: (f64, f64),
@@ -153,7 +153,7 @@ impl Separation {
     }
 }
 
-/// What a filter makes of a series of vectors.
+/// Wind and gust that a filter makes of a series of vectors.
 #[derive(Clone, Copy, Default)]
 struct Parts {
     wind: Vector2<f64>,
@@ -161,7 +161,7 @@ struct Parts {
 }
 
 impl Parts {
-    /// What is new in a measurement.
+    /// Innovation of a measurement.
     fn innovation(&mut self, step: &Step, measured: Vector2<f64>) -> Vector2<f64> {
         self.gust *= step.persistence;
         let new = measured - self.wind - self.gust;
@@ -246,8 +246,8 @@ impl TrackNoise {
         Self::of(&numbers)
     }
 
-    /// What is known of the noise, begun from the likeliest: the likeliest gusts with the median of the wind's walks,
-    /// and the mean over all gusts and walks that the samples leave possible.
+    /// Noise as far as it is known, begun from the likeliest: the likeliest gusts with the median of the
+    /// wind's walks, and the mean over all gusts and walks that the samples leave possible.
     ///
     /// A few minutes hardly say how long gusts last and how the wind changes in a minute, and what is likeliest is too
     /// little of both. The power of gusts and the mean square of the walk are what the covariance of a prediction grows
@@ -376,7 +376,7 @@ impl TrackNoise {
         self.gust.hypot(self.white)
     }
 
-    /// What is new in each velocity that a fit leaves, as logarithm of its likelihood but for a constant.
+    /// Innovation in each velocity that a fit leaves, as logarithm of its likelihood but for a constant.
     pub(super) fn each<'a>(
         &'a self,
         left: &'a [Left<0>],

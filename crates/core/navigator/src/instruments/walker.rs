@@ -1,4 +1,4 @@
-//! One filter on its way through the readings.
+//! Filter on its way through the readings.
 
 use std::borrow::Cow;
 
@@ -24,7 +24,7 @@ const INSTANT: f64 = 1e-3;
 /// Speed that an airplane may have whose heading nobody knows, as a multiple of the one it cruises at.
 const BLIND: f64 = 1.0;
 
-/// What the air data say at a time, with delays and the heading's offset taken out.
+/// Air data at a time, with delays and the heading's offset taken out.
 #[derive(Clone)]
 pub(super) struct AirInputs<'a> {
     /// Airspeed as read, m/s.
@@ -33,7 +33,7 @@ pub(super) struct AirInputs<'a> {
     pub(super) nose: Cow<'a, Series<Vector2<f64>>>,
     /// Side force.
     pub(super) side_force: &'a SideForce,
-    /// What is known of them.
+    /// Calibration of the air data.
     pub(super) calibration: &'a Calibration,
 }
 
@@ -63,7 +63,7 @@ impl AirInputs<'_> {
     }
 }
 
-/// How far satellite navigation is trusted, and when it is not.
+/// Trust in satellite navigation: its standard deviations, and when it is refused.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Trust {
     /// Standard deviation of a position per axis, m.
@@ -85,7 +85,7 @@ pub(super) struct Walker<const N: usize, V> {
     /// The same airplane while its heading is unknown.
     blind: V,
     filter: Ukf<N>,
-    /// What it takes its noise from.
+    /// Fit from which the filter takes its noise.
     fit: Option<AirFit>,
     /// Components that measurements leave as they are.
     told: &'static [usize],

@@ -1,4 +1,4 @@
-//! Which landmarks are looked for in a frame when more may be in view than there is time for.
+//! Choice of the landmarks to look for in a frame when more may be in view than there is time for.
 //!
 //! A filter that knows where it is looks for the most central ones. To one that is lost all of a county's
 //! villages may be in view, each with a small probability: were it to look for the same ones in every
@@ -30,8 +30,8 @@ pub fn probability_of_view(
         * within(pixel.y, covariance[(1, 1)], camera.height)
 }
 
-/// Which of the landmarks with these probabilities of being in view, the most central first, are looked
-/// for in frame number `frame`: at most `most`, as indices in that order.
+/// Landmarks to look for in frame number `frame`, chosen by these probabilities of being in view, the most
+/// central first: at most `most`, as indices in that order.
 ///
 /// Those that are likely in view, the most central of them first; then those that are less likely, where
 /// such as are about as likely take turns from frame to frame.

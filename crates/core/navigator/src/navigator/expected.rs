@@ -1,4 +1,4 @@
-//! How landmarks are expected to appear from a state, in pixels about the place where they are looked at.
+//! Expected appearance of landmarks from a state, in pixels about the place where they are looked at.
 //!
 //! Whoever assumes a wrong position sees a landmark on flat ground displaced by as much, however the
 //! camera is tilted: on the ground the expectation is linear in the position. In the picture it is not,
@@ -87,7 +87,7 @@ impl Anchor {
     }
 }
 
-/// What is needed to predict how landmarks appear from a state.
+/// Inputs of the prediction of how landmarks appear from a state.
 #[derive(Clone, Copy)]
 pub struct AppearanceModel<'a> {
     pub camera: &'a CameraModel,

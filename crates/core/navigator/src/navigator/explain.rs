@@ -31,7 +31,7 @@ pub fn explain(
     Some(detector.explain(&look.view(), &look.request(landmark)))
 }
 
-/// What the landmark's trained detector saw and did, whichever detector was chosen.
+/// Evidence of the landmark's trained detector, what it saw and did, whichever detector was chosen.
 ///
 /// `None` if the landmark is unknown or was not looked for in that step.
 pub fn explain_cascade(
@@ -52,7 +52,7 @@ pub fn explain_cascade(
     ))
 }
 
-/// What a detector was given.
+/// Input that a detector was given.
 struct Look {
     camera: CameraModel,
     pose: Pose,

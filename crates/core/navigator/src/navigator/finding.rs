@@ -1,4 +1,4 @@
-//! What a run doubted of its flight, in words.
+//! Findings of a run on what it doubted of its flight, in words.
 
 use std::mem::discriminant;
 
@@ -6,8 +6,8 @@ use super::{Doubt, Run};
 use pilotage_flight::{Finding, Severity};
 
 impl Run {
-    /// What the navigator did not believe in any of the steps: once for each instrument and reason, as it was
-    /// last said, from when it was doubted first.
+    /// Findings on what the navigator did not believe in any of the steps: once for each instrument and
+    /// reason, as it was last said, from when it was doubted first.
     pub fn findings(&self) -> Vec<Finding> {
         let doubts = |step: &super::StepReport| {
             let time = step.time;

@@ -1,4 +1,4 @@
-//! Where one frame may lie, and within what it was looked for.
+//! Places at which one frame may lie, and the region within which it was looked for.
 
 use nalgebra::{Matrix2, Vector2};
 
@@ -30,7 +30,7 @@ impl Searched {
     }
 }
 
-/// Where a frame may lie, likeliest first.
+/// Places at which a frame may lie, likeliest first.
 #[derive(Clone, Debug)]
 pub struct Found {
     /// When it was taken, seconds.

@@ -44,13 +44,13 @@ const LEAST_STRETCH: f64 = 0.01;
 
 /// A frame that was laid, and what it says of the compass.
 struct Reading {
-    /// How much too far clockwise the compass reads, radians.
+    /// Angle by which the compass reads too far clockwise, radians.
     by: f64,
     /// Its variance, rad².
     variance: f64,
 }
 
-/// What is known of the compass.
+/// Knowledge of the compass from laid frames and from landmarks that were missed.
 pub struct HeadingDoubt {
     frames: Option<WholeFrames>,
     /// The filter when a landmark was found last, or at the start, and when that was, seconds.
@@ -64,7 +64,7 @@ pub struct HeadingDoubt {
     last: f64,
     /// Since when the heading is contradicted, by a laid frame or by all that is missed, seconds.
     contradicted: Option<f64>,
-    /// How much the heading was turned back in all, radians, and since when, seconds.
+    /// Angle by which the heading was turned back in all, radians, and the time since when, seconds.
     turned: Option<(f64, f64)>,
 }
 
@@ -197,8 +197,8 @@ impl HeadingDoubt {
         Some(laid)
     }
 
-    /// What a laid frame says of the compass, which reads `heading` radians: that it is turned, once enough
-    /// frames agree, and says so in the report otherwise.
+    /// Tests the compass, which reads `heading` radians, by a laid frame: `Some` once enough frames agree
+    /// that the compass is turned. The report says that the frame was laid to try the heading.
     pub fn read(
         &mut self,
         laid: &mut Laid,
@@ -237,7 +237,7 @@ impl HeadingDoubt {
         Ok(Some(Turned { by, since, engine }))
     }
 
-    /// What is to be said of it.
+    /// Doubt about the heading, if there is one.
     pub fn doubt(&self) -> Option<Doubt> {
         let (why, since) = match (self.contradicted, self.turned) {
             (Some(since), _) => (Disbelief::Contradicted, since),

@@ -1,4 +1,4 @@
-//! What drives the predictions of a flight, and which readings of it are not believed.
+//! Inputs that drive the predictions of a flight, and readings of it that are not believed.
 
 use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
@@ -19,10 +19,10 @@ const FEWEST: usize = 5;
 /// Time over which turns are looked at, seconds: as long as turns take.
 const WANDER: f64 = 5.0;
 
-/// What may not be believed.
+/// Instrument that can be doubted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Instrument {
-    /// One of the flight's channels.
+    /// Channel of the flight.
     Channel(ChannelName),
     /// The camera.
     Camera,
@@ -45,18 +45,18 @@ pub enum Disbelief {
     Stuck,
     /// There is none for longer than usual.
     Silent,
-    /// What is seen speaks for a lag that is not known yet.
+    /// Observations speak for a lag that is not known yet.
     MayBeLate,
     /// It is late, and taken for so.
     Late {
         /// By how much, seconds.
         by: f64,
     },
-    /// What must be seen by it is not, or is seen otherwise.
+    /// Contradiction by what is seen: what must be seen by the instrument is not, or is seen otherwise.
     Contradicted,
     /// It is turned, and turned back.
     Turned {
-        /// How much too far clockwise it reads, radians.
+        /// Angle by which the instrument reads too far clockwise, radians.
         by: f64,
     },
 }
@@ -64,7 +64,7 @@ pub enum Disbelief {
 /// An instrument that is not believed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Doubt {
-    /// Which.
+    /// Instrument that is not believed.
     pub instrument: Instrument,
     /// Why.
     pub why: Disbelief,
@@ -121,14 +121,14 @@ impl Doubted {
     }
 }
 
-/// What the instruments of a flight are worth at any time.
+/// Credibility of the instruments of a flight at any time.
 ///
 /// A stretch is noticed by what was read before it ends; only what is usual is learnt from the whole flight.
 pub(super) struct Inputs {
     doubted: Vec<Doubted>,
     /// Airspeed that is flown usually, and its standard deviation, m/s.
     cruise: Option<(f64, f64)>,
-    /// How fast the square of the angle grows by which it turns, rad²/s.
+    /// Growth rate of the mean square of the angle by which the heading turns, rad²/s.
     wander: f64,
 }
 
@@ -191,7 +191,8 @@ impl Inputs {
         self.cruise.filter(|_| self.doubted.iter().any(matters))
     }
 
-    /// What drives a prediction of `flight` from `begin` to `end`, seconds: everything as it is in the middle.
+    /// Input that drives a prediction of `flight` from `begin` to `end`, seconds: everything as it is in the
+    /// middle.
     pub(super) fn between(&self, flight: &Flight, begin: f64, end: f64) -> ControlInput {
         let (middle, dt) = (begin + 0.5 * (end - begin), end - begin);
         let value = |name| flight.value(name, middle);
@@ -256,7 +257,7 @@ fn silences(channel: &Channel, span: (f64, f64)) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// How fast the mean square of the angle grows by which a heading turns, rad²/s, as of a random walk.
+/// Growth rate of the mean square of the angle by which a heading turns, rad²/s, as of a random walk.
 fn wander(heading: &Channel) -> f64 {
     let turns = heading.times.iter().zip(&heading.values);
     let turns = turns.filter_map(|(time, value)| {

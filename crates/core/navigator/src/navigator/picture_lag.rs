@@ -1,4 +1,4 @@
-//! How late the pictures come.
+//! Lag of the pictures, estimated in flight.
 //!
 //! A picture that comes τ late shows what was before, and puts the aircraft τ of its way behind. On a straight
 //! leg a constant lag looks like a place; but the flight began at a known one, the aircraft rolls in gusts,
@@ -79,9 +79,9 @@ impl Rival {
     }
 }
 
-/// What the flight says of the lag of its pictures.
+/// Lag of the pictures as far as the flight tells it.
 pub struct PictureLag {
-    /// What the first filter assumes, seconds.
+    /// Lag that the first filter assumes, seconds.
     assumed: f64,
     /// Probability of that.
     weight: f64,
@@ -104,13 +104,14 @@ pub struct Onlooker<'a> {
 }
 
 impl<'a> Onlooker<'a> {
-    /// What is expected of a picture that comes `lag` seconds late.
+    /// Appearance model of a picture that comes `lag` seconds late.
     pub fn model(&self, lag: f64) -> AppearanceModel<'a> {
         let control = evened(self.flight, self.time - lag);
         AppearanceModel::of(self.flight, self.camera, &control)
     }
 
-    /// What drove the aircraft in the last `lag` seconds, the latest first.
+    /// Inputs that drove the aircraft in the last `lag` seconds, with their lengths in seconds, the latest
+    /// first.
     pub fn past(&self, lag: f64) -> Vec<(ControlInput, f64)> {
         let pieces = (lag / PIECE - 1e-9).ceil().max(0.0) as u32;
         let dt = lag / f64::from(pieces.max(1));
@@ -275,7 +276,7 @@ impl PictureLag {
         Ok(())
     }
 
-    /// What is to be said of it.
+    /// Doubt about the lag of the pictures, if there is one.
     pub fn doubt(&self) -> Option<Doubt> {
         let mean = |sum, rival: &Rival| sum + rival.weight * rival.lag;
         let late = self.rivals.iter().fold(self.weight * self.assumed, mean);
@@ -304,8 +305,9 @@ fn spread_over_cell(mut belief: Estimate, engine: &dyn Engine, lag: f64) -> Esti
     belief
 }
 
-/// How likely `judge` thinks what was found, as a logarithm up to what is the same for everybody, and what it
-/// believes of it. What it does not believe counts as if it lay on the border of the gate.
+/// Logarithm of the likelihood that `judge` gives to what was found, up to what is the same for every judge,
+/// and the measurements that `judge` believes. What `judge` does not believe counts as if it lay on the
+/// border of the gate.
 fn judged<'l>(
     judge: &Seer<'_>,
     found: &[FoundPlace<'l>],
@@ -332,8 +334,8 @@ fn judged<'l>(
     Ok((log_likelihood, agreed))
 }
 
-/// What the instruments of `flight` say about `time`, seconds: the mean of their readings from a little before to a
-/// little after, so that turns still count as they are.
+/// Readings of the instruments of `flight` about `time`, seconds: their mean from a little before to a little
+/// after, so that turns still count as they are.
 ///
 /// A camera shakes as much for every lag that is assumed, but each reads its attitude at a time of its own, with a
 /// noise of its own: of two lags, neither of them likelier, it makes the odds of one wander by more with every picture.

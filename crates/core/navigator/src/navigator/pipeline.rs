@@ -39,9 +39,9 @@ pub enum NavigatorError {
     Missing {
         /// Name of the flight.
         flight: String,
-        /// What is missing.
+        /// Part that the flight lacks.
         what: String,
-        /// What to do about it.
+        /// Remedy to propose.
         remedy: String,
     },
     /// The filter cannot go on.
@@ -49,7 +49,7 @@ pub enum NavigatorError {
     Filter {
         /// Time of the step, seconds.
         time: f64,
-        /// What went wrong.
+        /// Error of the filter.
         cause: FilterError,
     },
 }
@@ -62,13 +62,13 @@ pub struct Navigator {
     settings: NavigatorSettings,
     engine: Box<dyn Engine>,
     second: Option<SecondOpinion>,
-    /// How late the pictures come; not asked where whole frames are laid.
+    /// Estimate of the pictures' lag; none where whole frames are laid.
     lag: Option<PictureLag>,
-    /// Whether the compass is turned; not asked there either.
+    /// Knowledge of a turned compass; none where whole frames are laid.
     heading: Option<HeadingDoubt>,
     detector: Box<dyn Detector>,
     whole_frames: Option<WholeFrames>,
-    /// Where else it may be; only whole frames tell.
+    /// Other places at which the aircraft may be; only whole frames tell.
     possible: PossiblePlaces,
     ticks: Vec<Tick>,
     next: usize,
@@ -302,7 +302,7 @@ impl Navigator {
         ))
     }
 
-    /// What is expected of a picture that comes now.
+    /// Appearance model of a picture that comes now.
     fn appearance_model<'a>(&self, camera: &'a CameraModel) -> AppearanceModel<'a> {
         let lag = self.lag.as_ref().map_or(0.0, PictureLag::assumed);
         let control = Control::of(&self.flight, self.time - lag);

@@ -1,4 +1,4 @@
-//! Where the aircraft may be while frames leave it open.
+//! Places at which the aircraft may be while frames leave it open.
 //!
 //! A frame that cannot be believed for itself may lie at several places, each with a probability, or at none that was
 //! found. Each is followed by a filter of its own, as a multiple hypothesis tracker does (Reid 1979), until one of
@@ -32,7 +32,7 @@ const FOLLOWED: usize = 8;
 /// A belief that is wider than another by this factor is worth a search of its own.
 const WIDER: f64 = 1.5;
 
-/// One belief of where the aircraft is.
+/// Belief about where the aircraft is.
 struct Belief {
     engine: Box<dyn Engine>,
     follower: Follower,
@@ -41,7 +41,8 @@ struct Belief {
     step: Option<PredictedStep>,
 }
 
-/// How much likelier each of the places is by what `engine` expects than by what was searched.
+/// Likelihood ratio of each of the places: its density by what `engine` expects over that by what was
+/// searched.
 fn likelier(engine: &dyn Engine, found: &Found) -> Vec<f64> {
     let state = engine.state();
     let (mean, covariance) = (state.position().to_vector(), state.position_covariance());
@@ -64,7 +65,7 @@ impl Belief {
 pub struct PossiblePlaces {
     /// Probability of what the navigator goes by.
     main: f64,
-    /// Where it was last, and nothing of how it moved since.
+    /// Belief that knows where the aircraft was last, and nothing of how it moved since.
     unforeseen: Option<Belief>,
     others: Vec<Belief>,
 }
@@ -204,8 +205,8 @@ impl PossiblePlaces {
         }))
     }
 
-    /// Where the aircraft is likeliest while that is open: the mean of the heaviest belief, with the spread of all about it,
-    /// all of one state. `main` is what the navigator goes by.
+    /// Estimate of the likeliest place of the aircraft while that is open: the mean of the heaviest belief,
+    /// with the spread of all about it, all of one state. `main` is what the navigator goes by.
     pub fn likeliest(&self, main: &Estimate) -> Option<Estimate> {
         let mut all = vec![(self.main, main.clone())];
         let others = self.unforeseen.iter().chain(&self.others);
@@ -221,7 +222,7 @@ impl PossiblePlaces {
         Some(Estimate { mean, covariance })
     }
 
-    /// What is followed, in words.
+    /// Places that are followed, in words.
     pub fn words(&self) -> String {
         let Some(likeliest) = self.others.first() else {
             return LaidRefusal::Open.reason().to_owned();

@@ -1,4 +1,4 @@
-//! What one step concluded, complete enough to explain itself.
+//! Report of what one step concluded, complete enough to explain itself.
 
 use nalgebra::{DMatrix, DVector, Matrix2, Matrix4, Matrix6, Point2, Vector2};
 use serde::{Deserialize, Serialize};
@@ -10,7 +10,7 @@ use pilotage_flight::{ChannelName, Flight};
 use pilotage_vision::landmark::Refusal;
 use pilotage_vision::registration::{LaidBy, MapShape};
 
-/// What drove the prediction.
+/// Readings that drove the prediction.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Control {
     /// True airspeed, m/s, where there is one.
@@ -26,7 +26,7 @@ pub struct Control {
 }
 
 impl Control {
-    /// What the instruments of `flight` say at `time`, seconds.
+    /// Readings of the instruments of `flight` at `time`, seconds.
     pub(super) fn of(flight: &Flight, time: f64) -> Self {
         let value = |name| flight.value(name, time);
         let now = flight.attitude(time).unwrap_or_default();
@@ -64,7 +64,7 @@ pub struct StepTiming {
     pub update: f64,
 }
 
-/// What became of a landmark in a frame.
+/// Outcome of looking for a landmark in a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Outcome {
     /// It corrected the estimate.
@@ -78,7 +78,7 @@ pub enum Outcome {
 pub struct CandidateReport {
     /// The landmark's id.
     pub landmark: u32,
-    /// Where the reference point was expected, pixels.
+    /// Expected place of the reference point in the picture, pixels.
     pub predicted_pixel: Point2<f64>,
     /// Innovation covariance at that place, pixels².
     pub innovation_covariance: Matrix2<f64>,
@@ -86,7 +86,7 @@ pub struct CandidateReport {
     pub search_region: GroundRect,
     /// The search region's corners in the picture, pixels.
     pub search_outline: Vec<Point2<f64>>,
-    /// Where it was found, pixels, if the detector named a place at all.
+    /// Place where the reference point was found, pixels, if the detector named a place at all.
     pub measured_pixel: Option<Point2<f64>>,
     /// Turn of its surroundings against the rectified expectation, radians clockwise.
     pub rotation: Option<f64>,
@@ -111,7 +111,7 @@ pub struct CandidateReport {
     pub nis: Option<f64>,
     /// Threshold of the gate for its degrees of freedom: four, less what the detector left open.
     pub threshold: f64,
-    /// What became of it.
+    /// Outcome of the search.
     pub outcome: Outcome,
 }
 
@@ -131,12 +131,12 @@ pub struct JointReport {
     pub innovation: DVector<f64>,
     /// Innovation covariance, 4m × 4m, pixels and radians.
     pub innovation_covariance: DMatrix<f64>,
-    /// Where what was seen spoke against the filter, surely enough, and it gave way: the factor by which its
-    /// covariance had been too small.
+    /// Factor by which the filter's covariance had been too small, where what was seen spoke against the
+    /// filter, surely enough, and it gave way.
     pub recovered: Option<f64>,
 }
 
-/// What was seen in a camera frame.
+/// Observations in a camera frame.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FrameReport {
     /// Index of the frame in the flight.
@@ -149,7 +149,7 @@ pub struct FrameReport {
     pub candidates: Vec<CandidateReport>,
     /// The correction, if any landmark was accepted or the whole frame was.
     pub joint: Option<JointReport>,
-    /// What came of laying the whole frame on the map, where that was tried.
+    /// Result of laying the whole frame on the map, where that was tried.
     #[serde(default)]
     pub laid: Option<LaidReport>,
     /// Why the frame could not be used at all, if so.
@@ -159,7 +159,7 @@ pub struct FrameReport {
 /// A whole frame laid on the map.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LaidReport {
-    /// Where it lies; `None` if it could not be laid.
+    /// Place of the frame on the map; `None` if it could not be laid.
     pub place: Option<LaidPlace>,
     /// Why it did not correct the estimate, in words; `None` if it did.
     pub refusal: Option<String>,
@@ -193,7 +193,7 @@ impl LaidReport {
     }
 }
 
-/// Where a whole frame lies on the map.
+/// Place of a whole frame on the map.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LaidPlace {
     /// Pose of the body, the slope of the ground told from its tilt.
@@ -208,7 +208,7 @@ pub struct LaidPlace {
     pub matches: Vec<(Point2<f64>, GroundPoint)>,
     /// Turn of the stored picture beyond the known one, radians clockwise, a multiple of a quarter turn.
     pub stored_turn: f64,
-    /// How the map is stretched there.
+    /// Stretch of the map's picture at that place.
     pub shape: MapShape,
 }
 
@@ -221,14 +221,14 @@ impl FrameReport {
     }
 }
 
-/// What one step did.
+/// Record of one step.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StepReport {
     /// Seconds in the flight's time base, at the end of the step.
     pub time: f64,
     /// Length of the prediction, seconds.
     pub dt: f64,
-    /// What drove the prediction.
+    /// Readings that drove the prediction.
     pub control: Control,
     /// Before the prediction: what the step before ended with, unless another belief took over in this one
     /// (see [`JointReport::recovered`]); then what that one believed.
@@ -241,7 +241,7 @@ pub struct StepReport {
     pub after: Estimate,
     /// Sigma points.
     pub sigma: SigmaSets,
-    /// Where dead reckoning alone, without any landmark, would believe to be.
+    /// Position by dead reckoning alone, without any landmark.
     pub dead_reckoned: GroundPoint,
     /// Instruments that are not believed at the end of the step.
     #[serde(default)]

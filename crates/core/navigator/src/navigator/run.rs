@@ -6,10 +6,10 @@ use super::StepReport;
 use pilotage_mission::settings::NavigatorSettings;
 use pilotage_vision::landmark::Landmark;
 
-/// What the navigator concluded over a flight, so far.
+/// Conclusions of the navigator over a flight, so far.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Run {
-    /// What people call it.
+    /// Name of the run, as shown to people.
     pub name: String,
     /// The settings it was made with.
     pub settings: NavigatorSettings,

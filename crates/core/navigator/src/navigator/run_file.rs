@@ -26,13 +26,13 @@ pub enum RunFileError {
     Damaged {
         /// Name of the file.
         file: String,
-        /// What the decoder said.
+        /// Message of the decoder.
         cause: String,
     },
     /// The run cannot be written.
     #[error("the run cannot be written: {cause}")]
     Unwritable {
-        /// What the encoder said.
+        /// Message of the encoder.
         cause: String,
     },
 }

@@ -27,7 +27,7 @@ pub struct SecondOpinion {
     step: Option<PredictedStep>,
 }
 
-/// What a second opinion says of a frame in which the first believes nothing.
+/// Verdict of a second opinion on a frame in which the first believes nothing.
 pub enum Opinion<'l> {
     /// Nothing that convinces.
     Unsure(Option<SecondOpinion>),
@@ -39,7 +39,7 @@ pub enum Opinion<'l> {
         fading: f64,
         /// The prediction that brought it here.
         step: Option<PredictedStep>,
-        /// What corrects it.
+        /// Measurements that correct the filter.
         agreed: Agreed<'l>,
     },
 }
@@ -138,7 +138,7 @@ fn founded(
     }))
 }
 
-/// Which of the places `judge` believes.
+/// Measurements of the places that `judge` believes.
 pub fn believed<'l>(
     judge: &Seer<'_>,
     found: &[FoundPlace<'l>],

@@ -16,14 +16,14 @@ use pilotage_vision::landmark::{
     Detector, FrameView, Landmark, Refusal, SearchRequest, Sighting, measured,
 };
 
-/// Where and how a landmark was seen: pixel, rotation and log scale, and their covariance without the
-/// error of the camera's pose.
+/// Pixel, rotation and log scale at which a landmark was seen, and their covariance without the error of the
+/// camera's pose.
 pub type Place = (Vector4<f64>, Matrix4<f64>);
 
 /// A landmark that was found and passed its own gate.
 pub struct Measurement<'a> {
     pub landmark: &'a Landmark,
-    /// Where it was found.
+    /// Anchor at which the landmark was found.
     pub anchor: Anchor,
     /// Index of its report.
     pub report: usize,
@@ -48,10 +48,10 @@ pub fn degrees(measurements: &[Measurement<'_>]) -> usize {
 /// A landmark, the index of its report and where it was found.
 pub type FoundPlace<'l> = (&'l Landmark, usize, Place);
 
-/// What agrees in a frame: measurements, their joint normalized innovation squared and its threshold.
+/// Measurements that agree in a frame, their joint normalized innovation squared and its threshold.
 pub type Agreed<'l> = (Vec<Measurement<'l>>, f64, f64);
 
-/// How far a measurement is from what is expected.
+/// Innovation of a measurement against what is expected, with its covariance.
 pub struct Surprise {
     pub innovation: DVector<f64>,
     /// Innovation covariance.
@@ -140,7 +140,7 @@ impl Stacked<'_> {
 }
 
 impl<'a> Seer<'a> {
-    /// What is expected of frame number `frame` from where `engine` believes to be.
+    /// Prepares the expectations for frame number `frame` from where `engine` believes to be.
     pub fn new(
         settings: &'a NavigatorSettings,
         engine: &'a dyn Engine,
@@ -290,7 +290,7 @@ impl<'a> Seer<'a> {
         })
     }
 
-    /// What a detector is shown.
+    /// View that a detector is shown.
     pub fn view(&self, luminance: &'a Pyramid) -> FrameView<'a> {
         FrameView {
             camera: self.model.camera,
@@ -399,7 +399,7 @@ impl<'a> Seer<'a> {
         })
     }
 
-    /// How far several landmarks together are from where they are expected.
+    /// Joint innovation of several landmarks against where they are expected.
     pub fn surprise(&self, measurements: &[Measurement<'_>]) -> Result<Surprise, FilterError> {
         let stacked = stack(self.settings, measurements);
         let expected = self.expect(&stacked.landmarks, &stacked.noise)?;

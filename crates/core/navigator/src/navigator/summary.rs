@@ -292,8 +292,8 @@ fn wrong_updates(flight: &Flight, run: &Run) -> Option<usize> {
     Some(wrong)
 }
 
-/// How far a place was found from where the landmark truly is in that picture: pixels, and metres on
-/// the ground. `None` where the truth is not known or nothing was found.
+/// Distance between the place found and the landmark's true place in that picture: pixels, and metres on the
+/// ground. `None` where the truth is not known or nothing was found.
 pub fn place_error(
     flight: &Flight,
     run: &Run,

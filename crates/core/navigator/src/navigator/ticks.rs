@@ -5,7 +5,7 @@ use pilotage_flight::{ChannelName, Flight};
 /// Times closer than this are one step, seconds.
 pub const SAME_TIME: f64 = 1e-6;
 
-/// One step of the plan: when, and which frame if any.
+/// Step of the plan: when, and which frame if any.
 #[derive(Clone, Copy, Debug)]
 pub struct Tick {
     /// When, seconds.

@@ -43,11 +43,11 @@ pub struct Laid {
     pub footprint: Vec<GroundPoint>,
     /// Everywhere that it may lie, as far as it was looked for.
     pub found: Found,
-    /// Where it was laid for itself.
+    /// Registration of the frame for itself.
     registered: Option<Registration>,
 }
 
-/// What a frame that was believed did.
+/// Effect of a frame that was believed.
 pub struct Believed {
     /// The belief that it corrected.
     pub predicted: Estimate,
@@ -122,7 +122,7 @@ impl WholeFrames {
         }
     }
 
-    /// What the frames have taught so far.
+    /// Follower, with what the frames have taught so far.
     pub fn follower(&self) -> &Follower {
         &self.follower
     }
@@ -132,7 +132,7 @@ impl WholeFrames {
         self.follower = follower;
     }
 
-    /// What is told of frame `index` when it lies at `place`, and its outline on the map.
+    /// Report of frame `index` when it lies at `place`, and its outline on the map.
     pub fn laid_at(
         &self,
         flight: &Flight,
@@ -146,13 +146,13 @@ impl WholeFrames {
     }
 }
 
-/// What is told of a frame that lies at `place`, and its outline on the map.
+/// Report of a frame that lies at `place`, and its outline on the map.
 fn told(look: &Look<'_>, place: &Registration) -> (LaidReport, Vec<GroundPoint>) {
     let outline = outline(look, &place.fit.at, place.stored_turn);
     (report(place), outline)
 }
 
-/// What those of the flight's own instruments say at `time` that are believed then.
+/// Readings at `time` of those of the flight's own instruments that are believed then.
 pub fn measured(flight: &Flight, inputs: &Inputs, time: f64) -> Measured {
     let is_believed = |name| inputs.doubt(name, time).is_none();
     let value = |name| flight.value(name, time).filter(|_| is_believed(name));
@@ -217,7 +217,7 @@ fn measured_place(position: GroundPoint, _heading_bias: f64) -> Option<DVector<f
 }
 
 impl SeenPlace {
-    /// How much `place` surprises `engine`.
+    /// Innovation of `place` against what `engine` expects.
     pub fn by(
         settings: &NavigatorSettings,
         engine: &dyn Engine,

@@ -1,10 +1,10 @@
-//! One way of navigating.
+//! Contenders of a study: ways of navigating.
 
 use serde::{Deserialize, Serialize};
 
 use pilotage_mission::settings::{EstimatorChoice, NavigatorSettings, VehicleChoice};
 
-/// One way of navigating.
+/// Way of navigating.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Contender {
     /// The estimator.

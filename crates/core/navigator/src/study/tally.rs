@@ -1,4 +1,4 @@
-//! What became of one contender, flight by flight.
+//! Tally of one contender, flight by flight.
 
 use nalgebra::Vector2;
 

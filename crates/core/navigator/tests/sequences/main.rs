@@ -36,9 +36,9 @@ impl FrameSource for Pictures {
     }
 }
 
-/// What the flight of photos knows beside its pictures.
+/// Knowledge of the flight of photos beside its pictures.
 struct Known {
-    /// Where it begins, and how well that is known, metres.
+    /// Place of the start, and its standard deviation, metres.
     start: (GroundPoint, f64),
     heading: bool,
 }
@@ -77,7 +77,7 @@ fn flight(photos: &[Photo], known: &Known) -> Flight {
     }
 }
 
-/// What a frame came to.
+/// Outcome of a frame.
 struct Moment {
     name: String,
     /// Error of the estimate by what the photo's file says, metres.
@@ -124,8 +124,8 @@ fn fly(site: &Site, known: &Known) -> Vec<Moment> {
     moments
 }
 
-/// How many frames were laid, how many of these lie farther than `metres` from where the file says, the median error,
-/// and how many frames at most were not laid one after the other.
+/// Number of frames that were laid, number of these that lie farther than `metres` from where the file says,
+/// median error, and largest number of frames not laid one after the other.
 fn tally(moments: &[Moment], metres: f64) -> (usize, usize, f64, usize) {
     let laid = moments.iter().filter(|m| m.laid);
     let wrong = laid.clone().filter(|m| m.off > metres).count();

@@ -1,4 +1,4 @@
-//! What a filter with its vehicle model can be asked, and what it answers.
+//! Questions that a filter with its vehicle model can be asked, and its answers.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -7,7 +7,7 @@ use pilotage_base::frames::GroundPoint;
 use pilotage_estimation::filter::FilterError;
 use pilotage_estimation::vehicle::ControlInput;
 
-/// What a measurement model may know of a state: position on the map and the heading's bias, radians.
+/// Measurement model of all that it may know of a state: position on the map and the heading's bias, radians.
 pub type MeasurementModel<'a> = dyn Fn(GroundPoint, f64) -> Option<DVector<f64>> + 'a;
 
 /// A prediction, for the report.
@@ -19,7 +19,7 @@ pub struct PredictedStep {
     pub sigma_after: DMatrix<f64>,
 }
 
-/// What a measurement should be.
+/// Expected measurement, with its covariance.
 pub struct Expectation {
     pub mean: DVector<f64>,
     pub covariance: DMatrix<f64>,
@@ -51,7 +51,7 @@ pub trait Engine: Send {
     /// latest first), from here on.
     fn look_back(&mut self, past: Vec<(ControlInput, f64)>);
 
-    /// Where the vehicle was on the map when what is measured happened: the map's error is in it.
+    /// Position of the vehicle on the map when what is measured happened: the map's error is in it.
     fn seen_from(&self) -> GroundPoint;
 
     /// The same filter once more.

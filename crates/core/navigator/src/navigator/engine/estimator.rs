@@ -1,4 +1,4 @@
-//! One engine for every kind of filter.
+//! Engine for every kind of filter.
 
 use nalgebra::{DMatrix, DVector, Dyn, SVector};
 
@@ -12,13 +12,13 @@ use pilotage_estimation::vehicle::{ControlInput, MAP_ERROR_NORTH, VehicleModel};
 
 /// A measurement model over the whole state, and which components it looks at.
 pub struct StateModel<'a, const N: usize> {
-    /// What is measured in a state.
+    /// Measurement function of the state.
     pub of: &'a dyn Fn(&SVector<f64, N>) -> Option<DVector<f64>>,
     /// The components on which it depends: the others have no slope.
     pub depends_on: &'a [usize],
 }
 
-/// What a correction did, in sizes known at run time only.
+/// Result of a correction, in sizes known at run time only.
 pub struct Corrected<const N: usize> {
     /// N × m.
     pub gain: DMatrix<f64>,
@@ -47,7 +47,7 @@ impl<const N: usize> From<Correction<N, Dyn>> for Corrected<N> {
     }
 }
 
-/// What a filter must do to be an engine.
+/// Operations that a filter must have to be an engine.
 pub trait Estimator<const N: usize>: Clone + Send {
     fn belief(&self) -> Gaussian<N>;
 
@@ -92,7 +92,7 @@ pub struct FilterEngine<const N: usize, V, F> {
     /// The first of the map's two components.
     map_error_index: Option<usize>,
     depends_on: Vec<usize>,
-    /// What happened between what is measured and now, the latest first.
+    /// Inputs between what is measured and now, with their lengths in seconds, the latest first.
     past: Vec<(ControlInput, f64)>,
 }
 
@@ -134,7 +134,7 @@ impl<const N: usize, V: VehicleModel<N>, F: Estimator<N>> FilterEngine<N, V, F> 
     }
 }
 
-/// Where the map shows what is at `position`: what cameras see is compared with the map.
+/// Place at which the map shows what is at `position`: what cameras see is compared with the map.
 fn on_map<const N: usize>(
     position: GroundPoint,
     map_error_index: Option<usize>,
@@ -146,7 +146,7 @@ fn on_map<const N: usize>(
     }
 }
 
-/// Where a vehicle of state `x` was before the inputs of `past`, the latest first, if nothing unexpected
+/// Position of a vehicle of state `x` before the inputs of `past`, the latest first, if nothing unexpected
 /// happened since.
 fn was_at<const N: usize, V: VehicleModel<N>>(
     vehicle: &V,

@@ -10,7 +10,7 @@ use pilotage_estimation::filter::{
 use pilotage_estimation::vehicle::{ControlInput, VehicleModel};
 
 impl<const N: usize> StateModel<'_, N> {
-    /// What `filter` expects of it.
+    /// Measurement that `filter` expects under this model.
     fn expected_by(
         &self,
         filter: &Ekf<N>,

@@ -16,7 +16,7 @@ pub fn visit_model<V: VehicleVisitor>(settings: &NavigatorSettings, visitor: V) 
     }
 }
 
-/// How far off the map is, if that is a state of the filter.
+/// Model of the map's error, if that error is a state of the filter.
 pub fn map_error(settings: &NavigatorSettings) -> Option<MapError> {
     let deviation = settings.whole_frames?.map_deviation;
     (deviation > 0.0).then(|| MapError::of(deviation))

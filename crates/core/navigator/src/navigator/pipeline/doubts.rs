@@ -1,4 +1,4 @@
-//! What the navigator doubts besides what instruments say themselves: the lag of the pictures and the heading.
+//! Doubts of the navigator besides what instruments say themselves: the lag of the pictures and the heading.
 
 use std::sync::Arc;
 
@@ -13,7 +13,7 @@ use pilotage_raster::camera::CameraModel;
 use pilotage_raster::raster::Pyramid;
 
 impl Navigator {
-    /// What is doubted after all, and what that does to the estimate.
+    /// Adds to the report what is doubted after all, and its effect on the estimate.
     pub(super) fn conclude(&self, report: &mut StepReport) {
         if let Some(lag) = &self.lag {
             report.doubts.extend(lag.doubt());
