@@ -1,4 +1,4 @@
-//! How much a correlation says for a place.
+//! Evidence of a correlation for a place.
 //!
 //! A frame that does not belong to a place correlates with it by chance, with a standard deviation σ that the
 //! frame itself tells (laid on the same ground turned by half a turn). 1 / σ² is the number of independent
@@ -17,7 +17,7 @@ pub const TEMPERED: f64 = 0.5;
 /// Correlation beyond which pictures are not more alike.
 const MOST: f64 = 0.999;
 
-/// What correlations of a frame mean.
+/// Evidence that correlations of a frame give.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Evidence {
     /// Standard deviation of the correlation with ground that is not the frame's, where all of it lies over the

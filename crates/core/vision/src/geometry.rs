@@ -1,4 +1,4 @@
-//! How errors of the camera's pose and of the ground become errors in the picture.
+//! Propagation of errors of the camera's pose and of the ground into the picture.
 
 use nalgebra::{DMatrix, Matrix2, Matrix4, Point2, Point3, Vector2, Vector4};
 
@@ -8,9 +8,9 @@ use pilotage_raster::camera::CameraModel;
 /// Components of what is measured of one landmark: pixel x, pixel y, rotation, log scale.
 pub const COMPONENTS: usize = 4;
 
-/// How a landmark appears to a camera at `pose`, to somebody who believes `assumed`: pixel (x, y) of
-/// its reference point, and the turn (radians clockwise) and log scale of its surroundings in the
-/// picture rectified with the assumed pose. `None` where it is not in front of the lens.
+/// Appearance of a landmark to a camera at `pose`, for somebody who believes `assumed`: pixel (x, y) of its
+/// reference point, and the turn (radians clockwise) and log scale of its surroundings in the picture
+/// rectified with the assumed pose. `None` where it is not in front of the lens.
 pub fn appearance(
     camera: &CameraModel,
     pose: &Pose,

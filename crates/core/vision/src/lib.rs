@@ -1,5 +1,5 @@
-//! What the camera sees, found on the map: landmarks and their detectors, whole frames registered, and
-//! how errors of the camera's pose become errors in the picture.
+//! Observations by the camera, found on the map: landmarks and their detectors, whole frames registered, and
+//! errors of the camera's pose as they become errors in the picture.
 
 mod evidence;
 pub mod geometry;

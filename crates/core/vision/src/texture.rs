@@ -1,13 +1,14 @@
-//! What of the ground is compared: a picture with light and haze taken away, as one channel or several.
+//! Texture of the ground that is compared: a picture with light and haze taken away, as one channel or
+//! several.
 
 use pilotage_raster::raster::{Gray, IntegralImage, OrientationField, gaussian_blur};
 
-/// What of the ground is compared.
+/// Texture of the ground that is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Texture {
     /// Brightness against the surroundings: fine and exact where map and frame are of one day.
     Contrast,
-    /// Where edges run and how, which stays from one date and sensor to another.
+    /// Edges, where they run and how, which stay from one date and sensor to another.
     Edges,
     /// Edges and, with less weight, contrast: tells one place from another better than either, but shadows and
     /// crops move its summit.
@@ -16,7 +17,7 @@ pub enum Texture {
 
 /// Weight of contrast beside edges.
 const CONTRAST: f32 = 0.3;
-/// What it is clipped to, standard deviations.
+/// Limit at which contrast is clipped, standard deviations.
 const CLIPPED: f32 = 2.0;
 /// Standard deviation over which it is smoothed, pixels, as edges are.
 const SMOOTHED: f64 = 1.2;

@@ -36,13 +36,13 @@ pub struct Similarity {
 /// An alignment and how well it is known.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Alignment {
-    /// Where the patch lies in the picture.
+    /// Place of the patch in the picture.
     pub similarity: Similarity,
     /// Covariance of (x, y, rotation, log scale), pixels and radians.
     pub covariance: Matrix4<f64>,
 }
 
-/// One pixel's residual and derivatives.
+/// Residual of one pixel and its derivatives.
 struct Sample {
     residual: f64,
     row: Vector6<f64>,

@@ -1,4 +1,4 @@
-//! What people note of a landmark beside its place: category, notes, direction, outline.
+//! Annotations of a landmark by people, beside its place: category, notes, direction, outline.
 //!
 //! They are properties like those of other programs, under the names and with the values that files
 //! have; docs/formats.md lists them.
@@ -20,7 +20,7 @@ pub const OUTLINE: &str = "outline_m";
 pub const HOLES: &str = "holes_m";
 /// Property that says what a landmark is where that is no box.
 const SHAPE: &str = "shape";
-/// What a landmark is of which people marked only a point.
+/// Shape of a landmark of which people marked only a point.
 const POINT: &str = "point";
 
 impl Landmark {
@@ -44,7 +44,7 @@ impl Landmark {
         self.note(name, (!text.is_empty()).then(|| Value::from(text)));
     }
 
-    /// What kind of thing it is, in the user's words; empty if nobody said.
+    /// Category of the landmark, in the user's words; empty if nobody said.
     pub fn category(&self) -> String {
         self.noted(CATEGORY).unwrap_or_default()
     }
@@ -54,7 +54,7 @@ impl Landmark {
         self.note_text(CATEGORY, category);
     }
 
-    /// What else people noted of it.
+    /// Notes of people on the landmark; empty without any.
     pub fn notes(&self) -> String {
         self.noted(NOTES).unwrap_or_default()
     }

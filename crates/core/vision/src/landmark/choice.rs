@@ -80,7 +80,7 @@ impl Landmark {
         self.note(TRAINED, value);
     }
 
-    /// What was trained for it, for whichever box, as files have it: JSON.
+    /// Detector that was trained for the landmark, for whichever box, as files have it: JSON.
     pub fn trained_text(&self) -> Option<&str> {
         self.properties.get(TRAINED).map(String::as_str)
     }

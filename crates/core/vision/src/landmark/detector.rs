@@ -1,4 +1,4 @@
-//! What every detector is asked and what it answers.
+//! Requests to every detector, and its answers.
 
 use nalgebra::{Matrix2, Matrix4};
 use serde::{Deserialize, Serialize};
@@ -13,9 +13,9 @@ pub const UNKNOWN_TURN: f64 = 0.5;
 /// The same of the logarithm of a size.
 pub const UNKNOWN_LOG_SCALE: f64 = 0.3;
 
-/// How much a detector measured, from its covariance of two of place, turn (radians) and logarithm of the
-/// size: the place, and what of the other two it did not leave open. So many degrees of freedom has the
-/// normalized innovation squared, to which what is left open adds nothing.
+/// Number of components that a detector measured, from its covariance of two of place, turn (radians) and
+/// logarithm of the size: the place, and what of the other two it did not leave open. So many degrees of
+/// freedom has the normalized innovation squared, to which what is left open adds nothing.
 pub fn measured(covariance: &Matrix4<f64>) -> usize {
     let turn = covariance[(2, 2)] < UNKNOWN_TURN.powi(2);
     let size = covariance[(3, 3)] < UNKNOWN_LOG_SCALE.powi(2);
@@ -38,7 +38,7 @@ pub struct FrameView<'a> {
 /// A landmark and how far from its expected place it may appear.
 #[derive(Clone, Copy, Debug)]
 pub struct SearchRequest<'a> {
-    /// What to look for.
+    /// Landmark to look for.
     pub landmark: &'a Landmark,
     /// Covariance (north, east) of the difference between the place at which the landmark will
     /// appear under the assumed pose and its place on the map, m²: the innovation covariance carried
@@ -73,7 +73,7 @@ impl SearchRequest<'_> {
     }
 }
 
-/// Where a landmark was found.
+/// Place, turn and size of a landmark that was found, with the scores.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Detection {
     /// Ground point at which the reference point appears under the assumed pose.
@@ -164,7 +164,7 @@ impl Refusal {
     }
 }
 
-/// What a detector says of one landmark in one picture.
+/// Answer of a detector on one landmark in one picture.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Sighting {
     /// It is there.

@@ -12,7 +12,7 @@ use pilotage_base::frames::{GroundPoint, GroundRect};
 pub struct Landmark {
     /// Identity within a mission; never used twice.
     pub id: u32,
-    /// What people call it.
+    /// Name of the landmark, as shown to people.
     pub name: String,
     /// The box on the map whose pixels are the patch to look for.
     pub bounds: GroundRect,

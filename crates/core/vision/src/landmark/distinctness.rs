@@ -1,4 +1,4 @@
-//! How distinct a box of the map is: its correlation with the map around it.
+//! Distinctness of a box of the map: its correlation with the map around it.
 
 use super::features::{FeatureTemplate, Features};
 use super::patch::FLAT_CONTRAST;
@@ -11,7 +11,7 @@ const COARSE_PIXELS: f64 = 32.0;
 /// Longest side of the searched window, pixels.
 const LONGEST_SIDE: f64 = 512.0;
 
-/// What is known of a box before it ever was seen from the air.
+/// Distinctness of a box before it ever was seen from the air.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PatchDistinctness {
     /// Score of the patch with its centre at every place around the box, -1 to 1.

@@ -1,4 +1,4 @@
-//! What a trained detector saw and did in a search, for people who want to understand it.
+//! Evidence of a trained detector, what it saw and did in a search, for people who want to understand it.
 
 use serde::{Deserialize, Serialize};
 
@@ -18,12 +18,12 @@ const CELLS: usize = 8;
 /// Pixels around a mark within which its window is looked for.
 const AROUND: i64 = 3;
 
-/// One stage: what it asks and what it lets pass.
+/// Stage of the detector: what it asks and what it lets pass.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StageLook {
     /// Its features, in the order in which its trees ask for them.
     pub features: Vec<ShownFeature>,
-    /// How many trees vote.
+    /// Number of trees that vote.
     pub votes: usize,
     /// Least sum of votes that passes.
     pub threshold: f32,
@@ -38,7 +38,7 @@ pub struct MarkedPlace {
     pub pixel: (f64, f64),
     /// The same on the ground under the assumed pose.
     pub ground: GroundPoint,
-    /// How well it fits; at least zero if every stage was passed.
+    /// Score of the fit; at least zero if every stage was passed.
     pub score: f64,
     /// Probability that a mark of this score is right, were it the only one.
     pub probability: f64,
@@ -55,16 +55,16 @@ pub struct PatchLook {
     pub answers: Vec<Vec<Answer>>,
 }
 
-/// What a trained detector saw and did in a search.
+/// Evidence of a trained detector: what it saw and did in a search.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CascadeEvidence {
-    /// What the detector looks at.
+    /// Kind of features that the detector looks at.
     pub kind: Kind,
     /// Width and height of the window that it is shown, pixels.
     pub size: (usize, usize),
     /// The searched ground under the assumed pose, at the detector's scale.
     pub window: Window,
-    /// Where the middle of the landmark is on the map.
+    /// Place of the landmark's middle on the map.
     pub expected: GroundPoint,
     /// The camera picture as a north-up view of that ground, grey levels.
     pub ground: Raster<u8>,

@@ -1,4 +1,4 @@
-//! What is compared when a map patch is matched: intensity and edges.
+//! Features that are compared when a map patch is matched: intensity and edges.
 //!
 //! Edges are gradients in double-angle form, `|g| (cos 2θ, sin 2θ)`: they keep the orientation of an
 //! edge and forget which side is brighter, which differs between seasons and times of day.

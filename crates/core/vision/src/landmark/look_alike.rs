@@ -1,4 +1,5 @@
-//! What else on the map looks like a landmark, and whether a place that was found may be that.
+//! Other places of the map that look like a landmark, and the test for whether a place that was found may be
+//! one.
 
 use nalgebra::{Matrix2, Vector2};
 
@@ -14,9 +15,9 @@ use pilotage_raster::raster::Gray;
 const MOST: usize = 16;
 /// Look-alikes that score less on the map are no danger.
 const LEAST: f32 = 0.2;
-/// How much better than on the map a look-alike scores in a picture, where it is turned and enlarged to
-/// fit best and the light is another: mean and standard deviation. One that was taken for its landmark
-/// scored 0.08 more.
+/// Gain of a look-alike's score in a picture over that on the map, where it is turned and enlarged to fit
+/// best and the light is another: mean and standard deviation. One that was taken for its landmark scored
+/// 0.08 more.
 const BETTER: (f64, f64) = (0.03, 0.05);
 /// Probability of the look-alike over that of the landmark from which on it is taken for one.
 const ODDS: f64 = 0.05;
@@ -26,7 +27,7 @@ const FARTHEST: f64 = 120.0;
 /// A place of the map that looks like a landmark.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::landmark) struct LookAlike {
-    /// Where it is from the landmark, metres north and east.
+    /// Offset of the place from the landmark, metres north and east.
     pub offset: Vector2<f64>,
     /// Its score on the map.
     pub score: f64,
@@ -35,7 +36,7 @@ pub(in crate::landmark) struct LookAlike {
 /// Look-alikes of a landmark out to some distance.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LookAlikes {
-    /// How far they were looked for, metres in north and east.
+    /// Distance out to which look-alikes were looked for, metres in north and east.
     reach: f64,
     all: Vec<LookAlike>,
 }
@@ -78,12 +79,12 @@ impl LookAlikes {
     }
 }
 
-/// What a search saw: the score at every offset of a patch of `size` pixels in `window`.
+/// Result of a search: the score at every offset of a patch of `size` pixels in `window`.
 pub(super) struct Searched<'a> {
     pub surface: &'a Gray,
     pub window: &'a Window,
     pub size: (usize, usize),
-    /// Where the landmark's middle is expected, and the covariance of that, m².
+    /// Expected place of the landmark's middle, and its covariance, m².
     pub expected: (GroundPoint, Matrix2<f64>),
 }
 

@@ -1,4 +1,4 @@
-//! What a search by templates was given of the picture, and what it shows of itself.
+//! Evidence of a search by templates: what it was given of the picture, and what it shows of itself.
 
 use super::FrameView;
 use pilotage_base::frames::GroundRect;
@@ -25,7 +25,7 @@ pub(super) fn camera_gsd(view: &FrameView<'_>) -> f64 {
     (view.ground_down - view.pose.position_in_world.z).max(0.1) / view.camera.focal
 }
 
-/// What of `window` can lie in the picture, cut at its pixels; `None` if nothing of it can.
+/// Part of `window` that can lie in the picture, cut at its pixels; `None` if nothing of it can.
 pub(super) fn in_picture(window: &Window, view: &FrameView<'_>) -> Option<Window> {
     let footprint = view.camera.footprint(&view.pose, view.ground_down);
     let seen = GroundRect::around(footprint)?;

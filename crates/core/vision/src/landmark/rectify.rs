@@ -11,13 +11,13 @@ use pilotage_raster::raster::{Gray, Pyramid, bilinear};
 /// A rectified picture and how much of it the camera saw.
 #[derive(Clone, Debug)]
 pub struct GroundView {
-    /// Which ground the pixels show, under the assumed pose.
+    /// Ground that the pixels show, under the assumed pose.
     pub window: Window,
     /// Luminance; the mean of the seen part where nothing was seen.
     pub luminance: Gray,
-    /// Bounds in rows and columns where everything was seen, or `None` if a pixel is missing.
+    /// Whether the camera saw every pixel.
     pub complete: bool,
-    /// One where the camera saw the ground, zero elsewhere; empty if complete.
+    /// Mask: 1 where the camera saw the ground, 0 elsewhere; empty if complete.
     pub seen: Gray,
 }
 

@@ -8,22 +8,22 @@ pub(super) const OFF_PIXELS: f64 = 2.0;
 /// Pixels of a patch that may be pure white or pure black: more of them are a hole in the map.
 pub(super) const MOST_BLANK: f64 = 0.005;
 
-/// How a patch of the map fits the ground on another day.
+/// Fit of a map patch to the ground on another day.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rehearsal {
     /// Score at the landmark's own place, -1 to 1; zero if the best place is elsewhere.
     pub score: f64,
     /// Score of the best other place.
     pub rival: f64,
-    /// Where that is.
+    /// Place with the rival's score.
     pub rival_place: GroundPoint,
-    /// How far the best place lies from where the landmark is, metres.
+    /// Distance of the best place from the landmark, metres.
     pub drift: f64,
 }
 
 impl Rehearsal {
-    /// What the detector has in hand before it must refuse the landmark as ambiguous, with
-    /// `ambiguity` the greatest ratio of the rival's score to its own; negative if it must.
+    /// Margin before the detector must refuse the landmark as ambiguous, with `ambiguity` the greatest ratio
+    /// of the rival's score to its own; negative if it must.
     pub fn margin(&self, ambiguity: f64) -> f64 {
         ambiguity * self.score - self.rival
     }

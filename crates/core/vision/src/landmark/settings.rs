@@ -2,14 +2,15 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What of a landmark's map patch is compared with the picture.
+/// Features of a landmark's map patch that are compared with the picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum TemplateFeatures {
     /// Brightness and edges: exact where the map shows the ground as the camera sees it.
     #[default]
     Brightness,
-    /// Where edges run and how (orientation fields), judged by probability: for maps of another date or sensor.
+    /// Orientation fields, which tell where edges run and how, judged by probability: for maps of another
+    /// date or sensor.
     Orientation,
 }
 
@@ -31,10 +32,10 @@ impl TemplateFeatures {
     }
 }
 
-/// How a landmark's map patch is looked for and when the answer is refused.
+/// Settings of the search for a landmark's map patch, and of the refusal of its answer.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TemplateSettings {
-    /// What is compared; files that say nothing mean brightness.
+    /// Features that are compared; files that say nothing mean brightness.
     #[serde(default)]
     pub features: TemplateFeatures,
     /// Standard deviation of the map's own place per axis, metres: of satellite and aerial maps some 3, of an

@@ -47,7 +47,7 @@ pub struct TemplateDetector {
     settings: TemplateSettings,
 }
 
-/// One try of the fine search.
+/// Try of the fine search.
 #[derive(Clone, Copy, Debug)]
 struct Fit {
     /// Centre of the patch on the ground under the assumed pose.
@@ -433,7 +433,8 @@ fn forbid_unseen(surface: &mut Gray, ground: &GroundView, size: (usize, usize)) 
     }
 }
 
-/// Where alignment fails, the place is known to a pixel, turn and scale to the step of their grid.
+/// Alignment after the fine one failed: the place is known to a pixel, turn and scale to the step of their
+/// grid.
 fn unaligned(similarity: Similarity, size: (usize, usize)) -> Alignment {
     let lever = 0.25 * (size.0 + size.1) as f64;
     let angle = (1.5 / lever).powi(2);

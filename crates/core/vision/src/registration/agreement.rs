@@ -1,4 +1,4 @@
-//! Which matches agree with each other, and how likely that is by chance.
+//! Agreement of matches with each other, and its likelihood by chance.
 
 use nalgebra::{Matrix2, Vector2};
 
@@ -39,7 +39,7 @@ impl Shift {
 /// Matches that agree.
 #[derive(Clone, Debug)]
 pub struct Agreement {
-    /// Which matches.
+    /// Indices of the matches.
     pub members: Vec<usize>,
     /// Distance within which they agree, metres.
     pub tolerance: f64,
@@ -53,7 +53,7 @@ fn log_choose(n: usize, k: usize) -> f64 {
     (gamma(n) - gamma(k) - gamma(n - k)) / std::f64::consts::LN_10
 }
 
-/// How many agreements of `k` among `tried` patches within `radius` are expected by chance, as a
+/// Number of agreements of `k` among `tried` patches within `radius` that are expected by chance, as a
 /// logarithm (base 10), if a patch that does not belong is found anywhere within `reach` to each side.
 ///
 /// A-contrario reasoning (Moisan and Stival 2004): every subset of `k` and every choice of the `fixed`

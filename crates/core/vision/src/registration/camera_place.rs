@@ -7,7 +7,7 @@ use super::look::{Look, MapPose};
 use super::prior::PosePrior;
 use pilotage_base::frames::Pose;
 
-/// Where the camera itself is: the pose without what of its tilt is the ground's.
+/// Place of the camera itself: the pose without what of its tilt is the ground's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CameraPlace {
     /// Pose of the body; north and east on the map.

@@ -38,8 +38,8 @@ struct Level {
     pixels_per_metre: f64,
 }
 
-/// How patches are cut at a pose: at the distance that is fine enough for a frame that shows nothing but map;
-/// and the finest that map and frame have.
+/// Plan of the patches at a pose: at the ground sample distance that is fine enough for a frame that shows
+/// nothing but map; and the finest that map and frame have.
 fn plan(look: &Look<'_>, at: &MapPose) -> Option<(PatchPlan, f64)> {
     let footprint = look.footprint(at)?;
     let height = look.ground_down - at.pose.position_in_world.z;

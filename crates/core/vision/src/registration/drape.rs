@@ -10,7 +10,7 @@ use pilotage_raster::raster::{Picture, Raster, Rgb, Rgba};
 /// A picture laid on the map in its own colours.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Draped {
-    /// Where its pixels lie, north up.
+    /// Place of the pixels on the ground, north up.
     pub window: Window,
     /// Its pixels; clear where the picture shows nothing.
     pub pixels: Raster<Rgba>,

@@ -1,4 +1,4 @@
-//! Which pieces of a frame that was laid as a whole lie where the map has them: what a viewer can look at.
+//! Pieces of a frame laid as a whole that lie where the map has them: what a viewer can look at.
 
 use super::fit::residual;
 use super::grid::Grid;

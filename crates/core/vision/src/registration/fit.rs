@@ -23,7 +23,7 @@ const LEAST_DEVIATION: f64 = 0.1;
 pub(super) type Vector = SVector<f64, UNKNOWNS>;
 /// Their covariance or information.
 type Matrix = SMatrix<f64, UNKNOWNS, UNKNOWNS>;
-/// How a pixel moves with them.
+/// Jacobian of a pixel by the unknowns.
 type Jacobian = SMatrix<f64, 2, UNKNOWNS>;
 
 /// A pose over the map with its covariance.
@@ -87,7 +87,7 @@ pub(super) fn residual(look: &Look<'_>, at: &MapPose, m: &PatchMatch) -> Option<
     Some(look.pixel(at, &m.ground)? - m.pixel)
 }
 
-/// What the prior says of roll, pitch, along and across: index, deviation from its mean, information.
+/// Prior of roll, pitch, along and across: index, deviation from its mean, information.
 fn held(prior: &PosePrior, at: &MapPose) -> [(usize, f64, f64); 4] {
     let attitude = at.pose.attitude;
     let tilt = prior.apparent_tilt_deviation().powi(-2);
@@ -100,7 +100,7 @@ fn held(prior: &PosePrior, at: &MapPose) -> [(usize, f64, f64); 4] {
     ]
 }
 
-/// One round of the fit: the normal equations of the matches at a pose, without the prior.
+/// Round of the fit: the normal equations of the matches at a pose, without the prior.
 struct Round {
     /// `Σ w JᵀJ`.
     information: Matrix,

@@ -1,4 +1,4 @@
-//! What one frame teaches about the next.
+//! Knowledge that one frame passes on to the next.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,7 +8,7 @@ use super::register::Registration;
 use super::shape::MapShape;
 use pilotage_base::frames::GroundPoint;
 
-/// What is assumed about a flight over a map; deviations are standard ones.
+/// Assumptions about a flight over a map; deviations are standard ones.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FollowSettings {
     /// Height above the ground before anything is known of it, metres.
@@ -17,7 +17,7 @@ pub struct FollowSettings {
     pub log_height_deviation: f64,
     /// Deviation of the logarithm of a measured height: the ground is not level, and barometers drift.
     pub measured_log_height_deviation: f64,
-    /// How fast the logarithm of the height wanders, 1/√s.
+    /// Random walk of the logarithm of the height, 1/√s.
     pub log_height_walk: f64,
     /// Deviation of a measured heading against the camera, the mount's error included, radians.
     pub heading_deviation: f64,
@@ -82,7 +82,7 @@ impl Default for FollowSettings {
 /// The least deviation of the shape of the map in view of one frame: relief stretches it as well.
 const LEAST_SHAPE_DEVIATION: f64 = 0.01;
 
-/// What instruments say when a frame is taken; radians and metres.
+/// Readings of the instruments when a frame is taken; radians and metres.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Measured {
     /// Heading of the body, clockwise from north.
@@ -141,8 +141,8 @@ impl Follower {
         }
     }
 
-    /// What is known of the pose at `time` when the vehicle is believed to be at `position`, with this
-    /// standard deviation per axis in metres.
+    /// Prior of the pose at `time` when the vehicle is believed to be at `position`, with this standard
+    /// deviation per axis in metres.
     pub fn prior(
         &self,
         time: f64,
@@ -215,7 +215,7 @@ impl Follower {
         self.stored_turn = found.stored_turn;
     }
 
-    /// How the map is stretched, as far as the frames have shown.
+    /// Stretch of the map, as far as the frames have shown.
     pub fn shape(&self) -> MapShape {
         MapShape {
             along: self.along.mean,

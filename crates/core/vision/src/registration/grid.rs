@@ -1,4 +1,4 @@
-//! How finely poses are tried.
+//! Fineness of the grid on which poses are tried.
 
 use super::guess::{BESIDE, Guess};
 use super::limits::REACH;
@@ -29,7 +29,7 @@ pub(super) struct Grid {
 pub(super) struct Poses {
     /// Place around which it is looked for.
     pub center: GroundPoint,
-    /// How far to each side, metres.
+    /// Distance to each side of that place, metres.
     pub reach: f64,
     /// Heights above the ground plane, metres.
     pub heights: Vec<f64>,
@@ -37,7 +37,7 @@ pub(super) struct Poses {
     pub headings: Vec<f64>,
     /// Radians times logarithm of the height that each stands for.
     pub cell: f64,
-    /// Which turns of the stored picture.
+    /// Turns of the stored picture that are tried, by their indices.
     pub turns: Vec<usize>,
 }
 

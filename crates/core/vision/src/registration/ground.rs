@@ -10,11 +10,11 @@ pub use crate::texture::Texture;
 /// A north-up picture of ground with what of it is covered.
 #[derive(Debug)]
 pub struct GroundPicture {
-    /// Which ground.
+    /// Ground that the picture shows.
     pub window: Window,
-    /// What is compared, one channel or several; zero where nothing is covered.
+    /// Channels that are compared, one or several; zero where nothing is covered.
     pub channels: Vec<Gray>,
-    /// One where the ground is covered, else zero.
+    /// Mask: 1 where the ground is covered, else 0.
     pub covered: Gray,
     /// Sums of the cover, for whole patches at a glance.
     cover: IntegralImage,

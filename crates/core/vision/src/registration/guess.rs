@@ -15,7 +15,7 @@ pub(super) const BELIEVED: f64 = 0.95;
 pub struct Guess {
     /// The pose over the map.
     pub at: MapPose,
-    /// Which of the possible turns of the stored picture.
+    /// Index of the turn of the stored picture among the possible ones.
     pub turn: usize,
     /// Correlation of the whole frame with the map.
     pub score: f64,
@@ -26,7 +26,7 @@ pub struct Guess {
     pub probability: f64,
     /// Logarithm (base 10) of the probability that it is none of these, however small.
     pub log_doubt: f64,
-    /// What correlations of the frame mean at this height.
+    /// Evidence that correlations of the frame give at this height.
     pub evidence: Evidence,
 }
 

@@ -1,4 +1,4 @@
-//! How far is searched, as people state it, and the standard deviation that searches so far.
+//! Limits of the search, as people state them, and the standard deviation that searches so far.
 
 /// Standard deviations to each side that are searched.
 pub(super) const REACH: f64 = 2.5;

@@ -16,7 +16,7 @@ use pilotage_raster::raster::Pyramid;
 pub struct MapPose {
     /// Pose of the body; north and east on the map.
     pub pose: Pose,
-    /// How the map is stretched around it.
+    /// Stretch of the map around the pose.
     pub shape: MapShape,
 }
 

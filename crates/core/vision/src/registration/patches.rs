@@ -16,18 +16,19 @@ const COVERED: f64 = 0.9;
 pub struct PatchMatch {
     /// Its centre in the picture, pixels.
     pub pixel: Point2<f64>,
-    /// Where it was found on the map.
+    /// Place at which the patch was found on the map.
     pub ground: GroundPoint,
-    /// Where the assumed pose would have put it.
+    /// Place at which the assumed pose would have put it.
     pub expected: GroundPoint,
     /// Correlation there.
     pub score: f64,
 }
 
-/// How patches are cut and how far they are looked for; all in pixels of the ground sample distance.
+/// Plan of the patches, how they are cut and how far they are looked for; all in pixels of the ground sample
+/// distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PatchPlan {
-    /// What of them is compared.
+    /// Texture of the patches that is compared.
     pub texture: Texture,
     /// Ground sample distance, metres.
     pub gsd: f64,
@@ -46,14 +47,14 @@ impl PatchPlan {
     }
 }
 
-/// What [`find_patches`] found, and how it searched.
+/// Matches that [`find_patches`] found, and how it searched.
 #[derive(Clone, Debug)]
 pub struct PatchSearch {
-    /// One for every patch that has a summit within the search.
+    /// Matches, one for every patch that has a summit within the search.
     pub matches: Vec<PatchMatch>,
     /// Patches that had texture and map to be found.
     pub tried: usize,
-    /// How it was searched.
+    /// Plan of the search.
     pub plan: PatchPlan,
 }
 

@@ -1,4 +1,4 @@
-//! What is known of a camera's pose before its picture is laid on the map.
+//! Prior of a camera's pose before its picture is laid on the map.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -18,7 +18,7 @@ pub enum StoredTurn {
     },
 }
 
-/// What is known of the heading.
+/// Prior of the heading.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum HeadingPrior {
     /// Nothing: all around is searched.
@@ -77,7 +77,7 @@ fn spread(half: f64, step: f64) -> impl Iterator<Item = f64> {
     (-count..=count).map(move |i| f64::from(i) * spacing)
 }
 
-/// What is known of a camera's pose, as standard deviations around a mean.
+/// Prior of a camera's pose, as standard deviations around a mean.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PosePrior {
     /// Place below the camera.
@@ -98,7 +98,7 @@ pub struct PosePrior {
     pub tilt_deviation: f64,
     /// Standard deviation of the ground's slope along each axis, radians: to the camera it is a tilt.
     pub slope_deviation: f64,
-    /// How the map is stretched.
+    /// Stretch of the map.
     pub shape: MapShape,
     /// Standard deviation of both of the shape's numbers.
     pub shape_deviation: f64,

@@ -53,7 +53,7 @@ pub struct Registration {
     /// Probability of this place by the whole frame alone, against all others that the prior allows and
     /// against none.
     pub probability: f64,
-    /// Where the camera is, the slope of the ground told from its tilt.
+    /// Place of the camera, the slope of the ground told from its tilt.
     pub camera: CameraPlace,
     /// Place of the map in the middle of the picture.
     pub centre: GroundPoint,
@@ -230,7 +230,7 @@ fn exact(look: &Look<'_>, prior: &PosePrior, guess: &Guess) -> Option<Registrati
     registration(look, prior, guess, LaidBy::WholeFrame, by_edges)
 }
 
-/// What patches around a pose agree on, if chance does not explain it.
+/// Registration on which patches around a pose agree, if chance does not explain it.
 fn by_patches(
     look: &Look<'_>,
     prior: &PosePrior,

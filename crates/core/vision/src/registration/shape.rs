@@ -1,4 +1,4 @@
-//! How a map's picture is stretched.
+//! Stretch of a map's picture.
 
 use nalgebra::{Matrix2, Vector2};
 use serde::{Deserialize, Serialize};

@@ -38,7 +38,7 @@ const EDGES: Stage = Stage {
     rounds: 3,
     share: 0.25,
 };
-/// How far the summit may lie from the guess, pixels of the sweep.
+/// Largest distance of the summit from the guess, pixels of the sweep.
 const MARGIN: f64 = 8.0;
 /// First step of roll and of pitch, radians.
 const TILT: f64 = 0.04;
@@ -295,7 +295,7 @@ fn peak_near(surface: &Gray, column: usize, row: usize) -> Option<(Peak, usize)>
     Some((peak, sample.1 * surface.width() + sample.0))
 }
 
-/// Where the parabola through three values at -1, 0 and 1 is highest, within these.
+/// Place of the maximum of the parabola through three values at -1, 0 and 1, within these.
 fn vertex(less: f64, here: f64, more: f64) -> f64 {
     let curvature = less - 2.0 * here + more;
     if curvature < 0.0 {

@@ -99,7 +99,7 @@ fn finely(
     again(swept, looks, prior, &likely, (grid, 1.0, Grid::finest())).guesses(looks, most)
 }
 
-/// What was swept with some places looked at on a finer grid, up to some steps of the coarse one to each side.
+/// Sweep with some places looked at on a finer grid, up to some steps of the coarse one to each side.
 fn again(
     swept: &Weighed,
     looks: &[Look<'_>],

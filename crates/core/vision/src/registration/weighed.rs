@@ -66,7 +66,7 @@ impl Weighed {
         }
     }
 
-    /// What is left without the poses beside `guesses`, to be looked at on a finer grid.
+    /// Rest without the poses beside `guesses`, to be looked at on a finer grid.
     ///
     /// Light poses may lie on the slopes of what is taken away; chance is expected to give all poses together
     /// the weight of their prior.

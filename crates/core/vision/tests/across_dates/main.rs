@@ -17,7 +17,7 @@ use pilotage_vision::registration::{
     HeadingPrior, Look, MapShape, NotRegistered, PosePrior, Registration, StoredTurn, register,
 };
 
-/// What is not known of a photo; deviations.
+/// Uncertainty about a photo; deviations.
 #[derive(Clone, Copy)]
 struct Doubt {
     /// Metres per axis; the photo is looked for around a place this far off.
@@ -36,7 +36,7 @@ fn within(limit: f64) -> f64 {
     limit / 2.5
 }
 
-/// What came of a photo.
+/// Outcome of a photo.
 struct Outcome {
     name: String,
     /// Error of the ground in the middle of the picture, (north, east), metres, by what the file says.
@@ -88,7 +88,8 @@ fn lay(site: &Site, doubt: Doubt, each: usize) -> Vec<Outcome> {
     outcomes
 }
 
-/// How many of every `each`-th photo are believed on a map of another country, and the highest probability.
+/// Number of photos, of every `each`-th, that are believed on a map of another country, and the highest
+/// probability.
 fn believed_elsewhere(photos: &Site, map: &Site, each: usize) -> (usize, f64) {
     let doubt = Doubt {
         position: 150.0,
@@ -146,7 +147,8 @@ fn prior(photo: &Photo, doubt: Doubt, way: f64) -> PosePrior {
     }
 }
 
-/// How many lie within so many metres, and how many are believed and lie farther off than 20 m.
+/// Number of photos that lie within so many metres, and number that are believed and lie farther off than 20
+/// m.
 fn tally(outcomes: &[Outcome], metres: f64) -> (usize, usize) {
     let near = outcomes.iter().filter(|o| o.off() < metres).count();
     let wrong = outcomes
@@ -160,7 +162,8 @@ fn tally(outcomes: &[Outcome], metres: f64) -> (usize, usize) {
     (near, wrong)
 }
 
-/// How many frames lie on two maps at one place within 3 m, the local shift between the maps taken away.
+/// Number of frames that lie on two maps at one place within 3 m, the local shift between the maps taken
+/// away.
 fn at_one_place(january: &Site, march: &Site, one: &[Outcome], two: &[Outcome]) -> usize {
     let (mut same, mut by_median, mut both) = (0, 0, 0);
     for ((a, b), photo) in one.iter().zip(two).zip(&january.photos) {

@@ -15,7 +15,7 @@ const SIDE: f64 = 150.0;
 const FARTHEST: f64 = 14.0;
 const GSD: f64 = 1.0;
 
-/// How the ground around `place` of the map `from` is moved on the map `to`, (north, east), metres; found by
+/// Shift of the ground around `place` of the map `from` on the map `to`, (north, east), metres; found by
 /// correlating the orientation fields of both, no frame involved. `None` where either ends.
 pub fn shift_between(
     from: &dyn Imagery,

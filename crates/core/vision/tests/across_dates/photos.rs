@@ -64,7 +64,7 @@ fn rows(text: &str) -> impl Iterator<Item = HashMap<&str, &str>> {
 /// The number in a column of a row.
 type Columns<'a> = dyn Fn(&str) -> f64 + 'a;
 
-/// What differs from one set to the next.
+/// Differences from one set to the next.
 struct Set {
     folder: &'static str,
     map: &'static str,

@@ -27,7 +27,7 @@ pub struct Laid<'a> {
     pub pose: Pose,
 }
 
-/// What is not known of a photo when a landmark is looked for in it; standard deviations.
+/// Uncertainty about a photo when a landmark is looked for in it; standard deviations.
 #[derive(Clone, Copy)]
 pub struct Doubt {
     /// Metres per axis.
@@ -40,7 +40,7 @@ pub struct Doubt {
     pub tilt: f64,
 }
 
-/// What a filter that works knows with a consumer drone's compass and barometer.
+/// Uncertainty of a filter that works, with a consumer drone's compass and barometer.
 pub const TRACKING: Doubt = Doubt {
     position: 5.0,
     heading: 4.0 * std::f64::consts::PI / 180.0,
@@ -48,7 +48,7 @@ pub const TRACKING: Doubt = Doubt {
     tilt: std::f64::consts::PI / 180.0,
 };
 
-/// One look at a landmark that lies whole in the photo.
+/// Look at a landmark that lies whole in the photo.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen {
     pub landmark: u32,
@@ -156,7 +156,7 @@ fn assumed(laid: &Laid<'_>, doubt: &Doubt, random: &mut ChaCha8Rng) -> Pose {
     pose
 }
 
-/// Which landmarks are looked for in a photo.
+/// Choice of the landmarks that are looked for in a photo.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Which {
     /// Those that it shows whole.
@@ -235,7 +235,7 @@ pub fn look(
     all
 }
 
-/// What came of looks.
+/// Outcome of looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tally {
     pub looks: usize,

@@ -21,7 +21,7 @@ use photos::studies::either;
 use pilotage_raster::imagery::Imagery;
 use pilotage_vision::landmark::{TemplateDetector, TemplateFeatures, TemplateSettings};
 
-/// What comes of looks for boxes of 35 m, so many metres apart.
+/// Outcome of looks for boxes of 35 m, so many metres apart.
 fn looked(
     site: &Site,
     step: f64,

@@ -1,4 +1,4 @@
-//! What the features of a stage say of one patch.
+//! Answers of a stage's features on one patch.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,12 +7,12 @@ use super::layout::{Layout, Tables};
 use super::model::{Cascade, Tree};
 use super::patch::Patch;
 
-/// What a feature says of a patch and what follows from it.
+/// Answer of a feature on a patch, and what follows from it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Answer {
     /// Value of a Haar feature, or share of the edges of a HOG one; an LBP code, 0 to 255.
     pub value: f32,
-    /// What the value is compared with; none for an LBP code, which is in a set or not.
+    /// Threshold with which the value is compared; none for an LBP code, which is in a set or not.
     pub threshold: Option<f32>,
     /// The vote of its tree, to which every feature of that tree leads.
     pub vote: f32,

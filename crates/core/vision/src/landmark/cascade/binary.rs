@@ -16,9 +16,9 @@ use super::check::{NO_AREA, empty};
 use super::model::{Area, Cascade, Feature, HaarFeature, Kind, Node};
 use super::write::leaves;
 
-/// How it begins.
+/// First bytes of the format.
 const MAGIC: [u8; 4] = *b"PCAS";
-/// Which version this is.
+/// Version of the format.
 const VERSION: u8 = 1;
 /// Bytes of the check at the end.
 const CHECK: usize = 4;

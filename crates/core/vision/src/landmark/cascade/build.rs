@@ -7,7 +7,7 @@ use super::check::empty;
 use super::model::{Cascade, Feature, Kind, Node, kind};
 use super::read::THRESHOLD_SLACK;
 
-/// How a node of a tree decides.
+/// Decision of a tree's node.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Split {
     /// Left is what is less (Haar and HOG).
@@ -21,12 +21,12 @@ pub enum Split {
 pub struct TrainedNode {
     /// Index of its feature.
     pub feature: usize,
-    /// How it decides.
+    /// Decision of the node.
     pub split: Split,
-    /// Where left leads: another node of the tree, behind this one, by its index; or a leaf by its
-    /// index negated (zero is the first leaf).
+    /// Next on the left: another node of the tree, behind this one, by its index; or a leaf by its index
+    /// negated (zero is the first leaf).
     pub left: i32,
-    /// Where right leads.
+    /// Next on the right, in the same way.
     pub right: i32,
 }
 
@@ -124,8 +124,8 @@ impl Cascade {
     }
 }
 
-/// What a file has to say for a stage's threshold to act, and how it acts then: as wished, or where no
-/// number does that, by the least amount less.
+/// Threshold to write in a file for a stage's threshold to act, and the threshold that then acts: as wished,
+/// or where no number does that, by the least amount less.
 pub(super) fn writable(acting: f32) -> (f32, f32) {
     let mut written = acting + THRESHOLD_SLACK;
     while written - THRESHOLD_SLACK < acting {

@@ -1,4 +1,4 @@
-//! What a cascade must be, wherever it comes from.
+//! Requirements on a cascade, wherever it comes from.
 
 use super::model::{Area, COMPONENTS, Cascade, Feature, HaarFeature, Node, Stage, Tree};
 
@@ -79,7 +79,7 @@ impl Cascade {
         Ok(())
     }
 
-    /// Whether so many rectangles side by side and below each other lie in the window.
+    /// Checks that so many rectangles side by side and below each other lie in the window.
     fn check_area(&self, [x, y, w, h]: Area, repeated: i32) -> Result<(), String> {
         let fits = |at: i32, side: i32, limit: usize| {
             (0..=LONGEST as i32).contains(&at)
@@ -159,7 +159,7 @@ impl Cascade {
         Ok(())
     }
 
-    /// What only shows when all is there.
+    /// Checks what only shows when all is there.
     pub(super) fn check(self) -> Result<Self, String> {
         if self.stages.is_empty() {
             return Err("no stage in it".to_owned());

@@ -1,4 +1,4 @@
-//! What can be wrong with a cascade's file.
+//! Errors of a cascade's file.
 
 use thiserror::Error;
 
@@ -10,9 +10,9 @@ pub enum CascadeError {
     Xml {
         /// Name of the file.
         file: String,
-        /// Where in the file.
+        /// Byte of the file at which the error lies.
         offset: u64,
-        /// What the parser says.
+        /// Message of the parser.
         cause: String,
     },
     /// The XML is not that of a cascade, or says things that cannot be.
@@ -20,25 +20,25 @@ pub enum CascadeError {
     Content {
         /// Name of the file.
         file: String,
-        /// Which element, by the names of those around it.
+        /// Element with the error, by the names of those around it.
         place: String,
-        /// What is wrong.
+        /// Description of the error.
         cause: String,
     },
     /// Parts that make no cascade.
     #[error("{place}: {cause}")]
     Parts {
-        /// Which part.
+        /// Part with the error.
         place: String,
-        /// What is wrong.
+        /// Description of the error.
         cause: String,
     },
     /// Bytes that are no cascade in the compact form.
     #[error("byte {offset}: {cause}")]
     Bytes {
-        /// How far it could be read.
+        /// Number of bytes that could be read.
         offset: usize,
-        /// What is wrong.
+        /// Description of the error.
         cause: String,
     },
 }

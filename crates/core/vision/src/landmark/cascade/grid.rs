@@ -1,9 +1,9 @@
-//! Where the numbers of a table lie in memory.
+//! Layout of a table's numbers in memory.
 
 /// Numbers that a table has more than it needs: vectors may be read beyond the last window.
 pub(super) const SLACK: usize = 32;
 
-/// How the rows of a table, one number longer than the picture's, are laid out.
+/// Layout of the rows of a table, one number longer than the picture's.
 ///
 /// Where only every other window is looked at, numbers of even columns come first in a row and then those
 /// of odd ones: what neighbouring windows ask for lies side by side in any case.

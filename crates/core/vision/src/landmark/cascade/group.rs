@@ -2,7 +2,7 @@
 
 use super::scan::{Rectangle, Scanned};
 
-/// How far the edges of two windows may lie apart, as a share of their sides.
+/// Largest distance between the edges of two alike windows, as a share of their sides.
 const SLACK: f64 = 0.2;
 
 /// Windows that lie together.
@@ -10,7 +10,7 @@ const SLACK: f64 = 0.2;
 pub struct Group {
     /// Their mean.
     pub rectangle: Rectangle,
-    /// How many there are.
+    /// Number of the windows.
     pub members: usize,
     /// The greatest of their scores.
     pub score: f64,

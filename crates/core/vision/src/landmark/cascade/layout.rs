@@ -89,7 +89,7 @@ impl Laid {
     }
 }
 
-/// What features of one kind are computed from.
+/// Tables from which features of one kind are computed.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Tables {
     pub integral: Integral,
@@ -120,7 +120,7 @@ impl Layout {
         }
     }
 
-    /// What tables such features need and how windows are normalized, without the features.
+    /// Layout without the features: the tables that such features need and the normalization of windows.
     pub fn of_windows(features: &[Feature], width: usize, height: usize, grid: Grid) -> Self {
         let (w, h) = (width as i32, height as i32);
         Self {
@@ -134,7 +134,7 @@ impl Layout {
         }
     }
 
-    /// How many features there are.
+    /// Number of features.
     pub fn len(&self) -> usize {
         self.laid.len()
     }
@@ -157,8 +157,8 @@ impl Layout {
         }
     }
 
-    /// What the values of Haar features are multiplied by in a window: one over its standard deviation
-    /// times its area. `None` if the window is flat; one for other features.
+    /// Factor on the values of Haar features in a window: one over its standard deviation times its area.
+    /// `None` if the window is flat; one for other features.
     pub fn factor(&self, tables: &Tables, at: usize) -> Option<f32> {
         if self.kind != Kind::Haar {
             return Some(1.0);

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// A rectangle of the window: left, top, width, height, pixels.
 pub type Area = [i32; 4];
 
-/// What a cascade looks at.
+/// Feature that a cascade looks at.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Feature {
     /// Weighted sums of rectangles (Viola and Jones 2001, tilted ones by Lienhart 2002).
@@ -28,7 +28,7 @@ pub enum Feature {
 /// Numbers that a HOG block has: four cells of nine directions.
 pub(super) const COMPONENTS: u8 = 36;
 
-/// Which features a cascade has; all of them are of one kind.
+/// Kind of a cascade's features; all of them are of one kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Kind {
     /// [`Feature::Haar`].
@@ -68,7 +68,7 @@ pub(super) struct Node {
     pub left: i32,
     /// See `left`.
     pub right: i32,
-    /// What a Haar or HOG feature is compared with; less goes left.
+    /// Threshold of a Haar or HOG feature; less goes left.
     pub threshold: f32,
 }
 
@@ -79,7 +79,7 @@ pub(super) struct Tree {
     pub first_leaf: usize,
 }
 
-/// One stage.
+/// Stage of a cascade.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stage {
     /// Its trees.
@@ -89,7 +89,7 @@ pub struct Stage {
 }
 
 impl Stage {
-    /// How many trees vote.
+    /// Number of trees that vote.
     pub fn votes(&self) -> usize {
         self.trees.len()
     }
@@ -102,7 +102,7 @@ pub struct Cascade {
     pub width: usize,
     /// Height of the window, pixels.
     pub height: usize,
-    /// What it looks at.
+    /// Features that the cascade looks at.
     pub features: Vec<Feature>,
     /// The stages in the order in which a window meets them.
     pub stages: Vec<Stage>,
@@ -114,7 +114,7 @@ pub struct Cascade {
 }
 
 impl Cascade {
-    /// What it looks at.
+    /// Kind of the features that the cascade looks at.
     pub fn kind(&self) -> Kind {
         kind(&self.features)
     }

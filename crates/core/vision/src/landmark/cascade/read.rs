@@ -8,7 +8,7 @@ use super::check::{NO_AREA, empty};
 use super::model::{Area, Cascade, Feature, HaarFeature, Kind, Node};
 use super::xml::{self, Element};
 
-/// What OpenCV takes from each stage's threshold, against rounding.
+/// Amount that OpenCV takes from each stage's threshold, against rounding.
 pub(super) const THRESHOLD_SLACK: f32 = 1e-5;
 
 /// An element on the way down and what it is called in complaints.

@@ -1,4 +1,4 @@
-//! Where a landmark lies within a pixel, from how a cascade answers around it.
+//! Place of a landmark within a pixel, from the answers of a cascade around it.
 
 use super::model::{Cascade, Stage};
 use super::responses::responses;
@@ -6,7 +6,7 @@ use super::scale::resized;
 use super::scan::Scanned;
 use pilotage_raster::raster::Raster;
 
-/// How far around a window others are asked, pixels of its scale's copy.
+/// Distance around a window within which others are asked, pixels of its scale's copy.
 const REACH: f64 = 4.0;
 /// Ratio of a neighbouring scale to the window's own.
 const SCALE_STEP: f64 = 1.04;

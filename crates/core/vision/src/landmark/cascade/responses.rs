@@ -1,10 +1,10 @@
-//! What a cascade says of every window of a picture.
+//! Responses of a cascade to every window of a picture.
 
 use super::model::Cascade;
 use super::rows::{BATCH, Rows, Scratch};
 use pilotage_raster::raster::Raster;
 
-/// What a cascade says of every window, by the window's upper left pixel; narrower and lower than the
+/// Responses of a cascade to every window, by the window's upper left pixel; narrower and lower than the
 /// picture by the window less one pixel, and empty if the window is larger.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Responses {

@@ -21,7 +21,7 @@ pub(super) struct Rows<'a> {
     pub height: usize,
 }
 
-/// What a stage says of a window.
+/// Verdict of a stage on a window.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Judged {
     /// Number of the stage.

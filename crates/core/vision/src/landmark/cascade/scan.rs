@@ -5,7 +5,7 @@ use super::rows::{BATCH, Rows, Scratch};
 use super::scale::resized;
 use pilotage_raster::raster::Raster;
 
-/// Which windows are looked at.
+/// Choice of the windows to look at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScanSettings {
     /// Ratio of one scale to the one before it, over 1.
@@ -19,7 +19,7 @@ pub struct ScanSettings {
     /// Pixels, of the copy of each scale, from one window to the next; zero for OpenCV's ways: two
     /// below scale two and one from there on, and none behind one that the first stage refuses.
     pub stride: usize,
-    /// How many of the last stages may refuse a window that is still told of.
+    /// Number of the last stages that may refuse a window that is still told of.
     pub spare: usize,
 }
 
@@ -50,7 +50,8 @@ pub struct Rectangle {
 }
 
 impl Rectangle {
-    /// What of it lies in a picture of that size; by rounding, a window can leave it by some pixels.
+    /// Part of the rectangle that lies in a picture of that size; by rounding, a window can leave it by some
+    /// pixels.
     #[must_use]
     pub fn within(&self, width: usize, height: usize) -> Self {
         let (x, y) = (self.x.max(0), self.y.max(0));

@@ -2,8 +2,8 @@
 
 use super::scan::{Rectangle, Scanned};
 
-/// How far overlapping windows weaken each other: the square of the overlap at which a window keeps
-/// exp(-1) of its margin.
+/// Strength with which overlapping windows weaken each other: the square of the overlap at which a window
+/// keeps exp(-1) of its margin.
 const SPREAD: f64 = 0.1;
 
 /// A window and what is left of its margin.

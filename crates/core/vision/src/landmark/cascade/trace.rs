@@ -1,4 +1,4 @@
-//! What happens in a cascade, for those who want to understand it.
+//! Traces of windows through a cascade and pictures of its features, for those who want to understand it.
 
 use serde::{Deserialize, Serialize};
 
@@ -10,7 +10,7 @@ use super::responses::responses;
 use super::scale::resized;
 use pilotage_raster::raster::Raster;
 
-/// How the windows of one scale fare.
+/// Trace of the windows of one scale through the stages.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trace {
     /// Size of the scale's copy of the picture, pixels: width, height.
@@ -38,7 +38,7 @@ pub fn trace(cascade: &Cascade, picture: &Raster<u8>, scale: f64) -> Trace {
     }
 }
 
-/// How strong the edges of each direction are in each cell of a patch.
+/// Strength of the edges of each direction in each cell of a patch.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HogPicture {
     /// Width and height of a cell, pixels of the patch.
@@ -83,7 +83,7 @@ pub fn hog_picture(patch: &Patch, cell: usize) -> HogPicture {
 /// A feature as it is drawn over the window.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ShownFeature {
-    /// Which tree of the stage asks for it.
+    /// Tree of the stage that asks for the feature.
     pub tree: usize,
     /// Rectangles of the window (left, top, width, height, pixels) with their weights: those of a Haar
     /// feature; the nine blocks of an LBP one, the middle one with minus one; the cell of a HOG one with

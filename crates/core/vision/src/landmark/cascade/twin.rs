@@ -12,7 +12,7 @@ pub(super) struct Sight<'a> {
     tables: Tables,
 }
 
-/// What a cascade says of a window.
+/// Answer of a cascade on a window.
 pub(super) struct Seen {
     /// Stages passed.
     pub passed: usize,

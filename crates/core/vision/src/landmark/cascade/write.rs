@@ -7,7 +7,7 @@ use super::CascadeError;
 use super::build::writable;
 use super::model::{Cascade, Feature, HaarFeature, Kind, Node, Tree};
 
-/// What stands around everything.
+/// Text before everything else: the XML declaration and the tag that encloses the rest.
 const HEAD: &str = "<?xml version=\"1.0\"?>\n<opencv_storage>\n";
 /// See [`HEAD`].
 const FOOT: &str = "</opencv_storage>\n";
@@ -186,7 +186,7 @@ impl Cascade {
         reached.iter().skip(1).all(|&ways| ways == 1)
     }
 
-    /// Where a node leads.
+    /// Writes the next nodes of a node, or the values of its leaves.
     fn put_former_way(&self, out: &mut String, tree: &Tree, node: &Node, reached: &mut [u32]) {
         for (side, next) in [("left", node.left), ("right", node.right)] {
             if next > 0 {

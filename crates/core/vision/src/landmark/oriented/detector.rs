@@ -36,7 +36,7 @@ pub(in crate::landmark) struct OrientedDetector {
     settings: TemplateSettings,
 }
 
-/// What a search saw.
+/// Result of a search.
 struct Searched {
     detection: Detection,
     refusal: Option<Refusal>,
@@ -159,7 +159,7 @@ impl OrientedDetector {
     }
 }
 
-/// What of `window` the picture shows: which part, its luminance, and its channels to be searched for a patch of
+/// Part of `window` that the picture shows, its luminance, and its channels to be searched for a patch of
 /// `size` pixels.
 fn seen(
     view: &FrameView<'_>,

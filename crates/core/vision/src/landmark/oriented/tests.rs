@@ -106,9 +106,9 @@ fn landmark(place: GroundPoint) -> Landmark {
     Landmark::new(1, "Corner", GroundRect::centered(place, 30.0, 30.0))
 }
 
-/// What the detector says of a landmark of `map` in a picture of `seen` by a camera 100 m over `above`, to somebody who
-/// thinks it `off` metres (north, east) and `turn` radians beside that and as much higher as the logarithm
-/// `log_height` says, and knows that to `deviation` metres.
+/// Answer of the detector on a landmark of `map` in a picture of `seen` by a camera 100 m over `above`, to
+/// somebody who thinks it `off` metres (north, east) and `turn` radians beside that and as much higher as the
+/// logarithm `log_height` says, and knows that to `deviation` metres.
 fn sighting(
     map: Village,
     seen: &Village,

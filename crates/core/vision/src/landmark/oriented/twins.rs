@@ -61,7 +61,7 @@ fn find(map: &dyn Imagery, patch: &mut OrientedPatch, reach: f64) -> Vec<LookAli
         .collect()
 }
 
-/// What a search found and what it saw elsewhere.
+/// Result of a search, and what it saw elsewhere.
 pub(super) struct Found<'a> {
     pub prior: &'a Prior,
     pub evidence: Evidence,

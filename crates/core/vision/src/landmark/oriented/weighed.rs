@@ -18,7 +18,7 @@ const UNSEEN: f32 = -1.0;
 /// Logarithm of a weight that is not exceeded.
 const MOST: f64 = 600.0;
 
-/// What is expected of a landmark before it is looked for.
+/// Prior of a landmark before it is looked for.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Prior {
     /// Middle of the landmark under the assumed pose.

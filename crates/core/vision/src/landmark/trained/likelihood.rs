@@ -1,10 +1,10 @@
-//! How likely a mark is to be the landmark, by its score.
+//! Likelihood that a mark is the landmark, by its score.
 
 use serde::{Deserialize, Serialize};
 
 /// Newton steps of a fit at most; it converges in five or so.
 const STEPS: usize = 60;
-/// How often a step is halved before nothing is better.
+/// Lengths of a step that are tried, each half of the one before, until nothing is better.
 const HALVINGS: i32 = 27;
 
 /// Log odds of being right as a line over the score (Platt 1999), fitted to marks whose truth is known.

@@ -7,8 +7,8 @@ use pilotage_base::frames::GroundPoint;
 pub struct Mark {
     /// Middle of the window on the ground under the assumed pose.
     pub ground: GroundPoint,
-    /// How well it fits: for a window that passed every stage the sum of what it passed them by, at
-    /// least zero; below, a whole number less for each stage that it did not come to.
+    /// Score of the fit: for a window that passed every stage the sum of what it passed them by, at least
+    /// zero; below, a whole number less for each stage that it did not come to.
     pub score: f64,
     /// Stages passed.
     pub stages: usize,

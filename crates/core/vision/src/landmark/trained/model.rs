@@ -39,8 +39,8 @@ impl DetectorWindow {
         }
     }
 
-    /// How far beside the landmark a window may be taken for it, north and east, metres: nothing is learned
-    /// from windows so near.
+    /// Distance beside the landmark up to which a window may be taken for it, north and east, metres: nothing
+    /// is learned from windows so near.
     pub fn beside(&self) -> (f64, f64) {
         let reach = |side: usize| (side as f64 / 3.0).floor() * self.gsd;
         (reach(self.height), reach(self.width))
@@ -59,17 +59,17 @@ pub struct TrainedDetector {
     pub bounds: GroundRect,
     /// Score from which on a mark counts: that of the stated rate of false alarms.
     pub least_score: f64,
-    /// How likely a mark is right, by its score.
+    /// Likelihood that a mark is right, by its score.
     pub likelihood: Likelihood,
-    /// How precisely right marks tell place, turn and size.
+    /// Precision of right marks in place, turn and size.
     pub precision: MarkPrecision,
-    /// What the score of the landmark's map patch says, on the same held-out pictures; nothing where it was
-    /// not looked for.
+    /// Likelihood by the score of the landmark's map patch, on the same held-out pictures; nothing where it
+    /// was not looked for.
     #[serde(default)]
     pub template: Option<TemplateLikelihood>,
 }
 
-/// What the score of a landmark's map patch says.
+/// Likelihood by the score of a landmark's map patch.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TemplateLikelihood {
     /// Log odds of being right, by the score.

@@ -1,4 +1,4 @@
-//! How precisely a mark tells place, turn and size, learned where the truth is known.
+//! Precision of a mark in place, turn and size, learned where the truth is known.
 
 use nalgebra::{Matrix2, Matrix4, Vector2, Vector4};
 use serde::{Deserialize, Serialize};
@@ -20,12 +20,12 @@ pub struct ScoreScale {
     pub scale: f64,
 }
 
-/// How the covariance of right marks depends on their score: by ascending score, empty where it does not.
+/// Dependence of the covariance of right marks on their score: by ascending score, empty where there is none.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ByScore(pub Vec<ScoreScale>);
 
 impl ByScore {
-    /// How many times that of all the covariance of a mark with that score is: straight between the
+    /// Ratio of the covariance of a mark with that score to the covariance of all: straight between the
     /// scores that are known, beyond them as at the last.
     pub fn at(&self, score: f64) -> f64 {
         let after = self.0.partition_point(|s| s.score < score);
@@ -43,7 +43,7 @@ impl ByScore {
     }
 }
 
-/// What a reading says of what is read.
+/// Estimate of what is read from a reading.
 ///
 /// A mark has the turn of the variant in which it was found, which follows the true turn by steps and
 /// only as far as the cascade tells turns apart: reading = slope × truth + error. Truth is then estimated
@@ -75,16 +75,16 @@ impl Reading {
     }
 }
 
-/// How precisely right marks tell place, turn and size.
+/// Precision of right marks in place, turn and size.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MarkPrecision {
-    /// How far they lie beside the landmark on average (north, east), metres.
+    /// Mean offset of the marks from the landmark (north, east), metres.
     pub bias: Vector2<f64>,
     /// Covariance of their places around that (north, east), m².
     pub covariance: Matrix2<f64>,
-    /// How that depends on the score.
+    /// Dependence of the covariance on the score.
     pub by_score: ByScore,
-    /// What the turn of a mark says of that of the ground, if anything.
+    /// Estimate of the ground's turn from the turn of a mark, if it tells anything.
     pub turn: Option<Reading>,
     /// The same of the logarithm of the size.
     pub log_scale: Option<Reading>,

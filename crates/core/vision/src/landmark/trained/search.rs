@@ -1,4 +1,4 @@
-//! Where a cascade finds its landmark in a picture.
+//! Search for the places at which a cascade finds its landmark in a picture.
 
 use std::cmp::Ordering;
 
@@ -63,9 +63,9 @@ pub struct SearchedGround<'a> {
     view: FrameView<'a>,
     /// The pose that is assumed.
     assumed: Pose,
-    /// Where the middle of the landmark is expected under the variant's pose.
+    /// Expected place of the landmark's middle under the variant's pose.
     pub expected: GroundPoint,
-    /// Which ground it is under that pose.
+    /// Ground that is searched, under the variant's pose.
     pub window: Window,
     /// Grey levels.
     pub pixels: Raster<u8>,
@@ -113,12 +113,12 @@ impl<'a> SearchedGround<'a> {
         })
     }
 
-    /// Where ground under the assumed pose lies under the variant's.
+    /// Carries a place on the ground under the assumed pose to the variant's pose.
     pub fn there(&self, place: GroundPoint) -> Option<GroundPoint> {
         carried(&self.view, &self.assumed, &self.view.pose, place)
     }
 
-    /// Where ground under the variant's pose lies under the assumed one.
+    /// Carries a place on the ground under the variant's pose to the assumed pose.
     fn back(&self, place: GroundPoint) -> Option<GroundPoint> {
         carried(&self.view, &self.view.pose, &self.assumed, place)
     }
@@ -142,7 +142,7 @@ impl<'a> SearchedGround<'a> {
     }
 }
 
-/// Where the ground at `place` under the pose `from` lies under the pose `to`: at the same pixel.
+/// Carries the ground at `place` under the pose `from` to its place under the pose `to`: at the same pixel.
 fn carried(
     view: &FrameView<'_>,
     from: &Pose,
@@ -178,7 +178,7 @@ fn merged(all: &[Mark], shown: &DetectorWindow) -> Vec<Mark> {
     groups.iter().filter_map(|group| between(group)).collect()
 }
 
-/// One mark of those that variants made of one place, the best first.
+/// Merges the marks that variants made of one place, the best first, into one.
 fn between(group: &[&Mark]) -> Option<Mark> {
     let best = **group.first()?;
     // The place lies amid all of them; turn and size are those of the few that fit nearly as well as the
@@ -209,7 +209,7 @@ fn between(group: &[&Mark]) -> Option<Mark> {
     })
 }
 
-/// How much a mark counts beside the best of its place.
+/// Weight of a mark beside the best of its place.
 fn weight(score: f64, top: f64) -> f64 {
     if top > 0.0 {
         (score - SHARE * top).max(0.0)

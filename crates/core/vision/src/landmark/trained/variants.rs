@@ -1,4 +1,5 @@
-//! How the ground is shown to a detector: turned and scaled as it may be next to what the filter thinks.
+//! Variants of the ground as a detector is shown it: turned and scaled as it may be next to what the filter
+//! thinks.
 
 use serde::{Deserialize, Serialize};
 
@@ -9,7 +10,7 @@ const TURN: f64 = 5.0 * std::f64::consts::PI / 180.0;
 /// The same of the logarithm of the size.
 const LOG_SCALE: f64 = 0.05;
 
-/// What is done with the picture before a detector sees it.
+/// Preparation of the picture before a detector sees it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Preparation {
@@ -23,7 +24,7 @@ pub enum Preparation {
 /// Numbers evenly on both sides of zero.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Steps {
-    /// How many.
+    /// Count of the numbers.
     pub count: usize,
     /// From one to the next.
     pub step: f64,
@@ -68,14 +69,14 @@ impl Steps {
     }
 }
 
-/// How the ground may look next to the map under the assumed pose.
+/// Turn and size that the ground may have next to the map under the assumed pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Variant {
     /// Turn, radians clockwise.
     pub rotation: f64,
     /// Logarithm of its size.
     pub log_scale: f64,
-    /// What is done with the picture.
+    /// Preparation of the picture.
     pub preparation: Preparation,
 }
 
@@ -107,7 +108,7 @@ pub struct Variants {
     pub turns: Steps,
     /// Logarithms of sizes.
     pub log_scales: Steps,
-    /// What is done with the picture.
+    /// Preparation of the picture.
     pub preparation: Preparation,
 }
 
@@ -132,7 +133,7 @@ impl Variants {
         }
     }
 
-    /// How many.
+    /// Number of variants.
     pub fn count(&self) -> usize {
         self.turns.count * self.log_scales.count
     }

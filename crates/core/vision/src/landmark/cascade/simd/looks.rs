@@ -1,4 +1,4 @@
-//! How a node decides, for many windows at once.
+//! Decisions of nodes, for many windows at once.
 
 use super::places::{LANES, Lanes, Places};
 use crate::landmark::cascade::layout::{Corners, LEAST_EDGE, Tables};
@@ -9,7 +9,7 @@ fn mask(yes: bool) -> u32 {
     if yes { !0 } else { 0 }
 }
 
-/// How a node decides.
+/// Decision of a node.
 pub(super) trait Look {
     /// For each window, all bits if it goes left, and none otherwise.
     fn left(&self, tables: &Tables, places: &impl Places, factors: &Lanes<f32>) -> Lanes<u32>;

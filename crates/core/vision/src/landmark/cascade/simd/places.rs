@@ -1,4 +1,4 @@
-//! Where windows lie in the tables, as many at once as a vector holds.
+//! Places of windows in the tables, as many at once as a vector holds.
 
 use crate::landmark::cascade::grid::SLACK;
 use crate::landmark::cascade::layout::Corners;
@@ -11,7 +11,7 @@ pub(super) type Lanes<T> = [T; LANES];
 
 const _: () = assert!(LANES <= SLACK, "tables are longer by a vector");
 
-/// Where windows lie in the tables.
+/// Places of windows in the tables.
 pub(super) trait Places {
     /// Sums over a rectangle, given by its corners relative to each window, below the reach of the
     /// program.

@@ -45,7 +45,7 @@ pub(in super::super) struct Program {
     with_tilted: bool,
 }
 
-/// One branch for each node whose feature is of the kind that `look` takes: all of them.
+/// Branches, one for each node whose feature is of the kind that `look` takes: all of them.
 fn branches<L>(
     cascade: &Cascade,
     grid: Grid,

@@ -5,7 +5,7 @@
 pub(in super::super) struct Windows {
     /// Places in the tables, ascending.
     pub at: Vec<usize>,
-    /// What Haar values are multiplied by.
+    /// Factors on Haar values.
     pub factor: Vec<f32>,
     /// Sum of the votes of the last stage.
     pub votes: Vec<f64>,
@@ -22,7 +22,7 @@ impl Windows {
         self.margin.clear();
     }
 
-    /// One more.
+    /// Adds a window.
     pub fn push(&mut self, at: usize, factor: f32, margin: f64) {
         self.at.push(at);
         self.factor.push(factor);

@@ -46,7 +46,7 @@ impl Boosting {
         }
     }
 
-    /// One vote more; `None` if no feature tells the samples apart any further.
+    /// Adds a vote and returns it; `None` if no feature tells the samples apart any further.
     pub fn vote(&mut self) -> Option<Stump> {
         let mut order: Vec<u32> = (0..self.targets.len() as u32)
             .filter(|i| self.fitted[*i as usize])

@@ -14,7 +14,7 @@ const COMPONENTS: u8 = 36;
 /// Haar features and binary patterns that are drawn from all there are.
 const DRAWN: usize = 6000;
 
-/// What a cascade shall look at.
+/// Kind of features that a cascade shall look at.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum FeatureKind {
     /// Histograms of oriented gradients (Dalal and Triggs 2005), those of DeAngelo 2016, section 3.3.

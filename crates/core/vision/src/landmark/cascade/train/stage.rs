@@ -1,4 +1,5 @@
-//! One stage: as many votes as it takes to let nearly all of what is looked for pass and stop most else.
+//! Training of one stage: as many votes as it takes to let nearly all of what is looked for pass and stop
+//! most else.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,11 +8,10 @@ use super::stump::Stump;
 use super::table::Table;
 use pilotage_base::statistics::chi_square_quantile;
 
-/// One group of samples in so many is only judged: a stage that knew them all would think too well of
-/// itself.
+/// Groups of samples of which one is only judged: a stage that knew them all would think too well of itself.
 const JUDGED: usize = 5;
 
-/// What a stage shall come to.
+/// Goal of a stage.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StageGoal {
     /// Least share of what is looked for that passes, below one: of what was seen and, by the tail of a normal
@@ -33,7 +33,7 @@ impl Default for StageGoal {
     }
 }
 
-/// How a stage went.
+/// Result of a stage.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StageRow {
     /// Votes it has.
@@ -93,7 +93,7 @@ impl Growing {
         }
     }
 
-    /// One vote more. True once the goal is reached or no further vote helps.
+    /// Adds a vote. True once the goal is reached or no further vote helps.
     pub fn grow(&mut self) -> bool {
         let Some(vote) = self.boosting.vote() else {
             return true;

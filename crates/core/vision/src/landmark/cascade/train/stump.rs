@@ -7,18 +7,18 @@ const LOOKED_AT: f64 = 0.3;
 /// Codes of a pattern.
 const CODES: usize = 256;
 
-/// What a vote of a cascade says: one of two numbers, by one feature.
+/// Vote of a cascade: one of two numbers, by one feature.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stump {
     /// Number of the feature.
     pub feature: usize,
-    /// Which samples go left.
+    /// Decision which samples go left.
     pub split: Split,
-    /// What it says of those that go left and of the others.
+    /// Votes for the samples that go left and for the others.
     pub leaves: [f32; 2],
 }
 
-/// Which samples go left.
+/// Decision which samples go left.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Split {
     /// Those less than this.

@@ -1,4 +1,4 @@
-//! What every feature says of every sample, in few bits.
+//! Values of every feature on every sample, in few bits.
 
 /// Bins of a feature that is a number; a pattern has 256 codes.
 pub(super) const BINS: usize = 64;
@@ -68,12 +68,12 @@ impl Table {
         }
     }
 
-    /// How many features there are.
+    /// Number of features.
     pub fn features(&self) -> usize {
         self.bins.len() / self.samples.max(1)
     }
 
-    /// How many samples there are.
+    /// Number of samples.
     pub fn samples(&self) -> usize {
         self.samples
     }

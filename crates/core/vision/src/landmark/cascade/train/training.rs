@@ -18,10 +18,10 @@ const FEATURES: [usize; 2] = [2500, 5000];
 /// From so many votes on they are many.
 const MANY_VOTES: usize = 80;
 
-/// How a cascade is trained.
+/// Settings of a cascade's training.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TrainingSettings {
-    /// What it looks at.
+    /// Kind of features that the cascade looks at.
     pub kind: FeatureKind,
     /// Width of its window, pixels.
     pub width: usize,
@@ -73,7 +73,7 @@ impl CascadeTraining {
         &self.stages
     }
 
-    /// How the stage that grows stands, if one does.
+    /// State of the stage that grows, if one does.
     pub fn growing(&self) -> Option<StageRow> {
         self.growing.as_ref().map(|g| g.row)
     }
@@ -159,8 +159,8 @@ impl CascadeTraining {
         }
     }
 
-    /// One vote more for the stage that grows; how it went once it is whole, which it is at once if none
-    /// was begun.
+    /// Adds a vote to the stage that grows; the result of the stage once it is whole, and `None` before that
+    /// and if none was begun.
     pub fn vote(&mut self) -> Option<StageRow> {
         let growing = self.growing.as_mut()?;
         if !growing.grow() {
