@@ -1,4 +1,4 @@
-//! How well a landmark can be found: measured, by flying over it before the flight.
+//! Assessment of how well a landmark can be found: measured, by flying over it before the flight.
 //!
 //! Views of the landmark are rendered with the camera simulator on other days, from any heading, with
 //! the errors of position and attitude that the filter will have, and the very detector that will fly
@@ -27,11 +27,11 @@ use pilotage_vision::landmark::{
     TemplateSettings, rehearse, tolerance,
 };
 
-/// How much of what may be searched is drawn as on the day: all but the outermost that a search comes
-/// to if the filter is off by half a standard deviation of its search window and more.
+/// Share of the searched distance that is drawn as on the day: all but the outermost that a search comes to
+/// if the filter is off by half a standard deviation of its search window and more.
 const DRAWN: f64 = 0.8;
 
-/// How often a landmark is looked at before the flight.
+/// Extent of a rehearsal: days and views in which a landmark is looked at before the flight.
 ///
 /// What a place looks like is settled by the day more than by anything else, so a view on another day
 /// tells more than another view on the same.
@@ -45,7 +45,7 @@ impl Rehearsal {
     /// Standard deviation of the filter's position that is assumed, per axis, metres.
     pub const POSITION: f64 = 5.0;
 
-    /// What to expect after views of those days; `None` without a view.
+    /// Expected detection after views of those days; `None` without a view.
     pub fn expected(views: &[View]) -> Option<ExpectedDetection> {
         expected(views, Self::DAYS)
     }
@@ -87,7 +87,7 @@ pub struct Assessor {
     circumstances: Circumstances,
     ground: DayGround,
     detector: ChosenDetector,
-    /// What is known of it on maps of another date, where the detector is for these.
+    /// Survival of the landmark on maps of another date, where the detector is for these.
     survival: Option<Survival>,
     random: ChaCha8Rng,
     /// Looks so far, with those that were passed over.
@@ -109,9 +109,9 @@ struct Look {
     assumed: Pose,
     /// Of the place on the ground under the assumed pose, per axis, square metres.
     variance: f64,
-    /// How far around the landmark is looked for it, metres.
+    /// Distance around the landmark within which it is looked for, metres.
     reach: f64,
-    /// Where it appears on the ground under the assumed pose.
+    /// Place at which the landmark appears on the ground under the assumed pose.
     expected: GroundPoint,
     /// For the picture.
     random: ChaCha8Rng,
@@ -353,12 +353,12 @@ impl Assessor {
         &self.views
     }
 
-    /// What follows from them; `None` without a view.
+    /// Expected detection by the views so far; `None` without a view.
     pub fn expected(&self) -> Option<ExpectedDetection> {
         expected(&self.views, self.ground.days())
     }
 
-    /// What follows from them for a prediction; nothing is expected without a view.
+    /// Detection statistics for a prediction, by the views so far; nothing is expected without a view.
     pub fn statistics(&self) -> DetectionStatistics {
         let Some(expected) = self.expected() else {
             return DetectionStatistics::default();
@@ -375,7 +375,7 @@ impl Assessor {
     }
 }
 
-/// What lasts of a landmark on maps of another date; `None` if it cannot be rehearsed.
+/// Survival of a landmark on maps of another date; `None` if it cannot be rehearsed.
 fn lasting(
     landmark: &Landmark,
     map: &dyn Imagery,
@@ -401,7 +401,7 @@ fn lasting(
 /// and 0.2.
 const PRIOR: [f64; 2] = [0.2, 0.2];
 
-/// What to expect after these views of `days` days.
+/// Expected detection after these views of `days` days.
 ///
 /// The probability is the mean share of the days' views in which the landmark is found, shrunk by
 /// [`PRIOR`]. How views of a day go together tells the rest: of the views of a day on which another was

@@ -1,4 +1,4 @@
-//! How far an aircraft has come without a fix, along a way over the field of localizability.
+//! Distance that an aircraft has come without a fix, along a way over the field of localizability.
 //!
 //! The uncertainty of the position grows with the way since the last fix, and a fix takes it back. Let u
 //! be the root mean square, over all ways in which detections may turn out, of the metres flown since
@@ -20,7 +20,7 @@ const LIT: f64 = 0.02;
 /// Greatest probability that is believed.
 const SUREST: f64 = 0.99;
 
-/// How unsure one is of the position and of what moves it.
+/// Uncertainty of the position and of what moves the aircraft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Unsure {
     /// Metres without a fix.
@@ -51,12 +51,12 @@ impl Affine {
     }
 }
 
-/// What a straight way does to the metres without a fix.
+/// Effect of a straight way on the metres without a fix.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct BlindWay {
     /// Its length, metres.
     pub length: f64,
-    /// How long it takes, seconds.
+    /// Duration of the way, seconds.
     pub time: f64,
     /// Metres without a fix at its end.
     pub end: Affine,
@@ -75,7 +75,7 @@ impl BlindWay {
         peaks.fold(unsure.metres, f64::max)
     }
 
-    /// What one is unsure of at its end.
+    /// Uncertainty at the end of the way.
     pub fn after(&self, unsure: Unsure) -> Unsure {
         Unsure {
             metres: self.end.of(unsure),
@@ -84,7 +84,7 @@ impl BlindWay {
     }
 }
 
-/// How fast one gets on in the wind.
+/// Airspeed and wind, which give the speed over ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pace {
     /// Airspeed, m/s.
@@ -104,19 +104,19 @@ impl Pace {
     }
 }
 
-/// What is needed to follow a way over the field.
+/// Inputs for following a way over the field.
 #[derive(Clone, Copy)]
 pub(super) struct Ground<'a> {
     pub field: &'a Localizability,
     /// Length of a pass over a source: the shorter side of the picture on the ground, metres.
     pub pass: f64,
     pub pace: Pace,
-    /// How many times as fast the uncertainty grows before the first fix.
+    /// Factor by which the uncertainty grows faster before the first fix.
     pub before_first_fix: f64,
 }
 
 impl Ground<'_> {
-    /// How long the straight way from `a` to `b` takes, seconds; `None` where the wind does not allow it.
+    /// Duration of the straight way from `a` to `b`, seconds; `None` where the wind does not allow it.
     pub fn time(&self, a: &GroundPoint, b: &GroundPoint) -> Option<f64> {
         let way = b.to_vector() - a.to_vector();
         let length = way.norm();

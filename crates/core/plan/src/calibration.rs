@@ -1,4 +1,4 @@
-//! Whether what is said of detections comes true: predicted probabilities beside observed shares.
+//! Calibration of what is said of detections: predicted probabilities beside observed shares.
 
 use std::fmt::Write;
 
@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 /// Bins between 0 and 1.
 const BINS: usize = 10;
 
-/// One pass over a landmark: what was said of it, and how it went.
+/// Pass over a landmark: what was said of it, and how it went.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Pass {
     /// Predicted probability of being found in a frame.

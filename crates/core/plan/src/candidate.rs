@@ -32,15 +32,15 @@ pub struct Candidate {
     pub rival: f64,
     /// The place of the rival.
     pub rival_place: GroundPoint,
-    /// What it has in hand before it is refused as ambiguous.
+    /// Margin before the place is refused as ambiguous.
     pub margin: f64,
-    /// How far it seemed to move on another day, metres.
+    /// Distance by which the place seemed to move on another day, metres.
     pub drift: f64,
     /// Probability of being found in a picture, the mean over the rehearsal days; on a map of another date, as far
     /// as real ones tell.
     pub probability: f64,
-    /// Where that lies for nine in ten maps of another date; the probability twice where the map is of the
-    /// flight's own.
+    /// Range of the probability for nine in ten maps of another date; the probability twice where the map is
+    /// of the flight's own.
     pub range: [f64; 2],
 }
 

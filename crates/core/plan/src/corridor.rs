@@ -19,7 +19,7 @@ const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
 /// Error of the position in one world: truth minus estimate (north, east).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Belief {
-    /// How much this world counts beside the others.
+    /// Weight of this world beside the others.
     pub weight: f64,
     /// Its mean, metres.
     pub mean: Vector2<f64>,

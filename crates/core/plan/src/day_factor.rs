@@ -1,4 +1,4 @@
-//! How much the landmarks of a map share their good and bad days.
+//! Correlation of the landmarks of a map in their good and bad days.
 //!
 //! A low sun or snow makes all of them hard to recognise together. Were they taken for independent, a
 //! day on which most of them fail would hardly ever be met in a prediction. One standard normal number
@@ -17,7 +17,7 @@ const STEPS: usize = 20;
 /// Values of q over which a day is averaged, and the outermost.
 const NODES: (usize, f64) = (25, 4.0);
 
-/// What was stated of a landmark, and how its rehearsals went, day by day.
+/// Detection that was stated of a landmark, and tallies of its rehearsals, day by day.
 pub(super) type Rehearsed<'a> = (ExpectedDetection, &'a [Tally]);
 
 /// Mean of ρ after those rehearsals, where any value was as likely before; zero where not two landmarks

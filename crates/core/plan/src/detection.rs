@@ -1,11 +1,11 @@
-//! What is expected of a landmark's detection before it was ever looked for.
+//! Expected detection of a landmark before it was ever looked for.
 
 use nalgebra::Matrix4;
 use serde::{Deserialize, Serialize};
 
 use super::Tally;
 
-/// What is expected of one landmark while it lies wholly in the picture.
+/// Expected detection of one landmark while it lies wholly in the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ExpectedDetection {
     /// Probability that it can be recognised at all on the day of the flight: what the season and the
@@ -30,8 +30,8 @@ impl ExpectedDetection {
 pub struct DetectionStatistics {
     /// Heights above ground, metres, ascending, and what is expected there.
     pub by_height: Vec<(f64, ExpectedDetection)>,
-    /// How its rehearsals went, on the days in the order in which all landmarks of the map were rehearsed;
-    /// empty if that is not known.
+    /// Tallies of the landmark's rehearsals, on the days in the order in which all landmarks of the map were
+    /// rehearsed; empty if they are not known.
     #[serde(default)]
     pub by_day: Vec<Tally>,
 }
@@ -45,8 +45,8 @@ impl DetectionStatistics {
         }
     }
 
-    /// What is expected at `height` metres above ground: linear between the heights that were tried,
-    /// and as at the nearest beyond them. `None` if none was tried.
+    /// Expected detection at `height` metres above ground: linear between the heights that were tried, and as
+    /// at the nearest beyond them. `None` if none was tried.
     pub fn at(&self, height: f64) -> Option<ExpectedDetection> {
         let after = self.by_height.partition_point(|(h, _)| *h <= height);
         let Some((low, below)) = after.checked_sub(1).and_then(|i| self.by_height.get(i)) else {

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Assessor, Tally};
 
-/// How often a landmark is found, over heights and tilts: what a view draws as a grid.
+/// Tallies of how often a landmark is found, over heights and tilts: what a view draws as a grid.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Envelope {
     /// Heights of the camera above ground, metres.
@@ -88,7 +88,7 @@ impl EnvelopeSurvey {
         true
     }
 
-    /// What was found so far.
+    /// Tallies so far.
     pub fn envelope(&self) -> &Envelope {
         &self.envelope
     }

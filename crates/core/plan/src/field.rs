@@ -1,4 +1,4 @@
-//! Where a fix would be had: its probability on a grid over the map.
+//! Field of localizability: the probability of a fix on a grid over the map.
 //!
 //! A fix is had at a place if a landmark lies wholly in the picture taken there and is accepted. The
 //! aircraft is at the place only within the uncertainty of its position, and looks along any heading:
@@ -23,7 +23,7 @@ const WIDEST: f64 = 6.0;
 /// Uncertainty of the position below which an edge is drawn as sharp, metres.
 const SHARP: f64 = 1.0;
 
-/// How the ground is looked at.
+/// View of the ground: camera, height and uncertainties.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FieldView {
     /// The camera.
@@ -70,7 +70,7 @@ impl FieldView {
         self.position.hypot(self.height * self.tilt).max(SHARP)
     }
 
-    /// How far around a box of `side` metres the detector comes to look for it, metres: as many standard
+    /// Distance around a box of `side` metres up to which the detector looks for it, metres: as many standard
     /// deviations as it searches, but a side at least, and no more than six.
     pub fn searched(&self, search_sigmas: f64, side: f64) -> f64 {
         (search_sigmas * self.spread()).clamp(side, WIDEST * side)
@@ -214,7 +214,7 @@ impl FieldBuilder {
         self.sources.push(source);
     }
 
-    /// What is known so far.
+    /// Field as far as it is known.
     pub fn field(&self) -> &Localizability {
         &self.field
     }

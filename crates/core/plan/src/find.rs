@@ -50,7 +50,7 @@ pub enum FindError {
 /// comes to half of that within a minute.
 const WIND_AFTER_A_FIX: f64 = 0.5;
 
-/// How many times as fast the uncertainty grows before the first fix for a filter with these settings.
+/// Factor by which the uncertainty grows faster before the first fix, for a filter with these settings.
 pub fn growth_before_first_fix(settings: &NavigatorSettings) -> f64 {
     (settings.start.wind / WIND_AFTER_A_FIX).max(1.0)
 }
@@ -129,11 +129,11 @@ fn thinned(cells: &[(f32, GroundPoint)], apart: f64) -> Vec<GroundPoint> {
     chosen
 }
 
-/// What the search does next.
+/// Next step of the search.
 enum Stage {
     /// Ways from the next node.
     Ways,
-    /// One more step of the bisection, or one more price.
+    /// Another step of the bisection, or another price.
     Solve(usize),
     Done,
 }
@@ -188,7 +188,7 @@ impl RouteSearch {
         })
     }
 
-    /// How far the search is, 0 to 1.
+    /// Progress of the search, 0 to 1.
     pub fn progress(&self) -> f32 {
         match self.stage {
             Stage::Ways => 0.6 * self.graph.progress(),
@@ -221,7 +221,7 @@ impl RouteSearch {
         true
     }
 
-    /// What was found, with as few way-points as it takes.
+    /// Routes that were found, with as few way-points as it takes.
     pub fn found(mut self) -> Result<FoundRoutes, FindError> {
         if let Some(best) = self.best.take() {
             let pulled = pull_tight(&self.question, &best, self.most, SIMPLER);

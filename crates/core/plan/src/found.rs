@@ -11,7 +11,7 @@ pub struct FoundRoute {
     pub way_points: Vec<GroundPoint>,
     /// Its length, metres.
     pub length: f64,
-    /// How long it takes in the wind, without turns, seconds.
+    /// Duration in the wind, without turns, seconds.
     pub time: f64,
     /// Greatest metres since the last fix: root mean square over the ways in which detections may turn
     /// out. Those before the first fix count as often as the question says.

@@ -49,7 +49,7 @@ impl Frontier {
     }
 }
 
-/// What a path is to be.
+/// Aim of a path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Aimed {
     /// The cheapest that never has more than so many metres without a fix.
@@ -73,7 +73,7 @@ pub(super) struct Graph {
     next: usize,
 }
 
-/// How far a path has come.
+/// Label of a path: the node that it has come to, with its cost and uncertainty.
 struct Label {
     node: usize,
     cost: f64,
@@ -84,7 +84,7 @@ struct Label {
 /// A label in the queue: the least first.
 struct Queued {
     order: f64,
-    /// What is paid so far, as the order has it.
+    /// Price that is paid so far, as the order has it.
     paid: f64,
     cost: f64,
     unsure: Unsure,

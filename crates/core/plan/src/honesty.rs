@@ -1,4 +1,4 @@
-//! Whether a prediction is honest: flights beside what was predicted for them.
+//! Honesty of a prediction: flights beside what was predicted for them.
 
 use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
@@ -9,7 +9,7 @@ use pilotage_base::frames::GroundPoint;
 use pilotage_flight::Flight;
 use pilotage_navigator::navigator::Run;
 
-/// One frame of a flight beside the plan.
+/// Frame of a flight beside the plan.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Comparison {
     /// Distance along the planned path of the place with which it is compared, metres.
@@ -20,9 +20,9 @@ pub struct Comparison {
     pub inside_corridor: bool,
     /// Square of the error, m².
     pub squared: f64,
-    /// What was predicted for it, m².
+    /// Mean square of the error that was predicted, m².
     pub predicted: f64,
-    /// What the filter believed of it, m².
+    /// Mean square of the error that the filter believed, m².
     pub believed: f64,
     /// Error of the position over the filter's own covariance, squared; 2 on average if it is honest.
     pub nees: f64,
@@ -63,7 +63,7 @@ pub fn compare(flight: &Flight, run: &Run, prediction: &Prediction) -> Vec<Compa
         .collect()
 }
 
-/// How flights lay in the predicted corridor.
+/// Comparison of flights with the predicted corridor.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Verification {
     /// Flights flown.
@@ -79,9 +79,9 @@ pub struct Verification {
     pub corridor_uncertainty: f64,
     /// Root mean square error, metres.
     pub rms_m: f64,
-    /// What was predicted for it, metres.
+    /// Root mean square error that was predicted, metres.
     pub predicted_rms_m: f64,
-    /// What the filter believed, metres.
+    /// Root mean square error that the filter believed, metres.
     pub believed_rms_m: f64,
     /// Mean squared error over the filter's own covariance, of two axes; 2 for an honest filter.
     pub mean_nees: f64,

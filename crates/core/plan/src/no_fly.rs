@@ -9,7 +9,7 @@ pub type NoFlyArea = Vec<GroundPoint>;
 
 /// Most that a way-point around a sharp corner is put off it, in clearances.
 const SHARPEST: f64 = 3.0;
-/// What rounding may take from a clearance.
+/// Amount that rounding may take from a clearance, metres.
 const ROUNDING: f64 = 1e-6;
 
 /// No-fly areas and the distance that is kept from them, metres.

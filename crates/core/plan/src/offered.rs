@@ -1,5 +1,5 @@
-//! What the map itself offers for fixes: its places rehearsed one after the other, and the field that
-//! follows from them.
+//! Field of fixes that the map itself offers: its places rehearsed one after the other, and what follows from
+//! them.
 
 use std::sync::Arc;
 
@@ -95,7 +95,7 @@ impl OfferedField {
         (self.next, self.lattice.len())
     }
 
-    /// What is known so far.
+    /// Field as far as it is known.
     pub fn field(&self) -> &Localizability {
         self.builder.field()
     }

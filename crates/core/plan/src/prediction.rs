@@ -32,11 +32,11 @@ pub struct PredictionSample {
     pub time: f64,
     /// Distance along the flown path, metres.
     pub distance: f64,
-    /// Where the aircraft is planned to be.
+    /// Planned position of the aircraft.
     pub position: GroundPoint,
     /// Course over the ground, radians clockwise from north.
     pub course: f64,
-    /// What holds the error with 95 %.
+    /// Corridor that holds the error with 95 %.
     pub corridor: Corridor,
     /// Probability that each landmark is found in this frame, in the order of the request.
     pub detection: Vec<f64>,
@@ -53,7 +53,7 @@ pub struct Stretch {
     pub end: f64,
     /// Largest standard deviation of the longer axis on it, metres.
     pub sigma: f64,
-    /// Where that is.
+    /// Place of that deviation.
     pub worst: GroundPoint,
     /// Longest dead reckoning on it, seconds.
     pub dead_reckoning: f64,
@@ -62,7 +62,7 @@ pub struct Stretch {
 /// The predicted uncertainty along a route.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Prediction {
-    /// One per frame of the camera.
+    /// Samples, one for each frame of the camera.
     pub samples: Vec<PredictionSample>,
     /// Stretches over the limit, in the order in which they are flown.
     pub over_limit: Vec<Stretch>,
@@ -202,7 +202,7 @@ pub(super) fn nearest_ahead(
         .map_or(last, |(i, _)| i)
 }
 
-/// How long a flight is near its moment `index`, frames per metre: a corridor holds the error for its
+/// Time that a flight spends near its moment `index`, frames per metre: a corridor holds the error for its
 /// share of the time, and against the wind there is more of that.
 fn lasting(way: &[Moment], index: usize) -> f64 {
     let (from, to) = (index.saturating_sub(1), (index + 1).min(way.len() - 1));
@@ -211,7 +211,7 @@ fn lasting(way: &[Moment], index: usize) -> f64 {
     frames / length.max(SLOWEST * frames)
 }
 
-/// What all ways, each with its weight, come to at the places of `track`.
+/// Moments of all ways, each with its weight, brought together at the places of `track`.
 fn brought_together(track: &[(usize, GroundPoint)], ways: &[(f64, Vec<Moment>)]) -> Vec<Moment> {
     let mut reached = vec![0; ways.len()];
     track
@@ -293,7 +293,7 @@ fn stretches(samples: &[PredictionSample], limit: f64) -> Vec<Stretch> {
         .collect()
 }
 
-/// What a stretch of samples comes to; `None` without any.
+/// Stretch over all of the samples; `None` without any.
 fn stretch(samples: &[PredictionSample]) -> Option<Stretch> {
     let by_sigma = |a: &&PredictionSample, b: &&PredictionSample| {
         a.corridor.sigma_major.total_cmp(&b.corridor.sigma_major)

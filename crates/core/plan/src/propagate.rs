@@ -17,12 +17,12 @@ use pilotage_simulate::simulate::{TrueFlight, Turbulence};
 /// Longest step of the covariance, seconds.
 const LONGEST_STEP: f64 = 0.5;
 
-/// What the worlds of one wind have come to at one frame.
+/// State of the worlds of one wind at one frame.
 #[derive(Clone, Debug)]
 pub(super) struct Moment {
     /// Index of the state of the flight in that wind.
     pub state: usize,
-    /// Where the aircraft is then.
+    /// Place of the aircraft at that frame.
     pub place: GroundPoint,
     /// Error of the position in each world after the frame: truth minus estimate.
     pub beliefs: Vec<Belief>,
@@ -42,7 +42,7 @@ pub(super) struct Propagation<'a> {
     pub worlds: &'a [Vec<f64>],
     /// Seed of shakes and misses.
     pub seed: u64,
-    /// What the filter is not told of the wind; its prior is of no wind at all.
+    /// Part of the wind that the filter is not told; its prior is of no wind at all.
     pub unknown_wind: Option<UnknownWind>,
 }
 
@@ -128,8 +128,8 @@ impl Propagation<'_> {
         model.in_gusts(gusts.intensity.x, self.request.settings.process.gust_time)
     }
 
-    /// What the filter believes at the start, and how it errs: of a wind that is known here, so is its
-    /// error.
+    /// Belief of the filter at the start, and its error: of a wind that is known here, the error is known,
+    /// too.
     fn prior<const N: usize, V: VehicleModel<N>>(
         &self,
         model: &V,
@@ -260,7 +260,7 @@ fn step<const N: usize, V: VehicleModel<N>>(
     })
 }
 
-/// One way in which the flight may turn out.
+/// World: one way in which the flight may turn out.
 ///
 /// The filter weighs by what it is told; what it is told is not quite so. Both are carried along: the
 /// covariance that the filter computes, from which its gain follows, and the mean and covariance of its
@@ -286,7 +286,7 @@ impl<const N: usize> World<N> {
         }
     }
 
-    /// What the filter believes is added in the `dt` seconds of a step, on average over what it may
+    /// Noise that the filter believes is added in the `dt` seconds of a step, on average over what it may
     /// have come to believe of the state.
     fn believed_noise<V: VehicleModel<N>>(
         &self,

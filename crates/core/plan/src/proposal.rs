@@ -15,13 +15,13 @@ use pilotage_simulate::other_days::OtherDays;
 /// Memory for tiles of one day, megabytes: several rows of places, one below the other.
 const CACHE_MEGABYTES: usize = 8;
 
-/// What landmarks are proposed for.
+/// Question to which landmarks are proposed.
 pub struct ProposalQuestion {
     /// The map.
     pub map: Arc<dyn Imagery>,
     /// The same ground on other days.
     pub days: Vec<Arc<dyn Imagery>>,
-    /// How the ground is looked at, and how uncertain the position is then.
+    /// View of the ground, with the uncertainty of the position.
     pub view: FieldView,
     /// Way-points of the flight; without any it may go anywhere over the map.
     pub way_points: Vec<GroundPoint>,
@@ -29,7 +29,7 @@ pub struct ProposalQuestion {
     pub speed: f64,
     /// Down coordinate of the ground plane, metres.
     pub ground_down: f64,
-    /// How it will be navigated.
+    /// Settings of the navigation.
     pub navigator: NavigatorSettings,
     /// Side of the boxes, metres; a third of the picture's shorter side on the ground if `None`.
     pub side: Option<f64>,
@@ -122,7 +122,7 @@ impl Proposal {
 }
 
 impl ProposalQuestion {
-    /// Where the camera is on the flight (time in seconds, pose), or all over the map.
+    /// Poses of the camera on the flight (time in seconds, pose), or all over the map.
     fn frames(&self) -> Vec<(f64, Pose)> {
         let (height, camera) = (self.view.height, &self.view.camera);
         if self.way_points.is_empty() {
@@ -133,7 +133,7 @@ impl ProposalQuestion {
         }
     }
 
-    /// What [`Proposal::chosen`] says of places that were found in parts, one part after the other.
+    /// Suggestions as by [`Proposal::chosen`], for places that were found in parts, one part after the other.
     pub fn chosen_of(&self, found: Vec<Candidate>, count: usize) -> Vec<Suggestion> {
         self.choose(&self.frames(), found, count)
     }

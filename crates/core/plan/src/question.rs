@@ -1,4 +1,4 @@
-//! What route to find, and what any line over way-points is worth to that question.
+//! Question for a route, and the worth of any line over way-points to that question.
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use super::no_fly::{NoFlyArea, Obstacles};
 use super::turns::{Turns, flown};
 use pilotage_base::frames::GroundPoint;
 
-/// What the budget is about.
+/// Quantity that the budget limits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum BudgetOf {
     /// The time in the wind.
@@ -22,7 +22,7 @@ pub enum BudgetOf {
     Length,
 }
 
-/// What is to be least.
+/// Quantity that is to be least.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Aim {
     /// The worst uncertainty on the way.
@@ -35,14 +35,14 @@ pub enum Aim {
 /// Whether a place is forbidden, e.g. because the ground is too high there.
 pub type Forbidden = Arc<dyn Fn(&GroundPoint) -> bool + Send + Sync>;
 
-/// What to find.
+/// Question for a route.
 #[derive(Clone)]
 pub struct RouteQuestion {
-    /// Where the route begins; the position is known there.
+    /// Start of the route; the position is known there.
     pub from: GroundPoint,
-    /// Where it ends.
+    /// End of the route.
     pub to: GroundPoint,
-    /// Where a fix would be had.
+    /// Field that tells where a fix would be had.
     pub field: Arc<Localizability>,
     /// Shorter side of the picture on the ground, metres: the length of a pass over a landmark.
     pub pass: f64,
@@ -56,21 +56,21 @@ pub struct RouteQuestion {
     pub airspeed: f64,
     /// Velocity of the air (north, east), m/s.
     pub wind: Vector2<f64>,
-    /// How many times as fast the uncertainty grows before the first fix, while nobody knows the wind; 1 if
+    /// Factor by which the uncertainty grows faster before the first fix, while nobody knows the wind; 1 if
     /// it is known.
     pub before_first_fix: f64,
     /// Radius of a turn, metres, and the way flown while rolling into it, metres.
     pub turns: Turns,
     /// Greatest cost of the route over that of the shortest allowed one, e.g. 1.3.
     pub budget: f64,
-    /// What the cost is.
+    /// Quantity that is the cost.
     pub budget_of: BudgetOf,
-    /// What is to be least.
+    /// Quantity that is to be least.
     pub aim: Aim,
 }
 
 impl RouteQuestion {
-    /// What is to be flown around.
+    /// Obstacles to fly around.
     pub(super) fn obstacles(&self) -> Obstacles<'_> {
         Obstacles {
             areas: &self.no_fly,
@@ -110,7 +110,7 @@ impl RouteQuestion {
             })
     }
 
-    /// What counts against the budget.
+    /// Cost that counts against the budget.
     pub(super) fn cost(&self, length: f64, time: f64) -> f64 {
         match self.budget_of {
             BudgetOf::Length => length,
@@ -125,7 +125,7 @@ impl RouteQuestion {
         self.cost(length, length / fastest.max(1e-3))
     }
 
-    /// What a line over way-points is worth, flown with its turns before them; `None` where it is not
+    /// Worth of a line over way-points, flown with its turns before them; `None` where the line is not
     /// allowed.
     pub fn judge(&self, way_points: &[GroundPoint]) -> Option<FoundRoute> {
         let ground = self.ground();
@@ -153,7 +153,7 @@ impl RouteQuestion {
         Some(route)
     }
 
-    /// What is to be least, of a route.
+    /// Quantity that is to be least, of a route.
     pub(super) fn aimed(&self, route: &FoundRoute) -> f64 {
         match self.aim {
             Aim::Worst => route.worst_blind,

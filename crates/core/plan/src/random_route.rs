@@ -18,7 +18,7 @@ const WITHIN: f64 = 800.0;
 
 /// Side of random places, metres.
 const SIDE: f64 = 34.0;
-/// How far a random place may lie beside the middle of a distinct one, metres.
+/// Largest distance of a random place beside the middle of a distinct one, metres.
 const BESIDE: f64 = 22.0;
 
 /// Boxes of every quality, drawn by `seed`: half on or beside the distinct places of the scenery, half

@@ -10,16 +10,16 @@ use pilotage_vision::landmark::Landmark;
 pub struct PlannedLandmark {
     /// The landmark.
     pub landmark: Landmark,
-    /// What is expected of it, by height.
+    /// Expected detection of the landmark, by height.
     pub detection: DetectionStatistics,
 }
 
-/// What to predict.
+/// Request for a prediction.
 #[derive(Clone, Copy, Debug)]
 pub struct PredictionRequest<'a> {
     /// The route, the wind, the aircraft, its sensors and its camera.
     pub plan: &'a FlightPlan,
-    /// How it will be navigated.
+    /// Settings of the navigation.
     pub settings: &'a NavigatorSettings,
     /// The landmarks over which it leads.
     pub landmarks: &'a [PlannedLandmark],

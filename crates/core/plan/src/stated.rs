@@ -38,7 +38,7 @@ pub struct StatedFrames {
 }
 
 impl StatedFrames {
-    /// How many pictures were asked for.
+    /// Number of pictures that were asked for.
     pub fn asked(&self) -> usize {
         self.asked
     }

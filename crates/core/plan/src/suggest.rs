@@ -119,7 +119,7 @@ impl Ranking {
         true
     }
 
-    /// How a place looks on a day; `None` if it serves on none.
+    /// Rehearsal of a place on a day; `None` if it serves on none.
     fn on_day(&self, day: &dyn Imagery, bounds: &GroundRect) -> Option<Rehearsal> {
         rehearse(self.map.as_ref(), day, bounds, self.radius, self.features)
     }
@@ -290,7 +290,7 @@ pub fn choose_lasting(
     suggestions
 }
 
-/// What a moment of the flight is worth that is without a fix with probability `missed`.
+/// Worth of a moment of the flight that is without a fix with probability `missed`.
 fn measure(missed: f64) -> f64 {
     (1.0 + (1.0 - missed) / NEXT_TO_NONE).ln()
 }

@@ -1,4 +1,4 @@
-//! How likely a landmark is found on a real other date, by what of it lasts.
+//! Probability that a landmark is found on a real other date, by what of it lasts.
 //!
 //! Generated days are easier than real ones: an own place scores 0.78 on them and 0.45 in photos of another date,
 //! while the strongest look-alike scores the same on both (0.23 and 0.22). So the share of real looks that are
@@ -27,16 +27,16 @@ const NINE_IN_TEN: f64 = 1.645;
 /// Ground sample distance at which colours are averaged, metres per pixel.
 const GSD: f64 = 0.5;
 
-/// How often a landmark is found in pictures of a real other date that show it whole.
+/// Probability that a landmark is found in pictures of a real other date that show it whole.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Survival {
     /// Probability in a picture.
     pub probability: f64,
-    /// Where that lies for nine in ten pairs of dates.
+    /// Range of the probability for nine in ten pairs of dates.
     pub range: [f64; 2],
 }
 
-/// What of the ground lasts, by its looks.
+/// Looks of the ground, which tell what of it lasts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Ground {
     /// 0 (grey) to 1.

@@ -1,14 +1,14 @@
-//! How single views of a landmark went, and how many of them went how.
+//! Results of single views of a landmark, and tallies of them.
 
 use nalgebra::Matrix2;
 use serde::{Deserialize, Serialize};
 
 use pilotage_vision::landmark::Sighting;
 
-/// How one view went.
+/// Result of one view.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct View {
-    /// Which of the days it was on.
+    /// Index of the day.
     pub day: usize,
     /// Heading of the camera, radians.
     pub heading: f64,
@@ -20,7 +20,7 @@ pub struct View {
     pub attitude_error: f64,
     /// Distance of the landmark from the middle of the picture, pixels.
     pub off_centre: f64,
-    /// What the detector said.
+    /// Answer of the detector.
     pub sighting: Sighting,
     /// Distance of the place it found from where the landmark is, metres on the ground.
     pub error: Option<f64>,
@@ -39,7 +39,7 @@ impl View {
     }
 }
 
-/// How often a landmark was found under some circumstances.
+/// Tally of the looks for a landmark under some circumstances.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Tally {
     /// Looks in which it lay whole in the picture.

@@ -13,7 +13,7 @@ const STRAIGHT: f64 = 1e-3;
 /// Longest piece of an arc that is taken for straight, radians.
 const CHORD: f64 = 0.4;
 
-/// How the aircraft turns from one leg onto the next.
+/// Turn of the aircraft from one leg onto the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Turns {
     /// Radius, metres.

@@ -1,4 +1,4 @@
-//! Which landmarks a planned frame holds, and what each would say of the state.
+//! Landmarks that a planned frame holds, and the information of each about the state.
 
 use nalgebra::{Matrix2, Matrix3, Matrix3x4, Matrix4, Matrix4x3, Vector3};
 
@@ -8,12 +8,12 @@ use pilotage_mission::settings::SensorNoise;
 use pilotage_raster::camera::CameraModel;
 use pilotage_vision::geometry::{appearance, ground_jacobian, pose_jacobian};
 
-/// What a landmark says of the state in one frame, linearized at the planned pose.
+/// Information of a landmark about the state in one frame, linearized at the planned pose.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Look {
     /// Index of the landmark.
     pub landmark: usize,
-    /// What it says of (north, east, heading bias, then roll, pitch, yaw, height).
+    /// Information about (north, east, heading bias, then roll, pitch, yaw, height).
     pub information: Information,
     /// Probability that it can be recognised on the day.
     pub recognised: f64,
@@ -55,7 +55,7 @@ impl Information {
         self.pose += other.pose;
     }
 
-    /// What is left of it about the state when the pose's errors have covariance `pose_noise` and are
+    /// Information that is left about the state when the pose's errors have covariance `pose_noise` and are
     /// the same in all of the picture: `HᵀR⁻¹H` with the R of
     /// [`joint_noise`](pilotage_vision::geometry::joint_noise), by Woodbury's identity.
     pub fn about_state(&self, pose_noise: &Matrix4<f64>) -> Option<Matrix3<f64>> {
@@ -64,7 +64,7 @@ impl Information {
     }
 }
 
-/// Where the camera is planned to be at a frame.
+/// Planned pose of the camera at a frame.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PlannedFrame<'a> {
     pub camera: &'a CameraModel,
@@ -87,8 +87,8 @@ impl PlannedFrame<'_> {
             .holds(&pose, &landmark.landmark.bounds, self.ground_down, 0.0)
     }
 
-    /// What landmark `index` would say; `None` if it is out of reach of any shake, or is not expected
-    /// to be found from this height.
+    /// Look at landmark `index`; `None` if it is out of reach of any shake, or is not expected to be found
+    /// from this height.
     pub fn look(
         &self,
         index: usize,

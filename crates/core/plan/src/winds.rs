@@ -60,7 +60,7 @@ pub(super) fn parts(count: usize) -> Vec<WindPart> {
     parts
 }
 
-/// What lies from `inner` to `outer` standard deviations from the middle and within `half` (radians) of
+/// Part that lies from `inner` to `outer` standard deviations from the middle and within `half` (radians) of
 /// `heading`.
 fn sector(inner: f64, outer: f64, half: f64, heading: f64) -> WindPart {
     let density = |r: f64| (-0.5 * r * r).exp();

@@ -40,7 +40,8 @@ fn map_of(site: &Site) -> Arc<dyn Imagery> {
     Arc::new(CachedImagery::new(Arc::new(site.map.clone()), 64))
 }
 
-/// What the planner says, after so many rehearsal days, of every place, half a side apart, that a photo shows whole.
+/// Candidates that the planner makes, after so many rehearsal days, of every place, half a side apart, that a
+/// photo shows whole.
 fn ranked(site: &Site, laid: &[Laid<'_>], days: usize) -> Vec<Candidate> {
     let map = map_of(site);
     let mut all = Proposal::days(&PictureDays::new(Arc::clone(&map)), 1);
