@@ -11,7 +11,7 @@ const HELD: f64 = 2.5;
 /// Error of the heading that does no harm, on either side, radians: the ±5° of the thesis.
 const HEADING: f64 = 5.0 * std::f64::consts::PI / 180.0;
 
-/// What the flights may be like on which a landmark shall be found: pictures are drawn from all over it.
+/// Range of the flights on which a landmark shall be found: pictures are drawn from all over it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FlightEnvelope {
     /// The camera of the flights.

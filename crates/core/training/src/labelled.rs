@@ -66,7 +66,7 @@ pub fn labelled_photos(
     Ok(photos)
 }
 
-/// Where the camera was but for its place: over the origin, as high as measured.
+/// Pose of the camera but for its place: over the origin, as high as measured.
 fn pose(flight: &Flight, time: f64) -> Option<Pose> {
     let height = flight.value(ChannelName::HeightAboveGround, time)?;
     Some(Pose {

@@ -28,13 +28,13 @@ const TRIES: usize = 1000;
 pub struct Photo {
     /// The camera of that part.
     pub camera: CameraModel,
-    /// Where the camera was.
+    /// Pose of the camera.
     pub pose: Pose,
-    /// What it sees.
+    /// Picture that the camera takes.
     pub picture: Picture,
     /// The luminance of that.
     pub luminance: Pyramid,
-    /// Which of the days it is on.
+    /// Index of the day of the photo.
     pub day: usize,
     /// Height of the camera above ground, metres.
     pub height: f64,
@@ -46,23 +46,23 @@ pub struct Photo {
     pub present: bool,
 }
 
-/// What the filter thinks of a photo.
+/// Belief of the filter about a photo.
 #[derive(Clone, Copy, Debug)]
 pub struct Assumed {
-    /// Where it thinks the camera was.
+    /// Pose that the filter thinks the camera had.
     pub pose: Pose,
     /// Error of its heading, radians.
     pub heading_error: f64,
     /// Logarithm of the size in which the ground appears from there.
     pub log_scale: f64,
-    /// Where the middle of the photo's box appears on the ground under that pose.
+    /// Place at which the middle of the photo's box appears on the ground under that pose.
     pub appears: GroundPoint,
     /// Covariance of the search (north, east), m².
     pub covariance: Matrix2<f64>,
 }
 
 impl Photo {
-    /// What a detector is given.
+    /// View that a detector is given.
     pub fn view(&self, assumed: &Assumed, ground_down: f64) -> FrameView<'_> {
         FrameView {
             camera: &self.camera,
@@ -72,8 +72,8 @@ impl Photo {
         }
     }
 
-    /// Where the middle of its box appears on the ground to somebody who thinks that the camera was at
-    /// `pose`.
+    /// Place at which the middle of the photo's box appears on the ground to somebody who thinks that the
+    /// camera was at `pose`.
     pub fn appears(&self, pose: &Pose, ground_down: f64) -> Option<GroundPoint> {
         let middle = self.around.center();
         let in_world = Point3::new(middle.north, middle.east, ground_down);
@@ -139,7 +139,7 @@ impl Photographer {
         self.envelope.position.powi(2) + lever.powi(2)
     }
 
-    /// How far from a place it is searched for, metres.
+    /// Distance around a place within which it is searched for, metres.
     pub fn reach(&self) -> f64 {
         SEARCH_SIGMAS * self.variance(self.envelope.height[1]).sqrt()
     }
@@ -241,7 +241,7 @@ impl Photographer {
         })
     }
 
-    /// What the filter may think of a photo, drawn anew at each call.
+    /// Belief that the filter may have about a photo, drawn anew at each call.
     pub fn assume(&mut self, photo: &Photo) -> Option<Assumed> {
         let position = self.envelope.position;
         let thoughts = &mut self.thoughts;

@@ -1,4 +1,4 @@
-//! How much a detector is shown before it is trusted.
+//! Plan of a training: how much a detector is shown before it is trusted.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,20 +7,20 @@ use pilotage_vision::landmark::TemplateSettings;
 use pilotage_vision::landmark::cascade::train::{FeatureKind, StageGoal};
 use pilotage_vision::landmark::trained::Preparation;
 
-/// How a detector is trained.
+/// Plan of a detector's training.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TrainingPlan {
-    /// What its cascade looks at.
+    /// Kind of features that its cascade looks at.
     pub kind: FeatureKind,
     /// Photos that it learns from.
     pub photos: usize,
-    /// How often each of them is shown, under another error of pose and heading each time.
+    /// Number of times that each of them is shown, under another error of pose and heading each time.
     pub shown: usize,
     /// Windows of something else that each stage learns from.
     pub negatives: usize,
     /// Days on which the photos are taken.
     pub days: usize,
-    /// What each stage shall come to, without the last.
+    /// Goal of each stage, without the last.
     pub goal: StageGoal,
     /// Most stages, without the last.
     pub most_stages: usize,
@@ -34,11 +34,11 @@ pub struct TrainingPlan {
     pub false_alarms: f64,
     /// Places that look like the landmark.
     pub look_alikes: Vec<GroundPoint>,
-    /// How map patches are looked for on the held-out photos, so that what they say can be weighed against
-    /// what the cascade says.
+    /// Settings of the search for map patches on the held-out photos, so that what they say can be weighed
+    /// against what the cascade says.
     #[serde(default)]
     pub template: TemplateSettings,
-    /// What is done with the pictures before they are shown.
+    /// Preparation of the pictures before they are shown.
     #[serde(default)]
     pub preparation: Preparation,
     /// Draws everything.

@@ -1,4 +1,4 @@
-//! How precisely a detector's right marks tell place, turn and size, learned on photos it was not trained on.
+//! Precision of a detector's right marks in place, turn and size, learned on photos it was not trained on.
 
 use nalgebra::{Matrix2, Vector2};
 

@@ -18,7 +18,7 @@ pub struct Sample {
     pub picture: Raster<u8>,
     /// Upper left corner of the window that is the landmark, if it is there.
     pub landmark: Option<(usize, usize)>,
-    /// One for each window by its upper left corner that is something else, zero for the others.
+    /// Mask: 1 for each window by its upper left corner that is something else, 0 for the others.
     pub others: Raster<u8>,
     size: (usize, usize),
 }

@@ -31,16 +31,16 @@ const TEMPLATE_EVERY: usize = 3;
 /// With fewer windows than this that pass though they should not, there is nothing left to learn from.
 const FEWEST_FALSE: usize = 40;
 
-/// One stage of the table that people watch.
+/// Stage of the table that people watch.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StageReport {
-    /// How it went.
+    /// Result of the stage.
     pub row: StageRow,
     /// Share of all windows of something else that passed the stages before it.
     pub passed_before: f64,
 }
 
-/// Where a training stands.
+/// Phase of a training.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum TrainingPhase {
     /// Photos are taken.
@@ -55,12 +55,12 @@ pub enum TrainingPhase {
     Done,
 }
 
-/// What of a training is kept so that it can go on after a reload: stages that are whole.
+/// Part of a training that is kept so that it can go on after a reload: stages that are whole.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct TrainingProgress {
     /// Stages, features numbered within the pool.
     pub stages: Vec<TrainedStage>,
-    /// How they went.
+    /// Reports of the stages.
     pub reports: Vec<StageReport>,
     /// Windows of something else that they learned from: the number of the photo, column, row.
     pub learned_from: Vec<Place>,
@@ -91,7 +91,7 @@ pub struct DetectorTraining {
     passed_before: f64,
     mined: Vec<Place>,
     last: bool,
-    /// How many of the windows kept belong to whole stages.
+    /// Number of the windows kept that belong to whole stages.
     learned: usize,
     windows: usize,
     next: usize,
@@ -189,7 +189,7 @@ impl DetectorTraining {
         self.plan.photos + self.labelled.len()
     }
 
-    /// What to keep of it.
+    /// Part of the training to keep.
     pub fn progress(&self) -> TrainingProgress {
         let stages = self.cascade.as_ref().map(|c| c.stages().to_vec());
         TrainingProgress {
@@ -200,7 +200,7 @@ impl DetectorTraining {
         }
     }
 
-    /// Where it stands.
+    /// Phase of the training.
     pub fn phase(&self) -> TrainingPhase {
         self.phase
     }
@@ -210,12 +210,12 @@ impl DetectorTraining {
         self.cascade.as_ref()?.growing()
     }
 
-    /// How the whole stages went.
+    /// Reports of the whole stages.
     pub fn reports(&self) -> &[StageReport] {
         &self.kept.reports
     }
 
-    /// How much is done, about: 0 to 1.
+    /// Share that is done, about: 0 to 1.
     pub fn fraction(&self) -> f64 {
         let share = |next: usize, all: usize| next as f64 / all.max(1) as f64;
         match self.phase {

@@ -18,7 +18,7 @@ pub enum TrainingError {
     Cascade {
         /// Of which landmark.
         name: String,
-        /// What is wrong.
+        /// Error of the cascade.
         cause: CascadeError,
     },
 }

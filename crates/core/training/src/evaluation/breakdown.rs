@@ -33,7 +33,7 @@ impl By {
         Self::Source,
     ];
 
-    /// What it is, in words.
+    /// Name of the circumstance, in words.
     pub fn name(self) -> &'static str {
         match self {
             Self::Height => "height above ground",
@@ -84,7 +84,7 @@ pub struct Bin {
 }
 
 impl Bin {
-    /// Where it is drawn.
+    /// Middle of the bin, at which it is drawn.
     pub fn middle(&self) -> f64 {
         0.5 * (self.low + self.high)
     }

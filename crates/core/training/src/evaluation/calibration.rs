@@ -1,4 +1,4 @@
-//! How likely a mark is right, given its score.
+//! Probability that a mark is right, given its score.
 
 use serde::{Deserialize, Serialize};
 
@@ -86,7 +86,7 @@ fn logistic(x: f64) -> f64 {
 pub struct ScoreBin {
     /// Mean stated probability.
     pub stated: f64,
-    /// How many were right.
+    /// Rate of right marks.
     pub right: Rate,
 }
 
@@ -203,7 +203,7 @@ fn judged(look: &EvaluatedLook) -> Vec<Judged> {
     found.into_iter().chain(wrong).collect()
 }
 
-/// Which part each look is in: whole days, or looks in turn where there are too few days.
+/// Part of each look: whole days, or looks in turn where there are too few days.
 fn folds(looks: &[EvaluatedLook]) -> Vec<usize> {
     let days = by_day(looks);
     let mut folds: Vec<usize> = (0..looks.len()).map(|i| i % FOLDS).collect();

@@ -1,4 +1,4 @@
-//! How well right marks tell the place of the landmark.
+//! Covariance of right marks about the place of the landmark.
 
 use nalgebra::{Matrix2, Vector2};
 use serde::{Deserialize, Serialize};
@@ -13,7 +13,7 @@ use pilotage_vision::landmark::trained::{ByScore, ScoreScale};
 const FEWEST: usize = 25;
 /// Most groups by score.
 const MOST_GROUPS: usize = 5;
-/// How many of its standard deviations a rank correlation has to be below zero.
+/// Number of its standard deviations by which a rank correlation has to be below zero.
 const SIGNIFICANT: f64 = 2.33;
 
 /// The measurement covariance that a detector's right marks have.

@@ -1,4 +1,4 @@
-//! What a threshold trades: detections against false alarms.
+//! Curves of detections against false alarms, between which a threshold trades.
 
 use serde::{Deserialize, Serialize};
 
@@ -9,7 +9,7 @@ use super::{Estimate, EvaluatedLook};
 /// Most points that a curve keeps.
 const MOST_POINTS: usize = 200;
 
-/// Which curve.
+/// Kind of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum CurveKind {
     /// Receiver operating characteristic: x is the share of pictures with a false alarm, y the share
@@ -25,7 +25,7 @@ impl CurveKind {
     /// All of them.
     pub const ALL: [Self; 3] = [Self::Roc, Self::Froc, Self::PrecisionRecall];
 
-    /// How many tries the share y is of, with the landmark in `present` looks.
+    /// Number of tries of which y is the share, with the landmark in `present` looks.
     fn tries(self, x: f64, y: f64, present: f64) -> f64 {
         match self {
             Self::Roc | Self::Froc => present,
@@ -44,7 +44,7 @@ impl CurveKind {
     }
 }
 
-/// One step of a curve.
+/// Step of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CurvePoint {
     /// See [`CurveKind`].

@@ -1,4 +1,4 @@
-//! Which looks another sample of days would have held.
+//! Draws of the looks that another sample of days would have held.
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -56,7 +56,7 @@ impl Draws {
         )
     }
 
-    /// How often each look is in the next sample.
+    /// Number of times that each look is in the next sample.
     pub fn next_weights(&mut self) -> Vec<f64> {
         let mut weights = vec![0.0; self.looks];
         let whole = self.draws_whole_days();

@@ -16,7 +16,7 @@ pub enum EvaluationError {
         look: usize,
         /// Its day.
         day: usize,
-        /// Which number.
+        /// Name of the number.
         what: &'static str,
     },
 }

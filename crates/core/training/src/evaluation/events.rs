@@ -2,7 +2,7 @@
 
 use super::EvaluatedLook;
 
-/// What a mark is to its look.
+/// Kind of a mark in its look.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     /// The best right one: the look counts as found from here on.
@@ -28,7 +28,7 @@ pub(super) struct Events {
     present: Vec<bool>,
 }
 
-/// What a threshold lets in. Counts are sums of the looks' weights.
+/// Detections and false alarms that a threshold lets in. Counts are sums of the looks' weights.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Counts {
     /// Looks with the landmark in which it is found.
@@ -39,7 +39,7 @@ pub(super) struct Counts {
     pub wrong: f64,
 }
 
-/// What there is in all.
+/// Totals of the looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Totals {
     /// Looks.

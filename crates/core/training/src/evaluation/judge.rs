@@ -15,14 +15,14 @@ use pilotage_vision::landmark::cascade::Cascade;
 use pilotage_vision::landmark::trained::{DetectorWindow, Mark, TrainedDetector, search};
 use pilotage_vision::landmark::{Landmark, tolerance};
 
-/// One photo in so many is of a place without the landmark.
+/// Number of photos of which one is of a place without the landmark.
 const ELSEWHERE_EVERY: usize = 5;
 /// Tries to find such a place on the map.
 const TRIES: usize = 50;
 /// Parts the days of judging from those of a training with the same seed.
 const DAYS: u64 = 0x7a1_0e03;
 
-/// How much is looked at.
+/// Extent of a judging: the photos and days that are looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct JudgingPlan {
     /// Photos.
@@ -86,7 +86,7 @@ impl DetectorJudge {
         (self.next, self.plan.photos)
     }
 
-    /// What was marked so far.
+    /// Looks that were marked so far.
     pub fn looks(&self) -> &[EvaluatedLook] {
         &self.looks
     }

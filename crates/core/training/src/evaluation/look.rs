@@ -1,11 +1,11 @@
-//! What an evaluation is made of: pictures in which one landmark was searched.
+//! Looks of which an evaluation is made: pictures in which one landmark was searched.
 
 use serde::{Deserialize, Serialize};
 
 use pilotage_base::frames::GroundPoint;
 use pilotage_vision::landmark::trained::Mark;
 
-/// One picture in which one landmark was searched.
+/// Picture in which one landmark was searched.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EvaluatedLook {
     /// The day it shows. Looks of one day have light, season and weather in common and are not
@@ -30,7 +30,7 @@ pub struct EvaluatedLook {
     pub marks: Vec<EvaluatedMark>,
 }
 
-/// One place that the detector marked in a picture.
+/// Place that the detector marked in a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EvaluatedMark {
     /// The detector's score: the higher, the surer. Its unit is the detector's own.

@@ -1,4 +1,4 @@
-//! How well a detector does on pictures it was not trained on, with what is not known about it.
+//! Evaluation of a detector on pictures it was not trained on, with what is not known about it.
 
 mod breakdown;
 mod calibration;

@@ -7,7 +7,7 @@ use super::events::{Counts, Events};
 use super::rate::correlation_within;
 use super::{Estimate, EvaluatedLook, Rate};
 
-/// What happens at one threshold.
+/// Detections and false alarms at one threshold.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct AtThreshold {
     /// Looks with the landmark in which it was found.
@@ -28,9 +28,9 @@ pub struct OperatingPoint {
     /// Share of the looks with the landmark in which it is found, over other days, where the threshold
     /// would have been chosen otherwise.
     pub detection: Estimate,
-    /// What happens at the threshold in the looks from which it was chosen.
+    /// Result at the threshold in the looks from which it was chosen.
     pub here: AtThreshold,
-    /// What happens on each day at the threshold that was chosen from the others; `None` with one day.
+    /// Result on each day at the threshold that was chosen from the others; `None` with one day.
     pub held_out: Option<AtThreshold>,
 }
 
@@ -78,7 +78,7 @@ impl OperatingPoint {
 }
 
 impl AtThreshold {
-    /// What happens in `looks` at a threshold that was not chosen from them.
+    /// Result in `looks` at a threshold that was not chosen from them.
     pub fn over(looks: &[EvaluatedLook], threshold: f64) -> Self {
         let days = by_day(looks);
         Self::of(

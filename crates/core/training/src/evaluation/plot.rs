@@ -10,7 +10,7 @@ const SCORES: usize = 81;
 /// An axis of a plot.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PlotAxis {
-    /// What it is, with the unit.
+    /// Quantity of the axis, with the unit.
     pub label: String,
     /// Value at the left or lower end.
     pub low: f64,
@@ -22,7 +22,7 @@ pub struct PlotAxis {
     pub words: Vec<(f64, String)>,
 }
 
-/// How a series is drawn.
+/// Style in which a series is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum SeriesStyle {
     /// A line with its interval as a band.
@@ -49,26 +49,26 @@ pub struct PlotPoint {
 /// Points that belong together.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Series {
-    /// What they are.
+    /// Name of the points.
     pub name: String,
-    /// How they are drawn.
+    /// Style in which the points are drawn.
     pub style: SeriesStyle,
     /// The points, x ascending.
     pub points: Vec<PlotPoint>,
 }
 
-/// One plot.
+/// Plot of at most two series.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Plot {
     /// Name in files.
     pub key: String,
-    /// What it shows.
+    /// Title of the plot.
     pub title: String,
     /// The axis to the right.
     pub x: PlotAxis,
     /// The axis upwards.
     pub y: PlotAxis,
-    /// What is drawn: at most two.
+    /// Series that are drawn: at most two.
     pub series: Vec<Series>,
     /// A dashed line from corner to corner, where x and y are to be equal.
     pub diagonal: bool,
@@ -115,7 +115,7 @@ impl PlotAxis {
         }
     }
 
-    /// Where a value lies between the ends, 0 to 1.
+    /// Place of a value between the ends, 0 to 1.
     pub fn fraction(&self, value: f64) -> f64 {
         let scale = |v: f64| if self.logarithmic { v.ln() } else { v };
         let value = value.clamp(self.low, self.high);

@@ -16,12 +16,12 @@ pub struct Estimate {
     pub high: f64,
 }
 
-/// How often something happened, with the two-sided 95 % interval of the share behind it.
+/// Rate of an event, with the two-sided 95 % interval of the share behind it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Rate {
-    /// How often it happened.
+    /// Number of times that it happened.
     pub happened: usize,
-    /// How often it could have happened.
+    /// Number of times that it could have happened.
     pub of: usize,
     /// Lower end of the interval of the share.
     pub low: f64,
@@ -83,7 +83,7 @@ pub fn wilson(happened: f64, of: f64) -> (f64, f64) {
     (low.max(0.0), high.min(1.0))
 }
 
-/// How alike tries of one cluster are, 0 (as any two) to 1 (all the same), from counts (happened, of)
+/// Correlation of the tries within a cluster, 0 (as any two) to 1 (all the same), from counts (happened, of)
 /// by cluster: the analysis-of-variance estimate (Ridout, Demétrio and Firth 1999, eq. 2).
 pub fn correlation_within(clusters: &[(usize, usize)]) -> f64 {
     let filled: Vec<_> = clusters.iter().filter(|c| c.1 > 0).collect();

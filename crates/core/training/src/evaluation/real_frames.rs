@@ -23,7 +23,7 @@ const TRIES: usize = 50;
 pub struct FrameJudge<'a> {
     /// The flight, with its truth.
     pub flight: &'a Flight,
-    /// How wrong poses are.
+    /// Envelope that says how wrong poses are.
     pub envelope: &'a FlightEnvelope,
     /// Number of the flight's day among those of the evaluation.
     pub day: usize,
@@ -72,7 +72,7 @@ impl FrameJudge<'_> {
         looks
     }
 
-    /// Where the camera was, as far as it is known.
+    /// Pose of the camera, as far as it is known.
     fn pose(&self, index: usize) -> Option<Pose> {
         let truth = self.flight.truth.as_ref()?;
         let of_frame = truth.frames.get(index);
@@ -109,7 +109,7 @@ impl FrameJudge<'_> {
         self.height(pose) * sensors.roll.max(sensors.pitch)
     }
 
-    /// How far from a place it is searched for, metres.
+    /// Distance around a place within which it is searched for, metres.
     fn reach(&self, pose: &Pose) -> f64 {
         3.5 * self.envelope.position.hypot(self.lever(pose))
     }

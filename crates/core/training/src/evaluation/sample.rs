@@ -29,7 +29,7 @@ pub fn look(day: usize, marks: &[EvaluatedMark]) -> EvaluatedLook {
     }
 }
 
-/// How the made-up detector is.
+/// Properties of the made-up detector.
 #[derive(Clone, Copy)]
 pub struct Detector {
     /// Separation of right and wrong scores, standard deviations.

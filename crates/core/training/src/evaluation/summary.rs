@@ -10,7 +10,7 @@ use super::{
     OperatingPoint, ScoreCalibration,
 };
 
-/// How looks are evaluated.
+/// Settings of the evaluation of looks.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EvaluationSettings {
     /// False alarms per look that are allowed at the threshold of use.
@@ -22,7 +22,7 @@ pub struct EvaluationSettings {
 }
 
 impl Default for EvaluationSettings {
-    /// One false alarm in a hundred looks.
+    /// Allows one false alarm in a hundred looks.
     fn default() -> Self {
         Self {
             false_alarms: 0.01,
@@ -32,7 +32,7 @@ impl Default for EvaluationSettings {
     }
 }
 
-/// What looks tell of a detector. All intervals are two-sided and of 95 %.
+/// Evaluation of a detector by looks. All intervals are two-sided and of 95 %.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Evaluation {
     /// Looks.
@@ -58,9 +58,9 @@ pub struct Evaluation {
     pub operating: OperatingPoint,
     /// Detections at that threshold against each circumstance, in the order of [`By::ALL`].
     pub breakdowns: Vec<Breakdown>,
-    /// How well right marks above that threshold tell the place; `None` with too few.
+    /// Covariance of the place by right marks above that threshold; `None` with too few.
     pub covariance: Option<MarkCovariance>,
-    /// How likely marks are right; `None` with right or wrong ones alone.
+    /// Probability that marks are right; `None` with right or wrong ones alone.
     pub calibration: Option<ScoreCalibration>,
 }
 
@@ -104,7 +104,7 @@ impl Evaluation {
         })
     }
 
-    /// One of the three curves.
+    /// Curve of that kind, of the three.
     pub fn curve(&self, kind: CurveKind) -> &Curve {
         match kind {
             CurveKind::Roc => &self.roc,
