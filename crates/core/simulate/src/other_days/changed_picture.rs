@@ -29,13 +29,13 @@ const LIGHT: f32 = 0.25;
 const SHADOW_SHIFT: f64 = 3.0;
 /// Size of what stands up, metres.
 const CROWN: f64 = 4.0;
-/// How far the ground leans at most where nothing is known to stand on it, metres.
+/// Largest lean of the ground where nothing is known to stand on it, metres.
 const LEAN: f64 = 0.5;
 /// The same in a photograph that was laid on the map with care.
 const PHOTOGRAPHED_LEAN: f64 = 0.15;
-/// How far a canopy leans at most there, metres: what leans further is not where the map has it.
+/// Largest lean of a canopy in such a photograph, metres: what leans further is not where the map has it.
 const PHOTOGRAPHED_CANOPY_LEAN: f64 = 1.0;
-/// How far a canopy leans at most, metres: a tree of 10 m seen 20° off.
+/// Largest lean of a canopy, metres: a tree of 10 m seen 20° off.
 const CANOPY_LEAN: f64 = 3.5;
 /// Width over which a canopy is green and rough, metres: what is smaller is not high.
 const CANOPY: f64 = 3.0;
@@ -87,7 +87,7 @@ impl OtherDays for PictureDays {
     }
 }
 
-/// How what stands up leans.
+/// Direction in which what stands up leans.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Leaning {
     /// Every crown another way: none of it can be relied upon.
@@ -108,14 +108,14 @@ struct ChangedPicture {
     leaning: Leaning,
 }
 
-/// What is the same on every day, found out once for all of them.
+/// Properties of the ground that are the same on every day, found out once for all of them.
 struct StudiedGround {
     map: Arc<dyn Imagery>,
     /// By ground sample distance (its bits), row from the north and column from the west.
     blocks: Kept<(u64, i64, i64), Study>,
 }
 
-/// What a piece of ground shows.
+/// Properties that a piece of ground shows.
 struct Study {
     window: Window,
     /// Pixels around the window that are known, too: as far as shadows move and canopies lean.
@@ -126,7 +126,7 @@ struct Study {
     smooth: Gray,
     /// Share of the light that reaches each pixel, with the margin.
     lit: Gray,
-    /// How much every pixel is canopy, 0 to 1, without the margin.
+    /// Degree to which every pixel is canopy, 0 to 1, without the margin.
     canopy: Gray,
 }
 
@@ -221,12 +221,12 @@ impl StudiedGround {
     }
 }
 
-/// What is drawn of a day.
+/// Changes that are drawn of a day.
 struct Changes {
-    /// How far shadows move, pixels to the east and down.
+    /// Shift of the shadows, pixels to the east and down.
     shadows: [f64; 2],
     contrast: f32,
-    /// Where the highest lean, metres to the east and down.
+    /// Lean of the highest, metres to the east and down.
     lean: [f64; 2],
     /// Share of the texture that is the same.
     texture_kept: f32,
@@ -376,7 +376,7 @@ fn shadow(bright: f32, around: f32) -> f32 {
     if ratio < SHADOW { ratio.max(0.4) } else { 1.0 }
 }
 
-/// How much every pixel is canopy, 0 to 1.
+/// Degree to which every pixel is canopy, 0 to 1.
 fn canopy(picture: &Raster<Rgba>, bright: &Gray, gsd: f64) -> Gray {
     let smooth = wide_blur(bright, FOLIAGE / gsd);
     let rough_green = Gray::from_fn(bright.width(), bright.height(), |column, row| {
@@ -393,8 +393,8 @@ fn canopy(picture: &Raster<Rgba>, bright: &Gray, gsd: f64) -> Gray {
 mod tests {
     use super::*;
 
-    /// How much the middle of a ground is canopy that is painted with the colour `paint` gives to a coarse
-    /// random number, 0 to 1, within `half` metres of the middle, and lawn elsewhere.
+    /// Degree to which the middle of a ground is canopy that is painted with the colour `paint` gives to a
+    /// coarse random number, 0 to 1, within `half` metres of the middle, and lawn elsewhere.
     fn canopy_of(half: f64, paint: impl Fn(f64) -> [f64; 3]) -> f32 {
         const GSD: f64 = 0.25;
         let mut random = ChaCha8Rng::seed_from_u64(7);

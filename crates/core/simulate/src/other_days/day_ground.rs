@@ -17,7 +17,7 @@ const CACHE_MEGABYTES: usize = 24;
 pub struct DayGround {
     map: Arc<dyn Imagery>,
     days: Vec<Arc<dyn Imagery>>,
-    /// What of each day is drawn, and that part.
+    /// Rectangle of each day that is drawn, and that part.
     parts: Vec<Option<(GroundRect, Arc<dyn Imagery>)>>,
 }
 
@@ -31,7 +31,7 @@ impl DayGround {
         }
     }
 
-    /// How many days there are.
+    /// Number of days.
     pub fn days(&self) -> usize {
         self.days.len()
     }

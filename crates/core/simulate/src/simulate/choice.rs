@@ -1,4 +1,4 @@
-//! What people choose from when they simulate a flight.
+//! Choices that people have when they simulate a flight.
 
 use super::{IndoorHall, Scenario, Wind};
 use pilotage_mission::settings::{NavigatorSettings, VehicleChoice};
@@ -10,7 +10,7 @@ pub struct SimulationChoice {
     pub name: &'static str,
     /// Title for people.
     pub title: &'static str,
-    /// What happens in it.
+    /// Description of what happens in the flight.
     pub description: &'static str,
     /// Height above ground, metres.
     pub height: f64,
@@ -48,7 +48,7 @@ impl SimulationChoice {
         Self::all().into_iter().find(|choice| choice.name == name)
     }
 
-    /// How it is navigated unless people want otherwise.
+    /// Settings of the navigation unless people want otherwise.
     pub fn navigator(&self) -> NavigatorSettings {
         match Scenario::named(self.name) {
             Some(scenario) => scenario.navigator(),

@@ -21,7 +21,7 @@ pub(super) const STEPS_PER_SECOND: usize = 100;
 /// Steps between two recorded states; 20 Hz.
 pub(super) const STEPS_PER_RECORD: usize = 5;
 
-/// What to fly.
+/// Flight to fly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlightPlan {
     /// Name of the flight.
@@ -30,7 +30,7 @@ pub struct FlightPlan {
     pub way_points: Vec<GroundPoint>,
     /// Height above ground, metres, where [`targets`](Self::targets) do not say another.
     pub height: f64,
-    /// How each way-point is flown over; none where all of it is flown at one height in cruise.
+    /// Targets at the way-points; none where all of it is flown at one height in cruise.
     pub targets: Vec<Target>,
     /// Mean wind: velocity of the air (north, east), m/s.
     pub wind: Vector2<f64>,
@@ -48,7 +48,7 @@ pub struct FlightPlan {
     pub ground_down: f64,
 }
 
-/// How a way-point is flown over.
+/// Height and airspeed with which a way-point is flown over.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Target {
     /// Height above ground at the way-point, metres; on the way there it changes evenly.
@@ -66,7 +66,7 @@ pub struct TrueFlight {
     pub airspeeds: Vec<f64>,
 }
 
-/// What turns a true flight into a measured one.
+/// Inputs that turn a true flight into a measured one.
 pub(super) struct Recording<'a> {
     pub name: &'a str,
     pub sensors: &'a SensorSpec,

@@ -5,7 +5,7 @@ use nalgebra::{Vector2, Vector3};
 use pilotage_base::frames::units::{GRAVITY, feet};
 use pilotage_base::frames::{Attitude, wrap_pi};
 
-/// What an aircraft can do.
+/// Performance of an aircraft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Airframe {
     /// Airspeed held in cruise, m/s.
@@ -46,7 +46,7 @@ impl Airframe {
     }
 }
 
-/// What the aircraft is asked to do.
+/// Command to the aircraft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Command {
     /// Bank, radians, right wing down positive.

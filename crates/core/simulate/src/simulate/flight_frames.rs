@@ -17,7 +17,7 @@ const CACHE_MEGABYTES: usize = 32;
 /// A flight that did not happen, and its pictures.
 #[derive(Clone)]
 pub struct SimulatedFlight {
-    /// What was measured, and the truth.
+    /// Measurements of the flight, and the truth.
     pub flight: Flight,
     /// The pictures.
     pub frames: SimulatedFrames,
@@ -82,7 +82,7 @@ impl SimulatedFrames {
         self
     }
 
-    /// What the camera sees, laid out now if it was not yet.
+    /// Imagery that the camera sees, laid out now if it was not yet.
     pub fn imagery(&mut self) -> Arc<CachedImagery> {
         let day = self.day.day();
         let ground = &self.ground;
@@ -95,7 +95,7 @@ impl SimulatedFrames {
         }))
     }
 
-    /// One frame with its file and the pose from which it was taken.
+    /// Frame number `index` with its file and the pose from which it was taken.
     pub fn frame(&mut self, index: usize) -> Result<AerialFrame, FrameError> {
         let pose = self
             .poses

@@ -7,7 +7,7 @@ use nalgebra::Vector2;
 use pilotage_base::frames::units::GRAVITY;
 use pilotage_base::frames::{GroundPoint, wrap_pi};
 
-/// How the guidance steers.
+/// Settings of the guidance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GuidanceSettings {
     /// Period of the response to a cross-track error, seconds.
@@ -84,7 +84,7 @@ impl PathFollower {
         d.y.atan2(d.x)
     }
 
-    /// Where the path begins (north, east), metres.
+    /// Start of the path (north, east), metres.
     pub fn start(&self) -> Vector2<f64> {
         self.way_points[0]
     }

@@ -27,7 +27,7 @@ use pilotage_vision::landmark::Landmark;
 /// Landmarks of the scenarios: nine buildings and a pool.
 pub(super) const LANDMARKS: usize = 10;
 
-/// Where the generated world lies on the globe: a place without a map, in the North Atlantic.
+/// Origin of the generated world on the globe: a place without a map, in the North Atlantic.
 pub fn world_origin() -> Geodetic {
     Geodetic::from_degrees(45.0, -30.0, 0.0)
 }
@@ -63,7 +63,7 @@ pub struct Scenario {
     pub name: &'static str,
     /// Title for people.
     pub title: &'static str,
-    /// What happens in it.
+    /// Description of what happens in the scenario.
     pub description: &'static str,
     /// Way-points over the ground.
     pub route: Vec<GroundPoint>,
@@ -73,7 +73,7 @@ pub struct Scenario {
     pub wind: Wind,
 }
 
-/// What the user wants otherwise than the scenario has it.
+/// Values that the user wants otherwise than the scenario has them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Overrides {
     /// Mean wind.
@@ -164,7 +164,7 @@ impl Scenario {
         CameraModel::pinhole(640, 480, 60.0_f64.to_radians())
     }
 
-    /// What is flown.
+    /// Plan of the flight.
     pub fn plan(&self, overrides: &Overrides) -> FlightPlan {
         FlightPlan {
             name: self.name.to_owned(),

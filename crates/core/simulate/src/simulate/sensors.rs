@@ -1,4 +1,4 @@
-//! What the aircraft's sensors report of the truth.
+//! Readings of the aircraft's sensors, made from the truth.
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;

@@ -20,7 +20,7 @@ const CELL: usize = 16;
 const SAMPLE_PER_FOOTPRINT: f64 = 0.5;
 /// Coarsest level of detail.
 const COARSEST: u32 = 16;
-/// What shows where there is no ground: haze.
+/// Colour where there is no ground: haze.
 const HAZE: [f32; 3] = [168.0, 178.0, 188.0];
 
 /// Red, green and blue of all pixels, 0 to 255.

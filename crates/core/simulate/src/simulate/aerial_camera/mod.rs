@@ -25,7 +25,7 @@ pub use settings::AerialCameraSettings;
 /// A photograph and the truth about it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AerialFrame {
-    /// What the file shows.
+    /// Picture that the file shows.
     pub picture: Picture,
     /// The JPEG file, if the settings want one.
     pub encoded: Option<Vec<u8>>,
@@ -56,8 +56,8 @@ impl AerialCamera {
         &self.model
     }
 
-    /// How it shakes and how it is exposed, in standard deviations. All numbers are always drawn: one
-    /// fault switched off does not change the others.
+    /// Shake and exposure of the camera, in standard deviations. All numbers are always drawn: one fault
+    /// switched off does not change the others.
     fn faults(random: &mut ChaCha8Rng) -> (Vector3<f64>, f64) {
         let shake = Vector3::from_fn(|_, _| StandardNormal.sample(random));
         (shake, StandardNormal.sample(random))

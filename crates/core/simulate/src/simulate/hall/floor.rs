@@ -22,7 +22,7 @@ const POSTER_SIDE: f64 = 0.6;
 const POSTERS_ACROSS: usize = 5;
 /// Farthest that a poster lies from the middle of its part of the floor, along each axis, metres.
 const POSTER_JITTER: f64 = 0.3;
-/// Which layout was drawn.
+/// Seed of the layout.
 const LAYOUT_SEED: u64 = 625;
 /// Width of a taped road, metres.
 const ROAD_WIDTH: f64 = 0.2;
@@ -112,13 +112,13 @@ impl Poster {
     }
 }
 
-/// What lies on the floor; its origin is the middle of the hall.
+/// Floor of the hall with what lies on it; its origin is the middle of the hall.
 #[derive(Clone, Debug)]
 pub struct Floor {
     posters: Vec<Poster>,
 }
 
-/// What differs between the floor and its drawing.
+/// Differences between the floor and its drawing.
 #[derive(Clone, Copy, Debug)]
 struct Wear {
     seed: u32,
@@ -159,7 +159,7 @@ impl Floor {
         laid
     }
 
-    /// Where the posters lie.
+    /// Bounds of the posters.
     pub fn posters(&self) -> Vec<GroundRect> {
         self.posters.iter().map(Poster::bounds).collect()
     }

@@ -91,7 +91,7 @@ impl IndoorHall {
     pub const NAME: &'static str = "indoor-hall";
     /// Title for people.
     pub const TITLE: &'static str = "Quadcopter in a hall, 10 ft, draught";
-    /// What happens in it.
+    /// Description of what happens in the flight.
     pub const DESCRIPTION: &'static str = "Twice round a hall of 625 square feet, counter-clockwise from its south-west \
          corner, over posters and taped roads, in a draught that the filter has to find.";
 
@@ -267,7 +267,8 @@ impl IndoorHall {
         2.0 * HOVER + f64::from(self.rounds) * 4.0 * Self::side() / self.speed
     }
 
-    /// Where to be at a time: round a square, counter-clockwise from its south-west corner, nose first.
+    /// Reference to follow at a time: round a square, counter-clockwise from its south-west corner, nose
+    /// first.
     fn reference(&self, time: f64) -> Reference {
         let side = Self::side();
         let way = self.speed * (time - HOVER);

@@ -5,7 +5,7 @@ use nalgebra::{Matrix2, Vector2, Vector3};
 use pilotage_base::frames::units::GRAVITY;
 use pilotage_base::frames::{Attitude, wrap_pi};
 
-/// What a quadcopter can do and how its pilot flies it.
+/// Performance of a quadcopter, and gains with which its pilot flies it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quadcopter {
     /// Drag of the rotors: deceleration per velocity through the air, 1/s.

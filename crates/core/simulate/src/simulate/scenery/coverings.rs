@@ -1,4 +1,4 @@
-//! What roofs are covered with, as seen from above.
+//! Coverings of roofs, as seen from above.
 
 use super::face::Face;
 use super::fields::{line_share, repeated, stripes};

@@ -66,7 +66,7 @@ impl World {
         mix(light, own, top.share)
     }
 
-    /// One crown at the displacement `d` from its centre.
+    /// Top of one crown at the displacement `d` from its centre.
     #[inline]
     fn crown(&self, c: &Crown, d: Spot, distance: f32, gsd: f32, soft: f32) -> Top {
         let r = c.radius;

@@ -1,4 +1,4 @@
-//! What differs between two days over the same ground.
+//! Differences between two days over the same ground.
 
 use serde::{Deserialize, Serialize};
 
@@ -20,9 +20,9 @@ pub enum Season {
 pub struct Day {
     /// The time of year.
     pub season: Season,
-    /// Where the sun stands, radians clockwise from north.
+    /// Azimuth of the sun, radians clockwise from north.
     pub sun_azimuth: f64,
-    /// How high the sun stands above the horizon, radians.
+    /// Elevation of the sun above the horizon, radians.
     pub sun_elevation: f64,
     /// Share of veiling light, 0 (clear) to about 0.4.
     pub haze: f64,
@@ -30,9 +30,9 @@ pub struct Day {
     pub exposure: f64,
     /// White balance: gains of red, green and blue.
     pub tint: [f64; 3],
-    /// Which cars are parked where.
+    /// Seed of the parked cars: which of them stand where.
     pub cars_seed: u64,
-    /// Which crops grow, are mown or ploughed, and how the grass stands.
+    /// Seed of the growth: which crops grow, are mown or ploughed, and how the grass stands.
     pub growth_seed: u64,
 }
 

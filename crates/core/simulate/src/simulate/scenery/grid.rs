@@ -1,4 +1,4 @@
-//! Which objects can matter at a place: square cells with lists of object numbers.
+//! Grid of the objects that can matter at a place: square cells with lists of object numbers.
 
 use super::shape::Spot;
 

@@ -1,4 +1,4 @@
-//! One house with its garden, drive and shed.
+//! House with its garden, drive and shed.
 
 use std::f32::consts::FRAC_PI_2;
 
@@ -29,7 +29,7 @@ struct Lot<'a> {
     front: f32,
     /// Half the width.
     half: f32,
-    /// Which side the drive lies on.
+    /// Side on which the drive lies: 1 or -1.
     mirror: f32,
     setback: f32,
 }

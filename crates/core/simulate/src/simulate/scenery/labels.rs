@@ -1,4 +1,4 @@
-//! What the scenery knows about itself.
+//! Labels by which the scenery tells what is in it.
 
 use super::bend::bent;
 use super::parcels::Cover;

@@ -1,4 +1,4 @@
-//! What of the countryside is the same on every day, with the grids that find it.
+//! Parts of the countryside that are the same on every day, with the grids that find them.
 
 use super::grid::{Grid, REACH};
 use super::parcels::Parcels;

@@ -63,7 +63,7 @@ pub(in crate::simulate) fn fractal(
     sum
 }
 
-/// How much of a pattern of that wavelength survives the averaging over a pixel, 0 to 1.
+/// Share of a pattern of that wavelength that survives the averaging over a pixel, 0 to 1.
 #[inline]
 pub(super) fn fade(wavelength: f32, gsd: f32) -> f32 {
     ((wavelength / gsd - 1.0) * 0.66).clamp(0.0, 1.0)
@@ -112,7 +112,7 @@ impl Dice {
         self.unit() < probability
     }
 
-    /// One of the choices.
+    /// Draws one of the choices.
     pub(super) fn pick<T: Copy>(&mut self, choices: &[T]) -> T {
         choices[(self.bits() % choices.len() as u64) as usize]
     }

@@ -4,7 +4,7 @@ use super::day::{Day, Season};
 use super::noise::{Dice, hash2, unit};
 use super::shape::{Spot, spot};
 
-/// What a parcel is used for.
+/// Use of a parcel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Use {
     Cereal,
@@ -17,7 +17,7 @@ pub(super) enum Use {
     ConiferWood,
 }
 
-/// How a field looks on the day.
+/// Look of a field on the day.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Cover {
     Green,
@@ -30,7 +30,7 @@ pub(super) enum Cover {
     Floor,
 }
 
-/// One parcel.
+/// Parcel of land.
 #[derive(Clone, Debug)]
 pub(super) struct Parcel {
     pub(super) use_: Use,
@@ -63,7 +63,7 @@ pub(super) struct Parcels {
     pub(super) parcels: Vec<Parcel>,
 }
 
-/// Where a place lies among the parcels.
+/// Location of a place among the parcels.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Located {
     pub(super) parcel: u32,

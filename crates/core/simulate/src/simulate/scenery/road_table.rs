@@ -1,4 +1,4 @@
-//! Where the roads run: name, class and the places that the curve passes.
+//! Courses of the roads: name, class and the places that the curve passes.
 
 use super::plan::leg_one as l;
 use super::shape::{Spot, spot as s};

@@ -10,7 +10,7 @@ use super::surfaces::tarmac;
 use super::things::RoadClass;
 use super::world::World;
 
-/// One road near a place.
+/// Road near a place.
 #[derive(Clone, Copy)]
 struct Near {
     road: u32,

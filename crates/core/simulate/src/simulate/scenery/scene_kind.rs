@@ -1,17 +1,17 @@
-//! What things of the scenery are called, and how they are told of.
+//! Names of things of the scenery, and the records that tell of them.
 
 use serde::{Deserialize, Serialize};
 
 use pilotage_base::frames::{GroundPoint, GroundRect};
 
-/// What a labelled thing is.
+/// Kind of a labelled thing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum SceneKind {
     /// A large building, or a part of one.
     Building,
     /// A dwelling house or a small outbuilding.
     House,
-    /// One tree crown.
+    /// Tree crown.
     Tree,
     /// A field or meadow.
     Field,
@@ -41,10 +41,10 @@ pub enum SceneKind {
     Place,
 }
 
-/// One labelled outline.
+/// Labelled outline.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SceneLabel {
-    /// What it is.
+    /// Kind of the thing.
     pub kind: SceneKind,
     /// Its name, if it has one.
     pub name: Option<String>,
@@ -57,7 +57,7 @@ pub struct SceneLabel {
 pub struct DistinctFeature {
     /// Plain English name, the same for every seed.
     pub name: String,
-    /// What it is.
+    /// Kind of the feature.
     pub kind: SceneKind,
     /// Outline of the feature itself, world metres.
     pub outline: Vec<GroundPoint>,

@@ -5,7 +5,7 @@ use super::plan::Plan;
 use super::shape::{Slab, Spot, spot};
 use super::{farm, house};
 
-/// Where houses stand along roads: road name, from, to (metres along), mean spacing, both sides.
+/// Rows of houses along roads: road name, from, to (metres along), mean spacing, both sides.
 const ROWS: [(&str, f32, f32, f32); 18] = [
     ("High Street", 60.0, 2000.0, 21.0),
     ("Back Street", 30.0, 2000.0, 22.0),

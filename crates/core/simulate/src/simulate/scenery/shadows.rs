@@ -1,4 +1,4 @@
-//! How much of the sun reaches a place.
+//! Share of the sun that reaches a place.
 
 use super::grid::cell_of;
 use super::shape::{Slab, Spot};

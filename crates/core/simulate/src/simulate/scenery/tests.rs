@@ -1,4 +1,4 @@
-//! What flights rely on.
+//! Tests of what flights rely on.
 
 use super::*;
 use pilotage_base::frames::GroundPoint;

@@ -3,7 +3,7 @@
 use super::scene_kind::SceneKind;
 use super::shape::{Outline, Slab, Spot};
 
-/// What a flat surface is made of.
+/// Material of a flat surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Ground {
     /// Mown grass; stripes along the surface's axis.
@@ -50,7 +50,7 @@ pub(super) struct Surface {
     pub(super) ragged: f32,
     /// Individual variation.
     pub(super) variant: u32,
-    /// What it is called, if it is labelled.
+    /// Kind under which it is labelled, if it is.
     pub(super) label: Option<SceneKind>,
 }
 
@@ -73,7 +73,7 @@ pub(super) enum Roof {
     Dome,
 }
 
-/// What a roof is covered with.
+/// Covering of a roof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Cover {
     /// Tiles or shingles in courses.
@@ -90,7 +90,7 @@ pub(super) enum Cover {
     Plain,
 }
 
-/// One simple building volume.
+/// Simple building volume.
 #[derive(Clone, Debug)]
 pub(super) struct Solid {
     pub(super) slab: Slab,
@@ -178,7 +178,7 @@ pub(super) enum Habit {
     Dead,
 }
 
-/// One tree or shrub.
+/// Tree or shrub.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Crown {
     pub(super) center: Spot,
@@ -201,7 +201,7 @@ pub(super) struct Prop {
     pub(super) color: [f32; 3],
 }
 
-/// What a [`Prop`] is.
+/// Kind of a [`Prop`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
     Car,

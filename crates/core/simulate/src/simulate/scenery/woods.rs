@@ -1,4 +1,4 @@
-//! Where trees grow: woods, hedges, road sides, water sides and single trees.
+//! Places where trees grow: woods, hedges, road sides, water sides and single trees.
 
 use super::bend::{bent, unbent};
 use super::grid::{Grid, REACH};
@@ -9,7 +9,7 @@ use super::shape::{Spot, spot};
 use super::texture::Texture;
 use super::things::{Habit, RoadClass};
 
-/// What keeps trees away, looked up by cells.
+/// Obstacles that keep trees away, looked up by cells.
 pub(super) struct Ground<'a> {
     pub(super) land: &'a Texture,
     pub(super) segments: &'a [Segment],
