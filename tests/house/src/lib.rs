@@ -5,6 +5,7 @@
 //! none of the others, so that the rules are checked in seconds, before anything else is compiled.
 
 pub mod circles;
+pub mod docstrings;
 pub mod layers;
 pub mod manifest;
 pub mod modules;

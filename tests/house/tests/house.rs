@@ -1,7 +1,7 @@
 //! The rules of the house, applied to this repository.
 
 use pilotage_house::{
-    assert_none, circles, layers, manifest, reach, shape,
+    assert_none, circles, docstrings, layers, manifest, reach, shape,
     sources::{below, folders_with_rust, repository},
 };
 
@@ -125,6 +125,15 @@ fn unsafe_code_stands_in_simd_modules_only() {
     let found: Vec<_> = below(".")
         .iter()
         .flat_map(shape::misplaced_unsafe)
+        .collect();
+    assert_none(&found);
+}
+
+#[test]
+fn documentation_begins_with_the_thing_that_it_is_of() {
+    let found: Vec<_> = below(".")
+        .iter()
+        .flat_map(docstrings::empty_beginnings)
         .collect();
     assert_none(&found);
 }

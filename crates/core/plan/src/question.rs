@@ -32,7 +32,7 @@ pub enum Aim {
     Mean,
 }
 
-/// Whether a place is forbidden, e.g. because the ground is too high there.
+/// Test whether a place is forbidden, e.g. because the ground is too high there.
 pub type Forbidden = Arc<dyn Fn(&GroundPoint) -> bool + Send + Sync>;
 
 /// Question for a route.

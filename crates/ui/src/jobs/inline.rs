@@ -7,7 +7,7 @@ use pilotage_core::imagery::ByteSource;
 
 use super::{Abilities, FileContent, Job, JobEvent, JobId, JobRunner, Reply, Request};
 
-/// One worker on the calling thread. Orders and replies go through the bytes that a worker of the page would get.
+/// Worker on the calling thread. Orders and replies go through the bytes that a worker of the page would get.
 pub struct InlineWorkers {
     runner: JobRunner,
     next_job: JobId,

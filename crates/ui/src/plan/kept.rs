@@ -1,4 +1,4 @@
-//! What was measured of landmarks, kept with the mission for as long as it is true.
+//! Measurements of landmarks, kept with the mission for as long as it is true.
 //!
 //! A measurement depends on the landmark and its detector, the map, the camera, how the filter is told to
 //! look, and on this program. Kept beside each is all of that, and what differs from the state of things is

@@ -1,4 +1,4 @@
-//! How long a press may last and still be a click.
+//! Longest press that is a click.
 
 /// Lets presses of a mouse be clicks however long they last, and those of a finger the usual while.
 ///

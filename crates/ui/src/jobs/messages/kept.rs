@@ -9,7 +9,7 @@ use serde_json::Value;
 
 use super::{Assessment, MapInfo, MapSource};
 
-/// How landmarks are measured: raised whenever detector, camera simulator or rehearsal change so that
+/// Version of the method of measurement: raised whenever detector, camera simulator or rehearsal change so that
 /// what was measured before is no longer true.
 const METHOD: u32 = 2;
 /// Lengths that differ by less are equal, metres: a mission file keeps places as angles.
@@ -102,7 +102,7 @@ pub struct KeptMeasurement {
     pub basis: Basis,
     /// The landmark as it was measured.
     pub landmark: Landmark,
-    /// How well it is found.
+    /// Reliability of its detection, if it was measured.
     pub measured: Option<Measured>,
     /// The height that was planned with, metres, and from where it is found.
     pub envelope: Option<(f64, Envelope)>,
