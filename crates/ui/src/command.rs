@@ -9,12 +9,12 @@ use crate::compare::CompareCommand;
 use crate::cut::CutCommand;
 use crate::dialogs::{ColumnsCommand, WebMapCommand};
 use crate::georeference::GeoreferenceCommand;
-use crate::jobs::SimulationOptions;
 use crate::labelling::LabelCommand;
 use crate::log::LogCommand;
 use crate::photos::PhotosCommand;
 use crate::plan::PlanCommand;
 use crate::views::DetectorCommand;
+use pilotage_jobs::SimulationOptions;
 use serde::{Deserialize, Serialize};
 
 /// Something to do, sent by a view and carried out by the app at the end of the frame.

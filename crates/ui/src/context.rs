@@ -5,9 +5,9 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::Run;
 
 use crate::command::Command;
-use crate::jobs::MatchPictures;
 use crate::tokens::Tokens;
 use crate::units::Units;
+use pilotage_jobs::MatchPictures;
 
 /// Times that a view drew last.
 #[derive(Clone, Copy, Debug, PartialEq)]

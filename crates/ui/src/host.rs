@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::jobs::{FileContent, Job, JobEvent, JobId};
+use pilotage_jobs::{FileContent, Job, JobEvent, JobId};
 
 /// A file that the user chose or dropped.
 #[derive(Clone, Debug, PartialEq)]

@@ -10,7 +10,6 @@ pub mod dialogs;
 pub mod documents;
 pub mod georeference;
 pub mod host;
-pub mod jobs;
 pub mod kept_mesh;
 pub mod labelling;
 pub mod log;

@@ -1,7 +1,7 @@
 //! Tiles of the web, fetched before the job that reads them begins.
 
 use js_sys::{Array, Promise, Reflect, Uint8Array};
-use pilotage_ui::jobs::FileContent;
+use pilotage_jobs::FileContent;
 use wasm_bindgen::JsCast;
 use wasm_bindgen_futures::JsFuture;
 

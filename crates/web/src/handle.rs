@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use std::rc::Rc;
 
 use js_sys::{Array, Uint8Array};
+use pilotage_jobs::FileContent;
 use pilotage_ui::host::OpenedFile;
-use pilotage_ui::jobs::FileContent;
 use pilotage_ui::kept_mesh::install;
 use wasm_bindgen::prelude::*;
 use web_sys::HtmlCanvasElement;

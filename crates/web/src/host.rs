@@ -6,10 +6,10 @@ use std::rc::Rc;
 
 use js_sys::Uint8Array;
 use pilotage_core::navigator::{StepReport, StepTiming};
-use pilotage_ui::host::{Download, Host, OpenedFile};
-use pilotage_ui::jobs::{
+use pilotage_jobs::{
     Crew, FileContent, FirstSeconds, Job, JobEvent, JobId, Prelude, Reply, wanted_addresses,
 };
+use pilotage_ui::host::{Download, Host, OpenedFile};
 
 use wasm_bindgen::JsValue;
 

@@ -3,7 +3,7 @@
 
 use std::cell::RefCell;
 
-use pilotage_ui::jobs::FileContent;
+use pilotage_jobs::FileContent;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 

@@ -1,7 +1,7 @@
 //! Messages of the page to a worker; `crates/worker` takes them apart.
 
 use js_sys::{Array, Object, Reflect, Uint8Array};
-use pilotage_ui::jobs::{FileContent, Job, Request};
+use pilotage_jobs::{FileContent, Job, Request};
 use wasm_bindgen::prelude::*;
 
 use crate::lent;

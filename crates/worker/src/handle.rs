@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use js_sys::{Array, Function, Reflect, Uint8Array};
 use pilotage_core::imagery::ByteSource;
-use pilotage_ui::jobs::{Abilities, FileContent, Job, JobRunner, OpenAddress, Reply, Request};
+use pilotage_jobs::{Abilities, FileContent, Job, JobRunner, OpenAddress, Reply, Request};
 use wasm_bindgen::prelude::*;
 
 use crate::address::AddressBytes;

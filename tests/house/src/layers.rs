@@ -150,7 +150,6 @@ const UI: Order = Order {
         "units",
         "kept_mesh",
         "still",
-        "jobs",
         "photos",
         "host",
         "command",

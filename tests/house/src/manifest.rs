@@ -3,7 +3,7 @@
 use toml::{Table, Value};
 
 /// Libraries that would give `core` a screen, a clock, files, threads or a browser.
-pub const FORBIDDEN_FOR_CORE: [&str; 19] = [
+pub const FORBIDDEN_FOR_CORE: [&str; 20] = [
     "crossbeam",
     "eframe",
     "egui",
@@ -12,6 +12,7 @@ pub const FORBIDDEN_FOR_CORE: [&str; 19] = [
     "js-sys",
     "memmap2",
     "pilotage-cli",
+    "pilotage-jobs",
     "pilotage-ui",
     "pilotage-web",
     "pilotage-worker",
@@ -23,6 +24,17 @@ pub const FORBIDDEN_FOR_CORE: [&str; 19] = [
     "web-time",
     "wgpu",
     "winit",
+];
+
+/// Libraries that would give jobs, or the programs of the page's workers, a screen.
+pub const FORBIDDEN_WITHOUT_SCREEN: [&str; 7] = [
+    "eframe",
+    "egui",
+    "egui_plot",
+    "epaint",
+    "epaint_default_fonts",
+    "pilotage-ui",
+    "pilotage-web",
 ];
 
 /// Libraries that would tie `ui` to a page or a window.

@@ -95,6 +95,25 @@ fn core_reaches_no_screen_clock_file_or_thread() {
 }
 
 #[test]
+fn jobs_and_workers_link_no_screen_and_jobs_reach_no_page() {
+    let none: [&str; 0] = [];
+    for folder in ["jobs", "worker", "worker/flying", "worker/whole"] {
+        let manifest = text(&format!("crates/{folder}/Cargo.toml"));
+        let forbidden = manifest::FORBIDDEN_WITHOUT_SCREEN;
+        let found = manifest::forbidden_dependencies(&manifest, &forbidden);
+        assert_eq!(found, none, "{folder}");
+    }
+    let found: Vec<_> = reach::without_test_files(below("crates/jobs/src"))
+        .iter()
+        .flat_map(|source| reach::forbidden_paths(source, &reach::FORBIDDEN_IN_UI))
+        .collect();
+    assert_none(&found);
+    let manifest = text("crates/jobs/Cargo.toml");
+    let found = manifest::forbidden_dependencies(&manifest, &manifest::FORBIDDEN_FOR_UI);
+    assert_eq!(found, none);
+}
+
+#[test]
 fn ui_reaches_no_page_and_no_window() {
     let found: Vec<_> = reach::without_test_files(below("crates/ui/src"))
         .iter()

@@ -14,7 +14,8 @@ use crate::{
 /// tags. Whatever else the page is made of, all journeys can notice.
 const TAGS: [&str; 4] = ["readers", "maps", "plan", "training"];
 /// The packages that the page is.
-const PAGE: [&str; 5] = [
+const PAGE: [&str; 6] = [
+    "pilotage-jobs",
     "pilotage-ui",
     "pilotage-web",
     "pilotage-worker",

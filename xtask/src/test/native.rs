@@ -148,9 +148,9 @@ pub fn tests(packages: &Packages, studies: bool, quick: bool) -> Result<(), Fail
 /// Stores anew what the page shows first, as the program of the page in `dist` computes it, by the test that
 /// compares it with what this machine computes.
 pub fn store_first_seconds(dist: &Path) -> Result<(), Failure> {
-    let mut test = cargo(&["test", "--locked", "-p", "pilotage-ui", "--lib"]);
+    let mut test = cargo(&["test", "--locked", "-p", "pilotage-jobs", "--lib"]);
     test.args(["--", "--exact"]);
-    test.arg("jobs::prelude::tests::the_stored_first_seconds_are_what_the_program_computes");
+    test.arg("prelude::tests::the_stored_first_seconds_are_what_the_program_computes");
     run(test.env("PILOTAGE_FIRST_SECONDS_OF", dist), CARGO_ADVICE)
 }
 

@@ -8,8 +8,9 @@ use serde_json::Value;
 pub const LONG: [&str; 4] = ["whole_frames", "across_dates", "hostile_data", "scenarios"];
 /// Programs that take longest beside them, and begin next: none of them must be what everybody waits for at
 /// the end.
-const EARLY: [&str; 12] = [
+const EARLY: [&str; 13] = [
     "oracle_frames",
+    "pilotage_jobs",
     "pilotage_ui",
     "landmarks_across_dates",
     "pilotage_readers",
@@ -25,7 +26,7 @@ const EARLY: [&str; 12] = [
 
 /// Packages that link all others, whose tests `--quick` runs where their own sources changed since they passed: what
 /// changed below them has tests of its own, and the lints compile them against it.
-pub const SURFACES: [&str; 2] = ["pilotage-ui", "pilotage-cli"];
+pub const SURFACES: [&str; 3] = ["pilotage-jobs", "pilotage-ui", "pilotage-cli"];
 
 /// A test program.
 #[derive(Debug, Clone, PartialEq, Eq)]

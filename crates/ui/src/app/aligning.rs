@@ -10,7 +10,7 @@ use super::{App, SideTab};
 use crate::camera_log::CameraLogCommand;
 use crate::command::Workspace;
 use crate::host::Host;
-use crate::jobs::{AlignOrder, Job, JobEvent, JobId, MapSource};
+use pilotage_jobs::{AlignOrder, Job, JobEvent, JobId, MapSource};
 
 impl App {
     /// Does what was asked about the camera beside the log.

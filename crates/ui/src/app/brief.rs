@@ -4,13 +4,13 @@ use pilotage_core::frames::GroundPoint;
 
 use super::App;
 use crate::host::Host;
-use crate::jobs::{BriefOrder, BriefPictures, Job, JobEvent};
 use crate::plan::flown::{camera, cruise};
 use crate::plan::legs::legs;
 use crate::plan::route_tab::assumptions;
 use crate::plan::{
     BRIEF_STYLE, BriefLandmark, BriefScene, MOST_LANDMARKS, brief, brief_area, energy_left,
 };
+use pilotage_jobs::{BriefOrder, BriefPictures, Job, JobEvent};
 
 impl App {
     /// Has the pictures of the brief made.

@@ -10,7 +10,7 @@ use super::keeping::{provide, put_beside};
 use super::logs::with_origin;
 use crate::dialogs::{ColumnsCommand, ColumnsDraft};
 use crate::host::Host;
-use crate::jobs::{COLUMNS_FILE, Job, JobEvent, MadeFlight, write_columns};
+use pilotage_jobs::{COLUMNS_FILE, Job, JobEvent, MadeFlight, write_columns};
 
 impl App {
     /// Asks what the columns of tables mean.

@@ -8,7 +8,7 @@ use crate::command::Workspace;
 use crate::compare::{CompareCommand, CompareScene, Contest, TrackId, open_tracks};
 use crate::documents::Documents;
 use crate::host::Host;
-use crate::jobs::{ContestOrder, Job, JobEvent, JobId};
+use pilotage_jobs::{ContestOrder, Job, JobEvent, JobId};
 
 /// Seconds since 1970 at time zero of the flight that is open, where its log says so.
 fn utc_at_zero(documents: &Documents) -> Option<f64> {

@@ -7,7 +7,7 @@ use super::{App, SideTab};
 use crate::command::Workspace;
 use crate::cut::{CutCommand, Cuts};
 use crate::host::Host;
-use crate::jobs::{Cut, CutOrder, Job, JobEvent, JobId};
+use pilotage_jobs::{Cut, CutOrder, Job, JobEvent, JobId};
 
 impl App {
     /// Does what was asked about cuts.

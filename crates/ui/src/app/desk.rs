@@ -11,9 +11,9 @@ use crate::documents::link::Link;
 use crate::documents::{Session, Staged};
 use crate::host::Download;
 use crate::host::OpenedFile;
-use crate::jobs::{FlightSource, JobId, MapSource};
 use crate::map::TileKey;
 use crate::plan::BriefLandmark;
+use pilotage_jobs::{FlightSource, JobId, MapSource};
 
 /// A flight being flown and navigated.
 #[derive(Debug)]

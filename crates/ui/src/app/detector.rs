@@ -5,8 +5,8 @@ use serde_json::{Value, json};
 use super::{App, SideTab};
 use crate::command::Workspace;
 use crate::host::Host;
-use crate::jobs::{DetectorSearch, ExplainedBy, JobEvent};
 use crate::views::DetectorCommand;
+use pilotage_jobs::{DetectorSearch, ExplainedBy, JobEvent};
 
 impl App {
     pub(super) fn detector(&mut self, command: &DetectorCommand, host: &mut dyn Host) {

@@ -6,10 +6,10 @@ use super::App;
 use super::evaluation::Evaluating;
 use crate::command::Command;
 use crate::host::Host;
-use crate::jobs::{AssessmentOrder, EvaluationOrder, FlightSource, Job};
 use crate::plan::flown;
 use crate::shell::{muted, text_button, title};
 use crate::views::{DetectorCommand, EvaluationScene};
+use pilotage_jobs::{AssessmentOrder, EvaluationOrder, FlightSource, Job};
 
 /// Photos on which a detector is judged, and days on which they are taken.
 const PHOTOS: usize = 200;

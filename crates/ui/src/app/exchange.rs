@@ -9,8 +9,8 @@ use super::desk::Exporting;
 use crate::command::{Command, Workspace};
 use crate::documents::Brought;
 use crate::host::Host;
-use crate::jobs::{ExportOrder, ImportedFile, Job, JobEvent, JobId};
 use crate::plan::PlanTab;
+use pilotage_jobs::{ExportOrder, ImportedFile, Job, JobEvent, JobId};
 
 /// Most notes that are shown of a file; the others are counted.
 const MOST_NOTES: usize = 6;

@@ -252,7 +252,7 @@ impl App {
         match command {
             Command::Simulate(options) => {
                 let map = options.map();
-                let flight = crate::jobs::FlightSource::Simulated(*options);
+                let flight = pilotage_jobs::FlightSource::Simulated(*options);
                 self.fly_new(host, flight, map, None);
             }
             Command::OpenDemo => {

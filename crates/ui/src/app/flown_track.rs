@@ -6,8 +6,8 @@ use pilotage_core::frames::LocalFrame;
 use super::App;
 use super::desk::Exporting;
 use crate::host::Host;
-use crate::jobs::{ExportOrder, Job};
 use crate::log::series_name;
+use pilotage_jobs::{ExportOrder, Job};
 
 impl App {
     /// Has where the filter thought the aircraft was made into a file, with the field beside it that colours the

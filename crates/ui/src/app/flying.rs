@@ -5,7 +5,7 @@ use pilotage_core::frames::{GroundPoint, GroundRect};
 use super::App;
 use super::desk::Shown;
 use crate::host::Host;
-use crate::jobs::{FlightSource, JobEvent, MapSource};
+use pilotage_jobs::{FlightSource, JobEvent, MapSource};
 
 /// Scales of the map at which an aircraft can be followed, metres per point.
 const USUAL_SCALES: std::ops::RangeInclusive<f64> = 0.25..=2.5;

@@ -6,7 +6,7 @@ use super::keeping::provide;
 use super::work::TILES_AT_A_TIME;
 use crate::georeference::{GeoreferenceCommand, Georeferencer, Place};
 use crate::host::{Host, OpenedFile};
-use crate::jobs::{FileContent, Job, JobEvent, JobId, Unplaced};
+use pilotage_jobs::{FileContent, Job, JobEvent, JobId, Unplaced};
 
 /// Endings of files with named places.
 const PLACES: [&str; 7] = ["kml", "kmz", "gpx", "geojson", "csv", "plan", "waypoints"];

@@ -8,7 +8,7 @@ use super::columns::sentences;
 use super::desk::Opening;
 use super::keeping::provide;
 use crate::host::{Host, OpenedFile};
-use crate::jobs::{Job, JobEvent, JobId, MapSource, Opened};
+use pilotage_jobs::{Job, JobEvent, JobId, MapSource, Opened};
 
 impl App {
     pub(super) fn receive(&mut self, context: &egui::Context, host: &mut dyn Host) {

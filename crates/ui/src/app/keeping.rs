@@ -8,8 +8,8 @@ use crate::command::Workspace;
 use crate::documents::kept::{MOST_KEPT, MOST_LENT_KEPT, recall_files};
 use crate::documents::{Documents, Ground, Session};
 use crate::host::{Host, OpenedFile};
-use crate::jobs::{FileContent, FlightSource, Job, MapSource};
 use crate::plan::planner::plan_ground;
+use pilotage_jobs::{FileContent, FlightSource, Job, MapSource};
 
 /// Keys of the opened files that a session names.
 fn file_sets<'a>(flight: &'a FlightSource, map: &'a MapSource) -> BTreeSet<&'a str> {

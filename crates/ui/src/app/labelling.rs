@@ -8,8 +8,8 @@ use super::desk::Exporting;
 use super::exchange::sentences;
 use crate::command::Workspace;
 use crate::host::Host;
-use crate::jobs::{ExportOrder, Job};
 use crate::labelling::{LabelCommand, Labeller};
+use pilotage_jobs::{ExportOrder, Job};
 
 /// Name of a picture, its size in pixels, and its number in the flight.
 type LabelledFrame = (String, (u32, u32), usize);

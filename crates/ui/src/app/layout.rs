@@ -16,7 +16,6 @@ use crate::context::ViewContext;
 use crate::cut::{CutScene, cut_panel};
 use crate::dialogs::settings_sheet;
 use crate::documents::Documents;
-use crate::jobs::MapSource;
 use crate::labelling::LabelCommand;
 use crate::map::MapExtra;
 use crate::photos::Photos;
@@ -25,6 +24,7 @@ use crate::shell::{Examined, TopBar, help_sheet, icon_button, icons::Icon, tab, 
 use crate::timeline::TimelineExtra;
 use crate::tokens::Tokens;
 use crate::views::{PhotosScene, photos_sheet};
+use pilotage_jobs::MapSource;
 
 /// Windows narrower than this stack the side column below the map.
 const NARROW: f32 = 900.0;

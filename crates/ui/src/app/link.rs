@@ -4,7 +4,7 @@ use super::App;
 use crate::documents::link::{BEFORE_LINK_KEY, LINK_KEY, Link};
 use crate::documents::{Documents, SESSION_KEY, Session};
 use crate::host::Host;
-use crate::jobs::{FlightSource, MapSource};
+use pilotage_jobs::{FlightSource, MapSource};
 
 impl App {
     /// Copies a link to what is shown.

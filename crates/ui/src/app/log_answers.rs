@@ -5,8 +5,8 @@ use super::log_work::{Asked, Table};
 use super::{App, SideTab};
 use crate::command::Workspace;
 use crate::host::Host;
-use crate::jobs::{Job, JobEvent, JobId, LogAnswer, LogOrder, LogQuestion, SeriesName};
 use crate::log::{LogTab, PanelContent, SpanFigures, series_name};
+use pilotage_jobs::{Job, JobEvent, JobId, LogAnswer, LogOrder, LogQuestion, SeriesName};
 
 /// Pixels of a saved picture per point of the screen.
 const PIXELS_PER_POINT: f32 = 2.0;

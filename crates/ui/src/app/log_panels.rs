@@ -5,9 +5,9 @@ use egui::Ui;
 use super::Views;
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::jobs::SeriesName;
 use crate::log::{LogTab, OpenLog, overview_panel, statistics_panel};
 use crate::views::parts;
+use pilotage_jobs::SeriesName;
 
 /// The overview of the log that is open, and its fields.
 pub(super) fn log_column(

@@ -4,8 +4,8 @@ use std::collections::HashMap;
 
 use pilotage_core::mission::Mission;
 
-use crate::jobs::{JobId, MapSource, SeriesName};
 use crate::log::SpanFigures;
+use pilotage_jobs::{JobId, MapSource, SeriesName};
 
 /// A log being read.
 #[derive(Debug)]

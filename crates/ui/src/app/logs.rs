@@ -12,10 +12,10 @@ use super::{App, SideTab};
 use crate::command::Workspace;
 use crate::documents::{Documents, Session, Staged};
 use crate::host::Host;
-use crate::jobs::{
+use crate::log::{LogCommand, OpenLog, PresetCommand};
+use pilotage_jobs::{
     FlightSource, Job, JobEvent, JobId, MapSource, ReadLog, SeriesName, VEHICLE_FILE, write_vehicle,
 };
-use crate::log::{LogCommand, OpenLog, PresetCommand};
 
 /// Farthest from a flight that the origin of the map may lie that was open before, metres: what lies
 /// further is a map of somewhere else.

@@ -4,11 +4,11 @@ use super::App;
 use crate::command::Workspace;
 use crate::documents::{Ground, TERRAIN_KEY};
 use crate::host::Host;
-use crate::jobs::{
-    FlightSource, HeightsOrder, Job, JobEvent, JobId, MapInfo, MapSource, TerrainInfo,
-};
 use crate::plan::planner::plan_ground;
 use pilotage_core::frames::GroundRect;
+use pilotage_jobs::{
+    FlightSource, HeightsOrder, Job, JobEvent, JobId, MapInfo, MapSource, TerrainInfo,
+};
 
 /// Interval at which tiles that are not whole are asked for again while the map is made ready, milliseconds.
 const REFRESH: f64 = 900.0;

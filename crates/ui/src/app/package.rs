@@ -2,7 +2,7 @@
 
 use super::App;
 use crate::host::Host;
-use crate::jobs::{Beside, FlightSource, Job, JobEvent, PackOrder};
+use pilotage_jobs::{Beside, FlightSource, Job, JobEvent, PackOrder};
 
 impl App {
     /// Has the mission made into a file, with the pictures of its map.

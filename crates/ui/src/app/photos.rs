@@ -8,8 +8,8 @@ use pilotage_core::registration::Draped;
 use super::{App, SideTab};
 use crate::command::Workspace;
 use crate::host::Host;
-use crate::jobs::{FlightSource, Job, JobEvent, JobId, MapInfo, MapSource};
 use crate::photos::{PhotosCommand, Sought};
+use pilotage_jobs::{FlightSource, Job, JobEvent, JobId, MapInfo, MapSource};
 
 /// Longest side of the ground all over which photos without a place are searched, metres; of larger maps it is what is
 /// shown of them.

@@ -6,12 +6,12 @@ use pilotage_core::mission::Route;
 use super::App;
 use crate::command::{Command, Workspace};
 use crate::host::Host;
-use crate::jobs::{AssessmentOrder, FlightSource, JobEvent, JobId, scenario_route};
 use crate::plan::routes::{Step, like};
 use crate::plan::{
     Cover, FindCommand, FindPick, HeatCommand, Outlook, Pattern, PlanCommand, PlanTab, flown,
     planner as planning,
 };
+use pilotage_jobs::{AssessmentOrder, FlightSource, JobEvent, JobId, scenario_route};
 
 /// Width of a corridor when it is made, metres.
 const CORRIDOR: f64 = 200.0;

@@ -9,8 +9,8 @@ use serde_json::{Value, json};
 
 use super::App;
 use crate::context::Drawn;
-use crate::jobs::MapSource;
 use crate::timeline::clock_text;
+use pilotage_jobs::MapSource;
 
 fn rect_json(rect: Option<Rect>) -> Value {
     rect.map_or(Value::Null, |r| {

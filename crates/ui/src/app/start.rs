@@ -7,12 +7,12 @@ use crate::documents::{
     Documents, Ground, SESSION_KEY, Session, TERRAIN_KEY, UNREAD_KEY, VIEW_KEY, ViewState,
 };
 use crate::host::Host;
-use crate::jobs::{FirstMap, FirstSeconds, FlightSource};
 use crate::log::{OwnPresets, PRESETS_KEY};
 use crate::shell::keys::ShortcutListener;
 use crate::shell::{Toasts, apply_theme, fonts};
 use crate::timeline::Playback;
 use crate::tokens::Tokens;
+use pilotage_jobs::{FirstMap, FirstSeconds, FlightSource};
 
 /// Delay between a change and its storing, milliseconds.
 const STORE_AFTER: f64 = 600.0;

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use crate::documents::kept::{address_key, encode_list, file_key, list_key};
 use crate::host::{Host, OpenedFile};
-use crate::jobs::FileContent;
+use pilotage_jobs::FileContent;
 
 /// Bytes stored in one frame, after which the rest waits for the next.
 const PER_FRAME: usize = 2 << 20;

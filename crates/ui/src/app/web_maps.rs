@@ -3,7 +3,7 @@
 use super::App;
 use crate::dialogs::{WebMapCommand, WebMapScene};
 use crate::host::{Host, OpenedFile};
-use crate::jobs::{FileContent, MapSource, WebMap};
+use pilotage_jobs::{FileContent, MapSource, WebMap};
 
 impl App {
     /// Carries a command out.

@@ -10,7 +10,7 @@ use super::App;
 use super::desk::{FlyJob, Shown};
 use crate::documents::{Session, Staged};
 use crate::host::Host;
-use crate::jobs::{Distinctness, ExplainedBy, FlightSource, Job, MapSource};
+use pilotage_jobs::{Distinctness, ExplainedBy, FlightSource, Job, MapSource};
 
 /// Delay after the last of several changes before the run is computed again, milliseconds.
 const FLY_AGAIN_AFTER: f64 = 350.0;

@@ -2,10 +2,10 @@
 
 use egui::{Color32, Shape, Stroke, Ui};
 
-use crate::jobs::AidedResult;
 use crate::tokens::Tokens;
 use crate::views::chart::Axes;
 use crate::views::{TimeAxis, parts};
+use pilotage_jobs::AidedResult;
 
 /// Height of the curves, points.
 const HEIGHT: f32 = 150.0;

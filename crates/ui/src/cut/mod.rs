@@ -7,7 +7,7 @@ mod wind;
 pub(crate) use chart::colour;
 pub use panel::{CutScene, cut_panel};
 
-use crate::jobs::{CutReport, StudyReport};
+use pilotage_jobs::{CutReport, StudyReport};
 
 /// Something to do about a cut.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,9 +7,9 @@ use super::wind::winds;
 use super::{CutCommand, Cuts};
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::jobs::{CutReport, StudyReport};
 use crate::shell::{at_work, text_button};
 use crate::views::{parts, table};
+use pilotage_jobs::{CutReport, StudyReport};
 
 /// Lengths of cuts that are offered, seconds.
 const LENGTHS: [f64; 3] = [30.0, 60.0, 120.0];

@@ -3,10 +3,10 @@
 use egui::{Color32, RichText, Sense, Shape, Stroke, Ui, vec2};
 
 use crate::context::ViewContext;
-use crate::jobs::WindReport;
 use crate::tokens::Tokens;
 use crate::views::chart::Axes;
 use crate::views::{TimeAxis, parts, table};
+use pilotage_jobs::WindReport;
 
 /// Height of the curves, points.
 const HEIGHT: f32 = 110.0;

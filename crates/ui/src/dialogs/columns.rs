@@ -9,10 +9,10 @@ use pilotage_core::flight::columns::{ColumnMap, ColumnRole, GuessedTable, tables
 use super::columns_rows::{rows, short};
 use crate::command::Command;
 use crate::host::OpenedFile;
-use crate::jobs::JobId;
 use crate::shell::{caption, icons::Icon, muted, text_button, title};
 use crate::tokens::Tokens;
 use crate::units::Units;
+use pilotage_jobs::JobId;
 
 /// Widest that the dialog grows, points.
 const WIDEST: f32 = 1160.0;

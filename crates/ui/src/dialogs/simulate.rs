@@ -5,10 +5,10 @@ use pilotage_core::simulate::SimulationChoice;
 
 use crate::command::Command;
 use crate::documents::Session;
-use crate::jobs::{FlightSource, SimulationOptions};
 use crate::shell::{caption, icons::Icon, muted, text_button, title};
 use crate::tokens::Tokens;
 use crate::units::Units;
+use pilotage_jobs::{FlightSource, SimulationOptions};
 
 /// Dialog that sets up a simulated flight.
 #[derive(Clone, Debug)]

@@ -6,9 +6,9 @@ use pilotage_core::imagery::web_tiles::TileTemplate;
 
 use crate::command::Command;
 use crate::host::Download;
-use crate::jobs::WebMap;
 use crate::shell::{caption, muted, text_button, title};
 use crate::tokens::Tokens;
+use pilotage_jobs::WebMap;
 
 /// Most tiles that an area may have.
 const MOST_TILES: u64 = 20_000;

@@ -3,7 +3,7 @@
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::{NoFlyZone, Route};
 
-use crate::jobs::ImportedFile;
+use pilotage_jobs::ImportedFile;
 
 /// Additions to the mission out of one file.
 #[derive(Clone, Debug, Default)]

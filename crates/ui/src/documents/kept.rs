@@ -2,7 +2,7 @@
 //! under a key of its own, and one list of their paths, written last, so that a set is whole or none.
 
 use crate::host::Host;
-use crate::jobs::FileContent;
+use pilotage_jobs::FileContent;
 
 /// Most bytes of one set of files that are kept between visits.
 pub const MOST_KEPT: u64 = 64 << 20;

@@ -6,7 +6,7 @@ use pilotage_core::frames::GroundPoint;
 use pilotage_core::simulate::SimulationChoice;
 
 use crate::command::Workspace;
-use crate::jobs::SimulationOptions;
+use pilotage_jobs::SimulationOptions;
 
 /// Key under which the page gives the fragment of its address to the app.
 pub const LINK_KEY: &str = "link";

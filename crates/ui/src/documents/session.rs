@@ -4,9 +4,9 @@ use pilotage_core::mission::Mission;
 use serde::{Deserialize, Serialize};
 
 use crate::command::Workspace;
-use crate::jobs::{FlightSource, MapSource, SimulationOptions};
 use crate::plan::PlanPreferences;
 use crate::units::Units;
+use pilotage_jobs::{FlightSource, MapSource, SimulationOptions};
 
 /// Key of the document in the browser's storage.
 pub const SESSION_KEY: &str = "session";

@@ -14,7 +14,7 @@ use serde::Deserialize;
 
 use super::Session;
 use super::empty_mission::empty_mission;
-use crate::jobs::{FlightSource, MapSource};
+use pilotage_jobs::{FlightSource, MapSource};
 
 #[derive(Deserialize)]
 struct SessionV1 {

@@ -15,9 +15,11 @@ use super::{Brought, Ground, History, Noticed, Session};
 use crate::camera_log::CameraLog;
 use crate::compare::{Contest, Shelf};
 use crate::cut::Cuts;
-use crate::jobs::{DetectorSearch, Distinctness, FlightSource, MapInfo, MapSource, MatchPictures};
 use crate::log::OpenLog;
 use crate::photos::Photos;
+use pilotage_jobs::{
+    DetectorSearch, Distinctness, FlightSource, MapInfo, MapSource, MatchPictures,
+};
 
 /// Documents that a new flight brings before its run begins; swapped in at once, so that a flight that fails
 /// early leaves everything as it was.

@@ -2,8 +2,8 @@
 
 use egui::Rect;
 
-use crate::jobs::MapInfo;
 use crate::map::{MapCamera, TileCache};
+use pilotage_jobs::MapInfo;
 
 /// View of the picture.
 #[derive(Default)]

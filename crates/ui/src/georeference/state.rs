@@ -8,7 +8,7 @@ use pilotage_core::imagery::georeferencer::{
 use pilotage_core::imagery::{Georeference, WorldFile};
 
 use super::canvas::PictureCanvas;
-use crate::jobs::{MapInfo, MapSource};
+use pilotage_jobs::{MapInfo, MapSource};
 
 /// A place with a name, of which a file told.
 #[derive(Clone, Debug, PartialEq)]

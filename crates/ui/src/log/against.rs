@@ -9,11 +9,11 @@ use super::scene::{PanelScene, colour, curve, nothing, wider};
 use super::words::series_name;
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::jobs::SeriesName;
 use crate::still::Still;
 use crate::tokens::Tokens;
 use crate::views::chart::Axes;
 use crate::views::{TimeAxis, parts};
+use pilotage_jobs::SeriesName;
 
 /// Points that are drawn as lines and dots; more become pixels.
 const MOST_DRAWN: usize = 20_000;

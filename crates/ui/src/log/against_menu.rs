@@ -5,9 +5,9 @@ use egui::{Popup, PopupCloseBehavior, RichText, ScrollArea, TextEdit, Ui};
 
 use super::words::series_name;
 use super::{LogCommand, OpenLog};
-use crate::jobs::SeriesName;
 use crate::tokens::Tokens;
 use crate::views::parts;
+use pilotage_jobs::SeriesName;
 
 /// Most fields listed.
 const MOST: usize = 40;

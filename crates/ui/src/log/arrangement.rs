@@ -4,7 +4,7 @@ use pilotage_core::flight::interpret::Role;
 use serde::{Deserialize, Serialize};
 
 use super::OpenLog;
-use crate::jobs::SeriesName;
+use pilotage_jobs::SeriesName;
 
 /// Content of a panel.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

@@ -21,7 +21,7 @@ pub(super) struct CloudKey {
     pub revision: u64,
     pub axes: Axes,
     pub span: (f64, f64),
-    pub fields: Vec<crate::jobs::SeriesName>,
+    pub fields: Vec<pilotage_jobs::SeriesName>,
     pub joined: bool,
 }
 

@@ -2,7 +2,7 @@
 
 use super::arrangement::Preset;
 use super::presets::PresetCommand;
-use crate::jobs::SeriesName;
+use pilotage_jobs::SeriesName;
 
 /// Something to do about the open log.
 #[derive(Clone, Debug, PartialEq)]

@@ -8,8 +8,8 @@ use super::presets::OwnPresets;
 use super::{LogCommand, OpenLog};
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::jobs::SeriesName;
 use crate::views::parts;
+use pilotage_jobs::SeriesName;
 
 /// Most fields listed of a search.
 const MOST_FOUND: usize = 200;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use pilotage_core::flight::SpanStatistics;
 
-use crate::jobs::SeriesName;
+use pilotage_jobs::SeriesName;
 
 /// Figures of a field; none where it has no number, or why there is no such field.
 pub type FieldFigures = Result<Option<SpanStatistics>, String>;

@@ -8,8 +8,8 @@ use pilotage_core::flight::overview::Overview;
 use pilotage_core::frames::LocalFrame;
 
 use super::SpanFigures;
-use crate::jobs::{LogSeries, RecordedPlaces, SeriesName};
 use crate::views::Pyramid;
+use pilotage_jobs::{LogSeries, RecordedPlaces, SeriesName};
 
 /// Fields that a newcomer wants to see, plot by plot: those that are likely, and what takes their place where the
 /// log has none of them.

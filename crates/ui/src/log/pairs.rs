@@ -80,7 +80,7 @@ pub(super) mod tests {
     use pilotage_core::flight::expression::Samples;
 
     use super::*;
-    use crate::jobs::{LogSeries, SeriesName};
+    use pilotage_jobs::{LogSeries, SeriesName};
 
     /// A field as it comes from a worker.
     pub fn field(samples: impl Iterator<Item = (f64, f64)>) -> PlottedSeries {

@@ -10,12 +10,12 @@ use super::scene::{PanelScene, axes, colour, curve, nothing, y_range};
 use super::words::series_name;
 use super::{LogCommand, PlottedSeries};
 use crate::context::ViewContext;
-use crate::jobs::SeriesName;
 use crate::still::Still;
 use crate::timeline::paint_span;
 use crate::tokens::Tokens;
 use crate::views::chart::Axes;
 use crate::views::{curve_line, parts};
+use pilotage_jobs::SeriesName;
 
 /// Key of the curves of a panel: everything that they depend on.
 #[derive(Clone, Debug, PartialEq)]

@@ -13,9 +13,9 @@ use super::scene::{PanelScene, axes, mode_bands};
 use super::{LogCommand, OpenLog};
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::jobs::SeriesName;
 use crate::tokens::Tokens;
 use crate::views::{TimeAxis, parts};
+use pilotage_jobs::SeriesName;
 
 /// Least height of a panel's curves, points.
 const LEAST_HEIGHT: f32 = 64.0;

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::arrangement::PanelContent;
-use crate::jobs::SeriesName;
+use pilotage_jobs::SeriesName;
 
 /// Key of the arrangements in the browser's storage.
 pub const PRESETS_KEY: &str = "plots";

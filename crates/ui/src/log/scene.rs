@@ -3,10 +3,10 @@
 use egui::{Color32, Response};
 
 use super::{OpenLog, PlottedSeries};
-use crate::jobs::SeriesName;
 use crate::tokens::Tokens;
 use crate::views::chart::Axes;
 use crate::views::{Curve, TimeAxis};
+use pilotage_jobs::SeriesName;
 
 /// Share of its height that a panel leaves free above and below its curves.
 pub(super) const MARGIN: f64 = 0.06;

@@ -8,9 +8,9 @@ use super::words::{clock, series_name};
 use super::{LogCommand, LogPlots, OpenLog, field_colour};
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::jobs::SeriesName;
 use crate::tokens::Tokens;
 use crate::views::parts;
+use pilotage_jobs::SeriesName;
 
 /// Fields that stand side by side at most.
 const MOST_COLUMNS: usize = 3;

@@ -1,6 +1,6 @@
 //! Times, sizes and names of a log in words.
 
-use crate::jobs::SeriesName;
+use pilotage_jobs::SeriesName;
 
 /// Minutes and seconds since `first`: `4:07.3`.
 pub fn clock(time: f64, first: f64) -> String {

@@ -5,11 +5,11 @@ use pilotage_core::flight::Truth;
 use pilotage_core::frames::GroundPoint;
 
 use super::transform::ScreenFromWorld;
-use crate::jobs::SeriesName;
 use crate::log::PlottedSeries;
 use crate::tokens::Tokens;
 use crate::views::color_map::viridis;
 use crate::views::parts;
+use pilotage_jobs::SeriesName;
 
 /// Pieces that a track is drawn in at most.
 const MOST_PIECES: usize = 3000;

@@ -7,8 +7,8 @@ use pilotage_core::frames::{GroundPoint, LocalFrame};
 use super::transform::ScreenFromWorld;
 use crate::compare::KeptTrack;
 use crate::cut::colour;
-use crate::jobs::CutReport;
 use crate::tokens::Tokens;
+use pilotage_jobs::CutReport;
 
 /// Pieces that a trajectory is drawn in at most.
 const MOST_PIECES: usize = 2000;

@@ -10,7 +10,7 @@ use pilotage_core::imagery::Window;
 use pilotage_core::raster::{Raster, Rgba};
 
 use super::transform::ScreenFromWorld;
-use crate::jobs::MapInfo;
+use pilotage_jobs::MapInfo;
 
 /// Pixels on a tile's side.
 const SIDE: usize = 256;

@@ -26,10 +26,10 @@ use crate::compare::KeptTrack;
 use crate::context::{Drawn, ViewContext};
 use crate::documents::Ground;
 use crate::georeference::Georeferencer;
-use crate::jobs::{CutReport, Distinctness, MapInfo, SeriesName};
 use crate::log::OpenLog;
 use crate::photos::Photos;
 use crate::plan::{FindPick, PlanTool, Planner, paint_hint};
+use pilotage_jobs::{CutReport, Distinctness, MapInfo, SeriesName};
 
 /// Data that the map needs beside what every view is given.
 pub struct MapExtra<'a> {

@@ -4,7 +4,7 @@ use pilotage_core::flight::photo::{LaidPhoto, PhotoSearch};
 use pilotage_core::frames::{Geodetic, GroundRect};
 use pilotage_core::registration::Draped;
 
-use crate::jobs::{DrapeOrder, MapSource, PhotoReport, PhotosOrder};
+use pilotage_jobs::{DrapeOrder, MapSource, PhotoReport, PhotosOrder};
 
 /// Appearance of the chosen photo over the map.
 #[derive(Clone, Copy, Debug, PartialEq)]

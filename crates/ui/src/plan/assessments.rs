@@ -9,7 +9,7 @@ use pilotage_core::plan::{DetectionStatistics, Envelope, ExpectedDetection};
 use super::kept::{MEASURED_KEY, basis_of, decode, encode, use_what_is_true};
 use crate::documents::Documents;
 use crate::host::Host;
-use crate::jobs::{
+use pilotage_jobs::{
     Assessment, AssessmentOrder, Basis, Job, JobEvent, JobId, KeptMeasurement, MapSource, Measured,
 };
 

@@ -13,8 +13,8 @@ use super::flown::cruise;
 use super::legs::{Leg, time_text, totals};
 use super::way_points::{action_words, altitude_words};
 use super::words::{Outlook, distance_text};
-use crate::jobs::{BriefPictures, EncodedPicture};
 use crate::units::Units;
+use pilotage_jobs::{BriefPictures, EncodedPicture};
 
 /// Width over height of the picture of the map.
 const ASPECT: f64 = 1.75;

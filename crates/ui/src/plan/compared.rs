@@ -1,7 +1,7 @@
 //! A route that was found in numbers, to be compared with another.
 
 use super::words::Outlook;
-use crate::jobs::Foreseen;
+use pilotage_jobs::Foreseen;
 
 /// Figures of a route in the comparison.
 #[derive(Clone, Copy, Debug, PartialEq)]

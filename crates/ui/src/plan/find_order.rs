@@ -13,7 +13,7 @@ use super::heat_command::HeatOf;
 use super::planner::Planner;
 use super::tab::PlanTab;
 use crate::documents::Documents;
-use crate::jobs::{FindOrder, Foreseen, HighGround, PredictionOrder};
+use pilotage_jobs::{FindOrder, Foreseen, HighGround, PredictionOrder};
 
 impl Planner {
     /// Order of the search for a route; `None` while an end or the map is missing.

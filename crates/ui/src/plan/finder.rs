@@ -4,7 +4,7 @@ use pilotage_core::frames::GroundPoint;
 
 use super::find_command::FindPick;
 use crate::host::Host;
-use crate::jobs::{FindOrder, FoundPlan, Job, JobEvent, JobId};
+use pilotage_jobs::{FindOrder, FoundPlan, Job, JobEvent, JobId};
 
 /// The search.
 #[derive(Debug, Default)]

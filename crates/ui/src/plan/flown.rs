@@ -7,7 +7,7 @@ use pilotage_core::simulate::{Airframe, Scenario, SimulationChoice, Target, Wind
 
 use super::profile::{Sample, on_leg, profile};
 use crate::documents::Documents;
-use crate::jobs::{FlightSource, scenario_wind};
+use pilotage_jobs::{FlightSource, scenario_wind};
 
 /// Height of a first way-point where no flight says another, metres above ground.
 const USUAL_HEIGHT: f64 = 120.0;

@@ -3,7 +3,7 @@
 use pilotage_core::plan::Prediction;
 
 use crate::host::Host;
-use crate::jobs::{COARSE, Job, JobEvent, JobId, PredictionOrder};
+use pilotage_jobs::{COARSE, Job, JobEvent, JobId, PredictionOrder};
 
 /// Worlds of the fine one.
 pub const FINE: usize = 100;

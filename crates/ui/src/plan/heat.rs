@@ -4,8 +4,8 @@ use egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
 use pilotage_core::plan::Localizability;
 
 use crate::host::Host;
-use crate::jobs::{FieldOrder, Job, JobEvent, JobId};
 use crate::views::color_map::viridis;
+use pilotage_jobs::{FieldOrder, Job, JobEvent, JobId};
 
 /// A place where a fix is less likely than this is blind.
 pub const BLIND: f64 = 0.2;

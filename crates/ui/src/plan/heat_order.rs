@@ -8,7 +8,7 @@ use super::heat::BLIND;
 use super::heat_command::{HeatCommand, HeatOf};
 use super::planner::Planner;
 use crate::documents::Documents;
-use crate::jobs::{FieldFrom, FieldOrder};
+use pilotage_jobs::{FieldFrom, FieldOrder};
 
 impl Planner {
     /// The ground, the camera at a height above it, metres, and what gives fixes, for the heat map or a

@@ -8,7 +8,7 @@ use pilotage_core::landmark::Landmark;
 
 use super::flown;
 use crate::documents::Documents;
-use crate::jobs::{AssessmentOrder, Basis, KeptMeasurement};
+use pilotage_jobs::{AssessmentOrder, Basis, KeptMeasurement};
 
 /// Key in the browser's storage.
 pub const MEASURED_KEY: &str = "measured landmarks";
@@ -71,7 +71,7 @@ mod tests {
     use super::super::assessments::assumed;
     use super::*;
     use crate::documents::Session;
-    use crate::jobs::{Assessment, Beside, MapInfo, Measured};
+    use pilotage_jobs::{Assessment, Beside, MapInfo, Measured};
 
     fn documents() -> Documents {
         let mut documents = Documents::new(&Session::demo());

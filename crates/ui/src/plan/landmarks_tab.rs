@@ -13,11 +13,11 @@ use super::train_command::TrainCommand;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::jobs::Measured;
 use crate::shell::{
     Examined, LandmarkList, caption, chip, icon_button, icons::Icon, muted, text_button,
 };
 use crate::views::ellipse::largest_sigma;
+use pilotage_jobs::Measured;
 
 /// Height of the table before it scrolls, points: what is selected stays in sight below it.
 const TABLE_HEIGHT: f32 = 196.0;

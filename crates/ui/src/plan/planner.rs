@@ -27,7 +27,7 @@ use super::suggestions::Suggestions;
 use super::tab::PlanTab;
 use super::trainings::Trainings;
 use crate::documents::Documents;
-use crate::jobs::PredictionOrder;
+use pilotage_jobs::PredictionOrder;
 
 /// Preferences and assumptions of the user; remembered between visits.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -50,7 +50,7 @@ fn route(metres: f64, frame: AltitudeFrame, east: &[f64]) -> Route {
 }
 
 /// The order of a prediction along a route of the mission.
-fn order(documents: &mut Documents, route: Route) -> crate::jobs::PredictionOrder {
+fn order(documents: &mut Documents, route: Route) -> pilotage_jobs::PredictionOrder {
     let id = documents.add_made(route, "Route");
     let planner = Planner {
         route: Some(id),
@@ -81,7 +81,7 @@ fn a_level_flight_over_the_ridge_is_predicted_lower_there_and_one_above_ground_i
     );
     assert!(level.way_points.len() > 3, "{:?}", level.way_points);
     assert_eq!(level.way_points.len(), level.targets.len());
-    let over = |order: &crate::jobs::PredictionOrder, east: f64| {
+    let over = |order: &pilotage_jobs::PredictionOrder, east: f64| {
         let pairs = order.way_points.iter().zip(&order.targets);
         let near = pairs.min_by(|a, b| {
             let away = |p: &GroundPoint| (p.east - east).abs();

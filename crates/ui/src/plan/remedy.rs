@@ -11,8 +11,8 @@ use super::forecast::Forecast;
 use super::words::distance_text;
 use crate::documents::landmarks::POINT_SIDE;
 use crate::host::Host;
-use crate::jobs::{Job, JobEvent, JobId, PredictionOrder};
 use crate::units::Units;
+use pilotage_jobs::{Job, JobEvent, JobId, PredictionOrder};
 
 /// Worlds of each comparison: the same ones for each, so that few tell.
 const WORLDS: usize = 16;

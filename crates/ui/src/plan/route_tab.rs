@@ -19,9 +19,9 @@ use super::words::{Outlook, distance_text};
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
-use crate::jobs::FlightSource;
 use crate::shell::{caption, heading, icon_button, icon_toggle, icons::Icon, muted};
 use crate::units::Units;
+use pilotage_jobs::FlightSource;
 
 /// Draws the tab.
 pub fn route_tab(

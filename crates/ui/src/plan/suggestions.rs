@@ -4,7 +4,7 @@ use pilotage_core::landmark::Landmark;
 use pilotage_core::plan::Suggestion;
 
 use crate::host::Host;
-use crate::jobs::{Job, JobEvent, JobId, MapSource, SuggestOrder};
+use pilotage_jobs::{Job, JobEvent, JobId, MapSource, SuggestOrder};
 
 /// Proposed landmarks.
 #[derive(Debug, Default)]

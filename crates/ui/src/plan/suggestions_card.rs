@@ -15,10 +15,10 @@ use super::suggestions::is_added;
 use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::{Added, Brought, Documents};
-use crate::jobs::SuggestOrder;
 use crate::map::{ScreenFromWorld, paint_halo_text, paint_lifted_line};
 use crate::shell::{caption, icon_button, icons::Icon, muted};
 use crate::tokens::Tokens;
+use pilotage_jobs::SuggestOrder;
 
 impl Planner {
     /// Order of landmarks to be proposed; `None` while the map is missing.

@@ -8,7 +8,7 @@ use pilotage_core::training::TrainingPlan;
 use super::flown::{camera, ground_down};
 use super::planner::Planner;
 use crate::documents::Documents;
-use crate::jobs::{FlightSource, LabelledFrames, TrainOrder};
+use pilotage_jobs::{FlightSource, LabelledFrames, TrainOrder};
 
 /// The place that the landmark's map patch would be taken for it.
 fn look_alike(landmark: &Landmark, documents: &Documents) -> Vec<GroundPoint> {

@@ -15,9 +15,9 @@ use crate::command::Command;
 use crate::context::ViewContext;
 use crate::documents::Documents;
 use crate::documents::landmarks::LandmarkChange;
-use crate::jobs::TrainingOutcome;
 use crate::shell::{caption, icon_button, icons::Icon, muted, tab};
 use crate::tokens::Tokens;
+use pilotage_jobs::TrainingOutcome;
 
 /// Height of the list of trainings before it scrolls, points.
 const LIST_HEIGHT: f32 = 156.0;

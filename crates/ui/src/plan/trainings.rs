@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::documents::Documents;
 use crate::host::Host;
-use crate::jobs::{
+use pilotage_jobs::{
     Job, JobEvent, JobId, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport,
 };
 

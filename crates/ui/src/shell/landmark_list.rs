@@ -11,8 +11,8 @@ use super::icons::Icon;
 use super::widgets::{caption, chip, heading, icon_button, muted, paint_focus_ring, text_button};
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::jobs::Distinctness;
 use crate::map::heat_image;
+use pilotage_jobs::Distinctness;
 
 /// Distinctness of the selected landmark, as far as it is known.
 #[derive(Clone, Copy, Debug, Default)]

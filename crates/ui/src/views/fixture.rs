@@ -17,7 +17,7 @@ use pilotage_core::navigator::{
 };
 use pilotage_core::raster::Gray;
 
-use crate::jobs::MatchPictures;
+use pilotage_jobs::MatchPictures;
 
 /// Seconds between steps, and steps between frames.
 const STEP: f64 = 0.05;

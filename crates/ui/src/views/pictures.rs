@@ -18,9 +18,9 @@ use pilotage_core::simulate::{Overrides, Scenario};
 use super::fixture::{Fixture, match_pictures};
 use super::{CameraView, InspectorView, MatchView, PlotsView, Tour, canvas, picking};
 use crate::context::ViewContext;
-use crate::jobs::MatchPictures;
 use crate::tokens::Tokens;
 use crate::units::Units;
+use pilotage_jobs::MatchPictures;
 
 /// The encoded picture of a frame.
 type FramePicture = dyn Fn(usize) -> Option<Arc<[u8]>>;

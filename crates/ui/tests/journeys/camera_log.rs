@@ -3,8 +3,8 @@
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::alignment::CameraAdjustment;
+use pilotage_jobs::{Job, Opened};
 use pilotage_ui::host::OpenedFile;
-use pilotage_ui::jobs::{Job, Opened};
 use serde_json::Value;
 
 use super::reopen::nothing;

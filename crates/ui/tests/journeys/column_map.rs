@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use egui::{Key, Vec2};
 use egui_kittest::kittest::Queryable as _;
+use pilotage_jobs::{COLUMNS_FILE, FlightSource, Job};
 use pilotage_ui::host::OpenedFile;
-use pilotage_ui::jobs::{COLUMNS_FILE, FlightSource, Job};
 use serde_json::Value;
 
 use super::support::{Rig, ScriptedHost, rig, rig_on};

@@ -3,8 +3,8 @@
 use std::fmt::Write as _;
 
 use egui_kittest::kittest::Queryable as _;
+use pilotage_jobs::Job;
 use pilotage_ui::host::OpenedFile;
-use pilotage_ui::jobs::Job;
 
 use super::support::{Rig, rig};
 

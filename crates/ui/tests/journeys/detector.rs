@@ -1,7 +1,7 @@
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
+use pilotage_jobs::{ExplainedBy, FileContent, Job, Opened};
 use pilotage_ui::host::OpenedFile;
-use pilotage_ui::jobs::{ExplainedBy, FileContent, Job, Opened};
 
 use super::support::flight::mission;
 use super::support::{Rig, rig};

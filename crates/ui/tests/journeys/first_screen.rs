@@ -1,5 +1,5 @@
 use egui::Vec2;
-use pilotage_ui::jobs::{FlightSource, Job};
+use pilotage_jobs::{FlightSource, Job};
 
 use super::support::{ScriptedHost, rig, rig_on};
 

@@ -1,5 +1,5 @@
 use egui_kittest::kittest::Queryable as _;
-use pilotage_ui::jobs::Job;
+use pilotage_jobs::Job;
 
 use super::support::rig;
 

@@ -1,7 +1,7 @@
 use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable as _;
+use pilotage_jobs::{Opened, Unplaced};
 use pilotage_ui::host::OpenedFile;
-use pilotage_ui::jobs::{Opened, Unplaced};
 
 use super::support::{Rig, rig};
 

@@ -1,8 +1,8 @@
 use egui::{Key, Modifiers, Pos2};
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::exchange::labels::read_labels;
+use pilotage_jobs::Job;
 use pilotage_ui::host::OpenedFile;
-use pilotage_ui::jobs::Job;
 use serde_json::Value;
 
 use super::support::{Rig, rig};

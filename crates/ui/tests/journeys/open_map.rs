@@ -1,8 +1,8 @@
 use egui::{Modifiers, Vec2};
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
+use pilotage_jobs::{Job, MapInfo, MapSource, Opened};
 use pilotage_ui::host::OpenedFile;
-use pilotage_ui::jobs::{Job, MapInfo, MapSource, Opened};
 
 use super::support::{Rig, ScriptedHost, rig, rig_on};
 

@@ -1,7 +1,7 @@
 use egui::Vec2;
 use pilotage_core::raster::{Raster, encode_png};
+use pilotage_jobs::{JobEvent, Opened};
 use pilotage_ui::host::OpenedFile;
-use pilotage_ui::jobs::{JobEvent, Opened};
 
 use super::reopen::nothing;
 use super::support::flight::{flight, mission, run, run_head};

@@ -2,8 +2,8 @@
 
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::raster::{Picture, encode_jpeg, encode_png};
+use pilotage_jobs::Job;
 use pilotage_ui::host::OpenedFile;
-use pilotage_ui::jobs::Job;
 use serde_json::Value;
 
 use super::support::{Rig, rig};

@@ -1,8 +1,8 @@
 use egui::Vec2;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
+use pilotage_jobs::{FlightSource, Job, MapInfo, MapSource, Opened};
 use pilotage_ui::documents::{SESSION_KEY, Session, UNREAD_KEY};
 use pilotage_ui::host::OpenedFile;
-use pilotage_ui::jobs::{FlightSource, Job, MapInfo, MapSource, Opened};
 
 use super::plan::draw;
 use super::support::flight::flight;

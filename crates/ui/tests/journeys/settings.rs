@@ -1,7 +1,7 @@
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::landmark::TemplateFeatures;
 use pilotage_core::navigator::NavigatorSettings;
-use pilotage_ui::jobs::Job;
+use pilotage_jobs::Job;
 
 use super::support::{Rig, rig};
 

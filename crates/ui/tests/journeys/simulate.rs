@@ -1,5 +1,5 @@
 use egui_kittest::kittest::Queryable as _;
-use pilotage_ui::jobs::{FlightSource, Job, MapSource};
+use pilotage_jobs::{FlightSource, Job, MapSource};
 
 use super::support::rig;
 

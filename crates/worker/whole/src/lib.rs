@@ -2,7 +2,7 @@
 #![cfg(target_arch = "wasm32")]
 
 use js_sys::Function;
-use pilotage_ui::jobs::Abilities;
+use pilotage_jobs::Abilities;
 use pilotage_worker::WorkerHandle;
 use wasm_bindgen::prelude::*;
 

@@ -19,8 +19,8 @@ use super::sights::Sights;
 use super::{color_map, parts, picking};
 use crate::command::Command;
 use crate::context::ViewContext;
-use crate::jobs::DetectorSearch;
 use patch::PatchState;
+use pilotage_jobs::DetectorSearch;
 
 pub use command::DetectorCommand;
 

@@ -4,11 +4,11 @@ mod plot;
 #[cfg(test)]
 mod tests;
 
-use crate::jobs::EvaluationReport;
 use crate::shell::{chip, muted, text_button};
 use crate::tokens::Tokens;
 use crate::views::parts;
 use egui::Ui;
+use pilotage_jobs::EvaluationReport;
 
 /// Least width of a plot, points.
 const LEAST_WIDTH: f32 = 300.0;

@@ -10,9 +10,9 @@ use super::sights::Sights;
 use super::{parts, picking};
 use crate::command::Command;
 use crate::context::{Drawn, ViewContext};
-use crate::jobs::MatchPictures;
 use crate::timeline::clock_text;
 use pictures::MatchTextures;
+use pilotage_jobs::MatchPictures;
 
 /// Explains the match of one landmark: in the frame at the cursor or, where none was looked for in
 /// it, in the last one before.

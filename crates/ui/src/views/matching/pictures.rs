@@ -3,8 +3,8 @@
 use egui::{Align2, Rect, Sense, Stroke, TextureHandle, TextureOptions, Ui, pos2, vec2};
 
 use super::super::{color_map, parts};
-use crate::jobs::MatchPictures;
 use crate::tokens::Tokens;
+use pilotage_jobs::MatchPictures;
 
 /// Most height of a picture, points.
 const TALLEST: f32 = 260.0;

@@ -8,10 +8,10 @@ use pilotage_core::registration::LaidBy;
 
 use super::scene::{PhotosScene, send};
 use crate::context::ViewContext;
-use crate::jobs::PhotoReport;
 use crate::photos::{PhotosCommand as Do, Shown};
 use crate::shell::{heading, muted};
 use crate::views::parts::{self, Reading};
+use pilotage_jobs::PhotoReport;
 
 /// Opacity that is begun with.
 const USUAL_OPACITY: f32 = 0.6;

@@ -6,12 +6,12 @@ use pilotage_core::filter::probability_words;
 
 use super::scene::send;
 use crate::context::ViewContext;
-use crate::jobs::PhotoReport;
 use crate::photos::{Photos, PhotosCommand as Do};
 use crate::shell::muted;
 use crate::tokens::Tokens;
 use crate::units::Units;
 use crate::views::{parts, table};
+use pilotage_jobs::PhotoReport;
 
 /// Height of the rows that are seen at once, points.
 const SEEN: f32 = 260.0;

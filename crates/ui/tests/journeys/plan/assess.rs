@@ -1,6 +1,6 @@
 use egui::Vec2;
 use egui_kittest::kittest::Queryable as _;
-use pilotage_ui::jobs::Job;
+use pilotage_jobs::Job;
 
 use super::super::support::{ScriptedHost, rig_on};
 use super::{draw, number, planning};

@@ -3,8 +3,8 @@ use pilotage_core::exchange::{Format, read_any};
 use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Route;
+use pilotage_jobs::{ImportedFile, Job, Opened};
 use pilotage_ui::host::OpenedFile;
-use pilotage_ui::jobs::{ImportedFile, Job, Opened};
 
 use super::super::support::{Rig, flight::mission};
 use super::{draw, planning};

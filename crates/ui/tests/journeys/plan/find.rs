@@ -1,7 +1,7 @@
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::plan::{Aim, BudgetOf};
-use pilotage_ui::jobs::Job;
+use pilotage_jobs::Job;
 
 use super::{click, number, planning, screen, scroll, set};
 

@@ -4,8 +4,8 @@ use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::frames::{Geodetic, GroundPoint};
 use pilotage_core::imagery::terrain::HeightDatum;
+use pilotage_jobs::{Job, Opened, TerrainInfo};
 use pilotage_ui::host::OpenedFile;
-use pilotage_ui::jobs::{Job, Opened, TerrainInfo};
 
 use super::super::support::Rig;
 use super::{choose, click, count, draw, number, planning, set};

@@ -32,15 +32,14 @@ fn another_uncertainty_is_computed_anew_and_so_are_fixes_from_the_map_alone() {
     let position = |rig: &super::Rig| {
         let jobs = rig.harness.state().host.jobs.iter().rev();
         let mut orders = jobs.filter_map(|(_, job)| match job {
-            pilotage_ui::jobs::Job::Field(order) => Some(order.view.position),
+            pilotage_jobs::Job::Field(order) => Some(order.view.position),
             _ => None,
         });
         orders.next()
     };
     let fields = |rig: &super::Rig| {
         let jobs = &rig.harness.state().host.jobs;
-        let field =
-            |j: &&(u64, pilotage_ui::jobs::Job)| matches!(j.1, pilotage_ui::jobs::Job::Field(_));
+        let field = |j: &&(u64, pilotage_jobs::Job)| matches!(j.1, pilotage_jobs::Job::Field(_));
         jobs.iter().filter(field).count()
     };
     assert_eq!((fields(&rig), position(&rig)), (1, Some(10.0)));

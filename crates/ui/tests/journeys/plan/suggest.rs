@@ -1,6 +1,6 @@
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
-use pilotage_ui::jobs::Job;
+use pilotage_jobs::Job;
 
 use super::{draw, planning};
 use crate::support::Rig;

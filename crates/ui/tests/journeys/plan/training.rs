@@ -2,7 +2,7 @@ use egui::Vec2;
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::landmark::cascade::train::StageRow;
 use pilotage_core::training::{StageReport, TrainingPhase};
-use pilotage_ui::jobs::{
+use pilotage_jobs::{
     Job, JobEvent, JobId, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport,
 };
 use serde_json::Value;

@@ -16,12 +16,12 @@ use pilotage_core::plan::{
 };
 use pilotage_core::raster::Raster;
 use pilotage_core::study::{Comparison, Contender, Tally as FlightTally};
-use pilotage_ui::host::{Host, OpenedFile};
-use pilotage_ui::jobs::{
+use pilotage_jobs::{
     Abilities, Assessment, AssessmentOrder, ContestOrder, DetectorSearch, Distinctness,
     ExplainedBy, FieldOrder, FileContent, FlightSource, Glance, HeightsOrder, Job, JobEvent, JobId,
     JobRunner, MapInfo, Opened, ReadLog, Reply, Request, SuggestOrder,
 };
+use pilotage_ui::host::{Host, OpenedFile};
 
 use super::flight::{flight, mission, run, run_head};
 use super::laid::{Laying, early_flight, lay_frames};

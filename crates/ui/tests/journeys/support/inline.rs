@@ -3,8 +3,8 @@
 use std::cell::Cell;
 use std::collections::BTreeSet;
 
+use pilotage_jobs::{InlineWorkers, Job, JobEvent, JobId};
 use pilotage_ui::host::{Host, OpenedFile};
-use pilotage_ui::jobs::{InlineWorkers, Job, JobEvent, JobId};
 
 /// Runs jobs a slice at a time whenever the app asks for events, with a clock of its own; stores nothing.
 #[derive(Default)]

@@ -344,7 +344,7 @@ mod tests {
     use pilotage_core::simulate::Scenario;
 
     use super::*;
-    use crate::jobs::{
+    use crate::{
         Abilities, AssessmentOrder, Job, JobRunner, MapSource, Reply, Request, SimulationOptions,
     };
 

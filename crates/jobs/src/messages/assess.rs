@@ -72,12 +72,12 @@ impl Share {
     pub const WHOLE: Self = Self { part: 0, of: 1 };
 
     /// Whether a look is of this share.
-    pub(in crate::jobs) fn has(&self, look: usize) -> bool {
+    pub(crate) fn has(&self, look: usize) -> bool {
         look % Rehearsal::DAYS % self.of == self.part
     }
 
     /// Number of looks in the share.
-    pub(in crate::jobs) fn count(&self) -> usize {
+    pub(crate) fn count(&self) -> usize {
         (0..Rehearsal::VIEWS).filter(|look| self.has(*look)).count()
     }
 }

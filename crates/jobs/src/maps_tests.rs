@@ -6,7 +6,7 @@ use pilotage_core::frames::{Geodetic, GroundRect};
 use pilotage_core::imagery::{ByteSource, Window};
 
 use super::*;
-use crate::jobs::{HeightsOrder, MapSource, Opened};
+use crate::{HeightsOrder, MapSource, Opened};
 
 fn words(values: &[u16]) -> Vec<u8> {
     values.iter().flat_map(|v| v.to_le_bytes()).collect()

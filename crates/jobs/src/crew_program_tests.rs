@@ -1,7 +1,7 @@
 //! The program that the crew opens for a job, and jobs that wait for each other.
 
 use super::*;
-use crate::jobs::Program;
+use crate::Program;
 
 #[test]
 fn the_small_program_flies_and_the_whole_one_is_opened_by_the_first_job_that_needs_it() {

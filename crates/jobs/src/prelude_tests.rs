@@ -13,7 +13,7 @@ use pilotage_core::raster::{Picture, decode_picture, encode_jpeg};
 use serde_json::Value;
 
 use super::*;
-use crate::jobs::{Abilities, Advance, FlightSource, Reply, Request, SimulationOptions, Workshop};
+use crate::{Abilities, Advance, FlightSource, Reply, Request, SimulationOptions, Workshop};
 
 /// Seconds of the flight that are stored beyond its first match.
 const BEYOND: f64 = 0.5;

@@ -143,8 +143,8 @@ mod tests {
     use pilotage_core::raster::{Picture, encode_png};
 
     use super::*;
-    use crate::jobs::fetched_tiles::FetchedTiles;
-    use crate::jobs::{BriefOrder, FieldOrder};
+    use crate::fetched_tiles::FetchedTiles;
+    use crate::{BriefOrder, FieldOrder};
 
     fn map() -> WebMap {
         WebMap {

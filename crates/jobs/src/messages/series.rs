@@ -97,7 +97,7 @@ impl LogSeries {
     }
 
     /// That there is no such series.
-    pub(in crate::jobs) fn lacking(name: &SeriesName, why: String) -> Self {
+    pub(crate) fn lacking(name: &SeriesName, why: String) -> Self {
         Self {
             lacks: Some(why),
             ..Self::piece(name, &Samples::default(), 0, 0)

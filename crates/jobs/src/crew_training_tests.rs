@@ -2,10 +2,10 @@
 
 use super::*;
 
-fn train(left: Option<crate::jobs::TrainingLeft>) -> Job {
+fn train(left: Option<crate::TrainingLeft>) -> Job {
     use pilotage_core::frames::{GroundPoint, GroundRect};
     let bounds = GroundRect::centered(GroundPoint::new(0.0, 0.0), 20.0, 20.0);
-    Job::Train(Box::new(crate::jobs::TrainOrder {
+    Job::Train(Box::new(crate::TrainOrder {
         map: MapSource::Scenery,
         landmark: pilotage_core::landmark::Landmark::new(1, "barn", bounds),
         camera: pilotage_core::camera::CameraModel::pinhole(640, 480, 1.0),
@@ -65,7 +65,7 @@ fn a_training_does_not_wait_behind_a_flight_because_tiles_are_drawn_elsewhere() 
 
 #[test]
 fn a_training_whose_worker_dies_goes_on_behind_its_last_whole_stage_and_stays_held() {
-    use crate::jobs::{TrainingLeft, TrainingReport};
+    use crate::{TrainingLeft, TrainingReport};
     let (mut crew, notes) = crew();
     let id = crew.start(train(None));
     let left = TrainingLeft {

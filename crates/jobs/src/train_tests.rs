@@ -8,7 +8,7 @@ use pilotage_core::simulate::Scenario;
 use pilotage_core::training::{TrainingPhase, TrainingPlan};
 
 use super::*;
-use crate::jobs::{
+use crate::{
     Abilities, FlightSource, Job, JobId, JobRunner, LabelledFrames, MapSource, Reply, Request,
     SimulationOptions,
 };

@@ -5,7 +5,7 @@ use pilotage_core::imagery::Window;
 use pilotage_core::simulate::Scenario;
 
 use super::*;
-use crate::jobs::{FlightSource, MapSource, SimulationOptions};
+use crate::{FlightSource, MapSource, SimulationOptions};
 
 fn fly(scenario: &str) -> Job {
     Job::Fly {
@@ -121,8 +121,8 @@ fn run(host: &mut InlineWorkers, job: Job) -> Vec<JobEvent> {
 }
 
 /// Assessment of a landmark, measured as one job or in two shares.
-fn measure(shares: usize) -> crate::jobs::Assessment {
-    use crate::jobs::{AssessmentOrder, Share};
+fn measure(shares: usize) -> crate::Assessment {
+    use crate::{AssessmentOrder, Share};
     use pilotage_core::simulate::Scenario;
     let scenario = Scenario::named("distinct-400ft-calm").unwrap();
     let mission = scenario.mission();
@@ -165,7 +165,7 @@ fn a_measurement_in_two_shares_says_the_very_same() {
 
 /// Landmarks proposed for a short leg, as one job or in two shares.
 fn propose(shares: usize) -> Vec<pilotage_core::plan::Suggestion> {
-    use crate::jobs::{Share, SuggestOrder};
+    use crate::{Share, SuggestOrder};
     use pilotage_core::frames::GroundPoint;
     use pilotage_core::plan::{FieldView, Proposal};
     use pilotage_core::simulate::Scenario;

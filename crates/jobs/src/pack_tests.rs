@@ -12,8 +12,8 @@ use pilotage_core::mission::{Mission, open_map};
 use pilotage_core::raster::{Picture, encode_png};
 
 use super::*;
-use crate::jobs::Beside;
-use crate::jobs::{Abilities, FileContent, WebMap};
+use crate::Beside;
+use crate::{Abilities, FileContent, WebMap};
 
 const WORLD_FILE: &[u8] = b"0.5\n0\n0\n-0.5\n570000.25\n5189999.75\n";
 

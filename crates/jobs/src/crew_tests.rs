@@ -6,8 +6,8 @@ use std::rc::Rc;
 use pilotage_core::plan::Candidate;
 
 use super::{Crew, WorkerPort};
-use crate::jobs::FlightSource;
-use crate::jobs::{
+use crate::FlightSource;
+use crate::{
     AssessmentOrder, COARSE, Job, JobEvent, JobId, MapSource, PredictionOrder, Reply, Request,
     SimulationOptions, SuggestOrder,
 };

@@ -19,12 +19,12 @@ pub struct WebMap {
 
 impl WebMap {
     /// The world frame.
-    pub(in crate::jobs) fn frame(&self) -> LocalFrame {
+    pub(crate) fn frame(&self) -> LocalFrame {
         LocalFrame::new(self.origin)
     }
 
     /// Least and greatest zoom of its tiles.
-    pub(in crate::jobs) fn zooms(&self) -> (u8, u8) {
+    pub(crate) fn zooms(&self) -> (u8, u8) {
         (self.template.least_zoom, self.template.most_zoom)
     }
 
@@ -40,7 +40,7 @@ impl WebMap {
     }
 
     /// Addresses of the tiles that a window is drawn from.
-    pub(in crate::jobs) fn of_window(&self, window: &Window) -> Vec<String> {
+    pub(crate) fn of_window(&self, window: &Window) -> Vec<String> {
         let tiles = tiles_for(window, &self.frame(), self.zooms(), self.template.side);
         tiles.map_or_else(Vec::new, |(first, last)| self.between(first, last))
     }

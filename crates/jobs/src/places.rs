@@ -134,7 +134,7 @@ mod tests {
     use pilotage_core::frames::{GroundPoint, GroundRect};
 
     use super::*;
-    use crate::jobs::PhotosOrder;
+    use crate::PhotosOrder;
 
     #[test]
     fn photos_being_laid_keep_neither_their_flight_nor_the_map_waiting() {
