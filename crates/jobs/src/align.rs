@@ -2,6 +2,7 @@
 
 use pilotage_core::alignment::CameraSearch;
 
+use super::order::{Order, Role, Urgency};
 use super::running::SLICE;
 use super::{Advance, AlignOrder, JobEvent, RunningJob, Workshop};
 
@@ -51,5 +52,17 @@ impl RunningJob for Align {
         emit(JobEvent::CameraAligned(Box::new(found)));
         emit(JobEvent::Finished);
         Ok(Advance::Done)
+    }
+}
+
+impl Order for AlignOrder {
+    const URGENCY: Urgency = Urgency::Awaited;
+
+    fn role(&self) -> Role {
+        Role::Flight
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(Align::new(self))
     }
 }

@@ -5,8 +5,13 @@ use std::sync::Arc;
 use pilotage_core::imagery::Imagery;
 use pilotage_core::plan::{Assessor, Breakdown, Circumstances, Rehearsal, View};
 
-use super::running::SLICE;
-use super::{Advance, Assessment, AssessmentOrder, Glance, JobEvent, RunningJob, Share, Workshop};
+use serde::{Deserialize, Serialize};
+
+use super::order::{Order, Reads, Role, Urgency, around, keys_of};
+use super::running::{SLICE, once};
+use super::{
+    Advance, Assessment, AssessmentOrder, Glance, JobEvent, MapSource, RunningJob, Share, Workshop,
+};
 
 const SEED: u64 = 11;
 
@@ -135,5 +140,69 @@ impl RunningJob for Assess {
         }
         emit(JobEvent::Finished);
         Ok(Advance::Done)
+    }
+}
+
+impl Order for AssessmentOrder {
+    const URGENCY: Urgency = Urgency::Awaited;
+
+    fn role(&self) -> Role {
+        Role::Flight
+    }
+
+    fn files(&self) -> Vec<&str> {
+        keys_of(None, Some(&self.map))
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        Some((&self.map, Reads::Areas(vec![around(&self.landmark.bounds)])))
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(Assess::new(self, Share::WHOLE))
+    }
+}
+
+/// Share of the looks at a landmark: event `Views`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct AssessShareOrder(pub Box<AssessmentOrder>, pub Share);
+
+impl Order for AssessShareOrder {
+    const URGENCY: Urgency = Urgency::Awaited;
+
+    fn role(&self) -> Role {
+        Role::ALL[self.1.part]
+    }
+
+    fn files(&self) -> Vec<&str> {
+        self.0.files()
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        self.0.reads()
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(Assess::new(*self.0, self.1))
+    }
+}
+
+/// Sum of all looks at a landmark: event `Assessment`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SumUpOrder(pub Box<AssessmentOrder>, pub Vec<View>);
+
+impl Order for SumUpOrder {
+    const URGENCY: Urgency = Urgency::Asked;
+
+    fn role(&self) -> Role {
+        Role::Flight
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        once(move |_, emit| {
+            let found = sum_up(&self.0, &self.1)?;
+            emit(JobEvent::Assessment(Box::new(found)));
+            Ok(())
+        })
     }
 }

@@ -3,7 +3,10 @@
 use pilotage_core::imagery::Imagery;
 use pilotage_core::raster::encode_jpeg;
 
-use super::{Advance, BriefOrder, BriefPictures, EncodedPicture, JobEvent, RunningJob, Workshop};
+use super::order::{Order, Reads, Role, Urgency, keys_of};
+use super::{
+    Advance, BriefOrder, BriefPictures, EncodedPicture, JobEvent, MapSource, RunningJob, Workshop,
+};
 
 /// Quality of the pictures, 1 to 100.
 const QUALITY: u8 = 85;
@@ -56,5 +59,25 @@ impl RunningJob for Brief {
         emit(JobEvent::BriefPictures(Box::new(pictures)));
         emit(JobEvent::Finished);
         Ok(Advance::Done)
+    }
+}
+
+impl Order for BriefOrder {
+    const URGENCY: Urgency = Urgency::Awaited;
+
+    fn role(&self) -> Role {
+        Role::Questions
+    }
+
+    fn files(&self) -> Vec<&str> {
+        keys_of(None, Some(&self.map))
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        Some((&self.map, Reads::Windows(self.windows())))
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(Brief::new(self))
     }
 }

@@ -10,8 +10,9 @@ use pilotage_core::navigator::{EstimatorChoice, Navigator, Run};
 use pilotage_core::study::{Comparison, Contender, Tally};
 
 use super::flights::OpenFlight;
+use super::order::{Order, Reads, Role, Urgency, around, keys_of};
 use super::running::SLICE;
-use super::{Advance, ContestOrder, JobEvent, RunningJob, Workshop};
+use super::{Advance, ContestOrder, JobEvent, MapSource, RunningJob, Workshop};
 
 /// Seed of what an estimator draws.
 const SEED: u64 = 1;
@@ -123,6 +124,28 @@ impl RunningJob for Contest {
         }
         self.ground = Some(ground);
         Ok(Advance::More)
+    }
+}
+
+impl Order for ContestOrder {
+    const URGENCY: Urgency = Urgency::Flight;
+
+    fn role(&self) -> Role {
+        Role::Flight
+    }
+
+    fn files(&self) -> Vec<&str> {
+        keys_of(Some(&self.flight), Some(&self.map))
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        let landmarks = self.mission.landmarks.iter();
+        let areas = landmarks.map(|landmark| around(&landmark.bounds)).collect();
+        Some((&self.map, Reads::Areas(areas)))
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(Contest::new(self))
     }
 }
 

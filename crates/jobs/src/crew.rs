@@ -2,10 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::places::{PLACES, ROLES, file_keys, place, program_at, role_at, role_for};
-use super::runner::urgency;
+use super::places::{PLACES, ROLES, place, program_at, role_at};
 use super::shared::{Follows, SHARES, SharedJob};
-use super::{COARSE, FileContent, Job, JobEvent, JobId, Program, Reply, Request};
+use super::{
+    COARSE, FileContent, Job, JobEvent, JobId, LetGoOrder, Program, ProvideOrder, ReadLogOrder,
+    Reply, Request,
+};
 
 /// Time without an answer after which a worker counts as dead, milliseconds. A fault in a worker and
 /// its end are noticed at once by other means; this is for one that hangs, and long enough for the
@@ -105,7 +107,7 @@ impl<P: WorkerPort> Crew<P> {
 
     /// Begins a job under a reserved number.
     pub fn start_as(&mut self, id: JobId, job: Job) {
-        if let Job::Provide { key, files } = job {
+        if let Job::Provide(ProvideOrder { key, files }) = job {
             for seat in &mut self.seats {
                 seat.holds.remove(&key);
             }
@@ -142,13 +144,13 @@ impl<P: WorkerPort> Crew<P> {
         let roles = if SharedJob::new(&job).is_some() || matches!(job, Job::Train(_)) {
             0..SHARES
         } else {
-            role_for(&job)..role_for(&job) + 1
+            job.role() as usize..job.role() as usize + 1
         };
         for role in roles {
             let seat = place(role, Program::Whole);
             let (key, files) = (key.clone(), files.clone());
             self.open_seat(seat)
-                .send(Request::Start(0, Job::Provide { key, files }));
+                .send(Request::Start(0, Job::Provide(ProvideOrder { key, files })));
         }
         self.share_out(id, job);
     }
@@ -258,7 +260,7 @@ impl<P: WorkerPort> Crew<P> {
             it.is_leaving = !has_log;
             it.holds.retain(|key| in_use.contains(key));
             let keys = in_use.iter().cloned().collect();
-            port.send(Request::Start(0, Job::LetGo { keys }));
+            port.send(Request::Start(0, Job::LetGo(LetGoOrder { keys })));
         }
     }
 
@@ -378,7 +380,7 @@ impl<P: WorkerPort> Crew<P> {
     /// nor a picture that is looked at behind anything, if a worker has less to do. Trainings go on side
     /// by side.
     fn free_role_for(&self, job: &Job) -> usize {
-        let role = role_for(job);
+        let role = job.role() as usize;
         let jobs = |role: usize| {
             let jobs = self.jobs.values();
             jobs.filter(|a| role_at(a.seat) == role).count()
@@ -396,7 +398,7 @@ impl<P: WorkerPort> Crew<P> {
                     jobs.filter(|(id, a)| is_at_work(id, a, role)).count()
                 };
                 // Tiles come and go; a flight stays.
-                let is_long = |a: &&Assigned| !matches!(a.job, Job::Tile { .. });
+                let is_long = |a: &&Assigned| !matches!(a.job, Job::Tile(_));
                 let long = |role: usize| {
                     let jobs = self.jobs.values().filter(is_long);
                     jobs.filter(|a| role_at(a.seat) == role).count()
@@ -405,7 +407,7 @@ impl<P: WorkerPort> Crew<P> {
                 let least = roles.min_by_key(|role| (trained(*role), long(*role)));
                 least.unwrap_or(role)
             }
-            Job::DecodePicture { .. } => {
+            Job::DecodePicture(_) => {
                 let is_open = |role: &usize| {
                     let seats = Program::ALL.map(|program| place(*role, program));
                     seats.iter().any(|seat| self.seats[*seat].port.is_some())
@@ -421,17 +423,17 @@ impl<P: WorkerPort> Crew<P> {
         let seat = self.free_seat_for(&job);
         self.open_seat(seat);
         self.seats[seat].is_leaving = false;
-        if let Job::ReadLog { key, .. } = &job {
+        if let Job::ReadLog(ReadLogOrder { key, .. }) = &job {
             self.seats[seat].log = Some(key.clone());
         }
-        for key in file_keys(&job) {
+        for key in job.files() {
             if let Some(files) = self.files.get(key)
                 && self.seats[seat].holds.insert(key.to_owned())
             {
-                let provide = Job::Provide {
+                let provide = Job::Provide(ProvideOrder {
                     key: key.to_owned(),
                     files: files.clone(),
-                };
+                });
                 self.open_seat(seat).send(Request::Start(0, provide));
             }
         }

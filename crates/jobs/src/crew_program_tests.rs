@@ -1,7 +1,7 @@
 //! The program that the crew opens for a job, and jobs that wait for each other.
 
 use super::*;
-use crate::Program;
+use crate::{DescribeMapOrder, MakeFlightOrder, Program};
 
 #[test]
 fn the_small_program_flies_and_the_whole_one_is_opened_by_the_first_job_that_needs_it() {
@@ -12,7 +12,7 @@ fn the_small_program_flies_and_the_whole_one_is_opened_by_the_first_job_that_nee
         NotingPort(seat, notes.clone())
     });
     crew.start(fly());
-    crew.start(Job::DescribeMap(MapSource::Scenery));
+    crew.start(Job::DescribeMap(DescribeMapOrder(MapSource::Scenery)));
     assert_eq!(
         *opened.borrow(),
         [(0, Program::Flying), (1, Program::Flying)]
@@ -27,7 +27,7 @@ fn a_small_job_goes_to_the_whole_program_where_only_that_is_there() {
     let (mut crew, notes) = crew();
     crew.start(provide());
     crew.start(describe_files());
-    let scenery = || Job::DescribeMap(MapSource::Scenery);
+    let scenery = || Job::DescribeMap(DescribeMapOrder(MapSource::Scenery));
     let id = crew.start(scenery());
     assert_eq!(
         sent_to(&notes, WHOLE_SHOWS).last(),
@@ -40,8 +40,10 @@ fn a_small_job_goes_to_the_whole_program_where_only_that_is_there() {
 fn a_flight_waits_for_a_more_urgent_job_that_the_other_program_does_in_its_role() {
     let (mut crew, notes) = crew();
     let flight = crew.start(fly());
-    let make = |key: &str| Job::MakeFlight {
-        key: key.to_owned(),
+    let make = |key: &str| {
+        Job::MakeFlight(MakeFlightOrder {
+            key: key.to_owned(),
+        })
     };
     let urgent = crew.start(make("a"));
     let after = |seat| sent_to(&notes, seat).last().cloned();

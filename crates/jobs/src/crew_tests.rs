@@ -8,8 +8,9 @@ use pilotage_core::plan::Candidate;
 use super::{Crew, WorkerPort};
 use crate::FlightSource;
 use crate::{
-    AssessmentOrder, COARSE, Job, JobEvent, JobId, MapSource, PredictionOrder, Reply, Request,
-    SimulationOptions, SuggestOrder,
+    AssessmentOrder, COARSE, DecodeOrder, DescribeMapOrder, FlyOrder, Job, JobEvent, JobId,
+    LetGoOrder, MapSource, PredictionOrder, ProposeOrder, ProvideOrder, ReadLogOrder, Reply,
+    Request, SimulationOptions, SuggestOrder,
 };
 
 #[derive(Debug, PartialEq)]
@@ -50,7 +51,7 @@ fn crew() -> (Crew<NotingPort>, Notes) {
 }
 
 fn fly() -> Job {
-    Job::Fly {
+    Job::Fly(FlyOrder {
         flight: FlightSource::Simulated(SimulationOptions {
             scenario: "any".to_owned(),
             seed: 1,
@@ -60,18 +61,18 @@ fn fly() -> Job {
         }),
         map: MapSource::Scenery,
         mission: None,
-    }
+    })
 }
 
 fn provide() -> Job {
-    Job::Provide {
+    Job::Provide(ProvideOrder {
         key: "flight".to_owned(),
         files: vec![("flight.json".to_owned(), vec![1, 2, 3].into())],
-    }
+    })
 }
 
 fn describe_files() -> Job {
-    Job::DescribeMap(MapSource::Files("flight".to_owned()))
+    Job::DescribeMap(DescribeMapOrder(MapSource::Files("flight".to_owned())))
 }
 
 fn sent_to(notes: &Notes, seat: usize) -> Vec<Request> {
@@ -89,8 +90,10 @@ fn sent_to(notes: &Notes, seat: usize) -> Vec<Request> {
 fn a_picture_is_decoded_where_least_waits() {
     let (mut crew, notes) = crew();
     crew.warm_up();
-    let decode = || Job::DecodePicture {
-        encoded: vec![1, 2, 3].into(),
+    let decode = || {
+        Job::DecodePicture(DecodeOrder {
+            encoded: vec![1, 2, 3].into(),
+        })
     };
     let (first, second) = (crew.start(decode()), crew.start(decode()));
     assert_eq!(sent_to(&notes, 2), [Request::Start(first, decode())]);
@@ -101,9 +104,12 @@ fn a_picture_is_decoded_where_least_waits() {
 fn a_question_does_not_wait_behind_a_flight() {
     let (mut crew, notes) = crew();
     let flight = crew.start(fly());
-    let question = crew.start(Job::DescribeMap(MapSource::Scenery));
+    let question = crew.start(Job::DescribeMap(DescribeMapOrder(MapSource::Scenery)));
     assert_eq!(sent_to(&notes, 0), [Request::Start(flight, fly())]);
-    let asked = Request::Start(question, Job::DescribeMap(MapSource::Scenery));
+    let asked = Request::Start(
+        question,
+        Job::DescribeMap(DescribeMapOrder(MapSource::Scenery)),
+    );
     assert_eq!(sent_to(&notes, 1), [asked]);
 }
 
@@ -228,9 +234,11 @@ fn workers_that_have_nothing_to_do_end_with_what_was_open_and_begin_again_when_n
 #[test]
 fn the_worker_that_has_read_the_log_in_use_stays_to_be_asked_about_it() {
     let (mut crew, notes) = crew();
-    let read = |key: &str| Job::ReadLog {
-        key: key.to_owned(),
-        file: "flight.bin".to_owned(),
+    let read = |key: &str| {
+        Job::ReadLog(ReadLogOrder {
+            key: key.to_owned(),
+            file: "flight.bin".to_owned(),
+        })
     };
     let id = crew.start(read("drop"));
     crew.receive(WHOLE_FLIES, Reply::Event(id, JobEvent::Finished));
@@ -242,7 +250,7 @@ fn the_worker_that_has_read_the_log_in_use_stays_to_be_asked_about_it() {
         "it has the log"
     );
     let keys = vec!["drop".to_owned()];
-    let told = Request::Start(0, Job::LetGo { keys });
+    let told = Request::Start(0, Job::LetGo(LetGoOrder { keys }));
     assert!(sent_to(&notes, WHOLE_FLIES).contains(&told));
     crew.let_go(&["another".to_owned()].into());
     assert!(
@@ -257,12 +265,12 @@ fn a_worker_with_a_new_job_stays_without_the_files_that_nobody_needs() {
     crew.start(provide());
     let id = crew.start(describe_files());
     crew.let_go(&std::collections::BTreeSet::new());
-    let next = crew.start(Job::DescribeMap(MapSource::Scenery));
+    let next = crew.start(Job::DescribeMap(DescribeMapOrder(MapSource::Scenery)));
     for id in [id, next] {
         crew.receive(WHOLE_SHOWS, Reply::Event(id, JobEvent::Finished));
     }
     assert!(!notes.borrow().contains(&Note::Closed(WHOLE_SHOWS)));
-    let told = Request::Start(0, Job::LetGo { keys: Vec::new() });
+    let told = Request::Start(0, Job::LetGo(LetGoOrder { keys: Vec::new() }));
     assert!(sent_to(&notes, WHOLE_SHOWS).contains(&told));
     let sent = sent_to(&notes, WHOLE_SHOWS).len();
     crew.start(describe_files());
@@ -278,7 +286,7 @@ fn measured() -> (Crew<NotingPort>, Notes, JobId, [JobId; 2]) {
     let (mut crew, notes) = crew();
     let id = crew.start(Job::Assess(Box::new(order())));
     let shares = [WHOLE_FLIES, WHOLE_SHOWS].map(|seat| match sent_to(&notes, seat)[..] {
-        [Request::Start(share, Job::AssessShare(..))] => share,
+        [Request::Start(share, Job::AssessShare(_))] => share,
         _ => panic!("{:?}", notes.borrow()),
     });
     (crew, notes, id, shares)
@@ -319,7 +327,7 @@ fn two_workers_share_a_measurement_and_tell_of_it_as_one() {
         crew.receive(seat, Reply::Event(share, JobEvent::Finished));
     }
     assert!(crew.take_events().is_empty(), "the result is not there yet");
-    let Some(Request::Start(sum, Job::SumUp(..))) = sent_to(&notes, WHOLE_FLIES).pop() else {
+    let Some(Request::Start(sum, Job::SumUp(_))) = sent_to(&notes, WHOLE_FLIES).pop() else {
         panic!("{:?}", notes.borrow());
     };
     crew.receive(WHOLE_FLIES, Reply::Event(sum, JobEvent::Finished));
@@ -398,7 +406,7 @@ fn two_workers_share_a_proposal_and_a_third_job_chooses() {
     let (mut crew, notes) = crew();
     let id = crew.start(Job::Suggest(Box::new(asked)));
     let shares = [WHOLE_FLIES, WHOLE_SHOWS].map(|seat| match sent_to(&notes, seat)[..] {
-        [Request::Start(share, Job::SuggestShare(..))] => share,
+        [Request::Start(share, Job::SuggestShare(_))] => share,
         _ => panic!("{:?}", notes.borrow()),
     });
     let place = |score| Candidate {
@@ -421,7 +429,8 @@ fn two_workers_share_a_proposal_and_a_third_job_chooses() {
         crew.receive(seat, Reply::Event(shares[part], JobEvent::Finished));
     }
     assert!(crew.take_events().is_empty(), "nothing is chosen yet");
-    let Some(Request::Start(last, Job::Propose(_, found))) = sent_to(&notes, WHOLE_FLIES).pop()
+    let Some(Request::Start(last, Job::Propose(ProposeOrder(_, found)))) =
+        sent_to(&notes, WHOLE_FLIES).pop()
     else {
         panic!("{:?}", notes.borrow());
     };

@@ -1,6 +1,7 @@
 //! The workers on which trainings go on, and the restart of a training whose worker dies.
 
 use super::*;
+use crate::TileOrder;
 
 fn train(left: Option<crate::TrainingLeft>) -> Job {
     use pilotage_core::frames::{GroundPoint, GroundRect};
@@ -53,7 +54,7 @@ fn a_training_does_not_wait_behind_a_flight_because_tiles_are_drawn_elsewhere() 
     let window = pilotage_core::imagery::Window::covering(&area, 1.0);
     for _ in 0..4 {
         let map = MapSource::Scenery;
-        crew.start(Job::Tile { map, window });
+        crew.start(Job::Tile(TileOrder { map, window }));
     }
     let training = crew.start(train(None));
     assert_eq!(

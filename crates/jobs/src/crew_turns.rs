@@ -1,12 +1,11 @@
 //! Jobs that keep their place without working, and turns between two programs of one role.
 
-use super::{Assigned, Crew, Job, JobId, Request, WorkerPort, role_at, urgency};
+use super::{Assigned, Crew, Job, JobId, Request, WorkerPort, role_at};
 
 impl<P: WorkerPort> Crew<P> {
     /// Lets every flight that is being flown keep its place without working.
     pub fn hold_flights(&mut self) {
-        let is_flight =
-            |(_, assigned): &(&JobId, &Assigned)| matches!(assigned.job, Job::Fly { .. });
+        let is_flight = |(_, assigned): &(&JobId, &Assigned)| matches!(assigned.job, Job::Fly(_));
         let flights: Vec<JobId> = self
             .jobs
             .iter()
@@ -39,7 +38,7 @@ impl<P: WorkerPort> Crew<P> {
                 role_at(its.seat) == role
                     && its.seat != assigned.seat
                     && !self.held.contains(other)
-                    && urgency(&its.job) < urgency(&assigned.job)
+                    && its.job.urgency() < assigned.job.urgency()
             };
             if self.jobs.iter().any(is_before) != self.waiting.contains(id) {
                 changed.push(*id);

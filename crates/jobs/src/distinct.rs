@@ -4,13 +4,17 @@ use pilotage_core::frames::GroundRect;
 use pilotage_core::imagery::Imagery;
 use pilotage_core::landmark::{PatchDistinctness, TemplateSettings, distinctness};
 
-use super::Distinctness;
+use serde::{Deserialize, Serialize};
+
+use super::order::{Order, Reads, Role, Urgency, keys_of};
+use super::running::once;
+use super::{Distinctness, JobEvent, MapSource, RunningJob, Workshop};
 
 /// Score of the strongest look-alike up to which a box stands out clearly.
 const CLEARLY_DISTINCT: f64 = 0.55;
 
 /// Compares the box with the map within `radius` metres.
-pub fn examine(map: &dyn Imagery, bounds: GroundRect, radius: f64) -> Distinctness {
+fn examine(map: &dyn Imagery, bounds: GroundRect, radius: f64) -> Distinctness {
     let found = distinctness(map, &bounds, radius);
     let verdict = verdict(&found, &bounds, radius);
     Distinctness {
@@ -63,6 +67,49 @@ fn compass(north: f64, east: f64) -> &'static str {
     let eighth = std::f64::consts::FRAC_PI_4;
     let index = (east.atan2(north) / eighth).round().rem_euclid(8.0) as usize;
     NAMES[index % 8]
+}
+
+/// Question how distinct a box of the map is: event `Distinctness`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct DistinctnessOrder {
+    /// The map.
+    pub map: MapSource,
+    /// The box.
+    pub bounds: GroundRect,
+    /// Reach around it within which look-alikes are sought, metres.
+    pub radius: f64,
+}
+
+impl Order for DistinctnessOrder {
+    const URGENCY: Urgency = Urgency::Asked;
+
+    fn role(&self) -> Role {
+        Role::Questions
+    }
+
+    fn files(&self) -> Vec<&str> {
+        keys_of(None, Some(&self.map))
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        Some((
+            &self.map,
+            Reads::Areas(vec![self.bounds.grown(self.radius)]),
+        ))
+    }
+
+    fn is_small(&self) -> bool {
+        self.map.is_built_in()
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        once(move |workshop, emit| {
+            let map = workshop.map(&self.map)?;
+            let found = examine(map.as_ref(), self.bounds, self.radius);
+            emit(JobEvent::Distinctness(Box::new(found)));
+            Ok(())
+        })
+    }
 }
 
 #[cfg(test)]

@@ -2,8 +2,11 @@
 
 use pilotage_core::plan::EnvelopeSurvey;
 
+use serde::{Deserialize, Serialize};
+
+use super::order::{Order, Reads, Role, Urgency};
 use super::running::slice;
-use super::{Advance, AssessmentOrder, JobEvent, RunningJob, Workshop};
+use super::{Advance, AssessmentOrder, JobEvent, MapSource, RunningJob, Workshop};
 
 /// Milliseconds between two looks at what is known so far.
 const EVERY: f64 = 400.0;
@@ -54,5 +57,29 @@ impl RunningJob for SurveyEnvelope {
         }
         emit(JobEvent::Finished);
         Ok(Advance::Done)
+    }
+}
+
+/// Survey of the heights and tilts from which a landmark is found: events `Envelope`, each knowing more.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct EnvelopeOrder(pub Box<AssessmentOrder>);
+
+impl Order for EnvelopeOrder {
+    const URGENCY: Urgency = Urgency::Awaited;
+
+    fn role(&self) -> Role {
+        Role::Flight
+    }
+
+    fn files(&self) -> Vec<&str> {
+        self.0.files()
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        self.0.reads()
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(SurveyEnvelope::new(*self.0))
     }
 }

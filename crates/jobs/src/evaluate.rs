@@ -14,9 +14,11 @@ use pilotage_core::training::evaluation::{
 };
 
 use super::flights::OpenFlight;
+use super::order::{Order, Reads, Role, Urgency, around, keys_of};
 use super::running::SLICE;
 use super::{
-    Advance, EvaluationOrder, EvaluationReport, FlightSource, JobEvent, RunningJob, Workshop,
+    Advance, EvaluationOrder, EvaluationReport, FlightSource, JobEvent, MapSource, RunningJob,
+    Workshop,
 };
 
 /// Most real frames that are looked at, evenly spread over the flight.
@@ -334,6 +336,27 @@ impl RunningJob for Evaluate {
         emit(JobEvent::Evaluation(Box::new(report)));
         emit(JobEvent::Finished);
         Ok(Advance::Done)
+    }
+}
+
+impl Order for EvaluationOrder {
+    const URGENCY: Urgency = Urgency::Ahead;
+
+    fn role(&self) -> Role {
+        Role::Flight
+    }
+
+    fn files(&self) -> Vec<&str> {
+        keys_of(self.flight.as_ref(), Some(&self.about.map))
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        let area = around(&self.about.landmark.bounds);
+        Some((&self.about.map, Reads::Areas(vec![area])))
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(Evaluate::new(self))
     }
 }
 

@@ -9,54 +9,75 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{StepReport, explain, explain_cascade};
 use pilotage_core::raster::Picture;
 
+use serde::{Deserialize, Serialize};
+
+use super::order::{Order, Reads, Role, Urgency, around, keys_of};
+use super::running::once;
 use super::{
-    DetectorSearch, ExplainedBy, FlightSource, Job, JobEvent, MapSource, MatchPictures, Workshop,
+    DetectorSearch, ExplainedBy, FlightSource, JobEvent, MapSource, MatchPictures, RunningJob,
+    Workshop,
 };
 
-/// Answer to a job that explains a match: its pictures, or the search of the trained detector.
-pub fn explained(workshop: &mut Workshop, job: &Job) -> Result<JobEvent, String> {
-    let Job::ExplainMatch {
-        by,
-        flight,
-        map,
-        mission,
-        step,
-        landmark,
-    } = job
-    else {
-        return Err("this is no question about a match".to_owned());
-    };
-    let look = PastLook {
-        flight,
-        map,
-        mission,
-        step,
-        landmark: *landmark,
-    };
-    Ok(match by {
-        ExplainedBy::Template => JobEvent::Match(Box::new(look.match_pictures(workshop)?)),
-        ExplainedBy::Cascade => JobEvent::Detector(Box::new(look.detector_search(workshop))),
-    })
+/// Match to be explained by pictures: event `Match`, or `Detector` of one by a trained detector.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ExplainOrder {
+    /// Detector by which the landmark is looked for.
+    pub by: ExplainedBy,
+    /// The flight.
+    pub flight: FlightSource,
+    /// The map.
+    pub map: MapSource,
+    /// The mission.
+    pub mission: Mission,
+    /// The step whose frame is meant.
+    pub step: Box<StepReport>,
+    /// The landmark.
+    pub landmark: u32,
 }
 
-/// Step that is looked at again, and its landmark.
-struct PastLook<'a> {
-    flight: &'a FlightSource,
-    map: &'a MapSource,
-    mission: &'a Mission,
-    step: &'a StepReport,
-    landmark: u32,
+impl Order for ExplainOrder {
+    const URGENCY: Urgency = Urgency::Asked;
+
+    fn role(&self) -> Role {
+        Role::Questions
+    }
+
+    fn files(&self) -> Vec<&str> {
+        keys_of(Some(&self.flight), Some(&self.map))
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        let landmark = self.mission.landmark(self.landmark);
+        let areas = landmark.map(|l| around(&l.bounds)).into_iter().collect();
+        Some((&self.map, Reads::Areas(areas)))
+    }
+
+    fn is_small(&self) -> bool {
+        self.flight.is_simulated() && self.map.is_built_in()
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        once(move |workshop, emit| {
+            emit(match self.by {
+                ExplainedBy::Template => JobEvent::Match(Box::new(self.match_pictures(workshop)?)),
+                ExplainedBy::Cascade => {
+                    JobEvent::Detector(Box::new(self.detector_search(workshop)))
+                }
+            });
+            Ok(())
+        })
+    }
 }
 
-impl PastLook<'_> {
+impl ExplainOrder {
     /// Runs `look` on the step's picture and returns its answer, or in words why there is none.
     fn again<R>(
         &self,
         workshop: &mut Workshop,
         look: impl FnOnce(&Flight, Arc<dyn Imagery>, &Landmark, &Picture) -> Option<Result<R, Refusal>>,
     ) -> Result<R, String> {
-        let map = workshop.map(self.map)?;
-        let open = workshop.flight(self.flight)?;
+        let map = workshop.map(&self.map)?;
+        let open = workshop.flight(&self.flight)?;
         let mut open = open.borrow_mut();
         let index = self
             .step
@@ -79,7 +100,7 @@ impl PastLook<'_> {
     fn match_pictures(&self, workshop: &mut Workshop) -> Result<MatchPictures, String> {
         let settings = &self.mission.navigator;
         let evidence = self.again(workshop, |flight, map, marked, picture| {
-            explain(flight, map, settings, marked, self.step, picture)
+            explain(flight, map, settings, marked, &self.step, picture)
         })?;
         let mut peaks = evidence.peaks.into_iter();
         Ok(MatchPictures {
@@ -98,7 +119,7 @@ impl PastLook<'_> {
     fn detector_search(&self, workshop: &mut Workshop) -> DetectorSearch {
         let settings = &self.mission.navigator;
         let found = self.again(workshop, |flight, map, marked, picture| {
-            explain_cascade(flight, map.as_ref(), settings, marked, self.step, picture)
+            explain_cascade(flight, map.as_ref(), settings, marked, &self.step, picture)
         });
         DetectorSearch {
             time: self.step.time,

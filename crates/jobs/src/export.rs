@@ -4,7 +4,9 @@ use pilotage_core::exchange::labels::write_labels;
 use pilotage_core::exchange::{Places, Written, write_flown, write_places};
 use pilotage_core::frames::LocalFrame;
 
-use super::ExportOrder;
+use super::order::{Order, Role, Urgency};
+use super::running::once;
+use super::{ExportOrder, JobEvent, RunningJob, Workshop};
 
 impl ExportOrder {
     /// The file; the error says in words why there is none.
@@ -34,5 +36,21 @@ impl ExportOrder {
                 landmarks,
             } => write_labels(*format, frames, landmarks).map_err(|cause| cause.to_string()),
         }
+    }
+}
+
+impl Order for ExportOrder {
+    const URGENCY: Urgency = Urgency::Asked;
+
+    fn role(&self) -> Role {
+        Role::Questions
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        once(move |_, emit| {
+            let Written { bytes, notes } = self.write()?;
+            emit(JobEvent::Exported { bytes, notes });
+            Ok(())
+        })
     }
 }

@@ -2,8 +2,9 @@
 
 use pilotage_core::plan::{FieldBuilder, FixSource, Localizability, OfferedField};
 
+use super::order::{Order, Reads, Role, Urgency, keys_of};
 use super::running::slice;
-use super::{Advance, FieldFrom, FieldOrder, JobEvent, RunningJob, Workshop};
+use super::{Advance, FieldFrom, FieldOrder, JobEvent, MapSource, RunningJob, Workshop};
 
 /// Cells along the longer side of the map at most.
 const MOST_CELLS: f64 = 260.0;
@@ -130,5 +131,27 @@ impl RunningJob for ComputeField {
         }
         emit(JobEvent::Finished);
         Ok(Advance::Done)
+    }
+}
+
+impl Order for FieldOrder {
+    const URGENCY: Urgency = Urgency::Flight;
+
+    fn role(&self) -> Role {
+        Role::Flight
+    }
+
+    fn files(&self) -> Vec<&str> {
+        keys_of(None, Some(&self.map))
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        let from_map = matches!(self.from, FieldFrom::Map { .. });
+        let areas = from_map.then_some(self.region).into_iter().collect();
+        Some((&self.map, Reads::Areas(areas)))
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(ComputeField::new(self))
     }
 }

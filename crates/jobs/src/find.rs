@@ -11,6 +11,7 @@ use pilotage_core::plan::{
 use pilotage_core::simulate::Airframe;
 
 use super::field::LOOKS_AWAY;
+use super::order::{Order, Role, Urgency};
 use super::running::slice;
 use super::{
     Advance, FieldFrom, FindOrder, Foreseen, FoundPlan, HighGround, JobEvent, PredictionOrder,
@@ -183,5 +184,17 @@ impl RunningJob for FindRoute {
             }
         }
         Ok(Advance::More)
+    }
+}
+
+impl Order for FindOrder {
+    const URGENCY: Urgency = Urgency::Awaited;
+
+    fn role(&self) -> Role {
+        Role::Questions
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(FindRoute::new(self))
     }
 }

@@ -7,7 +7,10 @@ use pilotage_core::flight::{ChannelName, Flight};
 use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Navigator, NavigatorSettings, StepReport, VehicleChoice};
 
+use serde::{Deserialize, Serialize};
+
 use super::flights::OpenFlight;
+use super::order::{Order, Reads, Role, Urgency, around, keys_of};
 use super::running::{SLICE, slice};
 use super::{Advance, FlightSource, JobEvent, MapSource, RunningJob, Workshop};
 
@@ -213,6 +216,44 @@ impl RunningJob for Fly {
         }
         emit(JobEvent::Finished);
         Ok(Advance::Done)
+    }
+}
+
+/// Flight to be flown and navigated: events `Flight`, `Mission` (if none was given), `RunStarted`, then `Steps` and
+/// `FramePicture`; or `CannotNavigate` in the place of `RunStarted` and `Steps`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FlyOrder {
+    /// The flight.
+    pub flight: FlightSource,
+    /// The map.
+    pub map: MapSource,
+    /// The mission; the scenario's own if `None`.
+    pub mission: Option<Mission>,
+}
+
+impl Order for FlyOrder {
+    const URGENCY: Urgency = Urgency::Flight;
+
+    fn role(&self) -> Role {
+        Role::Flight
+    }
+
+    fn files(&self) -> Vec<&str> {
+        keys_of(Some(&self.flight), Some(&self.map))
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        let landmarks = self.mission.iter().flat_map(|mission| &mission.landmarks);
+        let areas = landmarks.map(|landmark| around(&landmark.bounds)).collect();
+        Some((&self.map, Reads::Areas(areas)))
+    }
+
+    fn is_small(&self) -> bool {
+        self.flight.is_simulated() && self.map.is_built_in()
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(Fly::new(self.flight, self.map, self.mission))
     }
 }
 

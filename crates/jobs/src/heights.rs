@@ -3,6 +3,7 @@
 use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::terrain::{Dem, HeightGrid, Terrain as _};
 
+use super::order::{Order, Role, Urgency};
 use super::running::SLICE;
 use super::{Advance, HeightsOrder, JobEvent, RunningJob, Workshop, opening};
 
@@ -70,5 +71,21 @@ impl RunningJob for TakeHeights {
         emit(JobEvent::Heights(Box::new(grid.clone())));
         emit(JobEvent::Finished);
         Ok(Advance::Done)
+    }
+}
+
+impl Order for HeightsOrder {
+    const URGENCY: Urgency = Urgency::Awaited;
+
+    fn role(&self) -> Role {
+        Role::Questions
+    }
+
+    fn files(&self) -> Vec<&str> {
+        vec![&self.key]
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(TakeHeights::new(self))
     }
 }

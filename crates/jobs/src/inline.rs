@@ -90,7 +90,7 @@ impl InlineWorkers {
 
 /// A request after it went through the bytes that a worker would get; files go beside them.
 fn sent(request: Request) -> Request {
-    if matches!(request, Request::Start(_, Job::Provide { .. })) {
+    if matches!(request, Request::Start(_, Job::Provide(_))) {
         return request;
     }
     let bytes = request

@@ -5,10 +5,13 @@ use pilotage_core::imagery::Window;
 use pilotage_core::simulate::Scenario;
 
 use super::*;
-use crate::{FlightSource, MapSource, SimulationOptions};
+use crate::{
+    AssessShareOrder, FlightSource, FlyOrder, MapSource, ProposeOrder, SimulationOptions,
+    SuggestShareOrder, SumUpOrder, TileOrder,
+};
 
 fn fly(scenario: &str) -> Job {
-    Job::Fly {
+    Job::Fly(FlyOrder {
         flight: FlightSource::Simulated(SimulationOptions {
             scenario: scenario.to_owned(),
             seed: 1,
@@ -18,7 +21,7 @@ fn fly(scenario: &str) -> Job {
         }),
         map: MapSource::Scenery,
         mission: None,
-    }
+    })
 }
 
 /// Events until `enough` of them have come or the jobs are done.
@@ -68,15 +71,15 @@ fn a_flight_tells_its_head_first_and_then_streams_steps_and_pictures() {
 #[test]
 fn a_mission_that_was_given_is_not_told_again() {
     let mut host = InlineWorkers::new();
-    let Job::Fly { flight, map, .. } = fly("distinct-400ft-calm") else {
+    let Job::Fly(FlyOrder { flight, map, .. }) = fly("distinct-400ft-calm") else {
         panic!("a flight");
     };
     let mission = Some(Scenario::all()[0].mission());
-    host.start(Job::Fly {
+    host.start(Job::Fly(FlyOrder {
         flight,
         map,
         mission,
-    });
+    }));
     let seen = until(&mut host, |seen| steps(seen) > 0);
     assert!(!seen.iter().any(|e| matches!(e, JobEvent::Mission(_))));
 }
@@ -90,10 +93,10 @@ fn a_tile_asked_for_during_a_flight_comes_before_the_flight_goes_on() {
         &GroundRect::centered(GroundPoint::new(0.0, 0.0), 50.0, 50.0),
         1.0,
     );
-    let tile = host.start(Job::Tile {
+    let tile = host.start(Job::Tile(TileOrder {
         map: MapSource::Scenery,
         window,
-    });
+    }));
     let events = host.events();
     let expected = |(id, event): &(JobId, JobEvent)| {
         *id == tile && matches!(event, JobEvent::Tile { window: w, .. } if *w == window)
@@ -140,7 +143,7 @@ fn measure(shares: usize) -> crate::Assessment {
         Job::Assess(order)
     } else {
         for part in 0..shares {
-            let job = Job::AssessShare(order.clone(), Share { part, of: shares });
+            let job = Job::AssessShare(AssessShareOrder(order.clone(), Share { part, of: shares }));
             for event in run(&mut host, job) {
                 if let JobEvent::Views(mut some) = event {
                     views.append(&mut some);
@@ -148,7 +151,10 @@ fn measure(shares: usize) -> crate::Assessment {
             }
         }
         views.sort_by_key(|(look, _)| *look);
-        Job::SumUp(order, views.iter().map(|(_, view)| *view).collect())
+        Job::SumUp(SumUpOrder(
+            order,
+            views.iter().map(|(_, view)| *view).collect(),
+        ))
     };
     let events = run(&mut host, last).into_iter();
     let mut found = events.filter_map(|event| match event {
@@ -192,7 +198,8 @@ fn propose(shares: usize) -> Vec<pilotage_core::plan::Suggestion> {
     } else {
         let mut found = Vec::new();
         for part in 0..shares {
-            let job = Job::SuggestShare(order.clone(), Share { part, of: shares });
+            let job =
+                Job::SuggestShare(SuggestShareOrder(order.clone(), Share { part, of: shares }));
             for event in run(&mut host, job) {
                 if let JobEvent::Candidates(of, mut some) = event {
                     assert_eq!(of, part);
@@ -201,7 +208,7 @@ fn propose(shares: usize) -> Vec<pilotage_core::plan::Suggestion> {
                 }
             }
         }
-        Job::Propose(order, found)
+        Job::Propose(ProposeOrder(order, found))
     };
     let events = run(&mut host, last).into_iter();
     let mut found = events.filter_map(|event| match event {

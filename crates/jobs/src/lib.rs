@@ -9,6 +9,7 @@ mod assess;
 mod brief;
 mod contest;
 mod crew;
+mod decode;
 mod distinct;
 mod envelope;
 mod evaluate;
@@ -23,13 +24,17 @@ mod fly;
 mod heights;
 mod imports;
 mod inline;
+mod job;
 mod lent;
 mod log_answers;
 mod log_flights;
 mod log_series;
 mod logs;
+mod map_view;
 mod messages;
+mod open;
 mod opening;
+mod order;
 mod pack;
 mod photos;
 mod places;
@@ -37,6 +42,7 @@ mod predict;
 mod prelude;
 mod prepare;
 mod programs;
+mod provided;
 mod reckon;
 mod runner;
 mod running;
@@ -50,28 +56,43 @@ mod vehicle;
 mod wanted_tiles;
 mod workshop;
 
+pub use assess::{AssessShareOrder, SumUpOrder};
 pub use crew::{Crew, WorkerPort};
+pub use decode::DecodeOrder;
+pub use distinct::DistinctnessOrder;
+pub use envelope::EnvelopeOrder;
+pub use explain::ExplainOrder;
 pub use fetched_tiles::WEB_TILES;
 pub use file_pool::has_ending;
+pub use fly::FlyOrder;
 pub use inline::InlineWorkers;
+pub use job::Job;
 pub use lent::{LentFiles, OpenAddress};
+pub use log_series::SeriesOrder;
+pub use logs::ReadLogOrder;
+pub use map_view::{DescribeMapOrder, TileOrder};
 pub use messages::{
     AidedResult, AlignOrder, Assessment, AssessmentOrder, BESIDE, Basis, Beside, BriefOrder,
     BriefPictures, COARSE, ContestOrder, Cut, CutOrder, CutReport, DetectorSearch, Distinctness,
     DrapeOrder, EncodedPicture, EvaluationOrder, EvaluationReport, ExplainedBy, ExportOrder,
     FieldFrom, FieldOrder, FileContent, FindOrder, FlightSource, Foreseen, FoundPlan, Glance,
-    HeightsOrder, HighGround, ImportedFile, Job, JobEvent, JobId, KeptMeasurement, LabelledFrames,
+    HeightsOrder, HighGround, ImportedFile, JobEvent, JobId, KeptMeasurement, LabelledFrames,
     LogAnswer, LogOrder, LogQuestion, LogSeries, MadeFlight, MapInfo, MapSource, MatchPictures,
     Measured, Opened, PackOrder, PhotoReport, PhotosOrder, PredictionOrder, ReadLog,
     RecordedPlaces, Reply, Request, SeriesName, Share, SimulationOptions, StudyReport,
     SuggestOrder, TerrainInfo, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport, Unplaced,
     WebMap, WindReport,
 };
+pub use open::{OpenOrder, ReadPlacesOrder};
+pub use order::{Order, Reads, Role, Urgency};
 pub use prelude::{FirstMap, FirstSeconds, Prelude};
-pub use programs::Program;
+pub use prepare::PrepareMapOrder;
+pub use programs::{Abilities, Begin, Program};
+pub use provided::{LetGoOrder, ProvideOrder};
 pub use runner::JobRunner;
 pub use simulated::{scenario_route, scenario_wind};
-pub use tables::{COLUMNS_FILE, write_columns};
+pub use suggest::{ProposeOrder, SuggestShareOrder};
+pub use tables::{COLUMNS_FILE, MakeFlightOrder, write_columns};
 pub use vehicle::{VEHICLE_FILE, write_vehicle};
 pub use wanted_tiles::wanted_addresses;
-pub use workshop::{Abilities, Advance, RunningJob, Workshop};
+pub use workshop::{Advance, Opens, RunningJob, Workshop};

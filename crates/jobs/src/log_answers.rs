@@ -5,6 +5,7 @@ use std::rc::Rc;
 use pilotage_core::flight::expression::Samples;
 use pilotage_core::flight::{SpanStatistics, SpanTable};
 
+use super::order::{Order, Role, Urgency};
 use super::running::slice;
 use super::{Advance, JobEvent, LogAnswer, LogOrder, LogQuestion, RunningJob, Workshop};
 
@@ -95,5 +96,21 @@ impl RunningJob for AnswerLog {
         }
         emit(JobEvent::Finished);
         Ok(Advance::Done)
+    }
+}
+
+impl Order for LogOrder {
+    const URGENCY: Urgency = Urgency::First;
+
+    fn role(&self) -> Role {
+        Role::Flight
+    }
+
+    fn files(&self) -> Vec<&str> {
+        vec![&self.key]
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(AnswerLog::new(self))
     }
 }

@@ -4,6 +4,9 @@ use std::rc::Rc;
 
 use pilotage_core::flight::expression::Samples;
 
+use serde::{Deserialize, Serialize};
+
+use super::order::{Order, Role, Urgency};
 use super::running::slice;
 use super::{Advance, JobEvent, LogSeries, RunningJob, SeriesName, Workshop};
 
@@ -61,5 +64,32 @@ impl RunningJob for SendSeries {
         }
         emit(JobEvent::Finished);
         Ok(Advance::Done)
+    }
+}
+
+/// Series of a log that is being read or was: events `LogSeries`, each with some of its samples.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SeriesOrder {
+    /// Key of the files.
+    pub key: String,
+    /// Name of the log among them.
+    pub file: String,
+    /// Name of the series.
+    pub series: SeriesName,
+}
+
+impl Order for SeriesOrder {
+    const URGENCY: Urgency = Urgency::First;
+
+    fn role(&self) -> Role {
+        Role::Flight
+    }
+
+    fn files(&self) -> Vec<&str> {
+        vec![&self.key]
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(SendSeries::new(self.key, self.file, self.series))
     }
 }

@@ -13,9 +13,12 @@ use pilotage_core::flight::overview::overview;
 use pilotage_core::frames::LocalFrame;
 use pilotage_core::imagery::ByteSource;
 
+use serde::{Deserialize, Serialize};
+
 use super::file_pool::FilePool;
 use super::log_flights::{head, with_pictures};
 use super::opening::{flight_folder, open_folder};
+use super::order::{Order, Role, Urgency};
 use super::running::slice;
 use super::vehicle::choose_vehicle;
 use super::{Advance, JobEvent, ReadLog, RecordedPlaces, RunningJob, Workshop};
@@ -210,6 +213,33 @@ impl ReadingLog {
         emit(JobEvent::LogRead(Box::new(read)));
         emit(JobEvent::Finished);
         Ok(Advance::Done)
+    }
+}
+
+/// Flight log to be read among provided files, or else the tables or photos of a flight, which are one as well and
+/// called by the key they are kept under: events `LogOutline` as it grows, at the end `LogRead`. Kept by the worker for
+/// [`super::SeriesOrder`] and [`super::FlyOrder`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ReadLogOrder {
+    /// Key of the files.
+    pub key: String,
+    /// Its name among them.
+    pub file: String,
+}
+
+impl Order for ReadLogOrder {
+    const URGENCY: Urgency = Urgency::Awaited;
+
+    fn role(&self) -> Role {
+        Role::Flight
+    }
+
+    fn files(&self) -> Vec<&str> {
+        vec![&self.key]
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(ReadingLog::new(self.key, self.file))
     }
 }
 

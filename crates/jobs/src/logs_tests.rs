@@ -6,6 +6,7 @@ use pilotage_core::flight::interpret::Role;
 use pilotage_core::flight::log::TopicName;
 
 use super::super::{InlineWorkers, Job, JobEvent, MapSource, SeriesName};
+use crate::{FlyOrder, ProvideOrder, ReadLogOrder, SeriesOrder};
 
 /// A flight eastward at 20 m/s as a text log, its airspeed with one digit too many now and then.
 fn eastward() -> Vec<u8> {
@@ -39,15 +40,15 @@ fn host_with(name: &str, bytes: Vec<u8>) -> InlineWorkers {
     let mut host = InlineWorkers::new();
     let files = vec![(name.to_owned(), bytes.into())];
     let key = "drop".to_owned();
-    host.start(Job::Provide { key, files });
+    host.start(Job::Provide(ProvideOrder { key, files }));
     host
 }
 
 fn read(host: &mut InlineWorkers, file: &str) -> Vec<JobEvent> {
-    host.start(Job::ReadLog {
+    host.start(Job::ReadLog(ReadLogOrder {
         key: "drop".to_owned(),
         file: file.to_owned(),
-    });
+    }));
     events(host)
 }
 
@@ -67,7 +68,7 @@ fn a_log_is_read_looked_over_plotted_and_flown() {
 
     let mut series = |series: SeriesName| {
         let (key, file) = ("drop".to_owned(), "east.log".to_owned());
-        host.start(Job::LogSeries { key, file, series });
+        host.start(Job::LogSeries(SeriesOrder { key, file, series }));
         let found = events(&mut host).into_iter().find_map(|event| match event {
             JobEvent::LogSeries(series) => Some(*series),
             _ => None,
@@ -92,11 +93,11 @@ fn a_log_is_read_looked_over_plotted_and_flown() {
     let why = none.lacks.unwrap();
     assert!(why.ends_with("did you mean ATT.Roll?"), "{why}");
 
-    host.start(Job::Fly {
+    host.start(Job::Fly(FlyOrder {
         flight: super::super::FlightSource::Files("drop".to_owned()),
         map: MapSource::Nothing,
         mission: None,
-    });
+    }));
     let flown = events(&mut host);
     let steps = flown.iter().map(|event| match event {
         JobEvent::Steps(steps) => steps.len(),

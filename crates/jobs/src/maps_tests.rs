@@ -6,7 +6,7 @@ use pilotage_core::frames::{Geodetic, GroundRect};
 use pilotage_core::imagery::{ByteSource, Window};
 
 use super::*;
-use crate::{HeightsOrder, MapSource, Opened};
+use crate::{HeightsOrder, MapSource, OpenOrder, Opened, PrepareMapOrder, ProvideOrder, TileOrder};
 
 fn words(values: &[u16]) -> Vec<u8> {
     values.iter().flat_map(|v| v.to_le_bytes()).collect()
@@ -103,17 +103,17 @@ fn all(host: &mut InlineWorkers, job: Job) -> Vec<JobEvent> {
 fn open(host: &mut InlineWorkers, files: &[(&str, FileContent)]) -> Result<Opened, String> {
     let files = files.iter().map(|(n, c)| ((*n).to_owned(), c.clone()));
     let key = "drop".to_owned();
-    host.start(Job::Provide {
+    host.start(Job::Provide(ProvideOrder {
         key: key.clone(),
         files: files.collect(),
-    });
+    }));
     let events = all(
         host,
-        Job::Open {
+        Job::Open(OpenOrder {
             key,
             near: None,
             origin: Geodetic::from_degrees(47.0, 8.0, 0.0),
-        },
+        }),
     );
     events
         .into_iter()
@@ -136,7 +136,7 @@ fn placed(origin: Geodetic) -> MapSource {
 fn look(host: &mut InlineWorkers, origin: Geodetic, bounds: &GroundRect) -> (Vec<[u8; 4]>, bool) {
     let window = Window::covering(bounds, bounds.width() / 300.0);
     let map = placed(origin);
-    let events = all(host, Job::Tile { map, window });
+    let events = all(host, Job::Tile(TileOrder { map, window }));
     let tile = events.into_iter().find_map(|event| match event {
         JobEvent::Tile { pixels, whole, .. } => Some((pixels.pixels().to_vec(), whole)),
         _ => None,
@@ -166,7 +166,7 @@ fn a_large_map_opens_without_being_read_and_wide_views_fill_while_it_is_made_rea
     let origin = map.origin.unwrap();
     let (pixels, whole) = look(&mut host, origin, &map.bounds);
     assert!(!whole && pixels.iter().all(|p| p[3] == 0));
-    let events = all(&mut host, Job::PrepareMap(placed(origin)));
+    let events = all(&mut host, Job::PrepareMap(PrepareMapOrder(placed(origin))));
     // In slices: how many depends on the machine.
     let (last, before) = events.split_last().unwrap();
     assert_eq!(*last, JobEvent::Finished);
@@ -201,10 +201,10 @@ fn a_map_that_is_cut_off_says_so_and_shows_what_is_there() {
     let window = Window::covering(&map.bounds, 1.0);
     let events = all(
         &mut host,
-        Job::Tile {
+        Job::Tile(TileOrder {
             map: placed(map.origin.unwrap()),
             window,
-        },
+        }),
     );
     let told = events.iter().find_map(|event| match event {
         JobEvent::Remark(text) => Some(text.clone()),

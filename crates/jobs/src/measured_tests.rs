@@ -11,6 +11,7 @@ use super::super::{
     COLUMNS_FILE, FlightSource, InlineWorkers, Job, JobEvent, LogAnswer, LogOrder, LogQuestion,
     LogSeries, MapSource, ReadLog, SeriesName, write_columns,
 };
+use crate::{FlyOrder, ProvideOrder, ReadLogOrder, SeriesOrder};
 
 const KEY: &str = "drop";
 
@@ -60,13 +61,13 @@ fn host() -> InlineWorkers {
     let files = files.map(|(name, bytes)| (name, bytes.into())).collect();
     let mut host = InlineWorkers::new();
     let key = KEY.to_owned();
-    host.start(Job::Provide { key, files });
+    host.start(Job::Provide(ProvideOrder { key, files }));
     host
 }
 
 fn read(host: &mut InlineWorkers) -> ReadLog {
     let (key, file) = (KEY.to_owned(), "x".to_owned());
-    host.start(Job::ReadLog { key, file });
+    host.start(Job::ReadLog(ReadLogOrder { key, file }));
     let seen = events(host);
     let read = seen.iter().find_map(|event| match event {
         JobEvent::LogRead(read) => Some(ReadLog::clone(read)),
@@ -77,7 +78,7 @@ fn read(host: &mut InlineWorkers) -> ReadLog {
 
 fn series(host: &mut InlineWorkers, series: SeriesName) -> LogSeries {
     let (key, file) = (KEY.to_owned(), "x".to_owned());
-    host.start(Job::LogSeries { key, file, series });
+    host.start(Job::LogSeries(SeriesOrder { key, file, series }));
     let found = events(host).into_iter().find_map(|event| match event {
         JobEvent::LogSeries(series) => Some(*series),
         _ => None,
@@ -159,11 +160,11 @@ fn columns_that_nothing_was_said_of_are_plotted_computed_with_and_summed_up() {
 fn the_flight_of_tables_that_were_read_is_flown() {
     let mut host = host();
     read(&mut host);
-    host.start(Job::Fly {
+    host.start(Job::Fly(FlyOrder {
         flight: FlightSource::Files(KEY.to_owned()),
         map: MapSource::Nothing,
         mission: None,
-    });
+    }));
     let flown = events(&mut host);
     let steps = flown.iter().map(|event| match event {
         JobEvent::Steps(steps) => steps.len(),
@@ -176,9 +177,9 @@ fn the_flight_of_tables_that_were_read_is_flown() {
 fn files_that_are_gone_are_said_to_be_gone() {
     let mut host = InlineWorkers::new();
     let (key, files) = (KEY.to_owned(), Vec::new());
-    host.start(Job::Provide { key, files });
+    host.start(Job::Provide(ProvideOrder { key, files }));
     let (key, file) = (KEY.to_owned(), "east.log".to_owned());
-    host.start(Job::ReadLog { key, file });
+    host.start(Job::ReadLog(ReadLogOrder { key, file }));
     let seen = events(&mut host);
     let Some(JobEvent::Failed(why)) = seen.last() else {
         panic!("{seen:?}");

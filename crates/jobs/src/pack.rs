@@ -7,7 +7,9 @@ use pilotage_core::imagery::Georeference;
 use pilotage_core::mission::package::{MissionPackage, write_package};
 use pilotage_core::mission::{MapOptions, belongs_to, place_files};
 
-use super::{BESIDE, MapSource, PackOrder, Workshop, opening};
+use super::order::{Order, Role, Urgency, keys_of};
+use super::running::once;
+use super::{BESIDE, JobEvent, MapSource, PackOrder, RunningJob, Workshop, opening};
 
 /// Most bytes of a map that a mission file takes with it: the page holds them more than once while
 /// it saves.
@@ -79,6 +81,26 @@ fn map_files(workshop: &Workshop, map: &MapSource) -> Files {
     let own = name.rsplit('/').next().unwrap_or_default();
     files.extend(place.iter().flat_map(|place| place_files(own, place)));
     Ok(files)
+}
+
+impl Order for PackOrder {
+    const URGENCY: Urgency = Urgency::Asked;
+
+    fn role(&self) -> Role {
+        Role::Questions
+    }
+
+    fn files(&self) -> Vec<&str> {
+        keys_of(None, Some(&self.map))
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        once(move |workshop, emit| {
+            let (bytes, lacks) = pack(workshop, &self)?;
+            emit(JobEvent::Packed { bytes, lacks });
+            Ok(())
+        })
+    }
 }
 
 #[cfg(test)]

@@ -34,7 +34,7 @@ fn origin() -> Geodetic {
 
 /// The mission file over a map among `files`, and what is said to lack.
 fn packed(files: &[(&str, FileContent)], map: MapSource) -> (Vec<u8>, Option<String>) {
-    let mut workshop = Workshop::new(Abilities::WHOLE);
+    let mut workshop = Workshop::new(Abilities::WHOLE.opens);
     let big = MemoryBytes::new("big", vec![0; 70 << 20]);
     workshop.lend(1, Arc::new(big));
     let files: Vec<_> = files

@@ -8,8 +8,10 @@ use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::imagery::{Blank, Imagery};
 use pilotage_core::registration::{Draped, drape};
 
+use super::order::{Order, Reads, Role, Urgency};
+use super::running::once;
 use super::{
-    Advance, DrapeOrder, JobEvent, PhotoReport, PhotosOrder, RunningJob, Workshop,
+    Advance, DrapeOrder, JobEvent, MapSource, PhotoReport, PhotosOrder, RunningJob, Workshop,
     file_pool::FilePool,
 };
 use pilotage_core::flight::photo::PhotoAnswer;
@@ -126,4 +128,45 @@ pub fn draped(files: &FilePool, order: &DrapeOrder) -> Result<Draped, String> {
     let look = photo.over(&Blank);
     let draped = drape(&look, &laid.at, laid.stored_turn, &photo.picture, SHOWN);
     draped.ok_or_else(|| format!("{name}: it shows the horizon"))
+}
+
+impl Order for PhotosOrder {
+    const URGENCY: Urgency = Urgency::Awaited;
+
+    fn role(&self) -> Role {
+        Role::Questions
+    }
+
+    fn files(&self) -> Vec<&str> {
+        let map = self.map.key();
+        std::iter::once(self.key.as_str()).chain(map).collect()
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        Some((&self.map, Reads::Areas(vec![self.ground])))
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(LayPhotos::new(self))
+    }
+}
+
+impl Order for DrapeOrder {
+    const URGENCY: Urgency = Urgency::Asked;
+
+    fn role(&self) -> Role {
+        Role::Questions
+    }
+
+    fn files(&self) -> Vec<&str> {
+        vec![&self.key]
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        once(move |workshop, emit| {
+            let files = workshop.files(&self.key)?;
+            emit(JobEvent::PhotoDraped(Box::new(draped(&files, &self)?)));
+            Ok(())
+        })
+    }
 }

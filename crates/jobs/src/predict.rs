@@ -4,6 +4,7 @@ use pilotage_core::frames::LocalFrame;
 use pilotage_core::plan::{PlannedLandmark, Prediction, PredictionRequest};
 use pilotage_core::simulate::{Airframe, FlightPlan, SensorSpec, world_origin};
 
+use super::order::{Order, Role, Urgency};
 use super::{Advance, JobEvent, PredictionOrder, RunningJob, Workshop};
 
 /// Seed of the worlds: the same plan always has the same prediction.
@@ -74,5 +75,21 @@ impl PredictionOrder {
             limit: f64::INFINITY,
         };
         request.predict().map_err(|error| error.to_string())
+    }
+}
+
+impl Order for PredictionOrder {
+    const URGENCY: Urgency = Urgency::Asked;
+
+    fn role(&self) -> Role {
+        Role::Questions
+    }
+
+    fn is_small(&self) -> bool {
+        true
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(Predict(self))
     }
 }

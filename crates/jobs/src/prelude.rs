@@ -12,7 +12,10 @@ use pilotage_core::mission::Mission;
 use pilotage_core::navigator::{Run, StepReport, StepTiming};
 use serde::{Deserialize, Serialize};
 
-use super::{EncodedPicture, FlightSource, Job, JobEvent, JobId, MapInfo, MapSource};
+use super::{
+    DescribeMapOrder, EncodedPicture, FlightSource, FlyOrder, Job, JobEvent, JobId, MapInfo,
+    MapSource,
+};
 
 /// The map of the first seconds.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -111,15 +114,15 @@ impl Prelude {
             return Vec::new();
         };
         match job {
-            Job::DescribeMap(map) if *map == stored.map.source => {
+            Job::DescribeMap(DescribeMapOrder(map)) if *map == stored.map.source => {
                 self.describing = Some(id);
                 vec![JobEvent::MapInfo(stored.map.info.clone())]
             }
-            Job::Fly {
+            Job::Fly(FlyOrder {
                 flight,
                 map,
                 mission: None,
-            } if *flight == stored.source && *map == stored.map.source => {
+            }) if *flight == stored.source && *map == stored.map.source => {
                 self.flying = Some(id);
                 self.steps = 0;
                 let pictures = stored.pictures.keys().filter_map(|i| stored.picture(*i));

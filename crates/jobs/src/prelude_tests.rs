@@ -13,7 +13,10 @@ use pilotage_core::raster::{Picture, decode_picture, encode_jpeg};
 use serde_json::Value;
 
 use super::*;
-use crate::{Abilities, Advance, FlightSource, Reply, Request, SimulationOptions, Workshop};
+use crate::{
+    Abilities, Advance, DescribeMapOrder, FlightSource, FlyOrder, Reply, Request,
+    SimulationOptions, Workshop,
+};
 
 /// Seconds of the flight that are stored beyond its first match.
 const BEYOND: f64 = 0.5;
@@ -39,12 +42,12 @@ fn shipped(name: &str) -> PathBuf {
 fn first_jobs() -> [Job; 2] {
     let demo = SimulationOptions::demo();
     let map = demo.map();
-    let fly = Job::Fly {
+    let fly = Job::Fly(FlyOrder {
         flight: FlightSource::Simulated(demo),
         map: map.clone(),
         mission: None,
-    };
-    [Job::DescribeMap(map), fly]
+    });
+    [Job::DescribeMap(DescribeMapOrder(map)), fly]
 }
 
 /// First seconds to be stored, out of the events of those jobs.
@@ -101,10 +104,10 @@ fn of_events(events: impl IntoIterator<Item = JobEvent>) -> FirstSeconds {
 
 /// First seconds as this program computes them, and the picture of the ground.
 fn computed() -> (FirstSeconds, Picture) {
-    let mut workshop = Workshop::new(Abilities::FLYING);
+    let mut workshop = Workshop::new(Abilities::FLYING.opens);
     let mut events = Vec::new();
     for job in first_jobs() {
-        let mut running = workshop.start(job);
+        let mut running = (Abilities::FLYING.begin)(job, &mut workshop);
         let (mut matched, mut advance) = (None, Advance::More);
         // Some steps beyond the first match are enough.
         while advance == Advance::More && matched.is_none_or(|at| events.len() < at + 60) {
@@ -247,11 +250,11 @@ fn the_stored_first_seconds_are_what_the_program_computes() {
 fn begun() -> (Prelude, Vec<JobEvent>) {
     let bytes = std::fs::read(shipped("seconds.bin")).unwrap();
     let stored = FirstSeconds::decode(&bytes).unwrap();
-    let fly = Job::Fly {
+    let fly = Job::Fly(FlyOrder {
         flight: stored.source.clone(),
         map: stored.map.source.clone(),
         mission: None,
-    };
+    });
     let mut prelude = Prelude::new(Some(stored));
     let told = prelude.begin(7, &fly);
     (prelude, told)
@@ -335,7 +338,7 @@ fn a_flight_a_picture_or_a_map_that_comes_out_otherwise_is_told() {
         assert_eq!(prelude.hear(7, event.clone()), std::slice::from_ref(event));
     }
     let map = SimulationOptions::demo().map();
-    let known = prelude.begin(9, &Job::DescribeMap(map));
+    let known = prelude.begin(9, &Job::DescribeMap(DescribeMapOrder(map)));
     assert_eq!(prelude.hear(9, known[0].clone()), []);
     let JobEvent::MapInfo(mut info) = known[0].clone() else {
         panic!("{known:?}");

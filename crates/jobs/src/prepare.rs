@@ -4,6 +4,9 @@ use std::sync::Arc;
 
 use pilotage_core::imagery::Imagery;
 
+use serde::{Deserialize, Serialize};
+
+use super::order::{Order, Role, Urgency, keys_of};
 use super::running::SLICE;
 use super::{Advance, JobEvent, MapSource, RunningJob, Workshop};
 
@@ -48,5 +51,25 @@ impl RunningJob for PrepareMap {
         let words = format!("Making an overview of {}", map.name());
         emit(JobEvent::Progress(done as f32 / all as f32, words));
         Ok(Advance::More)
+    }
+}
+
+/// Preparation of what wide views of a large map need: events `Progress`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PrepareMapOrder(pub MapSource);
+
+impl Order for PrepareMapOrder {
+    const URGENCY: Urgency = Urgency::Ahead;
+
+    fn role(&self) -> Role {
+        Role::Map
+    }
+
+    fn files(&self) -> Vec<&str> {
+        keys_of(None, Some(&self.0))
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(PrepareMap::new(self.0))
     }
 }

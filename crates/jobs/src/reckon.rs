@@ -5,6 +5,7 @@ use pilotage_core::instruments::{
     WindComparison, reckon, study_cuts,
 };
 
+use super::order::{Order, Role, Urgency, keys_of};
 use super::{
     Advance, AidedResult, Cut, CutOrder, CutReport, JobEvent, RunningJob, StudyReport, WindReport,
     Workshop,
@@ -158,5 +159,21 @@ impl RunningJob for MakeCut {
         emit(made);
         emit(JobEvent::Finished);
         Ok(Advance::Done)
+    }
+}
+
+impl Order for CutOrder {
+    const URGENCY: Urgency = Urgency::Awaited;
+
+    fn role(&self) -> Role {
+        Role::Flight
+    }
+
+    fn files(&self) -> Vec<&str> {
+        keys_of(Some(&self.flight), None)
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(MakeCut::new(self))
     }
 }

@@ -1,5 +1,7 @@
 //! The jobs of one worker.
 
+use super::order::Urgency;
+use super::programs::Begin;
 use super::{Abilities, Advance, Job, JobEvent, JobId, Reply, Request, RunningJob, Workshop};
 
 /// Least time between two words on the progress of a job, milliseconds. The page is painted anew for
@@ -8,7 +10,7 @@ const PROGRESS_EVERY: f64 = 500.0;
 
 struct Entry {
     id: JobId,
-    urgency: u8,
+    urgency: Urgency,
     job: Box<dyn RunningJob>,
     /// When its progress was told last.
     told: Option<f64>,
@@ -34,6 +36,7 @@ impl Entry {
 /// at a time.
 pub struct JobRunner {
     workshop: Workshop,
+    begin: Begin,
     entries: Vec<Entry>,
 }
 
@@ -41,7 +44,8 @@ impl JobRunner {
     /// A runner without jobs for a program that can do this.
     pub fn new(abilities: Abilities) -> Self {
         Self {
-            workshop: Workshop::new(abilities),
+            workshop: Workshop::new(abilities.opens),
+            begin: abilities.begin,
             entries: Vec::new(),
         }
     }
@@ -60,12 +64,12 @@ impl JobRunner {
     pub fn receive(&mut self, request: Request, emit: &mut dyn FnMut(Reply)) {
         match request {
             Request::Start(id, job) => {
-                let urgency = urgency(&job);
-                if matches!(job, Job::Provide { .. }) {
+                let urgency = job.urgency();
+                if matches!(job, Job::Provide(_)) {
                     // What was to be let go of was said before these files were known.
-                    self.entries.retain(|e| e.urgency != LEAVING);
+                    self.entries.retain(|e| e.urgency != Urgency::Leaving);
                 }
-                let job = self.workshop.start(job);
+                let job = (self.begin)(job, &mut self.workshop);
                 let place = self.entries.partition_point(|e| e.urgency <= urgency);
                 let entry = Entry {
                     id,
@@ -125,63 +129,22 @@ fn as_sentence(mut event: JobEvent) -> JobEvent {
     event
 }
 
-/// Urgency of letting go of files.
-const LEAVING: u8 = 7;
-
-/// Smaller is sooner: what people wait for with a finger on the map comes before a flight.
-pub(super) fn urgency(job: &Job) -> u8 {
-    match job {
-        Job::Provide { .. } => 0,
-        Job::DescribeMap(_)
-        | Job::Open { .. }
-        | Job::ReadPlaces { .. }
-        | Job::LogSeries { .. }
-        | Job::AskLog(_)
-        | Job::DecodePicture { .. } => 1,
-        Job::Tile { .. }
-        | Job::Distinctness { .. }
-        | Job::ExplainMatch { .. }
-        | Job::DrapePhoto(_)
-        | Job::Predict(_)
-        | Job::SumUp(..)
-        | Job::Propose(..)
-        | Job::Pack(_)
-        | Job::Export(_) => 2,
-        Job::ReadLog { .. }
-        | Job::MakeFlight { .. }
-        | Job::Cut(_)
-        | Job::Align(_)
-        | Job::LayPhotos(_)
-        | Job::TakeHeights(_)
-        | Job::Assess(_)
-        | Job::AssessShare(..)
-        | Job::Envelope(_)
-        | Job::Suggest(_)
-        | Job::SuggestShare(..)
-        | Job::Find(_)
-        | Job::Brief(_) => 3,
-        Job::PrepareMap(_) | Job::Evaluate(_) => 5,
-        Job::Fly { .. } | Job::Field(_) | Job::Contest(_) => 4,
-        // Takes a minute of which nobody waits for a second.
-        Job::Train(_) => 6,
-        // What was asked before may still need them.
-        Job::LetGo { .. } => LEAVING,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{LetGoOrder, ProvideOrder};
 
     #[test]
     fn files_that_come_while_others_wait_to_be_let_go_stay() {
         let mut runner = JobRunner::new(Abilities::WHOLE);
         let mut ignore = |_: Reply| {};
-        let provide = |key: &str| Job::Provide {
-            key: key.to_owned(),
-            files: Vec::new(),
+        let provide = |key: &str| {
+            Job::Provide(ProvideOrder {
+                key: key.to_owned(),
+                files: Vec::new(),
+            })
         };
-        let let_go = Job::LetGo { keys: Vec::new() };
+        let let_go = Job::LetGo(LetGoOrder { keys: Vec::new() });
         for (id, job) in [provide("early"), let_go.clone(), provide("late")]
             .into_iter()
             .enumerate()

@@ -4,7 +4,10 @@ use std::collections::BTreeMap;
 
 use pilotage_core::plan::{Candidate, Rehearsal, View};
 
-use super::{AssessmentOrder, Job, JobEvent, JobId, Share, SuggestOrder};
+use super::{
+    AssessShareOrder, AssessmentOrder, Job, JobEvent, JobId, ProposeOrder, Share, SuggestOrder,
+    SuggestShareOrder, SumUpOrder,
+};
 
 /// Workers that share a job.
 pub const SHARES: usize = 2;
@@ -56,8 +59,12 @@ impl SharedJob {
         std::array::from_fn(|part| {
             let share = Share { part, of: SHARES };
             match &self.whole {
-                Whole::Measurement(order, _) => Job::AssessShare(order.clone(), share),
-                Whole::Proposal(order, _) => Job::SuggestShare(order.clone(), share),
+                Whole::Measurement(order, _) => {
+                    Job::AssessShare(AssessShareOrder(order.clone(), share))
+                }
+                Whole::Proposal(order, _) => {
+                    Job::SuggestShare(SuggestShareOrder(order.clone(), share))
+                }
             }
         })
     }
@@ -138,11 +145,11 @@ impl SharedJob {
             Whole::Measurement(order, views) => {
                 views.sort_by_key(|(look, _)| *look);
                 let views = views.iter().map(|(_, view)| *view).collect();
-                Job::SumUp(order.clone(), views)
+                Job::SumUp(SumUpOrder(order.clone(), views))
             }
             Whole::Proposal(order, found) => {
                 let found = std::mem::take(found).into_values().flatten().collect();
-                Job::Propose(order.clone(), found)
+                Job::Propose(ProposeOrder(order.clone(), found))
             }
         }
     }

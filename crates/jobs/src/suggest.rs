@@ -1,9 +1,13 @@
 //! Landmarks proposed for a route, as a job: the very proposal of the command line.
 
+use pilotage_core::frames::GroundRect;
 use pilotage_core::plan::{Candidate, Proposal, ProposalQuestion, Suggestion};
 
-use super::running::slice;
-use super::{Advance, JobEvent, RunningJob, Share, SuggestOrder, Workshop};
+use serde::{Deserialize, Serialize};
+
+use super::order::{Order, Reads, Role, Urgency, keys_of};
+use super::running::{once, slice};
+use super::{Advance, JobEvent, MapSource, RunningJob, Share, SuggestOrder, Workshop};
 
 /// Seed of the days: the same plan always has the same proposals.
 const SEED: u64 = 1;
@@ -91,5 +95,75 @@ impl RunningJob for Suggest {
         }
         emit(JobEvent::Finished);
         Ok(Advance::Done)
+    }
+}
+
+impl Order for SuggestOrder {
+    const URGENCY: Urgency = Urgency::Awaited;
+
+    fn role(&self) -> Role {
+        Role::Flight
+    }
+
+    fn files(&self) -> Vec<&str> {
+        keys_of(None, Some(&self.map))
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        let across = self.view.across().unwrap_or(0.0);
+        let along = GroundRect::around(self.way_points.iter().copied());
+        let areas = along.map(|area| area.grown(across)).into_iter().collect();
+        Some((&self.map, Reads::Areas(areas)))
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(Suggest::new(self, Share::WHOLE))
+    }
+}
+
+/// Share of the places rehearsed for a proposal: event `Candidates`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SuggestShareOrder(pub Box<SuggestOrder>, pub Share);
+
+impl Order for SuggestShareOrder {
+    const URGENCY: Urgency = Urgency::Awaited;
+
+    fn role(&self) -> Role {
+        Role::ALL[self.1.part]
+    }
+
+    fn files(&self) -> Vec<&str> {
+        self.0.files()
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        self.0.reads()
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(Suggest::new(*self.0, self.1))
+    }
+}
+
+/// Proposal of all places that passed: event `Suggestions`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ProposeOrder(pub Box<SuggestOrder>, pub Vec<Candidate>);
+
+impl Order for ProposeOrder {
+    const URGENCY: Urgency = Urgency::Asked;
+
+    fn role(&self) -> Role {
+        Role::Flight
+    }
+
+    fn files(&self) -> Vec<&str> {
+        self.0.files()
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        once(move |workshop, emit| {
+            emit(JobEvent::Suggestions(choose(workshop, *self.0, self.1)?));
+            Ok(())
+        })
     }
 }

@@ -6,9 +6,13 @@ use pilotage_core::flight::FlightFolder;
 use pilotage_core::flight::columns::{ColumnMap, GuessedTable, flight_of_tables, guess_tables};
 use pilotage_core::flight::files::FileSet;
 
+use serde::{Deserialize, Serialize};
+
 use super::file_pool::FilePool;
 use super::flights::OpenFlight;
-use super::{JobEvent, MadeFlight, Workshop};
+use super::order::{Order, Role, Urgency};
+use super::running::once;
+use super::{JobEvent, MadeFlight, RunningJob, Workshop};
 
 /// Name of the file, beside the tables, that says what their columns mean.
 pub const COLUMNS_FILE: &str = "columns.json";
@@ -44,7 +48,7 @@ pub(super) fn flight_of_maps(pool: &Arc<FilePool>) -> Result<Option<FlightFolder
 }
 
 /// Makes the flight of the tables under a key and keeps it: event `FlightMade`.
-pub(super) fn make_flight(
+fn make_flight(
     workshop: &mut Workshop,
     key: &str,
     emit: &mut dyn FnMut(JobEvent),
@@ -56,6 +60,30 @@ pub(super) fn make_flight(
     workshop.keep_flight(key, OpenFlight::of_folder(folder, None));
     emit(JobEvent::FlightMade(Box::new(MadeFlight { flight, notes })));
     Ok(())
+}
+
+/// Flight to be made of tables among provided files by the maps beside them: event `FlightMade`. Kept by the worker for
+/// [`super::FlyOrder`].
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MakeFlightOrder {
+    /// Key of the files.
+    pub key: String,
+}
+
+impl Order for MakeFlightOrder {
+    const URGENCY: Urgency = Urgency::Awaited;
+
+    fn role(&self) -> Role {
+        Role::Flight
+    }
+
+    fn files(&self) -> Vec<&str> {
+        vec![&self.key]
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        once(move |workshop, emit| make_flight(workshop, &self.key, emit))
+    }
 }
 
 #[cfg(test)]

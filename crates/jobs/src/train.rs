@@ -4,13 +4,15 @@
 //! programs that train cascades and read them.
 
 use pilotage_core::flight::FrameSource as _;
+use pilotage_core::frames::GroundRect;
 use pilotage_core::training::evaluation::AtThreshold;
 use pilotage_core::training::{DetectorTraining, FlightEnvelope, Photo, labelled_photos};
 
+use super::order::{Order, Reads, Role, Urgency, around, keys_of};
 use super::running::SLICE;
 use super::{
-    Advance, JobEvent, RunningJob, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport,
-    Workshop,
+    Advance, JobEvent, MapSource, RunningJob, TrainOrder, TrainingLeft, TrainingOutcome,
+    TrainingReport, Workshop,
 };
 
 /// Time between two words on a training, milliseconds; what follows a whole stage is told at once.
@@ -183,6 +185,32 @@ impl RunningJob for Train {
         emit(JobEvent::Trained(Box::new(outcome)));
         emit(JobEvent::Finished);
         Ok(Advance::Done)
+    }
+}
+
+impl Order for TrainOrder {
+    const URGENCY: Urgency = Urgency::Slow;
+
+    fn role(&self) -> Role {
+        Role::Flight
+    }
+
+    fn files(&self) -> Vec<&str> {
+        let labelled = self.labelled.as_ref();
+        keys_of(labelled.map(|frames| &frames.flight), Some(&self.map))
+    }
+
+    fn reads(&self) -> Option<(&MapSource, Reads)> {
+        let alike = self.plan.look_alikes.iter();
+        let b = self.landmark.bounds;
+        let alike = alike.map(|place| GroundRect::centered(*place, b.height(), b.width()));
+        let boxes = std::iter::once(b).chain(alike);
+        let areas = boxes.map(|bounds| around(&bounds)).collect();
+        Some((&self.map, Reads::Areas(areas)))
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        Box::new(Train::new(self))
     }
 }
 

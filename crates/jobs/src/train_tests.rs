@@ -183,7 +183,9 @@ fn labelled(landmark: &Landmark) -> LabelledFrames {
         wind: None,
         height: None,
     });
-    let flight = Workshop::new(Abilities::WHOLE).flight(&source).unwrap();
+    let flight = Workshop::new(Abilities::WHOLE.opens)
+        .flight(&source)
+        .unwrap();
     let flight = flight.borrow().flight.clone();
     let size = (flight.camera.width as u32, flight.camera.height as u32);
     let truth = &flight.truth.as_ref().unwrap().frames;

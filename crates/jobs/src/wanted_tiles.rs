@@ -3,15 +3,12 @@
 //! The page fetches (and its browser keeps) tiles; a worker gets them before the job that reads them.
 
 use pilotage_core::frames::GroundRect;
-use pilotage_core::imagery::Window;
 
-use super::{FieldFrom, Job, MapSource, WebMap};
+use super::order::Reads;
+use super::{Job, MapSource, WebMap};
 
 /// Most tiles that are fetched for one job.
 const MOST_PER_JOB: usize = 512;
-/// Margin around a landmark within which pixels are needed to look for it, metres.
-const AROUND_LANDMARK: f64 = 80.0;
-
 impl WebMap {
     /// Addresses of the deepest tiles over areas that are not too many: of wide ones coarser tiles.
     fn finest_over(&self, areas: &[GroundRect]) -> Vec<String> {
@@ -29,98 +26,9 @@ impl WebMap {
     }
 }
 
-/// Parts of its map that a job reads.
-enum Reads {
-    /// These pictures of it.
-    Windows(Vec<Window>),
-    /// All that there is of these areas.
-    Areas(Vec<GroundRect>),
-}
-
 /// Addresses of the tiles of web maps that a job needs; none for other maps.
 pub fn wanted_addresses(job: &Job) -> Vec<String> {
-    let around = |bounds: &GroundRect| bounds.grown(AROUND_LANDMARK);
-    let (map, reads) = match job {
-        Job::Provide { .. }
-        | Job::LetGo { .. }
-        | Job::Open { .. }
-        | Job::ReadPlaces { .. }
-        | Job::ReadLog { .. }
-        | Job::MakeFlight { .. }
-        | Job::Cut(_)
-        | Job::Align(_)
-        | Job::DrapePhoto(_)
-        | Job::LogSeries { .. }
-        | Job::AskLog(_)
-        | Job::DescribeMap(_)
-        | Job::PrepareMap(_)
-        | Job::TakeHeights(_)
-        | Job::SumUp(..)
-        | Job::Propose(..)
-        | Job::DecodePicture { .. }
-        | Job::Predict(_)
-        | Job::Find(_)
-        | Job::Pack(_)
-        | Job::Export(_) => return Vec::new(),
-        Job::Tile { map, window } => (map, Reads::Windows(vec![*window])),
-        Job::Brief(order) => (&order.map, Reads::Windows(order.windows())),
-        Job::Distinctness {
-            map,
-            bounds,
-            radius,
-        } => (map, Reads::Areas(vec![bounds.grown(*radius)])),
-        Job::Assess(order) | Job::AssessShare(order, _) | Job::Envelope(order) => {
-            let area = around(&order.landmark.bounds);
-            (&order.map, Reads::Areas(vec![area]))
-        }
-        Job::Train(order) => {
-            let alike = order.plan.look_alikes.iter();
-            let b = order.landmark.bounds;
-            let alike = alike.map(|place| GroundRect::centered(*place, b.height(), b.width()));
-            let boxes = std::iter::once(b).chain(alike);
-            (
-                &order.map,
-                Reads::Areas(boxes.map(|b| around(&b)).collect()),
-            )
-        }
-        Job::Evaluate(order) => {
-            let area = around(&order.about.landmark.bounds);
-            (&order.about.map, Reads::Areas(vec![area]))
-        }
-        Job::Suggest(order) | Job::SuggestShare(order, _) => {
-            let across = order.view.across().unwrap_or(0.0);
-            let along = GroundRect::around(order.way_points.iter().copied());
-            let areas = along.map(|area| area.grown(across)).into_iter().collect();
-            (&order.map, Reads::Areas(areas))
-        }
-        Job::Field(order) => {
-            let from_map = matches!(order.from, FieldFrom::Map { .. });
-            let areas = from_map.then_some(order.region).into_iter().collect();
-            (&order.map, Reads::Areas(areas))
-        }
-        Job::Fly { map, mission, .. } => {
-            let landmarks = mission.iter().flat_map(|m| &m.landmarks);
-            let areas = landmarks.map(|l| around(&l.bounds)).collect();
-            (map, Reads::Areas(areas))
-        }
-        Job::LayPhotos(order) => (&order.map, Reads::Areas(vec![order.ground])),
-        Job::Contest(order) => {
-            let landmarks = order.mission.landmarks.iter();
-            let areas = landmarks.map(|l| around(&l.bounds)).collect();
-            (&order.map, Reads::Areas(areas))
-        }
-        Job::ExplainMatch {
-            map,
-            mission,
-            landmark,
-            ..
-        } => {
-            let landmark = mission.landmark(*landmark);
-            let areas = landmark.map(|l| around(&l.bounds)).into_iter().collect();
-            (map, Reads::Areas(areas))
-        }
-    };
-    let MapSource::Web(map) = map else {
+    let Some((MapSource::Web(map), reads)) = job.reads() else {
         return Vec::new();
     };
     let mut all = match reads {
@@ -144,7 +52,8 @@ mod tests {
 
     use super::*;
     use crate::fetched_tiles::FetchedTiles;
-    use crate::{BriefOrder, FieldOrder};
+    use crate::{BriefOrder, FieldFrom, FieldOrder, TileOrder};
+    use pilotage_core::imagery::Window;
 
     fn map() -> WebMap {
         WebMap {
@@ -167,10 +76,10 @@ mod tests {
             &GroundRect::centered(GroundPoint::default(), 300.0, 400.0),
             1.0,
         );
-        let job = Job::Tile {
+        let job = Job::Tile(TileOrder {
             map: MapSource::Web(map.clone()),
             window,
-        };
+        });
         let wanted = wanted_addresses(&job);
         assert!((4..30).contains(&wanted.len()), "{wanted:?}");
         assert!(wanted.iter().all(|a| a.starts_with("http://127.0.0.1/17/")));

@@ -20,7 +20,7 @@ use super::file_pool::FilePool;
 use super::flights::OpenFlight;
 use super::lent::{LentFiles, OpenAddress};
 use super::samples::{KeptSamples, samples};
-use super::{FileContent, FlightSource, Job, JobEvent, MapInfo, MapSource, SeriesName};
+use super::{FileContent, FlightSource, JobEvent, MapInfo, MapSource, SeriesName};
 
 /// Memory for what one job reads of a map, megabytes.
 const CACHE_MEGABYTES: usize = 48;
@@ -73,20 +73,18 @@ pub trait RunningJob {
 /// A map that was opened, or why not, in words.
 pub type OpenedMap = Result<Arc<dyn Imagery>, String>;
 
-/// Abilities of a worker: functions that begin jobs, and those that open maps and flights for them.
+/// Opens what jobs need, as far as the program of the worker can.
 #[derive(Clone, Copy)]
-pub struct Abilities {
-    /// Makes a job ready to advance; one that it cannot do fails with its first step.
-    pub begin: fn(&mut Workshop, Job) -> Box<dyn RunningJob>,
+pub struct Opens {
     /// Opens a map; the error says in words why not.
-    pub open_map: fn(&mut Workshop, &MapSource) -> OpenedMap,
+    pub map: fn(&mut Workshop, &MapSource) -> OpenedMap,
     /// Opens a flight; the error says in words why not.
-    pub open_flight: fn(&mut Workshop, &FlightSource) -> Result<OpenFlight, String>,
+    pub flight: fn(&mut Workshop, &FlightSource) -> Result<OpenFlight, String>,
 }
 
 /// The store of a worker. Everything in it can be made anew from the files.
 pub struct Workshop {
-    abilities: Abilities,
+    opens: Opens,
     /// Files by key; a zip that cannot be read is told when the files are used.
     files: BTreeMap<String, Result<Arc<FilePool>, String>>,
     lent: LentFiles,
@@ -107,9 +105,9 @@ pub struct Workshop {
 
 impl Workshop {
     /// An empty workshop of a program that can do this.
-    pub fn new(abilities: Abilities) -> Self {
+    pub fn new(opens: Opens) -> Self {
         Self {
-            abilities,
+            opens,
             files: BTreeMap::new(),
             lent: LentFiles::default(),
             fetched: FetchedTiles::default(),
@@ -121,11 +119,6 @@ impl Workshop {
             days: None,
             rehearsal: None,
         }
-    }
-
-    /// Makes a job ready to advance.
-    pub fn start(&mut self, job: Job) -> Box<dyn RunningJob> {
-        (self.abilities.begin)(self, job)
     }
 
     /// Lends a file that is read by pieces under a number.
@@ -254,7 +247,7 @@ impl Workshop {
             self.maps.push(kept);
             return Ok(map);
         }
-        let map = (self.abilities.open_map)(self, source)?;
+        let map = (self.opens.map)(self, source)?;
         self.insert_map(source, map.clone());
         Ok(map)
     }
@@ -335,7 +328,7 @@ impl Workshop {
         if let Some(open) = self.flights.get(&key) {
             return Ok(open.clone());
         }
-        let open = (self.abilities.open_flight)(self, source)?;
+        let open = (self.opens.flight)(self, source)?;
         let open = Rc::new(RefCell::new(open));
         self.flights.clear();
         self.flights.insert(key, open.clone());

@@ -1,7 +1,7 @@
 //! Messages of the page to a worker; `crates/worker` takes them apart.
 
 use js_sys::{Array, Object, Reflect, Uint8Array};
-use pilotage_jobs::{FileContent, Job, Request};
+use pilotage_jobs::{FileContent, Job, ProvideOrder, Request};
 use wasm_bindgen::prelude::*;
 
 use crate::lent;
@@ -9,7 +9,7 @@ use crate::lent;
 /// Makes the message for a request. Files travel beside the rest as byte arrays, because encoding
 /// megabytes would hold up the page, and large ones as something to read them from.
 pub fn encode(request: Request) -> Result<JsValue, JsError> {
-    if let Request::Start(_, Job::Provide { key, files }) = request {
+    if let Request::Start(_, Job::Provide(ProvideOrder { key, files })) = request {
         let (paths, contents) = (Array::new(), Array::new());
         // Numbers of lent files; zero for others.
         let numbers = Array::new();

@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use js_sys::{Array, Function, Reflect, Uint8Array};
 use pilotage_core::imagery::ByteSource;
-use pilotage_jobs::{Abilities, FileContent, Job, JobRunner, OpenAddress, Reply, Request};
+use pilotage_jobs::{
+    Abilities, FileContent, Job, JobRunner, OpenAddress, ProvideOrder, Reply, Request,
+};
 use wasm_bindgen::prelude::*;
 
 use crate::address::AddressBytes;
@@ -113,7 +115,7 @@ impl WorkerHandle {
             };
             files.push((path.as_string().unwrap_or_default(), content));
         }
-        Ok(Request::Start(0, Job::Provide { key, files }))
+        Ok(Request::Start(0, Job::Provide(ProvideOrder { key, files })))
     }
 
     /// Takes a file that the page lends.

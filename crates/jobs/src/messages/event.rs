@@ -81,7 +81,7 @@ pub enum JobEvent {
         window: Window,
         /// Its pixels.
         pixels: Raster<Rgba>,
-        /// Whether nothing is missing of it; what is comes with [`super::Job::PrepareMap`].
+        /// Whether nothing is missing of it; what is comes with [`crate::PrepareMapOrder`].
         whole: bool,
     },
     /// Named places.

@@ -2,7 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Job, JobEvent, JobId};
+use super::JobEvent;
+use crate::job::Job;
+
+/// Number of a job, unique within a page.
+pub type JobId = u64;
 
 /// Page to worker.
 #[expect(

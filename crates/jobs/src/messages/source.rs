@@ -54,7 +54,7 @@ impl SimulationOptions {
 pub enum MapSource {
     /// The generated scenery that the built-in scenarios use as their map.
     Scenery,
-    /// Files that the page gave to the worker under this key (see [`super::Job::Provide`]).
+    /// Files that the page gave to the worker under this key (see [`crate::ProvideOrder`]).
     Files(String),
     /// The map among files of this key, put into the world frame around an origin.
     Placed {
@@ -83,6 +83,11 @@ pub enum MapSource {
 }
 
 impl MapSource {
+    /// Whether the program has it without any file.
+    pub fn is_built_in(&self) -> bool {
+        matches!(self, Self::Scenery | Self::Hall | Self::Nothing)
+    }
+
     /// Key of the files that it is made from, if it is.
     pub fn key(&self) -> Option<&str> {
         match self {
@@ -124,4 +129,19 @@ pub enum FlightSource {
     Files(String),
     /// Nothing is flown.
     Nothing,
+}
+
+impl FlightSource {
+    /// Key of the files that it is made from, if it is.
+    pub fn key(&self) -> Option<&str> {
+        match self {
+            Self::Files(key) => Some(key),
+            Self::Simulated(_) | Self::Nothing => None,
+        }
+    }
+
+    /// Whether the program makes it without any file.
+    pub fn is_simulated(&self) -> bool {
+        matches!(self, Self::Simulated(_) | Self::Nothing)
+    }
 }

@@ -60,8 +60,8 @@ fn lost(id: JobId, cause: &Error) -> Reply {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Job;
     use super::*;
+    use crate::{DecodeOrder, Job};
 
     #[test]
     fn what_cannot_be_read_fails_its_job() {
@@ -86,7 +86,7 @@ mod tests {
         let reply = Reply::Event(1, JobEvent::FramePicture { index: 3, encoded });
         assert_eq!(Reply::from_bytes(&reply.to_bytes()), Some(reply));
         let encoded = vec![1, 2, 3].into();
-        let request = Request::Start(2, Job::DecodePicture { encoded });
+        let request = Request::Start(2, Job::DecodePicture(DecodeOrder { encoded }));
         let sent = request.to_bytes().unwrap();
         assert_eq!(Request::from_bytes(&sent).unwrap(), request);
     }

@@ -6,7 +6,8 @@
 mod flying;
 mod whole;
 
-use super::{Abilities, Job};
+use super::workshop::Opens;
+use super::{Job, RunningJob, Workshop};
 
 /// A program of a worker.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,7 +32,7 @@ impl Program {
 
     /// The smallest program that does a job.
     pub fn of(job: &Job) -> Self {
-        if flying::does(job) {
+        if job.is_small() {
             Self::Flying
         } else {
             Self::Whole
@@ -39,19 +40,35 @@ impl Program {
     }
 }
 
+/// Makes a job ready to advance; one that the program cannot do fails with its first step.
+pub type Begin = fn(Job, &mut Workshop) -> Box<dyn RunningJob>;
+
+/// Abilities of a worker: the jobs that its program begins, and the maps and flights that it opens for them.
+#[derive(Clone, Copy)]
+pub struct Abilities {
+    /// Makes a job ready to advance.
+    pub begin: Begin,
+    /// Opens maps and flights.
+    pub opens: Opens,
+}
+
 impl Abilities {
     /// Those of [`Program::Flying`].
     pub const FLYING: Self = Self {
-        begin: flying::begin,
-        open_map: flying::open_map,
-        open_flight: flying::open_flight,
+        begin: Job::begin_small,
+        opens: Opens {
+            map: flying::open_map,
+            flight: flying::open_flight,
+        },
     };
 
     /// Those of [`Program::Whole`].
     pub const WHOLE: Self = Self {
-        begin: whole::begin,
-        open_map: whole::open_map,
-        open_flight: whole::open_flight,
+        begin: Job::begin,
+        opens: Opens {
+            map: whole::open_map,
+            flight: whole::open_flight,
+        },
     };
 }
 
@@ -59,13 +76,16 @@ impl Abilities {
 mod tests {
     use std::cell::Cell;
 
-    use super::super::{Advance, FlightSource, JobEvent, MapSource, SimulationOptions, Workshop};
+    use super::super::{
+        Advance, DescribeMapOrder, FlightSource, FlyOrder, JobEvent, MapSource, PrepareMapOrder,
+        SimulationOptions,
+    };
     use super::*;
 
     /// Events of `job` in the small program until it is over, or why it failed.
     fn said(job: Job) -> Result<Vec<JobEvent>, String> {
-        let mut workshop = Workshop::new(Abilities::FLYING);
-        let mut running = workshop.start(job);
+        let mut workshop = Workshop::new(Abilities::FLYING.opens);
+        let mut running = (Abilities::FLYING.begin)(job, &mut workshop);
         let mut events = Vec::new();
         let asked = Cell::new(0.0);
         // Each look at it finds a share of the time used up, so that the flight is told piece by piece.
@@ -88,10 +108,12 @@ mod tests {
 
     #[test]
     fn the_small_program_does_what_it_is_chosen_for_and_refuses_the_rest_in_words() {
-        let fly = |flight, map| Job::Fly {
-            flight,
-            map,
-            mission: None,
+        let fly = |flight, map| {
+            Job::Fly(FlyOrder {
+                flight,
+                map,
+                mission: None,
+            })
         };
         let simulated = |scenario: &str| {
             FlightSource::Simulated(SimulationOptions {
@@ -105,8 +127,8 @@ mod tests {
         for job in [
             fly(simulated("distinct-400ft-wind"), MapSource::Scenery),
             fly(simulated("indoor-hall"), MapSource::Hall),
-            Job::DescribeMap(MapSource::Scenery),
-            Job::DescribeMap(MapSource::Nothing),
+            Job::DescribeMap(DescribeMapOrder(MapSource::Scenery)),
+            Job::DescribeMap(DescribeMapOrder(MapSource::Nothing)),
         ] {
             assert_eq!(Program::of(&job), Program::Flying, "{job:?}");
             let events = said(job.clone());
@@ -119,8 +141,8 @@ mod tests {
         for job in [
             fly(simulated("distinct-400ft-wind"), files()),
             fly(FlightSource::Files("drop".to_owned()), MapSource::Scenery),
-            Job::DescribeMap(files()),
-            Job::PrepareMap(MapSource::Scenery),
+            Job::DescribeMap(DescribeMapOrder(files())),
+            Job::PrepareMap(PrepareMapOrder(MapSource::Scenery)),
         ] {
             assert_eq!(Program::of(&job), Program::Whole, "{job:?}");
             let why = said(job.clone()).expect_err("the small program has no such ability");

@@ -10,7 +10,7 @@ use super::keeping::{provide, put_beside};
 use super::logs::with_origin;
 use crate::dialogs::{ColumnsCommand, ColumnsDraft};
 use crate::host::Host;
-use pilotage_jobs::{COLUMNS_FILE, Job, JobEvent, MadeFlight, write_columns};
+use pilotage_jobs::{COLUMNS_FILE, Job, JobEvent, MadeFlight, MakeFlightOrder, write_columns};
 
 impl App {
     /// Asks what the columns of tables mean.
@@ -47,7 +47,7 @@ impl App {
         let key = draft.key.clone();
         provide(host, &key, &draft.files);
         draft.failed = None;
-        draft.job = Some(host.start(Job::MakeFlight { key }));
+        draft.job = Some(host.start(Job::MakeFlight(MakeFlightOrder { key })));
     }
 
     pub(super) fn columns_event(&mut self, host: &mut dyn Host, event: JobEvent) {

@@ -6,7 +6,9 @@ use super::keeping::provide;
 use super::work::TILES_AT_A_TIME;
 use crate::georeference::{GeoreferenceCommand, Georeferencer, Place};
 use crate::host::{Host, OpenedFile};
-use pilotage_jobs::{FileContent, Job, JobEvent, JobId, Unplaced};
+use pilotage_jobs::{
+    DescribeMapOrder, FileContent, Job, JobEvent, JobId, ReadPlacesOrder, TileOrder, Unplaced,
+};
 
 /// Endings of files with named places.
 const PLACES: [&str; 7] = ["kml", "kmz", "gpx", "geojson", "csv", "plan", "waypoints"];
@@ -31,7 +33,7 @@ impl App {
         let origin = self.documents.world_origin();
         let mut georeferencer = Georeferencer::new(&opening.key, &unplaced.name, origin);
         let map = georeferencer.bare();
-        self.desk.describe_picture = Some(host.start(Job::DescribeMap(map)));
+        self.desk.describe_picture = Some(host.start(Job::DescribeMap(DescribeMapOrder(map))));
         self.desk.picture_files = Some((opening.name.clone(), opening.files.clone()));
         let now = host.now();
         if let Some((file, text)) = unplaced.points {
@@ -114,7 +116,7 @@ impl App {
         if batch.iter().all(|file| has_ending(&file.path, &PLACES)) {
             let key = format!("opened-{}", self.desk.opened_batches);
             provide(host, &key, batch);
-            self.desk.places = Some(host.start(Job::ReadPlaces { key }));
+            self.desk.places = Some(host.start(Job::ReadPlaces(ReadPlacesOrder { key })));
             return true;
         }
         false
@@ -196,10 +198,10 @@ impl App {
         let room = TILES_AT_A_TIME.saturating_sub(under_way.len());
         let next = wanted.iter().filter(|key| !under_way.contains(key));
         for key in next.take(room) {
-            let id = host.start(Job::Tile {
+            let id = host.start(Job::Tile(TileOrder {
                 map: georeferencer.bare(),
                 window: key.window(),
-            });
+            }));
             self.desk.picture_tiles.insert(id, *key);
         }
     }

@@ -8,7 +8,7 @@ use super::columns::sentences;
 use super::desk::Opening;
 use super::keeping::provide;
 use crate::host::{Host, OpenedFile};
-use pilotage_jobs::{Job, JobEvent, JobId, MapSource, Opened};
+use pilotage_jobs::{Job, JobEvent, JobId, MapSource, OpenOrder, Opened};
 
 impl App {
     pub(super) fn receive(&mut self, context: &egui::Context, host: &mut dyn Host) {
@@ -45,11 +45,11 @@ impl App {
             [] => return,
         };
         provide(host, &key, &batch);
-        let id = host.start(Job::Open {
+        let id = host.start(Job::Open(OpenOrder {
             key: key.clone(),
             near: self.documents.world_origin(),
             origin: self.documents.mission.origin,
-        });
+        }));
         let opening = Opening {
             words: format!("Opening {name}"),
             key,

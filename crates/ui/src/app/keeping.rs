@@ -9,7 +9,7 @@ use crate::documents::kept::{MOST_KEPT, MOST_LENT_KEPT, recall_files};
 use crate::documents::{Documents, Ground, Session};
 use crate::host::{Host, OpenedFile};
 use crate::plan::planner::plan_ground;
-use pilotage_jobs::{FileContent, FlightSource, Job, MapSource};
+use pilotage_jobs::{FileContent, FlightSource, Job, MapSource, ProvideOrder};
 
 /// Keys of the opened files that a session names.
 fn file_sets<'a>(flight: &'a FlightSource, map: &'a MapSource) -> BTreeSet<&'a str> {
@@ -23,10 +23,10 @@ fn file_sets<'a>(flight: &'a FlightSource, map: &'a MapSource) -> BTreeSet<&'a s
 /// Gives the workers files under a key.
 pub(super) fn provide(host: &mut dyn Host, key: &str, files: &[OpenedFile]) {
     let files = files.iter();
-    host.start(Job::Provide {
+    host.start(Job::Provide(ProvideOrder {
         key: key.to_owned(),
         files: files.map(|f| (f.path.clone(), f.content.clone())).collect(),
-    });
+    }));
 }
 
 /// Puts what people said of files beside them, in place of what they said before.
@@ -148,7 +148,7 @@ impl App {
                     };
                     let known = files.iter().map(of).collect();
                     self.desk.keeping.knows(&key, files.len(), known);
-                    host.start(Job::Provide { key, files });
+                    host.start(Job::Provide(ProvideOrder { key, files }));
                 }
                 Err(count) => {
                     self.desk.keeping.knows(&key, count, Vec::new());

@@ -14,7 +14,8 @@ use crate::documents::{Documents, Session, Staged};
 use crate::host::Host;
 use crate::log::{LogCommand, OpenLog, PresetCommand};
 use pilotage_jobs::{
-    FlightSource, Job, JobEvent, JobId, MapSource, ReadLog, SeriesName, VEHICLE_FILE, write_vehicle,
+    FlightSource, Job, JobEvent, JobId, MapSource, ReadLog, ReadLogOrder, SeriesName, SeriesOrder,
+    VEHICLE_FILE, write_vehicle,
 };
 
 /// Farthest from a flight that the origin of the map may lie that was open before, metres: what lies
@@ -95,10 +96,10 @@ impl App {
         mission: Option<Mission>,
     ) {
         self.stop_reading(host);
-        let id = host.start(Job::ReadLog {
+        let id = host.start(Job::ReadLog(ReadLogOrder {
             key: key.clone(),
             file: file.clone(),
-        });
+        }));
         self.desk.logs.reading = Some(ReadingLog {
             id,
             words: format!("Reading {file}"),
@@ -324,11 +325,11 @@ impl App {
             .collect();
         for series in missing {
             log.look_for(&series);
-            let id = host.start(Job::LogSeries {
+            let id = host.start(Job::LogSeries(SeriesOrder {
                 key: log.key.clone(),
                 file: log.file.clone(),
                 series: series.clone(),
-            });
+            }));
             work.fetching.insert(id, series);
         }
     }

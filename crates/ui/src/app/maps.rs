@@ -7,7 +7,8 @@ use crate::host::Host;
 use crate::plan::planner::plan_ground;
 use pilotage_core::frames::GroundRect;
 use pilotage_jobs::{
-    FlightSource, HeightsOrder, Job, JobEvent, JobId, MapInfo, MapSource, TerrainInfo,
+    FlightSource, HeightsOrder, Job, JobEvent, JobId, MapInfo, MapSource, PrepareMapOrder,
+    TerrainInfo,
 };
 
 /// Interval at which tiles that are not whole are asked for again while the map is made ready, milliseconds.
@@ -155,7 +156,9 @@ impl App {
         if self.desk.preparing.is_some() || self.desk.prepare_declined {
             return;
         }
-        let job = host.start(Job::PrepareMap(self.documents.map_source.clone()));
+        let job = host.start(Job::PrepareMap(PrepareMapOrder(
+            self.documents.map_source.clone(),
+        )));
         self.desk.preparing = Some((job, 0.0, "Making an overview of the map".to_owned()));
     }
 

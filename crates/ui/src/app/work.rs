@@ -10,7 +10,10 @@ use super::App;
 use super::desk::{FlyJob, Shown};
 use crate::documents::{Session, Staged};
 use crate::host::Host;
-use pilotage_jobs::{Distinctness, ExplainedBy, FlightSource, Job, MapSource};
+use pilotage_jobs::{
+    DecodeOrder, DescribeMapOrder, Distinctness, DistinctnessOrder, ExplainOrder, ExplainedBy,
+    FlightSource, FlyOrder, Job, MapSource, TileOrder,
+};
 
 /// Delay after the last of several changes before the run is computed again, milliseconds.
 const FLY_AGAIN_AFTER: f64 = 350.0;
@@ -91,11 +94,11 @@ impl App {
             camera_to_log: mission.as_ref().and_then(|m| m.camera_to_log),
             ..staged
         };
-        let id = host.start(Job::Fly {
+        let id = host.start(Job::Fly(FlyOrder {
             flight: flight.clone(),
             map: map.clone(),
             mission,
-        });
+        }));
         self.desk.fly = Some(FlyJob {
             id,
             again,
@@ -134,7 +137,7 @@ impl App {
 
     pub(super) fn describe_map(&mut self, host: &mut dyn Host) {
         let source = self.documents.map_source.clone();
-        self.desk.describe = Some(host.start(Job::DescribeMap(source)));
+        self.desk.describe = Some(host.start(Job::DescribeMap(DescribeMapOrder(source))));
     }
 
     /// Another map is shown: nothing of the old one is of use.
@@ -216,11 +219,11 @@ impl App {
         if let Some((job, _)) = self.desk.distinctness.take() {
             host.cancel(job);
         }
-        let job = host.start(Job::Distinctness {
+        let job = host.start(Job::Distinctness(DistinctnessOrder {
             map: self.documents.map_source.clone(),
             bounds,
             radius,
-        });
+        }));
         self.desk.distinctness = Some((job, id));
     }
 
@@ -277,10 +280,10 @@ impl App {
             .copied()
             .collect();
         for key in next {
-            let id = host.start(Job::Tile {
+            let id = host.start(Job::Tile(TileOrder {
                 map: self.documents.map_source.clone(),
                 window: key.window(),
-            });
+            }));
             self.desk.tiles.insert(id, key);
         }
     }
@@ -302,9 +305,9 @@ impl App {
             _ => None,
         };
         if let Some((frame, encoded)) = next {
-            let id = host.start(Job::DecodePicture {
+            let id = host.start(Job::DecodePicture(DecodeOrder {
                 encoded: Arc::clone(&encoded),
-            });
+            }));
             self.desk.decoding.push((id, frame, encoded));
         }
     }
@@ -354,13 +357,13 @@ impl App {
     pub(super) fn explanation(&self, by: ExplainedBy, time: f64, landmark: u32) -> Option<Job> {
         let step = self.documents.run.as_ref()?.step_at(time)?;
         step.frame.as_ref()?;
-        Some(Job::ExplainMatch {
+        Some(Job::ExplainMatch(ExplainOrder {
             by,
             flight: self.documents.flight_source.clone(),
             map: self.documents.map_source.clone(),
             mission: self.documents.mission.clone(),
             step: Box::new(step.clone()),
             landmark,
-        })
+        }))
     }
 }

@@ -10,7 +10,8 @@ use super::kept::{MEASURED_KEY, basis_of, decode, encode, use_what_is_true};
 use crate::documents::Documents;
 use crate::host::Host;
 use pilotage_jobs::{
-    Assessment, AssessmentOrder, Basis, Job, JobEvent, JobId, KeptMeasurement, MapSource, Measured,
+    Assessment, AssessmentOrder, Basis, EnvelopeOrder, Job, JobEvent, JobId, KeptMeasurement,
+    MapSource, Measured,
 };
 
 /// Probability that is assumed of a landmark to be recognised on the day of the flight.
@@ -251,7 +252,7 @@ impl Assessments {
             self.failed.remove(&order.landmark.id);
             self.survey_progress = 0.0;
             self.note_basis(documents, &order);
-            let id = host.start(Job::Envelope(Box::new(order.clone())));
+            let id = host.start(Job::Envelope(EnvelopeOrder(Box::new(order.clone()))));
             self.surveyed = Some((id, order));
         }
         if self.asked.is_none()

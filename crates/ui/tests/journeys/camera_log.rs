@@ -3,7 +3,7 @@
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::alignment::CameraAdjustment;
-use pilotage_jobs::{Job, Opened};
+use pilotage_jobs::{FlyOrder, Job, Opened};
 use pilotage_ui::host::OpenedFile;
 use serde_json::Value;
 
@@ -45,7 +45,7 @@ fn estimated() -> Rig {
 /// Camera adjustment that the last flight was asked to fly with.
 fn flown_with(rig: &mut Rig) -> Option<CameraAdjustment> {
     let flown = rig.host().last_flight().cloned();
-    let Some((_, Job::Fly { mission, .. })) = flown else {
+    let Some((_, Job::Fly(FlyOrder { mission, .. }))) = flown else {
         panic!("nothing was flown");
     };
     mission.and_then(|mission| mission.camera_to_log)

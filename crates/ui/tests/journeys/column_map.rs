@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use egui::{Key, Vec2};
 use egui_kittest::kittest::Queryable as _;
-use pilotage_jobs::{COLUMNS_FILE, FlightSource, Job};
+use pilotage_jobs::{COLUMNS_FILE, FlightSource, FlyOrder, Job, ProvideOrder};
 use pilotage_ui::host::OpenedFile;
 use serde_json::Value;
 
@@ -136,11 +136,13 @@ fn the_flight_is_made_kept_with_its_maps_and_there_again_after_a_reload() {
     };
     let mut again = rig_on(again, Vec2::new(1440.0, 900.0));
     let has_maps = again.host().jobs.iter().any(|(_, job)| match job {
-        Job::Provide { files, .. } => files.iter().any(|(path, _)| path == COLUMNS_FILE),
+        Job::Provide(ProvideOrder { files, .. }) => {
+            files.iter().any(|(path, _)| path == COLUMNS_FILE)
+        }
         _ => false,
     });
     assert!(has_maps);
-    let Some((_, Job::Fly { flight, .. })) = again.host().last_flight() else {
+    let Some((_, Job::Fly(FlyOrder { flight, .. }))) = again.host().last_flight() else {
         panic!("nothing is flown");
     };
     assert!(matches!(flight, FlightSource::Files(_)), "{flight:?}");

@@ -1,6 +1,6 @@
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
-use pilotage_jobs::{ExplainedBy, FileContent, Job, Opened};
+use pilotage_jobs::{ExplainOrder, ExplainedBy, FileContent, Job, Opened};
 use pilotage_ui::host::OpenedFile;
 
 use super::support::flight::mission;
@@ -9,7 +9,7 @@ use super::support::{Rig, rig};
 /// Searches of trained detectors asked for so far.
 fn asked(rig: &mut Rig) -> usize {
     let of_detector = |job: &Job| match job {
-        Job::ExplainMatch { by, .. } => *by == ExplainedBy::Cascade,
+        Job::ExplainMatch(ExplainOrder { by, .. }) => *by == ExplainedBy::Cascade,
         _ => false,
     };
     let jobs = &rig.host().jobs;

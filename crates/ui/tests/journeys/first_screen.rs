@@ -1,5 +1,5 @@
 use egui::Vec2;
-use pilotage_jobs::{FlightSource, Job};
+use pilotage_jobs::{FlightSource, FlyOrder, Job};
 
 use super::support::{ScriptedHost, rig, rig_on};
 
@@ -8,9 +8,9 @@ fn the_demo_is_flying_when_the_app_opens() {
     let mut rig = rig();
     let Some((
         _,
-        Job::Fly {
+        Job::Fly(FlyOrder {
             flight, mission, ..
-        },
+        }),
     )) = rig.host().last_flight().cloned()
     else {
         panic!("no flight was asked for");

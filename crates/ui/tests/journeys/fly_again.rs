@@ -1,5 +1,5 @@
 use egui_kittest::kittest::Queryable as _;
-use pilotage_jobs::Job;
+use pilotage_jobs::{FlyOrder, Job};
 
 use super::support::rig;
 
@@ -12,10 +12,10 @@ fn a_landmark_switched_off_is_left_out_of_the_next_run() {
     rig.settle();
     let Some((
         _,
-        Job::Fly {
+        Job::Fly(FlyOrder {
             mission: Some(mission),
             ..
-        },
+        }),
     )) = rig.host().last_flight().cloned()
     else {
         panic!("the flight was not flown again with the mission");

@@ -1,7 +1,7 @@
 use egui::{Modifiers, Vec2};
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
-use pilotage_jobs::{Job, MapInfo, MapSource, Opened};
+use pilotage_jobs::{DescribeMapOrder, Job, MapInfo, MapSource, OpenOrder, Opened};
 use pilotage_ui::host::OpenedFile;
 
 use super::support::{Rig, ScriptedHost, rig, rig_on};
@@ -57,7 +57,7 @@ fn a_map_far_away_begins_a_plan_of_its_own_and_undo_brings_the_mission_back() {
     assert_eq!(back["origin"], before["origin"]);
     // The map follows the mission into its world.
     let placed = rig.host().jobs.iter().rev().find_map(|(_, job)| match job {
-        Job::DescribeMap(MapSource::Placed { origin, .. }) => Some(*origin),
+        Job::DescribeMap(DescribeMapOrder(MapSource::Placed { origin, .. })) => Some(*origin),
         _ => None,
     });
     let latitude = placed.map(|origin| origin.latitude.to_degrees());
@@ -93,9 +93,9 @@ fn a_map_in_the_world_that_is_open_leaves_flight_and_mission_alone() {
     let at = |i: usize| before["origin"][i].as_f64().unwrap_or(0.0);
     let mut origin = Geodetic::from_degrees(at(0), at(1), 0.0);
     // The world's own numbers, not those of their text.
-    if let Some(Job::Open {
+    if let Some(Job::Open(OpenOrder {
         near: Some(near), ..
-    }) = opened_near(&mut rig)
+    })) = opened_near(&mut rig)
     {
         origin = near;
     }
@@ -116,7 +116,7 @@ fn opened_near(rig: &mut Rig) -> Option<Job> {
     rig.frames(3);
     let jobs = rig.host().jobs.iter().rev();
     jobs.map(|(_, job)| job.clone())
-        .find(|job| matches!(job, Job::Open { .. }))
+        .find(|job| matches!(job, Job::Open(_)))
 }
 
 #[test]
@@ -133,7 +133,12 @@ fn a_map_that_was_opened_is_there_again_after_a_reload() {
     };
     let mut again = rig_on(host, Vec2::new(1440.0, 900.0));
     assert_eq!(again.host().flights(), 0, "nothing was flown over it");
-    let placed = |job: &Job| matches!(job, Job::DescribeMap(MapSource::Placed { .. }));
+    let placed = |job: &Job| {
+        matches!(
+            job,
+            Job::DescribeMap(DescribeMapOrder(MapSource::Placed { .. }))
+        )
+    };
     assert!(again.host().jobs.iter().any(|(_, job)| placed(job)));
     assert_eq!(again.state()["landmarks"].as_array().map(Vec::len), Some(0));
 }

@@ -1,6 +1,8 @@
 use egui::Vec2;
 use pilotage_core::frames::{Geodetic, GroundPoint, GroundRect};
-use pilotage_jobs::{FlightSource, Job, MapInfo, MapSource, Opened};
+use pilotage_jobs::{
+    FlightSource, FlyOrder, Job, MapInfo, MapSource, Opened, ProvideOrder, TileOrder,
+};
 use pilotage_ui::documents::{SESSION_KEY, Session, UNREAD_KEY};
 use pilotage_ui::host::OpenedFile;
 
@@ -101,10 +103,10 @@ fn flies_files(rig: &mut Rig) -> bool {
         last,
         Some((
             _,
-            Job::Fly {
+            Job::Fly(FlyOrder {
                 flight: FlightSource::Files(_),
                 ..
-            }
+            })
         ))
     )
 }
@@ -116,7 +118,7 @@ fn an_opened_flight_is_there_again_after_a_reload() {
     let mut again = reloaded(&mut rig);
     assert!(flies_files(&mut again));
     let provided = again.host().jobs.iter().find_map(|(_, job)| match job {
-        Job::Provide { files, .. } => Some(files.clone()),
+        Job::Provide(ProvideOrder { files, .. }) => Some(files.clone()),
         _ => None,
     });
     let wanted: Vec<_> = files(100)
@@ -173,7 +175,7 @@ fn a_mission_stays_when_its_map_was_not_kept_and_survives_the_next_save() {
         .iter()
         .rev()
         .find_map(|(_, job)| match job {
-            Job::Tile { map, .. } => Some(map.clone()),
+            Job::Tile(TileOrder { map, .. }) => Some(map.clone()),
             _ => None,
         });
     let key = shown.as_ref().and_then(MapSource::key).map(str::to_owned);

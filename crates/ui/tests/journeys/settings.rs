@@ -1,7 +1,7 @@
 use egui_kittest::kittest::Queryable as _;
 use pilotage_core::landmark::TemplateFeatures;
 use pilotage_core::navigator::NavigatorSettings;
-use pilotage_jobs::Job;
+use pilotage_jobs::{FlyOrder, Job};
 
 use super::support::{Rig, rig};
 
@@ -9,10 +9,10 @@ use super::support::{Rig, rig};
 fn flown_with(rig: &mut Rig) -> NavigatorSettings {
     let Some((
         _,
-        Job::Fly {
+        Job::Fly(FlyOrder {
             mission: Some(mission),
             ..
-        },
+        }),
     )) = rig.host().last_flight().cloned()
     else {
         panic!("no mission was flown");

@@ -1,5 +1,5 @@
 use egui_kittest::kittest::Queryable as _;
-use pilotage_jobs::{FlightSource, Job, MapSource};
+use pilotage_jobs::{FlightSource, FlyOrder, Job, MapSource};
 
 use super::support::rig;
 
@@ -18,10 +18,10 @@ fn a_scenario_is_chosen_and_flown() {
     rig.frames(4);
     let Some((
         _,
-        Job::Fly {
+        Job::Fly(FlyOrder {
             flight: FlightSource::Simulated(options),
             ..
-        },
+        }),
     )) = rig.host().last_flight().cloned()
     else {
         panic!("nothing was simulated");
@@ -50,7 +50,7 @@ fn the_hall_is_flown_over_its_floor_as_it_is() {
     rig.harness.get_by_label("Fly").click();
     rig.frames(4);
     let flown = rig.host().last_flight().cloned();
-    let Some((_, Job::Fly { flight, map, .. })) = flown else {
+    let Some((_, Job::Fly(FlyOrder { flight, map, .. }))) = flown else {
         panic!("nothing was simulated");
     };
     let FlightSource::Simulated(options) = flight else {

@@ -3,7 +3,7 @@ use pilotage_core::exchange::{Format, read_any};
 use pilotage_core::frames::{GroundPoint, GroundRect, LocalFrame};
 use pilotage_core::landmark::Landmark;
 use pilotage_core::mission::Route;
-use pilotage_jobs::{ImportedFile, Job, Opened};
+use pilotage_jobs::{ImportedFile, Job, OpenOrder, Opened};
 use pilotage_ui::host::OpenedFile;
 
 use super::super::support::{Rig, flight::mission};
@@ -81,7 +81,7 @@ fn files_are_placed_around_the_open_mission() {
     opened(&mut rig, file());
     let jobs = &rig.host().jobs;
     let origin = jobs.iter().find_map(|(_, job)| match job {
-        Job::Open { origin, .. } => Some(*origin),
+        Job::Open(OpenOrder { origin, .. }) => Some(*origin),
         _ => None,
     });
     assert_eq!(origin, Some(mission().origin));

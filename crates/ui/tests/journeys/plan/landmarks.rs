@@ -4,6 +4,7 @@ use serde_json::Value;
 
 use super::super::support::Rig;
 use super::{click, planning, screen, scroll, type_number};
+use pilotage_jobs::DistinctnessOrder;
 
 fn landmarks(rig: &Rig) -> Vec<Value> {
     rig.state()["landmarks"]
@@ -243,7 +244,7 @@ fn the_look_alike_is_told_with_its_margin_and_marked_on_the_map() {
     let radius = |rig: &Rig| {
         let jobs = rig.harness.state().host.jobs.iter().rev();
         let mut asked = jobs.filter_map(|(_, job)| match job {
-            pilotage_jobs::Job::Distinctness { radius, .. } => Some(*radius),
+            pilotage_jobs::Job::Distinctness(DistinctnessOrder { radius, .. }) => Some(*radius),
             _ => None,
         });
         asked.next().expect("a question")

@@ -3,7 +3,7 @@ use egui_kittest::kittest::Queryable as _;
 use pilotage_core::landmark::cascade::train::StageRow;
 use pilotage_core::training::{StageReport, TrainingPhase};
 use pilotage_jobs::{
-    Job, JobEvent, JobId, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport,
+    FlyOrder, Job, JobEvent, JobId, TrainOrder, TrainingLeft, TrainingOutcome, TrainingReport,
 };
 use serde_json::Value;
 
@@ -134,7 +134,7 @@ fn the_stage_table_grows_while_a_detector_is_trained_and_the_flight_flies_with_i
         flights + 1,
         "the flight flies with it"
     );
-    let Some((_, Job::Fly { mission, .. })) = rig.host().last_flight().cloned() else {
+    let Some((_, Job::Fly(FlyOrder { mission, .. }))) = rig.host().last_flight().cloned() else {
         panic!("no flight");
     };
     let mission = mission.expect("the mission as it is now");

@@ -18,8 +18,10 @@ use pilotage_core::raster::Raster;
 use pilotage_core::study::{Comparison, Contender, Tally as FlightTally};
 use pilotage_jobs::{
     Abilities, Assessment, AssessmentOrder, ContestOrder, DetectorSearch, Distinctness,
-    ExplainedBy, FieldOrder, FileContent, FlightSource, Glance, HeightsOrder, Job, JobEvent, JobId,
-    JobRunner, MapInfo, Opened, ReadLog, Reply, Request, SuggestOrder,
+    DistinctnessOrder, EnvelopeOrder, ExplainOrder, ExplainedBy, FieldOrder, FileContent,
+    FlightSource, FlyOrder, Glance, HeightsOrder, Job, JobEvent, JobId, JobRunner, MakeFlightOrder,
+    MapInfo, OpenOrder, Opened, ProvideOrder, ReadLog, ReadLogOrder, Reply, Request, SuggestOrder,
+    TileOrder,
 };
 use pilotage_ui::host::{Host, OpenedFile};
 
@@ -77,9 +79,9 @@ pub struct ScriptedHost {
 fn is_real(job: &Job) -> bool {
     matches!(
         job,
-        Job::ReadLog { .. }
-            | Job::MakeFlight { .. }
-            | Job::LogSeries { .. }
+        Job::ReadLog(_)
+            | Job::MakeFlight(_)
+            | Job::LogSeries(_)
             | Job::AskLog(_)
             | Job::Align(_)
             | Job::LayPhotos(_)
@@ -87,19 +89,19 @@ fn is_real(job: &Job) -> bool {
             | Job::Find(_)
             | Job::Pack(_)
             | Job::Export(_)
-            | Job::DecodePicture { .. }
+            | Job::DecodePicture(_)
     )
 }
 
 /// Events of a match that is to be explained: the search only of a trained detector.
 fn explained(job: &Job) -> Vec<JobEvent> {
     let mut events = vec![JobEvent::Finished];
-    if let Job::ExplainMatch {
+    if let Job::ExplainMatch(ExplainOrder {
         by: ExplainedBy::Cascade,
         step,
         landmark,
         ..
-    } = job
+    }) = job
     {
         let search = DetectorSearch {
             time: step.time,
@@ -131,7 +133,7 @@ impl ScriptedHost {
     pub fn flights(&self) -> usize {
         self.jobs
             .iter()
-            .filter(|(_, j)| matches!(j, Job::Fly { .. }))
+            .filter(|(_, j)| matches!(j, Job::Fly(_)))
             .count()
     }
 
@@ -140,14 +142,14 @@ impl ScriptedHost {
         self.jobs
             .iter()
             .rev()
-            .find(|(_, j)| matches!(j, Job::Fly { .. }))
+            .find(|(_, j)| matches!(j, Job::Fly(_)))
     }
 
     /// Answers the flights that were left without an answer, and those to come.
     pub fn begin_flights(&mut self) {
         self.silent_flights = false;
         for (id, job) in self.jobs.clone() {
-            if matches!(job, Job::Fly { .. }) {
+            if matches!(job, Job::Fly(_)) {
                 self.answer(id, &job);
             }
         }
@@ -156,14 +158,15 @@ impl ScriptedHost {
     /// Whether a job is about the flight that a log or tables tell of, which are really read.
     fn is_of_a_log(&self, job: &Job) -> bool {
         let flight = match job {
-            Job::Fly { flight, .. } if !self.silent_flights => flight,
+            Job::Fly(FlyOrder { flight, .. }) if !self.silent_flights => flight,
             Job::Cut(order) => &order.flight,
             _ => return false,
         };
         let is_it = |j: &Job| match (j, flight) {
-            (Job::ReadLog { key, .. } | Job::MakeFlight { key }, FlightSource::Files(flown)) => {
-                key == flown && !self.is_invented(key)
-            }
+            (
+                Job::ReadLog(ReadLogOrder { key, .. }) | Job::MakeFlight(MakeFlightOrder { key }),
+                FlightSource::Files(flown),
+            ) => key == flown && !self.is_invented(key),
             _ => false,
         };
         self.jobs.iter().any(|(_, j)| is_it(j))
@@ -172,7 +175,7 @@ impl ScriptedHost {
     /// Whether the files under a key stand for others: all of one byte over and over.
     fn is_invented(&self, key: &str) -> bool {
         let of_key = |job: &Job| match job {
-            Job::Provide { key: of, files } if of == key => Some(files.clone()),
+            Job::Provide(ProvideOrder { key: of, files }) if of == key => Some(files.clone()),
             _ => None,
         };
         let files = self.jobs.iter().rev().find_map(|(_, job)| of_key(job));
@@ -209,8 +212,7 @@ impl ScriptedHost {
             }
         };
         // What the job rests on: its files, and the log that it asks of.
-        let is_ground =
-            |j: &Job| matches!(j, Job::Provide { .. } | Job::ReadLog { .. }) && j != job;
+        let is_ground = |j: &Job| matches!(j, Job::Provide(_) | Job::ReadLog(_)) && j != job;
         let files = self.jobs.iter().filter(|(_, j)| is_ground(j));
         for (id, job) in files.cloned().chain([(id, job.clone())]) {
             runner.receive(Request::Start(id, job), &mut keep);
@@ -248,7 +250,7 @@ impl ScriptedHost {
     }
 
     fn answer(&mut self, id: JobId, job: &Job) {
-        if let Job::ReadLog { key, file } = job
+        if let Job::ReadLog(ReadLogOrder { key, file }) = job
             && self.is_invented(key)
         {
             return self.invent_log(id, file);
@@ -258,7 +260,9 @@ impl ScriptedHost {
         }
         let mut say = |event| self.events.push((id, event));
         match job {
-            Job::Fly { mission, .. } if !self.silent_flights => self.fly(id, mission.as_ref()),
+            Job::Fly(FlyOrder { mission, .. }) if !self.silent_flights => {
+                self.fly(id, mission.as_ref());
+            }
             Job::Contest(order) => {
                 say(JobEvent::Progress(0.5, "Extended Kalman filter".into()));
                 say(JobEvent::ContestJudged(Box::new(contest(order))));
@@ -275,17 +279,17 @@ impl ScriptedHost {
                 }));
                 say(JobEvent::Finished);
             }
-            Job::Tile { window, .. } => {
+            Job::Tile(TileOrder { window, .. }) => {
                 say(tile(*window));
                 say(JobEvent::Finished);
             }
-            Job::Distinctness { bounds, radius, .. } => {
+            Job::Distinctness(DistinctnessOrder { bounds, radius, .. }) => {
                 let found = distinctness(*bounds, *radius);
                 say(JobEvent::Distinctness(Box::new(found)));
                 say(JobEvent::Finished);
             }
-            Job::Open { .. } if self.really_open => self.carry_out(id, job),
-            Job::Open { key, .. } => {
+            Job::Open(_) if self.really_open => self.carry_out(id, job),
+            Job::Open(OpenOrder { key, .. }) => {
                 if let Some(mut opened) = self.opens.clone() {
                     opened.key.clone_from(key);
                     say(JobEvent::Opened(Box::new(opened)));
@@ -310,7 +314,7 @@ impl ScriptedHost {
                 say(JobEvent::Assessment(Box::new(assessment(order))));
                 say(JobEvent::Finished);
             }
-            Job::Envelope(order) => {
+            Job::Envelope(EnvelopeOrder(order)) => {
                 say(JobEvent::Progress(0.5, "Look 6 of 12".into()));
                 say(JobEvent::Envelope(Box::new(envelope(order.height))));
                 say(JobEvent::Finished);
@@ -337,7 +341,7 @@ impl ScriptedHost {
                 say(JobEvent::BriefPictures(Box::default()));
                 say(JobEvent::Finished);
             }
-            Job::ExplainMatch { .. } => explained(job).into_iter().for_each(&mut say),
+            Job::ExplainMatch(_) => explained(job).into_iter().for_each(&mut say),
             // Nothing is said of the others.
             _ => {}
         }

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::collections::BTreeSet;
 
-use pilotage_jobs::{InlineWorkers, Job, JobEvent, JobId};
+use pilotage_jobs::{InlineWorkers, Job, JobEvent, JobId, LetGoOrder};
 use pilotage_ui::host::{Host, OpenedFile};
 
 /// Runs jobs a slice at a time whenever the app asks for events, with a clock of its own; stores nothing.
@@ -39,7 +39,7 @@ impl Host for InlineHost {
 
     fn let_go(&mut self, in_use: &BTreeSet<String>) {
         let keys = in_use.iter().cloned().collect();
-        self.start(Job::LetGo { keys });
+        self.start(Job::LetGo(LetGoOrder { keys }));
     }
 
     fn events(&mut self) -> Vec<(JobId, JobEvent)> {

@@ -1,0 +1,51 @@
+//! Files that jobs name, given to workers and taken back.
+
+use serde::{Deserialize, Serialize};
+
+use super::order::{Order, Role, Urgency};
+use super::running::once;
+use super::{FileContent, RunningJob, Workshop};
+
+/// Files to be kept under a key; sent to every worker, again after a restart.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ProvideOrder {
+    /// Key that later jobs name.
+    pub key: String,
+    /// Path and content of each.
+    pub files: Vec<(String, FileContent)>,
+}
+
+impl Order for ProvideOrder {
+    const URGENCY: Urgency = Urgency::Files;
+
+    fn role(&self) -> Role {
+        Role::Questions
+    }
+
+    fn begin(self, workshop: &mut Workshop) -> Box<dyn RunningJob> {
+        workshop.provide(self.key, &self.files);
+        once(|_, _| Ok(()))
+    }
+}
+
+/// Provided files to be let go of, with everything that was made of them, once nothing else is to be done.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct LetGoOrder {
+    /// Keys of the files that stay.
+    pub keys: Vec<String>,
+}
+
+impl Order for LetGoOrder {
+    const URGENCY: Urgency = Urgency::Leaving;
+
+    fn role(&self) -> Role {
+        Role::Questions
+    }
+
+    fn begin(self, _: &mut Workshop) -> Box<dyn RunningJob> {
+        once(move |workshop, _| {
+            workshop.let_go(&self.keys.into_iter().collect());
+            Ok(())
+        })
+    }
+}
