@@ -1,5 +1,6 @@
 //! The judging of a detector: how far it is, what came of it.
 
+use crate::host::Host;
 use crate::views::EvaluationView;
 use pilotage_jobs::{EvaluationReport, JobEvent, JobId};
 
@@ -33,6 +34,15 @@ impl Evaluating {
     /// Figures of the report.
     pub fn figures(&self) -> &[String] {
         self.report.as_ref().map_or(&[], |r| &r.figures)
+    }
+
+    /// Forgets a judgement on pictures of a flight that is open no longer.
+    pub fn leave_flight(&mut self, host: &mut dyn Host) {
+        if let Some((id, ..)) = self.job.take() {
+            host.cancel(id);
+        }
+        (self.report, self.of, self.trouble) = (None, None, None);
+        self.is_open = false;
     }
 
     /// Takes what a worker says of the judging; false if it is about something else.

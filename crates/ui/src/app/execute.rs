@@ -115,6 +115,7 @@ impl App {
             Command::SelectToHere => playback.select_to_here(whole),
             Command::SetSpeed(speed) => playback.set_speed(speed),
             Command::ToggleLoop => playback.looping = !playback.looping,
+            Command::ToggleBookmark if self.documents.span().is_none() => {}
             Command::ToggleBookmark => {
                 let time = playback.time;
                 let marks = &mut self.documents.bookmarks;

@@ -41,10 +41,14 @@ impl App {
                 let (flight, map) = (fly.flight.clone(), fly.map.clone());
                 let first = !fly.began();
                 fly.shown = Shown::Run;
-                self.documents.begin_run(*head, again, staged);
+                if again {
+                    self.documents.begin_run_again(*head, staged);
+                } else {
+                    self.documents.begin_run(*head, staged, &flight);
+                }
                 self.documents.mission_edited |= given;
                 if !again {
-                    self.take_place(host, flight, map);
+                    self.take_place(host, map);
                     if first {
                         self.show_new_flight();
                         self.look_by_link();
@@ -116,9 +120,9 @@ impl App {
         let staged = std::mem::take(&mut fly.staged);
         let (flight, map, given) = (fly.flight.clone(), fly.map.clone(), fly.given);
         let is_first = self.documents.flight.is_none() || self.documents.flight_source != flight;
-        self.documents.look_at(staged);
+        self.documents.look_at(staged, &flight);
         self.documents.mission_edited |= given;
-        self.take_place(host, flight, map);
+        self.take_place(host, map);
         if is_first {
             self.show_new_flight();
         }
@@ -130,15 +134,8 @@ impl App {
             .note(host.now(), "The flight cannot be navigated", text);
     }
 
-    /// Puts the flight that was staged in the place of another flight with its log and bookmarks, over its
-    /// own map.
-    fn take_place(&mut self, host: &mut dyn Host, flight: FlightSource, map: MapSource) {
-        self.views.camera.clear();
-        if self.documents.flight_source != flight {
-            self.documents.log = None;
-            self.documents.bookmarks.clear();
-        }
-        self.documents.flight_source = flight;
+    /// Shows the flight that was staged over its own map.
+    fn take_place(&mut self, host: &mut dyn Host, map: MapSource) {
         self.desk.document_changed = true;
         self.change_map(host, map);
     }

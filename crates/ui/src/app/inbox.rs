@@ -21,6 +21,7 @@ impl App {
         }
         for (id, event) in host.events() {
             self.event(context, host, id, event);
+            self.follow_flight(host);
         }
         for batch in host.opened() {
             self.open_files(host, batch);

@@ -174,16 +174,8 @@ impl App {
         let (key, file) = (reading.key.clone(), reading.file.clone());
         let source = FlightSource::Files(key.clone());
         self.stop_flying(host);
-        let is_again = self.documents.flight_source == source;
-        self.documents.begin_log(OpenLog::new(key, file), source);
-        if !is_again {
-            self.documents.bookmarks.clear();
-        }
-        self.desk.logs.fetching.clear();
-        self.desk.logs.answers = LogAnswers::default();
-        self.playback.selected_span = None;
-        self.views.camera.clear();
-        self.views.log_plots.begin(Vec::new());
+        self.documents.begin_log(OpenLog::new(key, file), &source);
+        self.leave_log(host);
         self.desk.document_changed = true;
         if !self.planning() {
             self.view.workspace = Workspace::Replay;
@@ -244,10 +236,12 @@ impl App {
                 self.toasts.note(host.now(), title, text);
                 // Nobody knows where it was: it lies on no map, and beside no landmark that was not put there.
                 if !self.documents.mission_edited {
-                    self.documents.look_at(Staged {
+                    let staged = Staged {
                         mission: Some(Documents::empty_mission()),
                         ..Staged::default()
-                    });
+                    };
+                    let source = self.documents.flight_source.clone();
+                    self.documents.look_at(staged, &source);
                     self.change_map(host, MapSource::Nothing);
                 }
             }

@@ -13,6 +13,7 @@ mod evaluating;
 mod evaluation;
 mod exchange;
 mod execute;
+mod flight_change;
 mod flown_track;
 mod flying;
 mod georeferencing;
@@ -37,6 +38,8 @@ mod storage;
 mod training;
 mod web_maps;
 mod work;
+
+use pilotage_jobs::FlightSource;
 
 use crate::camera_log::CameraLogView;
 use crate::command::{Command, Workspace};
@@ -160,6 +163,8 @@ pub struct App {
     evaluating: evaluation::Evaluating,
     commands: Vec<Command>,
     started: bool,
+    /// Generation and source of the flight for which everything here is.
+    followed: (u64, FlightSource),
     /// Document that was stored at an earlier visit and could not be read.
     aside: Option<aside::Aside>,
     last_now: Option<f64>,
@@ -186,6 +191,7 @@ impl App {
         self.layout(ui, now, &mut commands);
         for command in commands {
             self.execute(command, ui.ctx(), host);
+            self.follow_flight(host);
         }
         let takes_letters = self.dialogs.palette.is_open() || self.dialogs.columns.is_open();
         ShortcutListener::hold(ui.ctx(), takes_letters);

@@ -62,6 +62,7 @@ impl App {
             evaluating: super::evaluation::Evaluating::default(),
             commands: Vec::new(),
             started: false,
+            followed: (0, session.flight.clone()),
             aside,
             last_now: None,
             stored_session: session.encode(),

@@ -122,7 +122,7 @@ impl App {
             }
             None => self.stop_flying(host),
         }
-        self.documents.begin_run(run, true, Staged::default());
+        self.documents.begin_run_again(run, Staged::default());
         self.documents.run_complete = true;
     }
 

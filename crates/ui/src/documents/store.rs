@@ -50,6 +50,8 @@ pub struct Documents {
     pub run: Option<Run>,
     /// Whether the run is complete.
     pub run_complete: bool,
+    /// Counts flights: whatever was found out about another one is of no use any more.
+    pub flight_generation: u64,
     /// Counts runs, so that caches know when another one is shown.
     pub run_generation: u64,
     /// The run before the last change.
@@ -105,6 +107,7 @@ impl Documents {
             flight: None,
             run: None,
             run_complete: false,
+            flight_generation: 0,
             run_generation: 0,
             ghost: None,
             ghost_generation: 0,
@@ -192,34 +195,92 @@ impl Documents {
         }
     }
 
-    /// A run begins. `again` keeps the finished run as the ghost; otherwise there is none.
-    pub fn begin_run(&mut self, head: Run, again: bool, staged: Staged) {
-        if again {
-            if self.run_complete
-                && let Some(old) = self.run.take()
-            {
-                self.ghost = Some(old);
-                self.ghost_generation = self.run_generation;
-            }
-        } else {
-            self.forget_flight();
+    /// Begins a run: again of the flight that is open, so that its finished run becomes the ghost.
+    pub fn begin_run_again(&mut self, head: Run, staged: Staged) {
+        if self.run_complete
+            && let Some(old) = self.run.take()
+        {
+            self.ghost = Some(old);
+            self.ghost_generation = self.run_generation;
         }
-        self.take_staged(staged);
         self.match_pictures = None;
         self.detector_search = None;
-        self.run = Some(head);
+        self.take_staged(staged);
+        self.show_run(Some(head));
+    }
+
+    /// Begins the run of a flight, which takes the place of the flight that was open.
+    pub fn begin_run(&mut self, head: Run, staged: Staged, source: &FlightSource) {
+        self.leave_flight_for(source);
+        self.take_staged(staged);
+        self.show_run(Some(head));
+    }
+
+    fn show_run(&mut self, head: Option<Run>) {
+        self.run = head;
         self.run_complete = false;
         self.run_generation += 1;
     }
 
-    /// Forgets what was found out about the flight that was open.
-    fn forget_flight(&mut self) {
-        self.ghost = None;
-        self.contest = Contest::default();
-        self.cuts = Cuts::default();
-        self.camera_log = CameraLog::default();
-        self.distinctness.clear();
-        self.pictures.clear();
+    /// Leaves the flight that is open for that of `source`. Log and bookmarks stay if it is the same.
+    fn leave_flight_for(&mut self, source: &FlightSource) {
+        let is_same = self.flight_source == *source;
+        let (log, bookmarks) = (self.log.take(), std::mem::take(&mut self.bookmarks));
+        self.leave_flight();
+        if is_same {
+            (self.log, self.bookmarks) = (log, bookmarks);
+        }
+        self.flight_source.clone_from(source);
+    }
+
+    /// Forgets the flight with everything that was found out about it. Every field is named here, so that a new one
+    /// has to say whether it belongs to the flight.
+    fn leave_flight(&mut self) {
+        let Self {
+            // What people author or opened beside the flight.
+            mission: _,
+            mission_edited: _,
+            history: _,
+            map_source: _,
+            map: _,
+            terrain: _,
+            shelf: _,
+            // Photos are of a place on the globe: they go when another world is open.
+            photos: _,
+            // The flight.
+            flight,
+            flight_source,
+            log,
+            bookmarks,
+            pictures,
+            run,
+            run_complete,
+            ghost,
+            distinctness,
+            match_pictures,
+            detector_search,
+            contest,
+            cuts,
+            camera_log,
+            noticed,
+            // Counters.
+            flight_generation,
+            run_generation,
+            ghost_generation: _,
+        } = self;
+        (*flight, *run, *ghost, *log) = (None, None, None, None);
+        *flight_source = FlightSource::Nothing;
+        *run_complete = false;
+        bookmarks.clear();
+        pictures.clear();
+        distinctness.clear();
+        (*match_pictures, *detector_search) = (None, None);
+        *contest = Contest::default();
+        *cuts = Cuts::default();
+        *camera_log = CameraLog::default();
+        *noticed = Noticed::default();
+        *flight_generation += 1;
+        *run_generation += 1;
     }
 
     fn take_staged(&mut self, staged: Staged) {
@@ -243,12 +304,9 @@ impl Documents {
     }
 
     /// Opens staged documents without a run: a flight that cannot be navigated, or none.
-    pub fn look_at(&mut self, staged: Staged) {
-        self.forget_flight();
+    pub fn look_at(&mut self, staged: Staged, source: &FlightSource) {
+        self.leave_flight_for(source);
         self.take_staged(staged);
-        self.run = None;
-        self.run_complete = false;
-        self.run_generation += 1;
     }
 
     /// Origin of the world frame, if what is open has a place on the globe.
@@ -259,23 +317,14 @@ impl Documents {
         flown.map(|frame| frame.origin).or(is_stated.then_some(own))
     }
 
-    /// Leaves what was flown for a log, whose flight is yet to come. The mission stays.
-    pub fn begin_log(&mut self, log: OpenLog, source: FlightSource) {
-        (self.flight, self.run, self.ghost) = (None, None, None);
-        self.contest = Contest::default();
-        self.cuts = Cuts::default();
-        self.camera_log = CameraLog::default();
-        self.flight_source = source;
+    /// Leaves the flight for a log, whose flight is yet to come. The mission stays.
+    pub fn begin_log(&mut self, log: OpenLog, source: &FlightSource) {
+        self.leave_flight_for(source);
         self.log = Some(log);
-        self.run_complete = false;
-        self.run_generation += 1;
-        self.pictures.clear();
-        self.match_pictures = None;
-        self.detector_search = None;
     }
 
-    /// Leaves what was flown and begins an empty mission in a world of its own, one undo step away
-    /// from the mission before.
+    /// Leaves the flight and begins an empty mission in a world of its own, one undo step away from the mission
+    /// before.
     pub fn begin_world(&mut self, origin: Geodetic, name: &str) {
         self.history.remember(&self.mission);
         self.mission = Mission {
@@ -286,17 +335,7 @@ impl Documents {
             ..Self::empty_mission()
         };
         self.mission_edited = true;
-        (self.flight, self.run, self.ghost) = (None, None, None);
-        self.flight_source = FlightSource::Nothing;
-        self.camera_log = CameraLog::default();
-        self.log = None;
-        self.run_complete = false;
-        self.run_generation += 1;
-        self.pictures.clear();
-        self.bookmarks.clear();
-        self.distinctness.clear();
-        self.match_pictures = None;
-        self.detector_search = None;
+        self.leave_flight();
     }
 
     /// First and last time of the flight, or of the run if there is no flight.

@@ -9,7 +9,7 @@ use pilotage_ui::host::OpenedFile;
 use super::support::{Rig, rig};
 
 /// Rounds at 20 m/s through the air in a wind of 5 m/s from the west, three minutes long, as a text log.
-fn rounds() -> Vec<u8> {
+pub fn rounds() -> Vec<u8> {
     let mut log = String::from(
         "FMT, 128, 89, FMT, BBnNZ, Type,Length,Name,Format,Columns\n\
          FMT, 1, 23, ATT, Qfff, TimeUS,Roll,Pitch,Yaw\n\

@@ -13,6 +13,7 @@ mod cut;
 mod detector;
 mod first_screen;
 mod fly_again;
+mod forget;
 mod georeference;
 mod keyboard_landmark;
 mod labels;

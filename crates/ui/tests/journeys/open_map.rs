@@ -6,7 +6,7 @@ use pilotage_ui::host::OpenedFile;
 
 use super::support::{Rig, ScriptedHost, rig, rig_on};
 
-fn a_map(origin: Option<Geodetic>) -> Opened {
+pub fn a_map(origin: Option<Geodetic>) -> Opened {
     Opened {
         key: String::new(),
         log: None,

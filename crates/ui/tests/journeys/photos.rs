@@ -19,7 +19,7 @@ const MAP: (usize, usize) = (720, 600);
 const PHOTO: (usize, usize) = (300, 240);
 
 /// A town of grey and red roofs, another one for another seed.
-fn town(width: usize, height: usize, seed: u64) -> Picture {
+pub fn town(width: usize, height: usize, seed: u64) -> Picture {
     let mut state = seed;
     let mut draw = |most: usize| {
         state = state
@@ -48,7 +48,7 @@ fn town(width: usize, height: usize, seed: u64) -> Picture {
 
 /// The part of `ground` that begins at (left, top), as a photo that a drone took from above its middle, looking down,
 /// top to the north. It says that it was taken `off` metres north and east of there.
-fn photo(ground: &Picture, (left, top): (usize, usize), off: [f64; 2]) -> Vec<u8> {
+pub fn photo(ground: &Picture, (left, top): (usize, usize), off: [f64; 2]) -> Vec<u8> {
     let (width, height) = PHOTO;
     let seen = Picture::from_fn(width, height, |x, y| ground.get(left + x, top + y));
     let jpeg = encode_jpeg(&seen, 92).expect("memory");

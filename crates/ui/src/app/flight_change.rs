@@ -1,0 +1,97 @@
+//! Another flight is open: nothing that was computed, asked or looked at of the one before is of use.
+
+use super::App;
+use super::log_work::LogAnswers;
+use crate::host::Host;
+use crate::labelling::Labeller;
+use crate::photos::Photos;
+
+impl App {
+    /// Leaves what is being done about the flight that was open, once another one is. To be called after whatever can
+    /// change the flight, before anything else is done: an answer about the old one would be taken for the new one's.
+    pub(super) fn follow_flight(&mut self, host: &mut dyn Host) {
+        let generation = self.documents.flight_generation;
+        if self.followed.0 == generation {
+            return;
+        }
+        let source = self.documents.flight_source.clone();
+        let (_, old) = std::mem::replace(&mut self.followed, (generation, source));
+        self.stop_cutting(host);
+        self.stop_contest(host);
+        self.stop_aligning(host);
+        self.stop_explaining(host);
+        self.evaluating.leave_flight(host);
+        self.leave_strange_photos(host);
+        if self.documents.log.is_none() {
+            self.leave_log(host);
+        }
+        if old != self.documents.flight_source {
+            self.playback.selected_span = None;
+        }
+        self.views.camera.clear();
+        if let Some(labeller) = &mut self.views.labeller {
+            *labeller = Labeller::default();
+        }
+        let mission = &self.documents.mission;
+        self.selection = self.selection.filter(|id| mission.landmark(*id).is_some());
+    }
+
+    /// Stops what explains a step of the run, and forgets that some could not be explained.
+    fn stop_explaining(&mut self, host: &mut dyn Host) {
+        let desk = &mut self.desk;
+        let explain = desk.explain.take().map(|(id, ..)| id);
+        let detector = desk.detector.take().map(|(id, ..)| id);
+        let distinctness = desk.distinctness.take().map(|(id, _)| id);
+        let decoding = desk.decoding.drain(..).map(|(id, ..)| id);
+        for id in [explain, detector, distinctness]
+            .into_iter()
+            .flatten()
+            .chain(decoding)
+        {
+            host.cancel(id);
+        }
+        (desk.unexplained, desk.examined_in_vain) = (None, None);
+    }
+
+    /// Leaves photos that were laid in another world: their places mean nothing in this one.
+    fn leave_strange_photos(&mut self, host: &mut dyn Host) {
+        let documents = &self.documents;
+        let is_strange = documents.photos.sought.as_ref().is_some_and(|sought| {
+            let is_flown = documents.flight_source.key() == Some(&sought.key);
+            !is_flown && sought.origin != documents.world_origin()
+        });
+        if is_strange {
+            self.stop_laying(host);
+            if let Some((id, _)) = self.desk.draping.take() {
+                host.cancel(id);
+            }
+            let mut photos = Photos::default();
+            photos.search = self.documents.photos.search;
+            self.documents.photos = photos;
+        }
+    }
+
+    /// Leaves what was asked of a log that is open no longer.
+    pub(super) fn leave_log(&mut self, host: &mut dyn Host) {
+        let logs = &mut self.desk.logs;
+        let answers = std::mem::take(&mut logs.answers);
+        let LogAnswers {
+            asked: _,
+            figures,
+            table,
+        } = answers;
+        let figures = figures.map(|(id, _)| id);
+        let table = table.map(|table| table.id);
+        for id in logs
+            .fetching
+            .drain()
+            .map(|(id, _)| id)
+            .chain(figures)
+            .chain(table)
+        {
+            host.cancel(id);
+        }
+        self.views.log_plots.begin(Vec::new());
+        self.views.shows_log_plots = false;
+    }
+}
