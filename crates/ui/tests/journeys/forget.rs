@@ -138,8 +138,8 @@ fn leave_traces(rig: &mut Rig) {
         rig.drag_with(Modifiers::SHIFT, at(0.3), at(0.6));
     }
     for (tab, button) in [
-        ("GPS cut", "Cut 30 s from here"),
-        ("Compare", "Fly every filter"),
+        ("GPS cut", "Cut GPS from"),
+        ("Compare", "Fly by all estimators"),
     ] {
         let tabs = rig
             .harness
@@ -148,10 +148,10 @@ fn leave_traces(rig: &mut Rig) {
             continue;
         }
         rig.open_tab(tab);
-        if let Some(button) = rig.harness.query_by_label(button) {
+        if let Some(button) = rig.harness.query_by_label_contains(button) {
             button.click();
         }
-        rig.frames(4);
+        rig.settle();
     }
 }
 
@@ -191,8 +191,12 @@ fn of_flight(state: &Value) -> Value {
     Value::Object(all)
 }
 
-/// Jobs about a flight that are neither over nor cancelled.
-fn under_way(rig: &mut Rig) -> BTreeSet<String> {
+/// Jobs about a flight that are neither over nor cancelled, while the flight is another kind's.
+fn under_way(rig: &mut Rig, old: Kind) -> BTreeSet<String> {
+    if matches!(old, Kind::Log | Kind::Sentences) {
+        // What is asked of a flight that is really read is answered at once.
+        return BTreeSet::new();
+    }
     let host = rig.host();
     let silent = |job: &Job| match job {
         // The scripted host says nothing of cuts of invented flights.
@@ -220,6 +224,12 @@ fn nothing_of_a_flight_stays_when_files_of_any_kind_take_its_place() {
             let mut rig = rig();
             old.open(&mut rig);
             leave_traces(&mut rig);
+            if old == Kind::Log {
+                let state = of_flight(&rig.state());
+                for name in ["cut", "contest", "selected", "log"] {
+                    assert!(!state[name].is_null(), "no trace of {name}");
+                }
+            }
             new.open(&mut rig);
             let found = of_flight(&rig.state());
             for (name, value) in expected.as_object().expect("an object") {
@@ -230,8 +240,8 @@ fn nothing_of_a_flight_stays_when_files_of_any_kind_take_its_place() {
                     ));
                 }
             }
-            let going_on = under_way(&mut rig);
-            if !going_on.is_empty() && old.takes_the_flights_place() {
+            let going_on = under_way(&mut rig, old);
+            if !going_on.is_empty() {
                 left.push(format!("{new:?} after {old:?}: {going_on:?} go on"));
             }
         }
@@ -241,7 +251,16 @@ fn nothing_of_a_flight_stays_when_files_of_any_kind_take_its_place() {
 
 #[test]
 fn what_was_found_out_about_a_flight_stays_when_something_is_opened_beside_it() {
-    for new in [Kind::Places, Kind::Mission] {
+    // A mission is flown again, so that what came of the run is another's.
+    let of_log = ["flight", "log", "bookmarks"];
+    let of_run = ["cut", "selected", "contest", "run_steps"];
+    for (new, names) in [
+        (
+            Kind::Places,
+            of_log.into_iter().chain(of_run).collect::<Vec<_>>(),
+        ),
+        (Kind::Mission, of_log.to_vec()),
+    ] {
         for old in [Kind::Log, Kind::Sentences, Kind::Folder] {
             let mut rig = rig();
             old.open(&mut rig);
@@ -249,8 +268,8 @@ fn what_was_found_out_about_a_flight_stays_when_something_is_opened_beside_it() 
             let before = of_flight(&rig.state());
             new.open(&mut rig);
             let after = of_flight(&rig.state());
-            for name in ["flight", "log", "bookmarks", "cut", "selected", "contest"] {
-                assert_eq!(after[name], before[name], "{new:?} after {old:?}: {name}");
+            for name in &names {
+                assert_eq!(after[*name], before[*name], "{new:?} after {old:?}: {name}");
             }
         }
     }
